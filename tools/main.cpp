@@ -14,27 +14,17 @@
 #include <utility>
 #include <vector>
 
-#include "base/file_descriptor.hpp"
+#include "base/files.hpp"
 #include "base/text.hpp"
 #include "cli/bench.hpp"
 #include "cli/bench/experiments.hpp"
 #include "cli/check.hpp"
-#include "cli/check/worker.hpp"
-#include "cli/completion.hpp"
-#include "cli/demo.hpp"
-#include "cli/devices.hpp"
-#include "cli/explain.hpp"
-#include "cli/help_examples.hpp"
-#include "cli/list.hpp"
-#include "cli/mesh_reader.hpp"
-#include "cli/pack/pack.hpp"
+#include "cli/check/checker.hpp"
+#include "cli/commands.hpp"
+#include "cli/names.hpp"
 #include "cli/render.hpp"
-#include "cli/report.hpp"
-#include "cli/site.hpp"
 #include "cli/stress.hpp"
-#include "cli/strict_options.hpp"
 #include "cli/tune.hpp"
-#include "cli/versions.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/apart.hpp"
+#include "base/process.hpp"
 
 #include <fmt/format.h>
 #include <poll.h>
@@ -17,7 +17,7 @@
 #include <new>
 #include <utility>
 
-#include "base/file_descriptor.hpp"
+#include "base/files.hpp"
 #include "base/internal/child_process.hpp"
 
 namespace gloam::base {

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <sys/types.h>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,5 +43,74 @@ struct ProcessResult {
 // to find in PATH. The program never outlives this call. Throws std::system_error if it cannot be started.
 [[nodiscard]] ProcessResult run_process(const std::vector<std::string>& command, std::string_view input,
                                         const ProcessLimits& limits);
+
+// Processor time that a process has used, over all its threads; zero for a process that has ended.
+[[nodiscard]] std::chrono::nanoseconds processor_time_of(pid_t process);
+
+// Decides how long to wait for a process. A process that shares the machine can need far longer than alone,
+// but a process that waits for an event that never comes uses no processor time. So a wait ends after its
+// limit, if the process has used that much processor time itself, or next to none since the last look.
+class Patience {
+  public:
+    using Clock = std::chrono::steady_clock;
+    // Returns the processor time that the process has used so far.
+    using Used = std::function<std::chrono::nanoseconds()>;
+
+    // Starts the wait. `limit`: positive.
+    Patience(std::chrono::nanoseconds limit, Used used);
+
+    // Time of the next call of is_over().
+    [[nodiscard]] Clock::time_point next_look() const { return next_; }
+
+    // Whether the wait is over. False before next_look(), and if the process gets more time; then next_look()
+    // is later.
+    [[nodiscard]] bool is_over();
+
+  private:
+    std::chrono::nanoseconds limit_;
+    Used used_;
+    std::chrono::nanoseconds at_begin_;
+    std::chrono::nanoseconds at_look_;  // processor time at the last look
+    Clock::time_point looked_;
+    Clock::time_point next_;
+};
+
+// An exception of the work itself; what() is its message.
+class WorkError : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+// The work did not complete: "takes more than 60 s", "takes more than 4096 MiB of memory", "ended by signal
+// 11 (SEGV: Segmentation fault)".
+class LimitError : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+// Calls `work` in a forked copy of this process and returns its result. Memory, time and crashes of the copy
+// do not affect this process. limits.memory_bytes is added to what this process already uses. Throws
+// WorkError, LimitError, and std::system_error if no process can be created.
+[[nodiscard]] std::string run_apart(const std::function<std::string()>& work, const ProcessLimits& limits);
+
+// The same for many questions: one copy, forked at the first question, answers them in turn. If it does not
+// complete, that question fails and the next one goes to a new copy. Time limits are for each question. For
+// one thread.
+class Apart {
+  public:
+    using Work = std::function<std::string(std::string_view question)>;
+
+    Apart(Work work, const ProcessLimits& limits);
+    ~Apart();
+    Apart(const Apart&) = delete;
+    Apart& operator=(const Apart&) = delete;
+
+    // Throws like run_apart().
+    [[nodiscard]] std::string ask(std::string_view question);
+
+  private:
+    struct Copy;
+    Work work_;
+    ProcessLimits limits_;
+    std::unique_ptr<Copy> copy_;
+};
 
 }  // namespace gloam::base

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -25,5 +26,20 @@ namespace gloam::base {
 // A file name from any text: letters, digits, '-', '_' and '.' are kept (except a leading dot), other bytes
 // become %XX. Different texts have different names, up to 100 bytes; a longer name ends in a hash.
 [[nodiscard]] std::string file_name_of(std::string_view text);
+
+// Bytes as base64 (RFC 4648, section 4), with padding.
+[[nodiscard]] std::string base64(std::span<const unsigned char> bytes);
+
+// Bounds of a JSON text for parsers. Parsers recurse into nested values, and search each name of an object
+// among the names before it.
+struct JsonBounds {
+    std::size_t bytes = std::size_t{64} << 20;
+    std::size_t depth = 64;      // arrays and objects within each other
+    std::size_t members = 1000;  // of one object
+};
+
+// Throws std::runtime_error with the bound that a text exceeds, and the line. It does not test whether the
+// text is valid JSON; a parser finds no deeper nesting than this function.
+void require_bounded_json(std::string_view text, const JsonBounds& bounds = {});
 
 }  // namespace gloam::base

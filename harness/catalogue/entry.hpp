@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "catalogue/description.hpp"
-#include "check/image_ends.hpp"
 #include "check/question.hpp"
 
 // The entry of an equation in the catalogue states what a person must decide; one call of add() a function:
@@ -22,7 +21,7 @@
 // The rest is read. Its title, formula, source, function and file stand in the comment of the GLSL function
 // (catalogue/description.hpp). The signature is that of the reference, with float in place of double; what
 // the reference takes as T& is an out parameter. Degenerate inputs, and images of exact 0 and 1, are added to
-// those of every entry (check/degenerate.hpp, check/image_ends.hpp). `.scenarios` provides images for a
+// those of every entry (check/domain.hpp, check/question.hpp). `.scenarios` provides images for a
 // function that reads images (catalogue/inputs.hpp); its reference then takes (const check::ImageSet&,
 // arguments...).
 namespace gloam::catalogue {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "catalogue/inputs.hpp"
-#include "numeric/constants.hpp"
+#include "numeric/numbers.hpp"
 #include "reference/geometry.hpp"
 #include "reference/geometry_camera.hpp"
 

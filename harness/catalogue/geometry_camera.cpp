@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "catalogue/inputs.hpp"
-#include "numeric/constants.hpp"
+#include "numeric/numbers.hpp"
 #include "reference/geometry.hpp"
 #include "reference/geometry_camera.hpp"
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "check/domain.hpp"
 #include "check/question.hpp"
-#include "check/values.hpp"
 
 // Values and images that several entries use.
 namespace gloam::catalogue {

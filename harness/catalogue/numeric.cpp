@@ -2,7 +2,7 @@
 // Angles, roots and ratios.
 #include "reference/numeric.hpp"
 #include "catalogue/inputs.hpp"
-#include "numeric/constants.hpp"
+#include "numeric/numbers.hpp"
 
 namespace gloam::catalogue {
 namespace {

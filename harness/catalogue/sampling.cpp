@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "catalogue/inputs.hpp"
-#include "numeric/constants.hpp"
+#include "numeric/numbers.hpp"
 #include "reference/sampling.hpp"
 
 namespace gloam::catalogue {

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "catalogue/inputs.hpp"
-#include "numeric/constants.hpp"
+#include "numeric/numbers.hpp"
 #include "reference/shading.hpp"
 
 namespace gloam::catalogue {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "catalogue/inputs.hpp"
-#include "numeric/constants.hpp"
+#include "numeric/numbers.hpp"
 #include "reference/temporal.hpp"
 
 namespace gloam::catalogue {

@@ -2,11 +2,23 @@
 #include "check/answer.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <numeric>
 
 namespace gloam::check {
+
+std::string to_text(const Budget& budget) {
+    std::string text;
+    if (budget.ulp > 0.0)
+        text = fmt::format("{:g} ulp{}", budget.ulp,
+                           budget.of_largest_component ? " of the largest component" : "");
+    if (budget.absolute > 0.0)
+        text += fmt::format("{}{:g} absolute", text.empty() ? "" : " or ", budget.absolute);
+    if (text.empty()) text = "exact";
+    if (budget.backward_ulp > 0) text += fmt::format(" at inputs within {} ulp", budget.backward_ulp);
+    return text;
+}
+
 namespace {
 
 std::size_t total(const std::array<ClassCount, input_class_count>& classes,

@@ -3,17 +3,52 @@
 
 #include <array>
 #include <cstddef>
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "check/budget.hpp"
-#include "check/coverage.hpp"
-#include "check/scalars.hpp"
-#include "numeric/bounds.hpp"
+#include "check/signature.hpp"
+#include "numeric/interval.hpp"
 
 namespace gloam::check {
+
+// The largest permitted difference from the reference: an output passes if its error is at most `ulp` units
+// in the last place, or at most `absolute`. Integers and bools must be equal.
+struct Budget {
+    double ulp = 0.0;
+    double absolute = 0.0;
+    // No forward bound exists where the function is discontinuous. Then a result also passes if it is within
+    // the budget for inputs that are moved by at most this many ULP each. Inputs that are small whole numbers
+    // stay: a count, or the end of a range, is meant exactly.
+    int backward_ulp = 0;
+    // Measures each vector or matrix in the ULP of its largest component, not in each component's own.
+    bool of_largest_component = false;
+};
+
+// The budget as text: "4 ulp or 1e-07", "exact", "2 ulp at inputs within 1 ulp".
+[[nodiscard]] std::string to_text(const Budget& budget);
+
+// The part of a function, and of all that it calls, that the inputs of a check reach.
+struct Coverage {
+    std::size_t inputs = 0;  // inputs that were run: until everything was reached, for about a second at most
+
+    // A line, or one way of a branch in it: each side of a condition, each case of a switch.
+    struct Point {
+        std::string file;
+        unsigned line = 0;
+        std::string text;  // of the line
+        std::string way;   // "true", "false, branch 2 of the line", "case 3"; empty: the line itself
+        bool reached = false;
+    };
+    std::vector<Point> points;
+
+    [[nodiscard]] bool is_complete() const;
+};
+
+// "lines 12 of 12, branches 7 of 8", and a line of text for each missed point.
+[[nodiscard]] std::string to_text(const Coverage& coverage);
 
 // What an output is judged by: the function's documented budget, or Vulkan's precision rules.
 enum class Verdict { budget, rules };
@@ -130,7 +165,7 @@ struct Answer {
     // Of these, the positions of inputs for which the function takes too many instructions, in the order of
     // judging. Not in JSON.
     std::vector<std::size_t> endless;
-    std::optional<Sample> worst;  // largest fraction
+    std::optional<Sample> worst;                                         // largest fraction
     std::array<std::optional<Sample>, input_class_count> first_outside;  // first failure of each class
     // For inputs as constants of the shader: the number whose results differ in any bit from those of the
     // same shader with the inputs in memory. All NaNs count as equal.
@@ -178,5 +213,18 @@ struct Answer {
   private:
     ClassCount& count(InputClass input_class) { return classes.at(static_cast<std::size_t>(input_class)); }
 };
+
+// The values of a signature's inputs as text, each in decimal and hexadecimal: "vec2 (0.5 (0x3f000000), 1
+// (0x3f800000)), int 3".
+[[nodiscard]] std::string describe_inputs(const Signature& signature, const std::vector<Word>& inputs);
+
+// Verdict, counts by class of input, and the worst input with its outputs and the expected ones.
+[[nodiscard]] std::string describe(const Signature& signature, const Answer& answer);
+
+// Sets Sample::values of every sample of an answer.
+void describe_samples(const Signature& signature, Answer& answer);
+
+// Prints describe()'s text, so that EXPECT_TRUE(answer.passed()) << answer describes the failure.
+std::ostream& operator<<(std::ostream& stream, const Answer& answer);
 
 }  // namespace gloam::check

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "check/coverage.hpp"
+#include "check/answer.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include "base/text.hpp"
 #include "check/internal/trial.hpp"
 #include "check/interpreted_kernel.hpp"
-#include "check/measure_coverage.hpp"
+#include "check/run.hpp"
 #include "shader/include.hpp"
 
 namespace gloam::check {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "check/kernel_code.hpp"
-#include "check/scalars.hpp"
-#include "numeric/bounds.hpp"
+#include "check/signature.hpp"
+#include "numeric/interval.hpp"
 #include "shader/compile.hpp"
 
 namespace gloam::check {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "check/judge.hpp"
+#include "check/run.hpp"
 
 #include <fmt/format.h>
 
@@ -10,13 +10,11 @@
 #include <optional>
 #include <thread>
 
-#include "check/describe.hpp"
+#include "check/answer.hpp"
 #include "check/internal/budget_judge.hpp"
-#include "check/internal/edge.hpp"
-#include "check/internal/input_class.hpp"
-#include "check/internal/rules_judge.hpp"
-#include "interpreter/error.hpp"
-#include "numeric/constants.hpp"
+#include "check/internal/interpretation.hpp"
+#include "interpreter/program.hpp"
+#include "numeric/numbers.hpp"
 
 namespace gloam::check {
 namespace {

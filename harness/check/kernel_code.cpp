@@ -1,12 +1,345 @@
 // SPDX-License-Identifier: MIT
 #include "check/kernel_code.hpp"
 
+#include <fmt/format.h>
+#include <algorithm>
+#include <bit>
+#include <cctype>
+#include <cmath>
+#include <functional>
+#include <set>
+#include <string_view>
+
 #include "check/internal/kernel_text.hpp"
 
 namespace gloam::check {
 
 std::string kernel_code(const KernelSource& source) {
     return internal::kernel_text(source, internal::main_of(source.function));
+}
+
+}  // namespace gloam::check
+
+namespace gloam::check::internal {
+namespace {
+
+using shader::Direction;
+using shader::Scalar;
+using shader::Type;
+
+std::string to_word(Scalar scalar, const std::string& value) {
+    switch (scalar) {
+        case Scalar::float_:
+            return fmt::format("floatBitsToUint({})", value);
+        case Scalar::int_:
+            return fmt::format("uint({})", value);
+        case Scalar::bool_:
+            return fmt::format("({} ? 1u : 0u)", value);
+        default:
+            return value;
+    }
+}
+
+// The GLSL expressions of all scalars of a variable, in order: "a.x", "m[1][2]", "s.depth".
+void scalar_paths(const Type& type, const std::string& variable,
+                  std::vector<std::pair<Scalar, std::string>>& paths) {
+    if (type.scalar == Scalar::void_) return;
+    if (type.scalar == Scalar::structure) {
+        for (const shader::Member& member : type.members) {
+            scalar_paths(member.type, variable + "." + member.name, paths);
+        }
+        return;
+    }
+    for (int column = 0; column < type.columns; ++column) {
+        const std::string base = type.columns > 1 ? fmt::format("{}[{}]", variable, column) : variable;
+        for (int row = 0; row < type.rows; ++row) {
+            paths.emplace_back(type.scalar, type.rows > 1 ? fmt::format("{}[{}]", base, row) : base);
+        }
+    }
+}
+
+// Appends statements that set a variable from the input words from `offset` on; returns the number of words.
+std::size_t append_read(std::string& code, const Type& type, const std::string& variable,
+                        const InputText& input, std::size_t offset) {
+    std::vector<std::pair<Scalar, std::string>> paths;
+    scalar_paths(type, variable, paths);
+    for (const auto& [scalar, path] : paths)
+        code += fmt::format("    {} = {};\n", path, input(scalar, offset++));
+    return paths.size();
+}
+
+std::size_t append_write(std::string& code, const Type& type, const std::string& variable,
+                         std::string_view buffer, std::string_view at, std::size_t offset) {
+    std::vector<std::pair<Scalar, std::string>> paths;
+    scalar_paths(type, variable, paths);
+    for (const auto& [scalar, path] : paths) {
+        code += fmt::format("    {}[{} + {}u] = {};\n", buffer, at, offset++, to_word(scalar, path));
+    }
+    return paths.size();
+}
+
+std::string type_name(const Type& type) {
+    return type.scalar == Scalar::structure ? type.name : shader::to_glsl(type);
+}
+
+constexpr std::string_view header = R"(#version 450
+#extension GL_GOOGLE_include_directive : require
+)";
+
+// 4466 is the capability SignedZeroInfNanPreserve, 4461 its execution mode, for 32-bit floats.
+constexpr std::string_view preserve = R"(#extension GL_EXT_spirv_intrinsics : require
+spirv_execution_mode(extensions = ["SPV_KHR_float_controls"], capabilities = [4466], 4461, 32);
+)";
+
+constexpr std::string_view vulkan_run = R"(
+layout(local_size_x = 64) in;
+layout(push_constant) uniform GloamKernelRun {
+    uint gloam_kernel_count;
+    uint gloam_kernel_row_length;
+    uint gloam_kernel_canary;
+};
+)";
+
+// Buffers without a set are in set 0 of Vulkan; OpenGL has no sets.
+constexpr std::string_view storage = R"(
+layout(std430, binding = 0) readonly buffer GloamKernelInputs { uint gloam_kernel_inputs[]; };
+layout(std430, binding = 1) writeonly buffer GloamKernelOutputs { uint gloam_kernel_outputs[]; };
+layout(std430, binding = 2) buffer GloamKernelFaults { uint gloam_kernel_faults[]; };
+uint gloam_kernel_input() { return gl_GlobalInvocationID.y * gloam_kernel_row_length + gl_GlobalInvocationID.x; }
+void gloam_kernel_fault(uint image, ivec2 pixel) {
+    if (atomicAdd(gloam_kernel_faults[0], 1u) == 0u) {
+        gloam_kernel_faults[1] = image;
+        gloam_kernel_faults[2] = uint(pixel.x);
+        gloam_kernel_faults[3] = uint(pixel.y);
+        gloam_kernel_faults[4] = gloam_kernel_input();
+    }
+}
+)";
+
+std::string image_interface(const ImagePrototype& image, std::size_t index) {
+    return fmt::format(
+        "layout(std430, binding = {}) {}buffer GloamKernelImage{} {{ uint gloam_kernel_image{}[]; "
+        "}};\n",
+        KernelBinding::first_image + index, image.stores ? "" : "readonly ", index, index);
+}
+
+// The definition of a prototype: it finds the pixel or reports the fault.
+std::string image_definition(const ImagePrototype& image, std::size_t index, const ImageWordText& read) {
+    const std::string buffer = fmt::format("gloam_kernel_image{}", index);
+    const auto read_word = [&](const std::string& at) { return read(index, at); };
+    const std::size_t scalars = scalars_of(image.element).size();
+    const std::string type = type_name(image.element);
+    std::string code =
+        image.stores
+            ? fmt::format("void {}(ivec2 gloam_kernel_pixel, {} gloam_kernel_value) {{\n", image.name, type)
+            : fmt::format("{} {}(ivec2 gloam_kernel_pixel) {{\n", type, image.name);
+    code += fmt::format(
+        "    ivec2 gloam_kernel_size = ivec2({}, {});\n"
+        "    ivec2 gloam_kernel_inside = clamp(gloam_kernel_pixel, ivec2(0), gloam_kernel_size - 1);\n"
+        "    if (gloam_kernel_inside != gloam_kernel_pixel && {} == 0u)\n"
+        "        gloam_kernel_fault({}u, gloam_kernel_pixel);\n"
+        "    uint gloam_kernel_at = {}u + uint(gloam_kernel_inside.y * gloam_kernel_size.x +\n"
+        "                                       gloam_kernel_inside.x) * {}u;\n",
+        read_word("0"), read_word("1"), read_word("2"), index, image_header_words, scalars);
+    if (image.stores) {
+        code += "    if (gloam_kernel_inside != gloam_kernel_pixel) return;\n";
+        append_write(code, image.element, "gloam_kernel_value", buffer, "gloam_kernel_at", 0);
+    } else {
+        code += fmt::format("    {} gloam_kernel_value;\n", type);
+        const InputText word = [&read_word](Scalar scalar, std::size_t offset) {
+            return from_word(scalar, read_word(fmt::format("gloam_kernel_at + {}u", offset)));
+        };
+        append_read(code, image.element, "gloam_kernel_value", word, 0);
+        code += "    return gloam_kernel_value;\n";
+    }
+    return code + "}\n";
+}
+
+// Whether this word can be the name of a macro.
+bool can_be_macro(std::string_view word) {
+    return !word.starts_with("GL_") && word.find("__") == std::string_view::npos && word != "defined";
+}
+
+// Directives that undefine every name that a text uses, so that macros of the user's file do not affect the
+// text.
+std::string without_macros(std::string_view text) {
+    const auto is_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+    std::set<std::string_view> words;
+    for (std::size_t at = 0; at < text.size();) {
+        std::size_t end = at;
+        while (end < text.size() && is_word(text[end])) ++end;
+        const std::string_view word = text.substr(at, end - at);
+        if (!word.empty() && std::isdigit(static_cast<unsigned char>(word[0])) == 0 && can_be_macro(word))
+            words.insert(word);
+        at = std::max(end, at + 1);
+    }
+    std::string code;
+    for (const std::string_view word : words) code += fmt::format("#undef {}\n", word);
+    return code;
+}
+
+}  // namespace
+
+std::string from_word(Scalar scalar, const std::string& word) {
+    switch (scalar) {
+        case Scalar::float_:
+            return fmt::format("uintBitsToFloat({})", word);
+        case Scalar::int_:
+            return fmt::format("int({})", word);
+        case Scalar::bool_:
+            return fmt::format("({} != 0u)", word);
+        default:
+            return word;
+    }
+}
+
+std::string kernel_text(const KernelSource& source, const std::string& rest) {
+    std::string code(header);
+    if (source.preserve_nan) code += preserve;
+    return code.append(vulkan_run) + storage_interface(source) + file_and_rest(source, word_of_buffer, rest);
+}
+
+std::string storage_interface(const KernelSource& source) {
+    std::string code(storage);
+    for (std::size_t i = 0; i < source.images.size(); ++i) code += image_interface(source.images[i], i);
+    return code;
+}
+
+std::string file_and_rest(const KernelSource& source, const ImageWordText& read, const std::string& rest) {
+    std::string ours;
+    for (std::size_t i = 0; i < source.images.size(); ++i)
+        ours += image_definition(source.images[i], i, read);
+    ours += rest;
+    const std::string file = source.text.empty() ? fmt::format("#include \"{}\"\n", source.file)
+                                                 : source.text + "#line 1 \"kernel\"\n";
+    return file + without_macros(ours) + ours;
+}
+
+std::string word_of_buffer(std::size_t image, const std::string& at) {
+    return fmt::format("gloam_kernel_image{}[{}]", image, at);
+}
+
+std::string input_of_buffer(Scalar scalar, std::size_t word) {
+    return from_word(scalar, fmt::format("gloam_kernel_inputs[gloam_kernel_input_at + {}u]", word));
+}
+
+Evaluation evaluation(const shader::Function& function, const InputText& input) {
+    Evaluation result;
+    std::string arguments;
+    for (std::size_t i = 0; i < function.parameters.size(); ++i) {
+        const shader::Parameter& p = function.parameters[i];
+        const std::string variable = fmt::format("gloam_kernel_argument{}", i);
+        result.code += fmt::format("    {} {};\n", type_name(p.type), variable);
+        if (p.direction != Direction::out)
+            result.input_words += append_read(result.code, p.type, variable, input, result.input_words);
+        arguments += (i > 0 ? ", " : "") + variable;
+    }
+    const auto write = [&](const Type& type, const std::string& variable) {
+        result.output_words += append_write(result.code, type, variable, "gloam_kernel_outputs",
+                                            "gloam_kernel_output_at", result.output_words);
+    };
+    const std::string call = fmt::format("{}({});\n", function.name, arguments);
+    if (function.result.scalar == Scalar::void_) {
+        result.code += "    " + call;
+    } else {
+        result.code += fmt::format("    {} gloam_kernel_result = {}", type_name(function.result), call);
+        write(function.result, "gloam_kernel_result");
+    }
+    for (std::size_t i = 0; i < function.parameters.size(); ++i)
+        if (function.parameters[i].direction != Direction::in)
+            write(function.parameters[i].type, fmt::format("gloam_kernel_argument{}", i));
+    return result;
+}
+
+std::string main_begin(std::size_t output_words) {
+    return fmt::format(
+        "void main() {{\n"
+        "    uint gloam_kernel_index = gloam_kernel_input();\n"
+        "    if (gl_GlobalInvocationID.x >= gloam_kernel_row_length || gloam_kernel_index >= "
+        "gloam_kernel_count) return;\n"
+        "    uint gloam_kernel_output_at = gloam_kernel_index * {}u;\n",
+        output_words + 1);
+}
+
+std::string main_end(std::size_t output_words) {
+    return fmt::format(
+        "    gloam_kernel_outputs[gloam_kernel_output_at + {}u] = gloam_kernel_canary ^ "
+        "gloam_kernel_index;\n}}\n",
+        output_words);
+}
+
+std::string main_of(const shader::Function& function) {
+    const Evaluation calls = evaluation(function, input_of_buffer);
+    return main_begin(calls.output_words) +
+           fmt::format("    uint gloam_kernel_input_at = gloam_kernel_index * {}u;\n", calls.input_words) +
+           calls.code + main_end(calls.output_words);
+}
+
+}  // namespace gloam::check::internal
+
+namespace gloam::check {
+namespace {
+
+using shader::Scalar;
+
+// A decimal that denotes exactly this float. Its 17 digits identify the float's value as a double.
+std::string float_literal(float value) {
+    std::string text = fmt::format("{:.17g}", static_cast<double>(value));
+    if (text.find_first_of(".e") == std::string::npos) text += ".0";
+    return text;
+}
+
+// The expressions of the scalars of input `index`.
+using InputOf = std::function<internal::InputText(std::size_t index)>;
+
+std::string main_function(const shader::Function& function, std::size_t count, const InputOf& input_of) {
+    std::string cases;
+    std::size_t output_words = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const internal::Evaluation evaluation = internal::evaluation(function, input_of(i));
+        output_words = evaluation.output_words;
+        cases += fmt::format("    case {}u: {{\n{}    break; }}\n", i, evaluation.code);
+    }
+    return internal::main_begin(output_words) + "    switch (gloam_kernel_index) {\n" + cases + "    }\n" +
+           internal::main_end(output_words);
+}
+
+// Number of words in one input of the function.
+std::size_t input_words(const shader::Function& function) {
+    return internal::evaluation(function, [](Scalar, std::size_t) { return std::string(); }).input_words;
+}
+
+}  // namespace
+
+std::string literal(Scalar scalar, Word word) {
+    const std::string hexadecimal = fmt::format("0x{:08x}u", word);
+    if (scalar == Scalar::bool_) return word != 0 ? "true" : "false";
+    if (scalar != Scalar::float_) return internal::from_word(scalar, hexadecimal);
+    const auto value = std::bit_cast<float>(word);
+    return std::isfinite(value) ? float_literal(value) : internal::from_word(scalar, hexadecimal);
+}
+
+std::string literal_kernel_code(const KernelSource& source, std::span<const Word> inputs, std::size_t count) {
+    const std::size_t words = count == 0 ? 0 : inputs.size() / count;
+    const auto input_of = [&](std::size_t index) -> internal::InputText {
+        return [input = inputs.subspan(index * words, words)](Scalar scalar, std::size_t word) {
+            return literal(scalar, input[word]);
+        };
+    };
+    return internal::kernel_text(source, main_function(source.function, count, input_of));
+}
+
+std::string specialized_kernel_code(const KernelSource& source, std::size_t count) {
+    const std::size_t words = input_words(source.function);
+    std::string constants;
+    for (std::size_t id = 0; id < count * words; ++id)
+        constants += fmt::format("layout(constant_id = {0}) const uint gloam_kernel_constant{0} = 0u;\n", id);
+    const auto input_of = [words](std::size_t index) -> internal::InputText {
+        return [first = index * words](Scalar scalar, std::size_t word) {
+            return internal::from_word(scalar, fmt::format("gloam_kernel_constant{}", first + word));
+        };
+    };
+    return internal::kernel_text(source, constants + main_function(source.function, count, input_of));
 }
 
 }  // namespace gloam::check

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "check/image.hpp"
+#include "check/question.hpp"
 #include "check/signature.hpp"
+#include "interpreter/program.hpp"
 #include "shader/compile.hpp"
 
 namespace gloam::check {
@@ -59,5 +63,34 @@ inline constexpr std::size_t image_header_words = 3;
 
 // The text of a compute shader that calls the function once for each input.
 [[nodiscard]] std::string kernel_code(const KernelSource& source);
+
+// A compiled kernel, as it is passed to a driver or the interpreter.
+struct KernelModule {
+    shader::Spirv spirv;  // follows the interface of kernel_code()
+    std::vector<interpreter::Constant> constants;
+    std::size_t input_words = 0;
+    std::size_t output_words = 0;
+    std::vector<ImagePrototype> images;
+    std::size_t fixed_inputs = 0;  // inputs that are constants in it; 0: they come from memory
+    std::string glsl;              // the same kernel as text, for an OpenGL device; else empty
+    bool judged_by_rules = true;   // off where the version of GLSL has no precision rules to ask
+};
+
+// The modules that evaluated a run's inputs, one after another. A single module evaluated all inputs;
+// otherwise each evaluated its fixed_inputs.
+using KernelModules = std::vector<std::shared_ptr<const KernelModule>>;
+
+// The GLSL literal of a scalar with these bits, exactly: finite floats as decimals, others by
+// uintBitsToFloat().
+[[nodiscard]] std::string literal(shader::Scalar scalar, Word word);
+
+// The text of a compute shader like that of kernel_code(), but with the inputs as literals in the text:
+// invocation i evaluates input i. inputs: each of the same number of words, one after another.
+[[nodiscard]] std::string literal_kernel_code(const KernelSource& source, std::span<const Word> inputs,
+                                              std::size_t count);
+
+// The same with `count` inputs as specialization constants of type uint: word w of input i has the
+// constant_id i x (words of an input) + w.
+[[nodiscard]] std::string specialized_kernel_code(const KernelSource& source, std::size_t count);
 
 }  // namespace gloam::check

@@ -1,17 +1,168 @@
 // SPDX-License-Identifier: MIT
-#include "check/kernel_core.hpp"
-
-#include "check/internal/gl_kernel.hpp"
-#include "check/internal/interpret.hpp"
-#include "check/internal/kernel_rows.hpp"
-#include "check/interpreted_kernel.hpp"
+#include "check/lab.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
+#include <future>
+#include <random>
+#include <thread>
+#include <utility>
 
-#include "gpu/buffer.hpp"
-#include "gpu/commands.hpp"
+#include "check/internal/gl_kernel.hpp"
+#include "check/internal/kernel_rows.hpp"
+#include "check/interpreted_kernel.hpp"
+#include "gpu/resources.hpp"
+#include "interpreter/program.hpp"
+
+namespace gloam::check::internal {
+
+void add_outputs(const KernelRows& rows, const KernelModule& module, const std::string& name,
+                 KernelCore::Result& result) {
+    for (std::size_t i = 0; i < rows.count; ++i) {
+        const auto values = rows.words.subspan(i * rows.row, module.output_words);
+        const Word canary = rows.words[i * rows.row + module.output_words];
+        const Word expected = rows.canary ^ static_cast<Word>(i);
+        if (canary != expected) {
+            throw KernelError(
+                fmt::format("{}: the kernel did not finish for input {} of {}: expected the canary 0x{:08x}, "
+                            "found 0x{:08x}",
+                            name, rows.first + i, rows.first + rows.count, expected, canary));
+        }
+        result.outputs.insert(result.outputs.end(), values.begin(), values.end());
+    }
+}
+
+void add_faults(const KernelFaults& faults, std::size_t input, const KernelModule& module,
+                const ImageSet& images, KernelCore::Result& result) {
+    if (faults.count == 0) return;
+    if (result.fault) {
+        result.fault->count += faults.count;
+        return;
+    }
+    const ImagePrototype& image = module.images.at(faults.image);
+    result.fault = ImageFault{.image = image.name,
+                              .pixel = {static_cast<int>(faults.x), static_cast<int>(faults.y)},
+                              .size = images.at(image.name).size,
+                              .count = faults.count,
+                              .input = input};
+}
+
+void add_stored(const ImagePrototype& image, std::span<const Word> words, const ImageSet& images,
+                KernelCore::Result& result) {
+    if (!image.stores) return;
+    const auto texels = words.subspan(image_header_words);
+    Image stored = images.at(image.name);
+    stored.words.assign(texels.begin(), texels.end());
+    result.stored.emplace(image.name, std::move(stored));
+}
+
+Word new_canary() {
+    std::random_device entropy;
+    return entropy();
+}
+
+namespace {
+
+// The inputs of a run from `begin` to `end` (excluded), run one after another.
+class Part {
+  public:
+    Part(const interpreter::Program& program, const KernelModule& module, std::span<const Word> inputs,
+         const std::string& name)
+        : program_(program), module_(module), inputs_(inputs), name_(name) {}
+
+    // `outputs`: of all inputs. `images`: the words of the images; stores change them.
+    std::optional<ImageFault> run(std::size_t begin, std::size_t end, std::vector<std::vector<Word>>& images,
+                                  std::span<Word> outputs) {
+        InterpretedKernel<float> kernel(program_, module_, images);
+        for (std::size_t i = begin; i < end; ++i) {
+            run(kernel, i);
+            for (std::size_t w = 0; w < module_.output_words; ++w)
+                outputs[i * module_.output_words + w] = kernel.output(w).bits();
+            if (!module_.images.empty()) add_fault(kernel.faults(), i, images);
+            for (std::size_t image = 0; image < images.size(); ++image)
+                if (module_.images[image].stores) kernel.read_image(image, images[image]);
+        }
+        return fault_;
+    }
+
+  private:
+    void run(InterpretedKernel<float>& kernel, std::size_t i) const {
+        try {
+            if (module_.fixed_inputs > 0) {
+                kernel.run({}, i);
+            } else {
+                kernel.run(inputs_.subspan(i * module_.input_words, module_.input_words));
+            }
+        } catch (const interpreter::Error& error) {
+            throw KernelError(fmt::format("{}: input {}: {}", name_, i, error.what()));
+        }
+    }
+
+    void add_fault(const KernelFaults& faults, std::size_t i, const std::vector<std::vector<Word>>& images) {
+        if (faults.count == 0) return;
+        if (!fault_) {
+            const std::vector<Word>& words = images.at(faults.image);
+            fault_ = ImageFault{.image = module_.images.at(faults.image).name,
+                                .pixel = {static_cast<int>(faults.x), static_cast<int>(faults.y)},
+                                .size = {static_cast<int>(words[0]), static_cast<int>(words[1])},
+                                .count = 0,
+                                .input = i};
+        }
+        fault_->count += faults.count;
+    }
+
+    const interpreter::Program& program_;
+    const KernelModule& module_;
+    std::span<const Word> inputs_;
+    const std::string& name_;
+    std::optional<ImageFault> fault_;
+};
+
+interpreter::Program decoded(const KernelModule& module, const std::string& name) {
+    try {
+        return interpreter::Program(module.spirv, module.constants);
+    } catch (const interpreter::Error& error) {
+        throw KernelError(fmt::format("{}: {}", name, error.what()));
+    }
+}
+
+void merge(std::optional<ImageFault>& all, const std::optional<ImageFault>& later) {
+    if (!later) return;
+    if (all) {
+        all->count += later->count;
+    } else {
+        all = later;
+    }
+}
+
+}  // namespace
+
+KernelCore::Result interpret(const std::shared_ptr<const KernelModule>& module, std::span<const Word> inputs,
+                             std::size_t count, const ImageSet& images, const std::string& name) {
+    const interpreter::Program program = decoded(*module, name);
+    const std::vector<std::vector<Word>> words = image_words(module->images, images, name);
+    const bool stores = std::ranges::any_of(module->images, &ImagePrototype::stores);
+    const std::size_t threads = stores ? 1 : std::max(1U, std::thread::hardware_concurrency());
+    const std::size_t share = count / threads + 1;
+    KernelCore::Result result;
+    result.modules = {module};
+    result.outputs.resize(count * module->output_words);
+    std::vector<std::vector<Word>> after = words;
+    const auto part = [&](std::size_t begin, std::vector<std::vector<Word>>& own) {
+        return Part(program, *module, inputs, name)
+            .run(begin, std::min(begin + share, count), own, result.outputs);
+    };
+    std::vector<std::future<std::optional<ImageFault>>> parts;
+    for (std::size_t begin = share; begin < count; begin += share)
+        parts.push_back(std::async(std::launch::async,
+                                   [&part, begin, own = words]() mutable { return part(begin, own); }));
+    result.fault = part(0, after);
+    for (auto& later : parts) merge(result.fault, later.get());
+    for (std::size_t i = 0; i < words.size(); ++i) add_stored(module->images[i], after[i], images, result);
+    return result;
+}
+
+}  // namespace gloam::check::internal
 
 namespace gloam::check {
 namespace {

@@ -2,21 +2,85 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "check/kernel_core.hpp"
+#include "check/kernel_code.hpp"
 #include "check/signature.hpp"
+#include "gl/device.hpp"
+#include "gpu/commands.hpp"
 #include "gpu/device.hpp"
-#include "shader/cache.hpp"
-#include "shader/excerpt.hpp"
+#include "shader/compile.hpp"
+#include "shader/pack.hpp"
 
 namespace gloam::check {
+
+namespace internal {
+class GlKernel;
+}
+
+// An access outside an image behind one of the shader's prototypes.
+struct ImageFault {
+    std::string image;  // the prototype's name
+    glm::ivec2 pixel{0};
+    glm::ivec2 size{0};
+    std::size_t count = 0;  // all accesses outside
+    std::size_t input = 0;  // one input with such an access
+};
+
+// "gloam_fetch_depth: pixel (-1, 0) is outside the 3 x 3 image (5 times, at input 12)".
+[[nodiscard]] std::string to_text(const ImageFault& fault);
+
+// A dispatch whose outputs are unreliable: the kernel did not complete for every input, or memory behind its
+// outputs changed.
+class KernelError : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+// A compiled kernel without its C++ types: words in, words out.
+class KernelCore {
+  public:
+    // `name`: for messages only.
+    KernelCore(const gpu::Device& device, KernelModule module, std::string name);
+    // For the interpreter: correctly rounded, without a device.
+    KernelCore(KernelModule module, std::string name);
+    // Its KernelModule::glsl run by an OpenGL device. Throws gl::Error.
+    KernelCore(const gl::Device& device, KernelModule module, std::string name);
+
+    struct Result {
+        std::vector<Word> outputs;  // count x output_words
+        ImageSet stored;            // images that the shader may have stored to
+        std::optional<ImageFault> fault;
+        KernelModules modules;  // the modules that produced the outputs; none where no rules hold for them
+    };
+
+    // Evaluates `count` inputs (count x input_words words) in one dispatch, or in as few as the device's
+    // limits allow. Throws std::invalid_argument if a prototype has no image or one of another type;
+    // KernelError, also for a module that the interpreter cannot run; gpu and gl errors.
+    [[nodiscard]] Result run(std::span<const Word> inputs, std::size_t count,
+                             const ImageSet& images = {}) const;
+
+    [[nodiscard]] const KernelModule& module() const { return *module_; }
+    [[nodiscard]] std::size_t input_words() const { return module_->input_words; }
+    [[nodiscard]] std::size_t output_words() const { return module_->output_words; }
+
+  private:
+    struct Batch;
+    void run_batch(Batch& batch) const;
+
+    const gpu::Device* device_ = nullptr;  // none: the interpreter, or OpenGL
+    std::shared_ptr<const KernelModule> module_;
+    std::optional<gpu::ComputePipeline> pipeline_;
+    std::shared_ptr<const internal::GlKernel> gl_;
+    std::string name_;
+};
 
 // The function is no text of the GLSL version of an OpenGL device.
 class Unsupported : public std::runtime_error {
@@ -40,7 +104,7 @@ inline constexpr std::string_view interpreter_name = "interpreter";
 
 struct LabOptions {
     std::string device;                                // see gpu::DeviceOptions; or interpreter_name;
-                                                       // or an OpenGL device (gl/device_name.hpp)
+                                                       // or an OpenGL device (gl/device.hpp)
     bool validation = false;                           // Vulkan validation layers on; any message is an error
     std::vector<std::filesystem::path> include_roots;  // folders searched for GLSL files, in order
     std::filesystem::path cache_directory;             // of compiled shaders and pipelines; empty: no cache
@@ -117,6 +181,48 @@ class Lab {
     std::shared_ptr<gl::Device> gl_;
     gpu::DeviceInfo info_;
     shader::SpirvCache cache_;
+};
+
+// A kernel whose inputs are constants of the shader: literals or specialization constants, as the lab's
+// Variant::constants requires. It shows whether the compiler or the driver folds constants to the values that
+// the device calculates. Words in and out are those of KernelCore::run(). Every 16 inputs form a module of
+// their own and cost one compilation, so use few inputs.
+//
+// A check uses it in place of Lab::kernel() if lab.options().variant.constants is not `none`. It then takes
+// the first most_inputs inputs, and judges NaN, infinity and -0 only if preserves_nan() is true:
+//     const ConstantKernel kernel(lab, file, function, signature);
+//     const KernelCore::Result result = kernel.run(words, count, images);
+class ConstantKernel {
+  public:
+    // The most inputs that one run takes.
+    static constexpr std::size_t most_inputs = 64;
+
+    // Throws like Lab::kernel; std::invalid_argument if the lab's variant has no constants. The lab must
+    // outlive this object.
+    ConstantKernel(const Lab& lab, const std::string& file, const std::string& function,
+                   const Signature& signature);
+
+    // Evaluates `count` inputs (count x input_words words) in order. Later modules read what earlier ones
+    // stored to images. Throws like KernelCore::run; std::invalid_argument for more than most_inputs;
+    // shader::CompileError.
+    [[nodiscard]] KernelCore::Result run(std::span<const Word> inputs, std::size_t count,
+                                         const ImageSet& images = {}) const;
+
+    // Whether the shader declares SignedZeroInfNanPreserve, as far as the device supports it. With literals
+    // it does not, because SPIRV-Tools folds nothing under this mode; results for NaN, infinity and -0 are
+    // then undefined.
+    [[nodiscard]] bool preserves_nan() const { return source_.preserve_nan; }
+
+    [[nodiscard]] std::size_t input_words() const { return input_words_; }
+    [[nodiscard]] std::size_t output_words() const { return output_words_; }
+
+  private:
+    [[nodiscard]] KernelCore module_of(std::span<const Word> inputs, std::size_t count) const;
+
+    const Lab* lab_;
+    KernelSource source_;
+    std::size_t input_words_;
+    std::size_t output_words_;
 };
 
 }  // namespace gloam::check

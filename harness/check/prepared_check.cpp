@@ -5,13 +5,12 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "check/internal/edge.hpp"
+#include "check/internal/budget_judge.hpp"
 #include "check/internal/gl_kernel.hpp"
-#include "check/internal/input_class.hpp"
 #include "check/internal/trial.hpp"
 #include "check/interpreted_kernel.hpp"
 #include "check/kernel_code.hpp"
-#include "numeric/ulp.hpp"
+#include "numeric/numbers.hpp"
 #include "shader/wgsl.hpp"
 
 namespace gloam::check {

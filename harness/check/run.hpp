@@ -3,14 +3,50 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "check/answer.hpp"
+#include "check/kernel_code.hpp"
 #include "check/lab.hpp"
 #include "check/question.hpp"
 
 namespace gloam::check {
+
+// How the outputs of a run are judged, besides the question.
+struct JudgeOptions {
+    // Judge the results for zero, infinity and NaN beside values of usual size against the reference, in
+    // every verdict. Set it to false if the reference documents none (a built-in function of GLSL), and for
+    // other arithmetic than float32. Without a reference they are not judged.
+    bool edges = true;
+    // Whether the device preserves NaN, infinity and signed zero. If not, inputs that contain one, and those
+    // whose reference is NaN or infinite, are only recorded.
+    bool nan = true;
+    // With Verdict::rules the budget and the codomain are measured, but do not fail.
+    Verdict verdict = Verdict::budget;
+    // The modules that produced the outputs. Whatever the verdict, an output that the rules do not permit for
+    // these modules fails. Without modules the rules are not asked.
+    KernelModules modules;
+    // What gave the outputs has no rules, and the verdict needs them: inputs are only recorded.
+    bool recorded_only = false;
+};
+
+// An answer to a question, without any inputs.
+[[nodiscard]] Answer empty_answer(const Question& question, Verdict verdict);
+
+// Judges every output of a run. Throws std::invalid_argument for Verdict::rules without modules;
+// interpreter::Error for a module that the interpreter cannot run.
+// `outputs`: count x output words, in the order of the inputs.
+// `fractions`: if not empty, it receives each input's fraction of what the verdict allows, 0 if the input is
+// only recorded.
+[[nodiscard]] Answer judge(const Question& question, const JudgeOptions& options,
+                           const Domain::Inputs& inputs, std::span<const Word> outputs,
+                           const ImageSet& images = {}, const std::string& scenario = {},
+                           std::span<double> fractions = {});
 
 struct RunOptions {
     std::size_t inputs = 65'536;
@@ -54,5 +90,29 @@ template <class Function>
                         .domain = domain},
                options);
 }
+
+// Measures what the inputs of a run reach, in the function and in all that it calls, with the interpreter in
+// float32. Throws like run(), and interpreter::Error.
+[[nodiscard]] Coverage measure_coverage(const Lab& lab, const Question& question, const RunOptions& options);
+
+struct SearchOptions {
+    std::size_t inputs = 65'536;  // evaluated in total
+    std::uint64_t seed = 1;
+    // The search maximises the error as a fraction of what this verdict allows. Empty: the verdict of the
+    // lab's variant.
+    std::optional<Verdict> verdict{};
+};
+
+// The result of a search for one function.
+struct SearchResult {
+    Answer answer;                // over all evaluated inputs
+    double drawn_fraction = 0.0;  // the largest of the inputs drawn at random, before the climb
+};
+
+// Searches for the inputs with the largest error. A quarter of the inputs is drawn at random. The others
+// start from the worst inputs so far and move to neighbouring floats, by powers of two up to whole exponents,
+// or exchange parameters. All stay inside the domain. Throws like run().
+[[nodiscard]] SearchResult search(const Lab& lab, const Question& question,
+                                  const SearchOptions& options = {});
 
 }  // namespace gloam::check

@@ -8,7 +8,7 @@
 //       judges many inputs by a reference and a budget
 //   check_rules<float(float)>(lab, "my.glsl", "my_function", {uniform(1, 2)});
 //       judges many inputs by what Vulkan permits: no reference, no tolerance
-#include "check/describe.hpp"
+#include "check/answer.hpp"
 #include "check/explain.hpp"
 #include "check/kernel.hpp"
 #include "check/run.hpp"

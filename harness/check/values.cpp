@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "check/values.hpp"
+#include "check/domain.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "numeric/special_values.hpp"
-#include "numeric/ulp.hpp"
+#include "numeric/numbers.hpp"
 
 namespace gloam::check {
 namespace {

@@ -13,7 +13,7 @@
 #include "effect/internal/progress.hpp"
 #include "effect/internal/view_inputs.hpp"
 #include "effect/internal/work.hpp"
-#include "scene/guard_band.hpp"
+#include "scene/gbuffer.hpp"
 
 namespace gloam::effect {
 

@@ -10,7 +10,7 @@
 #include "effect/pass_watcher.hpp"
 #include "effect/settings.hpp"
 #include "gpu/device.hpp"
-#include "gpu/image.hpp"
+#include "gpu/resources.hpp"
 #include "scene/gbuffer.hpp"
 #include "scene/pass_library.hpp"
 
@@ -70,7 +70,7 @@ class AmbientOcclusion {
     AmbientOcclusion& operator=(AmbientOcclusion&&) noexcept;
 
     // Takes a view and forgets the history. Missing normals are reconstructed from depth; the next frame's
-    // times include that pass. If the view has a guard band (scene/guard_band.hpp), the band is shaded as
+    // times include that pass. If the view has a guard band (scene/gbuffer.hpp), the band is shaded as
     // well, and frames are cropped. Throws std::invalid_argument for another size, for settings out of range,
     // and if the view lacks the guard band or the layers that the settings ask for.
     void begin(const scene::GBuffer& view, const Settings& settings);

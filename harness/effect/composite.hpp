@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "effect/pass_watcher.hpp"
-#include "gpu/compute.hpp"
+#include "gpu/commands.hpp"
 #include "gpu/device.hpp"
-#include "gpu/image.hpp"
+#include "gpu/resources.hpp"
 #include "scene/lighting.hpp"
 #include "scene/pass_library.hpp"
 

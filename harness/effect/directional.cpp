@@ -14,7 +14,7 @@
 #include "effect/internal/passes.hpp"
 #include "effect/internal/texels.hpp"
 #include "effect/internal/view_inputs.hpp"
-#include "scene/guard_band.hpp"
+#include "scene/gbuffer.hpp"
 
 namespace gloam::effect {
 

@@ -8,8 +8,8 @@
 #include "effect/pass_watcher.hpp"
 #include "effect/settings.hpp"
 #include "gpu/device.hpp"
-#include "scene/environment.hpp"
 #include "scene/gbuffer.hpp"
+#include "scene/image_files.hpp"
 #include "scene/pass_library.hpp"
 
 namespace gloam::effect {

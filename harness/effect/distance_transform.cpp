@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "effect/pixel_classes.hpp"
-#include "numeric/constants.hpp"
+#include "numeric/numbers.hpp"
 
 namespace gloam::effect {
 namespace {

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "effect/internal/require_same_size.hpp"
-#include "scene/pixel_positions.hpp"
+#include "scene/gbuffer.hpp"
 
 namespace gloam::effect {
 namespace {

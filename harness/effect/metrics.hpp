@@ -7,7 +7,7 @@
 #include "effect/errors.hpp"
 #include "effect/pixel_classes.hpp"
 #include "effect/remap_fit.hpp"
-#include "gpu/image.hpp"
+#include "gpu/resources.hpp"
 
 namespace gloam::effect {
 

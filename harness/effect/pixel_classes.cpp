@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "scene/pixel_positions.hpp"
+#include "scene/gbuffer.hpp"
 
 namespace gloam::effect {
 namespace {

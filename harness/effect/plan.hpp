@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "effect/settings.hpp"
-#include "gpu/compute.hpp"
-#include "gpu/image.hpp"
-#include "scene/encoding.hpp"
+#include "gpu/commands.hpp"
+#include "gpu/resources.hpp"
+#include "scene/camera.hpp"
 #include "scene/pass_library.hpp"
 
 namespace gloam::effect {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "effect/settings.hpp"
-#include "gpu/image.hpp"
+#include "gpu/resources.hpp"
 
 namespace gloam::effect {
 

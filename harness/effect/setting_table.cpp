@@ -11,7 +11,7 @@
 
 #include "effect/internal/named.hpp"
 #include "effect/methods.hpp"
-#include "numeric/constants.hpp"
+#include "numeric/numbers.hpp"
 #include "scene/gbuffer.hpp"
 
 namespace gloam::effect {

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "effect/errors.hpp"
-#include "gpu/image.hpp"
+#include "gpu/resources.hpp"
 
 namespace gloam::effect {
 

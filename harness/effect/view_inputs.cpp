@@ -11,7 +11,7 @@
 #include "effect/internal/frame_images.hpp"
 #include "effect/internal/passes.hpp"
 #include "effect/internal/texels.hpp"
-#include "scene/guard_band.hpp"
+#include "scene/gbuffer.hpp"
 
 namespace gloam::effect {
 namespace {

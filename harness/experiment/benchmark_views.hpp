@@ -12,7 +12,7 @@
 #include "effect/history_map.hpp"
 #include "effect/settings.hpp"
 #include "scene/rasterize.hpp"
-#include "scene/truth_cache.hpp"
+#include "scene/truth.hpp"
 
 namespace gloam::experiment {
 

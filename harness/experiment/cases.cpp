@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "scene/primitives.hpp"
-#include "scene/views.hpp"
+#include "scene/mesh.hpp"
+#include "scene/scene.hpp"
 
 namespace gloam::experiment {
 namespace {

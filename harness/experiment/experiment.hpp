@@ -60,7 +60,7 @@ struct Case {
     std::string kind{};  // rows of tables are chosen and grouped by it
     std::string half{};  // of a view: "tuning" or "unseen"
     std::string scene{};
-    bool view = false;         // `scene` is a view of scene/views.hpp; otherwise a built-in scene or "floor"
+    bool view = false;         // `scene` is a view of scene/scene.hpp; otherwise a built-in scene or "floor"
     std::vector<int> shown{};  // for how many frames each view is shown; empty: the experiment's frames
     std::optional<int> scored{};            // the last ones of these, instead of the experiment's
     bool motion = true;                     // views hold the motion of objects, not of the camera alone
@@ -78,7 +78,7 @@ struct Case {
 
 // A choice of cases that a short description stands for.
 struct CaseQuery {
-    bool views = false;        // those of scene/views.hpp; otherwise the built-in scenes whose camera moves
+    bool views = false;        // those of scene/scene.hpp; otherwise the built-in scenes whose camera moves
     std::string half;          // of the views; empty: both
     bool perspective = false;  // without orthographic cameras
     double target = 0.0;       // of each

@@ -7,7 +7,6 @@
 #include <set>
 #include <stdexcept>
 
-#include "base/json_bounds.hpp"
 #include "base/text.hpp"
 #include "experiment/experiment.hpp"
 #include "experiment/table.hpp"

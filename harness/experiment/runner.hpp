@@ -11,7 +11,7 @@
 #include "experiment/experiment.hpp"
 #include "gpu/device.hpp"
 #include "scene/pass_library.hpp"
-#include "scene/truth_cache.hpp"
+#include "scene/truth.hpp"
 
 namespace gloam::experiment {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "experiment/runner.hpp"
-#include "numeric/spread.hpp"
+#include "numeric/numbers.hpp"
 
 namespace gloam::experiment {
 

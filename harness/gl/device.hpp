@@ -4,13 +4,86 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "gl/device_name.hpp"
-#include "gl/errors.hpp"
-
 namespace gloam::gl {
+
+// What went wrong with OpenGL, in one line.
+class Error : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+// There is no EGL library, no display without a window, or no such software renderer.
+class Unavailable : public Error {
+    using Error::Error;
+};
+
+// The driver makes no context of the version that was asked for.
+class VersionRefused : public Error {
+    using Error::Error;
+};
+
+// The driver rejected a shader: "NAME: line 12: its message [the text of that line]".
+class CompileFailed : public Error {
+    using Error::Error;
+};
+
+// The driver rejected a program whose shaders it had compiled.
+class LinkFailed : public Error {
+    using Error::Error;
+};
+
+// The driver has not enough memory.
+class OutOfMemory : public Error {
+    using Error::Error;
+};
+
+// Any other error that a call set.
+class CallFailed : public Error {
+    using Error::Error;
+};
+
+enum class Api { gl, es };
+
+// A version of OpenGL (core profile) or OpenGL ES.
+struct Version {
+    Api api = Api::gl;
+    int major = 0;
+    int minor = 0;
+
+    friend bool operator==(const Version&, const Version&) = default;
+};
+
+// "OpenGL 4.5", "OpenGL ES 3.1".
+[[nodiscard]] std::string to_string(const Version& version);
+
+// Whether the version has compute shaders: OpenGL 4.3 and OpenGL ES 3.1.
+[[nodiscard]] bool has_compute(const Version& version);
+
+// A device: what executes, and through which version of the interface. Executors are Mesa's software
+// renderers "llvmpipe" and "softpipe", and "system": what EGL chooses where no environment variable asks for
+// software.
+struct DeviceName {
+    std::string executor;
+    Version version;
+
+    friend bool operator==(const DeviceName&, const DeviceName&) = default;
+};
+
+// "gl:llvmpipe-4.5", "es:softpipe-3.1", and back. Nothing for another text.
+[[nodiscard]] std::string to_string(const DeviceName& name);
+[[nodiscard]] std::optional<DeviceName> device_name_from(std::string_view text);
+
+// Whether the text begins as the name of such a device does: with "gl:" or "es:".
+[[nodiscard]] bool is_device_name(std::string_view text);
+
+// The executors, and the versions that are tried: OpenGL 4.5 and 3.3, OpenGL ES 3.2, 3.1 and 3.0.
+[[nodiscard]] std::vector<std::string> executors();
+[[nodiscard]] std::vector<Version> versions();
 
 namespace internal {
 struct Context;  // EGL and OpenGL handles; defined inside this room only

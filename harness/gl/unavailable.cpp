@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The room of a build without the headers of EGL and OpenGL ES: it has no devices.
 #include "gl/device.hpp"
-#include "gl/dispatch.hpp"
-#include "gl/draw.hpp"
+#include "gl/program.hpp"
 
 namespace gloam::gl {
 

@@ -1,14 +1,197 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/commands.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
-#include "gpu/internal/barrier.hpp"
-#include "gpu/internal/buffer_impl.hpp"
-#include "gpu/internal/commands_impl.hpp"
-#include "gpu/internal/image_impl.hpp"
+#include "gpu/internal/context.hpp"
+#include "gpu/internal/objects.hpp"
 
 namespace gloam::gpu {
+namespace {
+
+void check_count(const Context& context, const ComputeProgram& program, BindingKind kind,
+                 std::uint32_t limit) {
+    const auto count = std::ranges::count(program.bindings, kind);
+    if (count > limit) {
+        throw std::invalid_argument(
+            fmt::format("compute pipeline with {} {} bindings: device \"{}\" allows {}", count, name_of(kind),
+                        context.physical.info.name, limit));
+    }
+}
+
+vk::raii::DescriptorSetLayout make_set_layout(const Context& context, const ComputeProgram& program) {
+    const auto& limits = context.physical.properties.limits;
+    check_count(context, program, BindingKind::storage_buffer, limits.maxPerStageDescriptorStorageBuffers);
+    check_count(context, program, BindingKind::storage_image, limits.maxPerStageDescriptorStorageImages);
+    check_count(context, program, BindingKind::sampled_image,
+                std::min(limits.maxPerStageDescriptorSampledImages, limits.maxPerStageDescriptorSamplers));
+    std::vector<vk::DescriptorSetLayoutBinding> bindings;
+    for (const auto kind : program.bindings) {
+        bindings.push_back({.binding = static_cast<std::uint32_t>(bindings.size()),
+                            .descriptorType = descriptor_type(kind),
+                            .descriptorCount = 1,
+                            .stageFlags = vk::ShaderStageFlagBits::eCompute});
+    }
+    return {context.device,
+            vk::DescriptorSetLayoutCreateInfo{.bindingCount = static_cast<std::uint32_t>(bindings.size()),
+                                              .pBindings = bindings.data()}};
+}
+
+vk::raii::PipelineLayout make_layout(const Context& context, const vk::raii::DescriptorSetLayout& set_layout,
+                                     std::uint32_t push_constant_bytes) {
+    check_push_constant_size(context, push_constant_bytes);
+    const vk::PushConstantRange range{.stageFlags = vk::ShaderStageFlagBits::eCompute,
+                                      .size = push_constant_bytes};
+    return {context.device,
+            vk::PipelineLayoutCreateInfo{.setLayoutCount = 1,
+                                         .pSetLayouts = &*set_layout,
+                                         .pushConstantRangeCount = push_constant_bytes > 0 ? 1u : 0u,
+                                         .pPushConstantRanges = &range}};
+}
+
+vk::raii::Pipeline make_pipeline(const Context& context, const vk::raii::PipelineLayout& layout,
+                                 const ComputeProgram& program) {
+    const auto module = make_module(context, program.spirv);
+    const auto& constants = program.constants;
+    std::vector<vk::SpecializationMapEntry> entries;
+    for (const auto& constant : constants) {
+        const auto offset = entries.size() * sizeof constant + offsetof(SpecializationConstant, bits);
+        entries.push_back({.constantID = constant.id,
+                           .offset = static_cast<std::uint32_t>(offset),
+                           .size = sizeof constant.bits});
+    }
+    const vk::SpecializationInfo specialization{.mapEntryCount = static_cast<std::uint32_t>(entries.size()),
+                                                .pMapEntries = entries.data(),
+                                                .dataSize = constants.size() * sizeof(SpecializationConstant),
+                                                .pData = constants.data()};
+    const vk::ComputePipelineCreateInfo info{.stage = {.stage = vk::ShaderStageFlagBits::eCompute,
+                                                       .module = *module,
+                                                       .pName = "main",
+                                                       .pSpecializationInfo = &specialization},
+                                             .layout = *layout};
+    return {context.device, context.cache.handle(), info};
+}
+
+ComputeHandles create(const Context& context, const ComputeProgram& program) {
+    auto set_layout = make_set_layout(context, program);
+    auto layout = make_layout(context, set_layout, program.push_constant_bytes);
+    auto pipeline = make_pipeline(context, layout, program);
+    return {std::move(set_layout), std::move(layout), std::move(pipeline)};
+}
+
+}  // namespace
+
+vk::DescriptorType descriptor_type(BindingKind kind) {
+    switch (kind) {
+        case BindingKind::storage_buffer:
+            return vk::DescriptorType::eStorageBuffer;
+        case BindingKind::storage_image:
+            return vk::DescriptorType::eStorageImage;
+        case BindingKind::sampled_image:
+            return vk::DescriptorType::eCombinedImageSampler;
+    }
+    throw std::invalid_argument("unknown kind of binding");
+}
+
+const char* name_of(BindingKind kind) {
+    switch (kind) {
+        case BindingKind::storage_buffer:
+            return "storage buffer";
+        case BindingKind::storage_image:
+            return "storage image";
+        case BindingKind::sampled_image:
+            return "sampled image";
+    }
+    throw std::invalid_argument("unknown kind of binding");
+}
+
+ComputePipeline::Impl::Impl(Context& owner, const ComputeProgram& made_of)
+    : context(owner),
+      bindings(made_of.bindings),
+      push_constant_bytes(made_of.push_constant_bytes),
+      program{{made_of.spirv.begin(), made_of.spirv.end()}, made_of.constants, made_of.bindings},
+      handles(owner, create(owner, made_of)) {}
+
+const PipelineProgram& program_of(const ComputePipeline& pipeline) {
+    return pipeline.impl().program;
+}
+
+ComputePipeline::ComputePipeline(const Device& device, const ComputeProgram& program)
+    : impl_(std::make_unique<Impl>(device.impl(), program)) {}
+ComputePipeline::~ComputePipeline() = default;
+ComputePipeline::ComputePipeline(ComputePipeline&&) noexcept = default;
+ComputePipeline& ComputePipeline::operator=(ComputePipeline&&) noexcept = default;
+
+namespace {
+
+constexpr std::uint32_t sets_per_pool = 64;
+constexpr std::uint32_t descriptors_per_pool = 256;  // of each kind
+
+}  // namespace
+
+const vk::raii::DescriptorSet& DescriptorAllocator::allocate(const ComputePipeline::Impl& pipeline) {
+    return allocate(pipeline.context, pipeline.handles->set_layout, pipeline.bindings);
+}
+
+const vk::raii::DescriptorSet& DescriptorAllocator::allocate(const Context& context,
+                                                             const vk::raii::DescriptorSetLayout& layout,
+                                                             std::span<const BindingKind> bindings) {
+    Counts needed{};
+    for (const BindingKind kind : bindings) ++needed.at(static_cast<std::size_t>(kind));
+    bool fits = sets_left_ > 0;
+    for (std::size_t kind = 0; kind < binding_kinds; ++kind) fits = fits && needed[kind] <= left_[kind];
+    if (!fits) add_pool(context, needed);
+    vk::raii::DescriptorSets sets(
+        context.device,
+        vk::DescriptorSetAllocateInfo{
+            .descriptorPool = *pools_.back(), .descriptorSetCount = 1, .pSetLayouts = &*layout});
+    sets_left_ -= 1;
+    for (std::size_t kind = 0; kind < binding_kinds; ++kind) left_[kind] -= needed[kind];
+    return sets_.emplace_back(std::move(sets.front()));
+}
+
+void DescriptorAllocator::add_pool(const Context& context, const Counts& needed) {
+    sets_left_ = sets_per_pool;
+    std::array<vk::DescriptorPoolSize, binding_kinds> sizes;
+    for (std::size_t kind = 0; kind < binding_kinds; ++kind) {
+        left_[kind] = std::max(needed[kind], descriptors_per_pool);
+        sizes[kind] = {.type = descriptor_type(static_cast<BindingKind>(kind)),
+                       .descriptorCount = left_[kind]};
+    }
+    pools_.emplace_back(context.device, vk::DescriptorPoolCreateInfo{
+                                            .flags = vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet,
+                                            .maxSets = sets_left_,
+                                            .poolSizeCount = sizes.size(),
+                                            .pPoolSizes = sizes.data()});
+}
+
+void write_descriptors(const Context& context, const vk::raii::DescriptorSet& set,
+                       std::span<const BindingKind> bindings, std::span<const Resource> resources) {
+    std::vector<vk::DescriptorBufferInfo> buffers(resources.size());
+    std::vector<vk::DescriptorImageInfo> images(resources.size());
+    std::vector<vk::WriteDescriptorSet> writes;
+    for (std::uint32_t i = 0; i < resources.size(); ++i) {
+        vk::WriteDescriptorSet write{.dstSet = *set,
+                                     .dstBinding = i,
+                                     .descriptorCount = 1,
+                                     .descriptorType = descriptor_type(bindings[i])};
+        if (const auto* buffer = std::get_if<std::reference_wrapper<const Buffer>>(&resources[i])) {
+            buffers[i] = vk::DescriptorBufferInfo{.buffer = *buffer->get().impl().handles->buffer,
+                                                  .range = VK_WHOLE_SIZE};
+            write.pBufferInfo = &buffers[i];
+        } else {
+            const Image& image = std::get<std::reference_wrapper<const Image>>(resources[i]);
+            images[i] = vk::DescriptorImageInfo{.sampler = *context.sampler,
+                                                .imageView = *image.impl().handles->view,
+                                                .imageLayout = vk::ImageLayout::eGeneral};
+            write.pImageInfo = &images[i];
+        }
+        writes.push_back(write);
+    }
+    context.device.updateDescriptorSets(writes, nullptr);
+}
+
 namespace {
 
 Recording create(const Context& context) {

@@ -2,17 +2,13 @@
 #include "gpu/device.hpp"
 
 #include <unistd.h>
-
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
-#include "base/patience.hpp"
-#include "gpu/internal/barrier.hpp"
+#include "base/process.hpp"
 #include "gpu/internal/context.hpp"
-#include "gpu/internal/describe.hpp"
-#include "gpu/internal/features.hpp"
-#include "gpu/internal/guarded.hpp"
-#include "gpu/internal/select.hpp"
+#include "gpu/internal/instance.hpp"
 
 namespace gloam::gpu {
 namespace {
@@ -158,6 +154,99 @@ const DeviceInfo& Device::info() const {
 
 std::vector<std::string> Device::take_validation_messages() {
     return impl_->log.take();
+}
+
+namespace {
+
+std::optional<std::uint32_t> find_type(const vk::PhysicalDeviceMemoryProperties& memory,
+                                       std::uint32_t allowed, vk::MemoryPropertyFlags wish) {
+    for (std::uint32_t i = 0; i < memory.memoryTypeCount; ++i) {
+        const bool fits = (allowed >> i & 1u) != 0;
+        if (fits && (memory.memoryTypes[i].propertyFlags & wish) == wish) return i;
+    }
+    return std::nullopt;
+}
+
+std::runtime_error failure(const Context& context, const vk::MemoryRequirements& needs,
+                           const std::string& purpose, const char* reason) {
+    return std::runtime_error(fmt::format("{}: device \"{}\" {} for the {} bytes it needs", purpose,
+                                          context.physical.info.name, reason, needs.size));
+}
+
+}  // namespace
+
+vk::raii::DeviceMemory allocate(const Context& context, const vk::MemoryRequirements& needs,
+                                std::initializer_list<vk::MemoryPropertyFlags> wishes,
+                                const std::string& purpose) {
+    std::optional<std::uint32_t> type;
+    for (auto wish = wishes.begin(); wish != wishes.end() && !type; ++wish) {
+        type = find_type(context.physical.memory, needs.memoryTypeBits, *wish);
+    }
+    if (!type) throw failure(context, needs, purpose, "has no memory type");
+    try {
+        return {context.device,
+                vk::MemoryAllocateInfo{.allocationSize = needs.size, .memoryTypeIndex = *type}};
+    } catch (const vk::SystemError&) {
+        throw failure(context, needs, purpose, "has not enough memory");
+    }
+}
+
+vk::raii::ShaderModule make_module(const Context& context, std::span<const std::uint32_t> spirv) {
+    constexpr std::size_t header_words = 5;
+    constexpr std::uint32_t magic = 0x07230203;
+    if (spirv.size() <= header_words || spirv[0] != magic) {
+        throw std::invalid_argument(
+            fmt::format("not a SPIR-V module: {} words, the first {:#010x}, expected {:#010x}", spirv.size(),
+                        spirv.empty() ? 0u : spirv[0], magic));
+    }
+    return {context.device,
+            vk::ShaderModuleCreateInfo{.codeSize = spirv.size_bytes(), .pCode = spirv.data()}};
+}
+
+void check_push_constant_size(const Context& context, std::uint32_t bytes) {
+    const auto limit = context.physical.properties.limits.maxPushConstantsSize;
+    if (bytes % 4 != 0 || bytes > limit) {
+        throw std::invalid_argument(
+            fmt::format("{} bytes of push constants: device \"{}\" allows multiples of 4 up to {}", bytes,
+                        context.physical.info.name, limit));
+    }
+}
+
+namespace {
+
+constexpr std::uint32_t pool_size = 64;
+
+}  // namespace
+
+std::size_t Timestamps::record(const Context& context, const vk::raii::CommandBuffer& commands) {
+    if (context.physical.timestamp_mask == 0) return count_++;
+    const auto query = static_cast<std::uint32_t>(count_ % pool_size);
+    if (query == 0) {
+        pools_.emplace_back(context.device, vk::QueryPoolCreateInfo{.queryType = vk::QueryType::eTimestamp,
+                                                                    .queryCount = pool_size});
+        commands.resetQueryPool(*pools_.back(), 0, pool_size);
+    }
+    commands.writeTimestamp(vk::PipelineStageFlagBits::eBottomOfPipe, *pools_.back(), query);
+    return count_++;
+}
+
+std::vector<double> Timestamps::read_ms(const Context& context) const {
+    std::vector<double> times(count_, std::numeric_limits<double>::quiet_NaN());
+    const auto mask = context.physical.timestamp_mask;
+    std::uint64_t start = 0;
+    for (std::size_t first = 0; mask != 0 && first < count_; first += pool_size) {
+        const auto readings = static_cast<std::uint32_t>(std::min<std::size_t>(pool_size, count_ - first));
+        const auto ticks = pools_[first / pool_size]
+                               .getResults<std::uint64_t>(0, readings, readings * sizeof(std::uint64_t),
+                                                          sizeof(std::uint64_t), vk::QueryResultFlagBits::e64)
+                               .second;
+        if (first == 0) start = ticks[0];
+        for (std::size_t i = 0; i < readings; ++i) {
+            const auto elapsed = static_cast<double>((ticks[i] - start) & mask);  // the clock may wrap around
+            times[first + i] = elapsed * context.physical.info.timestamp_period_ns * 1e-6;
+        }
+    }
+    return times;
 }
 
 }  // namespace gloam::gpu

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "gpu/drivers.hpp"
+#include "gpu/device.hpp"
 
 #include <fmt/format.h>
 

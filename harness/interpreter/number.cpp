@@ -8,7 +8,7 @@
 #include <glm/gtc/packing.hpp>
 
 #include "interpreter/internal/conversions.hpp"
-#include "numeric/float_format.hpp"
+#include "numeric/numbers.hpp"
 #include "numeric/paths.hpp"
 
 namespace gloam::interpreter {

@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "interpreter/program.hpp"
 
+#include <fmt/format.h>
+#include <algorithm>
+#include <map>
+#include <tuple>
+
 #include "interpreter/internal/code.hpp"
 #include "interpreter/internal/lowering.hpp"
-#include "interpreter/internal/operations.hpp"
 #include "interpreter/machine.hpp"
 
 namespace gloam::interpreter {
+
+std::string to_text(const Place& place) {
+    const std::string function = place.function.empty() ? "the module" : place.function;
+    if (place.line == 0) return fmt::format("{} (word {})", function, place.word);
+    return fmt::format("{} ({}:{})", function, place.file.empty() ? "?" : place.file, place.line);
+}
 
 Program::Program(const shader::Spirv& module, std::span<const Constant> constants,
                  const std::string& entry_point) {
@@ -24,6 +34,94 @@ bool Program::may_be_rearranged() const {
 
 std::size_t Program::size() const {
     return code_->instructions.size();
+}
+
+namespace {
+
+using internal::Code;
+using internal::Instruction;
+
+// The values of `next` in Coverage::add() that can follow an instruction; empty if there is only one.
+std::vector<std::uint32_t> followers_of(const Code& code, const Instruction& i) {
+    if (i.op == internal::select) return {1, 0};
+    std::vector<std::uint32_t> targets;
+    if (i.op == internal::branch) {
+        targets = {code.edges[i.extra].target, code.edges[i.b].target};
+    } else if (i.op == internal::switch_on) {
+        const internal::Switch& all = code.switches[i.extra];
+        for (const auto& [literal, edge] : all.cases) targets.push_back(code.edges[edge].target);
+        targets.push_back(code.edges[all.otherwise].target);
+    }
+    // Ways with the same target count as one.
+    const bool all_same = std::ranges::all_of(targets, [&](std::uint32_t t) { return t == targets.front(); });
+    return all_same ? std::vector<std::uint32_t>{} : targets;
+}
+
+std::string name_of_way(const Code& code, const Instruction& i, std::size_t way) {
+    if (i.op != internal::switch_on) return way == 0 ? "true" : "false";
+    const internal::Switch& all = code.switches[i.extra];
+    return way < all.cases.size() ? fmt::format("case {}", static_cast<std::int32_t>(all.cases[way].first))
+                                  : "default";
+}
+
+}  // namespace
+
+Coverage::Coverage(const Program& program) : program_(program), ran_(program.size()) {
+    const Code& code = program.code();
+    for (const Instruction& i : code.instructions) {
+        ways_.push_back(followers_of(code, i));
+        gone_.emplace_back(ways_.back().size());
+    }
+}
+
+void Coverage::add(std::size_t instruction, std::uint32_t next) {
+    ran_[instruction] = 1;
+    const std::vector<std::uint32_t>& ways = ways_[instruction];
+    for (std::size_t w = 0; w < ways.size(); ++w)
+        if (ways[w] == next) gone_[instruction][w] = 1;
+}
+
+std::vector<Coverage::Way> Coverage::ways() const {
+    const Code& code = program_.code();
+    // Keyed by the word in the module, because a function can have several copies.
+    std::map<std::uint32_t, std::vector<Way>> branches;
+    for (std::size_t at = 0; at < ways_.size(); ++at) {
+        if (ways_[at].empty()) continue;
+        std::vector<Way>& ways = branches[code.origins[at]];
+        for (std::size_t w = 0; w < ways_[at].size(); ++w) {
+            const Instruction& i = code.instructions[at];
+            if (ways.size() == w) ways.push_back({code.places[i.place], name_of_way(code, i, w), 0, false});
+            ways[w].reached = ways[w].reached || gone_[at][w] != 0;
+        }
+    }
+    std::map<std::pair<std::string, unsigned>, std::size_t> in_line;
+    std::vector<Way> all;
+    for (auto& [word, ways] : branches) {
+        const std::size_t number = ++in_line[{ways.front().place.file, ways.front().place.line}];
+        for (Way& way : ways) {
+            way.branch = number;
+            all.push_back(std::move(way));
+        }
+    }
+    return all;
+}
+
+std::vector<Coverage::Line> Coverage::lines() const {
+    const Code& code = program_.code();
+    std::map<std::pair<std::string, unsigned>, Line> lines;
+    for (std::size_t at = 0; at < ran_.size(); ++at) {
+        const Place& place = code.places[code.instructions[at].place];
+        if (place.file.empty()) continue;
+        Line& line = lines.try_emplace({place.file, place.line}, Line{place, false}).first->second;
+        line.reached = line.reached || ran_[at] != 0;
+    }
+    std::vector<Line> all;
+    for (auto& [at, line] : lines) all.push_back(std::move(line));
+    return all;
+}
+
+bool Coverage::is_complete() const {
+    return std::ranges::all_of(lines(), &Line::reached) && std::ranges::all_of(ways(), &Way::reached);
 }
 
 }  // namespace gloam::interpreter

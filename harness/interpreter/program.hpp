@@ -5,11 +5,45 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "shader/compile.hpp"
 
 namespace gloam::interpreter {
+
+// The place of an instruction.
+struct Place {
+    std::string function;  // its name in the module; empty outside of functions
+    std::string file;      // of the source; empty if the module does not state it (OpLine)
+    unsigned line = 0;     // 0 if the module does not state it
+    std::size_t word = 0;  // of the instruction in the module
+};
+
+// "blend (gloam/temporal/blend.glsl:12)", or the position in the module if it has no lines.
+[[nodiscard]] std::string to_text(const Place& place);
+
+// A module that cannot be run, or a run that cannot continue.
+class Error : public std::runtime_error {
+  public:
+    enum class Kind {
+        unknown_instruction,  // an instruction, type or decoration that the interpreter does not know
+        malformed,            // an invalid module
+        missing,              // no such entry point, function, buffer or image
+        out_of_bounds,        // an access outside an array, a buffer or an image
+        too_many_steps        // more instructions than the limit, for example an endless loop
+    };
+
+    Error(Kind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}
+    Error(Kind kind, const std::string& message, const Place& place)
+        : std::runtime_error(message + ", in " + to_text(place)), kind_(kind) {}
+
+    [[nodiscard]] Kind kind() const { return kind_; }
+
+  private:
+    Kind kind_;
+};
 
 namespace internal {
 struct Code;
@@ -41,6 +75,44 @@ class Program {
 
   private:
     std::shared_ptr<const internal::Code> code_;
+};
+
+// Counts which instructions of a program ran and which ways its branches took, over all runs that add to it
+// (Machine<float>::run). An instruction counts as run if it ran in any copy of its function.
+class Coverage {
+  public:
+    explicit Coverage(const Program& program);
+
+    // One way of a branch in the source: each side of a condition, each case of a switch.
+    struct Way {
+        Place place;
+        std::string way;         // "true", "false", "case 3", "default"
+        std::size_t branch = 0;  // position among the branches of that line, from 1
+        bool reached = false;
+    };
+    // All ways, in the order of the module. A conditional operator ?: that selects between two values is a
+    // branch as well.
+    [[nodiscard]] std::vector<Way> ways() const;
+
+    struct Line {
+        Place place;
+        bool reached = false;
+    };
+    // Each line of the source with an instruction, once.
+    [[nodiscard]] std::vector<Line> lines() const;
+
+    // Whether every way was taken and every line reached.
+    [[nodiscard]] bool is_complete() const;
+
+    // Counts an executed instruction. instruction: its index. next: the instruction executed after it; for a
+    // selection between values its condition (of each component, if they have separate conditions).
+    void add(std::size_t instruction, std::uint32_t next);
+
+  private:
+    Program program_;
+    std::vector<char> ran_;                         // by instruction
+    std::vector<std::vector<std::uint32_t>> ways_;  // by instruction: targets of a branch, otherwise empty
+    std::vector<std::vector<char>> gone_;
 };
 
 }  // namespace gloam::interpreter

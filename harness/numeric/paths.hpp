@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "numeric/float_format.hpp"
+#include "numeric/numbers.hpp"
 
 namespace gloam::numeric {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "numeric/constants.hpp"
+#include "numeric/numbers.hpp"
 #include "numeric/paths.hpp"
 
 namespace gloam::numeric {

@@ -7,7 +7,7 @@
 #include <map>
 #include <string_view>
 
-#include "numeric/text.hpp"
+#include "numeric/numbers.hpp"
 
 namespace gloam::report {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "numeric/bounds.hpp"
+#include "numeric/interval.hpp"
 
 namespace gloam::report {
 

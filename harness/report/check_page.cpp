@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "base/text.hpp"
-#include "numeric/text.hpp"
+#include "numeric/numbers.hpp"
 #include "report/accuracy.hpp"
 
 namespace gloam::report {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "numeric/text.hpp"
+#include "numeric/numbers.hpp"
 #include "report/check_report.hpp"
 
 namespace gloam::report {

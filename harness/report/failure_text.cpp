@@ -9,7 +9,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "numeric/text.hpp"
+#include "numeric/numbers.hpp"
 
 namespace gloam::report {
 namespace {

@@ -3,9 +3,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "base/json_bounds.hpp"
 #include "base/text.hpp"
-#include "numeric/constants.hpp"
+#include "numeric/numbers.hpp"
 #include "report/internal/json_fields.hpp"
 
 namespace gloam::report::internal {

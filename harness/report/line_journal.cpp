@@ -8,10 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "base/file_descriptor.hpp"
-#include "base/read_file.hpp"
+#include "base/files.hpp"
 #include "base/text.hpp"
-#include "base/write_file.hpp"
 
 namespace gloam::report {
 namespace {

@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "numeric/text.hpp"
+#include "numeric/numbers.hpp"
 #include "report/merge.hpp"
 
 namespace gloam::report {

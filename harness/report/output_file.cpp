@@ -7,8 +7,7 @@
 #include <cerrno>
 #include <utility>
 
-#include "base/file_descriptor.hpp"
-#include "base/write_file.hpp"
+#include "base/files.hpp"
 
 namespace gloam::report {
 namespace {

@@ -11,7 +11,7 @@
 #include <system_error>
 #include <utility>
 
-#include "base/file_descriptor.hpp"
+#include "base/files.hpp"
 
 namespace gloam::report {
 namespace {

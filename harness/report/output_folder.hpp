@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/write_file.hpp"
+#include "base/files.hpp"
 
 namespace gloam::report {
 

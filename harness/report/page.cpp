@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "base/base64.hpp"
+#include "base/text.hpp"
 #include "report/page_assets.hpp"
 
 namespace gloam::report {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/internal/frame_json.hpp"
+#include "scene/read_gbuffer.hpp"
 
 #include <cmath>
 #include <limits>
@@ -7,10 +7,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "base/json_bounds.hpp"
-#include "base/read_file.hpp"
+#include "base/files.hpp"
 #include "base/text.hpp"
-#include "scene/read_gbuffer.hpp"
 
 namespace gloam::scene {
 namespace {

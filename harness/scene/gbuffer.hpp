@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
+#include <string>
 #include <vector>
 
-#include "gpu/image.hpp"
+#include "gpu/resources.hpp"
 #include "scene/camera.hpp"
-#include "scene/encoding.hpp"
 
 namespace gloam::scene {
 
@@ -49,5 +51,103 @@ struct GBuffer {
     std::vector<std::uint32_t> object;         // 0: static, k: the k-th moving object; background 0
     std::vector<std::uint32_t> triangle;       // counted over all meshes; background 2^32 - 1
 };
+
+// A guard band (TSSAO-BORDER): the view is rendered larger, so that surfaces near the frame's edge have
+// neighbours, and the result is cropped. The band is a whole number of pixels on each side, and the larger
+// projection follows from these pixels. The frame's pixels therefore have the same view rays as without a
+// band.
+
+// The band in pixels, on the left and right (width) and at top and bottom (height): guard times each side of
+// the frame, rounded to the nearest pixel, halves up. guard: 0 to 0.5; usual values are 0.05 to 0.1. Throws
+// std::invalid_argument for other values.
+[[nodiscard]] gpu::Extent guard_border(gpu::Extent frame, double guard);
+
+// The size of the frame with its band.
+[[nodiscard]] gpu::Extent with_border(gpu::Extent frame, gpu::Extent border);
+
+// The size of a view without its band. Throws std::invalid_argument for a band that leaves no pixel.
+[[nodiscard]] gpu::Extent frame_of(const GBuffer& view);
+
+// The camera of the larger view: tan(fov'/2) = (1 + 2 border / frame) tan(fov/2) along each axis. Its aspect
+// is that of with_border().
+[[nodiscard]] Camera with_border(const Camera& camera, gpu::Extent frame, gpu::Extent border);
+
+// The pixels of an image of `view` that belong to the frame.
+template <class Texel>
+[[nodiscard]] std::vector<Texel> cropped(const GBuffer& view, const std::vector<Texel>& image) {
+    const gpu::Extent frame = frame_of(view);
+    if (frame == view.extent || image.empty()) return image;
+    std::vector<Texel> inner;
+    inner.reserve(std::size_t{frame.width} * frame.height);
+    for (std::size_t y = 0; y < frame.height; ++y) {
+        const std::size_t first = (y + view.border.height) * view.extent.width + view.border.width;
+        for (std::size_t x = 0; x < frame.width; ++x) inner.push_back(image[first + x]);
+    }
+    return inner;
+}
+
+// The frame without its band: cropped images, projection, and motion that is valid only if it began in the
+// frame. A view without a band is returned unchanged.
+[[nodiscard]] GBuffer cropped(const GBuffer& view);
+
+// Whether an eye-linear depth is that of a surface, not of the background.
+[[nodiscard]] inline bool is_surface(float depth) {
+    return depth > 0.0F && std::isfinite(depth);
+}
+
+// Conversion of pixels to view-space positions and back, in double.
+class PixelPositions {
+  public:
+    explicit PixelPositions(const GBuffer& view)
+        : width_(view.extent.width),
+          size_(view.extent.width, view.extent.height),
+          scale_(view.camera.p00_p11()),
+          orthographic_(view.camera.orthographic()) {}
+
+    // The point at an eye-linear depth under the centre of a pixel; pixels are counted by rows from the top.
+    // aside: offset from the centre, pixels.
+    [[nodiscard]] glm::dvec3 at(std::size_t pixel, double depth, const glm::dvec2& aside = {0, 0}) const {
+        const glm::dvec2 center(static_cast<double>(pixel % width_) + 0.5,
+                                static_cast<double>(pixel / width_) + 0.5);
+        const glm::dvec2 ndc = 2.0 * (center + aside) / size_ - 1.0;
+        return {ndc / scale_ * (orthographic_ ? 1.0 : depth), -depth};
+    }
+
+    // Position of a view-space point in the image, in pixels from the top left corner; the centre of the
+    // first pixel is (0.5, 0.5). Perspective: only for points in front of the eye (z < 0).
+    [[nodiscard]] glm::dvec2 pixel_of(const glm::dvec3& position) const {
+        const glm::dvec2 ndc = scale_ * glm::dvec2(position) / (orthographic_ ? 1.0 : -position.z);
+        return (0.5 * ndc + 0.5) * size_;
+    }
+
+    // Number of pixels that a length parallel to the image covers at a depth.
+    [[nodiscard]] double pixels_of_length(double length, double depth) const {
+        return 0.5 * length * glm::abs(scale_.y) * size_.y / (orthographic_ ? 1.0 : depth);
+    }
+
+    [[nodiscard]] bool orthographic() const { return orthographic_; }
+
+  private:
+    std::size_t width_;
+    glm::dvec2 size_;
+    glm::dvec2 scale_;
+    bool orthographic_;
+};
+
+// The reason why a history cannot be followed from one view to the next: "the size has changed", "there is no
+// prev_view", "prev_view is not the view before". Empty: it can.
+[[nodiscard]] std::string cut_between(const GBuffer& previous, const GBuffer& view);
+
+// Completes a view that was read from files, as rasterize() would: previous_from_current from the matrices if
+// it is missing, and previous_position from the motion vectors if there are any. The earlier depth of a point
+// is previous_depth if given. Otherwise it follows from the cameras, which is right for static objects and
+// for objects that do not move towards the eye.
+// If motion is invalid and leads into the previous image, the position is 0: no history. Without motion
+// vectors the cameras alone are used, for a static scene. Existing values are kept. Requires that
+// cut_between() returns "".
+void link(GBuffer& view, const GBuffer& previous);
+
+// Depth and normals of a view as an engine with this encoding stores them.
+[[nodiscard]] StoredInputs stored_inputs(const GBuffer& view, const Encoding& encoding);
 
 }  // namespace gloam::scene

@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <glm/glm.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <vector>
 
 namespace gloam::scene {
@@ -52,5 +54,43 @@ inline constexpr float crease_degrees = 45.0F;
 // Only for trusted files: a malformed file can still crash assimp, or make it run for a long time. For other
 // files see mesh_reader.hpp.
 [[nodiscard]] Mesh load_mesh(const std::filesystem::path& file);
+
+// A parallelogram from `corner` along `u` and `v`, cut into cells of at most `cell` world units a side (large
+// triangles cost depth precision). Its normal is u x v. Throws std::invalid_argument for parallel edges or a
+// cell that is not positive.
+[[nodiscard]] Mesh make_parallelogram(const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v,
+                                      double cell);
+
+// An axis-aligned box, its faces divided into cells, normals outwards.
+[[nodiscard]] Mesh make_box(const glm::dvec3& low, const glm::dvec3& high, double cell);
+
+// The side of an upright cylinder (along y) without its ends, smooth normals outwards. segments: around, at
+// least 3.
+[[nodiscard]] Mesh make_cylinder(const glm::dvec3& base_center, double radius, double height, int segments);
+
+// A sphere with smooth normals outwards. rings: of latitude, at least 2. segments: around, at least 3.
+[[nodiscard]] Mesh make_sphere(const glm::dvec3& center, double radius, int rings, int segments);
+
+// A tube around a closed curve over the parameter 0 to 1, whose tangent is nowhere parallel to z; smooth
+// normals outwards. At least 3 segments along and around.
+[[nodiscard]] Mesh make_tube(const std::function<glm::dvec3(double)>& closed_curve, double radius, int along,
+                             int around);
+
+// A flat strip through pairs of points, left and right (at least 2): a leaf, a blade of grass. Smooth normals
+// towards the side of (right - left) x (direction along the strip).
+[[nodiscard]] Mesh make_strip(const std::vector<glm::dvec3>& left, const std::vector<glm::dvec3>& right);
+
+// The triangles of a mesh with normals calculated from them alone. The normal at a corner is the mean,
+// weighted by area, of the faces that meet there and whose normals differ from the corner's own face by at
+// most `degrees`. A vertex where faces meet at a larger angle is split. Triangles without area get the normal
+// 0. Colours are not kept.
+[[nodiscard]] Mesh with_crease_normals(const Mesh& mesh, float degrees);
+
+// Object to world: a rotation by an angle in radians around an axis through the object's origin, then a
+// translation.
+[[nodiscard]] inline glm::dmat4 rigid_motion(const glm::dvec3& position, double angle = 0.0,
+                                             const glm::dvec3& axis = {0, 1, 0}) {
+    return glm::rotate(glm::translate(glm::dmat4(1.0), position), angle, axis);
+}
 
 }  // namespace gloam::scene

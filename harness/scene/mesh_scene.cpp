@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "scene/primitives.hpp"
+#include "scene/mesh.hpp"
 
 namespace gloam::scene {
 namespace {

@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "shader/cache.hpp"
-#include "shader/language.hpp"
+#include "shader/compile.hpp"
 
 namespace gloam::scene {
 

@@ -6,8 +6,7 @@
 #include <functional>
 #include <limits>
 
-#include "gpu/raster.hpp"
-#include "scene/internal/raster_layouts.hpp"
+#include "gpu/commands.hpp"
 
 namespace gloam::scene {
 namespace {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include "gpu/device.hpp"
 #include "scene/gbuffer.hpp"
+#include "scene/mesh.hpp"
 #include "scene/pass_library.hpp"
 #include "scene/scene.hpp"
 
@@ -30,5 +33,11 @@ struct RasterizeOptions {
 // negative frame, layers or a guard out of range, and a scene that validate() rejects.
 [[nodiscard]] GBuffer rasterize(const gpu::Device& device, const PassLibrary& passes, const Scene& scene,
                                 gpu::Extent extent, const RasterizeOptions& options = {});
+
+// For each triangle of a mesh in view space, whether it cannot be seen because it is the far side of a closed
+// part. A part is what is connected by common positions. It is closed if each of its edges belongs to two
+// triangles or more, at least 99 % of the edges are passed in both directions, and the triangles face
+// outward. No triangle of a part is hidden while the eye, the origin, is within the bounds of the part.
+[[nodiscard]] std::vector<bool> hidden_far_sides(const Mesh& view_space, bool orthographic);
 
 }  // namespace gloam::scene

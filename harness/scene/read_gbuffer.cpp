@@ -7,9 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "scene/internal/exr.hpp"
-#include "scene/internal/frame_json.hpp"
-#include "scene/pfm.hpp"
+#include "scene/image_files.hpp"
 
 namespace gloam::scene {
 namespace {

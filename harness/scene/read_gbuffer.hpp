@@ -2,9 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "gpu/resources.hpp"
+#include "scene/camera.hpp"
 #include "scene/gbuffer.hpp"
 
 namespace gloam::scene {
@@ -31,5 +34,16 @@ namespace gloam::scene {
 
 // The text of a frame's PREFIX.json; read_gbuffer reads exactly the same camera from it.
 [[nodiscard]] std::string frame_json(const GBuffer& gbuffer, int frame);
+
+// The content of fNNNN.json.
+struct FrameDescription {
+    gpu::Extent extent;
+    CameraFrame camera;
+    std::optional<double> ao_radius;
+    gpu::Extent border;
+};
+
+// Reads it. Throws std::runtime_error with the file's name, the key and what was expected.
+[[nodiscard]] FrameDescription read_frame_json(const std::filesystem::path& file);
 
 }  // namespace gloam::scene

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
 #include <functional>
+#include <glm/glm.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -52,5 +54,44 @@ struct SceneInfo {
 
 // A built-in scene by name. Throws std::invalid_argument that lists the names.
 [[nodiscard]] Scene make_scene(std::string_view name);
+
+// The half to which a view belongs. Constants are fitted on `tuning`; what is claimed of them is measured on
+// `unseen`.
+enum class ViewHalf { tuning, unseen };
+
+struct ViewInfo {
+    std::string name;
+    std::string kind;  // "interior", "hall", "foliage", "machine", "terrain", "mesh" or "scene"
+    std::string description;
+    ViewHalf half = ViewHalf::tuning;
+};
+
+// The views on which settings are fitted and judged, with moving cameras. A view's half follows from its
+// place in this list alone: even places, from 0, are for tuning, odd ones unseen. New views are added at the
+// end.
+[[nodiscard]] const std::vector<ViewInfo>& all_views();
+
+// The names of a half, in the order of the list.
+[[nodiscard]] std::vector<std::string> views_of(ViewHalf half);
+
+[[nodiscard]] std::string_view name_of(ViewHalf half);
+
+// The folder in which Debian's glmark2-data installs its meshes.
+[[nodiscard]] std::filesystem::path installed_meshes();
+
+// A view by name, bit-identical every time. meshes: folder of the mesh files that some views show. Throws
+// std::invalid_argument that lists the names, and std::runtime_error for a mesh that cannot be read.
+[[nodiscard]] Scene make_view(std::string_view name, const std::filesystem::path& meshes);
+
+// Occlusion of a point on a floor in front of two infinite walls at right angles: cosine-weighted (TSSAO-1),
+// with the linear falloff 1 - d / R. a and b: distances of the point from the walls (>= 0, in the unit of R >
+// 0).
+// A direction of azimuth phi meets the nearer wall at the horizontal distance rho(phi). The integral over its
+// elevation is (1 - rho / R)^2 / 2, and the integral over phi has an antiderivative.
+[[nodiscard]] double corner_occlusion(double a, double b, double radius);
+
+// The same for a point of the scene "corner". The point is on the nearest of the planes x = 0, y = 0 and z =
+// 0, on the side of positive coordinates; the other two planes are the walls.
+[[nodiscard]] double corner_occlusion_at(const glm::dvec3& world, double radius);
 
 }  // namespace gloam::scene

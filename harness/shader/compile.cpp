@@ -3,16 +3,135 @@
 
 #include <glslang/SPIRV/GlslangToSpv.h>
 #include <spirv-tools/libspirv.h>
+#include <algorithm>
+#include <array>
 
-#include "shader/decorate.hpp"
 #include "shader/internal/compiler_process.hpp"
+#include "shader/internal/cross.hpp"
 #include "shader/internal/front_end.hpp"
-#include "shader/internal/round_trip.hpp"
-#include "shader/internal/storage_buffers.hpp"
-#include "shader/internal/version_line.hpp"
+#include "shader/internal/lines.hpp"
 #include "shader/spirv.hpp"
 
 namespace gloam::shader {
+namespace {
+
+std::string scalar_name(Scalar scalar) {
+    switch (scalar) {
+        case Scalar::void_:
+            return "void";
+        case Scalar::bool_:
+            return "bool";
+        case Scalar::int_:
+            return "int";
+        case Scalar::uint_:
+            return "uint";
+        case Scalar::float_:
+            return "float";
+        case Scalar::structure:
+        case Scalar::unsupported:
+            break;
+    }
+    return {};
+}
+
+std::string vector_prefix(Scalar scalar) {
+    return scalar == Scalar::float_ ? std::string() : scalar_name(scalar).substr(0, 1);
+}
+
+// Structures by name, everything else in full.
+std::string short_name(const Type& type) {
+    return type.scalar == Scalar::structure ? type.name : to_glsl(type);
+}
+
+std::string text_of(const Parameter& parameter) {
+    std::string text;
+    if (parameter.direction == Direction::out) text = "out ";
+    if (parameter.direction == Direction::inout) text = "inout ";
+    text += short_name(parameter.type);
+    if (!parameter.name.empty()) text += " " + parameter.name;
+    return text;
+}
+
+}  // namespace
+
+bool operator==(const Type& a, const Type& b) {
+    if (a.scalar != b.scalar || a.columns != b.columns || a.rows != b.rows) return false;
+    if (a.scalar == Scalar::unsupported) return a.name == b.name;
+    return std::equal(a.members.begin(), a.members.end(), b.members.begin(), b.members.end(),
+                      [](const Member& x, const Member& y) { return x.type == y.type; });
+}
+
+bool is_supported(const Type& type) {
+    return type.scalar != Scalar::unsupported &&
+           std::all_of(type.members.begin(), type.members.end(),
+                       [](const Member& member) { return is_supported(member.type); });
+}
+
+std::string to_glsl(const Type& type) {
+    if (type.scalar == Scalar::unsupported) return type.name;
+    if (type.scalar == Scalar::structure) {
+        std::string text = type.name + " {";
+        for (const Member& member : type.members)
+            text.append(" ").append(short_name(member.type)).append(" ").append(member.name).append(";");
+        return text + " }";
+    }
+    const std::string rows = std::to_string(type.rows);
+    if (type.columns > 1) {
+        std::string text = "mat" + std::to_string(type.columns);
+        return type.columns == type.rows ? text : text.append("x").append(rows);
+    }
+    return type.rows > 1 ? vector_prefix(type.scalar) + "vec" + rows : scalar_name(type.scalar);
+}
+
+std::string to_glsl(const Function& function) {
+    std::string text = short_name(function.result) + " " + function.name + "(";
+    for (std::size_t i = 0; i < function.parameters.size(); ++i)
+        text += (i == 0 ? "" : ", ") + text_of(function.parameters[i]);
+    return text + ")";
+}
+
+std::vector<Variant> variants() {
+    using Constants = Variant::Constants;
+    return {
+        {.name = "shipped", .description = "the SPIR-V that glslang makes"},
+        {.name = "strict",
+         .description = "every float operation NoContraction: no contraction, no reordering",
+         .strict = true},
+        {.name = "optimized",
+         .description = "optimised for speed by SPIRV-Tools (-O)",
+         .optimization = Optimization::performance},
+        {.name = "small",
+         .description = "optimised for size by SPIRV-Tools (-Os)",
+         .optimization = Optimization::size},
+        {.name = "round_trip",
+         .description = "turned into GLSL by SPIRV-Cross and compiled again",
+         .through = Variant::Through::glsl},
+        {.name = "hlsl",
+         .description = "turned into HLSL by SPIRV-Cross and compiled by glslang's HLSL front end",
+         .through = Variant::Through::hlsl},
+        {.name = "relaxed",
+         .description = "every float result RelaxedPrecision (mediump), and NoContraction",
+         .strict = true,
+         .relaxed = true},
+        {.name = "literals",
+         .description = "a few inputs as literals, folded by the compiler (-O)",
+         .optimization = Optimization::performance,
+         .constants = Constants::literals},
+        {.name = "specialization",
+         .description = "a few inputs as specialization constants, folded by the driver",
+         .constants = Constants::specialization},
+    };
+}
+
+Variant variant(const std::string& name) {
+    std::string names;
+    for (Variant& known : variants()) {
+        if (known.name == name) return std::move(known);
+        names += (names.empty() ? "" : ", ") + known.name;
+    }
+    throw std::invalid_argument("unknown variant \"" + name + "\": expected " + names);
+}
+
 namespace {
 
 // Applies the variant to the front end's module; each step produces a valid module.
@@ -68,6 +187,86 @@ std::string compiler_version() {
            std::to_string(version.patch) + version.flavor + " (generator " +
            std::to_string(glslang::GetSpirvGeneratorVersion()) + "), " + spvSoftwareVersionDetailsString() +
            ", " + internal::cross_version();
+}
+
+namespace {
+
+// The default of sampler2D is lowp: depths would lose most of their bits.
+constexpr const char* es_precisions =
+    "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n";
+
+struct Entry {
+    Language language;
+    const char* name;
+    const char* version;
+    bool es;
+    Stage stage;
+    internal::Client client;
+};
+
+constexpr std::array entries{
+    Entry{Language::vulkan450, "450", "450", false, Stage::compute, internal::Client::vulkan},
+    Entry{Language::gl330, "330", "330 core", false, Stage::fragment, internal::Client::none},
+    Entry{Language::es300, "300es", "300 es", true, Stage::fragment, internal::Client::none},
+    Entry{Language::es310, "310es", "310 es", true, Stage::compute, internal::Client::none},
+    Entry{Language::es320, "320es", "320 es", true, Stage::compute, internal::Client::none},
+};
+
+const Entry& entry_of(Language language) {
+    for (const Entry& entry : entries)
+        if (entry.language == language) return entry;
+    throw std::invalid_argument("language " + std::to_string(static_cast<int>(language)) +
+                                ": not one of 450, 330, 300es, 310es, 320es");
+}
+
+// The pieces keep their own line numbers; the last may end without a newline, in a comment.
+void check_pieces(const Entry& entry, Stage stage, std::vector<Source> pieces, bool add_main,
+                  const std::vector<std::filesystem::path>& include_roots) {
+    const std::string name = pieces.back().name;
+    const std::string local_size = stage == Stage::compute ? "layout(local_size_x = 1) in;\n" : "";
+    if (add_main) pieces.push_back({"main", "\n" + local_size + "void main() {}\n"});
+    internal::Parse parse(stage, entry.client, name, std::move(pieces), include_roots);
+    static_cast<void>(parse.link(internal::Unreached::dropped));
+}
+
+}  // namespace
+
+namespace internal {
+
+Client client_of(Language language) {
+    return entry_of(language).client;
+}
+
+}  // namespace internal
+
+std::optional<Language> language_from(std::string_view name) {
+    for (const Entry& entry : entries)
+        if (name == entry.name) return entry.language;
+    return std::nullopt;
+}
+
+std::string to_string(Language language) {
+    return entry_of(language).name;
+}
+
+std::string preamble(Language language) {
+    const Entry& entry = entry_of(language);
+    return "#version " + std::string(entry.version) + "\n" + (entry.es ? es_precisions : "");
+}
+
+Stage usual_stage(Language language) {
+    return entry_of(language).stage;
+}
+
+void check_program(const Source& text, bool add_main, Language language, Stage stage) {
+    check_pieces(entry_of(language), stage, {text}, add_main, {});
+}
+
+void check_compiles(const Source& body, Language language,
+                    const std::vector<std::filesystem::path>& include_roots) {
+    const Entry& entry = entry_of(language);
+    // The compiler looks for includes beside the first piece.
+    check_pieces(entry, entry.stage, {{body.name, preamble(language)}, body}, true, include_roots);
 }
 
 }  // namespace gloam::shader

@@ -3,14 +3,102 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "shader/type.hpp"
-#include "shader/variant.hpp"
-
 namespace gloam::shader {
+
+// `unsupported`: an array, a sampler, a double ...; Type::name then holds its GLSL text.
+enum class Scalar { void_, bool_, int_, uint_, float_, structure, unsupported };
+
+struct Member;
+
+// A GLSL type: scalar, vector (columns 1, rows 2..4), matrix (columns and rows 2..4; columns x rows as in
+// matCxR) or structure.
+struct Type {
+    Scalar scalar = Scalar::void_;
+    int columns = 1;
+    int rows = 1;
+    std::vector<Member> members;  // of a structure only
+    std::string name;  // of a structure (not compared), or the text of an unsupported type (compared)
+
+    // Equal layout: same scalar, columns, rows, and members of equal types; member names are not compared.
+    friend bool operator==(const Type& a, const Type& b);
+};
+
+struct Member {
+    std::string name;
+    Type type;
+};
+
+enum class Direction { in, out, inout };
+
+struct Parameter {
+    std::string name;
+    Type type;
+    Direction direction = Direction::in;
+};
+
+// A function as the compiler sees it: defined, or only declared (a prototype for another to define; its
+// parameters then have no names).
+struct Function {
+    std::string name;
+    Type result;
+    std::vector<Parameter> parameters;
+    bool defined = false;
+};
+
+// Whether no part of the type is unsupported.
+[[nodiscard]] bool is_supported(const Type& type);
+
+// "vec3", "mat4x3", "float", "Name { float a; vec2 b; }".
+[[nodiscard]] std::string to_glsl(const Type& type);
+// "float f(vec2 uv, out float depth)"; a structure by its name only, an unnamed parameter by its type only.
+[[nodiscard]] std::string to_glsl(const Function& function);
+
+// Optimisation by SPIRV-Tools after the front end.
+enum class Optimization {
+    none,
+    performance,
+    size,
+    hoisting,  // performance, with loop invariants computed before their loops: not every driver does this
+    unrolling  // hoisting, and drivers are asked to unroll loops: with long bodies not every driver does
+};
+
+// One way to make a module from a shader. The default is glslang's unchanged module.
+struct Variant {
+    // How a kernel gets its inputs: from memory, or as constants that the compiler (literals) or the driver
+    // (specialization constants) may fold. compile() ignores it, because the text already contains the inputs
+    // or does not.
+    enum class Constants { none, literals, specialization };
+
+    // A language into which SPIRV-Cross translates the module. glslang compiles the text again.
+    enum class Through { none, glsl, hlsl };
+
+    std::string name;
+    std::string description;
+    Optimization optimization = Optimization::none;
+    bool strict = false;   // every float operation has NoContraction, as if all were `precise`
+    bool relaxed = false;  // every float result has RelaxedPrecision, as if all were `mediump`
+    Through through = Through::none;
+    Constants constants = Constants::none;
+
+    // Whether a module of it may differ from that of the front end as it is.
+    [[nodiscard]] bool changes_the_module() const {
+        return optimization != Optimization::none || strict || relaxed || through != Through::none ||
+               constants != Constants::none;
+    }
+};
+
+// All variants: shipped, strict, optimized, small, round_trip, hlsl, relaxed, literals, specialization.
+[[nodiscard]] std::vector<Variant> variants();
+
+// The variant with this name. Throws std::invalid_argument that lists the names.
+[[nodiscard]] Variant variant(const std::string& name);
 
 enum class Stage { compute, vertex, fragment };
 
@@ -61,5 +149,46 @@ using Spirv = std::vector<std::uint32_t>;
 // Name and version of the compiler, the optimizer, the validator and the translator back to GLSL; part of
 // every cache key.
 [[nodiscard]] std::string compiler_version();
+
+// The GLSL versions that the library promises to compile as.
+enum class Language { vulkan450, gl330, es300, es310, es320 };
+
+// "450", "330", "300es", "310es", "320es"; nullopt for other text.
+[[nodiscard]] std::optional<Language> language_from(std::string_view name);
+[[nodiscard]] std::string to_string(Language language);
+
+// The first lines of a text: #version, and for ES the default precisions (highp).
+[[nodiscard]] std::string preamble(Language language);
+
+// The stage in which a text of this language is checked by default: compute if the language has it, otherwise
+// fragment.
+[[nodiscard]] Stage usual_stage(Language language);
+
+// Parses a complete text of this stage, including its #version line; adds an empty main if there is none.
+// Throws CompileError.
+void check_program(const Source& text, bool add_main, Language language, Stage stage);
+
+// Parses `body` (no #version line; includes allowed) behind the preamble; adds an empty main. It is a compute
+// shader if the language has them, otherwise a fragment shader. Throws CompileError.
+void check_compiles(const Source& body, Language language,
+                    const std::vector<std::filesystem::path>& include_roots);
+
+// Compiled modules on disk, keyed by the text, every included file, the options and the compiler. A damaged,
+// truncated or foreign entry is recompiled and replaced silently. Files are written completely or not at all.
+// An unwritable directory costs only speed. Processes can share the directory.
+class SpirvCache {
+  public:
+    // An empty directory means no cache.
+    explicit SpirvCache(std::filesystem::path directory = {});
+
+    // compile(source, options), or the stored result of an identical call.
+    [[nodiscard]] Spirv compile(const Source& source, const CompileOptions& options) const;
+
+    // functions(source, options), or the stored result of an identical call.
+    [[nodiscard]] std::vector<Function> functions(const Source& source, const CompileOptions& options) const;
+
+  private:
+    std::filesystem::path directory_;
+};
 
 }  // namespace gloam::shader

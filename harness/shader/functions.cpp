@@ -1,13 +1,169 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <stdexcept>
-
-#include "shader/compile.hpp"
-#include "shader/internal/compiler_process.hpp"
 #include "shader/internal/declarations.hpp"
+
+#include <spirv.h>
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+#include "shader/internal/compiler_process.hpp"
 #include "shader/internal/front_end.hpp"
-#include "shader/internal/signature.hpp"
-#include "shader/internal/version_line.hpp"
+#include "shader/internal/lines.hpp"
+#include "shader/spirv.hpp"
+
+namespace gloam::shader::internal {
+namespace {
+
+using Id = std::uint32_t;
+
+std::string name_without_overload_mark(const std::string& name) {
+    return name.substr(0, name.find('('));
+}
+
+// Names, types and constants of a module by their id.
+class TypeReader {
+  public:
+    explicit TypeReader(const std::vector<Instruction>& code) {
+        for (const Instruction& instruction : code) read(instruction);
+    }
+
+    [[nodiscard]] std::string name_of(Id id) const {
+        const auto found = names_.find(id);
+        return found == names_.end() ? "" : found->second;
+    }
+
+    // The type of a value, or of what a pointer points to.
+    [[nodiscard]] Type type_of(Id id) const {
+        const Instruction& type = types_.at(id);
+        switch (type.opcode) {
+            case SpvOpTypePointer:
+                return type_of(type.word(3));
+            case SpvOpTypeVector:
+            case SpvOpTypeMatrix:
+                return composed(type);
+            case SpvOpTypeArray:
+                return array_of(type, constants_.at(type.word(3)));
+            case SpvOpTypeRuntimeArray:
+                return array_of(type, 0);
+            case SpvOpTypeStruct:
+                return structure(id, type);
+            default:
+                return scalar(type);
+        }
+    }
+
+  private:
+    void read(const Instruction& instruction) {
+        if (instruction.opcode == SpvOpName) {
+            names_[instruction.word(1)] = literal_string(instruction, 2);
+        } else if (instruction.opcode == SpvOpMemberName) {
+            members_[{instruction.word(1), instruction.word(2)}] = literal_string(instruction, 3);
+        } else if (instruction.opcode == SpvOpConstant || instruction.opcode == SpvOpSpecConstant) {
+            constants_[instruction.word(2)] = instruction.word(3);
+        } else if (instruction.opcode >= SpvOpTypeVoid && instruction.opcode <= SpvOpTypeFunction) {
+            types_[instruction.word(1)] = instruction;
+        }
+    }
+
+    static Type unsupported(std::string text) {
+        return {.scalar = Scalar::unsupported, .members = {}, .name = std::move(text)};
+    }
+
+    static Type scalar(const Instruction& type) {
+        const auto of = [](Scalar scalar) { return Type{.scalar = scalar, .members = {}, .name = {}}; };
+        const Id bits = type.word(2);
+        const bool is_signed = type.word(3) != 0;
+        switch (type.opcode) {
+            case SpvOpTypeVoid:
+                return of(Scalar::void_);
+            case SpvOpTypeBool:
+                return of(Scalar::bool_);
+            case SpvOpTypeInt:
+                if (bits == 32) return of(is_signed ? Scalar::int_ : Scalar::uint_);
+                return unsupported((is_signed ? "int" : "uint") + std::to_string(bits) + "_t");
+            case SpvOpTypeFloat:
+                if (bits == 32) return of(Scalar::float_);
+                return unsupported(bits == 64 ? "double" : "float" + std::to_string(bits) + "_t");
+            default:
+                return unsupported({});
+        }
+    }
+
+    [[nodiscard]] Type composed(const Instruction& type) const {
+        Type result = type_of(type.word(2));
+        const int count = static_cast<int>(type.word(3));
+        const bool matrix = type.opcode == SpvOpTypeMatrix;
+        if (result.scalar == Scalar::unsupported) {
+            result.name = composed_name(result.name, count, matrix);
+        } else {
+            (matrix ? result.columns : result.rows) = count;
+        }
+        return result;
+    }
+
+    // "dvec3", "dmat4x3", "i64vec2", "f16vec4"
+    static std::string composed_name(const std::string& element, int count, bool matrix) {
+        const std::string size = std::to_string(count);
+        if (matrix) return "dmat" + size + "x" + element.substr(element.size() - 1);
+        if (element == "double") return "dvec" + size;
+        return element.substr(0, 1) + element.substr(element.find_first_of("0123456789"), 2) + "vec" + size;
+    }
+
+    [[nodiscard]] Type array_of(const Instruction& type, Id size) const {
+        const Type element = type_of(type.word(2));
+        const bool plain_name = element.scalar == Scalar::structure || element.scalar == Scalar::unsupported;
+        const std::string text = plain_name ? element.name : to_glsl(element);
+        const std::size_t sizes =
+            std::min(text.find('['), text.size());  // those of an array of arrays follow ours
+        return unsupported(text.substr(0, sizes) + "[" + (size ? std::to_string(size) : "") + "]" +
+                           text.substr(sizes));
+    }
+
+    [[nodiscard]] Type structure(Id id, const Instruction& type) const {
+        Type result{.scalar = Scalar::structure, .members = {}, .name = name_of(id)};
+        for (Id i = 0; i + 2 < type.words.size(); ++i) {
+            const auto name = members_.find({id, i});
+            result.members.push_back({name == members_.end() ? "" : name->second, type_of(type.word(i + 2))});
+        }
+        return result;
+    }
+
+    std::map<Id, std::string> names_;
+    std::map<std::pair<Id, Id>, std::string> members_;
+    std::map<Id, Id> constants_;
+    std::map<Id, Instruction> types_;
+};
+
+// Index of each function by its id.
+std::map<Id, std::size_t> function_indices(const std::vector<Instruction>& code) {
+    std::map<Id, std::size_t> indices;
+    for (const Instruction& instruction : code)
+        if (instruction.opcode == SpvOpFunction) indices.emplace(instruction.word(2), indices.size());
+    return indices;
+}
+
+}  // namespace
+
+std::vector<Signature> signatures(const Spirv& module) {
+    const std::vector<Instruction> code = instructions(module);
+    const TypeReader types(code);
+    const std::map<Id, std::size_t> indices = function_indices(code);
+    std::vector<Signature> found;
+    for (const Instruction& instruction : code) {
+        const Id type = instruction.word(1);
+        const Id id = instruction.word(2);
+        if (instruction.opcode == SpvOpFunction)
+            found.push_back({name_without_overload_mark(types.name_of(id)), types.type_of(type), {}, {}});
+        if (instruction.opcode == SpvOpFunctionParameter)
+            found.back().parameters.push_back({types.name_of(id), types.type_of(type), Direction::in});
+        if (instruction.opcode == SpvOpFunctionCall)
+            found.back().calls.push_back(indices.at(instruction.word(3)));
+    }
+    return found;
+}
+
+}  // namespace gloam::shader::internal
 
 namespace gloam::shader {
 namespace {

@@ -5,11 +5,12 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "shader/language.hpp"
+#include "shader/compile.hpp"
 
 namespace gloam::shader {
 
@@ -41,5 +42,50 @@ struct PackRequest {
 
 // Number of lines with more than blanks and comments.
 [[nodiscard]] std::size_t code_lines(std::string_view text);
+
+// A function of a text from elsewhere, with all that it uses: a text that another shader can contain in the
+// place of an #include. It has no comments, no #version and no main, and none of the text's bindings, stage
+// inputs and stage outputs. #line directives name the lines of the original files.
+struct Excerpt {
+    std::string function;  // its name; overloads have one excerpt
+    std::string text;
+    std::set<std::string> interface;  // names of bindings, stage inputs and outputs that it may use
+    // Each definition of this name in `text`, in order: with its types as the file itself has them, "f(vec2,
+    // float[2])"; empty for one of an include.
+    std::vector<std::string> definitions;
+};
+
+struct Excerpts {
+    std::string version;             // of the file's #version line: "330 core"; empty: there is none
+    std::vector<Excerpt> functions;  // that the file itself defines, but for main, in their order
+};
+
+// The functions of a text. The text may have any #version and any stage; it is read as GLSL 4.50 for Vulkan,
+// and need not be valid. Throws CompileError for what the preprocessor rejects, for example a missing
+// include.
+[[nodiscard]] Excerpts excerpts(const Source& source, const std::vector<std::filesystem::path>& roots);
+
+// Shading languages other than GLSL.
+enum class Target { hlsl, msl, wgsl };
+
+// "hlsl", "msl", "wgsl"; nullopt for other text.
+[[nodiscard]] std::optional<Target> target_from(std::string_view name);
+
+// The suffix of a file: ".hlsl", ".metal", ".wgsl".
+[[nodiscard]] std::string suffix(Target target);
+
+// A text that pack() wrote for Vulkan, translated by SPIRV-Cross: HLSL of shader model 6.0, or Metal Shading
+// Language 2.1; or by to_wgsl(): WGSL. Names are kept; comments above functions, structures and constants,
+// and those behind members, are put back; comments inside functions are lost.
+// - A text without a main stays a file of functions. What it declares and the user defines is declared in the
+//   result, too; in WGSL, which has no declarations without a body, by a comment. In MSL these functions
+//   have a last parameter, a structure GloamImages of the user's images, and so has every function that calls
+//   them.
+// - A text with a main of this stage is one whole shader. A line at its head names its registers (HLSL) or
+//   its indices (MSL). The entry point is main in HLSL and WGSL, NAME_main in MSL: NAME is that of the text,
+//   without folder and suffix. WGSL has compute shaders only.
+// HLSL has been compiled by glslang. Throws CompileError if the text, or the HLSL, does not compile;
+// std::invalid_argument for what cannot be translated.
+[[nodiscard]] std::string translated(const Source& packed, Target target, Stage stage = Stage::compute);
 
 }  // namespace gloam::shader

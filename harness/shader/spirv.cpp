@@ -1,14 +1,61 @@
 // SPDX-License-Identifier: MIT
 #include "shader/spirv.hpp"
 
+#define SPV_ENABLE_UTILITY_CODE
 #include <spirv.h>
-
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <map>
+#include <set>
 #include <spirv-tools/libspirv.hpp>
 #include <spirv-tools/optimizer.hpp>
-
-#include "shader/instructions.hpp"
+#include <stdexcept>
 
 namespace gloam::shader {
+namespace {
+
+constexpr std::uint32_t magic = 0x07230203u;
+constexpr std::size_t header_words = 5;
+constexpr std::uint32_t length_shift = 16;
+constexpr std::uint32_t opcode_mask = 0xffffu;
+
+}  // namespace
+
+std::vector<Instruction> instructions(const Spirv& module) {
+    if (module.size() < header_words || module[0] != magic)
+        throw std::runtime_error("no SPIR-V module: its first word is not 0x07230203");
+    std::vector<Instruction> all;
+    for (std::size_t at = header_words; at < module.size();) {
+        const std::size_t length = module[at] >> length_shift;
+        if (length == 0 || length > module.size() - at)
+            throw std::runtime_error("no SPIR-V module: instruction of " + std::to_string(length) +
+                                     " words at word " + std::to_string(at) + " of " +
+                                     std::to_string(module.size()));
+        all.push_back({at, module[at] & opcode_mask, std::span(module).subspan(at, length)});
+        at += length;
+    }
+    return all;
+}
+
+std::string literal_string(const Instruction& instruction, std::size_t index) {
+    std::string text;
+    for (std::size_t i = index; i < instruction.words.size(); ++i) {
+        for (std::uint32_t shift = 0; shift < 32; shift += 8) {
+            const auto character = static_cast<char>(instruction.word(i) >> shift & 0xffu);
+            if (character == '\0') return text;
+            text.push_back(character);
+        }
+    }
+    return text;
+}
+
+Spirv instruction(std::uint32_t opcode, std::span<const std::uint32_t> operands) {
+    Spirv words{static_cast<std::uint32_t>(operands.size() + 1) << length_shift | opcode};
+    words.insert(words.end(), operands.begin(), operands.end());
+    return words;
+}
+
 namespace {
 
 constexpr spv_target_env environment = SPV_ENV_VULKAN_1_2;
@@ -72,6 +119,203 @@ std::string disassemble(const Spirv& module) {
     if (!tools.Disassemble(module, &text))
         throw std::runtime_error("cannot disassemble the SPIR-V module: " + messages);
     return text;
+}
+
+namespace {
+
+using Id = std::uint32_t;
+
+bool is_float_arithmetic(const Instruction& instruction) {
+    constexpr std::array opcodes{SpvOpFNegate,
+                                 SpvOpFAdd,
+                                 SpvOpFSub,
+                                 SpvOpFMul,
+                                 SpvOpFDiv,
+                                 SpvOpFRem,
+                                 SpvOpFMod,
+                                 SpvOpVectorTimesScalar,
+                                 SpvOpMatrixTimesScalar,
+                                 SpvOpVectorTimesMatrix,
+                                 SpvOpMatrixTimesVector,
+                                 SpvOpMatrixTimesMatrix,
+                                 SpvOpOuterProduct,
+                                 SpvOpDot};
+    return std::ranges::find(opcodes, instruction.opcode) != opcodes.end();
+}
+
+// Whether the instruction yields a given value, not a calculated one: a constant, or a bit pattern.
+bool is_given(std::uint32_t opcode) {
+    return opcode == SpvOpUndef || opcode == SpvOpBitcast ||
+           (opcode >= SpvOpConstantTrue && opcode <= SpvOpSpecConstantOp);
+}
+
+// The IDs of float32 and of its vectors and matrices.
+std::set<Id> float32_types(const std::vector<Instruction>& instructions) {
+    constexpr std::uint32_t width = 32;
+    std::set<Id> types;
+    for (const Instruction& i : instructions) {
+        const bool is_scalar = i.opcode == SpvOpTypeFloat && i.word(2) == width;
+        const bool is_compound =
+            (i.opcode == SpvOpTypeVector || i.opcode == SpvOpTypeMatrix) && types.contains(i.word(2));
+        if (is_scalar || is_compound) types.insert(i.word(1));
+    }
+    return types;
+}
+
+// Whether the instruction has a result (word 2) with a type (word 1).
+bool has_typed_result(const Instruction& instruction) {
+    bool result = false;
+    bool type = false;
+    SpvHasResultAndType(static_cast<SpvOp>(instruction.opcode), &result, &type);
+    return result && type && instruction.words.size() > 2;
+}
+
+std::set<Id> decorated_ids(const std::vector<Instruction>& instructions, SpvDecoration decoration) {
+    std::set<Id> ids;
+    for (const Instruction& i : instructions) {
+        if (i.opcode == SpvOpDecorate && i.word(2) == static_cast<std::uint32_t>(decoration))
+            ids.insert(i.word(1));
+    }
+    return ids;
+}
+
+// Index at which annotations begin: behind all sections that precede them in a module.
+std::size_t annotations_begin(const std::vector<Instruction>& instructions, std::size_t end) {
+    constexpr std::array before{SpvOpCapability,      SpvOpExtension,       SpvOpExtInstImport,
+                                SpvOpMemoryModel,     SpvOpEntryPoint,      SpvOpExecutionMode,
+                                SpvOpExecutionModeId, SpvOpString,          SpvOpSourceExtension,
+                                SpvOpSource,          SpvOpSourceContinued, SpvOpName,
+                                SpvOpMemberName,      SpvOpModuleProcessed};
+    const auto first = std::ranges::find_if(instructions, [&](const Instruction& i) {
+        return std::ranges::find(before, i.opcode) == before.end();
+    });
+    return first == instructions.end() ? end : first->at;
+}
+
+Spirv decorate(const Spirv& module, SpvDecoration decoration, const std::vector<Instruction>& instructions,
+               const std::function<bool(const Instruction&)>& wanted) {
+    const std::set<Id> already = decorated_ids(instructions, decoration);
+    Spirv added;
+    for (const Instruction& i : instructions) {
+        if (!has_typed_result(i) || !wanted(i) || already.contains(i.word(2))) continue;
+        const std::array operands{i.word(2), static_cast<std::uint32_t>(decoration)};
+        const Spirv words = instruction(SpvOpDecorate, operands);
+        added.insert(added.end(), words.begin(), words.end());
+    }
+    Spirv result = module;
+    const std::size_t at = annotations_begin(instructions, module.size());
+    result.insert(result.begin() + static_cast<std::ptrdiff_t>(at), added.begin(), added.end());
+    return result;
+}
+
+}  // namespace
+
+Spirv with_no_contraction(const Spirv& module) {
+    return decorate(module, SpvDecorationNoContraction, instructions(module), is_float_arithmetic);
+}
+
+Spirv with_relaxed_precision(const Spirv& module) {
+    const std::vector<Instruction> all = instructions(module);
+    const std::set<Id> types = float32_types(all);
+    return decorate(module, SpvDecorationRelaxedPrecision, all, [&types](const Instruction& i) {
+        return types.contains(i.word(1)) && !is_given(i.opcode);
+    });
+}
+
+namespace {
+
+using Id = std::uint32_t;
+
+const char* kind_of(std::uint32_t storage) {
+    switch (storage) {
+        case SpvStorageClassUniformConstant:
+            return "image or sampler";
+        case SpvStorageClassUniform:
+            return "uniform buffer";
+        case SpvStorageClassStorageBuffer:
+            return "storage buffer";
+        case SpvStorageClassPushConstant:
+            return "push constants";
+        default:
+            return nullptr;
+    }
+}
+
+bool takes_pointers(std::uint32_t opcode) {
+    switch (opcode) {
+        case SpvOpLoad:
+        case SpvOpStore:
+        case SpvOpCopyMemory:
+        case SpvOpAccessChain:
+        case SpvOpInBoundsAccessChain:
+        case SpvOpPtrAccessChain:
+        case SpvOpArrayLength:
+        case SpvOpImageTexelPointer:
+        case SpvOpFunctionCall:
+            return true;
+        default:
+            return false;
+    }
+}
+
+struct Module {
+    std::map<Id, std::string> names;
+    std::map<Id, Id> inside;  // of a pointer or an array, what it is of
+    std::vector<Instruction> variables;
+    std::set<Id> used;
+
+    void add(const Instruction& instruction, bool in_function) {
+        switch (instruction.opcode) {
+            case SpvOpName:
+                names[instruction.word(1)] = literal_string(instruction, 2);
+                break;
+            case SpvOpTypePointer:
+                inside[instruction.word(1)] = instruction.word(3);
+                break;
+            case SpvOpTypeArray:
+            case SpvOpTypeRuntimeArray:
+                inside[instruction.word(1)] = instruction.word(2);
+                break;
+            case SpvOpVariable:
+                if (!in_function) variables.push_back(instruction);
+                break;
+            default:
+                break;
+        }
+        if (!in_function || !takes_pointers(instruction.opcode)) return;
+        for (std::size_t i = 1; i < instruction.words.size(); ++i) used.insert(instruction.words[i]);
+    }
+
+    [[nodiscard]] std::string name_of(Id id) const {
+        const auto found = names.find(id);
+        return found == names.end() ? "" : found->second;
+    }
+
+    [[nodiscard]] std::string block_of(Id type) const {
+        for (auto next = inside.find(type); next != inside.end(); next = inside.find(type))
+            type = next->second;
+        return name_of(type);
+    }
+};
+
+}  // namespace
+
+std::vector<Resource> used_resources(const Spirv& module) {
+    Module all;
+    bool in_function = false;
+    for (const Instruction& instruction : instructions(module)) {
+        if (instruction.opcode == SpvOpFunction) in_function = true;
+        all.add(instruction, in_function);
+        if (instruction.opcode == SpvOpFunctionEnd) in_function = false;
+    }
+    std::vector<Resource> resources;
+    for (const Instruction& variable : all.variables) {
+        const char* kind = kind_of(variable.word(3));
+        const Id id = variable.word(2);
+        if (kind == nullptr || !all.used.contains(id)) continue;
+        resources.push_back({kind, all.name_of(id), all.block_of(variable.word(1))});
+    }
+    return resources;
 }
 
 }  // namespace gloam::shader

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "shader/compile.hpp"
-#include "shader/type.hpp"
 
 namespace gloam::shader {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/apart.hpp"
+#include "base/process.hpp"
 
 #include <gmock/gmock.h>
 #include <sys/wait.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/base64.hpp"
+#include "base/text.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/file_descriptor.hpp"
+#include "base/files.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

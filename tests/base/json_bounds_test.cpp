@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/json_bounds.hpp"
+#include "base/text.hpp"
 
 #include <gmock/gmock.h>
 

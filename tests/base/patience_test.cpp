@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/patience.hpp"
+#include "base/process.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/read_file.hpp"
+#include "base/files.hpp"
 
 #include <gmock/gmock.h>
 

@@ -10,11 +10,10 @@
 #include <tuple>
 
 #include "catalogue/catalogue.hpp"
-#include "check/measure_coverage.hpp"
+#include "check/run.hpp"
 #include "gl/program.hpp"
-#include "shader/language.hpp"
+#include "shader/compile.hpp"
 #include "shader/pack.hpp"
-#include "shader/translate.hpp"
 #include "support/entries.hpp"
 #include "support/lab.hpp"
 #include "support/library_files.hpp"

@@ -5,9 +5,9 @@
 #include <bit>
 #include <cmath>
 
-#include "check/constant_code.hpp"
-#include "check/constant_kernel.hpp"
 #include "check/kernel.hpp"
+#include "check/kernel_code.hpp"
+#include "check/lab.hpp"
 #include "shader/spirv.hpp"
 #include "support/lab.hpp"
 #include "support/matchers.hpp"

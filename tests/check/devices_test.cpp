@@ -3,8 +3,8 @@
 #include <cmath>
 #include <optional>
 
-#include "check/constant_kernel.hpp"
-#include "check/internal/gl_rules.hpp"
+#include "check/internal/gl_kernel.hpp"
+#include "check/lab.hpp"
 #include "check/reproduction.hpp"
 #include "support/lab.hpp"
 #include "support/matchers.hpp"

@@ -9,10 +9,9 @@
 #include <stdexcept>
 
 #include "check/domain.hpp"
+#include "check/reproduction.hpp"
 #include "check/run.hpp"
-#include "check/search.hpp"
-#include "check/shrink.hpp"
-#include "numeric/special_values.hpp"
+#include "numeric/numbers.hpp"
 #include "support/lab.hpp"
 
 namespace gloam::check::domain_test {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "check/explain.hpp"
-#include "check/measure_coverage.hpp"
-#include "check/scalars.hpp"
+#include "check/run.hpp"
+#include "check/signature.hpp"
 #include "support/lab.hpp"
 #include "support/matchers.hpp"
 

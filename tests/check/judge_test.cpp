@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "check/judge.hpp"
+#include "check/run.hpp"
 #include "support/lab.hpp"
 #include "support/matchers.hpp"
 

@@ -8,9 +8,9 @@
 #include <memory>
 
 #include "check/internal/interpretation.hpp"
-#include "check/permitted.hpp"
+#include "check/interpreted_kernel.hpp"
 #include "check/run.hpp"
-#include "numeric/ulp.hpp"
+#include "numeric/numbers.hpp"
 #include "support/lab.hpp"
 
 namespace gloam::permitted_test {

@@ -7,12 +7,11 @@
 #include <set>
 #include <string>
 
-#include "check/degenerate.hpp"
 #include "check/domain.hpp"
-#include "check/image_ends.hpp"
-#include "check/judge.hpp"
-#include "check/permitted.hpp"
-#include "numeric/ulp.hpp"
+#include "check/interpreted_kernel.hpp"
+#include "check/question.hpp"
+#include "check/run.hpp"
+#include "numeric/numbers.hpp"
 #include "support/lab.hpp"
 #include "support/matchers.hpp"
 

@@ -16,8 +16,8 @@
 #include "effect/methods.hpp"
 #include "effect/presets.hpp"
 #include "on_device.hpp"
-#include "scene/corner.hpp"
 #include "scene/rasterize.hpp"
+#include "scene/scene.hpp"
 #include "support/method_names.hpp"
 
 namespace gloam::effect::ambient_occlusion_test {

@@ -18,9 +18,9 @@
 #include "reference/occlusion.hpp"
 #include "reference/sampling.hpp"
 #include "reference/shading.hpp"
-#include "scene/primitives.hpp"
+#include "scene/gbuffer.hpp"
+#include "scene/mesh.hpp"
 #include "scene/rasterize.hpp"
-#include "scene/stored_inputs.hpp"
 
 namespace gloam::effect::directional_test {
 

@@ -20,7 +20,7 @@
 #include "filter_passes.hpp"
 #include "on_device.hpp"
 #include "scene/rasterize.hpp"
-#include "shader/cache.hpp"
+#include "shader/compile.hpp"
 
 namespace gloam::effect::filter_frames_test {
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "gpu/commands.hpp"
-#include "gpu/compute.hpp"
 #include "numeric/random.hpp"
 
 namespace gloam::effect {

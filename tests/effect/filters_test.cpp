@@ -23,8 +23,8 @@
 #include "reference/filter.hpp"
 #include "reference/geometry_camera.hpp"
 #include "reference/temporal.hpp"
-#include "scene/corner.hpp"
 #include "scene/rasterize.hpp"
+#include "scene/scene.hpp"
 
 namespace gloam::effect::filters_test {
 

@@ -15,8 +15,7 @@
 #include "effect/errors.hpp"
 #include "effect/presets.hpp"
 #include "on_device.hpp"
-#include "scene/guard_band.hpp"
-#include "scene/pixel_positions.hpp"
+#include "scene/gbuffer.hpp"
 #include "scene/rasterize.hpp"
 #include "scene/truth.hpp"
 

@@ -10,7 +10,7 @@
 #include "effect/errors.hpp"
 #include "effect/setting_table.hpp"
 #include "half_size.hpp"
-#include "scene/encoding.hpp"
+#include "scene/camera.hpp"
 
 namespace gloam::effect::half_resolution_settings_test {
 

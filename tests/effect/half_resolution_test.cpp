@@ -15,7 +15,7 @@
 #include "effect/methods.hpp"
 #include "effect/presets.hpp"
 #include "half_size.hpp"
-#include "scene/pixel_positions.hpp"
+#include "scene/gbuffer.hpp"
 #include "scene/rasterize.hpp"
 #include "surface_views.hpp"
 

@@ -16,11 +16,11 @@
 #include "effect/internal/steps.hpp"
 #include "effect/methods.hpp"
 #include "effect/presets.hpp"
-#include "gpu/program_of.hpp"
+#include "gpu/commands.hpp"
 #include "interpreter/machine.hpp"
 #include "on_device.hpp"
 #include "scene/rasterize.hpp"
-#include "shader/instructions.hpp"
+#include "shader/spirv.hpp"
 #include "support/method_names.hpp"
 
 namespace gloam::effect::interpreted_passes_test {

@@ -10,9 +10,8 @@
 #include <vector>
 
 #include "effect/internal/tiles.hpp"
-#include "gpu/buffer.hpp"
 #include "gpu/commands.hpp"
-#include "gpu/compute.hpp"
+#include "gpu/resources.hpp"
 #include "on_device.hpp"
 #include "shader/compile.hpp"
 

@@ -12,7 +12,7 @@
 #include <numbers>
 
 #include "effect/methods.hpp"
-#include "scene/pixel_positions.hpp"
+#include "scene/gbuffer.hpp"
 
 namespace gloam::effect::own_value_test {
 

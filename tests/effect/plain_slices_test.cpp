@@ -16,7 +16,7 @@
 #include "effect/study/plain_slices.hpp"
 #include "on_device.hpp"
 #include "scene/rasterize.hpp"
-#include "shader/variant.hpp"
+#include "shader/compile.hpp"
 #include "support/method_names.hpp"
 
 namespace gloam::effect::plain_slices_test {

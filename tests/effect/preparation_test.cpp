@@ -17,7 +17,7 @@
 #include "effect/methods.hpp"
 #include "effect/presets.hpp"
 #include "on_device.hpp"
-#include "scene/guard_band.hpp"
+#include "scene/gbuffer.hpp"
 #include "scene/rasterize.hpp"
 #include "surface_views.hpp"
 

@@ -15,9 +15,8 @@
 #include "effect/internal/tiles.hpp"
 #include "effect/methods.hpp"
 #include "effect/presets.hpp"
-#include "gpu/buffer.hpp"
 #include "gpu/commands.hpp"
-#include "gpu/compute.hpp"
+#include "gpu/resources.hpp"
 #include "on_device.hpp"
 #include "reference/temporal.hpp"
 

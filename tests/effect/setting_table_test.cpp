@@ -12,7 +12,7 @@
 #include "effect/ambient_occlusion.hpp"
 #include "effect/presets.hpp"
 #include "on_device.hpp"
-#include "scene/primitives.hpp"
+#include "scene/mesh.hpp"
 #include "scene/rasterize.hpp"
 #include "support/matchers.hpp"
 

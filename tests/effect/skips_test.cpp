@@ -13,7 +13,7 @@
 #include "effect/methods.hpp"
 #include "effect/presets.hpp"
 #include "on_device.hpp"
-#include "scene/guard_band.hpp"
+#include "scene/gbuffer.hpp"
 #include "scene/rasterize.hpp"
 #include "support/method_names.hpp"
 

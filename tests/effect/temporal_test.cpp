@@ -15,7 +15,7 @@
 #include "effect/methods.hpp"
 #include "effect/presets.hpp"
 #include "on_device.hpp"
-#include "scene/primitives.hpp"
+#include "scene/mesh.hpp"
 #include "scene/rasterize.hpp"
 #include "surface_views.hpp"
 

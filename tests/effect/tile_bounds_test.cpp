@@ -17,9 +17,8 @@
 #include "effect/internal/steps.hpp"
 #include "effect/internal/tiles.hpp"
 #include "effect/pixel_classes.hpp"
-#include "gpu/buffer.hpp"
 #include "gpu/commands.hpp"
-#include "gpu/compute.hpp"
+#include "gpu/resources.hpp"
 #include "numeric/random.hpp"
 #include "on_device.hpp"
 

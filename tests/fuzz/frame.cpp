@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The description of an engine's frame, fNNNN.json.
 #include "fuzz/fuzz.hpp"
-#include "scene/internal/frame_json.hpp"
+#include "scene/read_gbuffer.hpp"
 
 using namespace gloam;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Images of an engine or of an environment: PFM.
 #include "fuzz/fuzz.hpp"
-#include "scene/pfm.hpp"
+#include "scene/image_files.hpp"
 
 using namespace gloam;
 

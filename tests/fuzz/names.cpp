@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Untrusted text in names, messages and bounds.
-#include "base/json_bounds.hpp"
 #include "base/text.hpp"
 #include "fuzz/fuzz.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "gl/device_name.hpp"
+#include "gl/device.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,9 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "gl/dispatch.hpp"
-#include "gl/draw.hpp"
 #include "gl/opened.hpp"
+#include "gl/program.hpp"
 #include "support/test_name.hpp"
 
 namespace gloam::gl {

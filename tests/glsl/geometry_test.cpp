@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "numeric/numbers.hpp"
 #include "numeric/random.hpp"
-#include "numeric/ulp.hpp"
 #include "support/lab.hpp"
 
 namespace gloam::geometry_test {

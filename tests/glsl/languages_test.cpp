@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "gpu/commands.hpp"
-#include "shader/translate.hpp"
+#include "shader/pack.hpp"
 #include "support/method_names.hpp"
 #include "wavy_view.hpp"
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "numeric/numbers.hpp"
 #include "numeric/random.hpp"
-#include "numeric/ulp.hpp"
 #include "support/lab.hpp"
 
 namespace gloam::sampling_test {

@@ -8,10 +8,9 @@
 #include <limits>
 #include <numeric>
 
-#include "gpu/buffer.hpp"
 #include "gpu/gpu_test.hpp"
-#include "gpu/image.hpp"
 #include "gpu/internal/half.hpp"
+#include "gpu/resources.hpp"
 #include "shaders/fill_comp.h"
 #include "shaders/image_comp.h"
 

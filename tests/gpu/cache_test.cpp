@@ -8,8 +8,7 @@
 #include <iterator>
 
 #include "gpu/gpu_test.hpp"
-#include "gpu/internal/cache_file.hpp"
-#include "gpu/internal/cache_header.hpp"
+#include "gpu/internal/pipeline_cache.hpp"
 #include "shaders/fill_comp.h"
 
 namespace gloam::gpu::test::cache_test {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "gpu/compute.hpp"
+#include "gpu/commands.hpp"
 #include "gpu/gpu_test.hpp"
 #include "shaders/chain_comp.h"
 #include "shaders/count_comp.h"

@@ -9,8 +9,7 @@
 
 #include "gpu/device.hpp"
 #include "gpu/gpu_test.hpp"
-#include "gpu/internal/features.hpp"
-#include "gpu/internal/select.hpp"
+#include "gpu/internal/instance.hpp"
 #include "shaders/fill_comp.h"
 
 namespace gloam::gpu::test::device_test {

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <thread>
 
-#include "base/patience.hpp"
+#include "base/process.hpp"
 #include "gpu/gpu_test.hpp"
 #include "shaders/fill_comp.h"
 #include "shaders/image_comp.h"

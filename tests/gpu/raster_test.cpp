@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "gpu/raster.hpp"
+#include "gpu/commands.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -11,9 +11,8 @@
 #include <limits>
 
 #include "interpreter/shader_run.hpp"
+#include "numeric/numbers.hpp"
 #include "numeric/random.hpp"
-#include "numeric/special_values.hpp"
-#include "numeric/ulp.hpp"
 #include "support/shared_device.hpp"
 
 namespace gloam {

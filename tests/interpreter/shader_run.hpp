@@ -7,9 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "gpu/buffer.hpp"
 #include "gpu/commands.hpp"
-#include "gpu/compute.hpp"
+#include "gpu/resources.hpp"
 #include "interpreter/machine.hpp"
 #include "numeric/paths.hpp"
 #include "shader/compile.hpp"

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "numeric/float_class.hpp"
+#include "numeric/numbers.hpp"
 
 #include <gtest/gtest.h>
 
 #include "numeric/random.hpp"
-#include "numeric/special_values.hpp"
-#include "numeric/text.hpp"
 
 namespace gloam::numeric {
 namespace float_class_test {

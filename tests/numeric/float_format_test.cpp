@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "numeric/float_format.hpp"
+#include "numeric/numbers.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "numeric/interval.hpp"
+#include "numeric/numbers.hpp"
 #include "numeric/paths.hpp"
-#include "numeric/ulp.hpp"
 
 namespace gloam::numeric {
 namespace interval_property_test {

@@ -8,7 +8,6 @@
 #include <limits>
 #include <numbers>
 
-#include "numeric/interval_vector.hpp"
 #include "numeric/paths.hpp"
 #include "numeric/random.hpp"
 

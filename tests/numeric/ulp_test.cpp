@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "numeric/ulp.hpp"
+#include "numeric/numbers.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

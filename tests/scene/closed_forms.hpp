@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "scene/mesh.hpp"
 #include "scene/occlusion_tracer.hpp"
-#include "scene/primitives.hpp"
 
 // Meshes whose occlusion is known, at the points where it is: what the ray tracer is checked against.
 namespace gloam::scene::test {

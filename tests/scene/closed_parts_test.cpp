@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "scene/closed_parts.hpp"
+#include "scene/rasterize.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "scene/primitives.hpp"
+#include "scene/mesh.hpp"
 
 namespace gloam::scene::closed_parts_test {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/depth_field.hpp"
+#include "scene/lighting.hpp"
 
 #include <gmock/gmock.h>
 
@@ -8,8 +8,8 @@
 #include <limits>
 #include <numeric>
 
-#include "scene/pixel_positions.hpp"
-#include "scene/primitives.hpp"
+#include "scene/gbuffer.hpp"
+#include "scene/mesh.hpp"
 #include "scene/support.hpp"
 #include "scene/truth.hpp"
 

@@ -6,8 +6,7 @@
 
 #include <limits>
 
-#include "scene/internal/exr.hpp"
-#include "scene/pfm.hpp"
+#include "scene/image_files.hpp"
 #include "scene/support.hpp"
 
 namespace gloam::scene::test::image_files_test {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "scene/guard_band.hpp"
-#include "scene/primitives.hpp"
+#include "scene/gbuffer.hpp"
+#include "scene/mesh.hpp"
 #include "scene/rasterize.hpp"
 #include "scene/support.hpp"
 

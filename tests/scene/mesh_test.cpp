@@ -7,7 +7,6 @@
 
 #include "scene/mesh.hpp"
 #include "scene/mesh_scene.hpp"
-#include "scene/primitives.hpp"
 #include "scene/support.hpp"
 
 namespace gloam::scene::test::mesh_test {

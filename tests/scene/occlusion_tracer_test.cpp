@@ -8,11 +8,10 @@
 #include <limits>
 
 #include "scene/closed_forms.hpp"
-#include "scene/corner.hpp"
-#include "scene/internal/sobol.hpp"
+#include "scene/internal/ray_scene.hpp"
 #include "scene/lighting.hpp"
+#include "scene/mesh.hpp"
 #include "scene/occlusion_tracer.hpp"
-#include "scene/primitives.hpp"
 #include "scene/scene.hpp"
 #include "scene/support.hpp"
 

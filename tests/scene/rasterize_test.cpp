@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <limits>
 
-#include "scene/internal/raster_layouts.hpp"
+#include "scene/internal/peel.hpp"
+#include "scene/mesh.hpp"
 #include "scene/pass_library.hpp"
-#include "scene/primitives.hpp"
 #include "scene/rasterize.hpp"
 #include "scene/support.hpp"
 #include "support/laid_out.hpp"

@@ -5,9 +5,8 @@
 #include <bit>
 #include <cmath>
 
-#include "scene/primitives.hpp"
+#include "scene/mesh.hpp"
 #include "scene/rasterize.hpp"
-#include "scene/rigid_motion.hpp"
 #include "scene/scene.hpp"
 #include "scene/support.hpp"
 

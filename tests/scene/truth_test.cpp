@@ -7,12 +7,11 @@
 #include <cstdio>
 #include <limits>
 
-#include "scene/corner.hpp"
-#include "scene/pixel_positions.hpp"
-#include "scene/primitives.hpp"
+#include "scene/gbuffer.hpp"
+#include "scene/mesh.hpp"
 #include "scene/rasterize.hpp"
+#include "scene/scene.hpp"
 #include "scene/support.hpp"
-#include "scene/truth_cache.hpp"
 
 namespace gloam::scene::test::truth_test {
 

@@ -6,12 +6,10 @@
 #include <optional>
 #include <set>
 
-#include "scene/frame_link.hpp"
-#include "scene/guard_band.hpp"
-#include "scene/pixel_positions.hpp"
+#include "scene/gbuffer.hpp"
 #include "scene/rasterize.hpp"
+#include "scene/scene.hpp"
 #include "scene/support.hpp"
-#include "scene/views.hpp"
 #include "support/matchers.hpp"
 
 namespace gloam::scene::test::views_test {

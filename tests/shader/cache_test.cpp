@@ -13,8 +13,8 @@
 #include <iterator>
 #include <thread>
 
-#include "base/read_file.hpp"
-#include "shader/cache.hpp"
+#include "base/files.hpp"
+#include "shader/compile.hpp"
 #include "shader/include.hpp"
 #include "support.hpp"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "shader/compile.hpp"
-#include "shader/excerpt.hpp"
-#include "shader/type.hpp"
+#include "shader/pack.hpp"
 #include "support.hpp"
 
 #include "support/matchers.hpp"

@@ -2,7 +2,6 @@
 #include <array>
 
 #include "disassembly.hpp"
-#include "shader/decorate.hpp"
 #include "shader/reflection.hpp"
 #include "shader/spirv.hpp"
 #include "support.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "shader/translate.hpp"
-
 #include "shader/pack.hpp"
+
 #include "support.hpp"
 #include "support/matchers.hpp"
 

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "shader/variant.hpp"
 #include "disassembly.hpp"
+#include "shader/compile.hpp"
 #include "shader/include.hpp"
-#include "shader/internal/cross_text.hpp"
-#include "shader/internal/float_controls.hpp"
-#include "shader/internal/round_trip.hpp"
-#include "shader/language.hpp"
+#include "shader/internal/cross.hpp"
 #include "support.hpp"
 #include "support/library_files.hpp"
 

@@ -2,7 +2,6 @@
 #include "shader/wgsl.hpp"
 
 #include "shader/pack.hpp"
-#include "shader/translate.hpp"
 #include "support.hpp"
 #include "support/matchers.hpp"
 

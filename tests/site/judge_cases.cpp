@@ -6,12 +6,12 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "base/base64.hpp"
+#include "base/text.hpp"
 #include "catalogue/catalogue.hpp"
-#include "check/judge.hpp"
 #include "check/prepared_check.hpp"
+#include "check/run.hpp"
+#include "numeric/numbers.hpp"
 #include "numeric/random.hpp"
-#include "numeric/ulp.hpp"
 #include "report/answer_json.hpp"
 #include "site/check_data.hpp"
 

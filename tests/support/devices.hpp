@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "gpu/device.hpp"
-#include "gpu/drivers.hpp"
 
 namespace gloam::test {
 

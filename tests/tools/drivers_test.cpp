@@ -3,7 +3,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "gpu/drivers.hpp"
+#include "gpu/device.hpp"
 #include "tools/expect.hpp"
 
 namespace gloam::test {

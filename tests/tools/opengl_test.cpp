@@ -2,7 +2,7 @@
 // OpenGL devices on the command line.
 #include <nlohmann/json.hpp>
 
-#include "gl/device_name.hpp"
+#include "gl/device.hpp"
 #include "tools/expect.hpp"
 #include "tools/installation.hpp"
 

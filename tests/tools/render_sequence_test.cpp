@@ -6,7 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "scene/pfm.hpp"
+#include "scene/image_files.hpp"
 #include "tools/expect.hpp"
 
 namespace gloam::test {

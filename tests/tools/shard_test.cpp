@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/check/shard.hpp"
+#include "cli/check/worker_session.hpp"
 
 #include <algorithm>
 #include <set>

@@ -10,9 +10,9 @@
 #include <cstdlib>
 #include <vector>
 
-#include "gpu/buffer.hpp"
 #include "gpu/commands.hpp"
 #include "gpu/device.hpp"
+#include "gpu/resources.hpp"
 #include "shader/compile.hpp"
 
 namespace gloam {

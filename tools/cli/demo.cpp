@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/demo.hpp"
+#include "cli/commands.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -11,12 +11,11 @@
 #include <vector>
 
 #include "cli/check.hpp"
-#include "cli/drivers.hpp"
 #include "cli/open_device.hpp"
+#include "cli/progress.hpp"
 #include "cli/render.hpp"
-#include "cli/render_gallery.hpp"
+#include "cli/render_pictures.hpp"
 #include "cli/renderer.hpp"
-#include "cli/terminal.hpp"
 #include "report/check_page.hpp"
 #include "report/page.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/explain.hpp"
+#include "cli/commands.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "check/explain.hpp"
-#include "cli/check/own_file.hpp"
+#include "cli/check/checker.hpp"
 #include "cli/environment.hpp"
-#include "interpreter/error.hpp"
-#include "shader/variant.hpp"
+#include "interpreter/program.hpp"
+#include "shader/compile.hpp"
 
 namespace gloam::cli {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/list.hpp"
+#include "cli/commands.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,12 +15,12 @@
 #include "catalogue/catalogue.hpp"
 #include "cli/environment.hpp"
 #include "cli/names.hpp"
-#include "cli/setting_json.hpp"
+#include "cli/settings.hpp"
 #include "effect/presets.hpp"
 #include "effect/setting_table.hpp"
 #include "report/output_file.hpp"
 #include "report/page.hpp"
-#include "shader/variant.hpp"
+#include "shader/compile.hpp"
 
 namespace gloam::cli {
 namespace {

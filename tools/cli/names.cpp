@@ -2,12 +2,13 @@
 #include "cli/names.hpp"
 
 #include <fmt/format.h>
+#include <stdexcept>
 
+#include "base/text.hpp"
 #include "effect/methods.hpp"
 #include "effect/presets.hpp"
 #include "effect/setting_table.hpp"
 #include "scene/scene.hpp"
-#include "scene/views.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -50,6 +51,19 @@ std::vector<Named> view_names() {
         names.push_back({view.name, fmt::format("{} ({} half; {})", view.description,
                                                 scene::name_of(view.half), view.kind)});
     return names;
+}
+
+std::vector<shader::Variant> select_variants(const std::string& name) {
+    if (name == "all") return shader::variants();
+    try {
+        return {shader::variant(name)};
+    } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(std::string(error.what()) + ", or all");
+    }
+}
+
+std::string versions() {
+    return "gloam " GLOAM_VERSION ", " + base::one_line(shader::compiler_version());
 }
 
 }  // namespace gloam::cli

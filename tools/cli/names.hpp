@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "shader/compile.hpp"
+
 namespace gloam::cli {
 
 // A name that the command line accepts, and its meaning.
@@ -18,5 +20,12 @@ struct Named {
 [[nodiscard]] std::vector<Named> setting_names();  // with value, unit and range
 [[nodiscard]] std::vector<Named> scene_names();
 [[nodiscard]] std::vector<Named> view_names();  // of `gloam bench views` and `gloam tune`, with their halves
+
+// The variant with this name; all variants for "all". Throws std::invalid_argument that lists the names.
+[[nodiscard]] std::vector<shader::Variant> select_variants(const std::string& name);
+
+// "gloam 0.1.0, glslang 11.13.0 (generator 10), SPIRV-Tools v2022.4, SPIRV-Cross ...": the versions on which
+// a result depends, besides the device and its driver.
+[[nodiscard]] std::string versions();
 
 }  // namespace gloam::cli

@@ -5,7 +5,6 @@
 
 #include <cstdio>
 
-#include "cli/driver_probe.hpp"
 #include "cli/environment.hpp"
 
 namespace gloam::cli {

@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
+#include "check/answer.hpp"
 #include "gpu/device.hpp"
+#include "report/check_report.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace gloam::cli {
 
@@ -14,5 +22,64 @@ namespace gloam::cli {
 // Prints the validation messages since the last call. Returns the exit status: 0 without messages, otherwise
 // 1.
 [[nodiscard]] int validation_status(gpu::Device& device);
+
+// Adds --driver to a command that opens devices. Before the command runs, the Vulkan loader gets the
+// manifests of these drivers, and of a browser's SwiftShader, unless the environment chooses the drivers
+// itself. A driver without a device is an error.
+void add_driver_option(CLI::App& command);
+
+// Adds --device, --validation and --driver to a command that runs on one device. The referenced variables
+// must live as long as the command.
+void add_device_options(CLI::App& command, std::string& device, bool& validation);
+
+// A Vulkan driver without a device, tested in a separate process.
+struct DriverTrouble {
+    std::filesystem::path manifest;
+    check::Reason reason = check::Reason::none;  // crash, hang; error: it is not a driver, or has no device
+    std::string error;
+    bool asked_for = false;  // by ask_for_driver()
+};
+
+// Drivers that cannot be loaded, and whether another driver has a device.
+struct LeftOut {
+    std::vector<DriverTrouble> drivers;
+    bool others = true;
+};
+
+// Marks a driver, so that DriverTrouble::asked_for is set for it.
+void ask_for_driver(const std::filesystem::path& manifest);
+[[nodiscard]] const std::vector<std::filesystem::path>& drivers_asked_for();
+
+// The manifests of the drivers that the Vulkan loader would load, in its order, from the environment and from
+// its folders.
+[[nodiscard]] std::vector<std::filesystem::path> driver_manifests();
+
+// Loads this driver alone. `reason` is none if it has a device.
+[[nodiscard]] DriverTrouble probe_driver(const std::filesystem::path& manifest);
+
+// Disables drivers that crash, hang or exit while they load, in this process and those that it starts, as
+// long as another driver has a device. Call it while there is only one thread.
+[[nodiscard]] LeftOut leave_out_bad_drivers();
+
+// The same for commands that need one device: reports the disabled drivers on standard error. Throws
+// std::runtime_error if every driver is disabled.
+void require_good_drivers();
+
+// The OpenGL and OpenGL ES devices of one executor (gl/device.hpp), or why there are none.
+struct GlExecutor {
+    std::string name;
+    std::vector<report::DeviceSummary> devices;
+    std::string error;
+};
+
+// Those of every executor. Each is opened in a process of its own: what a driver does to that costs no more
+// than its devices.
+[[nodiscard]] std::vector<GlExecutor> list_gl_executors();
+
+// The names of all devices. Throws std::runtime_error that says why where there is none.
+[[nodiscard]] std::vector<std::string> gl_device_names();
+
+// Greets with the devices of an executor: what such a process does.
+[[nodiscard]] std::string gl_devices_line(const std::string& executor);
 
 }  // namespace gloam::cli

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <string_view>
 
 namespace gloam::cli {
 
@@ -40,5 +41,11 @@ class ProgressLine {
     Clock::time_point begin_ = Clock::now();
     bool watched_;
 };
+
+enum class Ink { good, bad };
+
+// The text in green or red if standard output is a terminal; plain otherwise, and if NO_COLOR is set
+// (https://no-color.org) or TERM is "dumb".
+[[nodiscard]] std::string colored(std::string_view text, Ink ink);
 
 }  // namespace gloam::cli

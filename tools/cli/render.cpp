@@ -9,14 +9,12 @@
 #include <stdexcept>
 #include <utility>
 
-#include "cli/drivers.hpp"
 #include "cli/names.hpp"
 #include "cli/open_device.hpp"
-#include "cli/render_further.hpp"
-#include "cli/render_gallery.hpp"
-#include "cli/render_settings.hpp"
-#include "cli/render_truth.hpp"
+#include "cli/render_input.hpp"
+#include "cli/render_pictures.hpp"
 #include "cli/renderer.hpp"
+#include "cli/settings.hpp"
 
 namespace gloam::cli {
 namespace {

@@ -2,27 +2,24 @@
 #include "cli/render_input.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <memory>
+#include <numbers>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
 
-#include "cli/mesh_reader.hpp"
+#include "cli/arguments.hpp"
+#include "cli/commands.hpp"
+#include "cli/environment.hpp"
 #include "cli/names.hpp"
-#include "cli/render_settings.hpp"
-#include "cli/view_size.hpp"
-#include "scene/corner.hpp"
-#include "scene/guard_band.hpp"
-#include "scene/mesh_reader.hpp"
+#include "cli/progress.hpp"
+#include "cli/settings.hpp"
+#include "report/image.hpp"
 #include "scene/mesh_scene.hpp"
 #include "scene/rasterize.hpp"
 #include "scene/read_gbuffer.hpp"
-#include "scene/stored_inputs.hpp"
-#include "scene/views.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -185,6 +182,118 @@ RenderInput open_input(const RenderOptions& options, const RenderInput* like) {
             fmt::format("nothing to render: give a scene ({}), a mesh file or --gbuffer DIR", scene_list()));
     }
     return from_scene(options, like);
+}
+
+TruthSource::TruthSource(const RenderOptions& options, const RenderInput& input)
+    : options_(options), input_(input) {
+    const auto falloff = scene::falloff_named(options.truth_falloff);
+    if (!falloff) {
+        throw std::invalid_argument(
+            fmt::format("--truth-falloff \"{}\": expected linear, quadratic or step", options.truth_falloff));
+    }
+    falloff_ = *falloff;
+    if (options.truth_every && !options.trace_truth)
+        throw std::invalid_argument("--truth-every goes with --truth that is traced, without a file");
+    if (options.trace_truth) {
+        scene::validate(scene::RaySettings{.radius = 1.0, .falloff = falloff_, .rays = options.truth_rays});
+        if (!(options.truth_thickness > 0.0)) {
+            throw std::invalid_argument(
+                fmt::format("--truth-thickness {}: expected > 0", options.truth_thickness));
+        }
+    } else if (!options.truth.empty()) {
+        reference_ = scene::read_pfm(options.truth);
+    }
+}
+
+std::string TruthSource::name() const {
+    if (options_.trace_truth) return input_.scene ? "traced geometry" : "traced depth buffer";
+    return reference_ ? options_.truth : input_.truth_name;
+}
+
+bool TruthSource::every_view() const {
+    return options_.trace_truth ? options_.truth_every : !reference_;
+}
+
+TracedView TruthSource::traced(const scene::GBuffer& view, int frame, double radius) const {
+    const scene::TruthCache kept(truth_cache_directory());
+    const auto settings = [&](const char* what) {
+        return scene::TruthSettings{
+            .rays = {.radius = radius, .falloff = falloff_, .rays = options_.truth_rays},
+            .thickness = options_.truth_thickness,
+            .progress = progress_bar(fmt::format("{}: truth of the {}", input_.name, what))};
+    };
+    TracedView result;
+    if (input_.scene) {
+        result.geometry = kept.geometry(*input_.scene, frame, view, settings("geometry"));
+    }
+    result.depth = kept.depth(view, settings("depth buffer"));
+    return result;
+}
+
+ViewTruth TruthSource::of(const scene::GBuffer& view, int frame, double radius) const {
+    if (options_.trace_truth) {
+        ViewTruth result{.traced = traced(view, frame, radius)};
+        const scene::TracedTruth& best =
+            result.traced->geometry ? *result.traced->geometry : result.traced->depth;
+        result.truth = effect::truth_from(view, best.occlusion);
+        return result;
+    }
+    if (!reference_) {
+        return {.truth = input_.truth ? effect::truth_of(view, radius, input_.truth) : effect::Truth{}};
+    }
+    if (reference_->extent == view.extent && reference_->channels == 1)
+        return {.truth = effect::truth_from(view, reference_->texels)};
+    throw std::invalid_argument(fmt::format(
+        "{}: {} x {} with {} channels, expected {} x {} with 1", options_.truth, reference_->extent.width,
+        reference_->extent.height, reference_->channels, view.extent.width, view.extent.height));
+}
+
+void write_truth(report::OutputFolder& folder, const std::string& prefix, gpu::Extent size,
+                 const TracedView& traced) {
+    const auto write = [&](const std::string& name, const std::vector<float>& image) {
+        folder.write(prefix + name + ".pfm", report::to_pfm(image, size.width, size.height, 1));
+        folder.write(prefix + name + ".png", report::to_visibility_png(image, size.width, size.height));
+    };
+    const scene::TracedTruth& best = traced.geometry ? *traced.geometry : traced.depth;
+    write("truth", best.occlusion);
+    write("truth_depth", traced.depth.occlusion);
+    folder.write(prefix + "truth_error.pfm", report::to_pfm(best.standard_error, size.width, size.height, 1));
+}
+
+namespace {
+
+constexpr double step_degrees = 40.0;
+
+// The eye turned around the target, about the camera's vertical.
+scene::Camera turned(scene::Camera camera, double radians) {
+    const glm::dvec3 axis = glm::normalize(camera.up);
+    const glm::dvec3 v = camera.eye - camera.target;
+    const glm::dvec3 around = std::cos(radians) * v + std::sin(radians) * glm::cross(axis, v) +
+                              (1.0 - std::cos(radians)) * glm::dot(axis, v) * axis;
+    camera.eye = camera.target + around;
+    return camera;
+}
+
+}  // namespace
+
+std::vector<scene::GBuffer> further_views_of(const gpu::Device& device, const scene::PassLibrary& passes,
+                                             const scene::Scene& scene, int frame, gpu::Extent extent,
+                                             int count) {
+    std::vector<scene::GBuffer> views;
+    for (int i = 0; i < count; ++i) {
+        const double degrees = step_degrees * (i / 2 + 1) * (i % 2 == 0 ? 1.0 : -1.0);
+        scene::Scene seen = scene;
+        seen.camera = turned(camera_at(scene, frame), degrees * std::numbers::pi / 180.0);
+        seen.camera_path = {};
+        views.push_back(scene::rasterize(device, passes, seen, extent, {.frame = frame}));
+    }
+    return views;
+}
+
+void write_further(report::OutputFolder& folder, const std::string& stem, gpu::Extent extent,
+                   const std::vector<float>& occlusion) {
+    folder.write(stem + "_views.pfm", report::to_pfm(occlusion, extent.width, extent.height, 1));
+    folder.write(stem + "_views.png", report::to_visibility_png(occlusion, extent.width, extent.height));
 }
 
 }  // namespace gloam::cli

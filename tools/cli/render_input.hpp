@@ -10,9 +10,12 @@
 #include "cli/render.hpp"
 #include "effect/errors.hpp"
 #include "gpu/device.hpp"
+#include "report/output_folder.hpp"
 #include "scene/gbuffer.hpp"
+#include "scene/image_files.hpp"
 #include "scene/pass_library.hpp"
 #include "scene/scene.hpp"
+#include "scene/truth.hpp"
 
 namespace gloam::cli {
 
@@ -32,5 +35,60 @@ struct RenderInput {
 // std::invalid_argument or std::runtime_error with the error in one line. `like`: an input of the same
 // source, whose scene is used instead of reading it again; null: none.
 [[nodiscard]] RenderInput open_input(const RenderOptions& options, const RenderInput* like = nullptr);
+
+// The traced truth of one view.
+struct TracedView {
+    std::optional<scene::TracedTruth> geometry;  // (G); not for a G-buffer from elsewhere
+    scene::TracedTruth depth;                    // (D)
+};
+
+// The truth for a view.
+struct ViewTruth {
+    effect::Truth truth;               // empty: unknown
+    std::optional<TracedView> traced;  // with --truth
+};
+
+// The source of the truth in a call of `gloam render`: rays, a file, or a closed form.
+class TruthSource {
+  public:
+    // Reads the file of the options. Throws std::runtime_error with its name, std::invalid_argument for
+    // options that exclude each other.
+    TruthSource(const RenderOptions& options, const RenderInput& input);
+
+    [[nodiscard]] std::string name() const;  // empty: there is none
+
+    // Whether every view of a sequence is compared, or only the last: tracing takes long, and a file has one
+    // image.
+    [[nodiscard]] bool every_view() const;
+
+    // frame: of the scene.
+    [[nodiscard]] ViewTruth of(const scene::GBuffer& view, int frame, double radius) const;
+
+  private:
+    [[nodiscard]] TracedView traced(const scene::GBuffer& view, int frame, double radius) const;
+
+    const RenderOptions& options_;
+    const RenderInput& input_;
+    std::optional<scene::FloatImage> reference_;
+    scene::Falloff falloff_ = scene::Falloff::linear;
+};
+
+// Writes the traced images: PREFIXtruth.pfm and .png, PREFIXtruth_depth.pfm and .png, PREFIXtruth_error.pfm
+// (the standard errors).
+void write_truth(report::OutputFolder& folder, const std::string& prefix, gpu::Extent size,
+                 const TracedView& traced);
+
+constexpr int most_further_views = 6;
+
+// The views of `count` further cameras in a frame of a scene. They look at the same target as the scene's
+// camera from the same distance, rotated about the vertical by 40 degrees to both sides, then by 80 and 120.
+[[nodiscard]] std::vector<scene::GBuffer> further_views_of(const gpu::Device& device,
+                                                           const scene::PassLibrary& passes,
+                                                           const scene::Scene& scene, int frame,
+                                                           gpu::Extent extent, int count);
+
+// STEM_views.pfm and .png: occlusion, as of the frame itself.
+void write_further(report::OutputFolder& folder, const std::string& stem, gpu::Extent extent,
+                   const std::vector<float>& occlusion);
 
 }  // namespace gloam::cli

@@ -2,13 +2,53 @@
 #include "cli/render_pictures.hpp"
 
 #include <fmt/format.h>
-
 #include <cmath>
 
-#include "cli/render_files.hpp"
 #include "report/sheet.hpp"
+#include "scene/read_gbuffer.hpp"
 
 namespace gloam::cli {
+namespace {
+
+// Of the surface points, in the camera of the frame before; 0 at the background.
+std::vector<float> previous_depths(const scene::GBuffer& view) {
+    if (view.previous_position.empty()) return view.previous_depth;
+    std::vector<float> depths;
+    for (const glm::vec3& position : view.previous_position) depths.push_back(0.0F - position.z);
+    return depths;
+}
+
+}  // namespace
+
+std::vector<float> components_of(const std::vector<glm::vec3>& vectors) {
+    std::vector<float> texels;
+    texels.reserve(3 * vectors.size());
+    for (const glm::vec3& v : vectors) texels.insert(texels.end(), {v.x, v.y, v.z});
+    return texels;
+}
+
+void write_gbuffer(report::OutputFolder& folder, int number, const scene::GBuffer& view) {
+    const std::string prefix = scene::frame_prefix(number);
+    const auto write = [&](const char* name, const std::vector<float>& texels, int channels) {
+        if (texels.empty()) return;
+        folder.write(prefix + name, report::to_pfm(texels, view.extent.width, view.extent.height, channels));
+    };
+    write("_depth.pfm", view.stored ? view.stored->depth : view.depth, 1);
+    write("_normal.pfm", components_of(view.stored ? view.stored->normal : view.normal), 3);
+    write("_color.pfm", components_of(view.color), 3);
+    write("_motion.pfm", components_of(view.motion), 3);
+    if (!view.motion.empty()) write("_previous_depth.pfm", previous_depths(view), 1);
+    for (std::size_t i = 0; i < view.layers.size(); ++i)
+        write(fmt::format("_layer{}.pfm", i + 1).c_str(), view.layers[i], 1);
+    folder.write(prefix + ".json", scene::frame_json(view, number));
+}
+
+void write_images(report::OutputFolder& folder, const std::string& stem, const effect::Frame& frame) {
+    const auto [width, height] = frame.extent;
+    folder.write(stem + "_ao.pfm", report::to_pfm(frame.filtered, width, height, 1));
+    folder.write(stem + "_ao.png", report::to_visibility_png(frame.filtered, width, height));
+}
+
 namespace {
 
 constexpr std::size_t methods_in_a_row = 4;
@@ -87,6 +127,77 @@ std::string sheet_of(const std::vector<Rendered>& runs) {
     const gpu::Extent extent = runs.empty() ? gpu::Extent{} : runs.front().pictures.back().extent;
     const std::size_t columns = runs.size() == 1 ? 2 : methods_in_a_row;
     return report::to_sheet_png(sheet, extent.width, extent.height, columns);
+}
+
+namespace {
+
+// Writes one picture and returns its file name.
+std::string write(report::OutputFolder& folder, const Pictures& pictures, const std::string& name,
+                  const report::RgbBytes& rgb) {
+    folder.write(name, report::to_rgb_png(rgb, pictures.extent.width, pictures.extent.height));
+    return name;
+}
+
+report::PageTable comparison(const std::vector<Rendered>& runs) {
+    report::PageTable table{
+        .columns = {{.title = "method"},
+                    {.title = "ms",
+                     .meaning = "time of all passes of the last frame on the device",
+                     .numeric = true},
+                    {.title = "error",
+                     .meaning = "root mean square error of the occlusion against the truth, 0 to 1",
+                     .numeric = true},
+                    {.title = "samples", .meaning = "taken for each pixel in a frame", .numeric = true}},
+        .rows = {}};
+    for (const Rendered& run : runs) {
+        const effect::Settings& settings = run.report.frames.back().settings;
+        const double ms = frame_ms(run.report);
+        const auto error = frame_error(run.report);
+        table.rows.push_back({{settings.method},
+                              {std::isfinite(ms) ? fmt::format("{:.3f}", ms) : "-", ms},
+                              {error ? fmt::format("{:.4f}", *error) : "-", error},
+                              {fmt::format("{}", settings.samples), static_cast<double>(settings.samples)}});
+    }
+    return table;
+}
+
+}  // namespace
+
+void add_pictures(report::Page& page, report::OutputFolder& folder, const std::string& prefix,
+                  const Rendered& run) {
+    const Pictures& last = run.pictures.back();
+    const std::string plain = write(folder, last, prefix + "plain.png", last.plain);
+    const std::string shaded = write(folder, last, prefix + "shaded.png", last.shaded);
+    page.compare({plain, "without ambient occlusion"}, {shaded, "with ambient occlusion"},
+                 caption_of(run.report));
+    std::vector<report::PagePicture> more{
+        {write(folder, last, prefix + "visibility.png", last.visibility), "the occlusion alone"}};
+    if (!last.error.empty()) {
+        more.push_back({write(folder, last, prefix + "error.png", last.error),
+                        fmt::format("its error: black 0, pale yellow {} and more", brightest_error)});
+    }
+    page.pictures(more);
+    if (run.pictures.size() < 2) return;
+    std::vector<report::PagePicture> views;
+    for (const Pictures& view : run.pictures) {
+        const std::string name = fmt::format("{}view{:04}.png", prefix, views.size());
+        views.push_back({write(folder, view, name, view.shaded), fmt::format("view {}", views.size())});
+    }
+    page.turntable(views, fmt::format("{} views around it", views.size()));
+}
+
+void write_gallery(report::OutputFolder& folder, const std::vector<Rendered>& runs) {
+    const RenderReport& first = runs.front().report;
+    report::Page page(fmt::format("{}: ambient occlusion", first.source));
+    page.paragraph(fmt::format("Rendered on {}.{}", first.device.name,
+                               first.truth.empty() ? "" : " The truth is the " + first.truth + "."));
+    if (runs.size() > 1) page.table(comparison(runs));
+    for (const Rendered& run : runs) {
+        const std::string method = run.report.frames.back().settings.method;
+        page.heading(method);
+        add_pictures(page, folder, method + "_", run);
+    }
+    folder.write("index.html", page.html());
 }
 
 }  // namespace gloam::cli

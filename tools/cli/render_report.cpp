@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "cli/render_report.hpp"
+#include "cli/render_pictures.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "cli/setting_json.hpp"
-#include "cli/versions.hpp"
+#include "cli/names.hpp"
+#include "cli/settings.hpp"
 #include "effect/methods.hpp"
 #include "effect/setting_table.hpp"
 

@@ -1,19 +1,107 @@
 // SPDX-License-Identifier: MIT
-#include "cli/site.hpp"
+#include "cli/commands.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-
+#include <exception>
 #include <memory>
+#include <nlohmann/json.hpp>
 
+#include "base/text.hpp"
 #include "cli/environment.hpp"
+#include "cli/names.hpp"
 #include "cli/progress.hpp"
+#include "cli/render.hpp"
+#include "cli/render_pictures.hpp"
+#include "cli/renderer.hpp"
 #include "cli/site_gallery.hpp"
-#include "cli/versions.hpp"
 #include "report/output_folder.hpp"
 #include "site/site.hpp"
 
 namespace gloam::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct Shown {
+    const char* name;
+    const char* title;
+};
+
+// Scenes that show much occlusion, each in its own light.
+constexpr Shown scenes[] = {{"columns", "A hall of columns, lit by a lamp"},
+                            {"knot", "A knot on a plane, in the sun"},
+                            {"room", "A room, lit by a lamp"}};
+
+ordered_json empty_gallery(const std::string& reason) {
+    return {{"device", "There are no pictures: " + reason}, {"scenes", ordered_json::array()}};
+}
+
+// Writes pictures and counts their bytes.
+class PictureFolder {
+  public:
+    explicit PictureFolder(report::OutputFolder& folder) : folder_(folder) {}
+
+    // Returns the name.
+    std::string write(const std::string& name, const report::RgbBytes& rgb, gpu::Extent extent) {
+        const std::string png = report::to_rgb_png(rgb, extent.width, extent.height);
+        folder_.write(name, png);
+        bytes_ += png.size();
+        return name;
+    }
+    [[nodiscard]] std::size_t bytes() const { return bytes_; }
+
+  private:
+    report::OutputFolder& folder_;
+    std::size_t bytes_ = 0;
+};
+
+ordered_json render_scene(const Shown& shown, const GalleryOptions& options, RenderBench& bench,
+                          PictureFolder& folder) {
+    const RenderOptions render_options{.source = shown.name,
+                                       .preset = "balanced",
+                                       .frames = 16,
+                                       .size = "640x360",
+                                       .device = options.device,
+                                       .quiet = true};
+    const RenderInput input = open_input(render_options);
+    bench.forget_light();
+    const Rendered run = render(render_options, input, bench, {});
+    const Pictures& last = run.pictures.back();
+    const std::string prefix = std::string("gallery-") + shown.name + "-";
+    return {{"title", shown.title},
+            {"before", folder.write(prefix + "plain.png", last.plain, last.extent)},
+            {"after", folder.write(prefix + "shaded.png", last.shaded, last.extent)},
+            {"occlusion", folder.write(prefix + "occlusion.png", last.visibility, last.extent)},
+            {"caption", caption_of(run.report)}};
+}
+
+// The device, or why there is none.
+std::unique_ptr<RenderBench> open_bench(const GalleryOptions& options, std::string& reason) {
+    try {
+        return std::make_unique<RenderBench>(RenderOptions{.device = options.device});
+    } catch (const std::exception& error) {
+        if (!options.device.empty()) throw;  // it was asked for
+        reason = base::one_line(error.what());
+        return nullptr;
+    }
+}
+
+}  // namespace
+
+SiteGallery write_site_gallery(const GalleryOptions& options, report::OutputFolder& folder) {
+    if (!options.pictures) return {empty_gallery("the site was written without them.").dump()};
+    std::string reason;
+    const std::unique_ptr<RenderBench> bench = open_bench(options, reason);
+    if (!bench) return {empty_gallery(reason).dump()};
+    ordered_json json{{"device", "Rendered on " + bench->device.info().name + "."},
+                      {"scenes", ordered_json::array()}};
+    PictureFolder pictures(folder);
+    for (const Shown& shown : scenes)
+        json["scenes"].push_back(render_scene(shown, options, *bench, pictures));
+    return {json.dump(), pictures.bytes()};
+}
+
 namespace {
 
 struct SiteCommand {

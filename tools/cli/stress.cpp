@@ -9,10 +9,9 @@
 #include <memory>
 
 #include "catalogue/catalogue.hpp"
-#include "cli/driver_probe.hpp"
-#include "cli/drivers.hpp"
 #include "cli/environment.hpp"
-#include "cli/versions.hpp"
+#include "cli/names.hpp"
+#include "cli/open_device.hpp"
 #include "effect/method_functions.hpp"
 #include "report/output_file.hpp"
 #include "stress/run.hpp"

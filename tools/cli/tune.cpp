@@ -11,12 +11,10 @@
 
 #include "cli/bench/image_size.hpp"
 #include "cli/bench/view_options.hpp"
-#include "cli/drivers.hpp"
 #include "cli/environment.hpp"
 #include "cli/open_device.hpp"
-#include "cli/preset_file.hpp"
 #include "cli/progress.hpp"
-#include "cli/render_settings.hpp"
+#include "cli/settings.hpp"
 #include "cli/tune_report.hpp"
 #include "experiment/configuration_study.hpp"
 #include "report/benchmark/summary.hpp"

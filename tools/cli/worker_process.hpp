@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/file_descriptor.hpp"
+#include "base/files.hpp"
 
 namespace gloam::cli {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "base/base64.hpp"
+#include "base/text.hpp"
 
 namespace gloam::site {
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <variant>
 
-#include "base/read_file.hpp"
+#include "base/files.hpp"
 #include "effect/methods.hpp"
 #include "effect/setting_table.hpp"
 #include "shader/pack.hpp"

@@ -7,7 +7,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "base/read_file.hpp"
+#include "base/files.hpp"
 #include "catalogue/catalogue.hpp"
 #include "site/check_data.hpp"
 #include "site/document_data.hpp"

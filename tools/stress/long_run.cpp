@@ -7,7 +7,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "numeric/ulp.hpp"
+#include "numeric/numbers.hpp"
 
 namespace gloam::stress {
 namespace {

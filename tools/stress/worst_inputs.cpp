@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "catalogue/catalogue.hpp"
-#include "check/search.hpp"
+#include "check/run.hpp"
 
 namespace gloam::stress {
 namespace {

@@ -5,11 +5,55 @@
 #include <cmath>
 #include <limits>
 
-#include "numeric/constants.hpp"
-#include "numeric/float_class.hpp"
-#include "numeric/ulp.hpp"
+#include "numeric/numbers.hpp"
 
 namespace gloam::check::internal {
+namespace {
+
+using shader::Scalar;
+
+InputClass class_of(float value) {
+    switch (numeric::classify(value)) {
+        case numeric::FloatClass::zero:
+            return InputClass::zero;
+        case numeric::FloatClass::subnormal:
+            return InputClass::subnormal;
+        case numeric::FloatClass::huge:
+            return InputClass::huge;
+        case numeric::FloatClass::infinite:
+            return InputClass::infinite;
+        case numeric::FloatClass::nan:
+            return InputClass::nan;
+        case numeric::FloatClass::ordinary:
+            break;
+    }
+    return InputClass::ordinary;
+}
+
+}  // namespace
+
+InputClass class_of(std::span<const Word> inputs, const std::vector<Scalar>& scalars, bool branch) {
+    auto worst = branch ? InputClass::branch : InputClass::ordinary;
+    for (std::size_t i = 0; i < inputs.size(); ++i)
+        if (scalars[i] == Scalar::float_) worst = std::max(worst, class_of(from_word<float>(inputs[i])));
+    return worst;
+}
+
+void set_positive_zeros(std::span<Word> words, const std::vector<Scalar>& scalars) {
+    constexpr Word negative_zero = 0x80000000U;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        if (words[i] == negative_zero && scalars[i % scalars.size()] == Scalar::float_) words[i] = 0;
+}
+
+bool holds_special(const Sample& sample, const std::vector<Scalar>& scalars) {
+    for (std::size_t i = 0; i < sample.inputs.size(); ++i) {
+        if (scalars[i] != Scalar::float_) continue;
+        const auto value = from_word<float>(sample.inputs[i]);
+        if (!std::isfinite(value) || (value == 0.0F && std::signbit(value))) return true;
+    }
+    return std::ranges::any_of(sample.want, [](double want) { return !std::isfinite(want); });
+}
+
 namespace {
 
 using shader::Scalar;
@@ -166,6 +210,90 @@ Error BudgetJudge::best_error(const Sample& sample) {
     if (best.fraction > 1.0 && question_.reference)
         visit_covered_inputs(question_.budget, scalars_.inputs, sample.inputs, try_at);
     return best;
+}
+
+namespace {
+
+using shader::Scalar;
+
+constexpr double largest_result = 1e30;  // larger results are not compared
+constexpr double largest_usual = 1e4;
+constexpr double smallest_usual = 1e-4;
+constexpr double tolerance = 1.0 / 256.0;
+constexpr int most_steps = 4;  // ULP
+
+bool is_usual(double magnitude) {
+    return magnitude >= smallest_usual && magnitude <= largest_usual;
+}
+
+bool same_number(double got, double want, double allowed) {
+    if (std::isnan(want)) return std::isnan(got);
+    if (std::isfinite(want) && std::abs(want) > largest_result) return true;
+    return got == want || std::abs(got - want) <= allowed;
+}
+
+bool same_value(std::span<const Word> got, std::span<const double> want, Scalar scalar,
+                const Budget& budget) {
+    double largest = 0.01;
+    for (const double w : want) {
+        if (std::isfinite(w)) largest = std::max(largest, std::abs(w));
+    }
+    // A result below the normal numbers may be flushed.
+    const double allowed = std::max({tolerance * largest, budget.absolute, 0x1p-126});
+    for (std::size_t i = 0; i < got.size(); ++i) {
+        const double number = as_number(scalar, got[i]);
+        if (!same_number(number, want[i], scalar == Scalar::float_ ? allowed : 0.0)) return false;
+    }
+    return true;
+}
+
+bool same_outputs(std::span<const Word> got, const std::vector<double>& want, const Scalars& scalars,
+                  const Budget& budget) {
+    std::size_t first = 0;
+    for (const std::size_t words : scalars.output_values) {
+        if (!same_value(got.subspan(first, words), std::span(want).subspan(first, words),
+                        scalars.outputs[first], budget))
+            return false;
+        first += words;
+    }
+    return true;
+}
+
+}  // namespace
+
+bool is_edge(const Sample& sample, const Scalars& scalars) {
+    const bool special = sample.input_class == InputClass::zero ||
+                         sample.input_class == InputClass::infinite || sample.input_class == InputClass::nan;
+    if (!special) return false;
+    for (std::size_t i = 0; i < sample.inputs.size(); ++i) {
+        if (scalars.inputs[i] != Scalar::float_) continue;
+        const auto value = std::abs(static_cast<double>(from_word<float>(sample.inputs[i])));
+        if (std::isfinite(value) && value != 0.0 && !is_usual(value)) return false;
+    }
+    return true;
+}
+
+bool visit_edge_inputs(const Scalars& scalars, std::span<const Word> inputs, const InputVisitor& visit) {
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        if (scalars.inputs[i] != Scalar::float_) continue;
+        if (!is_usual(std::abs(static_cast<double>(from_word<float>(inputs[i]))))) continue;
+        for (int steps = -most_steps; steps <= most_steps; ++steps) {
+            std::vector<Word> moved(inputs.begin(), inputs.end());
+            moved[i] = to_word(numeric::step(from_word<float>(moved[i]), steps));
+            if (visit(moved)) return true;
+        }
+    }
+    return false;
+}
+
+bool holds_at_edge(const Question& question, const ImageSet& images, const Scalars& scalars,
+                   const Sample& sample) {
+    if (same_outputs(sample.got, sample.want, scalars, question.budget)) return true;
+    std::vector<double> want;
+    return visit_edge_inputs(scalars, sample.inputs, [&](const std::vector<Word>& moved) {
+        question.reference(images, moved, want);
+        return same_outputs(sample.got, want, scalars, question.budget);
+    });
 }
 
 }  // namespace gloam::check::internal

@@ -5,9 +5,21 @@
 #include <span>
 #include <vector>
 
-#include "check/judge.hpp"
+#include "check/answer.hpp"
+#include "check/run.hpp"
 
 namespace gloam::check::internal {
+
+// The class of an input. `branch`: it was placed at a branch point.
+[[nodiscard]] InputClass class_of(std::span<const Word> inputs, const std::vector<shader::Scalar>& scalars,
+                                  bool branch);
+
+// Whether an input or its exact result contains NaN, infinity or -0, which some devices do not preserve.
+[[nodiscard]] bool holds_special(const Sample& sample, const std::vector<shader::Scalar>& scalars);
+
+// Makes +0 of every -0, for a device that need not keep its sign: so the kernel and the reference get the
+// same input, and it can be judged. `words`: one input after another.
+void set_positive_zeros(std::span<Word> words, const std::vector<shader::Scalar>& scalars);
 
 // The largest error of the outputs of one input against one candidate for the exact result.
 struct Error {
@@ -69,5 +81,19 @@ class BudgetJudge {
     const Scalars& scalars_;
     std::vector<double> candidate_;
 };
+
+// Whether an input is an edge, for which functions document the result: it contains a zero, an infinity or a
+// NaN, and otherwise only values of usual size, so that neither overflow nor underflow occurs.
+[[nodiscard]] bool is_edge(const Sample& sample, const Scalars& scalars);
+
+// Visits the inputs a few ULP away, whose results an edge may also have. Returns whether a visit ended it.
+bool visit_edge_inputs(const Scalars& scalars, std::span<const Word> inputs, const InputVisitor& visit);
+
+// Whether the outputs at an edge equal those of the reference, independently of the promised accuracy. A
+// float must be within 1/256 of the largest component of its value (0.01 at least), or within the budget. An
+// infinity, a NaN, an integer and a bool must be exact. A branch that rounding decides may go either way, so
+// the reference is also evaluated at inputs a few ULP away.
+[[nodiscard]] bool holds_at_edge(const Question& question, const ImageSet& images, const Scalars& scalars,
+                                 const Sample& sample);
 
 }  // namespace gloam::check::internal

@@ -2,16 +2,13 @@
 #include "check/internal/gl_kernel.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 
 #include "base/text.hpp"
 #include "check/internal/kernel_rows.hpp"
 #include "check/interpreted_kernel.hpp"
-#include "check/lab.hpp"
-#include "gl/dispatch.hpp"
-#include "gl/draw.hpp"
 #include "shader/pack.hpp"
+#include "shader/spirv.hpp"
 
 namespace gloam::check::internal {
 namespace {
@@ -199,6 +196,31 @@ std::vector<Word> GlKernel::rows_of(const gl::Draw& work, std::size_t count) con
         }
     }
     return rows;
+}
+
+namespace {
+
+// Of SPIR-V: OpExtInst, and the numbers of its set GLSL.std.450 from Sin to Atan2, and of two for matrices.
+constexpr std::uint32_t extended = 12;
+constexpr std::uint32_t sine = 13;
+constexpr std::uint32_t arc_tangent_of_two = 25;
+constexpr std::uint32_t determinant = 33;
+constexpr std::uint32_t inverse = 34;
+
+}  // namespace
+
+bool has_precision_rules(shader::Language language) {
+    return language == shader::Language::vulkan450 || language == shader::Language::es320;
+}
+
+bool calls_undefined_precision(const shader::Spirv& module) {
+    const auto all = shader::instructions(module);
+    return std::ranges::any_of(all, [](const shader::Instruction& instruction) {
+        if (instruction.opcode != extended) return false;
+        const std::uint32_t function = instruction.word(4);
+        return (function >= sine && function <= arc_tangent_of_two) || function == determinant ||
+               function == inverse;
+    });
 }
 
 }  // namespace gloam::check::internal

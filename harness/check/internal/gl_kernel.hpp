@@ -7,12 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "check/internal/gl_kernel_text.hpp"
-#include "check/kernel_core.hpp"
+#include "check/internal/kernel_text.hpp"
+#include "check/lab.hpp"
 #include "gl/device.hpp"
-#include "gl/draw.hpp"
 #include "gl/program.hpp"
-#include "shader/language.hpp"
+#include "shader/compile.hpp"
 
 namespace gloam::check::internal {
 
@@ -51,5 +50,16 @@ class GlKernel {
     std::string name_;
     gl::Program program_;
 };
+
+// How far the precision rules of OpenGL agree with those of Vulkan, by which the interpreter judges
+// (docs/opengl-and-browsers.md).
+
+// Whether the rules of this version of GLSL can be asked: GLSL 4.50 and GLSL ES 3.20, whose section 4.7.1 has
+// the same table as Vulkan, and which know `precise`.
+[[nodiscard]] bool has_precision_rules(shader::Language language);
+
+// Whether the module calls a built-in whose precision section 4.7.1 leaves undefined: a trigonometric or
+// hyperbolic function, determinant, inverse.
+[[nodiscard]] bool calls_undefined_precision(const shader::Spirv& module);
 
 }  // namespace gloam::check::internal

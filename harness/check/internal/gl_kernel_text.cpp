@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "check/internal/gl_kernel_text.hpp"
+#include "check/internal/kernel_text.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "check/internal/kernel_text.hpp"
 #include "check/lab.hpp"
-#include "gl/word_texture.hpp"
+#include "gl/resources.hpp"
 
 namespace gloam::check::internal {
 namespace {

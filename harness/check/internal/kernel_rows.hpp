@@ -2,10 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <string>
 
-#include "check/kernel_core.hpp"
+#include "check/lab.hpp"
 
 namespace gloam::check::internal {
 
@@ -33,5 +34,11 @@ void add_stored(const ImagePrototype& image, std::span<const Word> words, const 
 
 // A new value for each dispatch: memory of an earlier one does not hold it.
 [[nodiscard]] Word new_canary();
+
+// The result of KernelCore::run(), computed by the interpreter in float32. Images that the shader stores to
+// are those of sequential invocations. Throws KernelError for a module that the interpreter cannot run.
+[[nodiscard]] KernelCore::Result interpret(const std::shared_ptr<const KernelModule>& module,
+                                           std::span<const Word> inputs, std::size_t count,
+                                           const ImageSet& images, const std::string& name);
 
 }  // namespace gloam::check::internal

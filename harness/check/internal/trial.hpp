@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <span>
 
-#include "check/constant_kernel.hpp"
-#include "check/judge.hpp"
+#include "check/answer.hpp"
 #include "check/lab.hpp"
+#include "check/question.hpp"
+#include "check/run.hpp"
 
 namespace gloam::check::internal {
 
@@ -60,5 +62,9 @@ void for_each_scenario(const Question& question, std::size_t inputs,
 
 // The images of a scenario in a run with seed `seed`; empty for a scenario without images.
 [[nodiscard]] ImageSet images_of(const ImageScenario& scenario, std::uint64_t seed);
+
+// Adds the story to an answer that failed: what was found, and the worst input operation by operation.
+// `seed`: of the run.
+void tell_story(const Lab& lab, const Question& question, std::uint64_t seed, Answer& answer);
 
 }  // namespace gloam::check::internal

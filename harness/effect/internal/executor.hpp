@@ -10,8 +10,7 @@
 
 #include "effect/internal/steps.hpp"
 #include "effect/plan.hpp"
-#include "gpu/buffer.hpp"
-#include "gpu/image.hpp"
+#include "gpu/resources.hpp"
 #include "scene/pass_library.hpp"
 
 namespace gloam::effect {

@@ -7,7 +7,7 @@
 
 #include "effect/plan.hpp"
 #include "effect/settings.hpp"
-#include "gpu/image.hpp"
+#include "gpu/resources.hpp"
 
 namespace gloam::effect {
 

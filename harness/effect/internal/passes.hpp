@@ -13,7 +13,6 @@
 #include "effect/preparation.hpp"
 #include "effect/settings.hpp"
 #include "scene/camera.hpp"
-#include "scene/encoding.hpp"
 
 // The shaders of the passes and their push constants.
 namespace gloam::effect {

@@ -12,7 +12,7 @@
 #include "effect/ambient_occlusion.hpp"
 #include "effect/pass_watcher.hpp"
 #include "effect/plan.hpp"
-#include "gpu/compute.hpp"
+#include "gpu/commands.hpp"
 
 namespace gloam::effect {
 

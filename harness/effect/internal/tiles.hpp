@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "effect/settings.hpp"
-#include "gpu/buffer.hpp"
-#include "gpu/image.hpp"
+#include "gpu/resources.hpp"
 
 namespace gloam::effect {
 

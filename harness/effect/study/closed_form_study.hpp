@@ -5,7 +5,7 @@
 
 #include "effect/ambient_occlusion.hpp"
 #include "effect/study/expectation.hpp"
-#include "scene/closed_form_views.hpp"
+#include "scene/analytic_scene.hpp"
 
 namespace gloam::effect {
 

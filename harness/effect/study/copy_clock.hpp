@@ -4,7 +4,7 @@
 #include <deque>
 
 #include "gpu/commands.hpp"
-#include "gpu/image.hpp"
+#include "gpu/resources.hpp"
 #include "scene/pass_library.hpp"
 
 namespace gloam::effect {

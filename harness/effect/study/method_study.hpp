@@ -13,7 +13,7 @@
 #include "effect/metrics.hpp"
 #include "effect/study/closed_form_study.hpp"
 #include "scene/scene.hpp"
-#include "scene/truth_cache.hpp"
+#include "scene/truth.hpp"
 
 namespace gloam::effect {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "gpu/compute.hpp"
-#include "gpu/image.hpp"
+#include "gpu/commands.hpp"
+#include "gpu/resources.hpp"
 #include "scene/gbuffer.hpp"
 #include "scene/pass_library.hpp"
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 
-#include "scene/closed_form_views.hpp"
+#include "scene/analytic_scene.hpp"
 
 namespace gloam::effect {
 

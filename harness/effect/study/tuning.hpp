@@ -8,7 +8,7 @@
 
 #include "effect/settings.hpp"
 #include "effect/study/pattern_search.hpp"
-#include "scene/views.hpp"
+#include "scene/scene.hpp"
 
 namespace gloam::effect {
 

@@ -4,8 +4,10 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -71,5 +73,72 @@ struct Device::Impl {
 };
 
 using Context = Device::Impl;
+
+// Owns Vulkan handles that a submission may use. Vulkan forbids destroying them while it runs, and after a
+// timeout its end is unknown. Only in that case they are leaked on purpose.
+template <class Handles>
+class Guarded {
+  public:
+    Guarded(Context& context, Handles handles)
+        : context_(context), handles_(std::make_unique<Handles>(std::move(handles))) {}
+    ~Guarded() {
+        if (!context_.idle()) context_.keep(std::move(handles_));
+    }
+    Guarded(const Guarded&) = delete;
+    Guarded& operator=(const Guarded&) = delete;
+
+    [[nodiscard]] Handles& operator*() const { return *handles_; }
+    [[nodiscard]] Handles* operator->() const { return handles_.get(); }
+
+  private:
+    Context& context_;
+    std::unique_ptr<Handles> handles_;
+};
+
+// Memory with the first properties in `wishes` for which the device has a suitable type. Throws
+// std::runtime_error with the purpose if there is no such type or not enough memory.
+[[nodiscard]] vk::raii::DeviceMemory allocate(const Context& context, const vk::MemoryRequirements& needs,
+                                              std::initializer_list<vk::MemoryPropertyFlags> wishes,
+                                              const std::string& purpose);
+
+// Drivers can crash on words that are not a module, so it throws std::invalid_argument unless these at least
+// begin like one.
+[[nodiscard]] vk::raii::ShaderModule make_module(const Context& context,
+                                                 std::span<const std::uint32_t> spirv);
+
+// Throws std::invalid_argument unless the size is a multiple of 4 within the device's limit.
+void check_push_constant_size(const Context& context, std::uint32_t bytes);
+
+// On the device, all later commands see the writes of all earlier ones.
+inline void device_barrier(const vk::raii::CommandBuffer& commands) {
+    using Access = vk::AccessFlagBits;
+    constexpr auto all = vk::PipelineStageFlagBits::eAllCommands;
+    commands.pipelineBarrier(all, all, {},
+                             vk::MemoryBarrier{.srcAccessMask = Access::eMemoryWrite,
+                                               .dstAccessMask = Access::eMemoryRead | Access::eMemoryWrite},
+                             nullptr, nullptr);
+}
+
+// The host, after waiting, sees the writes of all earlier commands.
+inline void host_barrier(const vk::raii::CommandBuffer& commands) {
+    commands.pipelineBarrier(vk::PipelineStageFlagBits::eAllCommands, vk::PipelineStageFlagBits::eHost, {},
+                             vk::MemoryBarrier{.srcAccessMask = vk::AccessFlagBits::eMemoryWrite,
+                                               .dstAccessMask = vk::AccessFlagBits::eHostRead},
+                             nullptr, nullptr);
+}
+
+// Readings of the device's clock in one recording.
+class Timestamps {
+  public:
+    // Records a reading; only outside a render pass. Returns its index.
+    std::size_t record(const Context& context, const vk::raii::CommandBuffer& commands);
+
+    // After the recording has run: milliseconds since the first reading; NaN on a device without timestamps.
+    [[nodiscard]] std::vector<double> read_ms(const Context& context) const;
+
+  private:
+    std::size_t count_ = 0;
+    std::vector<vk::raii::QueryPool> pools_;
+};
 
 }  // namespace gloam::gpu

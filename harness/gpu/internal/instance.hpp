@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <mutex>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gpu/device.hpp"
@@ -41,5 +46,28 @@ class MessageLog {
 // The Vulkan 1.2 devices: hardware, then lavapipe, then other software, SwiftShader last; devices of one kind
 // in the loader's order. DeviceInfo::index is an index into them.
 [[nodiscard]] std::vector<vk::raii::PhysicalDevice> physical_devices(const vk::raii::Instance& instance);
+
+// The first queue family for both graphics and compute.
+[[nodiscard]] std::optional<std::uint32_t> find_queue_family(const vk::raii::PhysicalDevice& device);
+
+// The properties of a device. `index`: copied to the result.
+[[nodiscard]] DeviceInfo describe(const vk::raii::PhysicalDevice& device, std::size_t index);
+
+// The requested device features besides the core: robustBufferAccess, which every device has, unless the
+// options switch it off. With it, a shader under test that reads beyond its buffer cannot crash the process.
+// And storing to images of r16f and r8, where the device can.
+[[nodiscard]] inline vk::PhysicalDeviceFeatures features_of(const DeviceOptions& options,
+                                                            const vk::PhysicalDeviceFeatures& offered = {}) {
+    return {.robustBufferAccess = options.robust_buffer_access ? VK_TRUE : VK_FALSE,
+            .shaderStorageImageExtendedFormats = offered.shaderStorageImageExtendedFormats};
+}
+
+// The message if there is no usable driver, in one line.
+inline constexpr const char* no_device_message =
+    "no Vulkan device found: install a Vulkan driver, for example mesa-vulkan-drivers";
+
+// The index in `devices` of the device that DeviceOptions::device selects. Throws std::runtime_error if there
+// is no device, or if none matches (the message lists the existing ones).
+[[nodiscard]] std::size_t select_device(std::span<const DeviceInfo> devices, std::string_view selector);
 
 }  // namespace gloam::gpu

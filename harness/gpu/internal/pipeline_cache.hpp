@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,5 +33,25 @@ class PipelineCache {
     std::vector<std::byte> loaded_;
     vk::raii::PipelineCache cache_;
 };
+
+// A file with a header that contains its length and checksum.
+
+// The content; empty if the file is missing, unreadable, of another length than it states, or changed in any
+// bit.
+[[nodiscard]] std::vector<std::byte> read_cache_file(const std::filesystem::path& file);
+
+// Replaces the file completely or not at all; creates its folder if needed. Returns false on failure and then
+// leaves nothing behind.
+bool write_cache_file(const std::filesystem::path& file, std::span<const std::byte> content);
+
+// The fields of a pipeline cache's header that identify the driver.
+struct DriverKey {
+    std::uint32_t vendor = 0;
+    std::uint32_t device = 0;
+    std::array<std::uint8_t, 16> uuid{};
+};
+
+// Whether the blob begins with a complete header (VkPipelineCacheHeaderVersionOne) of this driver.
+[[nodiscard]] bool is_pipeline_cache_of(std::span<const std::byte> blob, const DriverKey& driver);
 
 }  // namespace gloam::gpu

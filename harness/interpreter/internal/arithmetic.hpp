@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "interpreter/internal/functions.hpp"
+#include "interpreter/internal/scalars.hpp"
 #include "interpreter/internal/state.hpp"
 
 // Operations on floats, component by component.

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "interpreter/internal/apply.hpp"
-#include "interpreter/internal/functions.hpp"
+#include "interpreter/internal/scalars.hpp"
 #include "interpreter/internal/state.hpp"
 
 #include "interpreter/internal/opcodes.hpp"

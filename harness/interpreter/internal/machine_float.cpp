@@ -2,3 +2,5 @@
 #include "interpreter/internal/machine_of.hpp"
 
 template class gloam::interpreter::Machine<float>;
+
+template class gloam::interpreter::Machine<double>;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "interpreter/internal/code.hpp"
 #include "interpreter/internal/control.hpp"
 #include "interpreter/internal/conversions.hpp"
-#include "interpreter/internal/matrices.hpp"
-#include "interpreter/internal/operations.hpp"
+#include "interpreter/internal/vectors.hpp"
 
 // The implementation of the machine; each number type is instantiated in a source of its own.
 namespace gloam::interpreter {

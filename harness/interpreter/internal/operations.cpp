@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "interpreter/internal/operations.hpp"
+#include "interpreter/internal/code.hpp"
 
 #include <fmt/format.h>
 #include "interpreter/internal/opcodes.hpp"
@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-
-#include "interpreter/internal/code.hpp"
 
 namespace gloam::interpreter::internal {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "report/benchmark/pareto.hpp"
-#include "numeric/constants.hpp"
+#include "numeric/numbers.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "numeric/spread.hpp"
+#include "numeric/numbers.hpp"
 
 namespace gloam::report {
 

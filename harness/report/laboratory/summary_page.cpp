@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "numeric/text.hpp"
+#include "numeric/numbers.hpp"
 #include "report/page.hpp"
 
 namespace gloam::report {

@@ -3,7 +3,7 @@
 
 #include "scene/scene.hpp"
 
-// The makers of the built-in scenes, each in a file of its name.
+// The makers of the built-in scenes.
 namespace gloam::scene {
 
 [[nodiscard]] Scene make_columns();

@@ -2,12 +2,69 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <vector>
 
+#include "scene/mesh.hpp"
 #include "scene/scene.hpp"
+
+// Shapes of the views' generators, beside those of scene/mesh.hpp.
+namespace gloam::scene::views {
+
+inline constexpr double full_turn = 2.0 * std::numbers::pi;  // radians
+
+// The mesh rotated about the vertical axis through the origin by `radians`, then moved.
+[[nodiscard]] Mesh turned(Mesh mesh, double radians, const glm::dvec3& translation);
+
+// The mesh seen from inside: triangles and normals reversed.
+[[nodiscard]] Mesh inside_out(Mesh mesh);
+
+// A straight rod between two different points, with smooth sides and flat ends. segments: around, at least 3.
+[[nodiscard]] Mesh make_rod(const glm::dvec3& from, const glm::dvec3& to, double radius, int segments);
+
+// A square height field: y = height(x, z) over x and z from -half to half, with cells x cells cells, smooth
+// normals.
+[[nodiscard]] Mesh make_height_field(double half, int cells,
+                                     const std::function<double(double x, double z)>& height);
+
+// Smooth noise in [-1, 1] with the features of size 1, from random values at whole coordinates.
+[[nodiscard]] double smooth_noise(double x, double z, std::uint64_t seed);
+
+// Sum of `octaves` smooth noises, each of half the size and half the height of the one before.
+[[nodiscard]] double fractal_noise(double x, double z, int octaves, std::uint64_t seed);
+
+// Ways in which the views' cameras move.
+
+// Where a view's camera starts.
+struct Stand {
+    glm::dvec3 eye{0};
+    glm::dvec3 target{0};
+    double fovy_rad = 0.9;
+    double view_height = 0.0;  // > 0: orthographic, world units from bottom to top
+    double near = 0.05;
+    double far = 200.0;
+};
+
+// The camera at its start: reversed depth.
+[[nodiscard]] Camera camera_of(const Stand& stand);
+
+// A camera that moves by `step` in each frame, its target with it.
+[[nodiscard]] std::function<Camera(int frame)> gliding(const Stand& stand, const glm::dvec3& step);
+
+// A camera that moves by `step` in each frame and looks at the same target.
+[[nodiscard]] std::function<Camera(int frame)> passing(const Stand& stand, const glm::dvec3& step);
+
+// A camera that circles its target about the vertical axis.
+[[nodiscard]] std::function<Camera(int frame)> circling(const Stand& stand, double degrees_a_frame);
+
+// The scene with a camera path; `camera` is its frame 0.
+[[nodiscard]] Scene filmed(Scene scene, std::function<Camera(int frame)> path);
 
 // What the views show, made by code: bit-identical for the same parameters. World units are metres. The
 // scenes have no name and no camera yet.
-namespace gloam::scene::views {
 
 // A room with shelves of books along the back wall, furniture at random, and a table with small things at the
 // origin.
@@ -79,5 +136,29 @@ struct Town {
     double radius = 3.0;
 };
 [[nodiscard]] Scene make_town(const Town& town);
+
+// How a mesh file is shown: copies in rows on a plane, each turned further.
+struct Display {
+    std::string file;        // in the folder of meshes
+    glm::dvec3 up{0, 1, 0};  // of the file
+    int copies = 1;          // in a row
+    int rows = 1;
+    double spacing = 1.2;  // in heights of the mesh
+    double radius = 0.2;
+};
+
+// Throws std::runtime_error with the file's name and the package that has it if it cannot be read.
+[[nodiscard]] Scene make_display(const std::filesystem::path& folder, const Display& display);
+
+// A view: what it is called, and how it is made.
+struct ViewMaker {
+    std::string name;
+    std::string kind;
+    std::string description;
+    std::function<Scene(const std::filesystem::path& meshes)> make;
+};
+
+// All views, in their order.
+[[nodiscard]] const std::vector<ViewMaker>& view_table();
 
 }  // namespace gloam::scene::views

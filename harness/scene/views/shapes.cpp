@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "scene/views/shapes.hpp"
+#include "scene/views/generators.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <utility>
 
 #include "numeric/random.hpp"
-#include "scene/primitives.hpp"
+#include "scene/mesh_scene.hpp"
 
 namespace gloam::scene::views {
 namespace {
@@ -115,6 +118,72 @@ double fractal_noise(double x, double z, int octaves, std::uint64_t seed) {
     for (int i = 0; i < octaves; ++i, scale *= 2.0)
         sum += smooth_noise(scale * x, scale * z, seed + static_cast<std::uint64_t>(i)) / scale;
     return sum;
+}
+
+Camera camera_of(const Stand& stand) {
+    Camera camera{.eye = stand.eye,
+                  .target = stand.target,
+                  .fovy_rad = stand.fovy_rad,
+                  .near = stand.near,
+                  .far = stand.far,
+                  .reversed_z = true};
+    if (stand.view_height > 0.0) {
+        camera.projection = Projection::orthographic;
+        camera.view_height = stand.view_height;
+    }
+    return camera;
+}
+
+std::function<Camera(int)> gliding(const Stand& stand, const glm::dvec3& step) {
+    return [start = camera_of(stand), step](int frame) {
+        Camera camera = start;
+        camera.eye += static_cast<double>(frame) * step;
+        camera.target += static_cast<double>(frame) * step;
+        return camera;
+    };
+}
+
+std::function<Camera(int)> passing(const Stand& stand, const glm::dvec3& step) {
+    return [start = camera_of(stand), step](int frame) {
+        Camera camera = start;
+        camera.eye += static_cast<double>(frame) * step;
+        return camera;
+    };
+}
+
+std::function<Camera(int)> circling(const Stand& stand, double degrees_a_frame) {
+    return [start = camera_of(stand), degrees_a_frame](int frame) {
+        const double angle = frame * degrees_a_frame * std::numbers::pi / 180.0;
+        const glm::dvec3 back = start.eye - start.target;
+        Camera camera = start;
+        camera.eye = start.target + glm::dvec3(std::cos(angle) * back.x + std::sin(angle) * back.z, back.y,
+                                               std::cos(angle) * back.z - std::sin(angle) * back.x);
+        return camera;
+    };
+}
+
+Scene filmed(Scene scene, std::function<Camera(int)> path) {
+    scene.camera = path(0);
+    scene.camera_path = std::move(path);
+    return scene;
+}
+
+Scene make_display(const std::filesystem::path& folder, const Display& display) {
+    const std::filesystem::path file = folder / display.file;
+    std::error_code none;
+    if (!std::filesystem::is_regular_file(file, none))
+        throw std::runtime_error(
+            fmt::format("mesh {}: no such file; the package glmark2-data has it", file.string()));
+    const Mesh mesh = mesh_scene(load_mesh(file), display.file, {.up = display.up, .ground = false}).mesh;
+    Scene scene{.mesh = make_parallelogram({-40, 0, 40}, {80, 0, 0}, {0, 0, -80}, 1.0)};
+    for (int row = 0; row < display.rows; ++row) {
+        for (int copy = 0; copy < display.copies; ++copy) {
+            const double x = display.spacing * (copy - 0.5 * (display.copies - 1));
+            append(scene.mesh, turned(mesh, 0.9 * copy + 2.1 * row, {x, 0, -display.spacing * row}));
+        }
+    }
+    scene.ao_radius = display.radius;
+    return scene;
 }
 
 }  // namespace gloam::scene::views

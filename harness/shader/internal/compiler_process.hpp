@@ -8,9 +8,7 @@
 #include <vector>
 
 #include "shader/compile.hpp"
-#include "shader/excerpt.hpp"
 #include "shader/pack.hpp"
-#include "shader/translate.hpp"
 
 // A compiler is a large program, and a text can be untrusted: a macro, a loop to unroll or a deep expression
 // can exhaust it. Each public function that compiles a text therefore asks another process, one for each
@@ -33,5 +31,9 @@ namespace gloam::shader::internal {
 [[nodiscard]] std::string pack_here(const std::vector<Source>& sources, const PackRequest& request,
                                     const std::vector<std::filesystem::path>& roots);
 [[nodiscard]] std::string translated_here(const Source& packed, Target target, Stage stage);
+
+// Function descriptions as bytes, and back; nullopt for bytes that encode() did not make.
+[[nodiscard]] std::string encode(const std::vector<Function>& functions);
+[[nodiscard]] std::optional<std::vector<Function>> decode(std::string_view bytes);
 
 }  // namespace gloam::shader::internal

@@ -1,13 +1,31 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "shader/type.hpp"
+#include "shader/compile.hpp"
 
 namespace gloam::shader::internal {
+
+using Tokens = std::span<const std::string>;
+
+// Words (names with what follows behind a '.', keywords, numbers) and single characters of a text without
+// comments; lines that begin with # are passed over.
+[[nodiscard]] std::vector<std::string> tokens_of(std::string_view text);
+
+// The index behind the bracket that closes the one at `open`; the end if there is none.
+[[nodiscard]] std::size_t behind_bracket(Tokens tokens, std::size_t open);
+
+[[nodiscard]] bool contains(Tokens tokens, std::string_view word);
+
+// The first parenthesis of a statement that starts a list of parameters: it follows a type and a name.
+[[nodiscard]] std::optional<std::size_t> parameter_list(Tokens statement);
 
 // A parameter as it is written, with the parts that SPIR-V does not keep.
 struct DeclaredParameter {
@@ -34,5 +52,18 @@ struct Declaration {
 
 // Whether both have the same name and parameter types, and so declare one function.
 [[nodiscard]] bool declare_the_same(const Declaration& a, const Declaration& b);
+
+// A function of a module as SPIR-V describes it: its name from the debug instructions, and its types.
+// Directions of parameters are not included.
+struct Signature {
+    std::string name;  // as in GLSL, without the compiler's mark of the overload
+    Type result;
+    std::vector<Parameter> parameters;
+    std::vector<std::size_t> calls;  // indices of the called functions, in the order of the module
+};
+
+// Every function of an unoptimised module, in the order of the module. For an opaque type (sampler, image)
+// Type::name is empty. Throws std::runtime_error for words that are not a SPIR-V module.
+[[nodiscard]] std::vector<Signature> signatures(const Spirv& module);
 
 }  // namespace gloam::shader::internal

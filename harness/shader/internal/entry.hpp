@@ -1,14 +1,32 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "shader/internal/hash.hpp"
-
 namespace gloam::shader::internal {
+
+// A 128-bit XXH3 hash.
+using Hash = std::array<std::uint64_t, 2>;
+
+// The hashed data: fields with their lengths, so that adjacent fields cannot be confused.
+class Fingerprint {
+  public:
+    void add(std::string_view field);
+    void add(std::uint64_t field);
+    [[nodiscard]] Hash hash() const;
+
+  private:
+    std::string bytes_;
+};
+
+[[nodiscard]] Hash hash_of(std::string_view bytes);
+// 32 hexadecimal digits.
+[[nodiscard]] std::string to_hex(const Hash& hash);
 
 // A payload on disk with a header that validates it: magic, format, key, length and checksum.
 

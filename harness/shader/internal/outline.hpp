@@ -4,9 +4,10 @@
 #include <cstddef>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "shader/internal/active_text.hpp"
+#include "shader/internal/lines.hpp"
 
 namespace gloam::shader::internal {
 
@@ -51,5 +52,11 @@ enum class Keep { comments, line_numbers };
 
 // The declarations of one text without includes and conditions, of any language with C's declarations.
 [[nodiscard]] Outline outline(const std::string& text);
+
+// Kind, names and mentions of a declaration, from its code without comments and directives.
+[[nodiscard]] Piece piece_of(std::string_view code);
+
+// The piece of a #define or #undef; any other directive becomes a piece without a name.
+[[nodiscard]] Piece macro_of(const Directive& directive);
 
 }  // namespace gloam::shader::internal

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "check/lab.hpp"
-#include "check/scalars.hpp"
-#include "gpu/buffer.hpp"
-#include "gpu/compute.hpp"
+#include "check/signature.hpp"
+#include "gpu/commands.hpp"
+#include "gpu/resources.hpp"
 
 namespace gloam::cli {
 

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "cli/bench/benchmark.hpp"
-#include "cli/drivers.hpp"
+#include "cli/open_device.hpp"
 #include "effect/settings.hpp"
 
 namespace gloam::cli {

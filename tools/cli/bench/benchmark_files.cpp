@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-#include "cli/read_text.hpp"
+#include "cli/arguments.hpp"
 #include "report/benchmark/benchmark_json.hpp"
 #include "report/benchmark/page.hpp"
 #include "report/benchmark/plots.hpp"

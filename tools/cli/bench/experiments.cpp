@@ -14,24 +14,23 @@
 #include <stdexcept>
 
 #include "base/text.hpp"
+#include "cli/arguments.hpp"
 #include "cli/bench/image_size.hpp"
 #include "cli/bench/page_blocks.hpp"
-#include "cli/drivers.hpp"
 #include "cli/environment.hpp"
+#include "cli/names.hpp"
 #include "cli/open_device.hpp"
-#include "cli/preset_file.hpp"
 #include "cli/progress.hpp"
-#include "cli/read_text.hpp"
-#include "cli/versions.hpp"
+#include "cli/settings.hpp"
 #include "experiment/experiment.hpp"
 #include "experiment/runner.hpp"
 #include "experiment/table.hpp"
 #include "experiment/values.hpp"
-#include "numeric/spread.hpp"
+#include "numeric/numbers.hpp"
 #include "report/output_file.hpp"
 #include "report/output_folder.hpp"
 #include "report/plot.hpp"
-#include "scene/views.hpp"
+#include "scene/scene.hpp"
 
 namespace gloam::cli {
 namespace {

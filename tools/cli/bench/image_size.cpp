@@ -6,7 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "cli/view_size.hpp"
+#include "cli/arguments.hpp"
 
 namespace gloam::cli {
 

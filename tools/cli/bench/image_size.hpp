@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "gpu/image.hpp"
+#include "gpu/resources.hpp"
 
 namespace gloam::cli {
 

@@ -11,7 +11,6 @@
 
 #include "cli/bench/image_size.hpp"
 #include "cli/bench/methods_report.hpp"
-#include "cli/drivers.hpp"
 #include "cli/environment.hpp"
 #include "cli/open_device.hpp"
 #include "cli/progress.hpp"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "cli/versions.hpp"
+#include "cli/names.hpp"
 #include "effect/study/own_value.hpp"
 
 namespace gloam::cli {

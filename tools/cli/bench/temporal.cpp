@@ -10,7 +10,6 @@
 #include "cli/bench/image_size.hpp"
 #include "cli/bench/temporal_pictures.hpp"
 #include "cli/bench/temporal_report.hpp"
-#include "cli/drivers.hpp"
 #include "cli/environment.hpp"
 #include "cli/open_device.hpp"
 #include "cli/progress.hpp"
@@ -18,7 +17,7 @@
 #include "effect/study/limit.hpp"
 #include "report/output_file.hpp"
 #include "report/output_folder.hpp"
-#include "scene/truth_cache.hpp"
+#include "scene/truth.hpp"
 
 namespace gloam::cli {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/bench/temporal_report.hpp"
-#include "cli/versions.hpp"
+#include "cli/names.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/views.hpp"
+#include "scene/scene.hpp"
 
 namespace gloam::cli {
 
@@ -16,7 +16,7 @@ namespace gloam::cli {
 // Throws std::invalid_argument if more frames are scored than there are.
 void require_scored(int scored, int frames);
 
-// Adds the options of commands that measure on the views of scene/views.hpp: what of them is rendered and
+// Adds the options of commands that measure on the views of scene/scene.hpp: what of them is rendered and
 // traced.
 template <class Options>
 void add_view_options(CLI::App& command, Options& options) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <exception>
 #include <filesystem>
 #include <memory>
@@ -9,12 +10,53 @@
 #include <vector>
 
 #include "catalogue/catalogue.hpp"
+#include "check/lab.hpp"
+#include "check/own_function.hpp"
+#include "check/question.hpp"
 #include "cli/check/hand_over.hpp"
 #include "cli/check/task.hpp"
 #include "gpu/device.hpp"
 #include "report/check_report.hpp"
 
+namespace CLI {
+class App;
+}
+
+// The check of a user's shader file: no reference, no C++.
 namespace gloam::cli {
+
+// Whether a word of the command line is a shader file, not an equation.
+[[nodiscard]] bool is_shader_file(const std::string& word);
+
+struct OwnFile {
+    std::string version;  // of its #version line; empty: there is none
+    check::OwnFunctions functions;
+};
+
+// The functions of a file (`includes`: its further include roots) with these names (see
+// check::own_functions()); without names all. Throws std::invalid_argument for a function that the file does
+// not define, an invalid range, or a range without a parameter of its name; std::runtime_error for a missing
+// file; shader::CompileError for what the preprocessor rejects.
+[[nodiscard]] OwnFile own_file(const std::string& file, const std::vector<std::string>& names,
+                               const std::vector<std::string>& ranges,
+                               const std::vector<std::string>& includes);
+
+// What `gloam check FILE [FUNCTION...]` checks.
+struct OwnSelection {
+    std::vector<std::string> names;
+    // For people, a line each: a function that was left out; a #version that is not the one that is compiled.
+    std::vector<std::string> notes;
+    bool complete = true;  // no function was left out that was named or that does not compile
+};
+
+// `words`: the file, then the names of functions. Throws like own_file(), and std::runtime_error if nothing
+// can be checked; then it has printed the notes, if there are several.
+[[nodiscard]] OwnSelection own_selection(const std::vector<std::string>& words,
+                                         const std::vector<std::string>& ranges,
+                                         const std::vector<std::string>& includes);
+
+// The question of a task about a function of its file.
+[[nodiscard]] check::Question own_question(const check::Lab& lab, const CheckTask& task);
 
 // The device for checks, and its options.
 struct CheckerOptions {
@@ -61,5 +103,23 @@ class Checker {
 // The answer of a check that did not run.
 [[nodiscard]] check::Answer answer_without_result(const CheckTask& task, const catalogue::Entries& entries,
                                                   check::Reason reason, const std::string& error);
+
+// The command line of a worker: this program, which reads checks from standard input, one a line, and runs
+// them.
+[[nodiscard]] std::vector<std::string> worker_command(const CheckerOptions& options);
+
+// The command line of a process that greets with the number of devices: of one driver (the path of its
+// manifest), or of all.
+[[nodiscard]] std::vector<std::string> counting_command(const std::filesystem::path& driver);
+
+// The command line that prints the OpenGL devices of an executor: see gl_devices_line().
+[[nodiscard]] std::vector<std::string> gl_listing_command(const std::string& executor);
+
+// The number of devices, counted by another process, because drivers can crash in doing so. Throws
+// std::runtime_error.
+[[nodiscard]] std::size_t count_devices();
+
+// Adds the hidden subcommand that runs a worker.
+void add_check_worker(CLI::App& app);
 
 }  // namespace gloam::cli

@@ -2,15 +2,16 @@
 #include "cli/check/hand_over.hpp"
 
 #include <fmt/format.h>
-
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <stdexcept>
+#include <utility>
 
-#include "base/json_bounds.hpp"
-#include "check/describe.hpp"
+#include "base/text.hpp"
+#include "check/answer.hpp"
 #include "check/reproduction.hpp"
-#include "numeric/text.hpp"
+#include "numeric/numbers.hpp"
 #include "report/amber.hpp"
 #include "report/answer_json.hpp"
 #include "report/shader_test.hpp"
@@ -164,6 +165,101 @@ HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
         hand_over.smallest->permitted = all.allowed;
     }
     return hand_over;
+}
+
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+std::string heading_of(const CheckJournalSetup& setup) {
+    return ordered_json{{"check_journal", 1},
+                        {"versions", setup.versions},
+                        {"inputs", setup.inputs},
+                        {"seed", setup.seed},
+                        {"validation", setup.validation}}
+        .dump();
+}
+
+struct Kept {
+    std::string device;
+    check::Answer row;
+};
+
+Kept kept_from(const std::string& line) {
+    base::require_bounded_json(line);
+    const json object = json::parse(line, nullptr, false);
+    if (!object.is_object() || !object.contains("device") || !object["device"].is_string() ||
+        !object.contains("row") || !object["row"].is_string())
+        throw std::runtime_error("expected an object with the texts \"device\" and \"row\"");
+    return {.device = object["device"].get<std::string>(),
+            .row = report::answer_from_json(object["row"].get<std::string>())};
+}
+
+}  // namespace
+
+CheckJournal::CheckJournal(std::filesystem::path path, const CheckJournalSetup& setup, bool resume)
+    : file_(std::move(path), heading_of(setup), resume) {
+    std::size_t number = 1;
+    for (const std::string& line : file_.lines()) {
+        ++number;
+        try {
+            Kept kept = kept_from(line);
+            Key key{kept.device, kept.row.equation, kept.row.variant};
+            if (kept.row.ran()) known_[std::move(key)] = std::move(kept.row);
+        } catch (const std::runtime_error& error) {
+            throw std::runtime_error(
+                fmt::format("{}, line {}: {}", file_.path().string(), number, error.what()));
+        }
+    }
+}
+
+std::optional<check::Answer> CheckJournal::known(const report::DeviceSummary& device,
+                                                 const CheckTask& task) const {
+    const auto found = known_.find({report::name_of(device), task.equation, task.variant});
+    return found == known_.end() ? std::nullopt : std::optional(found->second);
+}
+
+bool CheckJournal::add(const report::DeviceSummary& device, const check::Answer& row) const {
+    const std::string name = report::name_of(device);
+    if (known_.contains({name, row.equation, row.variant})) return true;
+    file_.add(json{{"device", name}, {"row", report::to_json(row)}}.dump(-1, ' ', false,
+                                                                         json::error_handler_t::replace));
+    return false;
+}
+
+namespace {
+
+std::string_view bytes_of(const std::vector<std::uint32_t>& words) {
+    const auto bytes = std::as_bytes(std::span(words));
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+}  // namespace
+
+FailureFolders::FailureFolders(std::filesystem::path folder) {
+    if (!folder.empty()) folder_.emplace(std::move(folder));
+}
+
+std::filesystem::path FailureFolders::write(const report::DeviceSummary& device, const check::Answer& row,
+                                            const HandOver& hand_over, const report::RunAgain& again) {
+    const std::string name = report::slug(row.equation) + "-" + report::slug(row.variant);
+    report::OutputFolder out(folder_->path() / report::slug(report::name_of(device)) / name);
+    const std::string note =
+        hand_over.error.empty() ? "" : "The shader and a reproduction could not be made: " + hand_over.error;
+    out.write("report.txt", report::failure_text(device, row, hand_over.smallest, note, again));
+    if (hand_over.error.empty() && !hand_over.shader_test.empty()) {
+        out.write("shader.glsl", hand_over.glsl);
+        out.write("repro.shader_test", hand_over.shader_test);
+    } else if (hand_over.error.empty()) {
+        out.write("shader.comp", hand_over.glsl);
+        out.write("shader.spvasm", hand_over.assembly);
+        out.write("shader.spv", bytes_of(hand_over.spirv));
+        out.write("repro.amber", hand_over.amber);
+    }
+    out.keep();
+    folder_->keep();
+    return out.path();
 }
 
 }  // namespace gloam::cli

@@ -9,7 +9,7 @@
 #include <optional>
 #include <thread>
 
-#include "cli/check/worker.hpp"
+#include "cli/check/checker.hpp"
 #include "cli/check/worker_session.hpp"
 #include "cli/environment.hpp"
 

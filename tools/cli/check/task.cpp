@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "base/json_bounds.hpp"
 #include "base/text.hpp"
 
 namespace gloam::cli {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/check/worker.hpp"
+#include "cli/check/checker.hpp"
 
 #include <unistd.h>
 #include <CLI/CLI.hpp>
@@ -14,7 +14,7 @@
 #include <system_error>
 
 #include "cli/check/worker_session.hpp"
-#include "cli/gl_devices.hpp"
+#include "cli/open_device.hpp"
 
 namespace gloam::cli {
 namespace {

@@ -2,13 +2,17 @@
 #include "cli/pack/effect.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
 #include <regex>
 #include <set>
 #include <stdexcept>
 
+#include "cli/arguments.hpp"
+#include "cli/environment.hpp"
+#include "cli/render.hpp"
+#include "cli/settings.hpp"
+#include "report/output_folder.hpp"
 #include "shader/compile.hpp"
 
 namespace gloam::cli {
@@ -132,6 +136,114 @@ std::vector<Hazard> hazards_before(const PackedEffect& effect, std::size_t pass)
         }
     }
     return hazards;
+}
+
+void pack_effect(const EffectPackOptions& options) {
+    if (options.out.empty()) throw std::invalid_argument("--effect: give --out, the folder to write");
+    const RenderOptions as_rendered{
+        .method = options.method, .preset = options.preset, .radius = options.radius, .set = options.set};
+    const effect::Settings settings = settings_for(as_rendered, {});
+    const effect::PlanOptions plan{.view = parse_size(options.size),
+                                   .moving_objects = options.moving_objects,
+                                   .orthographic = options.orthographic,
+                                   .tiles = options.tiles,
+                                   .normals = !options.reconstruct_normals,
+                                   .encoding = scene::encoding_named(options.depth, options.normals)};
+    const auto language = shader::language_from(options.version);
+    if (!language || shader::usual_stage(*language) != shader::Stage::compute)
+        throw std::invalid_argument("--effect --version " + options.version +
+                                    ": expected 450, 310es or 320es");
+    report::OutputFolder folder(options.out);
+    PackedEffect effect = packed_effect(settings, plan, scene::PassLibrary(glsl_directory()), *language);
+    effect.preset = options.preset;
+    effect.version = GLOAM_VERSION;
+    effect.target = options.target;
+    for (const PackedPass& pass : effect.passes) {
+        folder.write(pass.file, pass.text);
+        if (options.target)
+            folder.write(pass.plan.name + shader::suffix(*options.target),
+                         shader::translated({.name = pass.file, .text = pass.text}, *options.target));
+    }
+    folder.write("gloam_effect.h", effect_header(effect));
+    folder.write("effect.json", effect_json(effect));
+    folder.write("README.md", effect_page(effect));
+    folder.keep();
+}
+
+std::string vulkan_format(gpu::Format format) {
+    switch (format) {
+        case gpu::Format::r32f:
+            return "VK_FORMAT_R32_SFLOAT";
+        case gpu::Format::rgba32f:
+            return "VK_FORMAT_R32G32B32A32_SFLOAT";
+        case gpu::Format::rgba16f:
+            return "VK_FORMAT_R16G16B16A16_SFLOAT";
+        case gpu::Format::rgba16ui:
+            return "VK_FORMAT_R16G16B16A16_UINT";
+        case gpu::Format::depth32f:
+            return "VK_FORMAT_D32_SFLOAT";
+        case gpu::Format::r16f:
+            return "VK_FORMAT_R16_SFLOAT";
+        case gpu::Format::r8:
+            return "VK_FORMAT_R8_UNORM";
+        case gpu::Format::r32ui:
+            return "VK_FORMAT_R32_UINT";
+    }
+    throw std::logic_error("an image format without a name");
+}
+
+std::string vulkan_descriptor(shader::BindingType type) {
+    switch (type) {
+        case shader::BindingType::storage_image:
+            return "VK_DESCRIPTOR_TYPE_STORAGE_IMAGE";
+        case shader::BindingType::sampled_image:
+            return "VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER";
+        case shader::BindingType::texture:
+            return "VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE";
+        case shader::BindingType::sampler:
+            return "VK_DESCRIPTOR_TYPE_SAMPLER";
+        case shader::BindingType::storage_buffer:
+            return "VK_DESCRIPTOR_TYPE_STORAGE_BUFFER";
+        case shader::BindingType::uniform_buffer:
+            return "VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER";
+    }
+    throw std::logic_error("a descriptor type without a name");
+}
+
+std::string to_string(effect::PlannedImage::Origin origin) {
+    switch (origin) {
+        case effect::PlannedImage::Origin::engine:
+            return "engine";
+        case effect::PlannedImage::Origin::history:
+            return "kept";
+        case effect::PlannedImage::Origin::once:
+            return "once";
+        case effect::PlannedImage::Origin::frame:
+            return "frame";
+    }
+    throw std::logic_error("an origin without a name");
+}
+
+std::vector<std::string> vulkan_usage(const PackedEffect& effect, const effect::PlannedImage& image) {
+    using Origin = effect::PlannedImage::Origin;
+    std::set<std::string> names{image.name};  // with the one that it is exchanged with
+    for (const auto& [a, b] : effect.plan.exchanged)
+        if (a == image.name || b == image.name) names.insert({a, b});
+    std::vector<std::string> usage;
+    const auto add = [&usage](const char* bit) {
+        const std::string name = std::string("VK_IMAGE_USAGE_") + bit + "_BIT";
+        if (std::ranges::find(usage, name) == usage.end()) usage.push_back(name);
+    };
+    for (const PackedPass& pass : effect.passes) {
+        for (const shader::Binding& binding : pass.interface.bindings)
+            if (names.contains(resource_at(pass, binding)))
+                add(binding.type == shader::BindingType::storage_image ? "STORAGE" : "SAMPLED");
+    }
+    for (const effect::PlannedImage& other : effect.plan.images)  // filled, or cleared
+        if (names.contains(other.name) && (other.origin == Origin::engine || other.origin == Origin::history))
+            add("TRANSFER_DST");
+    if (names.contains(effect.plan.result) || names.contains(effect.plan.later_result)) add("TRANSFER_SRC");
+    return usage;
 }
 
 }  // namespace gloam::cli

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -9,8 +10,8 @@
 
 #include "effect/plan.hpp"
 #include "effect/settings.hpp"
+#include "shader/pack.hpp"
 #include "shader/reflection.hpp"
-#include "shader/translate.hpp"
 
 namespace gloam::cli {
 
@@ -69,5 +70,43 @@ struct Hazard {
 [[nodiscard]] std::string effect_header(const PackedEffect& effect);  // gloam_effect.h
 [[nodiscard]] std::string effect_json(const PackedEffect& effect);    // effect.json
 [[nodiscard]] std::string effect_page(const PackedEffect& effect);    // README.md
+
+struct EffectPackOptions {
+    std::string preset = "balanced";
+    std::string method;            // empty: the preset's
+    float radius = 1.0F;           // world units
+    std::vector<std::string> set;  // NAME=VALUE
+    std::string size = "1920x1080";
+    bool moving_objects = false;
+    bool orthographic = false;
+    bool reconstruct_normals = false;
+    bool tiles = false;
+    std::string depth = "linear";  // how the engine stores depth and normals: scene::encoding_named()
+    std::string normals = "view";
+    std::optional<shader::Target> target;  // a language for every pass, besides GLSL
+    std::string version = "450";           // of the passes: or 310es, 320es
+    std::filesystem::path out;
+};
+
+// Writes all passes of the effect, gloam_effect.h, effect.json and README.md into a folder, all or none.
+// Throws std::invalid_argument for invalid options, std::runtime_error for a folder that cannot be written
+// to.
+void pack_effect(const EffectPackOptions& options);
+
+// The format's name in Vulkan's headers.
+[[nodiscard]] std::string vulkan_format(gpu::Format format);
+[[nodiscard]] std::string vulkan_descriptor(shader::BindingType type);
+
+// "engine", "kept", "once", "frame".
+[[nodiscard]] std::string to_string(effect::PlannedImage::Origin origin);
+
+// The uses of an image, from the bindings of the passes: VK_IMAGE_USAGE_STORAGE_BIT and others.
+[[nodiscard]] std::vector<std::string> vulkan_usage(const PackedEffect& effect,
+                                                    const effect::PlannedImage& image);
+
+// A Markdown table: for each file its lines of code as packed, without blank ones and comments. Without
+// files: those of glsl/gloam/methods, and the passes of each method's effect. Throws like shader::pack().
+[[nodiscard]] std::string line_table(const std::filesystem::path& glsl,
+                                     const std::vector<std::string>& files);
 
 }  // namespace gloam::cli

@@ -10,7 +10,6 @@
 #include <stdexcept>
 
 #include "cli/pack/effect.hpp"
-#include "cli/pack/vulkan_names.hpp"
 
 namespace gloam::cli {
 namespace {

@@ -4,8 +4,7 @@
 #include <span>
 
 #include "cli/pack/effect.hpp"
-#include "cli/pack/vulkan_names.hpp"
-#include "cli/setting_json.hpp"
+#include "cli/settings.hpp"
 
 namespace gloam::cli {
 namespace {

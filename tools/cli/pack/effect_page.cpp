@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "cli/pack/effect.hpp"
-#include "cli/pack/vulkan_names.hpp"
 #include "effect/setting_table.hpp"
 
 namespace gloam::cli {

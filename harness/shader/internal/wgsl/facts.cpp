@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "shader/internal/wgsl/facts.hpp"
+#include "shader/internal/wgsl/module.hpp"
 
 #include <algorithm>
 

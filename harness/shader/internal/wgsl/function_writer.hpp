@@ -7,12 +7,64 @@
 #include <string>
 #include <vector>
 
-#include "shader/internal/wgsl/expressions.hpp"
+#include "shader/internal/wgsl/module.hpp"
 #include "shader/internal/wgsl/module_text.hpp"
-#include "shader/internal/wgsl/shape.hpp"
-#include "shader/internal/wgsl/statement.hpp"
 
 namespace gloam::shader::internal::wgsl {
+
+// `a operation b`, with brackets where WGSL needs them.
+[[nodiscard]] Expression binary(const std::string& operation, const Expression& a, const Expression& b);
+// `operation a`: "-", "!", "~".
+[[nodiscard]] Expression unary(const std::string& operation, const Expression& a);
+// `function(a, ...)`.
+[[nodiscard]] Expression call(const std::string& function, std::vector<Expression> arguments);
+// The expression as a part of one that binds its parts tightly: `a` of `a.x`.
+[[nodiscard]] std::string primary(const Expression& a);
+// An expression that is a name or a number as it stands.
+[[nodiscard]] Expression plain(std::string text);
+// A literal whose type is written: for functions and operators that have literals alone.
+[[nodiscard]] Expression typed(Expression a);
+
+// The arithmetic, logic and conversions that an instruction calculates from its operands. False where it is
+// no such instruction.
+class ModuleText;
+[[nodiscard]] bool operation(ModuleText& text, const Instruction& instruction,
+                             const std::vector<Expression>& operands, Expression& result);
+// What an instruction of GLSL.std.450 calculates from its operands. False where there is no such instruction.
+[[nodiscard]] bool extended_operation(ModuleText& text, const Instruction& instruction,
+                                      const std::vector<Expression>& operands, Expression& result);
+
+// A selection whose branches only calculate a value: `a && b`, `a || b`, or one of two values.
+struct Fold {
+    enum class Kind { conjunction, disjunction, either };
+    Kind kind = Kind::either;
+    Id result = 0;  // a phi, or a variable without a name
+    Id condition = 0;
+    Id yes = 0;  // the values; of a conjunction or disjunction `yes` is the right one
+    Id no = 0;
+    Id negation = 0;         // of the condition, which is not needed
+    std::vector<Id> blocks;  // of the branches, in order, with those of inner folds
+    Id merge = 0;
+};
+
+// An argument variable that stands for another value or variable.
+struct Shape {
+    // By the label of the block that ends with the selection.
+    std::map<Id, Fold> folds;
+    std::set<Id> idle_values;      // negations that a fold has turned round
+    std::map<Id, Id> only_values;  // of phis that only one block gives a value
+    std::set<Id> fold_results;     // their phis and variables
+    std::map<Id, Id> straight;     // a block: the first of those that run one after another with it
+    std::map<Id, int> uses;        // of each value
+    std::map<Id, Id> home;         // of a value: straight of the only block that uses it; 0: of several
+    std::map<Id, Id> defined_in;   // of a value: straight of its block
+    std::set<Id> bound;            // variables that only hand a value to one call
+    std::map<Id, Id> same;         // variables that only hand another variable to one call, and which
+    std::set<std::size_t> idle;    // instructions (by position) that `same` makes idle
+};
+
+// The shape of a function of the module.
+[[nodiscard]] Shape shape_of(const Module& module, const Facts& facts, const Function& function);
 
 // The statements of a function, before its variables are declared.
 struct FunctionBody {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "shader/internal/wgsl/expressions.hpp"
+#include "shader/internal/wgsl/function_writer.hpp"
 #include "shader/internal/wgsl/module_text.hpp"
 #include "shader/wgsl.hpp"
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "shader/internal/wgsl/packed.hpp"
+#include "shader/internal/translation.hpp"
 
 #include <algorithm>
 
-#include "shader/internal/comments.hpp"
 #include "shader/internal/compiler_process.hpp"
 #include "shader/internal/declarations.hpp"
 #include "shader/internal/front_end.hpp"

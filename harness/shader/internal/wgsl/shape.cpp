@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "shader/internal/wgsl/shape.hpp"
+#include "shader/internal/wgsl/function_writer.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "shader/internal/wgsl/shape.hpp"
+#include "shader/internal/wgsl/function_writer.hpp"
 
 namespace gloam::shader::internal::wgsl {
 

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "base/files.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/socket.h>
+#include <unistd.h>
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <random>
+#include <stdexcept>
+#include <system_error>
+
+namespace gloam::base {
+
+FileDescriptor& FileDescriptor::operator=(FileDescriptor&& other) noexcept {
+    if (this != &other) {
+        reset();
+        number_ = other.release();
+    }
+    return *this;
+}
+
+void FileDescriptor::reset() {
+    if (number_ >= 0) close(release());
+}
+
+FileDescriptor beyond_standard(FileDescriptor file) {
+    if (file.get() < 0 || file.get() > STDERR_FILENO) return file;
+    FileDescriptor higher(fcntl(file.get(), F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
+    if (!higher.is_open()) throw std::system_error(errno, std::generic_category(), "cannot move a file");
+    return higher;
+}
+
+std::pair<FileDescriptor, FileDescriptor> connected_pair() {
+    std::array<int, 2> ends{};
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
+        throw std::system_error(errno, std::generic_category(), "cannot make a connection");
+    FileDescriptor ours(ends[0]);
+    FileDescriptor theirs(ends[1]);
+    return {beyond_standard(std::move(ours)), beyond_standard(std::move(theirs))};
+}
+
+void reserve_standard_streams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (fcntl(stream, F_GETFD) >= 0 || errno != EBADF) continue;
+        // Gets the lowest free number, which is this stream's. It is opened for the other direction, so
+        // reading or writing fails.
+        (void)!open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+    }
+}
+
+std::string read_file(const std::filesystem::path& path, std::size_t largest) {
+    const auto fail = [&path](const std::string& why) {
+        throw std::runtime_error(fmt::format("cannot read {}: {}", path.string(), why));
+    };
+    const FileDescriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    if (!file.is_open()) fail(std::strerror(errno));
+    std::string text;
+    while (text.size() <= largest) {
+        constexpr std::size_t block = 1U << 16U;
+        const std::size_t had = text.size();
+        text.resize(had + std::min(block, largest + 1 - had));
+        const ssize_t count = read(file.get(), text.data() + had, text.size() - had);
+        text.resize(had + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+        if (count < 0 && errno != EINTR) fail(std::strerror(errno));
+        if (count == 0) return text;
+    }
+    fail(fmt::format("it is longer than {} bytes", largest));
+    return text;
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Not derived from `path`, because its name may already have the maximal length.
+fs::path neighbour_of(const fs::path& path) {
+    std::random_device entropy;
+    return path.parent_path() / fmt::format(".gloam-{:08x}{:08x}.part", entropy(), entropy());
+}
+
+// Creates a file with an unpredictable name.
+std::pair<fs::path, FileDescriptor> new_neighbour_of(const fs::path& path) {
+    constexpr int attempts = 8;
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+        fs::path name = neighbour_of(path);
+        FileDescriptor file(open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
+        if (file.is_open()) return {std::move(name), beyond_standard(std::move(file))};
+        if (errno != EEXIST) fail_to_write(path, errno);
+    }
+    fail_to_write(path, EEXIST);
+}
+
+}  // namespace
+
+void fail_to_write(const fs::path& path, int error) {
+    throw std::runtime_error("cannot write " + path.string() + ": " + std::strerror(error));
+}
+
+int write_all(int file, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(file, bytes.data(), bytes.size());
+        if (count >= 0) {
+            bytes.remove_prefix(static_cast<std::size_t>(count));
+        } else if (errno != EINTR) {
+            return errno;
+        }
+    }
+    return 0;
+}
+
+WrittenAside::WrittenAside(fs::path path, std::string_view bytes) : path_(std::move(path)) {
+    auto [name, file] = new_neighbour_of(path_);
+    int error = write_all(file.get(), bytes);
+    // A full disk may be reported as late as here.
+    const int number = dup(file.get());
+    if (number < 0 || close(number) != 0) error = error == 0 ? errno : error;
+    if (error != 0) {
+        unlink(name.c_str());
+        fail_to_write(path_, error);
+    }
+    aside_ = std::move(name);
+}
+
+WrittenAside::WrittenAside(WrittenAside&& other) noexcept
+    : path_(std::move(other.path_)), aside_(std::exchange(other.aside_, {})) {}
+
+WrittenAside::~WrittenAside() {
+    if (!aside_.empty()) unlink(aside_.c_str());
+}
+
+void WrittenAside::put() {
+    if (aside_.empty()) return;
+    if (rename(aside_.c_str(), path_.c_str()) != 0) fail_to_write(path_, errno);
+    aside_.clear();
+}
+
+void write_file(const fs::path& path, std::string_view bytes) {
+    WrittenAside(path, bytes).put();
+}
+
+}  // namespace gloam::base

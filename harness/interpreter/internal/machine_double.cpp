@@ -1,4 +1,0 @@
-// SPDX-License-Identifier: MIT
-#include "interpreter/internal/machine_of.hpp"
-
-template class gloam::interpreter::Machine<double>;

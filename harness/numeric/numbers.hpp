@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+#include <utility>
+
+namespace gloam::numeric {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline constexpr double largest_float = std::numeric_limits<float>::max();
+
+// A binary floating-point format, described by the numbers that determine its rounding. Values are stored in
+// double, which represents all values of these formats exactly.
+struct FloatFormat {
+    int precision;     // bits of the significand, the hidden one included
+    int min_exponent;  // of the smallest normal number, 2^min_exponent
+    int max_exponent;  // of the binade of the largest number
+
+    [[nodiscard]] constexpr double smallest_normal() const { return power_of_two(min_exponent); }
+    [[nodiscard]] constexpr double smallest_subnormal() const {
+        return power_of_two(min_exponent - (precision - 1));
+    }
+    [[nodiscard]] constexpr double largest() const {
+        return (2.0 - power_of_two(1 - precision)) * power_of_two(max_exponent);
+    }
+
+    // The nearest value of the format at or below (above) x. Beyond the largest finite value the result is
+    // that value towards zero, and infinity away from zero. Infinities are returned unchanged; x must not be
+    // NaN.
+    [[nodiscard]] double round_down(double x) const;
+    [[nodiscard]] double round_up(double x) const;
+
+    // One unit in the last place at the real number x, by Harrison's definition: the distance of the two
+    // neighbours that enclose x. At a power of two it is the smaller gap; below the smallest normal number
+    // the gap there; beyond the largest value the largest gap.
+    [[nodiscard]] double ulp(double x) const;
+
+    friend constexpr bool operator==(const FloatFormat&, const FloatFormat&) = default;
+
+  private:
+    // For the exponents of normal doubles; calls of the C library would cost more than the rounding itself.
+    static constexpr double power_of_two(int exponent) {
+        constexpr int double_bias = 1023;
+        constexpr int double_digits = 52;
+        return std::bit_cast<double>(static_cast<std::uint64_t>(double_bias + exponent) << double_digits);
+    }
+};
+
+inline constexpr FloatFormat float32{.precision = 24, .min_exponent = -126, .max_exponent = 127};
+inline constexpr FloatFormat float16{.precision = 11, .min_exponent = -14, .max_exponent = 15};
+
+// Classes of float32 values that arithmetic treats differently. `huge`: the square overflows (|x| >= 2^64).
+enum class FloatClass { ordinary, zero, subnormal, huge, infinite, nan };
+
+[[nodiscard]] inline FloatClass classify(float x) {
+    if (std::isnan(x)) return FloatClass::nan;
+    if (std::isinf(x)) return FloatClass::infinite;
+    if (x == 0.0F) return FloatClass::zero;
+    const float magnitude = std::abs(x);
+    if (magnitude < std::numeric_limits<float>::min()) return FloatClass::subnormal;
+    return magnitude >= 0x1p64F ? FloatClass::huge : FloatClass::ordinary;
+}
+
+// Float32 values at which arithmetic behaves differently: signed zeros, the ends of the subnormal and normal
+// ranges, ones, the limit of exact integers, squares that overflow or underflow, infinities, NaN.
+inline constexpr std::array special_floats{
+    0.0F,
+    -0.0F,
+    std::numeric_limits<float>::denorm_min(),
+    -std::numeric_limits<float>::denorm_min(),
+    0x1.fffffcp-127F,  // largest subnormal
+    std::numeric_limits<float>::min(),
+    -std::numeric_limits<float>::min(),
+    0x1p-64F,
+    0x1.fffffep-1F,
+    1.0F,
+    0x1.000002p0F,
+    -1.0F,
+    0x1p24F,
+    0x1p64F,
+    std::numeric_limits<float>::max(),
+    -std::numeric_limits<float>::max(),
+    std::numeric_limits<float>::infinity(),
+    -std::numeric_limits<float>::infinity(),
+    std::numeric_limits<float>::quiet_NaN(),
+};
+
+// One unit in the last place of float32 at the real number x, by Harrison's definition: the distance of the
+// two float32 neighbours that enclose x; at a power of two the smaller gap; below the smallest normal 2^-149;
+// beyond the largest finite value 2^104. x = +-infinity or NaN: NaN.
+[[nodiscard]] double ulp_size(double x);
+
+// Distance of `got` from the exact result `want`, in ULP of `want`.
+//   both NaN, or the same infinity: 0. Exactly one NaN: infinity. Infinity against a finite `want`: infinity,
+//   unless |want| exceeds the largest float32, where both that value and infinity of the right sign are
+//   exact. A `want` below the smallest normal also accepts 0, because Vulkan lets subnormal results be
+//   flushed.
+[[nodiscard]] double ulp_error(float got, double want);
+
+// |got - want| with the same special cases: 0 where ulp_error is 0, infinity where it is infinity.
+[[nodiscard]] double absolute_error(float got, double want);
+
+// The float32 `steps` representable values above x (below, when negative), crossing zero once (+0 and -0 are
+// one value), stopping at +-infinity. NaN stays NaN.
+[[nodiscard]] float step(float x, int steps);
+
+// Shortest decimal that is read as the same value, and the exact bits: "0.1 (0x3dcccccd)".
+[[nodiscard]] std::string to_text(float x);
+// Decimal with 9 significant digits, and the exact hexadecimal value: "0.1 (0x1.999999999999ap-4)".
+[[nodiscard]] std::string to_text(double x);
+
+// A fraction of what is allowed, or another number near 1: two digits behind the point, at most six in front
+// of it: "0.68", "1.5e+41".
+[[nodiscard]] std::string to_short_text(double x);
+
+// A median with its quartiles. NaN without values.
+struct Spread {
+    double median = std::numeric_limits<double>::quiet_NaN();
+    double low = std::numeric_limits<double>::quiet_NaN();   // lower quartile
+    double high = std::numeric_limits<double>::quiet_NaN();  // upper quartile
+};
+
+// Median and quartiles, interpolated linearly between the values of the sorted list; the first value is the
+// quantile 0, the last the quantile 1. Values that are not finite are skipped.
+[[nodiscard]] Spread spread_of(std::span<const double> values);
+
+// The exponent e of y ~ x^e with the best fit: least squares on logarithmic axes. Points without two
+// positive, finite numbers are skipped; NaN for fewer than two different x.
+[[nodiscard]] double exponent_of(std::span<const std::pair<double, double>> points);
+
+}  // namespace gloam::numeric

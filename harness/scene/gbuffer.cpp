@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "scene/gbuffer.hpp"
+
+#include <fmt/format.h>
+#include <stdexcept>
+
+namespace gloam::scene {
+namespace {
+
+std::uint32_t pixels_of(double guard, std::uint32_t side) {
+    return static_cast<std::uint32_t>(std::floor(guard * side + 0.5));
+}
+
+// The factor (1 + 2 guard) along one axis.
+double widening(std::uint32_t side, std::uint32_t border) {
+    return (side + 2.0 * border) / side;
+}
+
+// Motion from within the band is invalid for the frame.
+void keep_motion_inside(GBuffer& frame) {
+    const glm::vec2 size(frame.extent.width, frame.extent.height);
+    for (std::size_t i = 0; i < frame.motion.size(); ++i) {
+        const glm::vec2 now(static_cast<float>(i % frame.extent.width) + 0.5F,
+                            static_cast<float>(i / frame.extent.width) + 0.5F);
+        const glm::vec2 then = now - glm::vec2(frame.motion[i]);
+        const bool inside = then.x >= 0.0F && then.y >= 0.0F && then.x < size.x && then.y < size.y;
+        if (!inside) frame.motion[i].z = 0.0F;
+    }
+}
+
+}  // namespace
+
+gpu::Extent guard_border(gpu::Extent frame, double guard) {
+    if (!(guard >= 0.0 && guard <= 0.5))
+        throw std::invalid_argument(fmt::format("guard {:g}: expected 0 to 0.5", guard));
+    return {pixels_of(guard, frame.width), pixels_of(guard, frame.height)};
+}
+
+gpu::Extent with_border(gpu::Extent frame, gpu::Extent border) {
+    return {frame.width + 2 * border.width, frame.height + 2 * border.height};
+}
+
+gpu::Extent frame_of(const GBuffer& view) {
+    const auto inner = [](std::uint32_t side, std::uint32_t border) {
+        if (border < side && 2 * border < side) return side - 2 * border;
+        throw std::invalid_argument(fmt::format(
+            "guard band of {} pixels on each side: a view of {} has no frame left", border, side));
+    };
+    return {inner(view.extent.width, view.border.width), inner(view.extent.height, view.border.height)};
+}
+
+Camera with_border(const Camera& camera, gpu::Extent frame, gpu::Extent border) {
+    if (border == gpu::Extent{}) return camera;
+    Camera wider = camera;
+    const double factor = widening(frame.height, border.height);
+    wider.fovy_rad = 2.0 * std::atan(factor * std::tan(0.5 * camera.fovy_rad));
+    wider.view_height = factor * camera.view_height;
+    return wider;
+}
+
+GBuffer cropped(const GBuffer& view) {
+    if (view.border == gpu::Extent{}) return view;
+    const gpu::Extent frame = frame_of(view);
+    GBuffer inner{.extent = frame,
+                  .depth = cropped(view, view.depth),
+                  .normal = cropped(view, view.normal),
+                  .motion = cropped(view, view.motion),
+                  .previous_depth = cropped(view, view.previous_depth),
+                  .color = cropped(view, view.color),
+                  .camera = view.camera,
+                  .ao_radius = view.ao_radius,
+                  .previous_position = cropped(view, view.previous_position),
+                  .object = cropped(view, view.object),
+                  .triangle = cropped(view, view.triangle)};
+    for (const std::vector<float>& layer : view.layers) inner.layers.push_back(cropped(view, layer));
+    glm::mat4& projection = inner.camera.proj_vk;
+    const auto narrowed = [](float scale, std::uint32_t side, std::uint32_t border) {
+        return static_cast<float>(double{scale} * widening(side, border));
+    };
+    projection[0][0] = narrowed(projection[0][0], frame.width, view.border.width);
+    projection[1][1] = narrowed(projection[1][1], frame.height, view.border.height);
+    keep_motion_inside(inner);
+    return inner;
+}
+
+namespace {
+
+// Whether two matrices agree within rounding: of rotations, or of lengths in single precision.
+bool agree(const glm::mat4& a, const glm::mat4& b) {
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) {
+            const float scale = 1.0F + std::abs(b[column][row]);
+            if (!(std::abs(a[column][row] - b[column][row]) <= 1e-4F * scale)) return false;
+        }
+    }
+    return true;
+}
+
+bool inside(const glm::dvec2& place, gpu::Extent extent) {
+    return place.x >= 0.0 && place.y >= 0.0 && place.x < extent.width && place.y < extent.height;
+}
+
+// Positions of a view's points in the previous frame, from its motion.
+class Earlier {
+  public:
+    Earlier(const GBuffer& view, const GBuffer& previous)
+        : view_(view), now_(view), then_(previous), change_(*view.camera.previous_from_current) {}
+
+    [[nodiscard]] glm::vec3 of(std::size_t pixel) const {
+        const double depth = view_.depth[pixel];
+        if (!(depth > 0.0 && std::isfinite(depth))) return glm::vec3(0);
+        const glm::dvec3 if_still(change_ * glm::dvec4(now_.at(pixel, depth), 1.0));
+        const double before =
+            view_.previous_depth.empty() ? -if_still.z : double{view_.previous_depth[pixel]};
+        if (!std::isfinite(before) || (!(before > 0.0) && !then_.orthographic())) return glm::vec3(0);
+        const glm::vec3& motion = view_.motion[pixel];
+        const glm::vec3 moved = then_.at(pixel, before, -glm::dvec2(motion));
+        if (motion.z > 0.5F) return moved;
+        // Invalid motion: the point was outside the previous image, or its position is unknown.
+        if (!inside(then_.pixel_of(moved), view_.extent)) return moved;
+        const bool left = if_still.z < 0.0 && !inside(then_.pixel_of(if_still), view_.extent);
+        return left ? glm::vec3(if_still) : glm::vec3(0);
+    }
+
+  private:
+    const GBuffer& view_;
+    PixelPositions now_;
+    PixelPositions then_;
+    glm::dmat4 change_;
+};
+
+}  // namespace
+
+std::string cut_between(const GBuffer& previous, const GBuffer& view) {
+    if (previous.extent != view.extent || previous.border != view.border) return "the size has changed";
+    if (!view.camera.previous_view && !view.camera.previous_from_current) return "there is no prev_view";
+    if (view.camera.previous_view && !agree(*view.camera.previous_view, previous.camera.view))
+        return "prev_view is not the view before";
+    return "";
+}
+
+void link(GBuffer& view, const GBuffer& previous) {
+    CameraFrame& camera = view.camera;
+    if (!camera.previous_from_current) {
+        camera.previous_from_current =
+            glm::mat4(glm::dmat4(camera.previous_view.value()) * glm::inverse(glm::dmat4(camera.view)));
+    }
+    if (view.motion.empty() || !view.previous_position.empty()) return;
+    const Earlier earlier(view, previous);
+    view.previous_position.reserve(view.depth.size());
+    for (std::size_t i = 0; i < view.depth.size(); ++i) view.previous_position.push_back(earlier.of(i));
+}
+
+StoredInputs stored_inputs(const GBuffer& view, const Encoding& encoding) {
+    StoredInputs stored{.encoding = encoding, .depth = {}, .normal = {}};
+    for (const float depth : view.depth)
+        stored.depth.push_back(static_cast<float>(stored_depth(double{depth}, encoding, view.camera)));
+    for (const glm::vec3& normal : view.normal)
+        stored.normal.emplace_back(stored_normal(glm::dvec3(normal), encoding, view.camera));
+    return stored;
+}
+
+}  // namespace gloam::scene

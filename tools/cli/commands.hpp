@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace gloam::cli {
+
+// `gloam demo`: renders three scenes, checks the default device, and makes a page of both. `status` receives
+// 0, or 1 when a check failed.
+void add_demo(CLI::App& app, int& status);
+
+// `gloam devices`: the Vulkan devices here and what they report of their float arithmetic.
+void add_devices(CLI::App& app);
+
+// `gloam list [KIND]`: equations, methods, presets, scenes, variants.
+void add_list(CLI::App& app);
+
+// Adds `gloam explain FILE FUNCTION VALUE...`: the operations of a shader function on one input.
+void add_explain(CLI::App& app);
+
+// The command line of this program as a mesh reader for another process; the file's path is appended.
+[[nodiscard]] std::vector<std::string> mesh_reader_command();
+
+// Adds the hidden subcommand that reads a mesh.
+void add_mesh_reader(CLI::App& app, int& status);
+
+// Adds the subcommand that merges the JSON of `gloam check` from many machines. `status` receives 0, or 1 if
+// there is a failure.
+void add_report(CLI::App& app, int& status);
+
+// `gloam pack FILE...`: one self-contained GLSL file on standard output.
+void add_pack(CLI::App& app);
+
+// Adds the subcommand that writes a static site with checks for the visitor's browser.
+void add_site(CLI::App& app);
+
+// `gloam completion bash`: prints a bash script that completes commands, options, and the names that options
+// accept. It is generated from the commands that `app` has when it runs, without hidden ones.
+void add_completion(CLI::App& app);
+
+// Adds examples to the end of the help of the program and of its commands. Call it after all commands were
+// added.
+void add_help_examples(CLI::App& app);
+
+// Lets every option of the command and its subcommands reject values that CLI11 accepts and that are never
+// intended: an empty text, a number that is NaN, a count below zero. Call it after all options were added.
+void refuse_meaningless_values(CLI::App& app);
+
+}  // namespace gloam::cli

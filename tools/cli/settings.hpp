@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "cli/render.hpp"
+#include "effect/setting_table.hpp"
+#include "effect/settings.hpp"
+
+namespace gloam::cli {
+
+// true or false, a number with the digits of single precision, or a name; infinity is "inf".
+[[nodiscard]] nlohmann::ordered_json json_of(const effect::SettingValue& value);
+
+// The same as text that effect::set() reads: "on", "off", a number or a name.
+[[nodiscard]] std::string text_of(const nlohmann::ordered_json& value);
+
+// {"name", "description", "unit", "expected", "least", "most" or "choices", "default"}: the default is the
+// preset `paper`'s, lengths for a radius of 1; "most" is null where there is none.
+[[nodiscard]] nlohmann::ordered_json json_of(const effect::Setting& setting);
+
+// The value of every setting, by its name.
+[[nodiscard]] nlohmann::ordered_json json_of(const effect::Settings& settings);
+
+// A preset as a file: {"name", "description", "settings": {NAME: value, ...}}, lengths for a radius of 1.
+// Settings that the file does not name have their defaults.
+[[nodiscard]] std::string preset_json(const std::string& name, const std::string& description,
+                                      const effect::Settings& settings);
+
+// The settings of such a file's text. Throws std::runtime_error that names the file for text of another form,
+// std::invalid_argument for an unknown setting, a value out of range, or a radius other than 1.
+[[nodiscard]] effect::Settings preset_from(const std::string& file, std::string_view text);
+
+// The settings of a preset by name, or of a file if the name ends with ".json". Throws like
+// effect::preset_named(), read_text() and preset_from().
+[[nodiscard]] effect::Settings preset_settings(const std::string& name_or_file);
+
+// Settings for a view: the preset and the method, scaled to the radius of the options or of the view, then
+// the other options, then every --set in order. Throws std::invalid_argument for invalid names and values,
+// and if there is no radius.
+[[nodiscard]] effect::Settings settings_for(const RenderOptions& options,
+                                            const std::optional<double>& view_radius);
+
+}  // namespace gloam::cli
