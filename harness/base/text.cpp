@@ -3,9 +3,10 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <cstdint>
 #include <stdexcept>
 #include <vector>
+
+#include "base/cached_file.hpp"
 
 namespace gloam::base {
 namespace {
@@ -33,13 +34,6 @@ std::size_t character_size(std::string_view text) {
 
 bool is_plain(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
-}
-
-// FNV-1a.
-std::uint64_t hash_of(std::string_view text) {
-    std::uint64_t hash = 0xcbf29ce484222325U;
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-    return hash;
 }
 
 }  // namespace
@@ -82,7 +76,8 @@ std::string file_name_of(std::string_view text) {
         const bool stays = is_plain(c) || (c == '.' && !name.empty());
         name += stays ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
     }
-    if (name.size() > longest) name = fmt::format("{}-{:016x}", name.substr(0, longest), hash_of(text));
+    if (name.size() > longest)
+        name = fmt::format("{}-{:016x}", name.substr(0, longest), hash_of(text).front());
     return name.empty() ? "unnamed" : name;
 }
 

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <limits>
 #include <optional>
 #include <thread>
 
+#include "base/threads.hpp"
 #include "check/answer.hpp"
 #include "check/internal/budget_judge.hpp"
 #include "check/internal/interpretation.hpp"
@@ -245,12 +245,12 @@ Answer judge(const Question& question, const JudgeOptions& options, const Domain
     };
     const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
     const std::size_t share = inputs.count() / threads + 1;
-    std::vector<std::future<Answer>> parts;
-    for (std::size_t begin = 0; begin < inputs.count(); begin += share) {
-        parts.push_back(std::async(std::launch::async, part, begin, std::min(begin + share, inputs.count())));
-    }
+    std::vector<Answer> parts((inputs.count() + share - 1) / share);
+    base::for_each_index(parts.size(), 0, [&](std::size_t i) {
+        parts[i] = part(i * share, std::min((i + 1) * share, inputs.count()));
+    });
     Answer all = empty_answer(question, options.verdict);
-    for (auto& answer : parts) all.merge(answer.get());
+    for (const Answer& answer : parts) all.merge(answer);
     describe_samples(question.signature, all);
     return all;
 }

@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <future>
 #include <random>
 #include <thread>
 #include <utility>
 
+#include "base/threads.hpp"
 #include "check/internal/gl_kernel.hpp"
 #include "check/internal/kernel_rows.hpp"
 #include "check/interpreted_kernel.hpp"
@@ -148,16 +148,15 @@ KernelCore::Result interpret(const std::shared_ptr<const KernelModule>& module, 
     result.modules = {module};
     result.outputs.resize(count * module->output_words);
     std::vector<std::vector<Word>> after = words;
-    const auto part = [&](std::size_t begin, std::vector<std::vector<Word>>& own) {
-        return Part(program, *module, inputs, name)
-            .run(begin, std::min(begin + share, count), own, result.outputs);
-    };
-    std::vector<std::future<std::optional<ImageFault>>> parts;
-    for (std::size_t begin = share; begin < count; begin += share)
-        parts.push_back(std::async(std::launch::async,
-                                   [&part, begin, own = words]() mutable { return part(begin, own); }));
-    result.fault = part(0, after);
-    for (auto& later : parts) merge(result.fault, later.get());
+    std::vector<std::optional<ImageFault>> faults((count + share - 1) / share);
+    base::for_each_index(faults.size(), 0, [&](std::size_t i) {
+        std::vector<std::vector<Word>> own = words;
+        const std::size_t begin = i * share;
+        faults[i] = Part(program, *module, inputs, name)
+                        .run(begin, std::min(begin + share, count), own, result.outputs);
+        if (i == 0) after = std::move(own);  // a module that stores runs in one part
+    });
+    for (const std::optional<ImageFault>& fault : faults) merge(result.fault, fault);
     for (std::size_t i = 0; i < words.size(); ++i) add_stored(module->images[i], after[i], images, result);
     return result;
 }

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "gpu/internal/fnv.hpp"
+#include "base/cached_file.hpp"
 
 namespace gloam::gpu {
 namespace {
@@ -243,7 +243,7 @@ std::string identity(const vk::PhysicalDeviceProperties& properties,
     const auto texts = fmt::format("{}|{}", properties.deviceName.data(), driver_text(properties, driver));
     const auto& uuid = properties.pipelineCacheUUID;
     return fmt::format("{:08x}{:08x}{:08x}{:016x}{:02x}", properties.vendorID, properties.deviceID,
-                       properties.driverVersion, fnv1a(std::as_bytes(std::span(texts))),
+                       properties.driverVersion, base::hash_of(texts)[0],
                        fmt::join(uuid.begin(), uuid.end(), ""));
 }
 

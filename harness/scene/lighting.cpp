@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "scene/internal/parallel.hpp"
+#include "base/threads.hpp"
 #include "scene/internal/ray_scene.hpp"
 
 namespace gloam::scene {
@@ -273,7 +273,7 @@ SplitLight light_of(const GBuffer& view, const Scene* scene, const LightingOptio
     SplitLight light{.ambient = std::vector<glm::vec3>(pixels, glm::vec3(0)),
                      .direct = std::vector<glm::vec3>(pixels, glm::vec3(0))};
     const Lighting lighting(view, scene, options);
-    for_each_index(
+    base::for_each_index(
         view.extent.height, options.threads,
         [&](std::size_t row) {
             for (std::size_t x = 0; x < view.extent.width; ++x)

@@ -7,6 +7,7 @@
 #include <functional>
 #include <iterator>
 
+#include "base/cached_file.hpp"
 #include "gpu/gpu_test.hpp"
 #include "gpu/internal/pipeline_cache.hpp"
 #include "shaders/fill_comp.h"
@@ -20,11 +21,15 @@ void write_all(const fs::path& file, const std::string& content) {
     std::ofstream(file, std::ios::binary | std::ios::trunc) << content;
 }
 
-std::vector<std::byte> some_bytes(std::size_t count) {
-    std::vector<std::byte> bytes(count);
-    for (std::size_t i = 0; i < count; ++i) bytes[i] = static_cast<std::byte>(i * 7);
+std::string some_bytes(std::size_t count) {
+    std::string bytes(count, '\0');
+    for (std::size_t i = 0; i < count; ++i) bytes[i] = static_cast<char>(i * 7);
     return bytes;
 }
+
+constexpr base::Hash key{1, 2};
+constexpr base::Hash
+    pipelines{};  // the key of every file of pipelines, which the driver's header tells apart
 
 std::vector<fs::path> files_in(const fs::path& folder) {
     return {fs::directory_iterator(folder), fs::directory_iterator()};
@@ -34,49 +39,56 @@ TEST(CacheFile, ComesBackAsItWas) {
     const TemporaryDirectory folder;
     const auto file = folder.path() / "made" / "on the way" / "cache";
     for (const std::size_t size : {0u, 1u, 1000u}) {
-        ASSERT_TRUE(write_cache_file(file, some_bytes(size)));
-        EXPECT_EQ(read_cache_file(file), some_bytes(size));
+        ASSERT_TRUE(base::write_cached(file, key, some_bytes(size)));
+        EXPECT_EQ(base::read_cached(file, key), some_bytes(size));
     }
     EXPECT_EQ(files_in(file.parent_path()).size(), 1u) << "a temporary file was left behind";
 }
 
 TEST(CacheFile, MissingIsEmpty) {
-    EXPECT_TRUE(read_cache_file("/nonexistent/cache").empty());
+    EXPECT_FALSE(base::read_cached("/nonexistent/cache", key));
+}
+
+TEST(CacheFile, AnotherKeyIsMissing) {
+    const TemporaryDirectory folder;
+    const auto file = folder.path() / "cache";
+    ASSERT_TRUE(base::write_cached(file, key, some_bytes(40)));
+    EXPECT_FALSE(base::read_cached(file, {1, 3}));
 }
 
 TEST(CacheFile, AnyFlippedBitShows) {
     const TemporaryDirectory folder;
     const auto file = folder.path() / "cache";
-    ASSERT_TRUE(write_cache_file(file, some_bytes(40)));
+    ASSERT_TRUE(base::write_cached(file, key, some_bytes(40)));
     const auto good = read_file(file);
     for (std::size_t bit = 0; bit < good.size() * 8; ++bit) {
         auto bad = good;
         bad[bit / 8] = static_cast<char>(bad[bit / 8] ^ (1 << bit % 8));
         write_all(file, bad);
-        ASSERT_TRUE(read_cache_file(file).empty()) << "bit " << bit;
+        ASSERT_FALSE(base::read_cached(file, key)) << "bit " << bit;
     }
 }
 
 TEST(CacheFile, AnyOtherLengthShows) {
     const TemporaryDirectory folder;
     const auto file = folder.path() / "cache";
-    ASSERT_TRUE(write_cache_file(file, some_bytes(40)));
+    ASSERT_TRUE(base::write_cached(file, key, some_bytes(40)));
     const auto good = read_file(file);
     for (std::size_t length = 0; length < good.size(); ++length) {
         write_all(file, good.substr(0, length));
-        ASSERT_TRUE(read_cache_file(file).empty()) << length << " bytes";
+        ASSERT_FALSE(base::read_cached(file, key)) << length << " bytes";
     }
     write_all(file, good + '\0');
-    EXPECT_TRUE(read_cache_file(file).empty());
+    EXPECT_FALSE(base::read_cached(file, key));
 }
 
 TEST(CacheFile, AFolderThatCannotBeWrittenIsNoError) {
     const TemporaryDirectory folder;
     folder.write("file", "");
-    EXPECT_FALSE(write_cache_file(folder.path() / "file" / "cache", some_bytes(4)));
+    EXPECT_FALSE(base::write_cached(folder.path() / "file" / "cache", key, some_bytes(4)));
     fs::create_directory(folder.path() / "taken");
     folder.write("taken/x", "");
-    EXPECT_FALSE(write_cache_file(folder.path() / "taken", some_bytes(4)));
+    EXPECT_FALSE(base::write_cached(folder.path() / "taken", key, some_bytes(4)));
     EXPECT_EQ(files_in(folder.path()).size(), 2u) << "a temporary file was left behind";
 }
 
@@ -139,12 +151,12 @@ class PipelineCacheTest : public GpuTest {
     void expect_repaired(const std::function<void(const fs::path&)>& spoil) {
         const TemporaryDirectory folder;
         use(folder.path());
-        const auto good = read_cache_file(file(folder.path()));
-        ASSERT_FALSE(good.empty());
+        const auto good = base::read_cached(file(folder.path()), pipelines);
+        ASSERT_TRUE(good);
         spoil(file(folder.path()));
-        ASSERT_NE(read_cache_file(file(folder.path())), good);
+        ASSERT_NE(base::read_cached(file(folder.path()), pipelines), good);
         use(folder.path());
-        EXPECT_EQ(read_cache_file(file(folder.path())), good);
+        EXPECT_EQ(base::read_cached(file(folder.path()), pipelines), good);
         EXPECT_EQ(files_in(folder.path()).size(), 1u);
     }
 
@@ -184,11 +196,12 @@ TEST_F(PipelineCacheTest, IsRebuiltWhenABitFlips) {
 // Whole and consistent by our own header, yet of another driver by Vulkan's (its UUID is at byte 16).
 TEST_F(PipelineCacheTest, IsRebuiltWhenItIsOfAnotherDriver) {
     expect_repaired([](const fs::path& cache) {
-        auto content = read_cache_file(cache);
-        content.at(16) ^= std::byte{0xff};
-        ASSERT_TRUE(write_cache_file(cache, content));
+        std::string content = base::read_cached(cache, pipelines).value();
+        content.at(16) = static_cast<char>(content.at(16) ^ 0xff);
+        ASSERT_TRUE(base::write_cached(cache, pipelines, content));
     });
-    expect_repaired([](const fs::path& cache) { ASSERT_TRUE(write_cache_file(cache, some_bytes(10))); });
+    expect_repaired(
+        [](const fs::path& cache) { ASSERT_TRUE(base::write_cached(cache, pipelines, some_bytes(10))); });
 }
 
 TEST_F(PipelineCacheTest, CannotBeWrittenIsNoError) {

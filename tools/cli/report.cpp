@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <future>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -18,6 +17,7 @@
 #include <vector>
 
 #include "base/text.hpp"
+#include "base/threads.hpp"
 #include "cli/arguments.hpp"
 #include "cli/laboratory.hpp"
 #include "cli/progress.hpp"
@@ -65,11 +65,10 @@ class Gathering {
         : files_(&files), progress_(progress_bar(fmt::format("{} files", files.size()))) {}
 
     Gathered run() {
-        std::vector<std::future<LaboratorySummary>> workers;
-        for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i)
-            workers.push_back(std::async(std::launch::async, [this] { return part(); }));
+        std::vector<LaboratorySummary> parts(std::max(1U, std::thread::hardware_concurrency()));
+        base::for_each_index(parts.size(), 0, [&](std::size_t i) { parts[i] = part(); });
         Gathered all;
-        for (auto& worker : workers) all.summary.merge(worker.get());
+        for (const LaboratorySummary& summary : parts) all.summary.merge(summary);
         std::ranges::sort(rejected_);
         all.rejected = std::move(rejected_);
         return all;

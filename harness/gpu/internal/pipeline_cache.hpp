@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "gpu/internal/vulkan.hpp"
 
@@ -30,19 +29,9 @@ class PipelineCache {
 
   private:
     std::filesystem::path file_;
-    std::vector<std::byte> loaded_;
+    std::string loaded_;
     vk::raii::PipelineCache cache_;
 };
-
-// A file with a header that contains its length and checksum.
-
-// The content; empty if the file is missing, unreadable, of another length than it states, or changed in any
-// bit.
-[[nodiscard]] std::vector<std::byte> read_cache_file(const std::filesystem::path& file);
-
-// Replaces the file completely or not at all; creates its folder if needed. Returns false on failure and then
-// leaves nothing behind.
-bool write_cache_file(const std::filesystem::path& file, std::span<const std::byte> content);
 
 // The fields of a pipeline cache's header that identify the driver.
 struct DriverKey {

@@ -7,8 +7,8 @@
 #include <exception>
 #include <mutex>
 #include <optional>
-#include <thread>
 
+#include "base/threads.hpp"
 #include "cli/check/checker.hpp"
 #include "cli/check/worker_session.hpp"
 #include "cli/environment.hpp"
@@ -172,15 +172,12 @@ void run_in_workers(const DeviceRun& run, report::CheckReport& report) {
     if (run.on_device) run.on_device(report.device);
     const catalogue::Entries entries = catalogue::all_entries(glsl_directory());
     Board board(run, report.device);
-    std::vector<std::thread> helpers;
-    for (std::size_t job = 1; job < std::min(run.jobs, run.tasks.size()); ++job) {
-        helpers.emplace_back([&] {
-            WorkerSession own = make_session();  // lives and dies with this thread
-            work(own, run, entries, board);
-        });
-    }
-    work(session, run, entries, board);
-    for (std::thread& helper : helpers) helper.join();
+    const std::size_t jobs = std::max<std::size_t>(1, std::min(run.jobs, run.tasks.size()));
+    base::for_each_index(jobs, static_cast<unsigned>(jobs), [&](std::size_t job) {
+        if (job == 0) return work(session, run, entries, board);
+        WorkerSession own = make_session();  // lives and dies with this thread
+        work(own, run, entries, board);
+    });
     report.rows = board.finish();
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/internal/parallel.hpp"
+#include "base/threads.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-namespace gloam::scene {
+namespace gloam::base {
 namespace {
 
 // Shared by the threads of one call.
@@ -57,4 +57,4 @@ void for_each_index(std::size_t count, unsigned threads, const std::function<voi
     if (queue.failure) std::rethrow_exception(queue.failure);
 }
 
-}  // namespace gloam::scene
+}  // namespace gloam::base

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <functional>
 
-namespace gloam::scene {
+namespace gloam::base {
 
 // Calls work(0) ... work(count - 1), each once, in any order, on `threads` threads including the calling one
 // (0: one for each processor). `progress` is called on the calling thread with the completed part, in [0, 1].
@@ -12,4 +12,4 @@ namespace gloam::scene {
 void for_each_index(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work,
                     const std::function<void(double)>& progress = {});
 
-}  // namespace gloam::scene
+}  // namespace gloam::base
