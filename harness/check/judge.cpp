@@ -55,6 +55,9 @@ class Plan {
     std::size_t bounds_every_;
 };
 
+// A function with a loop of more iterations takes more instructions.
+constexpr std::uint64_t long_run = 65536;
+
 class Judge {
   public:
     Judge(const Question& question, const JudgeOptions& options, const ImageSet& images,
@@ -77,12 +80,12 @@ class Judge {
             return;
         }
         try {
-            find_want(sample);
+            if (find_want(sample) > long_run) answer.long_runs.push_back(sample.index);
         } catch (const interpreter::Error& error) {
             if (question_.defined || !is_of_input(error)) throw;
             answer.add_undefined(sample.input_class, error.what());
             if (error.kind() == interpreter::Error::Kind::too_many_steps)
-                answer.endless.push_back(sample.index);
+                answer.long_runs.push_back(sample.index);
             return;
         }
         if (!options_.nan && internal::holds_special(sample, scalars_.inputs)) {
@@ -126,16 +129,19 @@ class Judge {
                error.kind() == interpreter::Error::Kind::too_many_steps;
     }
 
-    void find_want(Sample& sample) {
+    // Returns how many instructions the interpreter took; 0 for a reference.
+    std::uint64_t find_want(Sample& sample) {
+        std::uint64_t steps = 0;
         if (question_.reference) {
             question_.reference(images_, sample.inputs, sample.want);
         } else {
-            permitted_->interpretation().calculate({sample.index, sample.inputs}, sample.want);
+            steps = permitted_->interpretation().calculate({sample.index, sample.inputs}, sample.want);
         }
         if (sample.want.size() != scalars_.outputs.size()) {
             throw std::logic_error(fmt::format("the reference gave {} output words, the signature has {}",
                                                sample.want.size(), scalars_.outputs.size()));
         }
+        return steps;
     }
 
     // Whether the rules permit every result; false if that was not asked. `only_rules`: nothing else judges

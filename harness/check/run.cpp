@@ -30,25 +30,33 @@ std::size_t constants_of_each(std::size_t scenarios) {
     return std::max(least, ConstantKernel::most_inputs / std::max<std::size_t>(scenarios, 1));
 }
 
-// The inputs with another one in place of those at `endless`, if any other is left.
-Domain::Inputs ended(Domain::Inputs inputs, const std::vector<std::size_t>& endless) {
+// The inputs with another one in place of those at `long_runs`, if any other is left.
+Domain::Inputs short_runs(Domain::Inputs inputs, const std::vector<std::size_t>& long_runs) {
     std::size_t other = 0;
-    while (std::ranges::find(endless, other) != endless.end()) ++other;
+    while (std::ranges::find(long_runs, other) != long_runs.end()) ++other;
     if (other >= inputs.count()) return inputs;
-    for (const std::size_t i : endless)
+    for (const std::size_t i : long_runs)
         std::ranges::copy(inputs.row(other),
                           inputs.words.begin() + static_cast<std::ptrdiff_t>(i * inputs.width));
     return inputs;
 }
 
-// llvmpipe ends all loops of a group of invocations when one of them does not end (after 65,536 iterations),
-// so inputs that failed beside such a one are run again without it.
-void judge(const internal::Trial& trial, const Domain::Inputs& inputs, Answer& answer) {
+// llvmpipe ends all loops of a group of invocations after 65,536 iterations of one of them, so inputs that
+// failed beside such a one are run again without it.
+void judge(const internal::Trial& trial, const Question& question, const Domain::Inputs& inputs,
+           Answer& answer) {
     internal::Trial::Evaluated evaluated = trial.run(inputs, answer);
     Answer judged = empty_answer({}, answer.verdict);
     trial.judge(evaluated, judged);
-    if (!judged.endless.empty() && judged.outside() > 0) {
-        evaluated.result = trial.run(ended(evaluated.inputs, judged.endless), answer).result;
+    if (!judged.long_runs.empty() && judged.outside() > 0) {
+        const KernelCore::Result alone =
+            trial.run(short_runs(evaluated.inputs, judged.long_runs), answer).result;
+        const std::size_t width = question.signature.output_words();
+        for (std::size_t i = 0; i < inputs.count(); ++i) {
+            if (std::ranges::find(judged.long_runs, i) != judged.long_runs.end()) continue;
+            std::copy_n(alone.outputs.begin() + static_cast<std::ptrdiff_t>(i * width), width,
+                        evaluated.result.outputs.begin() + static_cast<std::ptrdiff_t>(i * width));
+        }
         judged = empty_answer({}, answer.verdict);
         trial.judge(evaluated, judged);
     }
@@ -77,7 +85,8 @@ Answer run(const Lab& lab, const Question& question, const RunOptions& options) 
                 trial.compare_constants(few_inputs(question.domain, count, trial.input_seed(), scenario.size),
                                         folded, answer);
             } else {
-                judge(trial, question.domain.draw(share, trial.input_seed(), scenario.size), answer);
+                judge(trial, question, question.domain.draw(share, trial.input_seed(), scenario.size),
+                      answer);
             }
         });
     if (options.coverage) answer.coverage = measure_coverage(lab, question, options);

@@ -43,20 +43,29 @@ TEST(MethodFiles, EachHasADescriptor) {
     EXPECT_EQ(files, described);
 }
 
+// The members of a struct of some file of the methods: a method may have that of a relative.
+std::vector<std::string> members_of(const std::string& structure) {
+    const std::regex member(R"( +(?:float|uint|bool) (\w+);.*)");
+    std::vector<std::string> members;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::filesystem::path(GLOAM_GLSL_DIR) / "gloam/methods")) {
+        std::ifstream file(entry.path());
+        std::string line;
+        while (std::getline(file, line) && line != "struct " + structure + " {") {
+        }
+        for (std::smatch found; std::getline(file, line) && line != "};";)
+            if (std::regex_match(line, found, member)) members.push_back(found[1]);
+    }
+    return members;
+}
+
 // A call sets the members by their position: the descriptor has their names, so that no two can be exchanged.
 TEST(MethodFiles, EachStructHasTheMembersOfItsDescriptor) {
     for (const effect::MethodInfo& method : effect::methods()) {
         if (method.own_settings.empty()) continue;
-        std::ifstream file(std::filesystem::path(GLOAM_GLSL_DIR) / file_of(method));
-        std::vector<std::string> declared;
-        std::string line;
-        while (std::getline(file, line) && line != "struct " + method.own_settings + " {") {
-        }
-        const std::regex member(R"( +(?:float|uint|bool) (\w+);.*)");
-        for (std::smatch found; std::getline(file, line) && line != "};";)
-            if (std::regex_match(line, found, member)) declared.push_back(found[1]);
         std::vector<std::string> described;
         for (const effect::MethodMember& one : method.members) described.push_back(one.name);
+        const std::vector<std::string> declared = members_of(method.own_settings);
         EXPECT_FALSE(declared.empty()) << method.name;
         EXPECT_EQ(declared, described) << method.name;
     }

@@ -67,16 +67,18 @@ bool Interpretation::is_exact(const InputRow& input, std::span<const Word> got) 
     return true;
 }
 
-void Interpretation::calculate(const InputRow& input, std::vector<double>& outputs) {
+std::uint64_t Interpretation::calculate(const InputRow& input, std::vector<double>& outputs) {
     const Place at = place_of(input.index);
     InterpretedKernel<double>& doubles = kernel(at.part, parts_[at.part].doubles);
     outputs.clear();
+    const std::uint64_t before = doubles.machine().steps();
     doubles.run(input.words, at.index);
     for (std::size_t w = 0; w < outputs_.size(); ++w) {
         const auto value = doubles.output(w);
         outputs.push_back(outputs_[w] == Scalar::float_ ? value.number()
                                                         : as_number(outputs_[w], value.bits()));
     }
+    return doubles.machine().steps() - before;
 }
 
 bool Interpretation::holds(std::span<const numeric::Bounds> outcome, std::span<const Word> got) const {

@@ -44,8 +44,8 @@ class Interpretation {
     // Vulkan permits these results for every module.
     [[nodiscard]] bool is_exact(const InputRow& input, std::span<const Word> got);
 
-    // The outputs in double.
-    void calculate(const InputRow& input, std::vector<double>& outputs);
+    // The outputs in double. Returns how many instructions they took.
+    std::uint64_t calculate(const InputRow& input, std::vector<double>& outputs);
 
     // Whether some legal evaluation yields these outputs. It is faster than all_permitted(): it stops at the
     // first path that does, and tries rearranged sums only if the order of the module does not yield them.
