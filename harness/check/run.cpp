@@ -33,7 +33,7 @@ std::size_t constants_of_each(std::size_t scenarios) {
 // The inputs with another one in place of those at `long_runs`, if any other is left.
 Domain::Inputs short_runs(Domain::Inputs inputs, const std::vector<std::size_t>& long_runs) {
     std::size_t other = 0;
-    while (std::ranges::find(long_runs, other) != long_runs.end()) ++other;
+    while (other < long_runs.size() && long_runs[other] == other) ++other;  // they are in order
     if (other >= inputs.count()) return inputs;
     for (const std::size_t i : long_runs)
         std::ranges::copy(inputs.row(other),
@@ -49,14 +49,13 @@ void judge(const internal::Trial& trial, const Question& question, const Domain:
     Answer judged = empty_answer({}, answer.verdict);
     trial.judge(evaluated, judged);
     if (!judged.long_runs.empty() && judged.outside() > 0) {
-        const KernelCore::Result alone =
-            trial.run(short_runs(evaluated.inputs, judged.long_runs), answer).result;
+        KernelCore::Result alone = trial.run(short_runs(evaluated.inputs, judged.long_runs), answer).result;
         const std::size_t width = question.signature.output_words();
-        for (std::size_t i = 0; i < inputs.count(); ++i) {
-            if (std::ranges::find(judged.long_runs, i) != judged.long_runs.end()) continue;
-            std::copy_n(alone.outputs.begin() + static_cast<std::ptrdiff_t>(i * width), width,
-                        evaluated.result.outputs.begin() + static_cast<std::ptrdiff_t>(i * width));
+        for (const std::size_t i : judged.long_runs) {
+            const auto at = static_cast<std::ptrdiff_t>(i * width);
+            std::copy_n(evaluated.result.outputs.begin() + at, width, alone.outputs.begin() + at);
         }
+        evaluated.result = std::move(alone);
         judged = empty_answer({}, answer.verdict);
         trial.judge(evaluated, judged);
     }
