@@ -62,10 +62,11 @@ gloam_precompiled(gloam_glue_headers FLAGS $<$<CONFIG:Release>:-O1>
 # gloam_room(NAME SOURCES file... [| file...]... USES room... LIBRARIES target... [HEADERS precompiled])
 # A room (docs/architecture.md): static library gloam_NAME (interface library when it has no sources), alias
 # gloam::NAME. USES are rooms that its headers may include; only its sources see LIBRARIES. HEADERS: see
-# gloam_precompiled().
+# gloam_precompiled(). Headers of its own wing, and of those of the rooms that it uses, are included as ROOM/FILE.hpp.
 function(gloam_room NAME)
   cmake_parse_arguments(ROOM "" "HEADERS" "SOURCES;USES;LIBRARIES" ${ARGN})
   set(target gloam_${NAME})
+  cmake_path(GET CMAKE_CURRENT_SOURCE_DIR PARENT_PATH wing)
   list(TRANSFORM ROOM_USES PREPEND gloam_)
   if(ROOM_SOURCES)
     gloam_sources(sources ${ROOM_SOURCES})
@@ -84,7 +85,7 @@ function(gloam_room NAME)
   endif()
   add_library(gloam::${NAME} ALIAS ${target})
   target_include_directories(${target} ${scope}
-    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/harness>
+    $<BUILD_INTERFACE:${wing}>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_compile_features(${target} ${scope} cxx_std_20)
 endfunction()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The front end of the framework, as far as it is ours: lines, directives, includes, declarations.
-// (glslang runs apart from the process, see harness/shader/internal/compiler_process.hpp.)
+// (glslang runs apart from the process, see harness/framework/shader/internal/compiler_process.hpp.)
 #include "fuzz/fuzz.hpp"
 #include "shader/include.hpp"
 #include "shader/internal/lines.hpp"

@@ -10,24 +10,30 @@ from pathlib import Path
 
 from prose import files_of
 
-# Who may include whom. A room may always include itself.
-MAY_INCLUDE = {
-    "base": set(),
-    "gpu": {"base"},
-    "gl": {"base"},
-    "shader": {"base"},
-    "numeric": {"base"},
-    "interpreter": {"base", "shader", "numeric"},
-    "check": {"base", "gpu", "gl", "shader", "numeric", "interpreter"},
-    "reference": {"numeric"},
-    "catalogue": {"check", "reference", "numeric"},
-    "scene": {"base", "gpu", "shader", "numeric"},
-    "effect": {"base", "scene", "shader", "gpu", "numeric"},
-    "experiment": {"base", "effect", "scene", "reference", "shader", "gpu", "numeric"},
-    "report": {"base", "check", "numeric"},
-    "tools": {"base", "report", "experiment", "effect", "scene", "catalogue", "check", "interpreter", "gpu", "gl",
-              "shader", "numeric"},
+# The wings of harness/, their rooms, and whom each of these may include besides itself. The framework knows nothing of
+# ambient occlusion and installs alone: its rooms include no room of the other wing.
+WINGS = {
+    "framework": {
+        "base": set(),
+        "gpu": {"base"},
+        "gl": {"base"},
+        "shader": {"base"},
+        "numeric": {"base"},
+        "interpreter": {"base", "shader", "numeric"},
+        "check": {"base", "gpu", "gl", "shader", "numeric", "interpreter"},
+    },
+    "occlusion": {
+        "reference": {"numeric"},
+        "catalogue": {"check", "reference", "numeric"},
+        "scene": {"base", "gpu", "shader", "numeric"},
+        "effect": {"base", "scene", "shader", "gpu", "numeric"},
+        "experiment": {"base", "effect", "scene", "reference", "shader", "gpu", "numeric"},
+        "report": {"base", "check", "numeric"},
+    },
 }
+MAY_INCLUDE = {**WINGS["framework"], **WINGS["occlusion"],
+               "tools": {"base", "report", "experiment", "effect", "scene", "catalogue", "check", "interpreter", "gpu",
+                         "gl", "shader", "numeric"}}
 
 # Libraries that belong to one room, by what their headers are called.
 LIBRARY_HOME = {
@@ -61,7 +67,9 @@ class Source:
         self.lines = self.text.splitlines()
         parts = self.path.parts
         self.area = parts[0] if len(parts) > 1 else ""
-        self.room = parts[1] if self.area in ("harness", "tests") and len(parts) > 2 else self.area
+        depth = {"harness": 2, "tests": 1}.get(self.area, 0)
+        self.wing = parts[1] if self.area == "harness" and len(parts) > 2 else ""
+        self.room = parts[depth] if len(parts) > depth + 1 else self.area
         self.internal = "internal" in parts[2:-1]
         self.is_shader_library = parts[:2] == ("glsl", "gloam")
 
@@ -125,6 +133,12 @@ def room_include(source):
             yield number, f"{source.room} may not include {name}"
 
 
+def wing(source):
+    """A room of harness/ stands in its wing."""
+    if source.area == "harness" and source.room not in WINGS.get(source.wing, ()):
+        yield 1, f"harness/{source.wing}/{source.room}: expected harness/WING/ROOM, both known to borders.py"
+
+
 def internal_include(source):
     """What lies in ROOM/internal is for that room and its tests, the fuzz targets among them."""
     if source.area == "tests" and source.room == "fuzz":
@@ -158,7 +172,7 @@ def library_home(source):
             if not pattern.match(name):
                 continue
             if source.room != home:
-                yield number, f"{name}: {library} headers belong in harness/{home}"
+                yield number, f"{name}: {library} headers belong in the room {home}"
             elif source.area == "harness" and source.path.suffix == ".hpp" and not source.internal:
                 yield number, f"{name}: {library} shows in a public header of {home}"
 
@@ -207,16 +221,16 @@ def shader_include(source):
 
 
 def shader_reference(source):
-    """Every function of glsl/gloam has its reference in C++, in a header of the room's name in harness/reference.
+    """Every function of glsl/gloam has its reference in C++, in a header of its room in harness/occlusion/reference.
     Methods, and what their loops share, are judged whole: each method has a descriptor, by which the tests try it."""
     if not source.is_shader_library or source.path.parts[2] in ("methods", "gather"):
         return
     room = source.path.parts[2]
-    headers = sorted((source.root / "harness/reference").glob(f"{room}*.hpp"))
+    headers = sorted((source.root / "harness/occlusion/reference").glob(f"{room}*.hpp"))
     references = "".join(header.read_text(encoding="utf-8") for header in headers)
     for line, _, _, name, body in statements(source):
         if body and name and name.startswith("gloam_") and f" {name}(" not in references:
-            yield line, f"no harness/reference/{room}*.hpp has {name}()"
+            yield line, f"no harness/occlusion/reference/{room}*.hpp has {name}()"
 
 
 def guard(source):
@@ -257,7 +271,7 @@ def machine_path(source):
 
 
 def paper_path(source):
-    """A path that a page names is there; gloam/... is meant as in #include. harness/ROOM/... stands for many files."""
+    """A path that a page names is there; gloam/... is meant as in #include. ROOM in a path stands for many."""
     for number, line in enumerate(source.lines if source.path.suffix == ".md" else [], 1):
         for path in NAMED_PATH.findall(line):
             roots = ("", "glsl", "harness") if path.startswith("gloam/") else ("", source.path.parent.as_posix())
@@ -279,8 +293,8 @@ def paper_code(source):
             yield line_of(source.text, block.start()), "this code stands in no file of the house"
 
 
-RULES = (room_include, internal_include, include_style, library_home, shader_bindings, shader_comment, shader_name,
-         shader_include, shader_reference, guard, spdx, length, machine_path, paper_path, paper_code)
+RULES = (room_include, wing, internal_include, include_style, library_home, shader_bindings, shader_comment,
+         shader_name, shader_include, shader_reference, guard, spdx, length, machine_path, paper_path, paper_code)
 
 
 def shader_caller(house):

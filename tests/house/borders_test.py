@@ -20,20 +20,20 @@ def shader(body, guard="GLOAM_OCCLUSION_SHADE_GLSL"):
 
 
 CLEAN = {
-    "README.md": "See `tools/run`, gloam/occlusion/shade.glsl and harness/ROOM/CMakeLists.txt.\n"
+    "README.md": "See `tools/run`, gloam/occlusion/shade.glsl and harness/WING/ROOM/CMakeLists.txt.\n"
                  "```cpp\n#include \"gpu/internal/vulkan.hpp\"\n\n    #include <vulkan/vulkan.hpp>\n```\n",
     "tests/shader/fixtures/odd.glsl": "no licence\n",
     "CMakeLists.txt": "# SPDX-License-Identifier: MIT\nproject(house)\n",
     "tools/run": "#!/usr/bin/env bash\n# SPDX-License-Identifier: MIT\n",
     "tools/main.cpp": SPDX + '#include "report/table.hpp"\n#include "catalogue/catalogue.hpp"\n',
-    "harness/gpu/device.hpp": HPP + "#include <memory>\n",
-    "harness/gpu/device.cpp": SPDX + '#include "gpu/internal/vulkan.hpp"\n#include <vulkan/vulkan.hpp>\n',
-    "harness/gpu/internal/vulkan.hpp": HPP + "#include <vulkan/vulkan_raii.hpp>\n",
-    "harness/shader/compile.cpp": SPDX + "#include <glslang/Public/ShaderLang.h>\n",
-    "harness/check/lab.hpp": HPP + '#include "gpu/device.hpp"\n#include "shader/compile.hpp"\n',
-    "harness/scene/mesh.cpp": SPDX + "#include <assimp/Importer.hpp>\n",
-    "harness/report/png.cpp": SPDX + "#include <stb/stb_image_write.h>\n",
-    "harness/reference/occlusion.hpp": HPP + "".join(
+    "harness/framework/gpu/device.hpp": HPP + "#include <memory>\n",
+    "harness/framework/gpu/device.cpp": SPDX + '#include "gpu/internal/vulkan.hpp"\n#include <vulkan/vulkan.hpp>\n',
+    "harness/framework/gpu/internal/vulkan.hpp": HPP + "#include <vulkan/vulkan_raii.hpp>\n",
+    "harness/framework/shader/compile.cpp": SPDX + "#include <glslang/Public/ShaderLang.h>\n",
+    "harness/framework/check/lab.hpp": HPP + '#include "gpu/device.hpp"\n#include "shader/compile.hpp"\n',
+    "harness/occlusion/scene/mesh.cpp": SPDX + "#include <assimp/Importer.hpp>\n",
+    "harness/occlusion/report/png.cpp": SPDX + "#include <stb/stb_image_write.h>\n",
+    "harness/occlusion/reference/occlusion.hpp": HPP + "".join(
         f"double gloam_{name}();\n" for name in ("shade", "a", "b", "spare", "copied")),
     "tests/gpu/device_test.cpp": SPDX + '#include "gpu/internal/vulkan.hpp"\n#include "shader/compile.hpp"\n',
     "glsl/passes/shade.comp": SPDX + "layout(binding = 0) uniform Block { float x; };  // not gloam_spare(1.0)\n"
@@ -57,30 +57,36 @@ CLEAN = {
 # rule: (file, its whole text, line) for each way to break it
 PLANTED = {
     "room_include": [
-        ("harness/gpu/wrong.cpp", SPDX + '#include "check/lab.hpp"\n', 2),
-        ("harness/numeric/wrong.hpp", HPP + '#include "gpu/device.hpp"\n', 4),
-        ("harness/report/wrong.cpp", SPDX + '#  include "scene/mesh.hpp"\n', 2),
-        ("harness/reference/wrong.hpp", HPP + '#include "check/lab.hpp"\n', 4),
+        ("harness/framework/gpu/wrong.cpp", SPDX + '#include "check/lab.hpp"\n', 2),
+        ("harness/framework/numeric/wrong.hpp", HPP + '#include "gpu/device.hpp"\n', 4),
+        ("harness/occlusion/report/wrong.cpp", SPDX + '#  include "scene/mesh.hpp"\n', 2),
+        ("harness/occlusion/reference/wrong.hpp", HPP + '#include "check/lab.hpp"\n', 4),
         ("tools/wrong.cpp", SPDX + '#include "reference/math.hpp"\n', 2),
     ],
+    "wing": [
+        ("harness/gpu/wrong.cpp", SPDX, 1),
+        ("harness/occlusion/gpu/wrong.cpp", SPDX, 1),
+        ("harness/framework/report/wrong.cpp", SPDX, 1),
+        ("harness/framework/wrong.cpp", SPDX, 1),
+    ],
     "internal_include": [
-        ("harness/check/wrong.cpp", SPDX + '#include "gpu/internal/vulkan.hpp"\n', 2),
+        ("harness/framework/check/wrong.cpp", SPDX + '#include "gpu/internal/vulkan.hpp"\n', 2),
         ("tests/check/wrong_test.cpp", SPDX + '#include "gpu/internal/vulkan.hpp"\n', 2),
     ],
     "include_style": [
-        ("harness/gpu/wrong.cpp", SPDX + '#include "device.hpp"\n', 2),
-        ("harness/gpu/wrong.cpp", SPDX + '#include "../check/lab.hpp"\n', 2),
-        ("harness/check/wrong.cpp", SPDX + "#include <gpu/device.hpp>\n", 2),
+        ("harness/framework/gpu/wrong.cpp", SPDX + '#include "device.hpp"\n', 2),
+        ("harness/framework/gpu/wrong.cpp", SPDX + '#include "../check/lab.hpp"\n', 2),
+        ("harness/framework/check/wrong.cpp", SPDX + "#include <gpu/device.hpp>\n", 2),
     ],
     "library_home": [
-        ("harness/check/wrong.cpp", SPDX + "#include <vulkan/vulkan.h>\n", 2),
-        ("harness/gpu/wrong.hpp", HPP + "#include <vulkan/vulkan.h>\n", 4),
+        ("harness/framework/check/wrong.cpp", SPDX + "#include <vulkan/vulkan.h>\n", 2),
+        ("harness/framework/gpu/wrong.hpp", HPP + "#include <vulkan/vulkan.h>\n", 4),
         ("tests/effect/wrong_test.cpp", SPDX + "#include <vulkan/vulkan.hpp>\n", 2),
-        ("harness/gpu/wrong.cpp", SPDX + "#include <glslang/Public/ShaderLang.h>\n", 2),
-        ("harness/gpu/wrong.cpp", SPDX + "#include <spirv-tools/libspirv.hpp>\n", 2),
-        ("harness/report/wrong.cpp", SPDX + "#include <assimp/scene.h>\n", 2),
-        ("harness/effect/wrong.cpp", SPDX + "#include <embree4/rtcore.h>\n", 2),
-        ("harness/scene/wrong.cpp", SPDX + "#include <stb/stb_image.h>\n", 2),
+        ("harness/framework/gpu/wrong.cpp", SPDX + "#include <glslang/Public/ShaderLang.h>\n", 2),
+        ("harness/framework/gpu/wrong.cpp", SPDX + "#include <spirv-tools/libspirv.hpp>\n", 2),
+        ("harness/occlusion/report/wrong.cpp", SPDX + "#include <assimp/scene.h>\n", 2),
+        ("harness/occlusion/effect/wrong.cpp", SPDX + "#include <embree4/rtcore.h>\n", 2),
+        ("harness/occlusion/scene/wrong.cpp", SPDX + "#include <stb/stb_image.h>\n", 2),
     ],
     "shader_bindings": [
         ("glsl/gloam/occlusion/shade.glsl", shader("layout(binding = 0) uniform sampler2D depth;"), 5),
@@ -116,17 +122,17 @@ PLANTED = {
          shader("// No method.\nfloat gloam_any(float x) { return x; }", guard="GLOAM_METHODS_ANY_GLSL"), 6),
     ],
     "guard": [
-        ("harness/gpu/wrong.hpp", SPDX + "#include <memory>\n", 1),
+        ("harness/framework/gpu/wrong.hpp", SPDX + "#include <memory>\n", 1),
         ("glsl/gloam/occlusion/shade.glsl", SPDX + "// Shades.\nfloat gloam_shade() { return 1.0; }\n", 1),
         ("glsl/gloam/occlusion/shade.glsl", shader("", guard="GLOAM_OCCLUSION_OTHER_GLSL"), 1),
         ("glsl/gloam/occlusion/shade.glsl", shader("") + "#define GLOAM_AFTER\n", 1),
     ],
     "spdx": [
-        ("harness/gpu/wrong.cpp", "int x = 0;\n", 1),
-        ("harness/gpu/wrong.cpp", "// SPDX-License-Identifier: GPL-3.0-only\n", 1),
-        ("harness/gpu/wrong.cpp", "\n" + SPDX, 1),
+        ("harness/framework/gpu/wrong.cpp", "int x = 0;\n", 1),
+        ("harness/framework/gpu/wrong.cpp", "// SPDX-License-Identifier: GPL-3.0-only\n", 1),
+        ("harness/framework/gpu/wrong.cpp", "\n" + SPDX, 1),
         ("glsl/passes/wrong.comp", "void main() {}\n", 1),
-        ("harness/gpu/CMakeLists.txt", "gloam_room(gpu)\n", 1),
+        ("harness/framework/gpu/CMakeLists.txt", "gloam_room(gpu)\n", 1),
         ("cmake/wrong.cmake", "", 1),
         ("tests/house/wrong.py", "import sys\n", 1),
         ("tools/wrong", "#!/usr/bin/env bash\nset -e\n", 1),
@@ -139,9 +145,9 @@ PLANTED = {
         ("README.md", "A house.\n\n```cpp\n#include <memory>\n#include <no_such>\n```\n", 3),
         ("docs/page.md", "```glsl\nfloat no_such();\n```\n", 1),
     ],
-    "length": [("harness/gpu/wrong.cpp", SPDX + "\n" * 400, 401)],
+    "length": [("harness/framework/gpu/wrong.cpp", SPDX + "\n" * 400, 401)],
     "machine_path": [
-        ("harness/gpu/wrong.cpp", f'{SPDX}const char* file = "{FOLDER}/x.obj";\n', 2),
+        ("harness/framework/gpu/wrong.cpp", f'{SPDX}const char* file = "{FOLDER}/x.obj";\n', 2),
         ("README.md", f"See `{FOLDER}`.\n", 1),
         ("CMakePresets.json", f'{{"binaryDir": "{FOLDER}"}}\n', 1),
     ],
@@ -172,6 +178,11 @@ class Borders(unittest.TestCase):
             self.assertEqual(borders.violations(folder), [])
             self.assertEqual(run_main(folder), (0, ""))
 
+    def test_the_framework_includes_nothing_of_ambient_occlusion(self):
+        framework = borders.WINGS["framework"]
+        for room, included in framework.items():
+            self.assertLessEqual(included, framework.keys(), room)
+
     def test_every_rule_finds_what_is_planted(self):
         for rule, plants in PLANTED.items():
             for path, text, line in plants:
@@ -192,7 +203,7 @@ class Borders(unittest.TestCase):
             self.assertEqual(run_main(folder)[0], 2)
 
     def test_a_file_of_exactly_the_limit_is_short_enough(self):
-        with house({"harness/gpu/long.cpp": SPDX + "\n" * (borders.MAX_LINES - 1)}) as folder:
+        with house({"harness/framework/gpu/long.cpp": SPDX + "\n" * (borders.MAX_LINES - 1)}) as folder:
             self.assertEqual(borders.violations(folder), [])
 
 

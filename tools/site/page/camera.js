@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cameras of the scenes as matrices, column by column, computed in double as harness/scene/camera.cpp does.
+// Cameras of the scenes as matrices, column by column, computed in double as harness/occlusion/scene/camera.cpp does.
 "use strict";
 
 gloam.camera = (() => {

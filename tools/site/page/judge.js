@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Judges outputs of a kernel by the documented accuracy, as harness/check/judge.cpp does for a device that does not
-// preserve NaN, infinity and -0, and says what the check is worth, as harness/check/answer.cpp does. It needs neither
-// a page nor a GPU.
+// Judges outputs of a kernel by the documented accuracy, as harness/framework/check/judge.cpp does for a device that
+// does not preserve NaN, infinity and -0. Says what the check is worth, as harness/framework/check/answer.cpp does. It
+// needs neither a page nor a GPU.
 "use strict";
 
 gloam.judge = (() => {
