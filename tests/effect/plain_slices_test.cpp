@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -22,6 +23,18 @@
 namespace gloam::effect::plain_slices_test {
 
 constexpr gpu::Extent extent{96, 54};
+
+// A wall at depth 1 that faces the eye; `floor` is the depth of the pixels that `is_pit` names.
+template <class Pit>
+scene::GBuffer wall_with(gpu::Extent size, const Pit& is_pit, float floor) {
+    scene::GBuffer view{.extent = size};
+    view.camera = scene::make_frame({}, static_cast<double>(size.width) / static_cast<double>(size.height));
+    for (std::uint32_t i = 0; i < size.width * size.height; ++i) {
+        view.depth.push_back(is_pit(i % size.width, i / size.width) ? floor : 1.0F);
+        view.normal.emplace_back(0.0F, 0.0F, 1.0F);
+    }
+    return view;
+}
 
 // Of `gtao`, without history and filter, for a radius of 1.
 Settings single_frame(SliceTaps taps) {
@@ -89,6 +102,32 @@ TEST_F(PlainSlicesTest, BlursAsOftenAsAsked) {
     EXPECT_EQ(frames[0].blurred, frames[0].occlusion);
     const Truth limit = truth_from(view, plain(view, scene.ao_radius, {.slices = 24, .steps = 12}).occlusion);
     EXPECT_LT(errors_of(frames[2].blurred, limit).rmse, errors_of(frames[1].blurred, limit).rmse);
+}
+
+// The blur takes only pixels that are about as deep.
+TEST_F(PlainSlicesTest, TheBlurLeavesLonePixels) {
+    const auto lone = [](std::uint32_t x, std::uint32_t y) { return x % 4 == 1 && y % 4 == 1; };
+    const scene::GBuffer view = wall_with(extent, lone, 2.0F);
+    const PlainFrame frame = plain(view, 3.0, {.slices = 1, .steps = 2});
+    std::size_t shaded = 0;
+    for (std::size_t i = 0; i < view.depth.size(); ++i) {
+        if (view.depth[i] != 2.0F) continue;
+        EXPECT_EQ(frame.blurred[i], frame.occlusion[i]) << i;
+        shaded += frame.occlusion[i] > 0.0F ? 1 : 0;
+    }
+    EXPECT_GT(shaded, 0U);
+}
+
+// The radius is measured in heights of pixels. These are four times as high as wide.
+TEST_F(PlainSlicesTest, ARadiusOfLessThanAPixelSeesNothing) {
+    scene::GBuffer view = wall_with(extent, [](std::uint32_t x, std::uint32_t) { return x % 2 == 1; }, 1.01F);
+    view.camera.proj_vk[0][0] *= 4.0F;
+    const double pixel = 2.0 / (std::abs(double{view.camera.proj_vk[1][1]}) * extent.height);
+    const auto largest = [&](double radius) {
+        return std::ranges::max(plain(view, radius, {.slices = 4, .steps = 4}).occlusion);
+    };
+    EXPECT_EQ(largest(0.99 * pixel), 0.0F);
+    EXPECT_GT(largest(1.5 * pixel), 0.0F);
 }
 
 TEST_F(PlainSlicesTest, WhatItDoesNotTakeIsRefused) {
@@ -201,12 +240,8 @@ TEST_F(EndedMarches, WithRejectedTapsThinSurfacesAndAGuardBand) {
 // Pillars so near to the eye that how far a tap sees is not known: what ends the marches between them is that
 // all sectors are covered.
 TEST_F(EndedMarches, WhereAllSectorsAreCovered) {
-    scene::GBuffer pit{.extent = odd};
-    pit.camera = scene::make_frame({}, static_cast<double>(odd.width) / static_cast<double>(odd.height));
-    for (std::uint32_t i = 0; i < odd.width * odd.height; ++i) {
-        pit.depth.push_back(i % odd.width % 4 == 1 ? 2.0F : 1.0F);
-        pit.normal.emplace_back(0.0F, 0.0F, 1.0F);
-    }
+    const scene::GBuffer pit =
+        wall_with(odd, [](std::uint32_t x, std::uint32_t) { return x % 4 == 1; }, 2.0F);
     Settings settings = settings_for("far", "bitmask");
     settings.radius = 20.0F;
     settings.own.thickness = 100.0F;

@@ -261,6 +261,33 @@ TEST_F(MultiResolution, OneOfThreeLevelsIsAThirdOfTheMean) {
     EXPECT_NEAR(found[3], 1.0 - (1.0 - y) * (1.0 - y / 3.0), 1e-3);
 }
 
+// Blocks of 2 x 2 pixels with four depths, of which the middle two lie on a diagonal: their mean is the
+// block's centre. Coarser levels see the plane through these centres, and the finest kernel, of 6 pixels,
+// sees neither.
+TEST_F(MultiResolution, ATexelIsTheMeanOfItsMiddleTwoDepths) {
+    const gpu::Extent extent{132, 68};
+    const auto found = [&](float spread) {
+        scene::GBuffer view = view_of(extent, true, [](glm::dvec2) { return 5.0; });
+        for (unsigned y = 0; y < extent.height; ++y) {
+            for (unsigned x = 0; x < extent.width; ++x) {
+                const int from_middle = std::max(std::abs(static_cast<int>(x - x % 2) - 66),
+                                                 std::abs(static_cast<int>(y - y % 2) - 34));
+                const int order = static_cast<int>(2 * (y % 2) + x % 2);
+                if (from_middle > 10)
+                    view.depth[extent.width * y + x] = 4.7F + spread * (static_cast<float>(order) - 1.5F);
+            }
+        }
+        view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
+        Settings settings = settings_of(0.9F);
+        settings.own.range = 1.0F;
+        settings.own.steps = 2;
+        return double{run(view, settings, 8).occlusion[extent.width * 34 + 66]};
+    };
+    const double plane = found(0.0F);
+    EXPECT_GT(plane, 0.004);
+    EXPECT_NEAR(found(0.1F), plane, 1e-5);
+}
+
 // One pixel of each block of four is far away. The blocks' surfaces are the plane of the others, and have the
 // radius that the cap leaves at its depth, not that of the far pixel.
 TEST_F(MultiResolution, TheCapOfACoarserLevelIsThatOfItsSurface) {

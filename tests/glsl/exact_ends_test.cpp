@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "support/lab.hpp"
+#include "support/method_functions.hpp"
 
 namespace gloam::exact_ends_test {
 
@@ -108,6 +109,31 @@ TEST_F(ExactEnds, ParallelStepsHaveNoCurvature) {
             EXPECT_EQ(curvatures(factor * 0.01F * along, 0.01F * along, turn, turn), vec2(0)) << factor;
         }
     }
+}
+
+// A point on a ball is inside it, where its normal does not matter.
+TEST_F(ExactEnds, ABallBlocksThePointsOnIt) {
+    const check::Kernel<float(vec3, vec3, float)> contribution(lab, "gloam/occlusion/sphere_proxy.glsl",
+                                                               "gloam_contribution_sphere");
+    for (const float radius : {0.25F, 3.0F}) {
+        EXPECT_EQ(contribution(vec3(radius, 0, 0), vec3(0, 0, 1), radius), 1.0F);
+        EXPECT_EQ(contribution(vec3(0, -radius, 0), vec3(0, 1, 0), radius), 1.0F);
+        EXPECT_EQ(contribution(vec3(radius, 0, 0), vec3(0, 0, 1), std::nextafter(radius, 0.0F)), 0.0F);
+    }
+}
+
+// Normals of lengths in [1e-15, 1e15].
+TEST_F(ExactEnds, TheShortestAndTheLongestNormalAreNormals) {
+    const check::Kernel<bool(vec3, vec3, float, effect::GatherCamera)> can(
+        lab, "gloam/occlusion/gather_kernel.glsl", "gloam_can_gather");
+    const auto with_length = [&](float length) {
+        return can(vec3(0, 0, -1), vec3(0, 0, length), 1.0F,
+                   effect::GatherCamera{vec2(1, -1), ivec2(8), false});
+    };
+    EXPECT_TRUE(with_length(1e-15F));
+    EXPECT_FALSE(with_length(std::nextafter(1e-15F, 0.0F)));
+    EXPECT_TRUE(with_length(1e15F));
+    EXPECT_FALSE(with_length(1.000001e15F));
 }
 
 TEST_F(ExactEnds, LengthsOfVectorsThatHaveNone) {

@@ -3,6 +3,7 @@
 // view, seen with other samples, lengths and units.
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -88,6 +89,46 @@ TEST_P(Kernels, StepsAreAtLeastOne) {
     expect_same(with_steps(0), one, camera, "no step");
     if (info.takes_fewer || info.points == "disc") return;  // rejected taps are not taken
     for (const glm::vec2 sum : one) EXPECT_EQ(sum.y, static_cast<float>(effect::samples_taken(info, 16, 1)));
+}
+
+// A method takes whole units of samples, at least one.
+TEST_P(Kernels, APartOfAUnitIsAUnit) {
+    for (const unsigned count : {1U, 3U, 7U, 13U}) {
+        const auto with_count = [count](unsigned taken) {
+            return [=](Inputs& point) {
+                test::Samples& samples = std::get<test::Samples>(point);
+                samples.first = count * (samples.first / 16);
+                samples.count = taken;
+            };
+        };
+        for (const Camera& camera : cameras) {
+            std::vector<Inputs> asked = OnRough::points(camera);
+            std::vector<Inputs> whole = asked;
+            for (Inputs& point : asked) with_count(count)(point);
+            for (Inputs& point : whole)
+                with_count(effect::samples_taken(info, count, OnRough::settings.steps))(point);
+            const Surfaces surfaces{rough::surface(0, camera)};
+            expect_same(method(asked, surfaces), method(whole, surfaces), camera, std::to_string(count));
+        }
+    }
+}
+
+// Any depth that is no surface is read as background, in views that reach the eye as well.
+TEST_P(Kernels, AllBackgroundIsAlike) {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    for (const Camera& camera : cameras) {
+        std::vector<Inputs> points = OnRough::points(camera);
+        for (Inputs& point : points) std::get<test::Samples>(point).radius = 20.0F;
+        const auto with_background = [&](float background) {
+            const Depths surface = rough::surface(0, camera);
+            return method(points,
+                          {[=](glm::ivec2 p) { return surface(p) > 0.0F ? surface(p) : background; }});
+        };
+        const test::Results open = with_background(infinity);
+        for (const float background :
+             {0.0F, -0.0F, -1.0F, -infinity, std::numeric_limits<float>::quiet_NaN()})
+            expect_same(with_background(background), open, camera, std::to_string(background));
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Kernels, testing::ValuesIn(test::method_names()), test::parameter_name);

@@ -111,7 +111,7 @@ TEST(OwnFile, AHangCostsOneFunction) {
     const std::string json = (folder.path() / "own.json").string();
     const std::string failures = (folder.path() / "failures").string();
     const CommandResult result = run_command(
-        {"check", spins, "--inputs", "4096", "--timeout", "1.5", "--json", json, "--failures", failures});
+        {"check", spins, "--inputs", "4096", "--timeout", "6", "--json", json, "--failures", failures});
     EXPECT_EQ(result.status, 1);
     EXPECT_THAT(result.out, HasSubstr("3 checks, 1 failed"));
     EXPECT_THAT(result.out, testing::ContainsRegex("run it again: gloam check .*own_spins.glsl own_spins"));
