@@ -68,8 +68,8 @@ TEST_F(RulesTest, TheExponentOfAnIntervalIsKnownWhereAllOfItHasTheSame) {
     EXPECT_EQ(at_a_power.outcome(), Outcome::not_judged) << "the quotient lies on either side of 1";
 }
 
-// After 65,536 iterations of one invocation, llvmpipe ends all loops of its group.
-TEST_F(RulesTest, AnInputThatNeverEndsDoesNotFailItsNeighbours) {
+// After 65,536 iterations of one invocation, llvmpipe of Mesa 22.3 ends all loops of its group.
+TEST_F(RulesTest, AnInputThatTakesLongDoesNotFailItsNeighbours) {
     const Answer result = run(lab,
                               {.file = "rules.glsl",
                                .function = "wrapped",
@@ -77,9 +77,9 @@ TEST_F(RulesTest, AnInputThatNeverEndsDoesNotFailItsNeighbours) {
                                .domain = {uniform(-100.0, 100.0), integers(0, 3)},
                                .defined = false},
                               {.inputs = 16});
-    EXPECT_TRUE(result.passed()) << result;
-    EXPECT_GT(result.undefined, 0U);
-    EXPECT_EQ(result.undefined + result.judged(), 16U);
+    EXPECT_FALSE(result.long_runs.empty());
+    EXPECT_LE(result.outside(), result.long_runs.size()) << result;
+    EXPECT_EQ(result.judged(), 16U);
 }
 
 // The interpreter runs the very module that the driver was given, so a wrong result needs a driver that is

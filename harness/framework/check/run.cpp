@@ -41,8 +41,8 @@ Domain::Inputs short_runs(Domain::Inputs inputs, const std::vector<std::size_t>&
     return inputs;
 }
 
-// llvmpipe ends all loops of a group of invocations after 65,536 iterations of one of them, so inputs that
-// failed beside such a one are run again without it.
+// llvmpipe of Mesa 22.3 ends all loops of a group of invocations after 65,536 iterations of one of them, so
+// inputs that failed beside such a one are run again without it.
 void judge(const internal::Trial& trial, const Question& question, const Domain::Inputs& inputs,
            Answer& answer) {
     internal::Trial::Evaluated evaluated = trial.run(inputs, answer);
