@@ -2,7 +2,7 @@
 # The package: find_package(gloam) gives gloam::shader_test (the generic test framework) and gloam::glsl (the shaders).
 include(CMakePackageConfigHelpers)
 
-set(package_rooms base numeric gpu gl shader interpreter check)
+set(package_rooms base numeric backend gpu gl shader interpreter check)
 set(package_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/gloam)
 
 add_library(gloam_shader_test INTERFACE)

@@ -157,7 +157,7 @@ TEST_P(OpenGlIncludes, EachCompiles) {
     } catch (const gl::Unavailable& error) {
         GTEST_SKIP() << error.what();
     }
-    const bool es = device->info().name.version.api == gl::Api::es;
+    const bool es = device->info().id.version.api == gl::Api::es;
     const shader::Language language = es ? shader::Language::es300 : shader::Language::vulkan450;
     const fs::path root = GLOAM_GLSL_DIR;
     for (const auto& file : fs::recursive_directory_iterator(root / "gloam")) {

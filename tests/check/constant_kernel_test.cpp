@@ -213,7 +213,7 @@ class BrokenKernelTest : public testing::Test {
             "void main() {{ uint i = gl_GlobalInvocationID.x; if (i >= count) return; {} }}\n",
             body);
         shader::Spirv spirv = shader::compile({.name = "broken kernel", .text = text}, {});
-        return {lab.device(), {.spirv = std::move(spirv), .input_words = 1, .output_words = 1}, "broken"};
+        return lab.core({.spirv = std::move(spirv), .input_words = 1, .output_words = 1}, "broken");
     }
 
     static KernelCore::Result run(const KernelCore& core) {
@@ -230,26 +230,27 @@ TEST_F(BrokenKernelTest, AHonestKernelPasses) {
 TEST_F(BrokenKernelTest, AKernelThatNeverWritesIsCaught) {
     const auto core = kernel("faults[0] += inputs[i] * 0u;");
     EXPECT_THAT([&] { (void)run(core); },
-                ThrowsMessage<KernelError>(HasSubstr("did not finish for input 0")));
+                ThrowsMessage<backend::Fault>(HasSubstr("did not finish for input 0")));
 }
 
 TEST_F(BrokenKernelTest, OneInvocationThatStopsEarlyIsNamed) {
     const auto core =
         kernel("if (i == 63u) return; outputs[2u * i] = inputs[i]; outputs[2u * i + 1u] = canary ^ i;");
     EXPECT_THAT([&] { (void)run(core); },
-                ThrowsMessage<KernelError>(HasSubstr("did not finish for input 63 of 100")));
+                ThrowsMessage<backend::Fault>(HasSubstr("did not finish for input 63 of 100")));
 }
 
 TEST_F(BrokenKernelTest, ACanaryOfAnotherRunIsStale) {
     const auto core = kernel("outputs[2u * i] = inputs[i]; outputs[2u * i + 1u] = 0x12345678u ^ i;");
-    EXPECT_THAT([&] { (void)run(core); }, ThrowsMessage<KernelError>(HasSubstr("canary")));
+    EXPECT_THAT([&] { (void)run(core); }, ThrowsMessage<backend::Fault>(HasSubstr("canary")));
 }
 
 TEST_F(BrokenKernelTest, AWriteBehindTheOutputsIsCaught) {
     const auto core = kernel(
         "outputs[2u * i] = inputs[i]; outputs[2u * i + 1u] = canary ^ i; if (i == 5u) outputs[2u * count + "
         "3u] = 1u;");
-    EXPECT_THAT([&] { (void)run(core); }, ThrowsMessage<KernelError>(HasSubstr("wrote outside its outputs")));
+    EXPECT_THAT([&] { (void)run(core); },
+                ThrowsMessage<backend::Fault>(HasSubstr("wrote outside its outputs")));
 }
 
 TEST_F(BrokenKernelTest, InputsOfTheWrongLengthAreRefused) {

@@ -3,9 +3,10 @@
 #include <cmath>
 #include <optional>
 
-#include "check/internal/gl_kernel.hpp"
+#include "check/internal/kernel_text.hpp"
 #include "check/lab.hpp"
 #include "check/reproduction.hpp"
+#include "gl/device.hpp"
 #include "support/lab.hpp"
 #include "support/matchers.hpp"
 #include "support/test_name.hpp"
@@ -199,7 +200,7 @@ TEST_P(OpenGlDevice, StoresToImagesWhereThereAreComputeShaders) {
     GLOAM_LAB_OR_SKIP(lab);
     const auto store = [&] { return Kernel<float(glm::ivec2, glm::ivec2)>(*lab, "stores.glsl", "store_at"); };
     if (!gl::has_compute(gl::device_name_from(GetParam())->version)) {
-        EXPECT_THAT(store, ThrowsMessage<Unsupported>(HasSubstr("stores to images")));
+        EXPECT_THAT(store, ThrowsMessage<backend::Unsupported>(HasSubstr("stores to images")));
         return;
     }
     const ImageSet images{
@@ -254,8 +255,8 @@ TEST_P(OpenGlDevice, WhatTheVersionLacksIsUnsupported) {
     if (gl::has_compute(gl::device_name_from(GetParam())->version)) {
         EXPECT_EQ(kernel()(1U), 0x80000000U);
     } else {
-        EXPECT_THAT(kernel, ThrowsMessage<Unsupported>(AllOf(HasSubstr("reversed_bits is no GLSL 3"),
-                                                             HasSubstr("bitfieldReverse"))));
+        EXPECT_THAT(kernel, ThrowsMessage<backend::Unsupported>(AllOf(HasSubstr("reversed_bits is no GLSL 3"),
+                                                                      HasSubstr("bitfieldReverse"))));
     }
 }
 

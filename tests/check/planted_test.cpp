@@ -13,6 +13,7 @@
 #include "check/internal/trial.hpp"
 #include "check/prepared_check.hpp"
 #include "check/run.hpp"
+#include "gl/device.hpp"
 #include "support/entries.hpp"
 #include "support/lab.hpp"
 #include "support/test_name.hpp"
@@ -103,7 +104,7 @@ void expect_noticed_on(const Lab& lab, const Entry& entry) {
     try {
         const KernelCore kernel = lab.kernel(question.file, question.function, question.signature);
         expect_noticed(entry, [&](std::size_t inputs) { return verdicts_on(lab, kernel, question, inputs); });
-    } catch (const Unsupported& error) {
+    } catch (const backend::Unsupported& error) {
         EXPECT_TRUE(entry.description.file.starts_with("builtin/")) << entry.description.id << error.what();
     }
 }

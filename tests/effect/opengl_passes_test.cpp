@@ -60,7 +60,7 @@ class OnOpenGl {
     OnOpenGl(const gl::Device& device, const Plan& plan, const scene::GBuffer& view,
              const scene::PassLibrary& passes)
         : device_(device),
-          es_(device.info().name.version.api == gl::Api::es),
+          es_(device.info().id.version.api == gl::Api::es),
           plan_(plan),
           view_(view),
           passes_(passes) {

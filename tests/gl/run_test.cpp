@@ -22,7 +22,7 @@ class OpenGlDraws : public OpenGlRuns {};
 
 TEST_P(OpenGlDispatches, ReadsAndWritesStorageBuffers) {
     GLOAM_OPEN_OR_SKIP(GetParam());
-    const std::string version = device().info().name.version.api == Api::gl ? "450" : "310 es";
+    const std::string version = device().info().id.version.api == Api::gl ? "450" : "310 es";
     const Program program(device(), Program::Stage::compute, {"add.comp", "#version " + version + R"(
 layout(local_size_x = 4) in;
 layout(std140, binding = 5) uniform Settings { uint more; };
@@ -49,7 +49,7 @@ void main() { to[gl_GlobalInvocationID.x] = from[gl_GlobalInvocationID.x] + more
 
 TEST_P(OpenGlDispatches, LoadsAndStoresImages) {
     GLOAM_OPEN_OR_SKIP(GetParam());
-    const bool es = device().info().name.version.api == Api::es;
+    const bool es = device().info().id.version.api == Api::es;
     const Program program(
         device(), Program::Stage::compute,
         {"copy.comp", std::string(es ? "#version 310 es\nprecision highp float;\n" : "#version 450\n") +
@@ -89,7 +89,7 @@ void main() {
 
 TEST_P(OpenGlDraws, ReadsTexturesAndWritesEveryTargetBitByBit) {
     GLOAM_OPEN_OR_SKIP(GetParam());
-    const bool es = device().info().name.version.api == Api::es;
+    const bool es = device().info().id.version.api == Api::es;
     const Program program(
         device(), Program::Stage::fragment,
         {"copy.frag",
@@ -127,7 +127,7 @@ void main() {
 
 TEST_P(OpenGlDraws, ADrawNeedsPixelsAndTargetsThatThereAre) {
     GLOAM_OPEN_OR_SKIP(GetParam());
-    const bool es = device().info().name.version.api == Api::es;
+    const bool es = device().info().id.version.api == Api::es;
     const Program program(device(), Program::Stage::fragment,
                           {"one.frag", std::string(es ? "#version 300 es\n" : "#version 330 core\n") +
                                            "out highp uvec4 target;\nvoid main() { target = uvec4(7u); }\n"});

@@ -157,7 +157,7 @@ std::string message_of_hang(const Device& device, const ComputePipeline& pipelin
                             const Groups& groups) {
     try {
         run(device, pipeline, {buffer}, groups, bytes_of(steps));
-    } catch (const std::runtime_error& error) {
+    } catch (const backend::Hang& error) {
         return error.what();
     }
     return "nothing thrown";
@@ -173,7 +173,7 @@ class TimeoutTest : public GpuTest {
                 Commands commands(device());
                 commands.submit();
                 return true;
-            } catch (const std::runtime_error&) {
+            } catch (const backend::Hang&) {
             }
         }
         return false;
@@ -191,9 +191,9 @@ TEST_F(TimeoutTest, ThrowsAndRecoversWhenTheWorkIsDone) {
     EXPECT_GE(Clock::now() - start, timeout);
 
     // It did not wait for the work, which still runs.
-    expect_error<std::runtime_error>([&] { Commands(device()).submit(); }, {"still runs", "timed out"});
+    expect_error<backend::Hang>([&] { Commands(device()).submit(); }, {"still runs", "timed out"});
     Image* refused = nullptr;
-    EXPECT_THROW(refused = new Image(device(), {1, 1}, Format::r32f), std::runtime_error);
+    EXPECT_THROW(refused = new Image(device(), {1, 1}, Format::r32f), backend::Hang);
     EXPECT_EQ(refused, nullptr);
 
     ASSERT_TRUE(wait_until_idle());

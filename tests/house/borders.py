@@ -15,12 +15,13 @@ from prose import files_of
 WINGS = {
     "framework": {
         "base": set(),
-        "gpu": {"base"},
-        "gl": {"base"},
+        "backend": set(),
+        "gpu": {"base", "backend"},
+        "gl": {"base", "backend"},
         "shader": {"base"},
         "numeric": {"base"},
-        "interpreter": {"base", "shader", "numeric"},
-        "check": {"base", "gpu", "gl", "shader", "numeric", "interpreter"},
+        "interpreter": {"base", "backend", "shader", "numeric"},
+        "check": {"base", "backend", "gpu", "gl", "shader", "numeric", "interpreter"},
     },
     "occlusion": {
         "reference": {"numeric"},
@@ -32,8 +33,8 @@ WINGS = {
     },
 }
 MAY_INCLUDE = {**WINGS["framework"], **WINGS["occlusion"],
-               "tools": {"base", "report", "experiment", "effect", "scene", "catalogue", "check", "interpreter", "gpu",
-                         "gl", "shader", "numeric"}}
+               "tools": {"base", "backend", "report", "experiment", "effect", "scene", "catalogue", "check",
+                         "interpreter", "gpu", "gl", "shader", "numeric"}}
 
 # Libraries that belong to one room, by what their headers are called.
 LIBRARY_HOME = {

@@ -12,6 +12,7 @@
 #include <optional>
 #include <thread>
 
+#include "base/threads.hpp"
 #include "catalogue/catalogue.hpp"
 #include "cli/check/checker.hpp"
 #include "cli/check/hand_over.hpp"
@@ -160,7 +161,7 @@ std::size_t jobs_of(const CheckOptions& options, std::size_t checks) {
     constexpr std::size_t checks_that_pay = 64;
     constexpr std::size_t most = 16;
     if (options.jobs > 0) return options.jobs;
-    const std::size_t cores = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, most);
+    const std::size_t cores = std::min<std::size_t>(base::processors(), most);
     return std::clamp<std::size_t>(checks / checks_that_pay, 1, cores);
 }
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "backend/backend.hpp"
 #include "base/process.hpp"
 #include "base/text.hpp"
 #include "check/lab.hpp"
@@ -22,7 +23,7 @@ const char* yes(bool value) {
     return value ? "yes" : "no";
 }
 
-void print_float_controls(const gpu::FloatControls& float32) {
+void print_float_controls(const backend::FloatControls& float32) {
     fmt::print(
         "   float32: keeps NaN, infinity and -0: {}; keeps subnormals: {}; can flush subnormals: {}; "
         "can round to nearest even: {}; can round to zero: {}\n",
@@ -94,13 +95,13 @@ void run_devices(bool json) {
     if (json) {
         for (const GlExecutor& executor : opengl)
             for (const report::DeviceSummary& device : executor.devices) all.push_back(opengl_json(device));
-        all.push_back(to_json(check::interpreter_info()));
+        all.push_back(to_json(check::interpreter()->info()));
         all.back()["index"] = nullptr;
         fmt::print("{}\n", all.dump(2));
     } else {
         print_opengl(opengl);
         fmt::print("interpreter: for `gloam check --device interpreter`\n");
-        print_float_controls(check::interpreter_info().float32);
+        print_float_controls(check::interpreter()->info().float32);
     }
 }
 
@@ -168,7 +169,7 @@ std::string gl_devices_line(const std::string& executor) {
     json object{{"devices", json::array()}, {"error", ""}};
     try {
         for (const gl::DeviceInfo& info : gl::list_devices(executor))
-            object["devices"].push_back(report::to_json(summary_of(check::opengl_info(info))));
+            object["devices"].push_back(report::to_json(summary_of(info)));
     } catch (const std::exception& error) {
         object["error"] = error.what();
     }

@@ -65,7 +65,7 @@ class Gathering {
         : files_(&files), progress_(progress_bar(fmt::format("{} files", files.size()))) {}
 
     Gathered run() {
-        std::vector<LaboratorySummary> parts(std::max(1U, std::thread::hardware_concurrency()));
+        std::vector<LaboratorySummary> parts(base::processors());
         base::for_each_index(parts.size(), 0, [&](std::size_t i) { parts[i] = part(); });
         Gathered all;
         for (const LaboratorySummary& summary : parts) all.summary.merge(summary);

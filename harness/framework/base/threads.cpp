@@ -9,6 +9,19 @@
 #include <vector>
 
 namespace gloam::base {
+
+unsigned processors() {
+    return std::max(1U, std::thread::hardware_concurrency());
+}
+
+std::vector<Range> shares_of(std::size_t count, std::size_t most) {
+    const std::size_t share = count / most + 1;
+    std::vector<Range> shares;
+    for (std::size_t begin = 0; begin < count; begin += share)
+        shares.push_back({begin, std::min(begin + share, count)});
+    return shares;
+}
+
 namespace {
 
 // Shared by the threads of one call.
@@ -40,7 +53,7 @@ struct Queue {
 void for_each_index(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work,
                     const std::function<void(double)>& progress) {
     Queue queue{.count = count, .work = work};
-    const std::size_t wanted = threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
+    const std::size_t wanted = threads > 0 ? threads : processors();
     {
         std::vector<std::jthread> others;
         for (std::size_t i = 1; i < std::min(wanted, count); ++i) {

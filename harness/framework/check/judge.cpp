@@ -249,12 +249,10 @@ Answer judge(const Question& question, const JudgeOptions& options, const Domain
         }
         return answer;
     };
-    const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
-    const std::size_t share = inputs.count() / threads + 1;
-    std::vector<Answer> parts((inputs.count() + share - 1) / share);
-    base::for_each_index(parts.size(), 0, [&](std::size_t i) {
-        parts[i] = part(i * share, std::min((i + 1) * share, inputs.count()));
-    });
+    const std::vector<base::Range> shares = base::shares_of(inputs.count(), base::processors());
+    std::vector<Answer> parts(shares.size());
+    base::for_each_index(parts.size(), 0,
+                         [&](std::size_t i) { parts[i] = part(shares[i].begin, shares[i].end); });
     Answer all = empty_answer(question, options.verdict);
     for (const Answer& answer : parts) all.merge(answer);
     describe_samples(question.signature, all);

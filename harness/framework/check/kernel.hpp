@@ -29,8 +29,8 @@ class Kernel {
     Kernel(const Lab& lab, const std::string& file, const std::string& function)
         : lab_(&lab), core_(lab.kernel(file, function, SignatureOf<Function>::describe())) {}
 
-    // Evaluates all inputs in one dispatch. Throws KernelError; std::runtime_error for an access outside an
-    // image, with the image and the pixel, and for validation messages.
+    // Evaluates all inputs in one dispatch. Throws backend::Error; std::runtime_error for an access outside
+    // an image, with the image and the pixel, and for validation messages.
     [[nodiscard]] std::vector<Output> operator()(std::span<const Inputs> inputs,
                                                  const ImageSet& images = {}) const {
         return run(inputs, images, nullptr);

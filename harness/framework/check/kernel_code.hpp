@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "backend/backend.hpp"
 #include "check/question.hpp"
 #include "check/signature.hpp"
-#include "interpreter/program.hpp"
 #include "shader/compile.hpp"
 
 namespace gloam::check {
@@ -32,31 +32,10 @@ struct KernelSource {
         text;  // in the place of the #include: an excerpt of the file (shader::Excerpt::text); may be empty
 };
 
-// Descriptor set 0 of every kernel; images follow in the order of KernelSource::images.
-struct KernelBinding {
-    static constexpr unsigned inputs = 0;
-    static constexpr unsigned outputs = 1;
-    static constexpr unsigned faults = 2;
-    static constexpr unsigned first_image = 3;
-};
-
-inline constexpr unsigned kernel_group_size = 64;
-
-// Push constants of every kernel.
-struct KernelRun {
-    Word count = 0;       // inputs
-    Word row_length = 0;  // invocations in one row of work groups
-    Word canary = 0;      // xor the position of the input: written behind every output
-};
-
-// Words of the fault buffer: the number of accesses outside their image, and the first recorded one.
-struct KernelFaults {
-    Word count = 0;
-    Word image = 0;
-    Word x = 0;
-    Word y = 0;
-    Word input = 0;
-};
+using backend::kernel_group_size;
+using backend::KernelBinding;
+using backend::KernelFaults;
+using backend::KernelRun;
 
 // Words before an image's pixels: width, height, border.
 inline constexpr std::size_t image_header_words = 3;
@@ -67,12 +46,12 @@ inline constexpr std::size_t image_header_words = 3;
 // A compiled kernel, as it is passed to a driver or the interpreter.
 struct KernelModule {
     shader::Spirv spirv;  // follows the interface of kernel_code()
-    std::vector<interpreter::Constant> constants;
+    std::vector<backend::Constant> constants;
     std::size_t input_words = 0;
     std::size_t output_words = 0;
     std::vector<ImagePrototype> images;
     std::size_t fixed_inputs = 0;  // inputs that are constants in it; 0: they come from memory
-    std::string glsl;              // the same kernel as text, for an OpenGL device; else empty
+    std::string glsl;              // the same kernel as text, for a device with DeviceInfo::glsl; else empty
     bool judged_by_rules = true;   // off where the version of GLSL has no precision rules to ask
 };
 

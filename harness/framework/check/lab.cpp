@@ -5,7 +5,8 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 
-#include "check/internal/gl_kernel.hpp"
+#include "check/internal/kernel_text.hpp"
+#include "gl/device.hpp"
 #include "shader/spirv.hpp"
 
 namespace gloam::check {
@@ -27,16 +28,6 @@ std::vector<ImagePrototype> image_prototypes(const std::vector<shader::Function>
     return images;
 }
 
-// None where another kind of device is asked for.
-std::shared_ptr<gpu::Device> vulkan_device(const LabOptions& options) {
-    if (options.device == interpreter_name || gl::is_device_name(options.device)) return nullptr;
-    return std::make_shared<gpu::Device>(
-        gpu::DeviceOptions{.device = options.device,
-                           .validation = options.validation ? gpu::Validation::on : gpu::Validation::off,
-                           .cache_directory = options.cache_directory,
-                           .timeout = options.timeout});
-}
-
 // The other variants are ways to make a SPIR-V module, and an OpenGL driver is given text.
 void require_opengl_options(const LabOptions& options) {
     if (options.variant.changes_the_module()) {
@@ -45,6 +36,19 @@ void require_opengl_options(const LabOptions& options) {
     }
     if (options.validation)
         throw std::invalid_argument(options.device + ": the validation layers are of Vulkan");
+}
+
+std::shared_ptr<backend::Backend> opened(const LabOptions& options) {
+    if (options.device == interpreter_name) return interpreter();
+    if (gl::is_device_name(options.device)) {
+        require_opengl_options(options);
+        return std::make_shared<gl::Device>(options.device);
+    }
+    return std::make_shared<gpu::Device>(
+        gpu::DeviceOptions{.device = options.device,
+                           .validation = options.validation ? gpu::Validation::on : gpu::Validation::off,
+                           .cache_directory = options.cache_directory,
+                           .timeout = options.timeout});
 }
 
 }  // namespace
@@ -71,50 +75,22 @@ shader::SpirvCache shader_cache(const LabOptions& options) {
                                                               : options.cache_directory / "spirv");
 }
 
-gpu::DeviceInfo interpreter_info() {
-    return {.name = std::string(interpreter_name),
-            .type = "interpreter",
-            .driver = shader::compiler_version(),
-            .float32 = {
-                .preserves_signed_zero_inf_nan = true, .preserves_denormals = true, .rounds_to_even = true}};
-}
+Lab::Lab(LabOptions options) : Lab(options, opened(options)) {}
 
-gpu::DeviceInfo opengl_info(const gl::DeviceInfo& info) {
-    return {.name = to_string(info.name),
-            .type = info.name.version.api == gl::Api::gl ? "opengl" : "opengl es",
-            .driver = info.vendor + " " + info.renderer + ", " + info.version,
-            .api_version = to_string(info.name.version),
-            .max_image_size = info.max_texture_size,
-            .max_buffer_bytes = info.max_storage_bytes};
-}
-
-Lab::Lab(LabOptions options) : Lab(options, vulkan_device(options)) {
-    if (!gl::is_device_name(options_.device)) return;
-    require_opengl_options(options_);
-    gl_ = std::make_shared<gl::Device>(options_.device);
-    info_ = opengl_info(gl_->info());
-}
-
-Lab::Lab(LabOptions options, std::shared_ptr<gpu::Device> device)
-    : options_(std::move(options)),
-      device_(std::move(device)),
-      info_(device_ ? device_->info() : interpreter_info()),
-      cache_(shader_cache(options_)) {}
+Lab::Lab(LabOptions options, std::shared_ptr<backend::Backend> device)
+    : options_(std::move(options)), device_(std::move(device)), cache_(shader_cache(options_)) {}
 
 const gpu::Device& Lab::device() const {
-    if (!device_)
-        throw std::runtime_error(info_.name + " runs functions, not passes: expected a Vulkan device");
-    return *device_;
+    if (const auto* vulkan = dynamic_cast<const gpu::Device*>(device_.get())) return *vulkan;
+    throw std::runtime_error(info().name + " runs functions, not passes: expected a Vulkan device");
 }
 
-const gl::Device& Lab::opengl() const {
-    if (!gl_) throw std::runtime_error(info_.name + " is no OpenGL device");
-    return *gl_;
+std::optional<shader::Language> Lab::language() const {
+    return shader::language_from(info().glsl);
 }
 
 KernelCore Lab::core(KernelModule module, const std::string& name) const {
-    if (gl_) return {*gl_, std::move(module), name};
-    return device_ ? KernelCore(*device_, std::move(module), name) : KernelCore(std::move(module), name);
+    return {*device_, std::move(module), name};
 }
 
 shader::CompileOptions Lab::compile_options() const {
@@ -141,7 +117,7 @@ KernelSource Lab::source(const std::string& file, const std::string& function,
             return {.file = file,
                     .function = candidate,
                     .images = image_prototypes(all, file),
-                    .preserve_nan = info_.float32.preserves_signed_zero_inf_nan,
+                    .preserve_nan = info().float32.preserves_signed_zero_inf_nan,
                     .text = text};
         }
         named.push_back(to_glsl_with_layouts(candidate));
@@ -172,17 +148,12 @@ KernelCore Lab::kernel(const std::string& file, const std::string& function,
                         .input_words = signature.input_words(),
                         .output_words = signature.output_words(),
                         .images = made_of.images};
-    if (gl_) {
-        module.glsl = opengl_code(made_of);
-        module.judged_by_rules =
-            internal::has_precision_rules(internal::language_of(gl_->info().name.version)) &&
-            !internal::calls_undefined_precision(module.spirv);
+    if (const auto text_language = language()) {
+        module.glsl = internal::gl_kernel_code(*text_language, made_of, options_.include_roots);
+        module.judged_by_rules = internal::has_precision_rules(*text_language) &&
+                                 !internal::calls_undefined_precision(module.spirv);
     }
     return core(std::move(module), function);
-}
-
-std::string Lab::opengl_code(const KernelSource& source) const {
-    return internal::gl_kernel_code(opengl().info().name.version, source, options_.include_roots);
 }
 
 shader::Spirv Lab::compile(const shader::Source& text) const {
@@ -207,7 +178,6 @@ shader::Spirv Lab::compile_kernel(const shader::Source& text) const {
 }
 
 void Lab::require_silent_validation() const {
-    if (!device_) return;
     const std::vector<std::string> messages = device_->take_validation_messages();
     if (!messages.empty())
         throw std::runtime_error(fmt::format("Vulkan validation: {}", fmt::join(messages, " | ")));

@@ -12,19 +12,14 @@
 #include <string_view>
 #include <vector>
 
+#include "backend/backend.hpp"
 #include "check/kernel_code.hpp"
 #include "check/signature.hpp"
-#include "gl/device.hpp"
-#include "gpu/commands.hpp"
 #include "gpu/device.hpp"
 #include "shader/compile.hpp"
 #include "shader/pack.hpp"
 
 namespace gloam::check {
-
-namespace internal {
-class GlKernel;
-}
 
 // An access outside an image behind one of the shader's prototypes.
 struct ImageFault {
@@ -38,21 +33,11 @@ struct ImageFault {
 // "gloam_fetch_depth: pixel (-1, 0) is outside the 3 x 3 image (5 times, at input 12)".
 [[nodiscard]] std::string to_text(const ImageFault& fault);
 
-// A dispatch whose outputs are unreliable: the kernel did not complete for every input, or memory behind its
-// outputs changed.
-class KernelError : public std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
 // A compiled kernel without its C++ types: words in, words out.
 class KernelCore {
   public:
-    // `name`: for messages only.
-    KernelCore(const gpu::Device& device, KernelModule module, std::string name);
-    // For the interpreter: correctly rounded, without a device.
-    KernelCore(KernelModule module, std::string name);
-    // Its KernelModule::glsl run by an OpenGL device. Throws gl::Error.
-    KernelCore(const gl::Device& device, KernelModule module, std::string name);
+    // `name`: for messages only. The device must outlive the kernel. Throws like Backend::make_kernel().
+    KernelCore(const backend::Backend& device, KernelModule module, std::string name);
 
     struct Result {
         std::vector<Word> outputs;  // count x output_words
@@ -63,7 +48,7 @@ class KernelCore {
 
     // Evaluates `count` inputs (count x input_words words) in one dispatch, or in as few as the device's
     // limits allow. Throws std::invalid_argument if a prototype has no image or one of another type;
-    // KernelError, also for a module that the interpreter cannot run; gpu and gl errors.
+    // backend::Error.
     [[nodiscard]] Result run(std::span<const Word> inputs, std::size_t count,
                              const ImageSet& images = {}) const;
 
@@ -72,29 +57,17 @@ class KernelCore {
     [[nodiscard]] std::size_t output_words() const { return module_->output_words; }
 
   private:
-    struct Batch;
-    void run_batch(Batch& batch) const;
-
-    const gpu::Device* device_ = nullptr;  // none: the interpreter, or OpenGL
     std::shared_ptr<const KernelModule> module_;
-    std::optional<gpu::ComputePipeline> pipeline_;
-    std::shared_ptr<const internal::GlKernel> gl_;
+    std::unique_ptr<const backend::Kernel> kernel_;
     std::string name_;
-};
-
-// The function is no text of the GLSL version of an OpenGL device.
-class Unsupported : public std::runtime_error {
-    using std::runtime_error::runtime_error;
 };
 
 // The device name of the interpreter: correctly rounded, and available on every machine.
 inline constexpr std::string_view interpreter_name = "interpreter";
 
-// Its properties: float32 rounded to nearest even; NaN, infinity, -0 and subnormals preserved.
-[[nodiscard]] gpu::DeviceInfo interpreter_info();
-
-// An OpenGL device in the same terms. OpenGL says nothing of NaN, infinity, -0 and subnormals.
-[[nodiscard]] gpu::DeviceInfo opengl_info(const gl::DeviceInfo& info);
+// float32 rounded to nearest even; NaN, infinity, -0 and subnormals preserved. Threads share the inputs of a
+// kernel; those of one that stores to images run one after another.
+[[nodiscard]] std::shared_ptr<backend::Backend> interpreter();
 
 // The image that serves a prototype: T f(ivec2), or void f(ivec2, T). Empty for any other prototype.
 [[nodiscard]] std::optional<ImagePrototype> image_prototype(const shader::Function& function);
@@ -120,14 +93,16 @@ struct LabOptions {
 // Runs shader functions on one device, with the folders of their files and the caches.
 class Lab {
   public:
+    // Throws std::invalid_argument for a variant or validation that an OpenGL device does not have; the
+    // errors of gpu::Device and gl::Device.
     explicit Lab(LabOptions options);
-    // Uses a device that others share; the device options in `options` are ignored. nullptr: the interpreter.
-    Lab(LabOptions options, std::shared_ptr<gpu::Device> device);
+    // Uses a device that others share; the device options in `options` are ignored.
+    Lab(LabOptions options, std::shared_ptr<backend::Backend> device);
 
     // The function with this name and signature in `file`, ready to run. Each run supplies images for the
     // prototypes that the file declares. Throws std::invalid_argument if the file has no such function (with
     // a list of its functions) or its signature differs (with both signatures); shader::CompileError;
-    // Unsupported; gl::Error.
+    // backend::Error.
     [[nodiscard]] KernelCore kernel(const std::string& file, const std::string& function,
                                     const Signature& signature) const;
 
@@ -153,21 +128,15 @@ class Lab {
     [[nodiscard]] std::string code(const std::string& file, const std::string& function,
                                    const Signature& signature) const;
 
-    // The same of such a kernel as an OpenGL device is given it: one text without includes. Throws
-    // std::runtime_error where there is no such device; Unsupported.
-    [[nodiscard]] std::string opengl_code(const KernelSource& source) const;
-
     // Throws std::runtime_error with the validation messages since the last call, if there are any.
     void require_silent_validation() const;
 
     // A kernel for this module on this lab's device.
     [[nodiscard]] KernelCore core(KernelModule module, const std::string& name) const;
 
-    [[nodiscard]] const gpu::DeviceInfo& info() const { return info_; }
-    // Whether it runs on an OpenGL device.
-    [[nodiscard]] bool is_opengl() const { return gl_ != nullptr; }
-    // The OpenGL device. Throws std::runtime_error if there is none.
-    [[nodiscard]] const gl::Device& opengl() const;
+    [[nodiscard]] const backend::DeviceInfo& info() const { return device_->info(); }
+    // The language in which its device takes kernels (DeviceInfo::glsl); none where it takes modules.
+    [[nodiscard]] std::optional<shader::Language> language() const;
     // The Vulkan device. Throws std::runtime_error if there is none.
     [[nodiscard]] const gpu::Device& device() const;
     [[nodiscard]] const LabOptions& options() const { return options_; }
@@ -177,9 +146,7 @@ class Lab {
 
   private:
     LabOptions options_;
-    std::shared_ptr<gpu::Device> device_;  // none: the interpreter, or OpenGL
-    std::shared_ptr<gl::Device> gl_;
-    gpu::DeviceInfo info_;
+    std::shared_ptr<backend::Backend> device_;
     shader::SpirvCache cache_;
 };
 

@@ -6,10 +6,11 @@
 #include <stdexcept>
 
 #include "check/internal/budget_judge.hpp"
-#include "check/internal/gl_kernel.hpp"
+#include "check/internal/kernel_text.hpp"
 #include "check/internal/trial.hpp"
 #include "check/interpreted_kernel.hpp"
 #include "check/kernel_code.hpp"
+#include "gl/kernel.hpp"
 #include "numeric/numbers.hpp"
 #include "shader/wgsl.hpp"
 
@@ -17,8 +18,6 @@ namespace gloam::check {
 namespace {
 
 using shader::Scalar;
-
-constexpr gl::Version version{gl::Api::es, 3, 0};
 
 // The floats that the budget allows around a result.
 struct Reach {
@@ -166,15 +165,14 @@ PreparedCheck prepare(const Lab& lab, const Question& question, const RunOptions
     PreparedCheck prepared;
     add_wgsl(lab, source, question.function, prepared);
     try {
-        prepared.kernel = internal::gl_kernel_code(version, source, lab.options().include_roots);
-    } catch (const Unsupported& reason) {
+        prepared.kernel =
+            internal::gl_kernel_code(shader::Language::es300, source, lab.options().include_roots);
+    } catch (const backend::Unsupported& reason) {
         prepared.unsupported = reason.what();
         return prepared;
     }
-    prepared.row_words = internal::gl_fragment_row(question.signature.output_words(), source.images.size());
-    prepared.targets =
-        std::min((prepared.row_words + internal::gl_target_words - 1) / internal::gl_target_words,
-                 internal::gl_most_targets);
+    prepared.row_words = gl::kernel_row(question.signature.output_words(), source.images.size());
+    prepared.targets = gl::kernel_targets(prepared.row_words);
     internal::for_each_scenario(
         question, options.inputs, [&](const ImageScenario& scenario, std::size_t share) {
             prepared.scenarios.push_back(prepare_scenario(question, source, scenario, share, options.seed));

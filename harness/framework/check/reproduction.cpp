@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "check/internal/budget_judge.hpp"
-#include "check/internal/gl_kernel.hpp"
+#include "check/internal/kernel_text.hpp"
 #include "check/internal/trial.hpp"
 #include "check/interpreted_kernel.hpp"
 #include "check/kernel_code.hpp"
@@ -237,14 +237,14 @@ std::string code_of(KernelSource source, Constants constants, const std::vector<
 
 // The texts for an OpenGL device, once what is allowed is known.
 void add_opengl(const Lab& lab, const KernelSource& source, Reproduction& all) {
-    if (!lab.is_opengl()) return;
-    const gl::Version version = lab.opengl().info().name.version;
-    all.opengl = all.opengl_replay = lab.opengl_code(source);
-    if (gl::has_compute(version)) return;
+    const auto language = lab.language();
+    if (!language) return;
+    all.opengl = all.opengl_replay = internal::gl_kernel_code(*language, source, lab.options().include_roots);
+    if (internal::has_compute(*language)) return;
     internal::GlReplay replay{.image_words = {}, .outputs = all.outputs, .allowed = all.allowed};
     for (const Reproduction::ImageBuffer& image : all.images)
         replay.image_words.push_back(image.words.size());
-    all.opengl_replay = internal::gl_replay_code(version, source, replay, lab.options().include_roots);
+    all.opengl_replay = internal::gl_replay_code(*language, source, replay, lab.options().include_roots);
 }
 
 Reproduction without_verdict(const Lab& lab, const Question& question, const std::string& scenario,

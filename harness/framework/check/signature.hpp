@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "backend/backend.hpp"
 #include "shader/compile.hpp"
 
 // Visits the members of a small aggregate in order, so that a plain struct needs no description of its own.
@@ -85,7 +86,7 @@ void for_each_field(T& value, Visit&& visit) {
 // Conversion of C++ values to the 32-bit words of a kernel and back. A value is the sequence of its scalars:
 // vectors by component, matrices by column, structures by member.
 
-using Word = std::uint32_t;
+using backend::Word;
 
 // A C++ type for a number that is a float in the shader.
 template <class T>

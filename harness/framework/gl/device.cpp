@@ -206,7 +206,7 @@ const Functions& Context::use() const {
 void Context::check(const std::string& what) const {
     const GLenum error = functions.GetError();
     if (error == GL_NO_ERROR) return;
-    if (error == GL_OUT_OF_MEMORY) throw OutOfMemory(what + ": OpenGL has not enough memory");
+    if (error == GL_OUT_OF_MEMORY) throw backend::OutOfMemory(what + ": OpenGL has not enough memory");
     throw CallFailed(fmt::format("{}: OpenGL error 0x{:04x}", what, error));
 }
 
@@ -240,18 +240,20 @@ std::uint32_t limit(const Context& context, GLenum what) {
 }
 
 DeviceInfo describe(const Context& context, const DeviceName& name) {
-    DeviceInfo info{.name = name,
-                    .vendor = context.text(GL_VENDOR),
-                    .renderer = context.text(GL_RENDERER),
-                    .version = context.text(GL_VERSION),
-                    .glsl_version = context.text(GL_SHADING_LANGUAGE_VERSION),
-                    .max_texture_size = limit(context, GL_MAX_TEXTURE_SIZE),
-                    .max_draw_buffers = limit(context, GL_MAX_DRAW_BUFFERS),
-                    .max_texture_units = limit(context, GL_MAX_TEXTURE_IMAGE_UNITS)};
+    DeviceInfo info;
+    info.id = name;
+    info.name = to_string(name);
+    info.type = name.version.api == Api::gl ? "opengl" : "opengl es";
+    info.renderer = context.text(GL_RENDERER);
+    info.driver = context.text(GL_VENDOR) + " " + info.renderer + ", " + context.text(GL_VERSION);
+    info.api_version = to_string(name.version);
+    info.glsl = glsl_of(name.version);
+    info.max_image_size = limit(context, GL_MAX_TEXTURE_SIZE);
+    info.max_draw_buffers = limit(context, GL_MAX_DRAW_BUFFERS);
     if (has_compute(name.version)) {
         GLint64 bytes = 0;
         context.functions.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
-        info.max_storage_bytes = static_cast<std::uint64_t>(std::max<GLint64>(bytes, 0));
+        info.max_buffer_bytes = static_cast<std::uint64_t>(std::max<GLint64>(bytes, 0));
         info.max_storage_blocks = limit(context, GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS);
     }
     return info;

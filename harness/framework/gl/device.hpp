@@ -5,16 +5,17 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "backend/backend.hpp"
+
 namespace gloam::gl {
 
 // What went wrong with OpenGL, in one line.
-class Error : public std::runtime_error {
-    using std::runtime_error::runtime_error;
+class Error : public backend::Error {
+    using backend::Error::Error;
 };
 
 // There is no EGL library, no display without a window, or no such software renderer.
@@ -34,11 +35,6 @@ class CompileFailed : public Error {
 
 // The driver rejected a program whose shaders it had compiled.
 class LinkFailed : public Error {
-    using Error::Error;
-};
-
-// The driver has not enough memory.
-class OutOfMemory : public Error {
     using Error::Error;
 };
 
@@ -63,6 +59,9 @@ struct Version {
 
 // Whether the version has compute shaders: OpenGL 4.3 and OpenGL ES 3.1.
 [[nodiscard]] bool has_compute(const Version& version);
+
+// The version of GLSL in which its kernels are written: "450", "330", "320es", "310es", "300es".
+[[nodiscard]] std::string glsl_of(const Version& version);
 
 // A device: what executes, and through which version of the interface. Executors are Mesa's software
 // renderers "llvmpipe" and "softpipe", and "system": what EGL chooses where no environment variable asks for
@@ -89,18 +88,12 @@ namespace internal {
 struct Context;  // EGL and OpenGL handles; defined inside this room only
 }
 
-// A device as it describes itself.
-struct DeviceInfo {
-    DeviceName name;
-    std::string vendor;                    // "Mesa/X.org"
+// A device as it describes itself. OpenGL says nothing of NaN, infinity, -0 and subnormals.
+struct DeviceInfo : backend::DeviceInfo {
+    DeviceName id;
     std::string renderer;                  // "llvmpipe (LLVM 15.0.6, 256 bits)"
-    std::string version;                   // "4.5 (Core Profile) Mesa 22.3.6"
-    std::string glsl_version;              // "4.50"
-    std::uint32_t max_texture_size = 0;    // texels, each side
     std::uint32_t max_draw_buffers = 0;    // targets of one draw
     std::uint32_t max_storage_blocks = 0;  // storage buffers of a compute shader; 0: it has none
-    std::uint64_t max_storage_bytes = 0;   // largest storage buffer
-    std::uint32_t max_texture_units = 0;   // textures of a fragment shader
 };
 
 // An open OpenGL or OpenGL ES context without a window, for use from the thread that made it. Everything made
@@ -111,14 +104,15 @@ struct DeviceInfo {
 // other thread may read the environment meanwhile. A process has devices of one executor at a time.
 //
 // Throws std::invalid_argument for a name that is none; Unavailable; VersionRefused.
-class Device {
+class Device : public backend::Backend {
   public:
     explicit Device(const std::string& name);
-    ~Device();
-    Device(const Device&) = delete;
-    Device& operator=(const Device&) = delete;
+    ~Device() override;
 
-    [[nodiscard]] const DeviceInfo& info() const { return info_; }
+    [[nodiscard]] const DeviceInfo& info() const override { return info_; }
+    // Also throws CompileFailed, LinkFailed.
+    [[nodiscard]] std::unique_ptr<backend::Kernel> make_kernel(
+        const backend::KernelProgram& program) const override;
     [[nodiscard]] internal::Context& context() const { return *context_; }
 
   private:

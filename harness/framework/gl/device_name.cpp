@@ -24,6 +24,11 @@ bool has_compute(const Version& version) {
     return std::tuple{version.major, version.minor} >= first;
 }
 
+std::string glsl_of(const Version& version) {
+    if (version.api == Api::gl) return has_compute(version) ? "450" : "330";
+    return fmt::format("3{}0es", version.minor);
+}
+
 std::string to_string(const DeviceName& name) {
     return fmt::format("{}{}-{}.{}", prefix_of(name.version.api), name.executor, name.version.major,
                        name.version.minor);

@@ -119,8 +119,8 @@ Program::Program(Program&& other) noexcept
 namespace {
 
 void require_compute(const Device& device) {
-    if (!has_compute(device.info().name.version))
-        throw CallFailed(to_string(device.info().name.version) + " has no compute shaders");
+    if (!has_compute(device.info().id.version))
+        throw CallFailed(to_string(device.info().id.version) + " has no compute shaders");
 }
 
 }  // namespace

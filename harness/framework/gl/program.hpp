@@ -51,7 +51,7 @@ struct Dispatch {
     std::uint32_t groups = 1;  // work groups, in one row
 };
 
-// Runs it and waits for its end. Throws OutOfMemory, CallFailed.
+// Runs it and waits for its end. Throws backend::OutOfMemory, CallFailed.
 void dispatch(const Device& device, const Dispatch& work);
 
 // A pass over images.
@@ -81,7 +81,7 @@ struct Draw {
 };
 
 // Runs it and waits for its end. Returns the words of each target: width x height x 4, the bottom row first.
-// Throws OutOfMemory, CallFailed.
+// Throws backend::OutOfMemory, CallFailed.
 [[nodiscard]] std::vector<std::vector<Word>> draw(const Device& device, const Draw& work);
 
 }  // namespace gloam::gl

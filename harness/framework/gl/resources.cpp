@@ -69,8 +69,8 @@ Image::Image(const Device& device, Format format, std::size_t width, std::size_t
     : device_(&device), format_(format), width_(width), height_(height) {
     const internal::Context& context = device.context();
     const internal::Functions& gl = context.use();
-    if (!has_compute(device.info().name.version))
-        throw CallFailed(to_string(device.info().name.version) + " has no images");
+    if (!has_compute(device.info().id.version))
+        throw CallFailed(to_string(device.info().id.version) + " has no images");
     gl.GenTextures(1, &handle_);
     gl.BindTexture(GL_TEXTURE_2D, handle_);
     gl.TexStorage2D(GL_TEXTURE_2D, 1, internal::format_of(format), static_cast<GLsizei>(width),

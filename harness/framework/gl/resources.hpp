@@ -10,12 +10,12 @@
 
 namespace gloam::gl {
 
-using Word = std::uint32_t;
+using backend::Word;
 
 // Memory of the device, in words of 32 bits; at least one.
 class Buffer {
   public:
-    // All zero. Throws OutOfMemory.
+    // All zero. Throws backend::OutOfMemory.
     Buffer(const Device& device, std::size_t words);
     ~Buffer();
     Buffer(Buffer&& other) noexcept;
@@ -39,7 +39,7 @@ class Image {
   public:
     enum class Format { r32f, rgba16f, rgba32f };
 
-    // All zero. Throws OutOfMemory; CallFailed on a device without compute shaders.
+    // All zero. Throws backend::OutOfMemory; CallFailed on a device without compute shaders.
     Image(const Device& device, Format format, std::size_t width, std::size_t height);
     ~Image();
     Image(Image&& other) noexcept;
@@ -71,11 +71,9 @@ class WordTexture {
     static constexpr std::size_t row = 2048;  // the side that every version has at least
 
     // The most words that one can hold on a device.
-    [[nodiscard]] static std::size_t most_words(const DeviceInfo& info) {
-        return row * info.max_texture_size;
-    }
+    [[nodiscard]] static std::size_t most_words(const DeviceInfo& info) { return row * info.max_image_size; }
 
-    // Throws OutOfMemory; std::invalid_argument beyond most_words().
+    // Throws backend::OutOfMemory; std::invalid_argument beyond most_words().
     WordTexture(const Device& device, std::span<const Word> words);
     ~WordTexture();
     WordTexture(WordTexture&& other) noexcept;

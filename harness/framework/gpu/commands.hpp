@@ -17,10 +17,7 @@ namespace gloam::gpu {
 // sampled_image: read by texelFetch; it has a sampler, which no fetch uses.
 enum class BindingKind { storage_buffer, storage_image, sampled_image };
 
-struct SpecializationConstant {
-    std::uint32_t id = 0;
-    std::uint32_t bits = 0;  // the 32-bit pattern of the bool, int, uint or float
-};
+using SpecializationConstant = backend::Constant;
 
 // The parts of a compute pipeline. Entry point "main"; binding i of descriptor set 0 has kind bindings[i].
 struct ComputeProgram {
@@ -79,7 +76,7 @@ class Commands {
     // Records the device's clock after all work so far. Returns the index of the reading in times_ms().
     std::size_t timestamp();
 
-    // Submits the work and waits. Throws std::runtime_error on a lost device, after the device's timeout, and
+    // Submits the work and waits. Throws backend::DeviceLost; backend::Hang after the device's timeout, and
     // while an earlier submission that timed out still runs (see Device).
     void submit();
 

@@ -90,7 +90,7 @@ void Device::Impl::run_once(const std::function<void(const vk::raii::CommandBuff
 
 void Device::Impl::require_idle() {
     if (idle()) return;
-    throw std::runtime_error(
+    throw backend::Hang(
         fmt::format("device \"{}\" still runs an earlier submission that timed out", physical.info.name));
 }
 
@@ -102,14 +102,14 @@ void Device::Impl::run(const vk::raii::CommandBuffer& commands) {
         busy_ = true;
         const auto result = wait();
         if (result == vk::Result::eTimeout) {
-            throw std::runtime_error(fmt::format("device \"{}\" did not finish a submission within {} s",
-                                                 physical.info.name,
-                                                 std::chrono::duration<double>(timeout).count()));
+            throw backend::Hang(fmt::format("device \"{}\" did not finish a submission within {} s",
+                                            physical.info.name,
+                                            std::chrono::duration<double>(timeout).count()));
         }
         busy_ = false;
     } catch (const vk::DeviceLostError&) {
         busy_ = false;  // work of a lost device counts as complete: destruction is allowed
-        throw std::runtime_error(
+        throw backend::DeviceLost(
             fmt::format("device \"{}\" was lost while it ran a submission: the shader crashed it, or its "
                         "driver's watchdog ended it",
                         physical.info.name));
@@ -141,7 +141,8 @@ bool Device::Impl::idle() noexcept {
     return !busy_;
 }
 
-Device::Device(const DeviceOptions& options) : impl_(std::make_unique<Impl>(options)) {}
+Device::Device(const DeviceOptions& options)
+    : impl_(with_typed_errors([&] { return std::make_unique<Impl>(options); })) {}
 
 Device::~Device() {
     if (!impl_->idle())
@@ -167,10 +168,10 @@ std::optional<std::uint32_t> find_type(const vk::PhysicalDeviceMemoryProperties&
     return std::nullopt;
 }
 
-std::runtime_error failure(const Context& context, const vk::MemoryRequirements& needs,
-                           const std::string& purpose, const char* reason) {
-    return std::runtime_error(fmt::format("{}: device \"{}\" {} for the {} bytes it needs", purpose,
-                                          context.physical.info.name, reason, needs.size));
+std::string failure(const Context& context, const vk::MemoryRequirements& needs, const std::string& purpose,
+                    const char* reason) {
+    return fmt::format("{}: device \"{}\" {} for the {} bytes it needs", purpose, context.physical.info.name,
+                       reason, needs.size);
 }
 
 }  // namespace
@@ -182,12 +183,12 @@ vk::raii::DeviceMemory allocate(const Context& context, const vk::MemoryRequirem
     for (auto wish = wishes.begin(); wish != wishes.end() && !type; ++wish) {
         type = find_type(context.physical.memory, needs.memoryTypeBits, *wish);
     }
-    if (!type) throw failure(context, needs, purpose, "has no memory type");
+    if (!type) throw std::runtime_error(failure(context, needs, purpose, "has no memory type"));
     try {
         return {context.device,
                 vk::MemoryAllocateInfo{.allocationSize = needs.size, .memoryTypeIndex = *type}};
     } catch (const vk::SystemError&) {
-        throw failure(context, needs, purpose, "has not enough memory");
+        throw backend::OutOfMemory(failure(context, needs, purpose, "has not enough memory"));
     }
 }
 

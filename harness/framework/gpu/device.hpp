@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <chrono>
-#include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -13,32 +10,12 @@
 #include <string>
 #include <vector>
 
+#include "backend/backend.hpp"
+
 namespace gloam::gpu {
 
-// Properties of float32 arithmetic that a driver reports (VkPhysicalDeviceFloatControlsProperties).
-struct FloatControls {
-    bool preserves_signed_zero_inf_nan = false;
-    bool preserves_denormals = false;
-    bool flushes_denormals = false;
-    bool rounds_to_even = false;
-    bool rounds_to_zero = false;
-};
-
-// Properties of a Vulkan device. `index`: its position in list_devices().
-struct DeviceInfo {
-    std::size_t index = 0;
-    std::string name;         // "llvmpipe (LLVM 15.0.6, 256 bits)"
-    std::string type;         // "cpu", "integrated", "discrete", "virtual" or "other"
-    std::string driver;       // driver name and its own version text, or its version if it has no text
-    std::string api_version;  // "1.3.230"
-    std::string identity;     // hexadecimal; it changes whenever compiled pipelines become invalid
-    std::uint32_t max_image_size = 0;  // pixels, each side of a 2-D image
-    std::uint64_t max_buffer_bytes = 0;
-    std::array<std::uint32_t, 3> max_group_count{};
-    std::uint32_t subgroup_size = 0;
-    double timestamp_period_ns = 0.0;  // 0: the device has no timestamps
-    FloatControls float32;
-};
+using backend::DeviceInfo;
+using backend::FloatControls;
 
 // All devices that the Vulkan loader finds and that support Vulkan 1.2: hardware, then lavapipe, then other
 // software, SwiftShader last. Empty when there is none.
@@ -65,26 +42,23 @@ struct DeviceOptions {
 };
 
 // An open Vulkan device with one queue, for one thread at a time. All objects made from it must be destroyed
-// before it. Throws std::runtime_error if there is no device, if there is no device with that name (the
-// message lists the existing ones), or if validation was requested and its layer is not installed;
+// before it. Throws backend::Error; std::runtime_error if there is no device, if there is no device with that
+// name (the message lists the existing ones), or if validation was requested and its layer is not installed;
 // std::invalid_argument for a timeout that is not positive.
 //
 // While a submission that timed out still runs, further submissions throw. Vulkan forbids destroying objects
 // in use, so destroyed objects are kept until the work has finished; then the device works as before. If the
 // device is destroyed before that, it does not wait, because the work may never end: it leaks itself and the
 // kept objects on purpose. Otherwise its destructor writes the compiled pipelines to the cache directory.
-class Device {
+class Device : public backend::Backend {
   public:
     explicit Device(const DeviceOptions& options = {});
-    ~Device();
-    Device(const Device&) = delete;
-    Device& operator=(const Device&) = delete;
+    ~Device() override;
 
-    [[nodiscard]] const DeviceInfo& info() const;
-
-    // Messages of the validation layers (warnings and errors, one line each) since the last call, oldest
-    // first.
-    [[nodiscard]] std::vector<std::string> take_validation_messages();
+    [[nodiscard]] const DeviceInfo& info() const override;
+    [[nodiscard]] std::unique_ptr<backend::Kernel> make_kernel(
+        const backend::KernelProgram& program) const override;
+    [[nodiscard]] std::vector<std::string> take_validation_messages() override;
 
     struct Impl;  // Vulkan handles; defined inside this room only
     [[nodiscard]] Impl& impl() const { return *impl_; }

@@ -15,7 +15,7 @@
 
 namespace gloam::interpreter {
 
-using Word = std::uint32_t;
+using backend::Word;
 
 // One scalar of a running shader: a number of the machine's type, or 32 bits (integers, bools, and floats in
 // memory). Each form is converted to the other on demand.

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "backend/backend.hpp"
 #include "shader/compile.hpp"
 
 namespace gloam::interpreter {
@@ -49,11 +50,7 @@ namespace internal {
 struct Code;
 }
 
-// The value of a specialization constant, as bits.
-struct Constant {
-    std::uint32_t id = 0;  // constant_id
-    std::uint32_t bits = 0;
-};
+using backend::Constant;
 
 // An entry point of a SPIR-V module, decoded once for many runs (Machine). Copies share the decoded code,
 // which never changes, so that any number of threads may run it.

@@ -3,17 +3,15 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <array>
 #include <new>
 #include <set>
 #include <stdexcept>
-#include <string_view>
 #include <utility>
 
+#include "backend/backend.hpp"
 #include "base/text.hpp"
 #include "cli/environment.hpp"
 #include "cli/names.hpp"
-#include "gl/device.hpp"
 #include "shader/include.hpp"
 
 namespace gloam::cli {
@@ -148,7 +146,7 @@ report::DeviceSummary Checker::device() const {
     return summary_of(lab_->info());
 }
 
-report::DeviceSummary summary_of(const gpu::DeviceInfo& info) {
+report::DeviceSummary summary_of(const backend::DeviceInfo& info) {
     return {.name = base::one_line(info.name),
             .driver = base::one_line(info.driver),
             .type = info.type,
@@ -183,25 +181,10 @@ HandOver Checker::hand_over(const HandOverRequest& request) {
 check::Reason reason_of(const std::exception& error) {
     using check::Reason;
     if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return Reason::out_of_memory;
-    if (dynamic_cast<const gl::OutOfMemory*>(&error) != nullptr) return Reason::out_of_memory;
-    if (dynamic_cast<const check::Unsupported*>(&error) != nullptr) return Reason::unsupported;
-    // Message texts of the rooms, and Vulkan's names of results, with their reasons.
-    constexpr std::array<std::pair<std::string_view, Reason>, 10> signs{{
-        {"was lost while", Reason::device_lost},
-        {"ErrorDeviceLost", Reason::device_lost},
-        {"VK_ERROR_DEVICE_LOST", Reason::device_lost},
-        {"did not finish a submission within", Reason::hang},
-        {"still runs an earlier submission", Reason::hang},
-        {"has not enough memory", Reason::out_of_memory},
-        {"ErrorOutOfHostMemory", Reason::out_of_memory},
-        {"ErrorOutOfDeviceMemory", Reason::out_of_memory},
-        {"VK_ERROR_OUT_OF_HOST_MEMORY", Reason::out_of_memory},
-        {"VK_ERROR_OUT_OF_DEVICE_MEMORY", Reason::out_of_memory},
-    }};
-    const std::string_view message = error.what();
-    for (const auto& [sign, reason] : signs) {
-        if (message.find(sign) != std::string_view::npos) return reason;
-    }
+    if (dynamic_cast<const backend::OutOfMemory*>(&error) != nullptr) return Reason::out_of_memory;
+    if (dynamic_cast<const backend::DeviceLost*>(&error) != nullptr) return Reason::device_lost;
+    if (dynamic_cast<const backend::Hang*>(&error) != nullptr) return Reason::hang;
+    if (dynamic_cast<const backend::Unsupported*>(&error) != nullptr) return Reason::unsupported;
     return Reason::error;
 }
 

@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
+#include "backend/backend.hpp"
 #include "catalogue/catalogue.hpp"
 #include "check/lab.hpp"
 #include "check/own_function.hpp"
 #include "check/question.hpp"
 #include "cli/check/hand_over.hpp"
 #include "cli/check/task.hpp"
-#include "gpu/device.hpp"
 #include "report/check_report.hpp"
 
 namespace CLI {
@@ -66,7 +66,7 @@ struct CheckerOptions {
 };
 
 // A device in the form of reports.
-[[nodiscard]] report::DeviceSummary summary_of(const gpu::DeviceInfo& info);
+[[nodiscard]] report::DeviceSummary summary_of(const backend::DeviceInfo& info);
 
 // Runs checks in this process.
 class Checker {

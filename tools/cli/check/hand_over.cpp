@@ -11,6 +11,7 @@
 #include "base/text.hpp"
 #include "check/answer.hpp"
 #include "check/reproduction.hpp"
+#include "gl/device.hpp"
 #include "numeric/numbers.hpp"
 #include "report/amber.hpp"
 #include "report/answer_json.hpp"
@@ -61,8 +62,7 @@ report::KernelReplay replay_of(const check::Reproduction& all, const check::Ques
 }
 
 // What a script has to require, and the shader; without its inputs.
-report::ShaderReplay shader_replay_of(const check::Lab& lab, const check::Reproduction& all) {
-    const gl::Version version = lab.opengl().info().name.version;
+report::ShaderReplay shader_replay_of(const gl::Version& version, const check::Reproduction& all) {
     const bool es = version.api == gl::Api::es;
     return {.glsl = all.opengl_replay,
             .compute = gl::has_compute(version),
@@ -144,8 +144,8 @@ HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
     const check::Reproduction all = reproduction_of(lab, question, request, options);
     const std::string device = lab.info().name + " (" + lab.info().driver + ")";
     HandOver hand_over;
-    if (lab.is_opengl()) {
-        const report::ShaderReplay replay = shader_replay_of(lab, all);
+    if (const auto opengl = gl::device_name_from(lab.info().name)) {
+        const report::ShaderReplay replay = shader_replay_of(opengl->version, all);
         const std::string how =
             fmt::format("shader_runner{} -auto -fbo -ignore-missing-uniforms repro.shader_test",
                         replay.version.starts_with("GL ES") ? "_gles3" : "");

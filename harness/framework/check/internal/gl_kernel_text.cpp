@@ -5,15 +5,16 @@
 
 #include <algorithm>
 
-#include "check/lab.hpp"
+#include "base/text.hpp"
+#include "gl/kernel.hpp"
 #include "gl/resources.hpp"
+#include "shader/pack.hpp"
+#include "shader/spirv.hpp"
 
 namespace gloam::check::internal {
 namespace {
 
 using shader::Scalar;
-
-constexpr std::size_t row_fault_words = sizeof(KernelFaults) / sizeof(Word) - 1;  // all but the input
 
 std::string compute_head() {
     return fmt::format(
@@ -21,7 +22,7 @@ std::string compute_head() {
         "layout(std140, binding = {}) uniform GloamKernelRun {{\n"
         "    uint gloam_kernel_count;\n    uint gloam_kernel_row_length;\n    uint "
         "gloam_kernel_canary;\n}};\n",
-        kernel_group_size, gl_run_binding);
+        kernel_group_size, gl::kernel_run_binding);
 }
 
 std::string word_of_texture(const std::string& texture, const std::string& at) {
@@ -36,8 +37,8 @@ std::string fragment_interface(const KernelSource& source, std::size_t row, std:
         code += fmt::format("uniform highp usampler2D gloam_kernel_image{};\n", i);
     for (std::size_t i = 0; i < targets; ++i)
         code += fmt::format("layout(location = {}) out highp uvec4 gloam_kernel_target{};\n", i, i);
-    code +=
-        fmt::format("uint gloam_kernel_outputs[{}];\nuint gloam_kernel_faults[{}];\n", row, row_fault_words);
+    code += fmt::format("uint gloam_kernel_outputs[{}];\nuint gloam_kernel_faults[{}];\n", row,
+                        gl::kernel_fault_words);
     code += fmt::format(
         "uint gloam_kernel_word(highp usampler2D words, uint at) {{\n"
         "    return texelFetch(words, ivec2(int(at % {0}u), int(at / {0}u)), 0).x;\n}}\n",
@@ -58,8 +59,8 @@ std::string write_pass(std::size_t first, std::size_t row, std::size_t targets) 
     std::string code;
     for (std::size_t target = 0; target < targets; ++target) {
         std::string words;
-        for (std::size_t k = 0; k < gl_target_words; ++k) {
-            const std::size_t at = first + target * gl_target_words + k;
+        for (std::size_t k = 0; k < gl::kernel_target_words; ++k) {
+            const std::size_t at = first + target * gl::kernel_target_words + k;
             words += (k > 0 ? ", " : "") + (at < row ? fmt::format("gloam_kernel_outputs[{}]", at) : "0u");
         }
         code += fmt::format("        gloam_kernel_target{} = uvec4({});\n", target, words);
@@ -70,11 +71,11 @@ std::string write_pass(std::size_t first, std::size_t row, std::size_t targets) 
 std::string fragment_end(std::size_t output_words, std::size_t images, std::size_t targets) {
     std::string code = fmt::format(
         "    gloam_kernel_outputs[{}] = gloam_kernel_canary ^ gloam_kernel_index;\n", output_words);
-    for (std::size_t k = 0; images > 0 && k < row_fault_words; ++k)
+    for (std::size_t k = 0; images > 0 && k < gl::kernel_fault_words; ++k)
         code +=
             fmt::format("    gloam_kernel_outputs[{}] = gloam_kernel_faults[{}];\n", output_words + 1 + k, k);
-    const std::size_t row = gl_fragment_row(output_words, images);
-    const std::size_t words = targets * gl_target_words;
+    const std::size_t row = gl::kernel_row(output_words, images);
+    const std::size_t words = targets * gl::kernel_target_words;
     for (std::size_t pass = 0; pass * words < row; ++pass) {
         code += fmt::format("    if (gloam_kernel_pass == {}u) {{\n{}    }}\n", pass,
                             write_pass(pass * words, row, targets));
@@ -84,7 +85,8 @@ std::string fragment_end(std::size_t output_words, std::size_t images, std::size
 
 void require_no_stores(const KernelSource& source) {
     if (std::ranges::none_of(source.images, &ImagePrototype::stores)) return;
-    throw Unsupported(source.function.name + ": stores to images, which needs OpenGL 4.3 or OpenGL ES 3.1");
+    throw backend::Unsupported(source.function.name +
+                               ": stores to images, which needs OpenGL 4.3 or OpenGL ES 3.1");
 }
 
 std::string replay_interface(const Evaluation& calls, const GlReplay& replay) {
@@ -119,15 +121,9 @@ std::string condition(std::size_t output, Scalar scalar, const numeric::Bounds& 
                        inside);
 }
 
-}  // namespace
-
 std::string gl_compute_text(const KernelSource& source) {
     return compute_head() + storage_interface(source) +
            file_and_rest(source, word_of_buffer, main_of(source.function));
-}
-
-std::size_t gl_fragment_row(std::size_t output_words, std::size_t images) {
-    return output_words + 1 + (images > 0 ? row_fault_words : 0);
 }
 
 std::string gl_fragment_text(const KernelSource& source) {
@@ -140,8 +136,8 @@ std::string gl_fragment_text(const KernelSource& source) {
         return word_of_texture(fmt::format("gloam_kernel_image{}", index), at);
     };
     const Evaluation calls = evaluation(source.function, input);
-    const std::size_t row = gl_fragment_row(calls.output_words, source.images.size());
-    const std::size_t targets = std::min((row + gl_target_words - 1) / gl_target_words, gl_most_targets);
+    const std::size_t row = gl::kernel_row(calls.output_words, source.images.size());
+    const std::size_t targets = gl::kernel_targets(row);
     const std::string begin = fmt::format(
         "void main() {{\n"
         "    uint gloam_kernel_index =\n"
@@ -149,7 +145,7 @@ std::string gl_fragment_text(const KernelSource& source) {
         "    uint gloam_kernel_output_at = 0u;\n"
         "    gloam_kernel_faults[0] = 0u;\n"
         "    uint gloam_kernel_input_at = gloam_kernel_index * {}u;\n",
-        gl_target_width, calls.input_words);
+        gl::kernel_target_width, calls.input_words);
     return fragment_interface(source, row, targets) +
            file_and_rest(
                source, image,
@@ -169,6 +165,56 @@ std::string gl_replay_text(const KernelSource& source, const GlReplay& replay) {
         "    gloam_kernel_color = gloam_kernel_good ? vec4(0.0, 1.0, 0.0, 1.0) : vec4(1.0, 0.0, 0.0, "
         "1.0);\n}\n";
     return replay_interface(calls, replay) + file_and_rest(source, word_of_buffer, rest);
+}
+
+// The text and what it includes as one text of the version.
+std::string packed(shader::Language language, const KernelSource& source, const std::string& text,
+                   const std::vector<std::filesystem::path>& include_roots) {
+    try {
+        return shader::pack({shader::Source{.name = "kernel of " + source.function.name, .text = text}},
+                            {.language = language}, include_roots);
+    } catch (const shader::CompileError& error) {  // it has been compiled as GLSL 450
+        throw backend::Unsupported(fmt::format("{} is no GLSL {}: {}", source.function.name,
+                                               to_string(language), base::one_line(error.what())));
+    }
+}
+
+// Of SPIR-V: OpExtInst, and the numbers of its set GLSL.std.450 from Sin to Atan2, and of two for matrices.
+constexpr std::uint32_t extended = 12;
+constexpr std::uint32_t sine = 13;
+constexpr std::uint32_t arc_tangent_of_two = 25;
+constexpr std::uint32_t determinant = 33;
+constexpr std::uint32_t inverse = 34;
+
+}  // namespace
+
+bool has_compute(shader::Language language) {
+    return language != shader::Language::gl330 && language != shader::Language::es300;
+}
+
+std::string gl_kernel_code(shader::Language language, const KernelSource& source,
+                           const std::vector<std::filesystem::path>& include_roots) {
+    const std::string text = has_compute(language) ? gl_compute_text(source) : gl_fragment_text(source);
+    return packed(language, source, text, include_roots);
+}
+
+std::string gl_replay_code(shader::Language language, const KernelSource& source, const GlReplay& replay,
+                           const std::vector<std::filesystem::path>& include_roots) {
+    return packed(language, source, gl_replay_text(source, replay), include_roots);
+}
+
+bool has_precision_rules(shader::Language language) {
+    return language == shader::Language::vulkan450 || language == shader::Language::es320;
+}
+
+bool calls_undefined_precision(const shader::Spirv& module) {
+    const auto all = shader::instructions(module);
+    return std::ranges::any_of(all, [](const shader::Instruction& instruction) {
+        if (instruction.opcode != extended) return false;
+        const std::uint32_t function = instruction.word(4);
+        return (function >= sine && function <= arc_tangent_of_two) || function == determinant ||
+               function == inverse;
+    });
 }
 
 }  // namespace gloam::check::internal

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -59,34 +60,37 @@ struct Evaluation {
 // The whole main() of a kernel that reads its inputs from a storage buffer.
 [[nodiscard]] std::string main_of(const shader::Function& function);
 
-// The kernels of OpenGL devices, before they are packed into one text of a version (shader/pack.hpp).
+// The kernel of a function as a device takes it whose kernels are texts in this language (gl/kernel.hpp): a
+// compute shader, else a fragment shader. It includes nothing. Throws backend::Unsupported for a function
+// that is no text of this language, and where there are no compute shaders for one that stores to images.
+[[nodiscard]] std::string gl_kernel_code(shader::Language language, const KernelSource& source,
+                                         const std::vector<std::filesystem::path>& include_roots);
 
-// A compute shader with the buffers of KernelBinding. KernelRun is a uniform buffer.
-inline constexpr unsigned gl_run_binding = 16;
-[[nodiscard]] std::string gl_compute_text(const KernelSource& source);
-
-// A fragment shader for versions without compute shaders. One fragment evaluates one input: that at the
-// position y * gl_target_width + x. It reads words from textures (gl/resources.hpp), whose samplers are
-// gloam_kernel_inputs and gloam_kernel_image0 ..., and writes a row of words: the outputs, the canary, and
-// where there are images KernelFaults without its input. Its targets hold gl_target_words words each; a pass
-// writes those from the position gloam_kernel_pass * targets * gl_target_words on.
-inline constexpr std::size_t gl_target_width = 1024;
-inline constexpr std::size_t gl_target_words = 4;
-inline constexpr std::size_t gl_most_targets = 4;  // that every version has
-// Throws Unsupported for a function that stores to images.
-[[nodiscard]] std::string gl_fragment_text(const KernelSource& source);
+// Whether the language has compute shaders.
+[[nodiscard]] bool has_compute(shader::Language language);
 
 // A fragment shader that evaluates one input and draws green where every output is allowed, else red: for
 // scripts that run it elsewhere. Its inputs and images are arrays of uniforms, uint gloam_kernel_inputs[] and
-// gloam_kernel_image0[] ...; what is allowed is part of the text. Throws as gl_fragment_text() does.
+// gloam_kernel_image0[] ...; what is allowed is part of the text. Throws as
+// gl_kernel_code() does.
 struct GlReplay {
     std::vector<std::size_t> image_words;  // of each image
     std::vector<shader::Scalar> outputs;
     std::vector<numeric::Bounds> allowed;  // of each output; none: nothing is known to be wrong
 };
-[[nodiscard]] std::string gl_replay_text(const KernelSource& source, const GlReplay& replay);
+[[nodiscard]] std::string gl_replay_code(shader::Language language, const KernelSource& source,
+                                         const GlReplay& replay,
+                                         const std::vector<std::filesystem::path>& include_roots);
 
-// Words of such a row.
-[[nodiscard]] std::size_t gl_fragment_row(std::size_t output_words, std::size_t images);
+// How far the precision rules of OpenGL agree with those of Vulkan, by which the interpreter judges
+// (docs/opengl-and-browsers.md).
+
+// Whether the rules of this version of GLSL can be asked: GLSL 4.50 and GLSL ES 3.20, whose section 4.7.1 has
+// the same table as Vulkan, and which know `precise`.
+[[nodiscard]] bool has_precision_rules(shader::Language language);
+
+// Whether the module calls a built-in whose precision section 4.7.1 leaves undefined: a trigonometric or
+// hyperbolic function, determinant, inverse.
+[[nodiscard]] bool calls_undefined_precision(const shader::Spirv& module);
 
 }  // namespace gloam::check::internal

@@ -96,7 +96,8 @@ struct Context {
     // Other devices of this thread may be current: to be called before OpenGL is. Throws CallFailed.
     const Functions& use() const;
 
-    // Throws OutOfMemory, CallFailed when a call since the last check failed. `what`: was done meanwhile.
+    // Throws backend::OutOfMemory, CallFailed when a call since the last check failed. `what`: was done
+    // meanwhile.
     void check(const std::string& what) const;
 
     [[nodiscard]] std::string text(GLenum what) const;

@@ -40,13 +40,13 @@ struct Device::Impl {
     // Records commands, runs them and waits.
     void run_once(const std::function<void(const vk::raii::CommandBuffer&)>& record);
 
-    // Submits and waits. Throws std::runtime_error on a lost device, after the timeout, and while an earlier
+    // Submits and waits. Throws backend::DeviceLost; backend::Hang after the timeout, and while an earlier
     // submission that timed out still runs.
     void run(const vk::raii::CommandBuffer& commands);
 
     // False while a submission that timed out still runs; nothing may be destroyed then.
     [[nodiscard]] bool idle() noexcept;
-    // Throws std::runtime_error while a submission that timed out still runs.
+    // Throws backend::Hang while a submission that timed out still runs.
     void require_idle();
 
     // Keeps objects that must not be destroyed until the device is idle.
@@ -74,6 +74,20 @@ struct Device::Impl {
 
 using Context = Device::Impl;
 
+// The result of the work, with Vulkan's errors as errors of backends.
+template <class Work>
+auto with_typed_errors(const Work& work) {
+    try {
+        return work();
+    } catch (const vk::DeviceLostError& error) {
+        throw backend::DeviceLost(error.what());
+    } catch (const vk::OutOfHostMemoryError& error) {
+        throw backend::OutOfMemory(error.what());
+    } catch (const vk::OutOfDeviceMemoryError& error) {
+        throw backend::OutOfMemory(error.what());
+    }
+}
+
 // Owns Vulkan handles that a submission may use. Vulkan forbids destroying them while it runs, and after a
 // timeout its end is unknown. Only in that case they are leaked on purpose.
 template <class Handles>
@@ -96,7 +110,7 @@ class Guarded {
 };
 
 // Memory with the first properties in `wishes` for which the device has a suitable type. Throws
-// std::runtime_error with the purpose if there is no such type or not enough memory.
+// std::runtime_error with the purpose if there is no such type, backend::OutOfMemory.
 [[nodiscard]] vk::raii::DeviceMemory allocate(const Context& context, const vk::MemoryRequirements& needs,
                                               std::initializer_list<vk::MemoryPropertyFlags> wishes,
                                               const std::string& purpose);

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// What runs kernels: Vulkan devices, OpenGL devices, the interpreter.
+namespace gloam::backend {
+
+// Whatever a kernel reads and writes, as bits.
+using Word = std::uint32_t;
+
+// What went wrong with a device, in one line.
+class Error : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+// The device cannot be used any more.
+class DeviceLost : public Error {
+    using Error::Error;
+};
+
+// A submission did not finish in time; the device runs it still.
+class Hang : public Error {
+    using Error::Error;
+};
+
+// Of the device, or of the host in its service.
+class OutOfMemory : public Error {
+    using Error::Error;
+};
+
+// The device, or its version of GLSL, lacks what the function needs.
+class Unsupported : public Error {
+    using Error::Error;
+};
+
+// A run whose outputs are unreliable: the kernel did not complete for every input, wrote outside its memory,
+// or cannot be interpreted.
+class Fault : public Error {
+    using Error::Error;
+};
+
+// Properties of float32 arithmetic that a driver reports (VkPhysicalDeviceFloatControlsProperties).
+struct FloatControls {
+    bool preserves_signed_zero_inf_nan = false;
+    bool preserves_denormals = false;
+    bool flushes_denormals = false;
+    bool rounds_to_even = false;
+    bool rounds_to_zero = false;
+};
+
+// A device as it describes itself. `index`: of a Vulkan device, its position in gpu::list_devices().
+struct DeviceInfo {
+    std::size_t index = 0;
+    std::string name;         // "llvmpipe (LLVM 15.0.6, 256 bits)"
+    std::string type;         // "cpu", "integrated", "discrete", "virtual", "other"; "opengl", "opengl es";
+                              // "interpreter"
+    std::string driver;       // driver name and its own version text, or its version if it has no text
+    std::string api_version;  // "1.3.230", "OpenGL 4.5"
+    std::string identity;     // hexadecimal; it changes whenever compiled pipelines become invalid
+    std::string glsl;         // the version of GLSL in which it takes kernels, as "450" or "310es"; empty: it
+                              // takes SPIR-V modules
+    std::uint32_t max_image_size = 0;  // pixels, each side of a 2-D image
+    std::uint64_t max_buffer_bytes = 0;
+    std::array<std::uint32_t, 3> max_group_count{};
+    std::uint32_t subgroup_size = 0;
+    double timestamp_period_ns = 0.0;  // 0: the device has no timestamps
+    FloatControls float32;
+};
+
+// The value of a specialization constant: the 32-bit pattern of the bool, int, uint or float.
+struct Constant {
+    std::uint32_t id = 0;  // constant_id
+    std::uint32_t bits = 0;
+};
+
+// A kernel is a function that is evaluated once for each of many inputs. Its storage buffers, of descriptor
+// set 0:
+struct KernelBinding {
+    static constexpr unsigned inputs = 0;
+    static constexpr unsigned outputs = 1;
+    static constexpr unsigned faults = 2;
+    static constexpr unsigned first_image = 3;
+};
+
+inline constexpr unsigned kernel_group_size = 64;
+
+// Push constants of every kernel.
+struct KernelRun {
+    Word count = 0;       // inputs
+    Word row_length = 0;  // invocations in one row of work groups
+    Word canary = 0;      // xor the position of the input: written behind every output
+};
+
+// Words of the fault buffer: the number of accesses outside their image, and the first recorded one.
+struct KernelFaults {
+    Word count = 0;
+    Word image = 0;
+    Word x = 0;
+    Word y = 0;
+    Word input = 0;
+};
+
+// Words behind the outputs, which no kernel may change.
+inline constexpr std::size_t guard_words = 64;
+
+// A kernel before a device compiles it. What it refers to is read by Backend::make_kernel() only.
+struct KernelProgram {
+    const std::vector<Word>& spirv;
+    std::span<const Constant> constants;
+    const std::string& text;  // the same kernel in the language of DeviceInfo::glsl
+    std::size_t input_words = 0;
+    std::size_t output_words = 0;
+    std::size_t fixed_inputs = 0;   // inputs that are constants of the module; 0: they come from memory
+    std::vector<bool> stores = {};  // for each image, whether the kernel stores to it
+    const std::string& name;        // for messages
+
+    // Words of an input or of an output row, whichever are more.
+    [[nodiscard]] std::size_t widest() const { return std::max(input_words, output_words + 1); }
+};
+
+// The memory of a run.
+struct KernelMemory {
+    std::span<const Word> inputs;  // a row of KernelProgram::input_words for each
+    std::vector<Word> outputs;     // a row for each: output_words, the canary; behind all rows guard_words
+    KernelFaults faults{};
+    std::vector<std::vector<Word>>& images;  // each a width, a height, a border, then its texels
+};
+
+// A compiled kernel. Its device must outlive it.
+class Kernel {
+  public:
+    Kernel() = default;
+    virtual ~Kernel() = default;
+    Kernel(const Kernel&) = delete;
+    Kernel& operator=(const Kernel&) = delete;
+
+    // That one run takes.
+    [[nodiscard]] virtual std::size_t most_inputs() const = 0;
+
+    // Evaluates `count` inputs and waits. Changes the outputs, the faults, and the images that the kernel
+    // stores to. Throws DeviceLost, Hang, OutOfMemory, Fault.
+    virtual void run(std::size_t count, Word canary, KernelMemory& memory) const = 0;
+};
+
+class Backend {
+  public:
+    Backend() = default;
+    virtual ~Backend() = default;
+    Backend(const Backend&) = delete;
+    Backend& operator=(const Backend&) = delete;
+
+    [[nodiscard]] virtual const DeviceInfo& info() const = 0;
+
+    // Throws DeviceLost, OutOfMemory; Fault for what the interpreter does not know; std::invalid_argument for
+    // more images than the device has room for; other std::runtime_error if the driver rejects the kernel.
+    [[nodiscard]] virtual std::unique_ptr<Kernel> make_kernel(const KernelProgram& program) const = 0;
+
+    // Messages of Vulkan's validation layers (warnings and errors, one line each) since the last call, oldest
+    // first.
+    [[nodiscard]] virtual std::vector<std::string> take_validation_messages() { return {}; }
+};
+
+}  // namespace gloam::backend
