@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "cli/worker_process.hpp"
+#include "base/process.hpp"
 #include "tools/expect.hpp"
 #include "tools/installation.hpp"
 
@@ -14,7 +14,7 @@ namespace check_worker_test {
 
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
-using cli::WorkerProcess;
+using base::WorkerProcess;
 using nlohmann::json;
 using testing::HasSubstr;
 

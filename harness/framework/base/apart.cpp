@@ -2,15 +2,11 @@
 #include "base/process.hpp"
 
 #include <fmt/format.h>
-#include <poll.h>
 #include <sys/resource.h>
-#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -23,7 +19,7 @@
 namespace gloam::base {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using internal::Clock;
 
 // The first byte of the copy's answer.
 constexpr char returned = 'r';
@@ -65,14 +61,8 @@ void limit_time(std::chrono::seconds more) {
 bool receive(int connection, Clock::time_point deadline, std::size_t bytes, std::string& text) {
     text.clear();
     while (text.size() < bytes) {
-        const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
-        if (left <= 0) return false;
-        pollfd one{.fd = connection, .events = POLLIN, .revents = 0};
-        if (poll(&one, 1, static_cast<int>(std::min<long long>(left, 1'000'000))) <= 0) continue;
-        std::array<char, 65536> block{};
-        const ssize_t count = recv(connection, block.data(), std::min(block.size(), bytes - text.size()), 0);
-        if (count > 0) text.append(block.data(), static_cast<std::size_t>(count));
-        if (count == 0 || (count < 0 && errno != EINTR)) return false;
+        const auto arrived = internal::receive_some(connection, deadline, bytes - text.size(), text);
+        if (arrived != internal::Arrival::bytes) return false;
     }
     return true;
 }
@@ -89,12 +79,7 @@ bool send_message(int connection, std::string_view text) {
     const std::uint64_t length = text.size();
     std::string whole(reinterpret_cast<const char*>(&length), sizeof length);
     whole += text;
-    for (std::string_view rest = whole; !rest.empty();) {
-        const ssize_t count = send(connection, rest.data(), rest.size(), MSG_NOSIGNAL);
-        if (count > 0) rest.remove_prefix(static_cast<std::size_t>(count));
-        if (count < 0 && errno != EINTR) return false;
-    }
-    return true;
+    return internal::send_all(connection, whole);
 }
 
 [[noreturn]] void answer_questions(const Apart::Work& work, const ProcessLimits& limits, int connection) {

@@ -25,51 +25,8 @@
 namespace gloam::base {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-constexpr std::size_t last_bytes = 1000;  // of standard error
-
-// The child's work between fork and exec, which neither allocates nor locks. Returns only if exec failed.
-struct Program {
-    char* const* arguments;
-    int input;
-    int output;
-    int errors;
-    const ProcessLimits& limits;
-
-    void become() const {
-        dup2(input, STDIN_FILENO);
-        dup2(output, STDOUT_FILENO);
-        dup2(errors, STDERR_FILENO);
-        internal::limit_this_process(limits);
-        execvp(arguments[0], arguments);
-    }
-};
-
-// Starts a program as a child. Throws std::system_error if that fails.
-internal::ChildProcess started(const std::vector<std::string>& command, int input, int output, int errors,
-                               const ProcessLimits& limits) {
-    std::vector<std::string> words = command;
-    std::vector<char*> arguments;
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    auto [failure, failure_end] =
-        connected_pair();  // closed by a successful exec; otherwise carries its error
-    const Program program{arguments.data(), input, output, errors, limits};
-    internal::ChildProcess child("start " + words.at(0), [&, end = failure_end.get()] {
-        program.become();
-        const int error = errno;
-        [[maybe_unused]] const ssize_t told = write(end, &error, sizeof error);
-        _exit(127);
-    });
-    failure_end.reset();
-    int error = 0;
-    ssize_t count = 0;
-    do count = read(failure.get(), &error, sizeof error);
-    while (count < 0 && errno == EINTR);
-    if (count != static_cast<ssize_t>(sizeof error)) return child;
-    throw std::system_error(error, std::generic_category(), "cannot start " + words[0]);
-}
+using internal::Clock;
+using internal::last_bytes;
 
 // The parent's ends of a running program's three streams; each is closed when it has ended.
 class Streams {
@@ -153,7 +110,7 @@ ProcessResult run_process(const std::vector<std::string>& command, std::string_v
     auto [from_child, child_output] = connected_pair();
     auto [errors, child_errors] = connected_pair();
     internal::ChildProcess child =
-        started(command, child_input.get(), child_output.get(), child_errors.get(), limits);
+        internal::started(command, {child_input.get(), child_output.get(), child_errors.get()}, &limits);
     child_input.reset();
     child_output.reset();
     child_errors.reset();
@@ -217,7 +174,7 @@ ChildProcess::ChildProcess(ChildProcess&& other) noexcept
 ChildProcess::~ChildProcess() {
     if (id_ <= 0 || !is_ours()) return;
     kill();
-    (void)wait();
+    if (has_ended_by(Clock::now() + time_to_die)) (void)wait();
 }
 
 bool ChildProcess::is_ours() const {
@@ -236,15 +193,66 @@ int ChildProcess::wait() {
     return status;
 }
 
-bool ChildProcess::has_ended_by(std::chrono::steady_clock::time_point deadline) const {
+bool ChildProcess::has_ended_by(Clock::time_point deadline) const {
     siginfo_t info{};
     do {
         info.si_pid = 0;
         if (waitid(P_PID, static_cast<id_t>(id_), &info, WEXITED | WNOHANG | WNOWAIT) != 0) return true;
         if (info.si_pid != 0) return true;
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    } while (std::chrono::steady_clock::now() < deadline);
+    } while (Clock::now() < deadline);
     return false;
+}
+
+ChildProcess started(const std::vector<std::string>& command, std::array<int, 3> streams,
+                     const ProcessLimits* limits) {
+    std::vector<std::string> words = command;
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    auto [failure, failure_end] =
+        connected_pair();  // closed by a successful exec; otherwise carries its error
+    // Between fork and exec the child neither allocates nor locks.
+    ChildProcess child("start " + words.at(0), [&, end = failure_end.get()] {
+        for (int i = 0; i < 3; ++i) dup2(streams[static_cast<std::size_t>(i)], i);
+        if (limits != nullptr) limit_this_process(*limits);
+        execvp(arguments[0], arguments.data());
+        const int error = errno;
+        [[maybe_unused]] const ssize_t told = write(end, &error, sizeof error);
+        _exit(127);
+    });
+    failure_end.reset();
+    int error = 0;
+    ssize_t count = 0;
+    do count = read(failure.get(), &error, sizeof error);
+    while (count < 0 && errno == EINTR);
+    if (count != static_cast<ssize_t>(sizeof error)) return child;
+    throw std::system_error(error, std::generic_category(), "cannot start " + words[0]);
+}
+
+bool send_all(int connection, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count = send(connection, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+        if (count > 0) bytes.remove_prefix(static_cast<std::size_t>(count));
+        if (count < 0 && errno != EINTR) return false;
+    }
+    return true;
+}
+
+Arrival receive_some(int connection, Clock::time_point deadline, std::size_t most, std::string& text) {
+    while (true) {
+        const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
+        pollfd one{.fd = connection, .events = POLLIN, .revents = 0};
+        const int ready = poll(&one, 1, static_cast<int>(std::clamp<long long>(left, 0, 1'000'000)));
+        if (ready == 0 && Clock::now() >= deadline) return Arrival::silence;
+        if (ready <= 0) continue;  // interrupted
+        std::array<char, 65536> block{};
+        const ssize_t count = recv(connection, block.data(), std::min(block.size(), most), 0);
+        if (count == 0 || (count < 0 && errno != EINTR)) return Arrival::end;
+        if (count < 0) continue;
+        text.append(block.data(), static_cast<std::size_t>(count));
+        return Arrival::bytes;
+    }
 }
 
 void limit_this_process(const ProcessLimits& limits) {

@@ -44,6 +44,38 @@ struct ProcessResult {
 [[nodiscard]] ProcessResult run_process(const std::vector<std::string>& command, std::string_view input,
                                         const ProcessLimits& limits);
 
+// A program that answers lines with lines. Its standard input and output are connected to this process; its
+// standard error goes to an unnamed file. It is killed with the object, and when the thread that started it
+// ends (and so when this process ends for any reason).
+class WorkerProcess {
+  public:
+    using Clock = std::chrono::steady_clock;
+    enum class Heard { line, end, silence };
+
+    // command[0]: a path, or a name to find in PATH. Throws std::system_error when it cannot be started.
+    explicit WorkerProcess(const std::vector<std::string>& command);
+    ~WorkerProcess();
+    WorkerProcess(const WorkerProcess&) = delete;
+    WorkerProcess& operator=(const WorkerProcess&) = delete;
+
+    // Sends a line. Returns false if the program cannot receive it.
+    bool send(std::string_view line);
+
+    // Waits for a complete line (returned without its end), for the end of the output, or until the deadline.
+    [[nodiscard]] Heard receive(std::string& line, Clock::time_point deadline);
+
+    // Ends the program if it still runs. Returns how it ended: "ended by signal 11 (SEGV: Segmentation
+    // fault)", "ended with status 3", with the last text of its standard error.
+    [[nodiscard]] std::string end();
+
+    [[nodiscard]] pid_t id() const;
+
+  private:
+    struct Running;
+    std::unique_ptr<Running> running_;
+    std::string heard_;  // received but not yet returned
+};
+
 // Processor time that a process has used, over all its threads; zero for a process that has ended.
 [[nodiscard]] std::chrono::nanoseconds processor_time_of(pid_t process);
 

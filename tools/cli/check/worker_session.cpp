@@ -6,10 +6,10 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "base/process.hpp"
-
 namespace gloam::cli {
 namespace {
+
+using base::WorkerProcess;
 
 constexpr const char* index_variable = "GTEST_SHARD_INDEX";
 constexpr const char* count_variable = "GTEST_TOTAL_SHARDS";

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "base/process.hpp"
 #include "check/answer.hpp"
-#include "cli/worker_process.hpp"
 
 namespace gloam::cli {
 
@@ -69,7 +69,7 @@ class WorkerSession {
     std::vector<std::string> command_;
     std::chrono::milliseconds timeout_;
     std::function<std::string(const std::string&)> refusal_;
-    std::optional<WorkerProcess> process_;
+    std::optional<base::WorkerProcess> process_;
     std::string greeting_;
 };
 

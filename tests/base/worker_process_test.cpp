@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/worker_process.hpp"
+#include "base/process.hpp"
 
 #include <gmock/gmock.h>
 #include <sys/wait.h>
@@ -9,7 +9,7 @@
 #include <system_error>
 #include <thread>
 
-namespace gloam::cli {
+namespace gloam::base {
 namespace worker_process_test {
 
 using namespace std::chrono_literals;
@@ -136,4 +136,4 @@ TEST(WorkerProcess, AProgramThatIsNotThereIsNamed) {
 }
 
 }  // namespace worker_process_test
-}  // namespace gloam::cli
+}  // namespace gloam::base
