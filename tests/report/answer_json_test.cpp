@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "report/answer_json.hpp"
 
-#include <gmock/gmock.h>
-
 #include <cmath>
 #include <stdexcept>
 
 #include "report/rows.hpp"
+#include "support/matchers.hpp"
 
-namespace gloam::report {
-namespace answer_json_test {
-
-using testing::AllOf;
-using testing::HasSubstr;
+namespace gloam::report::answer_json_test {
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
     const std::size_t at = text.find(from);
@@ -21,7 +16,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 auto says(const std::string& text) {
-    return testing::ThrowsMessage<std::runtime_error>(HasSubstr(text));
+    return ThrowsMessage<std::runtime_error>(HasSubstr(text));
 }
 
 TEST(AnswerJson, EveryFieldSurvivesTheJourney) {
@@ -149,5 +144,4 @@ TEST(AnswerJson, WhatIsWrongIsNamed) {
     EXPECT_THAT([&] { (void)answer_from_json("[1]"); }, says("expected an object"));
 }
 
-}  // namespace answer_json_test
-}  // namespace gloam::report
+}  // namespace gloam::report::answer_json_test

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "report/check_report.hpp"
-
-#include <gmock/gmock.h>
-
 #include <stdexcept>
 
+#include "report/accuracy.hpp"
 #include "report/check_page.hpp"
+#include "report/check_report.hpp"
+#include "report/matrix.hpp"
+#include "report/merge.hpp"
 #include "report/rows.hpp"
+#include "support/matchers.hpp"
 
-namespace gloam::report {
-namespace check_report_test {
-
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::Not;
+namespace gloam::report::check_report_test {
 
 check::Answer crashed_row() {
     check::Answer row = passing_row("EQ-3");
@@ -23,7 +19,7 @@ check::Answer crashed_row() {
 }
 
 auto says(const std::string& text) {
-    return testing::ThrowsMessage<std::runtime_error>(HasSubstr(text));
+    return ThrowsMessage<std::runtime_error>(HasSubstr(text));
 }
 
 TEST(CheckReport, OneDeviceIsAnObjectSeveralAnArrayAndBothAreReadBack) {
@@ -120,10 +116,252 @@ TEST(CheckReport, WhatWasNotJudgedIsRemarked) {
     ordinary(row).open = 3;
     EXPECT_EQ(verdict_of(row), "ok");
     EXPECT_EQ(remark_on(row), "any result would pass for 3 of 60; not promised: nan");
-    EXPECT_THAT(table_line(row), testing::EndsWith(" ok; " + remark_on(row)));
+    EXPECT_THAT(table_line(row), EndsWith(" ok; " + remark_on(row)));
     EXPECT_EQ(remark_on(passing_row("EQ-2")), "");
     EXPECT_EQ(remark_on(unsupported_row("EQ-4")), "h is no GLSL 3.30");
 }
 
-}  // namespace check_report_test
-}  // namespace gloam::report
+std::vector<std::string> equations_of(const CheckReport& report) {
+    std::vector<std::string> names;
+    for (const check::Answer& row : report.rows) names.push_back(row.equation + " " + row.variant);
+    return names;
+}
+
+check::Answer crashed(const std::string& equation) {
+    check::Answer row = passing_row(equation);
+    row.error = "ended";
+    row.reason = check::Reason::crash;
+    return row;
+}
+
+TEST(Merge, ShardsBecomeTheWhole) {
+    const MergedReports merged =
+        merge({{"a", report_of("A", {passing_row("EQ-1"), passing_row("EQ-3")})},
+               {"b", report_of("A", {passing_row("EQ-2", "strict"), passing_row("EQ-2")})}});
+    EXPECT_THAT(merged.conflicts, IsEmpty());
+    ASSERT_EQ(merged.reports.size(), 1U);
+    EXPECT_THAT(equations_of(merged.reports[0]),
+                ElementsAre("EQ-1 shipped", "EQ-2 shipped", "EQ-2 strict", "EQ-3 shipped"));
+}
+
+TEST(Merge, DriversAreToldApartByAllTheySay) {
+    CheckReport newer = report_of("A", {passing_row("EQ-1")});
+    newer.device.driver = "driver 1.3";
+    const MergedReports merged = merge({{"a", report_of("A", {passing_row("EQ-1")})},
+                                        {"b", newer},
+                                        {"c", report_of("B", {crashed("EQ-1")})}});
+    ASSERT_EQ(merged.reports.size(), 3U);
+    EXPECT_THAT(merged.conflicts, IsEmpty());
+    EXPECT_EQ(merged.reports[1].device.driver, "driver 1.3");
+    EXPECT_EQ(merged.reports[2].count(check::Outcome::failed), 1U);
+}
+
+TEST(Merge, TheSameRowTwiceIsOneWhateverItsTime) {
+    check::Answer later = passing_row("EQ-1");
+    later.seconds = 9.0;
+    const MergedReports merged =
+        merge({{"a", report_of("A", {passing_row("EQ-1")})}, {"b", report_of("A", {later})}});
+    EXPECT_THAT(merged.conflicts, IsEmpty());
+    EXPECT_EQ(merged.reports.at(0).rows.size(), 1U);
+}
+
+TEST(Merge, OfRowsThatDisagreeTheWorseIsKeptAndItIsSaid) {
+    check::Answer little = passing_row("EQ-1");
+    ordinary(little).outside = 1;
+    check::Answer larger_error = passing_row("EQ-1");
+    larger_error.budget_fraction = 0.9;
+    check::Answer fault = passing_row("EQ-1");
+    fault.fault = "pixel";
+    const std::vector<check::Answer> ascending{passing_row("EQ-1"), larger_error, little, fault,
+                                               crashed("EQ-1")};
+    for (std::size_t i = 1; i < ascending.size(); ++i) {
+        for (const bool swapped : {false, true}) {
+            const check::Answer& first = ascending[swapped ? i : i - 1];
+            const check::Answer& second = ascending[swapped ? i - 1 : i];
+            const MergedReports merged =
+                merge({{"a.json", report_of("A", {first})}, {"b.json", report_of("A", {second})}});
+            ASSERT_EQ(merged.reports.at(0).rows.size(), 1U);
+            EXPECT_EQ(to_json(merged.reports[0].rows[0]), to_json(ascending[i])) << i;
+            ASSERT_EQ(merged.conflicts.size(), 1U);
+            EXPECT_THAT(merged.conflicts[0], HasSubstr("EQ-1 shipped on A (driver 1.2): a.json says "));
+            EXPECT_THAT(merged.conflicts[0], HasSubstr("b.json says "));
+        }
+    }
+}
+
+TEST(Merge, NothingIsNothing) {
+    EXPECT_THAT(merge({}).reports, IsEmpty());
+}
+
+std::vector<CheckReport> two_drivers() {
+    check::Answer lost{
+        .equation = "device", .error = "the device cannot be opened", .reason = check::Reason::crash};
+    check::Answer strict = passing_row("EQ-2", "strict");
+    strict.verdict = check::Verdict::rules;
+    strict.fraction = 0.5;
+    check::Answer wrong = passing_row("EQ-2");
+    ordinary(wrong).outside = 3;
+    return {report_of("A", {passing_row("EQ-1"), strict}), report_of("B|C", {crashed("EQ-1"), wrong, lost})};
+}
+
+TEST(Matrix, HasALineForEachEquationAndAColumnForEachDriverAndVariant) {
+    EXPECT_EQ(to_matrix(two_drivers()),
+              "driver 1: A (driver 1.2)\n"
+              "driver 2: B|C (driver 1.2)\n"
+              "\n"
+              "equation  1 shipped  1 strict  2 shipped\n"
+              "EQ-1      ok 0.25    -         crash\n"
+              "EQ-2      -          ok 0.50   FAIL 3/50\n"
+              "\n"
+              "ok 0.85: passed, the largest error is 0.85 of what is allowed. FAIL 3/100: 3 of 100 inputs "
+              "are outside.\n"
+              "not judged, unsupported: no verdict. Another reason, \"hang\" say: the check did not end. "
+              "-: it was not run.\n"
+              "\n"
+              "driver 1: 2 checks, 0 failed; worst error 0.5 of what is allowed: EQ-2 strict\n"
+              "driver 2: 3 checks, 3 failed; failed: 2 crash, 1 outside; worst error 0.25 of what is "
+              "allowed: EQ-2 shipped; the device cannot be opened\n");
+}
+
+TEST(Matrix, WhatWasNotJudgedIsNotCountedAsOk) {
+    const std::string text =
+        to_matrix({report_of("A", {passing_row("EQ-1"), unjudged_row("EQ-2"), unsupported_row("EQ-3")})});
+    EXPECT_THAT(text, HasSubstr("EQ-2      not judged\n"));
+    EXPECT_THAT(text, HasSubstr("EQ-3      unsupported\n"));
+    EXPECT_THAT(text, HasSubstr("driver 1: 3 checks, 0 failed, 2 not judged; worst error 0.25"));
+}
+
+TEST(Matrix, MarkdownHoldsTheSame) {
+    const std::string page = to_matrix_markdown(two_drivers());
+    EXPECT_THAT(page,
+                HasSubstr("| equation | 1 shipped | 1 strict | 2 shipped |\n| --- | --- | --- | --- |\n"));
+    EXPECT_THAT(page, HasSubstr("| EQ-2 | - | ok 0.50 | FAIL 3/50 |\n"));
+    EXPECT_THAT(page, HasSubstr("| 2 | B\\|C (driver 1.2) | 3 checks, 3 failed"));
+}
+
+TEST(Matrix, OneDriverNeedsNoNumbers) {
+    EXPECT_THAT(to_matrix({report_of("A", {passing_row("EQ-1")})}), HasSubstr("equation  shipped\n"));
+}
+
+check::Answer row(const std::string& equation, const std::string& variant, double fraction) {
+    check::Answer answer{.equation = equation,
+                         .variant = variant,
+                         .budget = {.ulp = 4},
+                         .max_ulp = 2.0,
+                         .max_absolute = 1e-7,
+                         .budget_fraction = fraction};
+    ordinary(answer).inputs = 1000;
+    return answer;
+}
+
+check::Answer strict(const std::string& equation, double width, double guaranteed_ulp) {
+    check::Answer by_rules = row(equation, "strict", 0.2);
+    by_rules.verdict = check::Verdict::rules;
+    by_rules.fraction = width;
+    by_rules.bounded = 500;
+    by_rules.guarantee = {.ulp = guaranteed_ulp, .absolute = 3e-7, .fraction = guaranteed_ulp / 4};
+    return by_rules;
+}
+
+CheckReport device(const std::string& name, std::vector<check::Answer> rows) {
+    return {.device = {.name = name, .driver = "driver of " + name}, .rows = std::move(rows)};
+}
+
+TEST(Accuracy, TakesTheWorstVariantThatIsJudgedByTheBudget) {
+    const std::vector<CheckReport> reports{
+        device("one", {row("E", "shipped", 0.25), row("E", "optimized", 0.5), strict("E", 0.9, 7.5)})};
+    EXPECT_THAT(to_accuracy_markdown(reports),
+                HasSubstr("| E | 4 ulp | 3.0e-07, 7.5 ulp | 0.50 optimized |"));
+    const std::vector<EquationAccuracy> all = accuracies(reports);
+    ASSERT_EQ(all.size(), 1U);
+    EXPECT_EQ(all.front().measured.at(0).value().variant, "optimized");
+}
+
+TEST(Accuracy, SaysWhereNothingIsPromised) {
+    check::Answer open = strict("E", 0.5, 2);
+    open.unbounded = 125;
+    EXPECT_THAT(to_accuracy_markdown({device("one", {open, row("E", "shipped", 0.1)})}),
+                HasSubstr("3.0e-07, 2 ulp; 25 % open"));
+}
+
+TEST(Accuracy, CountsEquationsByThePartOfTheirErrorOnEachDriver) {
+    const std::string text = to_accuracy_markdown(
+        {device("one", {row("A", "shipped", 0.0), row("B", "shipped", 0.25), row("C", "shipped", 0.3)}),
+         device("two", {row("A", "shipped", 0.75), row("B", "shipped", 1.5), strict("C", 0.4, 2)})});
+    EXPECT_THAT(text,
+                AllOf(HasSubstr("3 equations."), HasSubstr("| part of the documented error | one | two |"),
+                      HasSubstr("| nothing: exact | 1 | 0 |"), HasSubstr("| up to a quarter | 1 | 0 |"),
+                      HasSubstr("| up to a half | 1 | 0 |"), HasSubstr("| up to all of it | 0 | 1 |"),
+                      HasSubstr("| more: outside | 0 | 1 |"), HasSubstr("alone | 0 | 1 |")));
+}
+
+TEST(Accuracy, TwoVersionsOfADriverAreToldApart) {
+    std::vector<CheckReport> reports{device("one", {row("A", "shipped", 0.5)}),
+                                     device("one", {row("A", "shipped", 0.5)})};
+    reports[1].device.driver = "newer";
+    EXPECT_THAT(to_accuracy_markdown(reports), HasSubstr("| one (driver of one) | one (newer) |"));
+}
+
+TEST(Accuracy, ListsTheTenThatUseMost) {
+    std::vector<check::Answer> rows;
+    for (int i = 0; i < 20; ++i) rows.push_back(row("E" + std::to_string(i), "shipped", 0.04 * i));
+    const std::string text = to_accuracy_markdown({device("one", rows)});
+    EXPECT_THAT(text, AllOf(HasSubstr("| E19 | 4 ulp | not calculated | 0.76 shipped |"),
+                            HasSubstr("| E10 |"), Not(HasSubstr("| E9 |"))));
+}
+
+TEST(Accuracy, ListsEveryCheckThatFailed) {
+    check::Answer outside = row("E", "shipped", 3.0);
+    ordinary(outside).outside = 17;
+    check::Answer strictly = outside;
+    strictly.variant = "strict";
+    check::Answer crashed{
+        .equation = "F", .variant = "shipped", .error = "gone", .reason = check::Reason::crash};
+    const std::string text = to_accuracy_markdown({device("one", {outside, strictly, crashed})});
+    EXPECT_THAT(text, AllOf(HasSubstr("| E | one | shipped 17 of 1000, strict 17 of 1000 |"),
+                            HasSubstr("| F | one | shipped crash |")));
+    EXPECT_THAT(to_accuracy_markdown({device("one", {row("E", "shipped", 0.1)})}),
+                HasSubstr("No check failed."));
+}
+
+TEST(Accuracy, CountsTheChecksOfEachVariant) {
+    check::Answer outside = row("E", "hlsl", 3.0);
+    ordinary(outside).outside = 17;
+    const std::string text = to_accuracy_markdown(
+        {device("one", {row("E", "shipped", 0.5), row("F", "shipped", 0.5), outside, row("F", "hlsl", 0.5)}),
+         device("two", {row("E", "shipped", 0.5)})});
+    EXPECT_THAT(text, AllOf(HasSubstr("\n| checks passed in the variant | one | two |\n"),
+                            HasSubstr("\n| shipped | 2 of 2 | 1 of 1 |\n| hlsl | 1 of 2 | 0 of 0 |\n")));
+}
+
+TEST(Accuracy, CountsWhatTheRulesAloneKeep) {
+    EXPECT_THAT(to_accuracy_markdown(
+                    {device("one", {strict("A", 0.5, 2), strict("B", 0.5, 6), strict("C", 0.5, 4)})}),
+                HasSubstr("Of 3 functions with a documented error, 2 keep it"));
+}
+
+TEST(Accuracy, AFunctionThatIsJudgedByTheRulesAloneDocumentsNothing) {
+    check::Answer alone = strict("E", 0.5, 2);
+    alone.variant = "shipped";
+    const PageTable table = accuracy_table({device("one", {alone})});
+    ASSERT_EQ(table.rows.size(), 1U);
+    EXPECT_EQ(table.rows[0][1].text, "Vulkan's rules");
+    EXPECT_EQ(table.rows[0].size(), table.columns.size());
+}
+
+TEST(Accuracy, TheTableOfAllHasEveryEquationAndDriver) {
+    const PageTable table =
+        accuracy_table({device("one", {row("A", "shipped", 0.25), strict("A", 0.5, 2)}),
+                        device("two", {row("A", "shipped", 0.75), row("B", "shipped", 0.5)})});
+    ASSERT_EQ(table.rows.size(), 2U);
+    const auto texts = [](const std::vector<PageCell>& cells) {
+        std::vector<std::string> all;
+        for (const PageCell& cell : cells) all.push_back(cell.text);
+        return all;
+    };
+    EXPECT_THAT(texts(table.rows[0]),
+                ElementsAre("A", "4 ulp", "3.0e-07", "2", "0", "0.25 shipped", "0.75 shipped"));
+    EXPECT_THAT(texts(table.rows[1]), ElementsAre("B", "4 ulp", "-", "-", "-", "-", "0.50 shipped"));
+}
+
+}  // namespace gloam::report::check_report_test

@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Results of many machines, in a stream.
-#include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "report/laboratory/summary_page.hpp"
 #include "report/rows.hpp"
+#include "support/matchers.hpp"
 
-namespace gloam::report {
-namespace laboratory_test {
-
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::Not;
+namespace gloam::report::laboratory_test {
 
 DeviceSummary device_of(const std::string& name, const std::string& driver) {
     return {.name = name, .driver = driver, .type = "discrete", .api_version = "1.3.230"};
@@ -215,5 +209,4 @@ TEST(SummaryPage, NamesTheWorstFirstAndEscapesForeignText) {
     EXPECT_THAT(page, HasSubstr("1 of 1"));
 }
 
-}  // namespace laboratory_test
-}  // namespace gloam::report
+}  // namespace gloam::report::laboratory_test

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "report/amber.hpp"
-
-#include <gmock/gmock.h>
-
 #include <cmath>
 #include <limits>
 #include <set>
 #include <sstream>
 
-namespace gloam::report {
-namespace amber_test {
+#include "report/amber.hpp"
+#include "report/failure_text.hpp"
+#include "report/rows.hpp"
+#include "report/shader_test.hpp"
+#include "support/matchers.hpp"
 
-using testing::HasSubstr;
-using testing::Not;
+namespace gloam::report::failures_test {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -149,39 +147,35 @@ class Grammar {
 
 TEST(Amber, AFloatLiesInItsRangeAndIsNoNaN) {
     EXPECT_THAT(expectations(number(0.25, 0.5)),
-                testing::ElementsAre("EXPECT floats IDX 0 NE nan", "EXPECT floats IDX 0 GE 0.250000000",
-                                     "EXPECT floats IDX 0 LE 0.500000000"));
-    EXPECT_THAT(
-        expectations(number(-0.125, 3.0, true)),
-        testing::ElementsAre("EXPECT floats IDX 0 GE -0.125000000", "EXPECT floats IDX 0 LE 3.00000000"));
+                ElementsAre("EXPECT floats IDX 0 NE nan", "EXPECT floats IDX 0 GE 0.250000000",
+                            "EXPECT floats IDX 0 LE 0.500000000"));
+    EXPECT_THAT(expectations(number(-0.125, 3.0, true)),
+                ElementsAre("EXPECT floats IDX 0 GE -0.125000000", "EXPECT floats IDX 0 LE 3.00000000"));
 }
 
 TEST(Amber, EndsBetweenTwoFloatsAreRoundedInwards) {
     // 0.1 in double lies between two floats: 0.0999999940 and 0.100000001.
     EXPECT_THAT(expectations(number(0.1, 0.1 + 1e-12)),
-                testing::ElementsAre("EXPECT floats IDX 0 NE nan", "EXPECT floats IDX 0 GE 0.100000001",
-                                     "EXPECT floats IDX 0 LE 0.0999999940"));
+                ElementsAre("EXPECT floats IDX 0 NE nan", "EXPECT floats IDX 0 GE 0.100000001",
+                            "EXPECT floats IDX 0 LE 0.0999999940"));
 }
 
 TEST(Amber, InfinityAndNaNAreSaidWithoutTheirWords) {
     EXPECT_THAT(expectations(number(infinity, infinity)),
-                testing::ElementsAre("EXPECT floats IDX 0 NE nan", "EXPECT floats IDX 0 GT 3.40282347e+38"));
+                ElementsAre("EXPECT floats IDX 0 NE nan", "EXPECT floats IDX 0 GT 3.40282347e+38"));
     EXPECT_THAT(expectations(number(-infinity, -infinity)),
-                testing::ElementsAre("EXPECT floats IDX 0 NE nan", "EXPECT floats IDX 0 LT -3.40282347e+38"));
+                ElementsAre("EXPECT floats IDX 0 NE nan", "EXPECT floats IDX 0 LT -3.40282347e+38"));
     EXPECT_THAT(expectations(number(1.0, infinity)),
-                testing::ElementsAre("EXPECT floats IDX 0 NE nan", "EXPECT floats IDX 0 GE 1.00000000"));
-    EXPECT_THAT(expectations(number(-infinity, infinity)),
-                testing::ElementsAre("EXPECT floats IDX 0 NE nan"));
-    EXPECT_THAT(expectations(number(infinity, -infinity, true)),
-                testing::ElementsAre("EXPECT floats IDX 0 EQ nan"));
+                ElementsAre("EXPECT floats IDX 0 NE nan", "EXPECT floats IDX 0 GE 1.00000000"));
+    EXPECT_THAT(expectations(number(-infinity, infinity)), ElementsAre("EXPECT floats IDX 0 NE nan"));
+    EXPECT_THAT(expectations(number(infinity, -infinity, true)), ElementsAre("EXPECT floats IDX 0 EQ nan"));
     EXPECT_TRUE(expectations(number(-infinity, infinity, true)).empty());
 }
 
 TEST(Amber, IntegersAreExactWords) {
-    EXPECT_THAT(expectations(integer(7)), testing::ElementsAre("EXPECT words IDX 0 EQ 7"));
-    EXPECT_THAT(expectations(integer(-1)), testing::ElementsAre("EXPECT words IDX 0 EQ 4294967295"));
-    EXPECT_THAT(expectations(integer(4294967295.0)),
-                testing::ElementsAre("EXPECT words IDX 0 EQ 4294967295"));
+    EXPECT_THAT(expectations(integer(7)), ElementsAre("EXPECT words IDX 0 EQ 7"));
+    EXPECT_THAT(expectations(integer(-1)), ElementsAre("EXPECT words IDX 0 EQ 4294967295"));
+    EXPECT_THAT(expectations(integer(4294967295.0)), ElementsAre("EXPECT words IDX 0 EQ 4294967295"));
 }
 
 TEST(Amber, AFunctionOfFloatsAndIntegersIsRunOnceForEachView) {
@@ -239,5 +233,109 @@ TEST(Amber, AFunctionWithoutInputsHasABufferAllTheSame) {
     EXPECT_TRUE(grammar.buffers.contains("inputs"));
 }
 
-}  // namespace amber_test
-}  // namespace gloam::report
+TEST(FailureText, TellsAllThatAReportNeeds) {
+    const check::Answer row = failing_row();
+    check::Sample smallest = *row.worst;
+    smallest.values = "float 1 (0x3f800000)";
+    const std::string text = failure_text(report_of("GPU", {}).device, row, smallest, "");
+    for (const char* part : {"EQ-1: f of gloam/f.glsl, variant strict", "line one", "float 1 (0x3f800000)",
+                             "float 0.5 (0x3f000000)", "3 x 3", "got 0x7fc00000", "want 0.1",
+                             "permitted 0 (0x0p+0) to 0.25 (0x1p-2), or NaN", "GPU", "driver 1.2",
+                             "Vulkan 1.3.0", "precision rules", "4 ulp or 1e-07 absolute",
+                             "gloam check EQ-1 --variant strict", "amber -v 1.2 -t spv1.5 repro.amber"}) {
+        EXPECT_THAT(text, HasSubstr(part));
+    }
+}
+
+TEST(FailureText, OfACheckThatDidNotRunGivesTheReason) {
+    check::Answer row = passing_row("EQ-2");
+    row.reason = check::Reason::hang;
+    row.error = "not finished after 5 s";
+    const std::string text = failure_text(report_of("GPU", {}).device, row, std::nullopt, "A note.");
+    EXPECT_THAT(text, HasSubstr("hang: not finished after 5 s"));
+    EXPECT_THAT(text, HasSubstr("A note."));
+    EXPECT_THAT(text, Not(HasSubstr("input  ")));
+}
+
+TEST(FailureText, NamesVersionsAndTheWholeCommand) {
+    const std::string text =
+        failure_text(report_of("GPU", {}).device, failing_row(), std::nullopt, "",
+                     {.command = "gloam check EQ-1 --seed 7", .versions = "gloam 1, glslang 2"});
+    EXPECT_THAT(text, HasSubstr("Run it again: gloam check EQ-1 --seed 7\n"));
+    EXPECT_THAT(text, HasSubstr("Versions: gloam 1, glslang 2"));
+}
+
+TEST(FailureText, WholeNumbersAreWrittenAsOneWritesThem) {
+    check::Answer row = failing_row();
+    row.worst->want.assign(row.worst->want.size(), 129'708'002.0);
+    const std::string text = failure_text(report_of("GPU", {}).device, row, std::nullopt, "");
+    EXPECT_THAT(text, HasSubstr("want 129708002"));
+    EXPECT_THAT(text, Not(HasSubstr("129708002 (0x1.eecbf88p+26)")));
+}
+
+TEST(ShellWord, IsOneWordForAShell) {
+    EXPECT_EQ(shell_word("HALTON-base2"), "HALTON-base2");
+    EXPECT_EQ(shell_word("llvmpipe (LLVM 15.0.6, 256 bits)"), "'llvmpipe (LLVM 15.0.6, 256 bits)'");
+    EXPECT_EQ(shell_word("it's; $(id)"), "'it'\\''s; $(id)'");
+    EXPECT_EQ(shell_word(""), "''");
+    EXPECT_EQ(shell_word("a\n\x1b'b"), R"($'a\x0a\x1b\'b')");
+}
+
+TEST(Slug, IsFitForAFolder) {
+    EXPECT_EQ(slug("llvmpipe (LLVM 15.0.6, 256 bits)"), "llvmpipe-llvm-15-0-6-256-bits");
+    EXPECT_EQ(slug("../../etc/passwd"), "etc-passwd");
+    EXPECT_EQ(slug("Zwölf"), "zw-lf");
+    EXPECT_EQ(slug("//"), "unnamed");
+    EXPECT_EQ(slug(""), "unnamed");
+}
+
+ShaderReplay shader_replay(bool compute) {
+    return {
+        .glsl = "#version 310 es\nvoid main() {}\n",
+        .compute = compute,
+        .version = "GL ES >= 3.1",
+        .glsl_version = "GLSL ES >= 3.10",
+        .kernel = {
+            .comments = {"a comment"},
+            .assembly = {},
+            .inputs = {0x3f800000U, 0xffffffffU},
+            .images = {{.name = "fetch", .words = {1U, 1U, 0U, 9U}}},
+            .outputs = {
+                {.is_float = true, .allowed = {{.low = 0.5, .high = 2, .nan = false}}, .comment = "c"},
+                {.is_float = false, .allowed = {{.low = -1, .high = -1, .nan = false}}, .comment = "d"}}}};
+}
+
+TEST(ShaderTest, AComputeShaderIsProbed) {
+    const std::string text = to_shader_test(shader_replay(true));
+    EXPECT_THAT(text,
+                StartsWith("# a comment\n\n[require]\nGL ES >= 3.1\nGLSL ES >= 3.10\n\n[compute shader]\n"
+                           "#version 310 es\n"));
+    EXPECT_THAT(text, AllOf(HasSubstr("ssbo 0 8\nssbo 0 subdata int 0 1065353216\nssbo 0 subdata int 4 -1\n"),
+                            HasSubstr("ssbo 1 12\n"), HasSubstr("ssbo 3 16\nssbo 3 subdata int 0 1\n"),
+                            HasSubstr("compute 1 1 1\n")));
+    EXPECT_THAT(text, AllOf(HasSubstr("probe ssbo float 1 0 >= 0.5\nprobe ssbo float 1 0 <= 2\n"),
+                            HasSubstr("probe ssbo uint 1 4 == 0xffffffff\n"),
+                            HasSubstr("probe ssbo uint 1 8 == 0x3f800000\n"),
+                            HasSubstr("probe ssbo uint 2 0 == 0x0\n")));
+}
+
+TEST(ShaderTest, WhatIsNotJudgedIsNotProbed) {
+    ShaderReplay one = shader_replay(true);
+    one.kernel.outputs.front().allowed.clear();
+    EXPECT_THAT(to_shader_test(one), Not(HasSubstr("probe ssbo float")));
+    one.kernel.outputs.front().allowed = {{.low = 1, .high = 2, .nan = true}};
+    EXPECT_THAT(to_shader_test(one), Not(HasSubstr("probe ssbo float")));
+    one.kernel.outputs.front().allowed = {{.low = 1, .high = infinity, .nan = false}};
+    EXPECT_THAT(to_shader_test(one), AllOf(HasSubstr("probe ssbo float 1 0 >= 1\n"), Not(HasSubstr("<="))));
+}
+
+TEST(ShaderTest, AFragmentShaderDrawsGreen) {
+    const std::string text = to_shader_test(shader_replay(false));
+    EXPECT_THAT(text, AllOf(HasSubstr("[vertex shader]\n#version 310 es\n"), HasSubstr("[fragment shader]\n"),
+                            HasSubstr("uniform uint gloam_kernel_inputs[1] 4294967295\n"),
+                            HasSubstr("uniform uint gloam_kernel_image0[3] 9\n"),
+                            HasSubstr("draw rect -1 -1 2 2\nprobe all rgba 0.0 1.0 0.0 1.0\n"),
+                            Not(HasSubstr("ssbo"))));
+}
+
+}  // namespace gloam::report::failures_test
