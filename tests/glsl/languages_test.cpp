@@ -7,6 +7,7 @@
 #include <string>
 #include <tuple>
 
+#include "gl/device.hpp"
 #include "gpu/commands.hpp"
 #include "shader/pack.hpp"
 #include "support/method_names.hpp"
