@@ -27,13 +27,14 @@ void main() {
     vec3 normal = gloam_normal_from_depth(pixel, size, p00_p11);
     vec2 reach = 0.5 * radius * p00_p11 / -position.z * vec2(size);  // pixels
     float turn = 6.2831853 * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
-    vec2 accumulated = vec2(0.0);
+    float occlusion = 0.0;
     for (int i = 0; i < TAPS; ++i) {
         float share = (float(i) + 0.5) / float(TAPS);
         float angle = turn + 2.3999632 * float(i);  // a spiral by the golden angle
         ivec2 tap = clamp(pixel + ivec2(round(reach * sqrt(share) * vec2(cos(angle), sin(angle)))), ivec2(0), size - 1);
         vec3 offset = gloam_position_from_depth(tap, size, p00_p11) - position;
-        accumulated += vec2(gloam_contribution_alchemy(offset, normal, 0.005 * radius, 1e-7), 1.0);
+        // The last argument is twice the distance of the strongest influence.
+        occlusion += gloam_contribution_alchemy(offset, normal, 0.005 * radius, 1e-7, 0.8 * radius) / float(TAPS);
     }
-    visibility = vec4(vec3(gloam_visibility_alchemy(accumulated, 0.4 * radius, 1.0)), 1.0);
+    visibility = vec4(vec3(clamp(1.0 - occlusion, 0.0, 1.0)), 1.0);
 }

@@ -17,24 +17,31 @@ layout(push_constant) uniform Parameters {
     uint orthographic;  // 1, or 0 for perspective
 } parameters;
 
-#include "gloam/geometry/camera.glsl"
-#include "gloam/geometry/normal.glsl"
+#include "gloam/geometry/normal_from_depth.glsl"
 
-vec3 position_at(ivec2 pixel, GloamCamera camera) {
-    if (pixel.x < 0 || pixel.y < 0 || pixel.x >= camera.size.x || pixel.y >= camera.size.y) return vec3(0.0);
-    return gloam_camera_position(pixel, GLOAM_FETCH(depth_image, pixel).x, camera);
+float gloam_fetch_depth(ivec2 pixel) {
+    return GLOAM_FETCH(depth_image, pixel).x;
+}
+
+// Of an orthographic camera; the zero vector for background and outside the image.
+vec3 position_at(ivec2 pixel) {
+    ivec2 size = parameters.size;
+    if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.x || pixel.y >= size.y) return vec3(0.0);
+    return gloam_view_position_orthographic(gloam_ndc_from_pixel(pixel, size), gloam_fetch_depth(pixel),
+                                            parameters.p00_p11);
+}
+
+vec3 orthographic_normal(ivec2 pixel) {
+    return gloam_normal_from_neighbors_orthographic(position_at(pixel), position_at(pixel - ivec2(1, 0)),
+                                                    position_at(pixel + ivec2(1, 0)), position_at(pixel - ivec2(0, 1)),
+                                                    position_at(pixel + ivec2(0, 1)));
 }
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
-    GloamCamera camera = GloamCamera(parameters.p00_p11, parameters.size, parameters.orthographic != 0u);
-    vec3 center = position_at(pixel, camera);
-    vec3 left = position_at(pixel - ivec2(1, 0), camera);
-    vec3 right = position_at(pixel + ivec2(1, 0), camera);
-    vec3 up = position_at(pixel - ivec2(0, 1), camera);
-    vec3 down = position_at(pixel + ivec2(0, 1), camera);
-    vec3 normal = camera.orthographic ? gloam_normal_from_neighbors_orthographic(center, left, right, up, down)
-                                      : gloam_normal_from_neighbors(center, left, right, up, down);
+    vec3 normal = parameters.orthographic != 0u
+                      ? orthographic_normal(pixel)
+                      : gloam_normal_from_depth(pixel, parameters.size, parameters.p00_p11);
     imageStore(normal_image, pixel, vec4(normal, 0.0));
 }

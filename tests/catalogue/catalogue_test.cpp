@@ -81,7 +81,6 @@ bool returns_floats(const Entry& entry) {
 const std::map<std::string, std::string> any_number{
     {"CS-I-ratio", "a height over a half chord: any float, -infinity for background"},
     {"CS-I-pair", "as far as its caller believes: any float from lowest to highest"},
-    {"CS-P-add", "a sum of products of any size"},
 };
 
 TEST(Catalogue, EveryResultIsHeldInsideItsCodomain) {

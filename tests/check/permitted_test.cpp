@@ -90,10 +90,9 @@ TEST(FlushedSubnormals, CoordinatesOfAPointAtTheEyeAreNotMadeUp) {
 }
 
 TEST(FlushedSubnormals, CreaseShadingOfTouchingPointsIsFinite) {
-    Rules<float(glm::vec3, glm::vec3, glm::vec3, float)> contribution("gloam/occlusion/fox_compton.glsl",
-                                                                      "gloam_contribution_fox_compton");
-    expect_within(contribution(glm::vec3(least), glm::vec3(0.0F, -0.8F, -0.6F), glm::vec3(0.0F), -0.0F)[0],
-                  0.0, 8.6e37);
+    Rules<float(glm::vec3, glm::vec3, float)> contribution("gloam/occlusion/fox_compton.glsl",
+                                                           "gloam_contribution_fox_compton");
+    expect_within(contribution(glm::vec3(least), glm::vec3(0.0F, -0.8F, -0.6F), 0.01F)[0], -1e-6, 1e-6);
 }
 
 // The largest error that the rules permit at evenly spaced inputs.
@@ -142,7 +141,6 @@ TEST(ErrorBound, InverseFunctions) {
     };
     expect_close_below(error("gloam_asin_half", [](double x) { return std::asin(x); }, 0, 0.5), 1.4e-7);
     expect_close_below(error("gloam_acos", [](double x) { return std::acos(x); }, -1, 1), 1e-6);
-    expect_close_below(error("gloam_asin", [](double x) { return std::asin(x); }, -1, 1), 1e-6);
     expect_close_below(error("gloam_atan", [](double x) { return std::atan(x); }, -4, 4), 1e-6);
     Rules<float(float, float)> atan2(file, "gloam_atan2");
     const auto half_turn = [&](float x) { return atan2(x, -1.0F)[0]; };

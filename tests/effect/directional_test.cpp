@@ -222,15 +222,16 @@ glm::dvec3 bounce_of(const scene::GBuffer& view, const DirectionalLight& light, 
         const glm::dvec3 there = position + radius * (frame * point);
         const glm::ivec2 seen =
             reference::gloam_nearest_pixel(reference::gloam_camera_uv(there, camera), camera.size);
-        const double depth = reference::gloam_plane_depth(seen, there, normal, camera);
+        const glm::dvec2 ray(reference::gloam_camera_position(seen, 1.0, camera));
+        const double depth = reference::gloam_plane_depth(ray, there, normal, camera.orthographic);
         const double buffer = double{view.depth[at(seen)]};
-        const double blocked =
-            reference::gloam_sample_blocked(depth, buffer, double{settings.bias}, double{settings.own.range});
-        if (blocked == 0.0) continue;
+        if (!reference::gloam_sample_blocked(depth, buffer, double{settings.bias},
+                                             double{settings.own.range}))
+            continue;
         const glm::dvec3 offset = reference::gloam_camera_position(seen, buffer, camera) - position;
         sum += reference::gloam_ssdo_bounce(offset, normal, glm::dvec3(view.normal[at(seen)]),
                                             glm::dvec3(light.direct[at(seen)]), radius,
-                                            double{settings.own.epsilon}, 1.0 - blocked);
+                                            double{settings.own.epsilon}, 0.0);
     }
     return glm::dvec3(view.color[at(pixel)]) * sum / double{count};
 }

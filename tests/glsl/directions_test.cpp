@@ -209,31 +209,6 @@ class Layers : public testing::Test {
     check::Lab lab = test::make_lab();
 };
 
-TEST_F(Layers, LargestOcclusion) {
-    const Kernel<float(float, float)> over(lab, "gloam/occlusion/layers.glsl", "gloam_layers_occlusion");
-    EXPECT_EQ(over(0.0F, 0.25F), 0.25F);
-    EXPECT_EQ(over(0.25F, 0.25F), 0.25F);  // the same layer twice
-    EXPECT_EQ(over(0.5F, 0.25F), 0.5F);
-    EXPECT_EQ(over(0.5F, NAN), 0.5F);
-    EXPECT_EQ(over(NAN, 0.5F), 0.5F);
-    EXPECT_EQ(over(0.5F, 2.0F), 1.0F);
-}
-
-TEST_F(Layers, BetweenFrontAndBack) {
-    const Kernel<float(float, float, float)> blocked(lab, "gloam/occlusion/layers.glsl",
-                                                     "gloam_layer_blocked");
-    EXPECT_EQ(blocked(2.5F, 2.0F, 3.0F), 1.0F);
-    EXPECT_EQ(blocked(2.0F, 2.0F, 3.0F), 1.0F);
-    EXPECT_EQ(blocked(3.0F, 2.0F, 3.0F), 1.0F);
-    EXPECT_EQ(blocked(1.9F, 2.0F, 3.0F), 0.0F);
-    EXPECT_EQ(blocked(3.1F, 2.0F, 3.0F), 0.0F);  // open space behind a thin object
-    for (const float background : {infinity, 0.0F, -1.0F, NAN}) {
-        EXPECT_EQ(blocked(30.0F, 2.0F, background), 1.0F);
-        EXPECT_EQ(blocked(2.5F, background, 3.0F), 0.0F);
-        EXPECT_EQ(blocked(background, 2.0F, infinity), 0.0F);
-    }
-}
-
 // As in gloam/gather/pair.glsl.
 struct PairShare {
     float occluded;

@@ -82,32 +82,24 @@ TEST_F(Proxies, OnlyAboveTheHorizon) {
 }
 
 TEST_F(Proxies, DiscAlongItsAxis) {
-    using Signature = float(glm::vec3, glm::vec3, glm::vec3, float, float);
-    const std::string file = "gloam/occlusion/disc_proxy.glsl";
-    const Kernel<Signature> solid(lab, file, "gloam_contribution_disc_proxy");
-    const Kernel<Signature> cosine(lab, file, "gloam_contribution_disc_proxy_cosine");
+    const Kernel<float(glm::vec3, glm::vec3, glm::vec3, float, float)> disc(
+        lab, "gloam/occlusion/disc_proxy.glsl", "gloam_contribution_disc_proxy_cosine");
     const float pi = std::numbers::pi_v<float>;
     for (const float radius : {0.1F, 1.0F, 10.0F}) {
-        const double hypotenuse = std::sqrt(4.0 + static_cast<double>(radius * radius));
-        EXPECT_NEAR(solid(2.0F * up, up, -up, pi * radius * radius, 1.0F), 1 - 2 / hypotenuse, 1e-6);
         // Parallel disc, centred: r^2 / (r^2 + h^2).
-        EXPECT_NEAR(cosine(2.0F * up, up, -up, pi * radius * radius, 1.0F),
-                    radius * radius / (hypotenuse * hypotenuse), 1e-6);
+        EXPECT_NEAR(disc(2.0F * up, up, -up, pi * radius * radius, 1.0F),
+                    radius * radius / (4.0F + radius * radius), 1e-6);
     }
-    for (const auto* f : {&solid, &cosine}) {
-        EXPECT_NEAR((*f)(2.0F * up, up, -up, pi, 0.25F), (*f)(2.0F * up, up, -up, pi, 1.0F) / 4, 1e-6);
-        EXPECT_EQ((*f)(2.0F * up, up, up, pi, 1.0F), 0.0F);  // faces away
-        EXPECT_EQ((*f)(-2.0F * up, up, up, pi, 1.0F), 0.0F);
-        EXPECT_EQ((*f)(glm::vec3(0), up, -up, pi, 1.0F), 0.0F);
-        EXPECT_EQ((*f)(2.0F * up, up, -up, 0.0F, 1.0F), 0.0F);
-        EXPECT_EQ((*f)(2.0F * up, up, -up, NAN, 1.0F), 0.0F);
-        EXPECT_EQ((*f)(glm::vec3(NAN), up, -up, pi, 1.0F), 0.0F);
-        EXPECT_EQ((*f)(2.0F * up, up, -up, pi, NAN), 0.0F);
-    }
-    // A quarter of the cosine already counts in full.
+    EXPECT_NEAR(disc(2.0F * up, up, -up, pi, 0.25F), disc(2.0F * up, up, -up, pi, 1.0F) / 4, 1e-6);
+    EXPECT_EQ(disc(2.0F * up, up, up, pi, 1.0F), 0.0F);  // faces away
+    EXPECT_EQ(disc(-2.0F * up, up, up, pi, 1.0F), 0.0F);
+    EXPECT_EQ(disc(glm::vec3(0), up, -up, pi, 1.0F), 0.0F);
+    EXPECT_EQ(disc(2.0F * up, up, -up, 0.0F, 1.0F), 0.0F);
+    EXPECT_EQ(disc(2.0F * up, up, -up, NAN, 1.0F), 0.0F);
+    EXPECT_EQ(disc(glm::vec3(NAN), up, -up, pi, 1.0F), 0.0F);
+    EXPECT_EQ(disc(2.0F * up, up, -up, pi, NAN), 0.0F);
     const glm::vec3 slant(std::sqrt(15.0F) / 4, 0, 0.25F);
-    EXPECT_NEAR(solid(slant, up, -slant, pi, 1.0F), 1 - 1 / std::numbers::sqrt2, 1e-6);
-    EXPECT_NEAR(cosine(slant, up, -slant, pi, 1.0F), 0.5 * 0.25, 1e-6);
+    EXPECT_NEAR(disc(slant, up, -slant, pi, 1.0F), 0.5 * 0.25, 1e-6);
 }
 
 // In print the points behind the tangent plane occlude.
@@ -119,11 +111,10 @@ TEST_F(Proxies, PointsInFrontOfThePlaneOcclude) {
     EXPECT_NEAR(c(v, up, 4.0F, 0.0F), 0.75, 1e-6);
     EXPECT_EQ(c(-v, up, 2.0F, 0.0F), 0.0F);
     EXPECT_EQ(c(v, up, 2.0F, 0.9F), 0.0F);
-    EXPECT_EQ(c(v, up, 1.0F, 0.0F), 0.0F);
+    EXPECT_NEAR(c(v, up, 1.0F, 0.0F), 0.0, 1e-6);
+    EXPECT_LT(c(v, up, 0.9F, 0.0F), 0.0F);  // beyond the radius
     EXPECT_EQ(c(glm::vec3(0), up, 2.0F, 0.0F), 0.0F);
     EXPECT_EQ(c(glm::vec3(1, 0, 0), up, 2.0F, 0.0F), 0.0F);  // on the plane
-    EXPECT_EQ(c(glm::vec3(0, 0, infinity), up, infinity, 0.0F), 0.0F);
-    for (const float bad : {NAN, 0.0F, -1.0F}) EXPECT_EQ(c(v, up, bad, 0.0F), 0.0F);
     EXPECT_EQ(c(v, up, 2.0F, NAN), 0.0F);
     const Kernel<float(float, float)> sum(lab, file, "gloam_two_radii_sum");
     EXPECT_EQ(sum(0.25F, 0.5F), 0.75F);
@@ -132,7 +123,7 @@ TEST_F(Proxies, PointsInFrontOfThePlaneOcclude) {
 }
 
 TEST_F(Proxies, MarchedRayEndsAtTheRadius) {
-    const Kernel<glm::vec3(glm::vec3, glm::vec3, float, int, int, float)> march(
+    const Kernel<glm::vec3(glm::vec3, glm::vec3, float, unsigned, unsigned, float)> march(
         lab, "gloam/sampling/eye_march.glsl", "gloam_eye_march");
     const glm::vec3 p(1, 2, -5);
     const glm::vec3 w(0.6F, 0.8F, 0);
@@ -140,10 +131,6 @@ TEST_F(Proxies, MarchedRayEndsAtTheRadius) {
     EXPECT_NEAR(march(p, w, 2.0F, 0, 4, 1.0F).x, 1.3, 1e-6);
     EXPECT_EQ(march(p, w, 2.0F, 0, 4, 0.0F), p);
     EXPECT_NEAR(march(p, w, 2.0F, 1, 4, 0.5F).y, 2 + 0.8 * 0.75, 1e-6);
-    EXPECT_EQ(march(p, w, 2.0F, 99, 4, 1.0F), p + 2.0F * w);
-    EXPECT_EQ(march(p, w, 2.0F, 0, 0, 1.0F), p + 2.0F * w);
-    EXPECT_EQ(march(p, glm::vec3(NAN), 2.0F, 3, 4, 1.0F), p);
-    EXPECT_EQ(march(p, w, infinity, 3, 4, 1.0F), p);
 }
 
 class DirectionalOcclusion : public testing::Test {

@@ -158,24 +158,6 @@ TEST_F(Sampling, DiscSamplesAreUniformOnTheDisc) {
     expect_mean(ys, 0.0, 0.5);
 }
 
-TEST_F(Sampling, RadiusLawsHaveTheirFalloffs) {
-    constexpr std::array<const char*, 3> laws{"gloam_radius_linear", "gloam_radius_quadratic",
-                                              "gloam_radius_cubic"};
-    constexpr unsigned count = 4096;
-    std::vector<float> zeta;
-    for (unsigned i = 0; i < count; ++i) zeta.push_back((static_cast<float>(i) + 0.5F) / count);
-    for (std::size_t law = 0; law < laws.size(); ++law) {
-        const auto radii = map<float>("radius_law.glsl", laws[law], zeta);
-        for (const double hit : {0.25, 0.5, 0.9}) {
-            // Samples beyond the hit are blocked: the falloff is 1 - hit^(law + 1).
-            const auto blocked = std::ranges::count_if(radii, [hit](float r) { return r > hit; });
-            EXPECT_NEAR(static_cast<double>(blocked) / count,
-                        1.0 - std::pow(hit, static_cast<double>(law + 1)), 1.0 / count)
-                << laws[law];
-        }
-    }
-}
-
 TEST_F(Sampling, TangentFramesAreOrthonormalAndRightHanded) {
     const std::vector<glm::vec3> normals = directions(4096);
     const auto frames = map<glm::mat3>("tangent_frame.glsl", "gloam_tangent_frame", normals);
@@ -247,54 +229,16 @@ TEST_F(Sampling, HashRotationIsExactForLargePixels) {
 }
 
 TEST_F(Sampling, SpiralTapsLieOnTheirRadiiAndAngles) {
-    const Kernel<glm::vec2(int, int, int, float)> tap(lab, "gloam/sampling/spiral.glsl", "gloam_spiral_tap");
-    constexpr float phase = 0.7F;
+    const Kernel<glm::vec2(int, int, int)> tap(lab, "gloam/sampling/spiral.glsl", "gloam_spiral_point");
     for (int i = 0; i < 9; ++i) {
         const double radius = (i + 0.5) / 9;
-        const glm::dvec2 s = tap(i, 9, 7, phase);
-        EXPECT_NEAR(s.x, radius * std::cos(2 * pi * radius * 7 + static_cast<double>(phase)), 1e-6);
-        EXPECT_NEAR(s.y, radius * std::sin(2 * pi * radius * 7 + static_cast<double>(phase)), 1e-6);
+        const glm::dvec2 s = tap(i, 9, 7);
+        EXPECT_NEAR(s.x, radius * std::cos(2 * pi * radius * 7), 1e-6);
+        EXPECT_NEAR(s.y, radius * std::sin(2 * pi * radius * 7), 1e-6);
     }
     for (const auto& [index, count] : {std::pair{0, 0}, {9, 9}, {-1, 9}, {0, 32769}}) {
-        EXPECT_EQ(tap(index, count, 7, phase), glm::vec2(0.0F));
+        EXPECT_EQ(tap(index, count, 7), glm::vec2(0.0F));
     }
-}
-
-TEST_F(Sampling, ReflectionAtAGreyTexelChangesNothing) {
-    const Kernel<glm::vec3(glm::vec3, glm::vec3)> reflect(lab, "gloam/sampling/reflect.glsl",
-                                                          "gloam_reflect_sample");
-    const glm::vec3 s(0.3F, -0.2F, 0.6F);
-    EXPECT_EQ(reflect(s, glm::vec3(0.5F)), s);
-    EXPECT_EQ(reflect(s, glm::vec3(NAN, 0.5F, 0.5F)), s);
-    // 2 t - 1 = (1, 0, 0). The printed normalize(t * 2.0, - 1.0) does not compile, normalize(t) would reflect
-    // at (2, 1, 1).
-    EXPECT_EQ(reflect(s, glm::vec3(1.0F, 0.5F, 0.5F)), glm::vec3(-0.3F, -0.2F, 0.6F));
-}
-
-TEST_F(Sampling, FlippedSamplesLieInTheHemisphere) {
-    const Kernel<glm::vec3(glm::vec3, glm::vec3)> flip(lab, "gloam/sampling/hemisphere_flip.glsl",
-                                                       "gloam_hemisphere_flip");
-    const std::vector<glm::vec3> vectors = directions(1024);
-    std::vector<std::tuple<glm::vec3, glm::vec3>> inputs;
-    for (std::size_t i = 0; i < vectors.size(); ++i)
-        inputs.emplace_back(vectors[i], vectors[vectors.size() - 1 - i]);
-    const std::vector<glm::vec3> flipped = flip(inputs);
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-        const auto& [s, n] = inputs[i];
-        EXPECT_GE(glm::dot(glm::dvec3(flipped[i]), glm::dvec3(n)), -1e-7);
-        EXPECT_TRUE(flipped[i] == s || flipped[i] == -s);
-    }
-    // In the tangent plane the sign is that of faceforward(s, s, -n).
-    EXPECT_EQ(flip(glm::vec3(1, 0, 0), glm::vec3(0, 0, 1)), glm::vec3(-1, 0, 0));
-}
-
-TEST_F(Sampling, PoissonConditionIsStrict) {
-    const Kernel<bool(glm::vec2, glm::vec2, float)> accepts(lab, "gloam/sampling/poisson.glsl",
-                                                            "gloam_poisson_accepts");
-    EXPECT_FALSE(accepts(glm::vec2(0.5F, 0.0F), glm::vec2(0.0F), 0.5F));
-    EXPECT_TRUE(accepts(glm::vec2(0.5F, 0.0F), glm::vec2(0.0F), 0.499F));
-    EXPECT_FALSE(accepts(glm::vec2(0.25F), glm::vec2(0.25F), 0.0F));
-    EXPECT_FALSE(accepts(glm::vec2(NAN, 0.0F), glm::vec2(0.0F), 0.1F));
 }
 
 TEST_F(Sampling, LiftedDiscPointsAreCosineWeighted) {
@@ -307,13 +251,6 @@ TEST_F(Sampling, LiftedDiscPointsAreCosineWeighted) {
         heights.push_back(s.z);
     }
     expect_mean(heights, 2.0 / 3, std::sqrt(1.0 / 2 - 4.0 / 9));
-}
-
-TEST_F(Sampling, PairsAreOpposite) {
-    const Kernel<glm::vec2(glm::vec2, int)> paired(lab, "gloam/sampling/pairs.glsl", "gloam_paired_sample");
-    const glm::vec2 s(0.25F, -0.75F);
-    EXPECT_EQ(paired(s, 6), s);
-    EXPECT_EQ(paired(s, 7), -s);
 }
 
 }  // namespace gloam::sampling_test

@@ -20,12 +20,8 @@ class Scalable : public testing::Test {
   protected:
     check::Lab lab = test::make_lab();
 
-    using Divided = float(glm::vec3, glm::vec3, float, float, float);
-    using Undivided = float(glm::vec3, glm::vec3, float, float);
-    template <class Signature>
-    Kernel<Signature> sao(const std::string& name) const {
-        return {lab, "gloam/occlusion/sao.glsl", "gloam_" + name};
-    }
+    const Kernel<float(glm::vec3, glm::vec3, float, float, float, float)> sao{lab, "gloam/occlusion/sao.glsl",
+                                                                              "gloam_contribution_sao"};
 };
 
 // A published port takes the distance in texture coordinates, and so always reads the full image.
@@ -74,7 +70,6 @@ TEST_F(Scalable, TapsPlacedWhereTheirDepthIsFromKeepAPlaneOpen) {
     const Kernel<int(float, float, int)> level(lab, file, "gloam_depth_mip_level");
     const Kernel<glm::ivec2(glm::ivec2, glm::ivec2, int)> pixel(lab, file, "gloam_depth_mip_pixel");
     const Kernel<glm::ivec2(glm::ivec2, glm::ivec2, int)> source(lab, file, "gloam_depth_mip_source");
-    const auto contribution = sao<Divided>("contribution_sao");
     const glm::ivec2 size(501, 333);
     const auto ray = [&](glm::ivec2 at) {
         return glm::dvec3((glm::dvec2(at) + 0.5 - glm::dvec2(size) / 2.0) / 300.0, -1.0);
@@ -90,7 +85,7 @@ TEST_F(Scalable, TapsPlacedWhereTheirDepthIsFromKeepAPlaneOpen) {
             const int l = level(glm::length(glm::vec2(tap - center)), 16.0F, 5);
             const glm::ivec2 from = source(pixel(tap, size, l), size, l);
             const auto at = [&](glm::ivec2 place) {
-                return contribution(depth(from) * ray(place) - p, n, 8.0F, 1e-5F, 0.01F);
+                return sao(depth(from) * ray(place) - p, n, 8.0F, 1e-5F, 0.01F, 1.0F);
             };
             EXPECT_EQ(at(from), 0.0F) << "tilt " << tilt << " tap " << x;
             aimed += at(tap);
@@ -123,104 +118,56 @@ TEST_F(Scalable, RadiusCapKeepsTheShape) {
     EXPECT_EQ(cap(glm::vec2(128, 64), NAN), glm::vec2(0));
 }
 
-TEST_F(Scalable, ContributionsOfAPointStraightAbove) {
-    const auto b = sao<Divided>("contribution_sao");
-    const auto a = sao<Divided>("contribution_sao_paper");
-    const auto c = sao<Undivided>("contribution_sao_medium");
-    const auto d = sao<Undivided>("contribution_sao_low");
-    const auto hq = sao<Divided>("contribution_deep");
+TEST_F(Scalable, ContributionOfAPointStraightAbove) {
     const glm::vec3 v = 0.5F * up;
     // v^2 = 1/4, v . n = 1/2.
-    EXPECT_NEAR(b(v, up, 1.0F, 0.01F, 0.01F), std::pow(0.75, 3) * 0.49 / 0.26, 1e-6);
-    EXPECT_NEAR(a(v, up, 1.0F, 0.01F, 0.01F), 0.6 * 0.49 / 0.26, 1e-6);
-    EXPECT_NEAR(c(v, up, 1.0F, 0.01F), 4 * 0.75 * 0.49, 1e-6);
-    EXPECT_NEAR(d(v, up, 1.0F, 0.01F), 2 * 0.49, 1e-6);
-    EXPECT_NEAR(hq(v, up, 1.0F, 0.01F, 0.01F), 0.75 * 0.49 / std::sqrt(0.26), 1e-6);
-    // All are 1 / length (the last a number): the scene twice as large halves them.
-    EXPECT_NEAR(b(2.0F * v, up, 2.0F, 0.02F, 0.04F), b(v, up, 1.0F, 0.01F, 0.01F) / 2, 1e-6);
-    EXPECT_NEAR(a(2.0F * v, up, 2.0F, 0.02F, 0.04F), a(v, up, 1.0F, 0.01F, 0.01F) / 2, 1e-6);
-    EXPECT_NEAR(c(2.0F * v, up, 2.0F, 0.02F), c(v, up, 1.0F, 0.01F) / 2, 1e-6);
-    EXPECT_NEAR(d(2.0F * v, up, 2.0F, 0.02F), d(v, up, 1.0F, 0.01F) / 2, 1e-6);
-    EXPECT_NEAR(hq(2.0F * v, up, 2.0F, 0.02F, 0.04F), hq(v, up, 1.0F, 0.01F, 0.01F), 1e-6);
+    EXPECT_NEAR(sao(v, up, 1.0F, 0.01F, 0.01F, 1.0F), std::pow(0.75, 3) * 0.49 / 0.26, 1e-6);
+    // A number: the scene twice as large changes nothing.
+    EXPECT_NEAR(sao(2.0F * v, up, 2.0F, 0.02F, 0.04F, 2.0F), sao(v, up, 1.0F, 0.01F, 0.01F, 1.0F), 1e-6);
 }
 
-TEST_F(Scalable, EveryParameterChangesEveryContribution) {
+TEST_F(Scalable, EveryParameterChangesTheContribution) {
     const glm::vec3 v(0.3F, 0.1F, 0.4F);
-    for (const char* name : {"contribution_sao", "contribution_deep"}) {
-        const auto f = sao<Divided>(name);
-        const float base = f(v, up, 1.0F, 0.01F, 0.01F);
-        EXPECT_NE(f(v, up, 1.5F, 0.01F, 0.01F), base) << name;
-        EXPECT_NE(f(v, up, 1.0F, 0.05F, 0.01F), base) << name;
-        EXPECT_NE(f(v, up, 1.0F, 0.01F, 0.10F), base) << name;
-        EXPECT_NE(f(v, glm::vec3(1, 0, 0), 1.0F, 0.01F, 0.01F), base) << name;
-    }
-    const auto a = sao<Divided>("contribution_sao_paper");
-    EXPECT_EQ(a(v, up, 0.5F, 0.01F, 0.01F), 0.0F);
-    EXPECT_GT(a(v, up, 0.6F, 0.01F, 0.01F), 0.0F);
-    for (const char* name : {"contribution_sao_medium", "contribution_sao_low"}) {
-        const auto f = sao<Undivided>(name);
-        EXPECT_NE(f(v, up, 1.5F, 0.01F), f(v, up, 1.0F, 0.01F)) << name;
-        EXPECT_NE(f(v, up, 1.0F, 0.05F), f(v, up, 1.0F, 0.01F)) << name;
-    }
+    const float base = sao(v, up, 1.0F, 0.01F, 0.01F, 1.0F);
+    EXPECT_NE(sao(v, up, 1.5F, 0.01F, 0.01F, 1.0F), base);
+    EXPECT_NE(sao(v, up, 1.0F, 0.05F, 0.01F, 1.0F), base);
+    EXPECT_NE(sao(v, up, 1.0F, 0.01F, 0.10F, 1.0F), base);
+    EXPECT_NE(sao(v, glm::vec3(1, 0, 0), 1.0F, 0.01F, 0.01F, 1.0F), base);
+    EXPECT_NEAR(sao(v, up, 1.0F, 0.01F, 0.01F, 2.0F), 2.0F * base, 1e-6);
 }
 
 TEST_F(Scalable, NothingBlocksOnABarePlaneOrAtTheEdges) {
-    const auto level = [](const Kernel<Divided>& f, glm::vec3 v, glm::vec3 n, float r, float bias, float e) {
-        return f(v, n, r, bias, e);
-    };
-    for (const char* name : {"contribution_sao", "contribution_sao_paper", "contribution_deep"}) {
-        const auto f = sao<Divided>(name);
-        for (const float tilt : {0.0F, 0.5F, 1.0F, 1.5F}) {
-            const glm::vec3 n(std::sin(tilt), 0, std::cos(tilt));
-            const glm::vec3 along(std::cos(tilt), 0, -std::sin(tilt));
-            for (const float t : {-0.9F, -0.1F, 0.2F, 0.7F}) {
-                EXPECT_EQ(level(f, t * along + glm::vec3(0, 0.3F, 0), n, 1.0F, 0.01F, 0.01F), 0.0F) << name;
-            }
-        }
-        EXPECT_EQ(f(glm::vec3(0), up, 1.0F, 0.0F, 0.0F), 0.0F) << name;   // 0 / 0
-        EXPECT_EQ(f(glm::vec3(0), up, 1.0F, 0.0F, 0.01F), 0.0F) << name;  // at the point
-        EXPECT_EQ(f(up, up, 1.0F, 0.01F, 0.01F), 0.0F) << name;           // at the radius
-        EXPECT_EQ(f(glm::vec3(0, 0, -1e30F), up, 1.0F, 0.01F, 0.01F), 0.0F) << name;
-        EXPECT_EQ(f(glm::vec3(0, 0, -infinity), up, 1.0F, 0.01F, 0.01F), 0.0F) << name;
-        EXPECT_EQ(f(glm::vec3(NAN), up, 1.0F, 0.01F, 0.01F), 0.0F) << name;
-        EXPECT_EQ(f(0.5F * up, glm::vec3(NAN), 1.0F, 0.01F, 0.01F), 0.0F) << name;
-        EXPECT_EQ(f(0.5F * up, up, NAN, 0.01F, 0.01F), 0.0F) << name;
-        EXPECT_EQ(f(0.5F * up, up, 1.0F, NAN, 0.01F), 0.0F) << name;
+    for (const float tilt : {0.0F, 0.5F, 1.0F, 1.5F}) {
+        const glm::vec3 n(std::sin(tilt), 0, std::cos(tilt));
+        const glm::vec3 along(std::cos(tilt), 0, -std::sin(tilt));
+        for (const float t : {-0.9F, -0.1F, 0.2F, 0.7F})
+            EXPECT_EQ(sao(t * along + glm::vec3(0, 0.3F, 0), n, 1.0F, 0.01F, 0.01F, 1.0F), 0.0F) << tilt;
     }
-}
-
-TEST_F(Scalable, VisibilityOfTheSum) {
-    const auto visible = sao<float(glm::vec2, float)>("visibility_sao");
-    const auto deep = sao<float(glm::vec2, float)>("visibility_deep");
-    EXPECT_EQ(visible(glm::vec2(0, 9), 1.0F), 1.0F);
-    EXPECT_NEAR(visible(glm::vec2(0.9F, 9), 1.0F), 0.5, 1e-6);
-    EXPECT_NEAR(visible(glm::vec2(0.9F, 9), 0.5F), 0.75, 1e-6);
-    EXPECT_EQ(visible(glm::vec2(9, 9), 1.0F), 0.0F);
-    EXPECT_NEAR(deep(glm::vec2(0.75F, 9), 1.0F), 0.5, 1e-6);
-    EXPECT_NEAR(deep(glm::vec2(0.75F, 9), 2.0F), 0.25, 1e-6);
-    for (const auto* f : {&visible, &deep}) {
-        EXPECT_EQ((*f)(glm::vec2(0), 1.0F), 1.0F);
-        EXPECT_EQ((*f)(glm::vec2(NAN, 9), 1.0F), 1.0F);
-        EXPECT_EQ((*f)(glm::vec2(1, 0), 1.0F), 1.0F);
-    }
+    EXPECT_EQ(sao(glm::vec3(0), up, 1.0F, 0.0F, 0.0F, 1.0F), 0.0F);   // 0 / 0
+    EXPECT_EQ(sao(glm::vec3(0), up, 1.0F, 0.0F, 0.01F, 1.0F), 0.0F);  // at the point
+    EXPECT_EQ(sao(up, up, 1.0F, 0.01F, 0.01F, 1.0F), 0.0F);           // at the radius
+    for (const glm::vec3 nowhere : {glm::vec3(0, 0, -1e30F), glm::vec3(0, 0, -infinity), glm::vec3(NAN)})
+        EXPECT_EQ(sao(nowhere, up, 1.0F, 0.01F, 0.01F, 1.0F), 0.0F);
+    EXPECT_EQ(sao(0.5F * up, glm::vec3(NAN), 1.0F, 0.01F, 0.01F, 1.0F), 0.0F);
+    EXPECT_EQ(sao(0.5F * up, up, NAN, 0.01F, 0.01F, 1.0F), 0.0F);
+    EXPECT_EQ(sao(0.5F * up, up, 1.0F, NAN, 0.01F, 1.0F), 0.0F);
 }
 
 // The mean of the contributions over an infinite wall beside the point, against a quadrature in double.
 TEST_F(Scalable, WallConvergesToItsOwnIntegral) {
-    const auto f = sao<Divided>("contribution_sao");
     const double a = 0.25;
-    std::vector<std::tuple<glm::vec3, glm::vec3, float, float, float>> inputs;
+    std::vector<std::tuple<glm::vec3, glm::vec3, float, float, float, float>> inputs;
     double want = 0;
     for (int i = 0; i < 64; ++i) {
         for (int j = 0; j < 64; ++j) {
             const glm::dvec3 v(a, (i - 31.5) / 32, (j + 0.5) / 64);
-            inputs.emplace_back(glm::vec3(v), up, 1.0F, 0.01F, 0.01F);
+            inputs.emplace_back(glm::vec3(v), up, 1.0F, 0.01F, 0.01F, 1.0F);
             const double vv = glm::dot(v, v);
             want += std::pow(std::max(1 - vv, 0.0), 3) * std::max(v.z - 0.01, 0.0) / (vv + 0.01);
         }
     }
     double got = 0;
-    for (const float c : f(inputs)) got += static_cast<double>(c);
+    for (const float c : sao(inputs)) got += static_cast<double>(c);
     EXPECT_NEAR(got / want, 1.0, 1e-6);
 }
 
@@ -262,50 +209,6 @@ TEST_F(Scalable, FourPixelsIntoOne) {
     EXPECT_NEAR(normal(up, glm::vec3(1, 0, 0)).x, std::numbers::sqrt2 / 2, 1e-6);
     EXPECT_EQ(normal(up, glm::vec3(NAN)), up);
     EXPECT_EQ(normal(glm::vec3(NAN), up), glm::vec3(0));
-}
-
-TEST_F(Scalable, QuadFilterIsTheMeanOfTheQuad) {
-    const Kernel<float(float, float, float, int, float)> f(lab, "gloam/filter/quad_box.glsl",
-                                                           "gloam_quad_box");
-    const float even = 0.25F;
-    const float odd = 0.75F;
-    EXPECT_EQ(f(even, odd - even, 0.01F, 6, 0.02F), 0.5F);
-    EXPECT_EQ(f(odd, odd - even, 0.01F, 7, 0.02F), 0.5F);
-    EXPECT_EQ(f(odd, odd - even, -0.03F, 7, 0.02F), odd);
-    EXPECT_EQ(f(odd, odd - even, NAN, 7, 0.02F), odd);
-    EXPECT_EQ(f(odd, NAN, 0.0F, 7, 0.02F), odd);
-    EXPECT_EQ(f(NAN, 0.5F, 0.0F, 7, 0.02F), 1.0F);
-}
-
-// Through two 8-bit channels: every key comes back within half a step, which the printed packing does not
-// manage.
-TEST_F(Scalable, KeysSurviveEightBitChannels) {
-    const std::string file = "gloam/filter/depth_key.glsl";
-    const Kernel<glm::vec2(float)> pack(lab, file, "gloam_pack_key");
-    const Kernel<float(glm::vec2)> unpack(lab, file, "gloam_unpack_key");
-    const auto stored = [](double x) { return std::round(x * 255.0) / 255.0; };
-    double worst = 0;
-    double printed_worst = 0;
-    std::vector<float> keys;
-    for (int i = 0; i <= 4000; ++i) keys.push_back(static_cast<float>(i) / 4000.0F);
-    const std::vector<glm::vec2> packed = pack(std::vector<std::tuple<float>>(keys.begin(), keys.end()));
-    std::vector<std::tuple<glm::vec2>> bytes;
-    for (const glm::vec2 p : packed) bytes.emplace_back(glm::vec2(glm::dvec2(stored(p.x), stored(p.y))));
-    const std::vector<float> back = unpack(bytes);
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-        const double key = keys[i];
-        worst = std::max(worst, std::abs(static_cast<double>(back[i]) - key));
-        const double whole = std::floor(key * 256.0);
-        const double printed = stored(std::min(whole / 256.0, 1.0)) * 256.0 / 257.0 +
-                               stored(std::min(key * 256.0 - whole, 1.0)) / 257.0;
-        printed_worst = std::max(printed_worst, std::abs(printed - key));
-    }
-    EXPECT_LT(worst, 0.51 / 65535.0);
-    EXPECT_GT(printed_worst, 1.0 / 512.0);
-    const Kernel<float(float, float)> key(lab, file, "gloam_depth_key");
-    EXPECT_EQ(key(150.0F, 300.0F), 0.5F);
-    EXPECT_EQ(key(400.0F, 300.0F), 1.0F);
-    for (const float background : {infinity, NAN, 0.0F, -1.0F}) EXPECT_EQ(key(background, 300.0F), 1.0F);
 }
 
 TEST_F(Scalable, BlurWeights) {

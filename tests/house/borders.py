@@ -50,7 +50,8 @@ MAX_LINES = 400
 CODE = {".cpp", ".hpp", ".glsl", ".comp", ".vert", ".frag", ".py", ".cmake", ".in"}
 TEXT = CODE | {".txt", ".md", ".json", ".supp", ""}
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
-TO_BE_COPIED = "// No method or pass here calls it: it is there to be copied."
+PRINTED = re.compile(r"// No method or pass here calls it: it is "
+                     r"(TSSAO|ISSAO|the \w+ of the comparative study|OpenGL's)\b.+\.")
 CALL = re.compile(r"\b(gloam_\w+)\s*\(")
 NAMED_PATH = re.compile(r"(?<![\w/.-])((?:cmake|docs|examples|glsl|gloam|harness|tests|tools)/[\w./-]*\w)")
 SHOWN_FROM = ("examples", "glsl", "harness", "tests")  # what pages may show pieces of
@@ -299,27 +300,29 @@ RULES = (room_include, wing, internal_include, include_style, library_home, shad
 
 
 def shader_caller(house):
-    """A method or a pass calls each function of glsl/gloam, itself or by others, or the function's comment ends with
-    TO_BE_COPIED. Of overloads all count as called. The rule reads all sources at once: (source, line, message)."""
+    """A method or a pass calls each function of glsl/gloam, itself or by others; or the last line of the function's
+    comment says which printed equation it is (PRINTED). What such a function calls is called. Of overloads all count as
+    called. The rule reads all sources at once: (source, line, message)."""
     functions, called, waiting = {}, set(), set()
     for source in house:
         if source.path.parts[:2] == ("glsl", "passes"):
             waiting.update(CALL.findall(blank_code(source.text)))
         for line, head, _, name, body in statements(source) if source.is_shader_library else ():
             if name and name.startswith("gloam_") and body:
-                functions.setdefault(name, []).append((source, line, set(CALL.findall(body))))
+                printed = PRINTED.fullmatch(source.lines[line - 2]) is not None
+                functions.setdefault(name, []).append((source, line, printed, set(CALL.findall(body))))
+                waiting.update(functions[name][-1][3] - {name} if printed else ())
             if source.path.parts[2] == "methods" and head.startswith("GloamEstimate gloam_"):
                 waiting.add(name)  # the effect calls it by its macro
     while waiting:
         called |= waiting
         waiting = {name for caller in waiting for *_, calls in functions.get(caller, ()) for name in calls} - called
     for name, all_of_name in functions.items():
-        for source, line, _ in all_of_name:
-            to_be_copied = source.lines[line - 2] == TO_BE_COPIED
-            if name in called and to_be_copied:
-                yield source, line, f"{name} is called, and said to be there to be copied"
-            elif name not in called and not to_be_copied:
-                yield source, line, f'nothing calls {name}: expected the line "{TO_BE_COPIED}"'
+        for source, line, printed, _ in all_of_name:
+            if name in called and printed:
+                yield source, line, f"{name} is called, and said not to be"
+            elif name not in called and not printed:
+                yield source, line, f'nothing calls {name}: expected the line "{PRINTED.pattern}"'
 
 
 def sources(root):

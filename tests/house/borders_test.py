@@ -10,6 +10,7 @@ from pathlib import Path
 import borders
 
 SPDX = "// SPDX-License-Identifier: MIT\n"
+PRINTED = "// No method or pass here calls it: it is TSSAO, eq 3."
 HPP = SPDX + "#pragma once\n\n"
 FOLDER = "/" + "home/somebody"  # in two pieces: the rule reads this file too
 
@@ -42,7 +43,7 @@ CLEAN = {
         "// A method.\nGloamEstimate gloam_one(float x) { return gloam_of_one(x); }\n"
         "// Its own.\nfloat gloam_of_one(float x) { return x; }", guard="GLOAM_METHODS_ANY_GLSL"),
     "glsl/gloam/occlusion/copied.glsl": shader(
-        f"// Copied.\n{borders.TO_BE_COPIED}\nfloat gloam_copied() {{ return 1.0; }}",
+        f"// Copied.\n{PRINTED}\nfloat gloam_copied() {{ return 1.0; }}",
         guard="GLOAM_OCCLUSION_COPIED_GLSL"),
     "glsl/gloam/occlusion/shade.glsl": shader(
         '#include "gloam/geometry/depth.glsl"\n'
@@ -117,7 +118,7 @@ PLANTED = {
         ("glsl/gloam/occlusion/spare.glsl",
          shader("// Nothing calls it.\nfloat gloam_spare() { return 1.0; }", guard="GLOAM_OCCLUSION_SPARE_GLSL"), 6),
         ("glsl/gloam/occlusion/shade.glsl",
-         shader(f"// A pass calls it.\n{borders.TO_BE_COPIED}\nfloat gloam_shade() {{ return 1.0; }}"), 7),
+         shader(f"// A pass calls it.\n{PRINTED}\nfloat gloam_shade() {{ return 1.0; }}"), 7),
         ("glsl/gloam/methods/any.glsl",
          shader("// No method.\nfloat gloam_any(float x) { return x; }", guard="GLOAM_METHODS_ANY_GLSL"), 6),
     ],

@@ -97,8 +97,7 @@ TEST(Printed, CubicPassesThroughTheArcCosine) {
     for (const double x : {-1.0, -0.5, 0.0, 0.5, 1.0}) EXPECT_NEAR(gloam_acos_cubic(x), std::acos(x), 1e-12);
 }
 
-// What is between a horizon and the tangent plane, as the integral that GTAO solves; with the printed
-// solution of the rest.
+// What is between a horizon and the tangent plane, as the integral that GTAO solves.
 TEST(Printed, SlicesAreTheirIntegrals) {
     numeric::Random random(2);
     for (int i = 0; i < 200; ++i) {
@@ -106,21 +105,15 @@ TEST(Printed, SlicesAreTheirIntegrals) {
         const double end = n + whole_turn / 4;
         const double h = random.uniform(0, end);
         const auto weighted = [n](double a) { return std::cos(a - n) * std::abs(std::sin(a)); };
-        const auto plain = [](double a) { return std::abs(std::sin(a)); };
         const GloamSlice slice{.normal = turned_by(n), .angle = n, .weight = 1.0};
         EXPECT_NEAR(gloam_gtao_arc(end - h, turned_by(h), turned_by(n)), integral(h, end, weighted), 1e-8)
             << n << " " << h;
         EXPECT_NEAR(gloam_gtao_side(std::cos(h), n, turned_by(n)), integral(h, end, weighted), 1e-8);
-        EXPECT_NEAR(gloam_gtao_inner(h, n), integral(0, h, weighted), 1e-8) << n << " " << h;
-        EXPECT_NEAR(gloam_gtao_arc_uniform(std::cos(h), std::sin(n)), 0.5 * integral(h, end, plain), 1e-8)
-            << n;
         const double start = n - whole_turn / 4;
         const double whole = integral(start, 0, weighted) + integral(0, end, weighted);
         EXPECT_NEAR(whole, gloam_slice_whole(slice), 1e-8);
         const dvec2 above = turned_by(h);
         EXPECT_NEAR(gloam_slice_fraction_cosine(above, slice), 1 - integral(h, end, weighted) / whole, 1e-8);
-        EXPECT_NEAR(gloam_slice_fraction_uniform(above, slice), 1 - 0.5 * integral(h, end, plain), 1e-8);
-        EXPECT_NEAR(gloam_slice_fraction_angle(above, slice), (h - start) / (whole_turn / 2), 1e-8);
         const double low = random.uniform(start, 0);
         EXPECT_NEAR(gloam_slice_fraction_cosine(turned_by(low), slice),
                     integral(start, low, weighted) / whole, 1e-8);
@@ -166,8 +159,6 @@ TEST(Printed, ConesHoldWhatTheirAnglesStandFor) {
     for_random([](numeric::Random& random) {
         const double angle = random.uniform(0, pi / 2);
         EXPECT_NEAR(gloam_cone_angle((1 + std::cos(angle)) / 2), angle, 1e-7);
-        EXPECT_NEAR(gloam_cone_angle_uniform(1 - std::cos(angle)), angle, 1e-7);
-        EXPECT_NEAR(gloam_cone_angle_cosine(std::pow(std::sin(angle), 2)), angle, 1e-7);
     });
 }
 
@@ -188,15 +179,6 @@ TEST(Printed, TheHashsAngleLosesNoDigitOfItsTurns) {
                                                   {4294967295U, 1.08552372642450606193}};
     for (const auto& [hash, angle] : angles)
         EXPECT_NEAR(gloam_hash_rotation({0, static_cast<int>(hash)}), angle, 1e-15) << hash;
-}
-
-TEST(Printed, KeysInTwoBytes) {
-    for_random([](numeric::Random& random) {
-        const double key = random.unit();
-        const dvec2 bytes = gloam_pack_key(key) * 255.0;
-        EXPECT_EQ(std::round(bytes.x) * 256 + std::round(bytes.y), std::round(key * 65535));
-        EXPECT_NEAR(gloam_unpack_key(bytes / 255.0), key, 0.5 / 65535 + 1e-12);
-    });
 }
 
 }  // namespace printed_test

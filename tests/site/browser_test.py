@@ -16,7 +16,7 @@ from check_page import NATIVE, CheckPage, Gloam, Spoiled, compare
 GLOAM, JUDGE_CASES = sys.argv[1:3]
 run = Gloam(GLOAM)
 # Some of each kind: with images, with many outputs, integers, inputs that the budget moves.
-EQUATIONS = ["GTAO-a*", "GTAO-gather", "TSSAO-10*", "TSSAO-RP-h*", "CS-Q-k*", "HALTON*", "NORMAL*", "FINITE*"]
+EQUATIONS = ["GTAO-a*", "GTAO-gather", "TSSAO-10*", "TSSAO-RP-h*", "CS-Q-b*", "HALTON*", "NORMAL*", "FINITE*"]
 
 # What the judge of the page says of the outputs in gloam.cases, beside what the framework said of them.
 JUDGE_ALL = """gloam.cases.map(({check, outputs, answer}) => {

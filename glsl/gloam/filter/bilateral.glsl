@@ -10,23 +10,6 @@
 // Bilateral smoothing of occlusion by distance in the image and difference of depth (ISSAO-7, after Tomasi and
 // Manduchi 1998).
 
-// one neighbour in the bilateral mean (ISSAO-7-tap): `(sum + g s f, k + g s)` [ISSAO, eq 7; Tomasi and Manduchi 1998].
-// Adds the pixel at a tap.
-// mean: what was added so far. pixel: the filtered pixel. center: its depth, world units. tap: any pixel. size: of
-// the image.
-// sigma_d, sigma_r: see gloam_bilateral_weight.
-// Returns the mean with the tap's occlusion and weight; unchanged for a tap outside the image, for background, and
-// for occlusion outside [0, 1]. Error: 6e-7 of the tap.
-// No method or pass here calls it: it is there to be copied.
-GloamWeightedMean gloam_bilateral_tap(GloamWeightedMean mean, ivec2 pixel, float center, ivec2 tap, ivec2 size,
-                                      float sigma_d, float sigma_r) {
-    if (tap.x < 0 || tap.y < 0 || tap.x >= size.x || tap.y >= size.y) return mean;
-    float depth = gloam_fetch_depth(tap);
-    if (gloam_is_background(depth)) return mean;
-    float weight = gloam_bilateral_weight(vec2(tap - pixel), depth - center, sigma_d, sigma_r);
-    return gloam_weighted_mean_add(mean, gloam_fetch_occlusion(tap), weight);
-}
-
 // bilateral smoothing of occlusion (ISSAO-7): `(1 / k) sum of f(xi) g(xi, x) s(dp(xi), dp(x)), k the sum of g s`
 // [ISSAO, eq 7; Tomasi and Manduchi 1998].
 // Smoothed occlusion of one pixel: (1 / k) sum of f(xi) g(xi, x) s(dp(xi), dp(x)) over the window, k the sum of the
@@ -37,7 +20,7 @@ GloamWeightedMean gloam_bilateral_tap(GloamWeightedMean mean, ivec2 pixel, float
 // Returns occlusion in [0, 1], between the smallest and the largest of the pixels used; background, and occlusion
 // outside [0, 1] or NaN, have no weight. The pixel's own value (taken into [0, 1], 0 for NaN) where it is background.
 // Error: 6e-7.
-// No method or pass here calls it: it is there to be copied.
+// No method or pass here calls it: it is ISSAO, eq 7; the pass filters whole rows.
 float gloam_bilateral_filter(ivec2 pixel, ivec2 half_width, ivec2 size, float sigma_d, float sigma_r) {
     float own = gloam_fetch_occlusion(pixel);
     float center = gloam_fetch_depth(pixel);
@@ -46,7 +29,11 @@ float gloam_bilateral_filter(ivec2 pixel, ivec2 half_width, ivec2 size, float si
     ivec2 reach = clamp(half_width, ivec2(0), ivec2(16));
     for (int y = -reach.y; y <= reach.y; ++y) {
         for (int x = -reach.x; x <= reach.x; ++x) {
-            mean = gloam_bilateral_tap(mean, pixel, center, pixel + ivec2(x, y), size, sigma_d, sigma_r);
+            ivec2 tap = pixel + ivec2(x, y);
+            if (tap.x < 0 || tap.y < 0 || tap.x >= size.x || tap.y >= size.y) continue;
+            float depth = gloam_fetch_depth(tap);
+            float weight = gloam_bilateral_weight(vec2(x, y), depth - center, sigma_d, sigma_r);
+            mean = gloam_weighted_mean_add(mean, gloam_fetch_occlusion(tap), gloam_is_background(depth) ? 0.0 : weight);
         }
     }
     return gloam_weighted_mean_value(mean, own);

@@ -10,24 +10,6 @@
 // Blur that keeps to a surface (CS-BLUR), along one axis of the image: run it along x, then along y on the result.
 // The study uses it for all its methods, from 1 pixel on either side upward.
 
-// one neighbour in the geometry-aware blur (CS-BLUR-tap): `(sum + w AO, K + w)` [Aalund and Baerentzen 2013,
-// geometry-aware blur].
-// Adds the pixel at a tap.
-// mean: what was added so far. center: depth of the blurred pixel. normal: its normal. tap: any pixel. size: of the
-// image.
-// powers: (p_n, p_z) of gloam_geometry_weight.
-// Returns the mean with the tap's occlusion and weight; unchanged for a tap outside the image, for background, and
-// for occlusion outside [0, 1]. Error: 2e-6 of the tap.
-// No method or pass here calls it: it is there to be copied.
-GloamWeightedMean gloam_geometry_blur_tap(GloamWeightedMean mean, float center, vec3 normal, ivec2 tap, ivec2 size,
-                                          vec2 powers) {
-    if (tap.x < 0 || tap.y < 0 || tap.x >= size.x || tap.y >= size.y) return mean;
-    float depth = gloam_fetch_depth(tap);
-    if (gloam_is_background(depth)) return mean;
-    float weight = gloam_geometry_weight(normal, gloam_fetch_normal(tap), center - depth, powers.x, powers.y);
-    return gloam_weighted_mean_add(mean, gloam_fetch_occlusion(tap), weight);
-}
-
 // geometry-aware blur along one axis (CS-BLUR): `(1 / K) sum of w AO, K the sum of w` [Aalund and Baerentzen 2013,
 // geometry-aware blur].
 // Blurred occlusion of one pixel along one axis.
@@ -36,7 +18,7 @@ GloamWeightedMean gloam_geometry_blur_tap(GloamWeightedMean mean, float center, 
 // (10, 0.5).
 // Returns occlusion in [0, 1], between the smallest and the largest of the pixels used; the pixel itself has weight
 // 1. Its own value (taken into [0, 1], 0 for NaN) where it is background. Error: 2e-6.
-// No method or pass here calls it: it is there to be copied.
+// No method or pass here calls it: it is the blur of the comparative study; the pass filters whole rows.
 float gloam_geometry_blur(ivec2 pixel, ivec2 axis, ivec2 size, int half_width, vec2 powers) {
     float own = gloam_fetch_occlusion(pixel);
     float center = gloam_fetch_depth(pixel);
@@ -45,9 +27,12 @@ float gloam_geometry_blur(ivec2 pixel, ivec2 axis, ivec2 size, int half_width, v
     vec3 normal = gloam_fetch_normal(pixel);
     mean = gloam_weighted_mean_add(mean, own, 1.0);
     int last = min(half_width, 64);
-    for (int i = 1; i <= last; ++i) {
-        mean = gloam_geometry_blur_tap(mean, center, normal, pixel - i * axis, size, powers);
-        mean = gloam_geometry_blur_tap(mean, center, normal, pixel + i * axis, size, powers);
+    for (int i = 2; i <= 2 * last + 1; ++i) {
+        ivec2 tap = pixel + ((i & 1) == 0 ? -(i >> 1) : i >> 1) * axis;
+        if (tap.x < 0 || tap.y < 0 || tap.x >= size.x || tap.y >= size.y) continue;
+        float depth = gloam_fetch_depth(tap);
+        float weight = gloam_geometry_weight(normal, gloam_fetch_normal(tap), center - depth, powers.x, powers.y);
+        mean = gloam_weighted_mean_add(mean, gloam_fetch_occlusion(tap), gloam_is_background(depth) ? 0.0 : weight);
     }
     return gloam_weighted_mean_value(mean, own);
 }

@@ -3,7 +3,7 @@
 #define GLOAM_GATHER_FOOTPRINT_GLSL
 
 #include "gloam/geometry/camera.glsl"
-#include "gloam/numeric/constants.glsl"
+#include "gloam/geometry/plane_depth.glsl"
 
 // The image of the ball of influence around a shaded point, and the mapping from a tap in it to its pixel and to the
 // surface there. Computed once a pixel; requires gloam_can_gather.
@@ -63,16 +63,9 @@ vec3 gloam_footprint_position(GloamFootprint footprint, ivec2 pixel, float depth
     return vec3(footprint.orthographic ? ray : ray * depth, -depth);
 }
 
-// Depth at which the view ray of a pixel meets the plane through a point: gloam_plane_depth where the point is in
-// front of the eye.
-// point: view space, world units. normal: of the plane, unit. Returns the eye-linear depth, world units; that of the
-// point where the plane does not face the eye on that ray. Error: as gloam_plane_depth.
+// Depth at which the view ray of a pixel meets the plane through a point (gloam_plane_depth).
 float gloam_footprint_plane_depth(GloamFootprint footprint, ivec2 pixel, vec3 point, vec3 normal) {
-    vec2 ray = gloam_footprint_ray(footprint, pixel);
-    vec3 start = footprint.orthographic ? vec3(ray, 0.0) : vec3(0.0);
-    float along = footprint.orthographic ? -normal.z : dot(normal, vec3(ray, -1.0));
-    float depth = dot(normal, point - start) / (along < 0.0 ? along : -1.0);
-    return along < 0.0 && depth > 0.0 && depth <= GLOAM_LARGEST ? depth : -point.z;
+    return gloam_plane_depth(gloam_footprint_ray(footprint, pixel), point, normal, footprint.orthographic);
 }
 
 // From a surface to the eye: unit vector.

@@ -4,6 +4,7 @@
 
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
+#include "gloam/geometry/height_at.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/layers.glsl"
 
@@ -41,15 +42,13 @@ GloamPairDepths gloam_pair_depths(GloamFootprint footprint, vec2 tap, int layers
     return GloamPairDepths(first, second, gloam_pair_layers(first, layers), gloam_pair_layers(second, layers));
 }
 
-// Height of a tap's surface: the distance along the view vector from an aimed position to the plane through the surface
-// that is parallel to the tangent plane.
+// Height of a tap's surface over an aimed position, along the view vector (gloam_height_at).
 // depth: at the pixel. position, normal: of the shaded point, unit normal. facing: view . normal, at least 1e-4.
-// Returns a length in world units, ((s - p - aim) . n) / facing: gloam_height_at. Error: 3e-7 of the offset over the
-// facing.
+// Returns a length in world units. Error: 3e-7 of the offset over the facing.
 float gloam_pair_height(GloamFootprint footprint, ivec2 pixel, float depth, vec3 aim, vec3 position, vec3 normal,
                         float facing, float radius) {
     float known = gloam_tap_sees(depth) ? depth : GLOAM_PAIR_FAR * radius - position.z;
-    return dot(gloam_footprint_position(footprint, pixel, known) - position - aim, normal) / facing;
+    return gloam_height_at(gloam_footprint_position(footprint, pixel, known) - position, aim, normal, facing);
 }
 
 // The depths of one try. Layers are tried in order: first the visible surface at both taps, then each further layer at

@@ -23,7 +23,6 @@ ivec2 gloam_clamp_to_edge(ivec2 pixel, ivec2 size) {
 // guard: part of the image added on each side, 0 to 1 (0.05 to 0.1 is usual); outside the nearer end, 0 for NaN.
 // Returns the pixels to add on the left and right (x), top and bottom (y). Error: none, but for products within
 // rounding of 1/2.
-// No method or pass here calls it: it is there to be copied.
 ivec2 gloam_guard_band_border(ivec2 size, float guard) {
     float part = guard > 0.0 ? (guard < 1.0 ? guard : 1.0) : 0.0;
     vec2 width = part * vec2(max(size, ivec2(0)));
@@ -32,23 +31,12 @@ ivec2 gloam_guard_band_border(ivec2 size, float guard) {
     return ivec2(whole + step(vec2(0.5), width - whole));
 }
 
-// size of the image with its guard band (TSSAO-BORDER-size): `size + 2 border` [TSSAO (Mattausch et al.), frame
-// borders].
-// Size of the image to render: size + 2 border, about (1 + 2 guard) size.
-// size: size of the cropped image in pixels, at most 2^22 a side; below 0 it is read as 0.
-// guard: part of the image added on each side, 0 to 1; outside the nearer end, 0 for NaN.
-// Returns the size in pixels; the crop starts at gloam_guard_band_border. Error: that of the border.
-// No method or pass here calls it: it is there to be copied.
-ivec2 gloam_guard_band_size(ivec2 size, float guard) {
-    return max(size, ivec2(0)) + 2 * gloam_guard_band_border(size, guard);
-}
-
 // guard actually rendered (TSSAO-BORDER-guard): `border / size` [TSSAO (Mattausch et al.), frame borders].
 // size: size of the cropped image in pixels, at most 2^22 a side. guard: part of the image asked for on each side, 0
 // to 1.
 // Returns the guard along x and y, for the functions below; 0 along an axis of size below 1. Error: at most 1.5 ulp,
 // 5 ulp for sides beyond 2^21 pixels.
-// No method or pass here calls it: it is there to be copied.
+// No method or pass here calls it: it is TSSAO, the frame borders, for the engine that renders the band.
 vec2 gloam_guard_band_guard(ivec2 size, float guard) {
     return vec2(gloam_guard_band_border(size, guard)) / vec2(max(size, ivec2(1)));
 }
@@ -58,33 +46,10 @@ vec2 gloam_guard_band_guard(ivec2 size, float guard) {
 // tan_half_fov: tangent of half the field of view of the cropped image, along one axis. guard: g of
 // gloam_guard_band_guard, that axis.
 // Returns the tangent for the image with the band; 0 where it is not finite. Error: at most 3 ulp.
-// No method or pass here calls it: it is there to be copied.
+// No method or pass here calls it: it is TSSAO, the frame borders, for the engine that renders the band.
 float gloam_guard_band_tan_half_fov(float tan_half_fov, float guard) {
     float wider = tan_half_fov * (1.0 + 2.0 * guard);
     return gloam_is_finite(wider) ? wider : 0.0;
-}
-
-// texture coordinates in the crop of a guard band (TSSAO-BORDER-inner): `(1 + 2 g) uv - g` [TSSAO (Mattausch et al.),
-// frame borders].
-// outer_uv: in [0, 1]^2 inside the image with the band. guard: g of gloam_guard_band_guard, in [0, 1].
-// Returns coordinates, in [0, 1]^2 inside the crop; (2, 2), a point outside every image, where they are not finite.
-// Error: 1.5 ulp or 3e-7.
-// No method or pass here calls it: it is there to be copied.
-vec2 gloam_guard_band_inner_uv(vec2 outer_uv, vec2 guard) {
-    vec2 uv = outer_uv + guard * (2.0 * outer_uv - 1.0);
-    return gloam_is_finite2(uv) ? uv : vec2(2.0);
-}
-
-// texture coordinates in the image with its guard band (TSSAO-BORDER-outer): `(uv + g) / (1 + 2 g)` [TSSAO (Mattausch
-// et al.), frame borders].
-// inner_uv: in [0, 1]^2 inside the crop. guard: g of gloam_guard_band_guard, in [0, 1].
-// Returns coordinates, in [0, 1]^2 inside the image with the band; (2, 2), a point outside every image, where they
-// are not finite.
-// Error: 4 ulp or 1e-7.
-// No method or pass here calls it: it is there to be copied.
-vec2 gloam_guard_band_outer_uv(vec2 inner_uv, vec2 guard) {
-    vec2 uv = (inner_uv + guard) / (1.0 + 2.0 * guard);
-    return gloam_is_finite2(uv) ? uv : vec2(2.0);
 }
 
 #endif

@@ -24,7 +24,6 @@ bool gloam_is_finite3(vec3 v) {
 
 // vector that is neither infinite nor NaN (FINITE-4): `|v_i| <= FLT_MAX` [convention].
 // v: any vector. Error: none.
-// No method or pass here calls it: it is there to be copied.
 bool gloam_is_finite4(vec4 v) {
     return all(notEqual(floatBitsToUint(v) & 0x7F800000u, uvec4(0x7F800000u)));
 }

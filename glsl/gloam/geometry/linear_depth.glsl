@@ -46,7 +46,7 @@ float gloam_linear_depth_perspective_vk(float b, float p22, float p32) {
 // Returns d in world units; +infinity for the background: far plane at infinity, NaN, anything that gives no positive
 // finite d.
 // Error: at most 3.5 ulp, for |p22| >= 1 (every projection with 0 < near < far).
-// No method or pass here calls it: it is there to be copied.
+// No method or pass here calls it: it is OpenGL's projection; the passes read depth buffers of the range [0, 1].
 float gloam_linear_depth_perspective_gl(float b, float p22, float p32) {
     float denominator = p22 < 0.0 ? (2.0 * b - 1.0) + p22 : 2.0 * b + (p22 - 1.0);
     return gloam_depth_quotient(p32, denominator);
@@ -70,7 +70,7 @@ float gloam_linear_depth_orthographic_vk(float b, float p22, float p32) {
 // p22, p32: projection elements: -2 / (far - near), -(far + near) / (far - near); both negated when reversed.
 // Returns d in world units; +infinity for the background: NaN, anything that gives no positive finite d.
 // Error: at most 4 ulp, for |p32| >= 1 (every projection with 0 <= near < far).
-// No method or pass here calls it: it is there to be copied.
+// No method or pass here calls it: it is OpenGL's projection; the passes read depth buffers of the range [0, 1].
 float gloam_linear_depth_orthographic_gl(float b, float p22, float p32) {
     float numerator = p32 < 0.0 ? (p32 + 1.0) - 2.0 * b : (p32 - 1.0) + 2.0 * (1.0 - b);
     return gloam_depth_quotient(numerator, p22);

@@ -11,7 +11,6 @@
 // pixel: integer pixel. size: image size in pixels. p00_p11: projection elements (see gloam_view_position_perspective).
 // Returns the position in world units; the zero vector for background and outside the image, where nothing is fetched.
 // Error: at most 4 ulp in each component.
-// No method or pass here calls it: it is there to be copied.
 vec3 gloam_position_from_depth(ivec2 pixel, ivec2 size, vec2 p00_p11) {
     if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.x || pixel.y >= size.y) return vec3(0.0);
     return gloam_view_position_perspective(gloam_ndc_from_pixel(pixel, size), gloam_fetch_depth(pixel), p00_p11);
@@ -26,7 +25,6 @@ vec3 gloam_position_from_depth(ivec2 pixel, ivec2 size, vec2 p00_p11) {
 // Returns a unit vector facing the eye; (0, 0, 1) where the neighbours do not suffice (a single row, column or
 // pixel); the zero vector for background. Error: that of the positions, 1e-7 of the distance, over their spacing:
 // 2e-5 where it is a fiftieth.
-// No method or pass here calls it: it is there to be copied.
 vec3 gloam_normal_from_depth(ivec2 pixel, ivec2 size, vec2 p00_p11) {
     ivec2 at = clamp(pixel, ivec2(0), max(size - 1, ivec2(0)));
     return gloam_normal_from_neighbors(gloam_position_from_depth(at, size, p00_p11),

@@ -27,18 +27,6 @@ vec2 gloam_projected_radius_uv(float radius, float depth, vec2 p00_p11) {
     return vec2(gloam_positive_length(axes.x), gloam_positive_length(axes.y));
 }
 
-// projected radius of a world length (RADIUS-px): `R (|P00| W, |P11| H) / (2 d)` [the projection].
-// Projected radius in pixels, perspective: R (|P00| width, |P11| height) / (2 d).
-// radius: R, world units, >= 0 (negative and NaN count as 0). depth: eye-linear, world units. p00_p11: projection
-// elements.
-// size: image size in pixels (negative counts as 0).
-// Returns the half-axes in pixels, at most FLT_MAX; (0, 0) for background depth. Error: at most 4.5 ulp.
-// No method or pass here calls it: it is there to be copied.
-vec2 gloam_projected_radius_pixels(float radius, float depth, vec2 p00_p11, ivec2 size) {
-    vec2 axes = gloam_projected_radius_uv(radius, depth, p00_p11) * vec2(max(size, ivec2(0)));
-    return vec2(gloam_positive_length(axes.x), gloam_positive_length(axes.y));
-}
-
 // projected radius of a world length (RADIUS-uv-orthographic): `R (|P00|, |P11|) / 2` [the projection].
 // Projected radius in texture coordinates, orthographic: R (|P00|, |P11|) / 2, whatever the depth.
 // radius: R, world units, >= 0 (negative and NaN count as 0). depth: eye-linear, world units. p00_p11: projection
@@ -47,18 +35,6 @@ vec2 gloam_projected_radius_pixels(float radius, float depth, vec2 p00_p11, ivec
 vec2 gloam_projected_radius_uv_orthographic(float radius, float depth, vec2 p00_p11) {
     if (gloam_is_background(depth)) return vec2(0.0);
     vec2 axes = 0.5 * abs(p00_p11) * gloam_positive_length(radius);
-    return vec2(gloam_positive_length(axes.x), gloam_positive_length(axes.y));
-}
-
-// projected radius of a world length (RADIUS-px-orthographic): `R (|P00| W, |P11| H) / 2` [the projection].
-// Projected radius in pixels, orthographic: R (|P00| width, |P11| height) / 2, whatever the depth.
-// radius: R, world units, >= 0 (negative and NaN count as 0). depth: eye-linear, world units. p00_p11: projection
-// elements.
-// size: image size in pixels (negative counts as 0).
-// Returns the half-axes in pixels, at most FLT_MAX; (0, 0) for background depth. Error: at most 3 ulp.
-// No method or pass here calls it: it is there to be copied.
-vec2 gloam_projected_radius_pixels_orthographic(float radius, float depth, vec2 p00_p11, ivec2 size) {
-    vec2 axes = gloam_projected_radius_uv_orthographic(radius, depth, p00_p11) * vec2(max(size, ivec2(0)));
     return vec2(gloam_positive_length(axes.x), gloam_positive_length(axes.y));
 }
 

@@ -16,7 +16,6 @@
 // Returns whether the point projects into the image, borders included: false behind the camera (w below 1e-30),
 // outside the image, for NaN, and for w above 2^126, where quotients are worth nothing. The verdict has no error: it
 // compares |x| and |y| with w. Error of uv: at most 3 ulp.
-// No method or pass here calls it: it is there to be copied.
 bool gloam_uv_from_clip(vec4 clip, out vec2 uv) {
     uv = vec2(0.0);
     if (!(clip.w >= 1e-30 && clip.w <= GLOAM_LARGEST_DIVISOR)) return false;
@@ -34,7 +33,7 @@ bool gloam_uv_from_clip(vec4 clip, out vec2 uv) {
 // uv: previous texture coordinates in [0, 1]^2; (0, 0) when the result is false.
 // Returns whether the point was inside the previous image; false behind the previous camera, outside, and for NaN.
 // Error of uv: 1.2e-6 for w >= 0.05 in a room of some metres; it grows with the largest products of the sums over w.
-// No method or pass here calls it: it is there to be copied.
+// No method or pass here calls it: it is TSSAO, the reprojection; the pass starts from view space.
 bool gloam_reproject_clip(vec4 clip_position, mat4 previous_from_current, out vec2 uv) {
     return gloam_uv_from_clip(previous_from_current * clip_position, uv);
 }
@@ -46,7 +45,7 @@ bool gloam_reproject_clip(vec4 clip_position, mat4 previous_from_current, out ve
 // Returns the homogeneous point; the zero vector, which gloam_uv_from_clip rejects, where it is not finite.
 // Error: 4 ulp of the largest component, or 4e-4 where sums cancel whose terms add up to no more than 200 units: 2e-6
 // of them.
-// No method or pass here calls it: it is there to be copied.
+// No method or pass here calls it: it is TSSAO, the reprojection; the pass starts from view space.
 vec4 gloam_previous_clip_static(vec4 clip, mat4 inverse_projection, mat4 inverse_view, mat4 previous_view,
                                 mat4 previous_projection) {
     vec4 previous = previous_projection * (previous_view * (inverse_view * (inverse_projection * clip)));
@@ -61,24 +60,12 @@ vec4 gloam_previous_clip_static(vec4 clip, mat4 inverse_projection, mat4 inverse
 // Returns the homogeneous point; the zero vector, which gloam_uv_from_clip rejects, where it is not finite.
 // Error: 4 ulp of the largest component, or 5e-4 where sums cancel whose terms add up to no more than 200 units:
 // 2.5e-6 of them.
-// No method or pass here calls it: it is there to be copied.
+// No method or pass here calls it: it is TSSAO, the reprojection; the pass starts from view space.
 vec4 gloam_previous_clip_moving(vec4 clip, mat4 inverse_projection, mat4 inverse_view, mat4 inverse_model,
                                 mat4 previous_model, mat4 previous_view, mat4 previous_projection) {
     vec4 object = inverse_model * (inverse_view * (inverse_projection * clip));
     vec4 previous = previous_projection * (previous_view * (previous_model * object));
     return gloam_is_finite4(previous) ? previous : vec4(0.0);
-}
-
-// previous world position of a point of a moving object (TSSAO-RP-world): `M' M^-1 x` [TSSAO (Mattausch et al.),
-// reprojection].
-// world: current world-space position. inverse_model: of the current frame. previous_model: of the previous frame
-// (both affine).
-// Returns the position in world units; the zero vector where it is not finite. Error: 4 ulp of the largest component,
-// or 2.4e-4 where sums cancel whose terms add up to no more than 200 units: 1.2e-6 of them.
-// No method or pass here calls it: it is there to be copied.
-vec3 gloam_previous_world(vec3 world, mat4 inverse_model, mat4 previous_model) {
-    vec4 previous = previous_model * (inverse_model * vec4(world, 1.0));
-    return gloam_is_finite3(previous.xyz) ? previous.xyz : vec3(0.0);
 }
 
 // depth of a point in the previous camera (TSSAO-RP-depth): `d' = -(V' x').z` [TSSAO (Mattausch et al.), reprojection].
@@ -87,7 +74,7 @@ vec3 gloam_previous_world(vec3 world, mat4 inverse_model, mat4 previous_model) {
 // frame.
 // Returns the eye-linear depth in world units, negative behind the camera; 0 where it is not finite. Error: 5e-7 of
 // the distances.
-// No method or pass here calls it: it is there to be copied.
+// No method or pass here calls it: it is TSSAO, the reprojection; the pass starts from view space.
 float gloam_previous_depth(vec3 previous_world, mat4 previous_view) {
     float depth = -(previous_view * vec4(previous_world, 1.0)).z;
     return gloam_is_finite(depth) ? depth : 0.0;

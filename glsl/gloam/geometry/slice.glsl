@@ -2,7 +2,6 @@
 #ifndef GLOAM_GEOMETRY_SLICE_GLSL
 #define GLOAM_GEOMETRY_SLICE_GLSL
 
-#include "gloam/geometry/safe_normalize.glsl"
 #include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/square_root.glsl"
 #include "gloam/numeric/unit_angle.glsl"
@@ -46,16 +45,6 @@ GloamSlice gloam_slice(vec2 direction, vec3 view, vec3 normal) {
 // Returns an amount in [1, pi / 2]. Error: 3e-7.
 float gloam_slice_whole(GloamSlice slice) {
     return slice.normal.x + slice.angle * slice.normal.y;
-}
-
-// direction of a sample in a slice (GTAO-slice-direction): `(v . view, v . t), normalised` [Jimenez et al. 2016].
-// offset: s - p, view space, world units; its part across the slice is dropped.
-// Returns (along view, along tangent), unit: cosine and sine of the sample's angle; (0, 0) for an offset without a
-// part in the slice, and for NaN. Error: 4e-7 where |offset| lies mostly in the slice.
-// No method or pass here calls it: it is there to be copied.
-vec2 gloam_slice_direction(vec3 offset, GloamSlice slice) {
-    vec3 direction = gloam_safe_normalize(offset, vec3(0.0));
-    return gloam_safe_normalize(vec3(dot(direction, slice.view), dot(direction, slice.tangent), 0.0), vec3(0.0)).xy;
 }
 
 // What takes offsets into the plane of a slice without changing their height over the tangent plane. What is seen at

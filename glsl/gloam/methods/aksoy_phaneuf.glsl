@@ -4,7 +4,6 @@
 
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
-#include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/sincos.glsl"
 #include "gloam/occlusion/aksoy_phaneuf.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
@@ -35,10 +34,8 @@ GloamEstimate gloam_aksoy_phaneuf(vec3 position, vec3 normal, GloamCamera camera
         for (int layer = 0; layer < kernel.layers; ++layer) {
             float depth = gloam_layer_depth(first, further, layer);
             vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
-            float squared = dot(offset, offset);
-            float weight = 1.0 - squared * inversesqrt(max(squared, GLOAM_LEAST_SQUARE)) / kernel.radius;
-            bool counts = gloam_tap_sees(depth) && dot(offset, n) > kernel.bias;
-            most = counts ? max(most, weight) : most;
+            float weight = gloam_contribution_aksoy_phaneuf(offset, n, kernel.radius, kernel.bias);
+            most = gloam_tap_sees(depth) ? max(most, weight) : most;
         }
         sum += most;
         ++taken;

@@ -5,6 +5,7 @@
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
 #include "gloam/numeric/sincos.glsl"
+#include "gloam/occlusion/alchemy.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/layers.glsl"
@@ -38,10 +39,9 @@ GloamEstimate gloam_alchemy(vec3 position, vec3 normal, GloamCamera camera, Gloa
         for (int layer = 0; layer < kernel.layers; ++layer) {
             float depth = gloam_layer_depth(first, further, layer);
             vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
-            float above = dot(offset, n) - kernel.bias;
-            float divisor = dot(offset, offset) + settings.epsilon * settings.epsilon;
-            bool counts = gloam_tap_sees(depth) && above > 0.0;
-            most = counts ? max(most, 2.0 * sigma * (above / divisor)) : most;
+            float counted = gloam_contribution_alchemy(offset, n, kernel.bias, settings.epsilon * settings.epsilon,
+                                                       2.0 * sigma);
+            most = gloam_tap_sees(depth) ? max(most, counted) : most;
         }
         sum += most;
         ++taken;

@@ -21,7 +21,7 @@ struct GloamAngle {
     float angle_bias;  // taken off the cosines
 };
 
-// All samples of one pixel in one frame (GloamEstimate); an odd number is taken as the even one above it.
+// All samples of one pixel in one frame (GloamEstimate), in pairs.
 GloamEstimate gloam_angle(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamAngle settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);

@@ -24,7 +24,8 @@ struct GloamBitmask {
 
 const uint GLOAM_ALL_SECTORS = 0xFFFFFFFFu;
 
-// Sectors between the front and the back of a sample, of equal shares of the cosine-weighted half plane.
+// Sectors between the front and the back of a sample, of equal shares of the cosine-weighted half plane
+// (gloam_slice_fraction_cosine, gloam_bitmask_sectors).
 // front, back: in the slice, (along view, along tangent), any length. Returns bits, as gloam_bitmask_sectors; none
 // where front and back are alike.
 // Error: none, but for ends within rounding of a sector's centre.

@@ -21,7 +21,7 @@ struct GloamDepthDarkening {
     float intensity;  // lambda, per radius of depth
 };
 
-// All samples of one pixel in one frame (GloamEstimate); an odd number is taken as the even one above it.
+// All samples of one pixel in one frame (GloamEstimate), in pairs.
 GloamEstimate gloam_depth_darkening(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
                                     GloamDepthDarkening settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;

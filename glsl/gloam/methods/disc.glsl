@@ -4,9 +4,9 @@
 
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
-#include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/sincos.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
+#include "gloam/occlusion/fox_compton.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/layers.glsl"
 #include "gloam/sampling/disc_point.glsl"
@@ -41,12 +41,10 @@ GloamEstimate gloam_disc(vec3 position, vec3 normal, GloamCamera camera, GloamKe
         for (int layer = 0; layer < kernel.layers; ++layer) {
             float depth = gloam_layer_depth(first, further, layer);
             vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
-            float squared = dot(offset, offset);
-            float above = dot(offset, n);
-            float inverse = inversesqrt(max(squared, GLOAM_LEAST_SQUARE));
-            bool counts = gloam_tap_sees(depth) && above > kernel.bias && squared <= kernel.radius * kernel.radius;
-            float share = min(max(settings.epsilon, 0.0) * inverse, 1.0);
-            most = counts ? max(most, min(above * inverse, 1.0) * share) : most;
+            float counted = gloam_contribution_fox_compton(offset, n, settings.epsilon);
+            bool counts = gloam_tap_sees(depth) && dot(offset, n) > kernel.bias &&
+                          dot(offset, offset) <= kernel.radius * kernel.radius;
+            most = counts ? max(most, counted) : most;
         }
         sum += most;
         ++taken;

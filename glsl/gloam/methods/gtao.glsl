@@ -5,7 +5,6 @@
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
 #include "gloam/geometry/slice.glsl"
-#include "gloam/numeric/constants.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/gtao.glsl"
@@ -51,13 +50,10 @@ GloamEstimate gloam_gtao(vec3 position, vec3 normal, GloamCamera camera, GloamKe
                     float depth = gloam_layer_depth(first, further, layer);
                     vec3 seen = gloam_footprint_position(footprint, at, depth) - position;
                     vec2 offset = vec2(dot(seen, axes.view), dot(seen, axes.tangent));
-                    float squared = dot(offset, offset);
-                    float inverse = inversesqrt(max(squared, GLOAM_LEAST_SQUARE));
-                    float weight = 1.0 - squared * inverse / kernel.radius;
-                    float cosine = lowest + (offset.x * inverse - lowest) * weight;
-                    bool counts = depth > 0.0 && weight > 0.0 && at != footprint.pixel && dot(seen, n) > kernel.bias &&
+                    float raised = gloam_gtao_horizon(horizon, lowest, offset, kernel.radius);
+                    bool counts = depth > 0.0 && at != footprint.pixel && dot(seen, n) > kernel.bias &&
                                   !gloam_tap_rejected(-position.z, depth, kernel.farthest);
-                    horizon = counts ? max(horizon, cosine) : horizon;
+                    horizon = counts ? raised : horizon;
                 }
             }
             if (horizon > lowest) {

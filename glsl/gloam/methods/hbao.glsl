@@ -6,11 +6,11 @@
 #include "gloam/gather/footprint.glsl"
 #include "gloam/geometry/into_slice.glsl"
 #include "gloam/geometry/slice.glsl"
-#include "gloam/numeric/constants.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/hbao.glsl"
 #include "gloam/occlusion/layers.glsl"
+#include "gloam/sampling/eye_march.glsl"
 #include "gloam/sampling/slice_sample.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
@@ -40,13 +40,13 @@ GloamEstimate gloam_hbao(vec3 position, vec3 normal, GloamCamera camera, GloamKe
         vec2 direction = random.direction * gloam_upright(camera);
         GloamSlice slice = gloam_slice(direction, vec3(0.0, 0.0, 1.0), n);
         GloamSliceAxes axes = gloam_slice_axes(slice, n);
-        float found = 0.0;
+        vec2 march = vec2(0.0);  // sine of the horizon, occlusion found
         for (int side = 0; side < 2; ++side) {
             float towards = side == 0 ? 1.0 : -1.0;
-            float horizon = gloam_hbao_horizon(n, towards * direction, bias).y;
+            march.x = gloam_hbao_horizon(n, towards * direction, bias).y;
             // Nothing rises above the bias where the tangent plane slopes towards the eye nearly along the view: the
             // sine there is 1.
-            uint taps = kernel.ends_marches && !(horizon < 1.0) ? 0u : steps;
+            uint taps = kernel.ends_marches && !(march.x < 1.0) ? 0u : steps;
             left_out += steps - taps;
             for (uint k = 0u; k < taps; ++k) {
                 float share = (float(k) + random.jitter) / float(steps);
@@ -57,17 +57,14 @@ GloamEstimate gloam_hbao(vec3 position, vec3 normal, GloamCamera camera, GloamKe
                     float depth = gloam_layer_depth(first, further, layer);
                     vec3 seen = gloam_footprint_position(footprint, at, depth) - position;
                     vec2 offset = vec2(dot(seen, axes.view), dot(seen, axes.tangent));
-                    float squared = dot(offset, offset);
-                    float weight = 1.0 - squared / (kernel.radius * kernel.radius);
-                    float sine = min(offset.x * inversesqrt(max(squared, GLOAM_LEAST_SQUARE)), 1.0);
-                    bool counts = depth > 0.0 && weight > 0.0 && at != footprint.pixel && dot(seen, n) > kernel.bias &&
-                                  sine > horizon && !gloam_tap_rejected(-position.z, depth, kernel.farthest);
-                    found += counts ? (sine - horizon) * weight : 0.0;
-                    horizon = counts ? sine : horizon;
+                    vec2 stepped = gloam_hbao_step(march, offset.x, dot(offset, offset), kernel.radius);
+                    bool counts = depth > 0.0 && at != footprint.pixel && dot(seen, n) > kernel.bias &&
+                                  !gloam_tap_rejected(-position.z, depth, kernel.farthest);
+                    march = counts ? stepped : march;
                 }
             }
         }
-        sum += 1.0 - gloam_hbao_visibility(0.5 * found, settings.angle_bias, settings.contrast);
+        sum += 1.0 - gloam_hbao_visibility(0.5 * march.y, settings.angle_bias, settings.contrast);
     }
     GloamEstimate estimate = gloam_estimate(sum, float(slices), slices * 2u * steps);
     estimate.left_out = left_out;
@@ -100,11 +97,11 @@ GloamEstimate gloam_hbao_study(vec3 position, vec3 normal, GloamCamera camera, G
         vec2 direction = random.direction * gloam_upright(camera);
         GloamSlice slice = gloam_slice(direction, vec3(0.0, 0.0, 1.0), n);
         GloamSliceAxes axes = gloam_slice_axes(slice, n);
-        float slope = clamp(-dot(n.xy, direction) / max(n.z, 1e-6), -1e6, 1e6);
-        float found = 0.0;
+        float slope = gloam_tangent_slope(n, direction);
+        vec2 march = vec2(0.0);  // sine of the horizon, occlusion found
         for (int side = 0; side < 2; ++side) {
             float towards = side == 0 ? 1.0 : -1.0;
-            float horizon = gloam_hbao_start_slope(towards * slope, settings.angle_bias).x;
+            march.x = gloam_hbao_start_slope(towards * slope, settings.angle_bias).x;
             for (uint k = 0u; k < steps; ++k) {
                 float share = (float(k) + random.jitter) / float(steps);
                 ivec2 at = gloam_footprint_pixel(footprint, towards * share * random.direction);
@@ -114,17 +111,14 @@ GloamEstimate gloam_hbao_study(vec3 position, vec3 normal, GloamCamera camera, G
                     float depth = gloam_layer_depth(first, further, layer);
                     vec3 seen = gloam_footprint_position(footprint, at, depth) - position;
                     vec2 offset = vec2(dot(seen, axes.view), dot(seen, axes.tangent));
-                    float squared = dot(offset, offset);
-                    float weight = 1.0 - squared / (kernel.radius * kernel.radius);
-                    float sine = min(offset.x * inversesqrt(max(squared, GLOAM_LEAST_SQUARE)), 1.0);
-                    bool counts = depth > 0.0 && weight > 0.0 && at != footprint.pixel && dot(seen, n) > kernel.bias &&
-                                  sine > horizon && !gloam_tap_rejected(-position.z, depth, kernel.farthest);
-                    found += counts ? (sine - horizon) * weight : 0.0;
-                    horizon = counts ? sine : horizon;
+                    vec2 stepped = gloam_hbao_step(march, offset.x, dot(offset, offset), kernel.radius);
+                    bool counts = depth > 0.0 && at != footprint.pixel && dot(seen, n) > kernel.bias &&
+                                  !gloam_tap_rejected(-position.z, depth, kernel.farthest);
+                    march = counts ? stepped : march;
                 }
             }
         }
-        sum += 1.0 - gloam_hbao_visibility(0.5 * found, 0.0, settings.contrast);
+        sum += 1.0 - gloam_hbao_visibility(0.5 * march.y, 0.0, settings.contrast);
     }
     return gloam_estimate(sum, float(slices), slices * 2u * steps);
 }
@@ -139,9 +133,7 @@ struct GloamHsao {
     uint steps;        // of a ray, at least 1
 };
 
-// All samples of one pixel in one frame (GloamEstimate). Steps lie evenly up to the radius; background, the point's own
-// pixel and steps that are not in front of the eye do not count. Error: that of the rays, but for taps within rounding
-// of a pixel's border.
+// All samples of one pixel in one frame (GloamEstimate), by rays.
 GloamEstimate gloam_hsao(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamHsao settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);
@@ -157,10 +149,9 @@ GloamEstimate gloam_hsao(vec3 position, vec3 normal, GloamCamera camera, GloamKe
         vec3 direction = vec3((index & 1u) == 1u ? -random.direction : random.direction, 0.0);
         vec3 axis = vec3(direction.y, -direction.x, 0.0);
         float jitter = random.jitter;
-        float horizon = gloam_hbao_horizon(n, direction.xy, bias).y;
-        float found = 0.0;
-        for (uint k = 0u; k < steps && horizon < 1.0; ++k) {
-            vec3 at = position + kernel.radius * ((float(k) + jitter) / float(steps)) * direction;
+        vec2 march = vec2(gloam_hbao_horizon(n, direction.xy, bias).y, 0.0);
+        for (uint k = 0u; k < steps && march.x < 1.0; ++k) {
+            vec3 at = gloam_eye_march(position, direction, kernel.radius, k, steps, jitter);
             ivec2 pixel = gloam_footprint_seen(footprint, at);
             float first = gloam_fetch_depth(pixel);
             vec3 further = kernel.layers > 1 ? gloam_fetch_layers(pixel) : vec3(0.0);
@@ -169,15 +160,12 @@ GloamEstimate gloam_hsao(vec3 position, vec3 normal, GloamCamera camera, GloamKe
                 float depth = gloam_layer_depth(first, further, layer);
                 vec3 seen = gloam_footprint_position(footprint, pixel, depth) - position;
                 vec3 offset = gloam_into_slice(seen, axis, n);
-                float squared = dot(offset, offset);
-                float weight = 1.0 - squared / (kernel.radius * kernel.radius);
-                float sine = min(offset.z * inversesqrt(max(squared, GLOAM_LEAST_SQUARE)), 1.0);
-                bool counts = gloam_tap_sees(depth) && weight > 0.0 && dot(seen, n) > kernel.bias && sine > horizon;
-                found += counts ? (sine - horizon) * weight : 0.0;
-                horizon = counts ? sine : horizon;
+                vec2 stepped = gloam_hbao_step(march, offset.z, dot(offset, offset), kernel.radius);
+                bool counts = gloam_tap_sees(depth) && dot(seen, n) > kernel.bias;
+                march = counts ? stepped : march;
             }
         }
-        occluded += found;
+        occluded += march.y;
     }
     // The mean over the rays is that of the horizons: what the bias took off it is given back once.
     GloamEstimate estimate = gloam_estimate(occluded, float(rays), rays * steps);

@@ -5,7 +5,10 @@
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
 #include "gloam/numeric/sincos.glsl"
+#include "gloam/occlusion/blocked.glsl"
+#include "gloam/occlusion/crytek.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
+#include "gloam/occlusion/filion.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/layers.glsl"
 #include "gloam/sampling/hemisphere_cosine_point.glsl"
@@ -23,8 +26,7 @@ struct GloamHemisphere {
 
 // occlusion of a pixel by points of the half ball (TSSAO-2-hemisphere): `mean of V(p, s_i), s_i of TSSAO-14, i = j + 1
 // ... j + k` [TSSAO (Mattausch et al.), eqs 2 to 4 and 14; Ritschel et al. 2009].
-// All samples of one pixel in one frame (GloamEstimate). A point behind the eye is not taken. Error: none, but a point
-// within rounding of a pixel's border or of the blocking depth may fall to either side.
+// All samples of one pixel in one frame (GloamEstimate), by points.
 GloamEstimate gloam_hemisphere(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
                                GloamHemisphere settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
@@ -37,8 +39,6 @@ GloamEstimate gloam_hemisphere(vec3 position, vec3 normal, GloamCamera camera, G
         vec3 point = gloam_turn_hemisphere(gloam_hemisphere_cosine_point(kernel.first + i + 1u), turn);
         vec3 at = position + kernel.radius * (frame * point);
         if (point == vec3(0.0) || !(at.z < 0.0)) continue;
-        // A depth buffer holds the surface at pixel centres only: the point is moved there along the plane parallel
-        // to the surface, so that a bare plane is the same at any tilt.
         ivec2 pixel = gloam_footprint_seen(footprint, at);
         float depth = gloam_footprint_plane_depth(footprint, pixel, at, frame[2]);
         float first = gloam_fetch_depth(pixel);
@@ -47,8 +47,7 @@ GloamEstimate gloam_hemisphere(vec3 position, vec3 normal, GloamCamera camera, G
         GloamLayersSeen layers = GloamLayersSeen(0.0, 0.0, true);
         for (int layer = 0; layer < kernel.layers; ++layer) {
             float seen = gloam_layer_depth(first, further, layer);
-            float in_front = depth - seen;
-            float blocked = gloam_tap_sees(seen) && in_front > kernel.bias && in_front <= settings.range ? 1.0 : 0.0;
+            float blocked = gloam_sample_blocked(depth, seen, kernel.bias, settings.range) ? 1.0 : 0.0;
             layers = gloam_layers_add(layers, blocked, further, depth, layer, kernel.layers);
         }
         sum += layers.occlusion;
@@ -61,8 +60,7 @@ GloamEstimate gloam_hemisphere(vec3 position, vec3 normal, GloamCamera camera, G
 // surface further in front of a point than the radius blocks less, by radius / distance. Directions are uniform: a
 // wall gives 1/2, as with cosine weights, and a bowl more.
 
-// All samples of one pixel in one frame (GloamEstimate). A point behind the eye is not taken. Error: none, but a point
-// within rounding of a pixel's border or of the blocking depth may fall to either side.
+// All samples of one pixel in one frame (GloamEstimate), by points.
 GloamEstimate gloam_filion(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     mat3 frame = gloam_tangent_frame(normalize(normal));
@@ -74,8 +72,6 @@ GloamEstimate gloam_filion(vec3 position, vec3 normal, GloamCamera camera, Gloam
         vec3 point = gloam_turn_hemisphere(gloam_hemisphere_uniform_point(kernel.first + i + 1u), turn);
         vec3 at = position + kernel.radius * (frame * point);
         if (point == vec3(0.0) || !(at.z < 0.0)) continue;
-        // A depth buffer holds the surface at pixel centres only: the point is moved there along the plane parallel
-        // to the surface, so that a bare plane is the same at any tilt.
         ivec2 pixel = gloam_footprint_seen(footprint, at);
         float depth = gloam_footprint_plane_depth(footprint, pixel, at, frame[2]);
         float first = gloam_fetch_depth(pixel);
@@ -84,9 +80,7 @@ GloamEstimate gloam_filion(vec3 position, vec3 normal, GloamCamera camera, Gloam
         GloamLayersSeen layers = GloamLayersSeen(0.0, 0.0, true);
         for (int layer = 0; layer < kernel.layers; ++layer) {
             float seen = gloam_layer_depth(first, further, layer);
-            float in_front = depth - kernel.bias - seen;
-            float opened = in_front > kernel.radius ? kernel.radius / in_front : 1.0;
-            float blocked = gloam_tap_sees(seen) && in_front > 0.0 ? opened : 0.0;
+            float blocked = gloam_contribution_filion(depth - kernel.bias, seen, kernel.radius);
             layers = gloam_layers_add(layers, blocked, further, depth, layer, kernel.layers);
         }
         sum += layers.occlusion;
@@ -100,8 +94,7 @@ GloamEstimate gloam_filion(vec3 position, vec3 normal, GloamCamera camera, Gloam
 // a = 0.5 of the remap subtracts it. A point counts as open if it is behind the surface by less than the bias. With a
 // bias of 0, opposite points of a plane differ.
 
-// All samples of one pixel in one frame (GloamEstimate). A point behind the eye is not taken. Error: none, but a point
-// within rounding of a pixel's border or of the blocking depth may fall to either side.
+// All samples of one pixel in one frame (GloamEstimate), by points.
 GloamEstimate gloam_crytek(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     mat3 frame = gloam_tangent_frame(normalize(normal));
@@ -115,8 +108,6 @@ GloamEstimate gloam_crytek(vec3 position, vec3 normal, GloamCamera camera, Gloam
         if ((index & 1u) == 0u) point = -point;
         vec3 at = position + kernel.radius * (frame * point);
         if (point == vec3(0.0) || !(at.z < 0.0)) continue;
-        // A depth buffer holds the surface at pixel centres only: the point is moved there along the plane parallel
-        // to the surface, so that a bare plane is the same at any tilt.
         ivec2 pixel = gloam_footprint_seen(footprint, at);
         float depth = gloam_footprint_plane_depth(footprint, pixel, at, frame[2]);
         float first = gloam_fetch_depth(pixel);
@@ -125,7 +116,7 @@ GloamEstimate gloam_crytek(vec3 position, vec3 normal, GloamCamera camera, Gloam
         GloamLayersSeen layers = GloamLayersSeen(0.0, 0.0, true);
         for (int layer = 0; layer < kernel.layers; ++layer) {
             float seen = gloam_layer_depth(first, further, layer);
-            float blocked = gloam_tap_sees(seen) && seen <= depth - kernel.bias ? 1.0 : 0.0;
+            float blocked = gloam_contribution_crytek(depth - kernel.bias, seen);
             layers = gloam_layers_add(layers, blocked, further, depth, layer, kernel.layers);
         }
         sum += layers.occlusion;

@@ -41,10 +41,9 @@ GloamEstimate gloam_issao(vec3 position, vec3 normal, GloamCamera camera, GloamK
         for (int layer = 0; layer < kernel.layers; ++layer) {
             float depth = gloam_layer_depth(first, further, layer);
             vec3 offset = gloam_footprint_position(disc.footprint, at, depth) - position;
-            float squared = dot(offset, offset);
-            float above = dot(offset, n) - kernel.bias;
-            bool counts = gloam_tap_sees(depth) && above > 0.0 && squared < kernel.radius * kernel.radius;
-            most = counts ? max(most, phi * (above / (squared + settings.epsilon * settings.epsilon))) : most;
+            float counted = gloam_contribution_issao(offset, n, kernel.radius, phi, kernel.bias,
+                                                     settings.epsilon * settings.epsilon);
+            most = gloam_tap_sees(depth) ? max(most, counted) : most;
         }
         sum += most;
         ++taken;

@@ -5,8 +5,10 @@
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
 #include "gloam/numeric/constants.glsl"
+#include "gloam/occlusion/blocked.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/layers.glsl"
+#include "gloam/sampling/eye_march.glsl"
 #include "gloam/sampling/halton_point.glsl"
 #include "gloam/sampling/poisson.glsl"
 #include "gloam/sampling/poisson_disc.glsl"
@@ -28,9 +30,7 @@ const uint GLOAM_POISSON_POINTS = 64u;  // of the disc
 
 // occlusion of a pixel by rays of a lifted Poisson disc (RAY-gather): `share of the rays that are blocked` [Sourimant
 // et al. 2011, CS-J].
-// All samples of one pixel in one frame (GloamEstimate). Steps lie evenly up to the radius; background, the point's own
-// pixel and steps that are not in front of the eye do not count. Error: that of the rays, but for taps within rounding
-// of a pixel's border.
+// All samples of one pixel in one frame (GloamEstimate), by rays.
 GloamEstimate gloam_poisson(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamPoisson settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     mat3 frame = gloam_tangent_frame(normalize(normal));
@@ -46,15 +46,15 @@ GloamEstimate gloam_poisson(vec3 position, vec3 normal, GloamCamera camera, Gloa
         float jitter = fract(gloam_halton_point(index + 1u).y + gloam_unit_interval(kernel.angle / GLOAM_TAU));
         bool blocked = false;
         for (uint k = 0u; k < steps && !blocked; ++k) {
-            vec3 at = position + kernel.radius * ((float(k) + jitter) / float(steps)) * direction;
+            vec3 at = gloam_eye_march(position, direction, kernel.radius, k, steps, jitter);
             ivec2 pixel = gloam_footprint_seen(footprint, at);
             float first = gloam_fetch_depth(pixel);
             vec3 further = kernel.layers > 1 ? gloam_fetch_layers(pixel) : vec3(0.0);
             if (!(at.z < 0.0) || pixel == footprint.pixel) continue;
             for (int layer = 0; layer < kernel.layers; ++layer) {
                 float depth = gloam_layer_depth(first, further, layer);
-                float in_front = gloam_footprint_plane_depth(footprint, pixel, at, frame[2]) - depth;
-                blocked = blocked || (gloam_tap_sees(depth) && in_front > kernel.bias && in_front <= settings.range);
+                blocked = blocked || gloam_sample_blocked(gloam_footprint_plane_depth(footprint, pixel, at, frame[2]),
+                                                          depth, kernel.bias, settings.range);
             }
         }
         occluded += blocked ? 1.0 : 0.0;

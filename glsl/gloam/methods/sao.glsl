@@ -8,6 +8,7 @@
 #include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/layers.glsl"
+#include "gloam/occlusion/sao.glsl"
 #include "gloam/sampling/radical_inverse.glsl"
 #include "gloam/sampling/rotation.glsl"
 #include "gloam/sampling/spiral.glsl"
@@ -31,16 +32,10 @@ vec2 gloam_sao_turn(GloamKernel kernel) {
     return gloam_sincos_turns(gloam_turns(kernel.angle) + gloam_radical_inverse_base2(frame));
 }
 
-// What the surface at an offset counts: 5 sigma (1 - v^2 / R^2)^3 max(v . n - bias, 0) / (v^2 + epsilon^2).
-// offset: from the shaded point, world units. normal: of the point, unit. Returns a contribution >= 0, whose mean is
-// the occlusion.
+// What the surface at an offset counts (gloam_contribution_sao).
 float gloam_sao_contribution(vec3 offset, vec3 normal, GloamKernel kernel, GloamSao settings) {
-    float squared = dot(offset, offset);
-    float window = 1.0 - squared / (kernel.radius * kernel.radius);
-    float above = dot(offset, normal) - kernel.bias;
-    if (!(window > 0.0 && above > 0.0)) return 0.0;
-    return 5.0 * settings.intensity * kernel.radius * window * window * window *
-           (above / (squared + settings.epsilon * settings.epsilon));
+    return gloam_contribution_sao(offset, normal, kernel.radius, kernel.bias, settings.epsilon * settings.epsilon,
+                                  5.0 * settings.intensity * kernel.radius);
 }
 
 // All samples of one pixel in one frame (GloamEstimate).

@@ -4,8 +4,10 @@
 
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
+#include "gloam/occlusion/blocked.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/layers.glsl"
+#include "gloam/sampling/eye_march.glsl"
 #include "gloam/sampling/halton_point.glsl"
 #include "gloam/sampling/hemisphere.glsl"
 #include "gloam/sampling/rotation.glsl"
@@ -22,9 +24,7 @@ struct GloamSsdo {
     uint steps;   // of a ray, at least 1
 };
 
-// All samples of one pixel in one frame (GloamEstimate). Steps lie evenly up to the radius; background, the point's own
-// pixel and steps that are not in front of the eye do not count. Error: that of the rays, but for taps within rounding
-// of a pixel's border.
+// All samples of one pixel in one frame (GloamEstimate), by rays.
 GloamEstimate gloam_ssdo(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamSsdo settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     mat3 frame = gloam_tangent_frame(normalize(normal));
@@ -41,15 +41,15 @@ GloamEstimate gloam_ssdo(vec3 position, vec3 normal, GloamCamera camera, GloamKe
         float jitter = random.y;
         bool blocked = false;
         for (uint k = 0u; k < steps && !blocked; ++k) {
-            vec3 at = position + kernel.radius * ((float(k) + jitter) / float(steps)) * direction;
+            vec3 at = gloam_eye_march(position, direction, kernel.radius, k, steps, jitter);
             ivec2 pixel = gloam_footprint_seen(footprint, at);
             float first = gloam_fetch_depth(pixel);
             vec3 further = kernel.layers > 1 ? gloam_fetch_layers(pixel) : vec3(0.0);
             if (!(at.z < 0.0) || pixel == footprint.pixel) continue;
             for (int layer = 0; layer < kernel.layers; ++layer) {
                 float depth = gloam_layer_depth(first, further, layer);
-                float in_front = gloam_footprint_plane_depth(footprint, pixel, at, frame[2]) - depth;
-                blocked = blocked || (gloam_tap_sees(depth) && in_front > kernel.bias && in_front <= settings.range);
+                blocked = blocked || gloam_sample_blocked(gloam_footprint_plane_depth(footprint, pixel, at, frame[2]),
+                                                          depth, kernel.bias, settings.range);
             }
         }
         occluded += blocked ? 2.0 * max(dot(direction, frame[2]), 0.0) : 0.0;

@@ -7,6 +7,7 @@
 #include "gloam/occlusion/angle_based.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/layers.glsl"
+#include "gloam/sampling/eye_march.glsl"
 #include "gloam/sampling/slice_sample.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
@@ -20,9 +21,7 @@ struct GloamUnreal {
     uint steps;       // of a side, at least 1
 };
 
-// All samples of one pixel in one frame (GloamEstimate). Steps lie evenly up to the radius; background, the point's own
-// pixel and steps that are not in front of the eye do not count. Error: that of the rays, but for taps within rounding
-// of a pixel's border.
+// All samples of one pixel in one frame (GloamEstimate), by rays.
 GloamEstimate gloam_unreal(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel, GloamUnreal settings) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);
@@ -38,7 +37,7 @@ GloamEstimate gloam_unreal(vec3 position, vec3 normal, GloamCamera camera, Gloam
         float jitter = random.jitter;
         float most = 0.0;
         for (uint k = 0u; k < steps && most < 1.0; ++k) {
-            vec3 at = position + kernel.radius * ((float(k) + jitter) / float(steps)) * direction;
+            vec3 at = gloam_eye_march(position, direction, kernel.radius, k, steps, jitter);
             ivec2 pixel = gloam_footprint_seen(footprint, at);
             float first = gloam_fetch_depth(pixel);
             vec3 further = kernel.layers > 1 ? gloam_fetch_layers(pixel) : vec3(0.0);
@@ -46,9 +45,8 @@ GloamEstimate gloam_unreal(vec3 position, vec3 normal, GloamCamera camera, Gloam
             for (int layer = 0; layer < kernel.layers; ++layer) {
                 float depth = gloam_layer_depth(first, further, layer);
                 vec3 offset = gloam_footprint_position(footprint, pixel, depth) - position;
-                float above = dot(offset, n);
-                bool counts = gloam_tap_sees(depth) && above > kernel.bias;
-                most = counts ? max(most, settings.epsilon * (above / dot(offset, offset))) : most;
+                float counted = gloam_contribution_unreal(offset, n, kernel.bias, settings.epsilon);
+                most = gloam_tap_sees(depth) ? max(most, counted) : most;
             }
         }
         occluded += 1.0 - gloam_unreal_side(most);

@@ -23,7 +23,7 @@
 
 // solid share of the ball around a pixel, by paired lines (CS-I-gather): `mean of q_i weighted by h_i` [volumetric
 // obscurance (Loos and Sloan 2010), CS-3.5].
-// All samples of one pixel in one frame (GloamEstimate); an odd number is taken as the even one above it.
+// All samples of one pixel in one frame (GloamEstimate), in pairs.
 GloamEstimate gloam_volumetric(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);
@@ -102,7 +102,7 @@ GloamEstimate gloam_volumetric_spiral(vec3 position, vec3 normal, GloamCamera ca
 // 2009). A plane leaves it empty. Chords lie along the view vector. Along the axis of a perspective view, a floor
 // seen from a camera that looks up would lie in front of its own ball.
 
-// All samples of one pixel in one frame (GloamEstimate); an odd number is taken as the even one above it.
+// All samples of one pixel in one frame (GloamEstimate), in pairs.
 GloamEstimate gloam_tangent_sphere(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);

@@ -57,13 +57,13 @@ float gloam_area_solid(GloamLinePoint point, vec2 tap, float radius, int level, 
     if (!(seen.weight > 0.0)) return 0.0;
     ivec2 pixels = min(camera.size - (texel << level), ivec2(1 << level));
     vec3 aim = vec3(radius * tap * point.upright, 0.0);
-    float height = dot(seen.mean - point.position - aim, point.normal) / point.facing;
+    float height = gloam_height_at(seen.mean - point.position, aim, point.normal, point.facing);
     float half_width = gloam_sqrt(3.0 * gloam_moments_along(seen, point.normal)) / point.facing;
     float share = seen.weight / float(pixels.x * pixels.y);
     return share * gloam_area_occlusion(height, half_width, gloam_chord_half_height(tap, radius));
 }
 
-// All samples of one pixel in one frame (GloamEstimate); an odd number is taken as the even one above it.
+// All samples of one pixel in one frame (GloamEstimate), in pairs.
 // gloam_fetch_prepared: mean and weight, variance, covariance of blocks (gloam_area_moments). Error: that of the
 // moments and of gloam_area_occlusion, but for taps within rounding of a block's border.
 GloamEstimate gloam_volumetric_area(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel) {

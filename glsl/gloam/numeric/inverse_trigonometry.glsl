@@ -49,18 +49,6 @@ float gloam_acos(float x) {
     return GLOAM_HALF_PI - (x < 0.0 ? -arc : arc);
 }
 
-// arc sine (ASIN): `asin x` [minimax polynomial].
-// x: sine; taken to the nearer end outside [-1, 1].
-// Returns radians in [-pi / 2, pi / 2] (pi / 2 as a float); 0 for NaN, x itself near 0.
-// Error: 1e-6 whatever the rounding, 3e-7 where it is to nearest.
-// No method or pass here calls it: it is there to be copied.
-float gloam_asin(float x) {
-    float m = gloam_unit_magnitude(x);
-    float arc = gloam_small_arc(m);
-    float angle = m > 0.5 ? GLOAM_HALF_PI - 2.0 * arc : arc;
-    return x < 0.0 ? -angle : angle;
-}
-
 // direction of a point (ATAN2): `angle of (x, y), counter-clockwise from the x axis; 0 at the origin` [minimax
 // polynomial].
 // y, x: coordinates; subnormal ones may be read as 0. Note the order, that of atan(y, x).

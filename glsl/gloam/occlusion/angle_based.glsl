@@ -3,7 +3,6 @@
 #define GLOAM_OCCLUSION_ANGLE_BASED_GLSL
 
 #include "gloam/geometry/safe_normalize.glsl"
-#include "gloam/numeric/constants.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 #include "gloam/shading/remap.glsl"
 
@@ -55,42 +54,17 @@ vec3 gloam_angle_pair(vec3 first, vec3 second, vec3 normal, vec3 view, float ran
     return a ? vec3(valid, mirrored, 0.5) : vec3(mirrored, valid, 0.5);
 }
 
-// one more pair in the angle-based occlusion (CS-P-add): `(sum + w (1 - (a_1 + a_2) / pi), weight + w)` [Mittring 2012;
-// Aalund and Baerentzen 2013].
-// accumulated: (sum, weight) so far, (0, 0) to begin with. weight: of the pair. angles: sum of both angles, radians:
-// acos of the cosines less a bias (0.08), by gloam_acos or one of its approximations.
-// Returns (sum + w (1 - angles / pi), weight + w); unchanged for a weight that is not positive or not finite, and
-// NaN. Error: 3e-7.
-// No method or pass here calls it: it is there to be copied.
-vec2 gloam_angle_add(vec2 accumulated, float weight, float angles) {
-    float occluded = 1.0 - angles * 0.3183098862;
-    if (!(weight > 0.0 && weight <= GLOAM_LARGEST && abs(occluded) <= GLOAM_LARGEST)) return accumulated;
-    return accumulated + weight * vec2(occluded, 1.0);
-}
-
-// angle-based occlusion of all pairs (CS-P): `max(sum / weight, 0)` [Mittring 2012; Aalund and Baerentzen 2013].
-// Occlusion of all pairs: what their angles lack of pi, 0 where they exceed it.
-// accumulated: (sum, weight).
-// Returns occlusion in [0, 1]; 0 for a weight below 1e-4, of which nothing can be said (the published shader adds
-// 1e-4 to the divisor), and for NaN. Error: 0.5 ULP.
-// No method or pass here calls it: it is there to be copied.
-float gloam_angle_occlusion(vec2 accumulated) {
-    if (!(accumulated.x > 0.0 && accumulated.y >= 1e-4 && accumulated.y <= GLOAM_LARGEST_DIVISOR)) return 0.0;
-    return accumulated.x < accumulated.y ? min(accumulated.x / accumulated.y, 1.0) : 1.0;
-}
-
-// a step along one side in the engine's later shader (CS-P-unreal): `sat(scale (v . n) / (v . v))` [Unreal Engine 4, as
-// ported].
-// The largest of a side's steps is its occlusion.
-// offset: v = s - p, view space, world units. normal: n, unit. scale: world units, 0.8 in the engine.
-// Returns occlusion in [0, 1]; 0 for v = 0, for v . v outside [2^-126, 2^126], for a scale not positive, and NaN.
+// a step along one side in the engine's later shader (CS-P-unreal): `scale (v . n) / (v . v) if v . n > bias, else 0`
+// [Unreal Engine 4, as ported].
+// The largest of a side's steps, at most 1, is its occlusion.
+// offset: v = s - p, view space, world units. normal: n, unit. bias: world units, >= 0. scale: world units, 0.8 in the
+// engine.
+// Returns a contribution >= 0, not limited to 1; 0 for what is no higher than the bias over the tangent plane.
 // Error: 5e-7 of scale / |v|.
-// No method or pass here calls it: it is there to be copied.
-float gloam_contribution_unreal(vec3 offset, vec3 normal, float scale) {
-    float squared = dot(offset, offset);
+float gloam_contribution_unreal(vec3 offset, vec3 normal, float bias, float scale) {
     float above = dot(offset, normal);
-    if (!(above > 0.0 && scale > 0.0 && squared >= GLOAM_SMALLEST && squared <= GLOAM_LARGEST_DIVISOR)) return 0.0;
-    return gloam_unit_interval(scale * (above / squared));
+    float counted = scale * (above / dot(offset, offset));
+    return above > bias ? counted : 0.0;
 }
 
 // what a side leaves open in the engine's later shader (CS-P-unreal-side): `(1 - occ)^2` [Unreal Engine 4, as ported].

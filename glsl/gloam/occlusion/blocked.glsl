@@ -2,7 +2,7 @@
 #ifndef GLOAM_OCCLUSION_BLOCKED_GLSL
 #define GLOAM_OCCLUSION_BLOCKED_GLSL
 
-#include "gloam/geometry/background.glsl"
+#include "gloam/occlusion/gather_kernel.glsl"
 
 // whether the depth buffer blocks a sample point (TSSAO-3-V): `V = 1 if bias < d_s - d_b <= range, else 0` [TSSAO
 // (Mattausch et al.), eq 3 in screen space].
@@ -13,13 +13,12 @@
 // depths.
 // range: world units, about the kernel radius; infinity switches the check off, a range not above the bias blocks
 // nothing.
-// Returns 1 if bias < sample_depth - buffer_depth <= range, else 0: also for background in the buffer, for a sample
-// at or behind the eye, and for NaN. Error: the difference is that of two depths rounded once (exact within a factor
-// 2), and may fall to either side of a threshold within 1 ULP of it.
-float gloam_sample_blocked(float sample_depth, float buffer_depth, float bias, float range) {
-    if (gloam_is_background(sample_depth) || gloam_is_background(buffer_depth)) return 0.0;
+// Returns whether bias < sample_depth - buffer_depth <= range: false for background in the buffer, as gloam_tap_sees
+// reads it, and for NaN. Error: the difference is that of two depths rounded once (exact within a factor 2), and may
+// fall to either side of a threshold within 1 ULP of it.
+bool gloam_sample_blocked(float sample_depth, float buffer_depth, float bias, float range) {
     float in_front = sample_depth - buffer_depth;
-    return in_front > bias && in_front <= range ? 1.0 : 0.0;
+    return gloam_tap_sees(buffer_depth) && in_front > bias && in_front <= range;
 }
 
 #endif

@@ -28,27 +28,14 @@ vec2 gloam_disc_share(float area, float distance_to) {
     return min(wide ? vec2(larger, smaller) : vec2(smaller, larger), vec2(1.0));
 }
 
-// contribution of a disc of the scene (CS-S): `(1 - 1 / sqrt(1 + A / (pi D^2))) max(-n_E . v / D, 0) min(4 max(n . v /
-// D, 0), 1)` [Bunnell 2005 (GPU Gems 2, chapter 14)].
-// Contribution of a disc: (1 - 1 / sqrt(1 + A / (pi D^2))) max(-n_E . v / D, 0) min(4 max(n . v / D, 0), 1), D = |v|.
-// The first factor is exactly the part of the half space that the disc takes up where it is seen along its axis.
+// contribution of a disc of the scene, cosine-weighted (CS-S-cosine): `A / (A + pi D^2) max(-n_E . v / D, 0) max(n . v
+// / D, 0)` [derived: exact on the axis].
+// Exact for a disc above the point and parallel to its tangent plane.
 // offset: v, from the point to the disc, world units. normal: n, unit vector, same space. emitter_normal: n_E, of the
 // disc, unit vector.
 // area: A, world units squared, > 0. weight: visibility of the disc from the pass before, 1 in the first; [0, 1].
 // Returns a contribution in [0, 1]; 0 for a disc that faces away or lies below the tangent plane, for v = 0 and for
-// what is not finite. Error: 8e-7.
-// No method or pass here calls it: it is there to be copied.
-float gloam_contribution_disc_proxy(vec3 offset, vec3 normal, vec3 emitter_normal, float area, float weight) {
-    vec2 share = gloam_disc_share(area, gloam_length(offset));
-    float facing = gloam_sample_cosine(-offset, emitter_normal) * min(4.0 * gloam_sample_cosine(offset, normal), 1.0);
-    return gloam_unit_interval(weight) * facing * (share.x / (1.0 + gloam_sqrt(share.y)));
-}
-
-// contribution of a disc of the scene, cosine-weighted (CS-S-cosine): `A / (A + pi D^2) max(-n_E . v / D, 0) max(n . v
-// / D, 0)` [derived: exact on the axis].
-// Exact for a disc above the point and parallel to its tangent plane.
-// offset, normal, emitter_normal, area, weight: as for gloam_contribution_disc_proxy.
-// Returns a contribution in [0, 1]; 0 as there. Error: 6e-7.
+// what is not finite. Error: 6e-7.
 float gloam_contribution_disc_proxy_cosine(vec3 offset, vec3 normal, vec3 emitter_normal, float area, float weight) {
     float share = gloam_disc_share(area, gloam_length(offset)).x;
     return gloam_unit_interval(weight) * share * gloam_sample_cosine(-offset, emitter_normal) *

@@ -3,7 +3,6 @@
 #define GLOAM_OCCLUSION_ESTIMATOR_GLSL
 
 #include "gloam/geometry/finite.glsl"
-#include "gloam/numeric/constants.glsl"
 
 // The mean of contributions (TSSAO-2, and -4 for one frame's share of them): (1 / n) sum of C(p, s_i).
 
@@ -15,32 +14,12 @@ vec2 gloam_estimator_add(vec2 accumulated, float contribution) {
     return gloam_is_finite(contribution) ? accumulated + vec2(contribution, 1.0) : accumulated;
 }
 
-// weighted mean of contributions (MEAN-weighted): `sum of w C / sum of w, inside [0, 1]` [definition].
-// weighted: (sum of contributions times weights, sum of weights).
-// Returns sum / weight inside [0, 1]; 0 for a weight not positive, for a subnormal one and for NaN. Error: 0.5 ULP,
-// 1e-44 near 0.
-// No method or pass here calls it: it is there to be copied.
-float gloam_weighted_ratio(vec2 weighted) {
-    if (!(weighted.y >= GLOAM_SMALLEST && weighted.x > 0.0)) return 0.0;
-    return weighted.x < weighted.y ? min(weighted.x / weighted.y, 1.0) : 1.0;
-}
-
 // mean of the contributions (TSSAO-2): `AO = (1 / n) sum of C(p, s_i)` [TSSAO (Mattausch et al.), eqs 2 and 4].
 // accumulated: (sum, count).
 // Returns sum / count inside [0, 1], the occlusion; 0 for a count below 1 and for NaN. Error: 0.5 ULP.
 float gloam_estimator_mean(vec2 accumulated) {
     if (!(accumulated.y >= 1.0 && accumulated.x > 0.0)) return 0.0;
     return accumulated.x < accumulated.y ? min(accumulated.x / accumulated.y, 1.0) : 1.0;
-}
-
-// weighted mean as if of a number of samples (MEAN-samples): `(n m, n)` [definition].
-// For gloam_estimator_mean.
-// weighted: (sum of contributions times weights, sum of weights). count: of samples.
-// Returns (count times the mean, count), the mean inside [0, 1]; 0 for a weight not positive and for NaN. Error: 1.5
-// ULP, 5e-35 near 0.
-// No method or pass here calls it: it is there to be copied.
-vec2 gloam_estimator_of_weighted(vec2 weighted, uint count) {
-    return float(count) * vec2(gloam_weighted_ratio(weighted), 1.0);
 }
 
 #endif

@@ -10,15 +10,6 @@
 // The polynomials use 1 - d / R in the form (R - d) / R: subtracting before dividing keeps full relative accuracy up to
 // the radius, where 1 - d / R loses it. The min() keeps a division or power that is rounded up inside [0, 1].
 
-// step falloff (FALLOFF-step): `D = 1 if d <= R, else 0` [TSSAO (Mattausch et al.), the simplest D of eq 1].
-// The plain AO integral, cut off.
-// hit_distance: d, world units. radius: R, world units, >= 0; at 0 only d = 0 counts.
-// Returns 0 or 1. Error: none.
-// No method or pass here calls it: it is there to be copied.
-float gloam_falloff_step(float hit_distance, float radius) {
-    return abs(hit_distance) <= radius ? 1.0 : 0.0;
-}
-
 // linear falloff (FALLOFF-linear): `D = max(1 - d / R, 0)` [Aalund and Baerentzen 2013, reference images].
 // What TSSAO's kernel of uniform radii implies, and the usual ray-traced reference.
 // hit_distance: d, world units. radius: R, world units, > 0.
@@ -41,74 +32,6 @@ float gloam_falloff_linear(float hit_distance, float radius) {
 float gloam_falloff_quadratic(float hit_distance, float radius) {
     float a = gloam_falloff_linear(hit_distance, radius);
     return min(a * (2.0 - a), 1.0);
-}
-
-// cubic falloff (FALLOFF-cubic): `D = max(1 - d^3 / R^3, 0)` [derived: kernel uniform in the volume of a ball].
-// With a = 1 - d / R it is a (3 - a (3 - a)).
-// hit_distance: d, world units. radius: R, world units, > 0.
-// Returns a weight in [0, 1]; 0 for R = 0. Error: 5 ULP.
-// No method or pass here calls it: it is there to be copied.
-float gloam_falloff_cubic(float hit_distance, float radius) {
-    float a = gloam_falloff_linear(hit_distance, radius);
-    return min(a * (3.0 - a * (3.0 - a)), 1.0);
-}
-
-// falloff of Scalable Ambient Obscurance (FALLOFF-sao): `D = (1 - d^2 / R^2)^3 for d < R, else 0` [McGuire et al.
-// 2012].
-// hit_distance: d, world units. radius: R, world units, > 0.
-// Returns a weight in [0, 1]; 0 for R = 0. Error: 10 ULP.
-// No method or pass here calls it: it is there to be copied.
-float gloam_falloff_sao(float hit_distance, float radius) {
-    float b = gloam_falloff_quadratic(hit_distance, radius);
-    return b * b * b;
-}
-
-// exponential falloff, cut below 1/255 (FALLOFF-exponential): `D = exp(-d / R), 0 where below 1/255` [TSSAO (Mattausch
-// et al.), notes on eq 1].
-// It would never end otherwise: the cut is at d = 5.5413 R.
-// hit_distance: d, world units. radius: R, world units, > 0: the distance at which 1/e is left.
-// Returns a weight in {0} and [1/255, 1]; 0 for R = 0. Error: 10 ULP; within 4 ULP of the cut a distance may fall to
-// either side.
-// No method or pass here calls it: it is there to be copied.
-float gloam_falloff_exponential(float hit_distance, float radius) {
-    float d = abs(hit_distance);
-    if (!(d <= GLOAM_LARGEST && radius >= GLOAM_SMALLEST)) return 0.0;
-    if (!(radius <= GLOAM_LARGEST)) return 1.0;
-    float scale =
-        radius > 1.8446744e19 ? 5.421010862427522e-20 : (radius < 5.421010862427522e-20 ? 1.8446744073709552e19 : 1.0);
-    float r = radius * scale;
-    float scaled = d * scale;
-    return scaled <= 5.541263545 * r ? min(exp(-(scaled / r)), 1.0) : 0.0;
-}
-
-// falloff of Alchemy (FALLOFF-alchemy): `D = u d / max(u, d)^2` [McGuire et al. 2011].
-// That is u / d beyond u and d / u below: the obscurance of touching geometry vanishes.
-// hit_distance: d, world units. u: distance of the strongest influence, world units, > 0.
-// Returns a weight in [0, 1]; 0 (not 1) at d = 0, and 0 for u not positive, subnormal or NaN and for infinite d or u.
-// Error: 1 ULP.
-// No method or pass here calls it: it is there to be copied.
-float gloam_falloff_alchemy(float hit_distance, float u) {
-    float d = abs(hit_distance);
-    if (!(d <= GLOAM_LARGEST && u >= GLOAM_SMALLEST && u <= GLOAM_LARGEST)) return 0.0;
-    float smaller = d < u ? d : u;
-    float larger = d < u ? u : d;
-    float scale =
-        larger > 1.8446744e19 ? 5.421010862427522e-20 : (larger < 5.421010862427522e-20 ? 1.8446744073709552e19 : 1.0);
-    return min(smaller * scale / (larger * scale), 1.0);
-}
-
-// visibility of Filion and McNaughton (FALLOFF-filion): `clamp((D - R) / D, 0, 1), 1 for D <= 0` [Filion and McNaughton
-// 2008].
-// Visibility (not occlusion) of Filion and McNaughton: clamp((D - R) / D, 0, 1): open behind the surface, blocked
-// down to R before it, open again as the surface moves further in front.
-// delta: D, how far the surface at the sample's pixel lies in front of the sample, world units. radius: R, world
-// units, >= 0.
-// Returns visibility in [0, 1]: 1 for D <= 0 (D = 0 included), 0 for 0 < D <= R, 1 - R / D beyond; 1 for R = 0,
-// subnormal D or R, and NaN. Error: 2 ULP.
-// No method or pass here calls it: it is there to be copied.
-float gloam_visibility_filion(float delta, float radius) {
-    if (!(delta >= GLOAM_SMALLEST && radius >= GLOAM_SMALLEST)) return 1.0;
-    return gloam_falloff_linear(radius, delta);
 }
 
 #endif

@@ -33,6 +33,11 @@ struct GloamKernel {
 // Where a tap lies outside the image, the nearest pixel counts. No samples where there is nothing to gather
 // (gloam_can_gather). Error of the occlusion: that of the contributions, but for taps within rounding of a pixel's
 // border.
+// By points: of a ball, each moved along the tangent plane to the centre of its pixel (gloam_plane_depth); one behind
+// the eye is not taken. Error: none, but a point within rounding of the blocking depth may fall to either side.
+// By rays: steps lie evenly up to the radius (gloam_eye_march); background, the point's own pixel and steps that are
+// not in front of the eye do not count.
+// In pairs: of opposite taps; an odd number is taken as the even one above it.
 struct GloamEstimate {
     float occlusion;  // mean of the samples, [0, 1]
     float samples;    // taken, an integer up to 2^24; 0 where there is nothing to shade

@@ -46,33 +46,20 @@ float gloam_contribution_issao_attenuated(vec3 offset, vec3 normal, float radius
     return gloam_issao_attenuation(reach, phi, mu) * gloam_sample_cosine(offset, normal);
 }
 
-// ISSAO's contribution of a tap (ISSAO-6): `phi max(0, v . n - psi) / (v . v + sigma) for |v| < R` [ISSAO, eq 6,
+// ISSAO's contribution of a tap (ISSAO-6): `lambda phi max(0, v . n - psi) / (v . v + sigma) for |v| < R` [ISSAO, eq 6,
 // reconstructed].
-// offset: v = s - p, view space, world units. normal: n, unit vector. radius: R, world units. phi: world units, >= 0,
-// how dark.
+// Printed with the gain lambda (1 to 1.06 in the paper's figures) before the sum over taps.
+// offset: v = s - p, view space, world units. normal: n, unit vector. radius: R, world units. phi: times lambda, world
+// units, how dark.
 // bias: psi, world units, >= 0, constant or of gloam_depth_bias. sigma: world units squared, > 0, prevents 0 / 0 and
 // grows with the scene.
-// Returns a contribution >= 0 for gloam_issao_occlusion; 0 for v = 0, for |v| >= R, in and below the tangent plane
-// raised by psi, for v . v + sigma outside [2^-126, 2^126], and for NaN in any argument. Error: 4e-7 of phi / |v|.
-// No method or pass here calls it: it is there to be copied.
+// Returns a contribution >= 0, whose mean is the occlusion; 0 for |v| >= R, in and below the tangent plane raised by
+// psi, and for NaN. Error: 4e-7 of phi / |v|.
 float gloam_contribution_issao(vec3 offset, vec3 normal, float radius, float phi, float bias, float sigma) {
     float squared = dot(offset, offset);
-    float denominator = squared + sigma;
     float above = dot(offset, normal) - bias;
-    if (!(squared < radius * radius && radius > 0.0 && above > 0.0 && sigma >= 0.0)) return 0.0;
-    if (!(phi > 0.0 && denominator >= GLOAM_SMALLEST && denominator <= GLOAM_LARGEST_DIVISOR)) return 0.0;
-    float contribution = phi * (above / denominator);
-    return contribution <= GLOAM_LARGEST ? contribution : 0.0;
-}
-
-// ISSAO's occlusion factor (ISSAO-6-mean): `A_0 = min((lambda / s) sum, 1)` [ISSAO, eq 6, reconstructed].
-// accumulated: (sum, count) of gloam_estimator_add. lambda: gain of the shadow, >= 0, 1 to 1.06 in the paper's figures.
-// Returns occlusion in [0, 1]; 0 for a count below 1 and for NaN. Error: 1.5 ULP.
-// No method or pass here calls it: it is there to be copied.
-float gloam_issao_occlusion(vec2 accumulated, float lambda) {
-    if (!(accumulated.y >= 1.0 && accumulated.x > 0.0 && lambda > 0.0)) return 0.0;
-    float occlusion = lambda * (accumulated.x / accumulated.y);
-    return occlusion < 1.0 ? occlusion : (occlusion >= 1.0 ? 1.0 : 0.0);
+    float counted = phi * (above / (squared + sigma));
+    return above > 0.0 && squared < radius * radius ? counted : 0.0;
 }
 
 #endif

@@ -4,43 +4,17 @@
 
 #include "gloam/sampling/unit_interval.glsl"
 
-// Contribution of one sample point to the occlusion. Which form to average depends on how the directions are
-// distributed. Only the two at the end estimate the cosine-weighted occlusion (TSSAO-1). Every argument is clamped to
-// [0, 1], and NaN is read as 0.
-
 // contribution of a sample point, as printed (TSSAO-3): `C = V D max(cos, 0)` [TSSAO (Mattausch et al.), eq 3; Ritschel
 // et al. 2009].
 // Averaged over uniform directions it gives half the occlusion, over cosine-weighted ones two thirds of it where
-// everything is blocked: use the forms below for an estimate.
+// everything is blocked: the mean of the occlusion (TSSAO-1) is that of V D for cosine-weighted directions (TSSAO-14),
+// and of 2 V D cos for uniform ones. Every argument is clamped to [0, 1], and NaN is read as 0.
 // blocked: V, 1 blocked, 0 open. falloff: D in [0, 1] (1 for a kernel of uniform radii). cosine: of the angle to the
 // normal.
 // Returns a contribution in [0, 1]. Error: 1.5 ULP.
-// No method or pass here calls it: it is there to be copied.
+// No method or pass here calls it: it is TSSAO, eq 3, as printed; the methods draw directions by the cosine.
 float gloam_contribution_ritschel(float blocked, float falloff, float cosine) {
     return gloam_unit_interval(blocked) * gloam_unit_interval(falloff) * gloam_unit_interval(cosine);
-}
-
-// contribution of a sample point, cosine-weighted directions (TSSAO-3-cosine): `C = V D` [TSSAO (Mattausch et al.), eq
-// 3 normalised for density cos / pi].
-// Directions have the density cos / pi (TSSAO-14), which holds the cosine already.
-// blocked: V, 1 blocked, 0 open. falloff: D in [0, 1] (1 for a kernel of uniform radii).
-// Returns a contribution in [0, 1] whose mean is the occlusion. Error: 0.5 ULP.
-// No method or pass here calls it: it is there to be copied.
-float gloam_contribution_cosine_directions(float blocked, float falloff) {
-    return gloam_unit_interval(blocked) * gloam_unit_interval(falloff);
-}
-
-// contribution of a sample point, uniform directions (TSSAO-3-uniform): `C = 2 V D max(cos, 0)` [TSSAO (Mattausch et
-// al.), eq 3 normalised for density 1 / (2 pi)].
-// Directions have the density 1 / (2 pi).
-// blocked: V, 1 blocked, 0 open. falloff: D in [0, 1] (1 for a kernel of uniform radii). cosine: of the angle to the
-// normal.
-// Returns a contribution in [0, 2] whose mean is the occlusion: clamp the mean, not the contribution. Error: 1.5 ULP.
-// No method or pass here calls it: it is there to be copied.
-float gloam_contribution_uniform_directions(float blocked, float falloff, float cosine) {
-    // 2 V: a factor 2 of the product would be moved behind it by Mesa's OpenGL, and the smaller product flushed to 0.
-    float twice = blocked > 0.0 ? (blocked < 1.0 ? 2.0 * blocked : 2.0) : 0.0;
-    return twice * gloam_unit_interval(falloff) * gloam_unit_interval(cosine);
 }
 
 #endif

@@ -25,7 +25,7 @@ vec2 gloam_issao_offset_polar(vec2 e, float radius) {
 // moved to its border.
 // e: two numbers in [0, 1], taken to the nearer end outside, NaN to 0. radius: r_max, pixels or any unit, >= 0.
 // Returns an offset in that unit, no longer than the radius but for rounding. Error: 6e-7 of the radius.
-// No method or pass here calls it: it is there to be copied.
+// No method or pass here calls it: it is ISSAO, eq 1, as printed; the methods take the other reading.
 vec2 gloam_issao_offset_printed(vec2 e, float radius) {
     vec2 u = vec2(gloam_unit_interval(e.x), gloam_unit_interval(e.y));
     vec2 offset = u * vec2(gloam_sincos_turns(u.y).y, gloam_sincos_turns(u.x).x);

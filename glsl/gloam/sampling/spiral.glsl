@@ -3,7 +3,6 @@
 #define GLOAM_SAMPLING_SPIRAL_GLSL
 
 #include "gloam/sampling/circle.glsl"
-#include "gloam/sampling/rotation.glsl"
 
 // point of a spiral (SPIRAL-point): `a = (i + 1/2) / n; a (cos(2 pi a turns), sin(2 pi a turns))` [McGuire, Mara and
 // Luebke 2012 (Scalable Ambient Obscurance)].
@@ -22,17 +21,6 @@ vec2 gloam_spiral_point(int index, int count, int turns) {
     vec2 tap = gloam_circle_point(float(angle) / float(period));
     float radius = float(odd) / float(period);
     return radius * vec2(tap.x, turns < 0 ? -tap.y : tap.y);
-}
-
-// tap of a spiral (SPIRAL): `a = (i + 1/2) / n; a (cos(2 pi a turns + phase), sin(2 pi a turns + phase))` [McGuire,
-// Mara and Luebke 2012 (Scalable Ambient Obscurance)].
-// Tap of a rotated spiral (SAO): the point above, turned by the phase.
-// index, count, turns: as above. phase: rotation of the whole spiral in radians, |phase| <= 65536; anything else, NaN
-// included, counts as 0.
-// Returns an offset in the unit disc; the zero vector for a count or an index outside its range. Error: 5e-7.
-// No method or pass here calls it: it is there to be copied.
-vec2 gloam_spiral_tap(int index, int count, int turns, float phase) {
-    return gloam_rotate_disc(gloam_spiral_point(index, count, turns), phase);
 }
 
 #endif

@@ -89,9 +89,9 @@ float blocked_at(ivec2 pixel, float depth) {
     vec3 further = layers > 1 ? GLOAM_FETCH(layer_image, pixel).xyz : vec3(0.0);
     GloamLayersSeen seen = GloamLayersSeen(0.0, 0.0, true);
     for (int layer = 0; layer < layers; ++layer) {
-        float blocked =
+        bool blocked =
             gloam_sample_blocked(depth, gloam_layer_depth(first, further, layer), parameters.bias, method_values.range);
-        seen = gloam_layers_add(seen, blocked, further, depth, layer, layers);
+        seen = gloam_layers_add(seen, blocked ? 1.0 : 0.0, further, depth, layer, layers);
     }
     return seen.occlusion;
 }

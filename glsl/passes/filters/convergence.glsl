@@ -2,6 +2,7 @@
 #ifndef GLOAM_FILTERS_CONVERGENCE_GLSL
 #define GLOAM_FILTERS_CONVERGENCE_GLSL
 
+#include "gloam/filter/convergence_weight.glsl"
 #include "gloam/filter/gaussian.glsl"
 #include "gloam/filter/shrink.glsl"
 #include "gloam/filter/weighted_mean.glsl"
@@ -47,9 +48,9 @@ float scale_at(vec3 position) {
 // mean: the sum so far. offset: from the tap and the filtered pixel, the later one in the row minus the earlier one;
 // the compiler can then compute it once for both pixels. coverage: part of the tap inside the window. scale: of the
 // Gaussian. most: upper limit of the tap's convergence.
-// Returns the mean with the tap, as gloam_filter_tap does.
+// Returns the mean with the tap.
 GloamWeightedMean with_tap(GloamWeightedMean mean, vec3 offset, Tap tap, float coverage, float scale, float most) {
-    float weight = coverage * gloam_gaussian_scaled(dot(offset, offset), scale) * min(tap.convergence, most);
+    float weight = gloam_convergence_weight(offset, coverage, scale, min(tap.convergence, most));
     return gloam_weighted_mean_add(mean, tap.occlusion, weight);
 }
 

@@ -134,22 +134,11 @@ void append_window(Entries& entries) {
 }
 
 void append_filtering(Entries& entries) {
-    add(
-        entries, "TSSAO-10-tap",
-        [](const ImageSet& images, const reference::GloamWeightedMean& mean, glm::dvec3 center,
-           glm::ivec2 tap, double coverage, double scale) {
-            return reference::gloam_filter_tap(mean, center, tap, coverage, scale, values_of(images),
-                                               positions_of(images));
-        },
-        {.domain = {constant(glm::vec4(1, 2, 0.25, 0.75)).only_as_drawn(),
-                    vector({uniform(0, 0.4), uniform(0, 0.4), uniform(-3, -2)}), image_pixel(), uniform(0, 1),
-                    scales()},
+    add(entries, "TSSAO-10-weight", &reference::gloam_convergence_weight,
+        {.domain = {vector(3, uniform(-0.5, 0.5)).and_special(), uniform(0, 1), scales(), uniform(0, 1)},
          .budget = {.absolute = 5e-7},
-         .codomain = {0, 6},
-         .scenarios = surfaces()},
-        [](const Mean&, glm::dvec3, glm::ivec2, double coverage, double) {
-            return moderate(1e-30, 1.0, coverage);
-        });
+         .codomain = {0, 1}},
+        [](glm::dvec3, double coverage, double, double) { return moderate(1e-30, 1.0, coverage); });
     const Values axis = made_by<glm::ivec2>(
         [](numeric::Random& random) { return random.below(2) == 0 ? glm::ivec2(1, 0) : glm::ivec2(0, 1); });
     add(entries, "TSSAO-10",
@@ -167,28 +156,6 @@ void append_filtering(Entries& entries) {
 }
 
 void append_sao_filters(Entries& entries) {
-    add(entries, "CS-Q-quad", &reference::gloam_quad_box,
-        {.domain = Domain{uniform(0, 1).and_special(), uniform(-1, 1).and_special(),
-                          signed_log_uniform(1e-3, 1).and_special(), integers(0, 9),
-                          log_uniform(0.01, 1).and_special()}
-                       .tied(2, 4),
-         .budget = {.absolute = 1e-7},
-         .codomain = {0, 1}});
-    const Values depth = either(uniform(0.5, 320), log_uniform(1e-37, 1e38)).and_special();
-    add(entries, "CS-Q-key", &reference::gloam_depth_key,
-        {.domain = Domain{depth, either(constant(300.0F), log_uniform(1e-37, 1e38)).and_special()}.tied(0, 1),
-         .budget = {.ulp = 1.5},
-         .codomain = {0, 1}});
-    add(entries, "CS-Q-pack", &reference::gloam_pack_key,
-        {.domain = {uniform(0, 1).and_near({0.5}).and_special()},
-         .budget = {.ulp = 1.5, .backward_ulp = 2},
-         .codomain = {0, 1}});
-    const Values byte = made_by<float>(
-        [](numeric::Random& random) { return static_cast<float>(random.below(256)) / 255.0F; });
-    add(entries, "CS-Q-unpack", &reference::gloam_unpack_key,
-        {.domain = {either(vector(2, byte), vector(2, uniform(0, 1))).and_special()},
-         .budget = {.ulp = 1.5, .backward_ulp = 2},
-         .codomain = {0, 1}});
     add(entries, "CS-Q-blur", &reference::gloam_sao_blur_weight,
         {.domain = {integers(-6, 6).and_near_integers({-2147483647, 2147483646}),
                     either(signed_log_uniform(1e-6, 1), any_float()).and_special(),

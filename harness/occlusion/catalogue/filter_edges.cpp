@@ -65,19 +65,6 @@ void append_bilateral(Entries& entries) {
 void append_bilateral_mean(Entries& entries) {
     const Values sigma_d = uniform(0.5, 4).and_special();
     const Values sigma_r = log_uniform(0.01, 2).and_special();
-    add(entries, "ISSAO-7-tap",
-        [](const ImageSet& images, const reference::GloamWeightedMean& mean, glm::ivec2 pixel, double center,
-           glm::ivec2 tap, glm::ivec2 size, double sigma_pixels, double sigma_depth) {
-            return reference::gloam_bilateral_tap(mean, pixel, center, tap, size, sigma_pixels, sigma_depth,
-                                                  scalars_of(images, occlusion_name),
-                                                  scalars_of(images, depth_name));
-        },
-        {.domain = {constant(glm::vec4(1, 2, 0.25, 0.75)).only_as_drawn(), image_pixel(), uniform(1.9, 3.1),
-                    either(image_pixel(), vector(2, integers(-4, 4))), image_size().only_as_drawn(), sigma_d,
-                    sigma_r},
-         .budget = {.absolute = 6e-7},
-         .codomain = {0, 3},
-         .scenarios = surfaces()});
     // Few taps, because the number of paths of an interval grows with every tap.
     const Values half_width = either(vector(2, integers(0, 1)), vector({integers(0, 3), integers(0, 0)}))
                                   .and_value(glm::ivec2(0, -5));
@@ -114,19 +101,6 @@ void append_geometry_weight(Entries& entries) {
 
 void append_geometry_blur(Entries& entries) {
     const Values powers = vector({uniform(1, 16), uniform(0, 1)});
-    add(entries, "CS-BLUR-tap",
-        [](const ImageSet& images, const reference::GloamWeightedMean& mean, double center, glm::dvec3 normal,
-           glm::ivec2 tap, glm::ivec2 size, glm::dvec2 exponents) {
-            return reference::gloam_geometry_blur_tap(mean, center, normal, tap, size, exponents,
-                                                      scalars_of(images, occlusion_name),
-                                                      scalars_of(images, depth_name), normals_of(images));
-        },
-        {.domain = {constant(glm::vec4(1, 2, 0.25, 0.75)).only_as_drawn(), uniform(1.9, 3.1),
-                    vector({uniform(-0.4, 0.4), uniform(-0.4, 0.4), uniform(0.6, 0.8)}),
-                    either(image_pixel(), vector(2, integers(-4, 4))), image_size().only_as_drawn(), powers},
-         .budget = {.absolute = 2e-6},
-         .codomain = {0, 3},
-         .scenarios = surfaces()});
     const Values axis = made_by<glm::ivec2>(
         [](numeric::Random& random) { return random.below(2) == 0 ? glm::ivec2(1, 0) : glm::ivec2(0, 1); });
     add(entries, "CS-BLUR",

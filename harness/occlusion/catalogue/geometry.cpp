@@ -153,7 +153,6 @@ void append_projections(Entries& entries) {
 
 void append_radii(Entries& entries) {
     const Values radius = log_uniform(1e-3, 1e2).and_special();
-    const Values size = vector(2, log_integers(16384).and_near_integers({0}));
     const auto in = [&](const char* id, auto reference, double ulp, const Domain& domain) {
         add(entries, id, reference, {.domain = domain, .budget = {.ulp = ulp}, .codomain = {0, huge}},
             [](double radius, double depth, glm::dvec2 scale, const auto&...) {
@@ -161,11 +160,8 @@ void append_radii(Entries& entries) {
             });
     };
     const Domain uv{radius, depths(), scales()};
-    const Domain pixels{radius, depths(), scales(), size};
     in("RADIUS-uv", &reference::gloam_projected_radius_uv, 3, uv);
-    in("RADIUS-px", &reference::gloam_projected_radius_pixels, 4.5, pixels);
     in("RADIUS-uv-orthographic", &reference::gloam_projected_radius_uv_orthographic, 1, uv);
-    in("RADIUS-px-orthographic", &reference::gloam_projected_radius_pixels_orthographic, 3, pixels);
 }
 
 void append_coordinates(Entries& entries) {

@@ -60,8 +60,6 @@ void append_arc_sines(Entries& entries) {
          .codomain = {0, 0.53}});
     add(entries, "ACOS", &reference::gloam_acos,
         {.domain = {either(cosine, any_float())}, .budget = {.absolute = 4e-7}, .codomain = {0, above_pi}});
-    add(entries, "ASIN", &reference::gloam_asin,
-        {.domain = {either(cosine, any_float())}, .budget = {.absolute = 3e-7}, .codomain = {-1.571, 1.571}});
 }
 
 void append_unit_angle(Entries& entries) {

@@ -124,14 +124,8 @@ double length_of(glm::dvec3 v) {
 }
 
 void append_acos(Entries& entries) {
-    add(entries, "CS-P-cosine", &reference::gloam_clamp_cosine, {.domain = {cosines()}, .codomain = {-1, 1}});
-    const auto arc_cosine = [&](const char* id, auto reference, double error) {
-        add(entries, id, reference,
-            {.domain = {cosines()}, .budget = {.absolute = error}, .codomain = {0, above_pi}});
-    };
-    arc_cosine("CS-P-acos-linear", &reference::gloam_acos_linear, 3.5e-7);
-    arc_cosine("CS-P-acos-quadratic", &reference::gloam_acos_quadratic, 4e-7);
-    arc_cosine("CS-P-acos-cubic", &reference::gloam_acos_cubic, 4e-7);
+    add(entries, "CS-P-acos-cubic", &reference::gloam_acos_cubic,
+        {.domain = {cosines()}, .budget = {.absolute = 4e-7}, .codomain = {0, above_pi}});
 }
 
 void append_lines(Entries& entries) {
@@ -212,25 +206,16 @@ void append_angles(Entries& entries) {
         [](glm::dvec3 a, glm::dvec3 b, glm::dvec3 n, glm::dvec3, double) {
             return clear_of_nadir(a, n) && clear_of_nadir(b, n);
         });
-    add(entries, "CS-P-add", &reference::gloam_angle_add,
-        {.domain = {vector(2, uniform(0, 8)), uniform(0, 1).and_near({0.0, 1.0}).and_special(),
-                    uniform(0, 6.2831853).and_special()},
-         .budget = {.absolute = 8e-7}},
-        [](glm::dvec2, double weight, double angles) { return weight <= 1 && std::abs(angles) <= 7; });
-    const Values sum = vector({uniform(-1, 4), uniform(0, 8)}).and_value(glm::vec2(0)).and_special();
-    add(entries, "CS-P", &reference::gloam_angle_occlusion,
-        {.domain = {sum}, .budget = {.ulp = 0.5, .absolute = 1e-37}, .codomain = {0, 1}});
 }
 
 void append_unreal(Entries& entries) {
     add(entries, "CS-P-unreal", &reference::gloam_contribution_unreal,
-        {.domain = {offsets(), normals(), uniform(0.1, 1).and_special()},
-         .budget = {.absolute = 5e-7},
-         .codomain = {0, 1}},
-        [](glm::dvec3 v, glm::dvec3 n, double scale) {
-            const double length = length_of(v);
-            return (length == 0.0 || length >= 0.1) && length < 1e9 && moderate(1e-9, 2, n) && scale <= 1;
-        });
+        {.domain = {either(vector_of_length(3, uniform(0.1, 1.5)),
+                           vector_of_length(3, log_uniform(1e-15, 1e15))),
+                    unit_vector(3), either(constant(0.0F), uniform(0, 0.1)), uniform(0.1, 1)},
+         .budget = {.absolute = 5e-6, .backward_ulp = 4},
+         .codomain = {0, numeric::infinity}},
+        [](glm::dvec3 v, glm::dvec3, double, double) { return length_of(v) >= 0.1 && length_of(v) < 1e9; });
     add(entries, "CS-P-unreal-side", &reference::gloam_unreal_side,
         {.domain = {uniform(0, 1).and_near({0.0, 1.0}).and_special()},
          .budget = {.ulp = 2},

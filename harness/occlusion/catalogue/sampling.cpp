@@ -46,12 +46,6 @@ void append_sample_maps(Entries& entries) {
         {.domain = {zeta(3)}, .budget = {.absolute = 3e-7}, .codomain = {-1.000001, 1.000001}});
     add(entries, "TSSAO-14-uniform", &reference::gloam_hemisphere_uniform,
         {.domain = {zeta(3)}, .budget = {.absolute = 3e-7}, .codomain = {-1.000001, 1.000001}});
-    const Values number = either(uniform(0, 1).and_near({0.5, 1.0}), log_uniform(1e-38, 1)).and_special();
-    add(entries, "RADIUS-linear", &reference::gloam_radius_linear, {.domain = {number}, .codomain = {0, 1}});
-    add(entries, "RADIUS-quadratic", &reference::gloam_radius_quadratic,
-        {.domain = {number}, .budget = {.ulp = 2}, .codomain = {0, 1}});
-    add(entries, "RADIUS-cubic", &reference::gloam_radius_cubic,
-        {.domain = {number}, .budget = {.ulp = 1.5}, .codomain = {0, 1}});
 }
 
 Values kernel_points(int components) {
@@ -90,10 +84,6 @@ Values unit_normals() {
     return near_an_axis(unit_vector(3)).only_as_drawn();
 }
 
-Values normals() {
-    return near_an_axis(either(unit_vector(3), vector_of_length(3, log_uniform(1e-37, 1e38)))).and_special();
-}
-
 // (cos, sin) of angles.
 Values turns() {
     return made_by<glm::vec2>([](numeric::Random& random) {
@@ -125,7 +115,7 @@ void append_rotations(Entries& entries) {
         [](const auto& s, float) { return turnable(s); });
 }
 
-void append_hash_and_reflections(Entries& entries) {
+void append_hash(Entries& entries) {
     add(entries, "HASH-turn", &reference::gloam_hash_turn,
         {.domain = {either(log_integers(4294967295), integers(0, 4294967295))
                         .and_near_integers({0, 65536, 4294967295})}});
@@ -134,49 +124,16 @@ void append_hash_and_reflections(Entries& entries) {
         {.domain = {vector(2, coordinate.and_near_integers({0, 65536, 2147483647}))},
          .budget = {.ulp = 3, .absolute = 4e-9},
          .codomain = {0, 6.2831853}});
-    const Values texel = vector(3, uniform(0, 1).and_near({0.5}))
-                             .and_value(glm::vec3(0.5F))
-                             .and_value(glm::vec3(0.5F, 0.5F, 0.50000006F), true)
-                             .and_special();
-    add(entries, "REFLECT", &reference::gloam_reflect_sample,
-        {.domain = {kernel_points(3).and_special(), texel},
-         .budget = {.ulp = 16, .of_largest_component = true},
-         .codomain = {-4e19, 4e19}},
-        [](const glm::vec3& s, const glm::vec3&) { return turnable(s); });
-    add(entries, "FLIP", &reference::gloam_hemisphere_flip,
-        {.domain = {kernel_points(3).and_special(), normals()},
-         .budget = {.backward_ulp = 2},
-         .codomain = {-1e19, 1e19}},
-        [](glm::dvec3 s, glm::dvec3 normal) { return moderate(1e-15, 1e15, s, normal); });
 }
 
 void append_sample_rotations(Entries& entries) {
     add(entries, "FRAME", &reference::gloam_tangent_frame,
         {.domain = {unit_normals()}, .budget = {.absolute = 3e-7}, .codomain = {-1.000001, 1.000001}});
     append_rotations(entries);
-    append_hash_and_reflections(entries);
-}
-
-// Sets one input in eight to the distance itself, where the result changes.
-void place_at_distance(std::span<Word> words) {
-    if (words[0] % 8U != 2U) return;  // no special float ends in these bits
-    const glm::dvec2 a(from_word<double>(words[0]), from_word<double>(words[1]));
-    const glm::dvec2 b(from_word<double>(words[2]), from_word<double>(words[3]));
-    words[4] = to_word(glm::distance(a, b));
+    append_hash(entries);
 }
 
 void append_poisson(Entries& entries) {
-    const Values point = vector_of_length(2, uniform(0, 1)).and_special();
-    const auto representable = [](glm::dvec2 a, glm::dvec2 b, double distance) {
-        const double apart = glm::distance(a, b);
-        // Squares of values outside this range overflow or underflow.
-        return !(distance > 0 && distance < 1e-18) && !(apart > 0 && apart < 1e-18) && !(apart > 1e18) &&
-               !(distance > 1e18);
-    };
-    add(entries, "POISSON", &reference::gloam_poisson_accepts,
-        {.domain = Domain{point, point, uniform(0, 2).and_special()}.adjusted(place_at_distance),
-         .budget = {.backward_ulp = 3}},
-        representable);
     add(entries, "POISSON-lift", &reference::gloam_hemisphere_lift,
         {.domain = {either(vector_of_length(2, either(uniform(0, 1), either(uniform(0.9999, 1.0001),
                                                                             uniform(0.9999995, 1.0000005)))),
@@ -192,14 +149,7 @@ void append_sample_patterns(Entries& entries) {
         either(integers(-64, 64), integers(-2147483648L, 2147483647L)).and_near_integers({2147483647});
     add(entries, "SPIRAL-point", &reference::gloam_spiral_point,
         {.domain = {count, count, turns}, .budget = {.absolute = 5e-7}, .codomain = {-1.000001, 1.000001}});
-    add(entries, "SPIRAL", &reference::gloam_spiral_tap,
-        {.domain = {count, count, turns, uniform(-7, 7).and_near({65536.0}).and_special()},
-         .budget = {.absolute = 5e-7},
-         .codomain = {-1.000001, 1.000001}});
     append_poisson(entries);
-    add(entries, "PAIRS", &reference::gloam_paired_sample,
-        {.domain = {vector_of_length(2, uniform(0, 1)).and_special(), integers(-8, 64)},
-         .codomain = {-3.5e38, 3.5e38}});
 }
 
 Values sizes() {
@@ -245,15 +195,11 @@ void append_sampling_levels(Entries& entries) {
 
 void append_sampling_marches(Entries& entries) {
     add(entries, "CS-C2", &reference::gloam_eye_march,
-        {.domain = {vector(3, uniform(-8, 8)), unit_vector(3).and_special(),
-                    either(uniform(0, 2), any_float()).and_special(),
-                    either(integers(0, 16), integers(-2, 40)),
-                    either(integers(1, 16), integers(-2, 100000000)), uniform(0, 1).and_special()},
+        {.domain = {vector(3, uniform(-8, 8)), unit_vector(3), uniform(0, 2), integers(0, 15),
+                    integers(1, 16), uniform(0, 1).and_near({1.0})},
          .budget = {.absolute = 1e-6},
-         .codomain = {-numeric::largest_float, numeric::largest_float}},
-        [](glm::dvec3, glm::dvec3 w, double radius, int, int, double) {
-            return moderate(0.0, 2, w) && !(radius > 2) && !(radius < -2);
-        });
+         .codomain = {-50, 50}},
+        [](glm::dvec3, glm::dvec3, double, unsigned index, unsigned count, double) { return index < count; });
 }
 
 }  // namespace

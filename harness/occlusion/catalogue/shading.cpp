@@ -57,10 +57,7 @@ void add_cone(Entries& entries, const char* id, double (*reference)(double), dou
 
 void append_shading_bent(Entries& entries) {
     append_sums(entries);
-    add_cone(entries, "CS-L-cone-linear", &reference::gloam_cone_angle_linear, 2e-7);
     add_cone(entries, "CS-L-cone", &reference::gloam_cone_angle, 4e-7);
-    add_cone(entries, "CS-L-cone-uniform", &reference::gloam_cone_angle_uniform, 6e-7);
-    add_cone(entries, "CS-L-cone-cosine", &reference::gloam_cone_angle_cosine, 4e-7);
 }
 
 Values colours() {

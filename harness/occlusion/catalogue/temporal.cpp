@@ -168,7 +168,6 @@ void append_disocclusion(Entries& entries) {
         [](double stored, double expected, double epsilon) {
             return moderate(1e-30, 1e37, stored, expected) && moderate(1e-7, 1e37, epsilon);
         });
-    add(entries, "TSSAO-8-background", &reference::gloam_both_background, {.domain = depths});
     const Values position = either(vector(3, uniform(-8, 8)), vector(3, uniform(-0.5, 0.5)))
                                 .and_value(glm::vec3(0))
                                 .and_special();

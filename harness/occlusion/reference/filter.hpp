@@ -61,15 +61,6 @@ inline double gloam_bilateral_weight(dvec2 offset, double depth_difference, doub
     return weight >= 1e-30 ? weight : 0.0;
 }
 
-inline GloamWeightedMean gloam_bilateral_tap(GloamWeightedMean mean, glm::ivec2 pixel, double center,
-                                             glm::ivec2 tap, glm::ivec2 size, double sigma_d, double sigma_r,
-                                             const Fetch<double>& fetch_occlusion,
-                                             const Fetch<double>& fetch_depth) {
-    if (!has_pixel(size, tap) || gloam_is_background(fetch_depth(tap))) return mean;
-    const double weight = gloam_bilateral_weight(tap - pixel, fetch_depth(tap) - center, sigma_d, sigma_r);
-    return gloam_weighted_mean_add(mean, fetch_occlusion(tap), weight);
-}
-
 // The sum over every pixel of the image that lies in the window.
 inline double gloam_bilateral_filter(glm::ivec2 pixel, glm::ivec2 half_width, glm::ivec2 size, double sigma_d,
                                      double sigma_r, const Fetch<double>& fetch_occlusion,
@@ -80,8 +71,10 @@ inline double gloam_bilateral_filter(glm::ivec2 pixel, glm::ivec2 half_width, gl
     for (int i = 0; i < size.x * size.y && !gloam_is_background(center); ++i) {
         const glm::ivec2 tap(i % size.x, i / size.x);
         if (glm::abs(tap - pixel) != min(glm::abs(tap - pixel), reach)) continue;
-        mean = gloam_bilateral_tap(mean, pixel, center, tap, size, sigma_d, sigma_r, fetch_occlusion,
-                                   fetch_depth);
+        if (gloam_is_background(fetch_depth(tap))) continue;
+        const double apart = fetch_depth(tap) - center;
+        mean = gloam_weighted_mean_add(mean, fetch_occlusion(tap),
+                                       gloam_bilateral_weight(tap - pixel, apart, sigma_d, sigma_r));
     }
     return gloam_weighted_mean_value(mean, fetch_occlusion(pixel));
 }
@@ -94,18 +87,6 @@ inline double gloam_geometry_weight(dvec3 normal, dvec3 other, double depth_diff
     return pow(facing, normal_power) * pow(1.0 + abs(depth_difference), -position_power);
 }
 
-inline GloamWeightedMean gloam_geometry_blur_tap(GloamWeightedMean mean, double center, dvec3 normal,
-                                                 glm::ivec2 tap, glm::ivec2 size, dvec2 powers,
-                                                 const Fetch<double>& fetch_occlusion,
-                                                 const Fetch<double>& fetch_depth,
-                                                 const Fetch<dvec3>& fetch_normal) {
-    if (!has_pixel(size, tap) || gloam_is_background(fetch_depth(tap))) return mean;
-    const double apart = center - fetch_depth(tap);
-    return gloam_weighted_mean_add(
-        mean, fetch_occlusion(tap),
-        gloam_geometry_weight(normal, fetch_normal(tap), apart, powers.x, powers.y));
-}
-
 // The sum over the window, the pixel itself with weight 1.
 inline double gloam_geometry_blur(glm::ivec2 pixel, glm::ivec2 axis, glm::ivec2 size, int half_width,
                                   dvec2 powers, const Fetch<double>& fetch_occlusion,
@@ -116,9 +97,11 @@ inline double gloam_geometry_blur(glm::ivec2 pixel, glm::ivec2 axis, glm::ivec2 
     GloamWeightedMean mean = gloam_weighted_mean_add(gloam_weighted_mean_empty(), own, 1.0);
     const int reach = std::min(half_width, 64);
     for (int i = -reach; i <= reach; ++i) {
-        if (i != 0)
-            mean = gloam_geometry_blur_tap(mean, center, fetch_normal(pixel), pixel + i * axis, size, powers,
-                                           fetch_occlusion, fetch_depth, fetch_normal);
+        const glm::ivec2 tap = pixel + i * axis;
+        if (i == 0 || !has_pixel(size, tap) || gloam_is_background(fetch_depth(tap))) continue;
+        const double weight = gloam_geometry_weight(fetch_normal(pixel), fetch_normal(tap),
+                                                    center - fetch_depth(tap), powers.x, powers.y);
+        mean = gloam_weighted_mean_add(mean, fetch_occlusion(tap), weight);
     }
     return gloam_weighted_mean_value(mean, own);
 }
@@ -134,15 +117,8 @@ inline double gloam_window_coverage(int offset, double reach) {
     return gloam_unit_interval(reach - (offset - 1.0));
 }
 
-// fetch_value: (occlusion, convergence) of a pixel inside the image.
-inline GloamWeightedMean gloam_filter_tap(GloamWeightedMean mean, dvec3 center, glm::ivec2 tap,
-                                          double coverage, double scale, const Fetch<dvec2>& fetch_value,
-                                          const Fetch<dvec3>& fetch_position) {
-    const dvec3 position = fetch_position(tap);
-    if (!gloam_is_surface_position(position)) return mean;
-    const double near = gloam_gaussian_scaled(pow(distance(position, center), 2), scale);
-    const dvec2 value = fetch_value(tap);
-    return gloam_weighted_mean_add(mean, value.x, coverage * near * gloam_unit_interval(value.y));
+inline double gloam_convergence_weight(dvec3 offset, double coverage, double scale, double convergence) {
+    return coverage * gloam_gaussian_scaled(dot(offset, offset), scale) * convergence;
 }
 
 // The sum of eq. 10 over every pixel of the row or column.
@@ -153,31 +129,19 @@ inline double gloam_convergence_filter(glm::ivec2 pixel, glm::ivec2 axis, glm::i
     const dvec3 center = fetch_position(pixel);
     const double reach = std::max(half_width, 0) * gloam_shrink(own.y, c_adaptive);
     GloamWeightedMean mean = gloam_weighted_mean_empty();
-    for (int i = 0; i < std::max(size.x, size.y) && reach > 0.0 && gloam_is_surface_position(center); ++i) {
+    for (int i = 0; i < std::max(size.x, size.y) && reach > 0.0 && center.z < 0.0; ++i) {
         const glm::ivec2 tap = pixel * (1 - axis) + i * axis;
         if (tap != min(tap, size - 1)) break;
         const int apart = std::max(std::abs(tap.x - pixel.x), std::abs(tap.y - pixel.y));
         const double coverage = std::clamp(reach - (apart - 1.0), 0.0, 1.0);
-        mean = gloam_filter_tap(mean, center, tap, coverage, gloam_gaussian_scale(sigma), fetch_value,
-                                fetch_position);
+        const dvec3 position = fetch_position(tap);
+        const dvec2 value = fetch_value(tap);
+        if (!is_finite(position) || !(position.z < 0.0)) continue;
+        const double weight = gloam_convergence_weight(
+            position - center, coverage, gloam_gaussian_scale(sigma), gloam_unit_interval(value.y));
+        mean = gloam_weighted_mean_add(mean, value.x, weight);
     }
     return gloam_weighted_mean_value(mean, own.x);
-}
-
-inline double gloam_depth_key(double depth, double z_key) {
-    const bool divides = z_key >= float_min && z_key <= 0x1p126;
-    return gloam_is_background(depth) || !divides ? 1.0 : min(depth / z_key, 1.0);
-}
-
-// The high and the low byte of round(65535 key).
-inline dvec2 gloam_pack_key(double key) {
-    const auto bytes = std::div(std::lround(65535.0 * gloam_unit_interval(key)), 256L);
-    return dvec2(bytes.quot, bytes.rem) / 255.0;
-}
-
-inline double gloam_unpack_key(dvec2 packed_key) {
-    const auto byte = [](double x) { return std::round(255.0 * gloam_unit_interval(x)); };
-    return (256.0 * byte(packed_key.x) + byte(packed_key.y)) / 65535.0;
 }
 
 inline double gloam_sao_blur_weight(int tap, double key_difference, double slope) {
@@ -186,13 +150,6 @@ inline double gloam_sao_blur_weight(int tap, double key_difference, double slope
     if (tap == 0) return gaussian[0];
     const double fall = key_difference == 0.0 || slope <= 0.0 ? 0.0 : slope * abs(key_difference);
     return std::isnan(fall) ? 0.0 : (0.3 + gaussian[std::abs(tap)]) * max(0.0, 1.0 - fall);
-}
-
-inline double gloam_quad_box(double visibility, double difference, double depth_difference, int coordinate,
-                             double edge) {
-    const bool edge_between = !(abs(depth_difference) < edge) || !is_finite(difference);
-    const double part = edge_between ? 0.0 : difference * ((coordinate & 1) - 0.5);
-    return gloam_visibility_clamp(visibility - part);
 }
 
 inline glm::ivec2 gloam_half_size(glm::ivec2 size) {

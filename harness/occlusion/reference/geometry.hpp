@@ -32,10 +32,6 @@ inline bool gloam_is_background(double depth) {
     return !(depth >= float_min && depth <= float_max);
 }
 
-inline bool gloam_is_surface_position(dvec3 position) {
-    return is_finite(position) && position != dvec3(0.0);
-}
-
 // Whether a vector is finite and not zero; a subnormal component counts as zero.
 inline bool has_direction(dvec3 v) {
     return is_finite(v) && std::max({abs(v.x), abs(v.y), abs(v.z)}) >= float_min;
@@ -49,9 +45,8 @@ inline dvec3 gloam_safe_normalize(dvec3 v, dvec3 fallback) {
     return has_direction(v) ? v / length(v) : fallback;
 }
 
-inline double gloam_height_at(dvec3 offset, dvec3 aim, dvec3 view, dvec3 normal) {
-    const double height = dot(offset - aim, normal) / max(dot(view, normal), 1e-4);
-    return is_finite(height) ? height : 0.0;
+inline double gloam_height_at(dvec3 offset, dvec3 aim, dvec3 normal, double facing) {
+    return dot(offset - aim, normal) / facing;
 }
 
 inline double gloam_depth_quotient(double numerator, double denominator) {
@@ -139,12 +134,6 @@ inline GloamSlice gloam_slice(dvec2 direction, dvec3 view, dvec3 normal) {
 
 inline double gloam_slice_whole(const GloamSlice& slice) {
     return cos(slice.angle) + slice.angle * sin(slice.angle);
-}
-
-inline dvec2 gloam_slice_direction(dvec3 offset, const GloamSlice& slice) {
-    const dvec3 direction = gloam_safe_normalize(offset, dvec3(0.0));
-    const dvec3 within(dot(direction, slice.view), dot(direction, slice.tangent), 0.0);
-    return gloam_safe_normalize(within, dvec3(0.0));
 }
 
 struct GloamSliceAxes {
@@ -243,11 +232,6 @@ inline dvec4 gloam_previous_clip_moving(dvec4 clip, dmat4 inverse_projection, dm
                                         dmat4 previous_projection) {
     const dmat4 world = previous_model * inverse_model * inverse_view;
     return gloam_previous_clip_static(clip, inverse_projection, world, previous_view, previous_projection);
-}
-
-inline dvec3 gloam_previous_world(dvec3 world, dmat4 inverse_model, dmat4 previous_model) {
-    const dvec3 previous = previous_model * inverse_model * dvec4(world, 1.0);
-    return is_finite(previous) ? previous : dvec3(0.0);
 }
 
 inline double gloam_previous_depth(dvec3 previous_world, dmat4 previous_view) {

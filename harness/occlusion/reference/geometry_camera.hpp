@@ -16,10 +16,6 @@ inline glm::ivec2 gloam_guard_band_border(glm::ivec2 size, double guard) {
     return {glm::round(gloam_unit_interval(guard) * dvec2(max(size, 0)))};
 }
 
-inline glm::ivec2 gloam_guard_band_size(glm::ivec2 size, double guard) {
-    return max(size, 0) + 2 * gloam_guard_band_border(size, guard);
-}
-
 inline dvec2 gloam_guard_band_guard(glm::ivec2 size, double guard) {
     return dvec2(gloam_guard_band_border(size, guard)) / dvec2(max(size, 1));
 }
@@ -27,16 +23,6 @@ inline dvec2 gloam_guard_band_guard(glm::ivec2 size, double guard) {
 inline double gloam_guard_band_tan_half_fov(double tan_half_fov, double guard) {
     const double wider = (1.0 + 2.0 * guard) * tan_half_fov;
     return is_finite(wider) ? wider : 0.0;
-}
-
-inline dvec2 gloam_guard_band_inner_uv(dvec2 outer_uv, dvec2 guard) {
-    const dvec2 uv = (1.0 + 2.0 * guard) * outer_uv - guard;
-    return is_finite(uv) ? uv : dvec2(2.0);
-}
-
-inline dvec2 gloam_guard_band_outer_uv(dvec2 inner_uv, dvec2 guard) {
-    const dvec2 uv = (inner_uv + guard) / (1.0 + 2.0 * guard);
-    return is_finite(uv) ? uv : dvec2(2.0);
 }
 
 inline int gloam_nearest_index(double u, int resolution) {
@@ -114,16 +100,6 @@ inline dvec2 gloam_projected_radius_uv(double radius, double depth, dvec2 p00_p1
     return positive_lengths(gloam_positive_length(radius) * abs(p00_p11) / (2.0 * depth));
 }
 
-inline dvec2 gloam_projected_radius_pixels(double radius, double depth, dvec2 p00_p11, glm::ivec2 size) {
-    return positive_lengths(gloam_projected_radius_uv(radius, depth, p00_p11) * dvec2(max(size, 0)));
-}
-
-inline dvec2 gloam_projected_radius_pixels_orthographic(double radius, double depth, dvec2 p00_p11,
-                                                        glm::ivec2 size) {
-    return positive_lengths(gloam_projected_radius_uv_orthographic(radius, depth, p00_p11) *
-                            dvec2(max(size, 0)));
-}
-
 inline dvec2 gloam_radius_cap(dvec2 axes, double most) {
     const dvec2 reach = positive_lengths(axes);
     const double larger = max(reach.x, reach.y);
@@ -170,14 +146,11 @@ inline dvec2 gloam_camera_radius(double radius, double depth, const GloamCamera&
     return axes(radius, depth, camera.p00_p11);
 }
 
-// n . (o + t w - q) = 0 with the ray's origin o and direction w, w.z = -1, so that t is the depth.
-inline double gloam_plane_depth(glm::ivec2 pixel, dvec3 point, dvec3 normal, const GloamCamera& camera) {
-    if (gloam_is_background(-point.z)) return infinity;
-    const dvec3 seen = gloam_camera_position(pixel, 1.0, camera);
-    const dvec3 origin = camera.orthographic ? dvec3(seen.x, seen.y, 0.0) : dvec3(0.0);
-    const double facing = dot(normal, seen - origin);
+inline double gloam_plane_depth(dvec2 ray, dvec3 point, dvec3 normal, bool orthographic) {
+    const dvec3 origin = orthographic ? dvec3(ray, 0.0) : dvec3(0.0);
+    const double facing = dot(normal, dvec3(ray, -1.0) - origin);
     const double t = dot(normal, point - origin) / facing;
-    return facing < 0.0 && !gloam_is_background(t) ? t : -point.z;
+    return facing < 0.0 && t > 0.0 && t <= float_max ? t : -point.z;
 }
 
 // fetch_depth: called for pixels inside the image only.

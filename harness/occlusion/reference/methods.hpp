@@ -35,11 +35,17 @@ inline GloamEstimate gloam_disc(dvec3 position, dvec3 normal, const GloamCamera&
             const dvec3 point = gloam_camera_position(pixel, depth_of_layer(depths, layer), camera);
             if (point == dvec3(0.0) || distance(point, position) > kernel.radius) continue;
             if (dot(point - position, n) > kernel.bias)
-                most = max(most, gloam_contribution_fox_compton_scaled(position, n, point, own.epsilon));
+                most = max(most, gloam_contribution_fox_compton(point - position, n, own.epsilon));
         }
         sum += most;
     }
     return gloam_estimate(sum, samples, samples);
+}
+
+// gloam_plane_depth on the ray of a pixel.
+inline double plane_depth_at(glm::ivec2 pixel, dvec3 point, dvec3 normal, const GloamCamera& camera) {
+    const dvec2 ray(gloam_camera_position(pixel, 1.0, camera));
+    return gloam_plane_depth(ray, point, normal, camera.orthographic);
 }
 
 struct GloamHemisphere {
@@ -60,13 +66,15 @@ inline GloamEstimate gloam_hemisphere(dvec3 position, dvec3 normal, const GloamC
         const dvec3 point = position + kernel.radius * (frame * gloam_rotate_hemisphere(s, kernel.angle));
         if (s == dvec3(0.0) || gloam_is_background(-point.z)) continue;
         const glm::ivec2 pixel = gloam_nearest_pixel(gloam_camera_uv(point, camera), camera.size);
-        const double depth = gloam_plane_depth(pixel, point, frame[2], camera);
+        const double depth = plane_depth_at(pixel, point, frame[2], camera);
         const dvec4 depths = fetch_layers(pixel);
         if (gloam_tap_rejected(-position.z, depths.x, kernel.farthest)) continue;
         GloamLayersSeen seen{};
         for (int layer = 0; layer < kernel.layers; ++layer)
             seen = gloam_layers_add(
-                seen, gloam_sample_blocked(depth, depth_of_layer(depths, layer), kernel.bias, own.range),
+                seen,
+                gloam_sample_blocked(depth, depth_of_layer(depths, layer), kernel.bias, own.range) ? 1.0
+                                                                                                   : 0.0,
                 {depths.y, depths.z, depths.w}, depth, layer, kernel.layers);
         blocked += seen.occlusion;
         ++samples;
@@ -86,17 +94,16 @@ inline GloamEstimate gloam_poisson(dvec3 position, dvec3 normal, const GloamCame
                                    const Fetch<dvec4>& fetch_layers) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return {};
     const dmat3 frame = gloam_tangent_frame(normalize(normal));
-    const int steps = std::max(static_cast<int>(own.steps), 1);
+    const unsigned steps = std::max(own.steps, 1U);
     const auto blocked = [&](dvec3 point) {
         const glm::ivec2 pixel = gloam_nearest_pixel(gloam_camera_uv(point, camera), camera.size);
         if (gloam_is_background(-point.z)) return false;
         if (pixel == gloam_nearest_pixel(gloam_camera_uv(position, camera), camera.size)) return false;
-        const double depth = gloam_plane_depth(pixel, point, frame[2], camera);
+        const double depth = plane_depth_at(pixel, point, frame[2], camera);
         const dvec4 seen = fetch_layers(pixel);
         bool any = false;
         for (int layer = 0; layer < kernel.layers; ++layer)
-            any =
-                any || gloam_sample_blocked(depth, depth_of_layer(seen, layer), kernel.bias, own.range) > 0.0;
+            any = any || gloam_sample_blocked(depth, depth_of_layer(seen, layer), kernel.bias, own.range);
         return any;
     };
     const unsigned samples = gloam_whole_samples(kernel.count, steps);
@@ -109,7 +116,7 @@ inline GloamEstimate gloam_poisson(dvec3 position, dvec3 normal, const GloamCame
         const double jitter =
             fract(gloam_halton_3d(i + 1U).y + gloam_unit_interval(kernel.angle / (2.0 * pi)));
         bool any = false;
-        for (int k = 0; k < steps; ++k)
+        for (unsigned k = 0; k < steps; ++k)
             any = any || blocked(gloam_eye_march(position, ray, kernel.radius, k, steps, jitter));
         ended += any ? 1U : 0U;
     }
@@ -160,6 +167,7 @@ inline GloamEstimate gloam_volumetric(dvec3 position, dvec3 normal, const GloamC
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return {};
     const dvec3 n = gloam_safe_normalize(normal, dvec3(0.0));
     const dvec3 view = camera.orthographic ? dvec3(0.0, 0.0, 1.0) : normalize(-position);
+    const double facing = max(dot(view, n), 1e-4);
     const dvec2 axes = gloam_camera_radius(kernel.radius, -position.z, camera);
     const auto pixel_of = [&](dvec2 tap) {
         return gloam_nearest_pixel(gloam_camera_uv(position, camera) + axes * tap, camera.size);
@@ -168,7 +176,7 @@ inline GloamEstimate gloam_volumetric(dvec3 position, dvec3 normal, const GloamC
         const double depth = gloam_is_background(seen) ? 1e4 * kernel.radius - position.z : seen;
         const dvec3 aim(kernel.radius * tap * dvec2(1.0, camera.p00_p11.y < 0.0 ? -1.0 : 1.0), 0.0);
         const double height =
-            gloam_height_at(gloam_camera_position(pixel_of(tap), depth, camera) - position, aim, view, n);
+            gloam_height_at(gloam_camera_position(pixel_of(tap), depth, camera) - position, aim, n, facing);
         return gloam_line_ratio(height, gloam_chord_half_height(tap, kernel.radius));
     };
     double solid = 0.0;
@@ -242,19 +250,23 @@ inline GloamEstimate gloam_gtao(dvec3 position, dvec3 normal, const GloamCamera&
     const unsigned steps = std::max(own.steps, 1U);
     const auto add = [&](const GloamSlice& slice, dvec3 n, const auto& tap) {
         const auto horizon = [&](double side) {
-            double highest = -1.0;
+            const double lowest = -side * slice.normal.y;
+            double highest = lowest;
             for (unsigned i = 0; i < steps; ++i) {
                 for (int layer = 0; layer < kernel.layers; ++layer) {
                     const SliceTap seen = tap(side, i, layer);
                     if (!seen.tells || !(dot(seen.offset, n) > kernel.bias)) continue;
                     const dvec3 offset = gloam_into_slice(seen.offset, cross(slice.tangent, slice.view), n);
-                    const double weight = gloam_falloff_linear(gloam_length(offset), kernel.radius);
-                    highest = gloam_gtao_horizon(highest, -side * slice.normal.y, offset, slice.view, weight);
+                    const dvec2 inside(dot(offset, slice.view), dot(offset, slice.tangent));
+                    highest = gloam_gtao_horizon(highest, lowest, inside, kernel.radius);
                 }
             }
             return highest;
         };
-        return gloam_gtao_add(dvec2(0.0), slice, {horizon(-1.0), horizon(1.0)});
+        const double occluded =
+            gloam_gtao_side(horizon(-1.0), -slice.angle, {slice.normal.x, -slice.normal.y}) +
+            gloam_gtao_side(horizon(1.0), slice.angle, slice.normal);
+        return slice.weight * dvec2(occluded, gloam_slice_whole(slice));
     };
     return gather_slices(position, normal, camera, kernel, steps, fetch_layers, add);
 }

@@ -9,21 +9,14 @@
 // Angles, roots and bits.
 namespace gloam::reference {
 
-inline double gloam_clamp_cosine(double x) {
+// 0 for NaN.
+inline double cosine_in_range(double x) {
     return std::isnan(x) ? 0.0 : std::clamp(x, -1.0, 1.0);
-}
-
-inline double gloam_acos_linear(double x) {
-    return pi / 2.0 * (1.0 - gloam_clamp_cosine(x));
-}
-
-inline double gloam_acos_quadratic(double x) {
-    return pi / 2.0 - std::copysign(pi / 2.0 * pow(gloam_clamp_cosine(x), 2), x);
 }
 
 // In degrees: 90 - 50 c - 40 c^3.
 inline double gloam_acos_cubic(double x) {
-    const double c = gloam_clamp_cosine(x);
+    const double c = cosine_in_range(x);
     return pi / 180.0 * (90.0 - 50.0 * c - 40.0 * pow(c, 3));
 }
 
@@ -33,7 +26,7 @@ inline double gloam_asin_half(double x) {
 
 // |x|, at most 1; 0 for NaN.
 inline double gloam_unit_magnitude(double x) {
-    return abs(gloam_clamp_cosine(x));
+    return abs(cosine_in_range(x));
 }
 
 // asin(m) for m up to 1/2, and from there the half of acos(m).
@@ -42,11 +35,7 @@ inline double gloam_small_arc(double m) {
 }
 
 inline double gloam_acos(double x) {
-    return acos(gloam_clamp_cosine(x));
-}
-
-inline double gloam_asin(double x) {
-    return asin(gloam_clamp_cosine(x));
+    return acos(cosine_in_range(x));
 }
 
 // The angle of the point (x, y), in (-pi, pi]; 0 for the origin and for NaN.

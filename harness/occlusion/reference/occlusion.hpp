@@ -9,14 +9,6 @@
 // What all methods share: weights by distance, means, kernels, layers; contributions that a depth decides.
 namespace gloam::reference {
 
-inline double gloam_visibility(double occlusion) {
-    return 1.0 - gloam_unit_interval(occlusion);
-}
-
-inline double gloam_visibility_clamp(double visibility) {
-    return std::isnan(visibility) ? 1.0 : gloam_unit_interval(visibility);
-}
-
 inline double gloam_sample_cosine(dvec3 offset, dvec3 normal) {
     return gloam_unit_interval(dot(gloam_safe_normalize(offset, dvec3(0.0)), normal));
 }
@@ -32,39 +24,12 @@ inline double falloff_ratio(double hit_distance, double radius) {
     return d < radius && radius >= float_min ? d / radius : 1.0;
 }
 
-inline double gloam_falloff_step(double hit_distance, double radius) {
-    return abs(hit_distance) <= radius ? 1.0 : 0.0;
-}
-
 inline double gloam_falloff_linear(double hit_distance, double radius) {
     return 1.0 - falloff_ratio(hit_distance, radius);
 }
 
 inline double gloam_falloff_quadratic(double hit_distance, double radius) {
     return 1.0 - pow(falloff_ratio(hit_distance, radius), 2);
-}
-
-inline double gloam_falloff_cubic(double hit_distance, double radius) {
-    return 1.0 - pow(falloff_ratio(hit_distance, radius), 3);
-}
-
-inline double gloam_falloff_sao(double hit_distance, double radius) {
-    return pow(1.0 - pow(falloff_ratio(hit_distance, radius), 2), 3);
-}
-
-inline double gloam_falloff_exponential(double hit_distance, double radius) {
-    if (!is_finite(hit_distance) || !(radius >= float_min)) return 0.0;
-    const double weight = exp(-abs(hit_distance) / radius);
-    return weight >= 1.0 / 255.0 ? weight : 0.0;
-}
-
-inline double gloam_falloff_alchemy(double hit_distance, double u) {
-    const double d = abs(hit_distance);
-    return is_finite(d) && is_finite(u) && u >= float_min ? u * d / pow(max(u, d), 2) : 0.0;
-}
-
-inline double gloam_visibility_filion(double delta, double radius) {
-    return delta >= float_min && radius >= float_min ? 1.0 - falloff_ratio(radius, delta) : 1.0;
 }
 
 // Step, linear, quadratic, cubic; any other number is linear.
@@ -77,17 +42,14 @@ inline dvec2 gloam_estimator_add(dvec2 accumulated, double contribution) {
     return is_finite(contribution) ? accumulated + dvec2(contribution, 1.0) : accumulated;
 }
 
-inline double gloam_weighted_ratio(dvec2 weighted) {
+// Of (sum, weight), inside [0, 1].
+inline double weighted_ratio(dvec2 weighted) {
     if (!(weighted.y >= float_min && weighted.x > 0.0)) return 0.0;
     return weighted.x < weighted.y ? weighted.x / weighted.y : 1.0;
 }
 
 inline double gloam_estimator_mean(dvec2 accumulated) {
-    return accumulated.y >= 1.0 ? gloam_weighted_ratio(accumulated) : 0.0;
-}
-
-inline dvec2 gloam_estimator_of_weighted(dvec2 weighted, unsigned count) {
-    return {count * gloam_weighted_ratio(weighted), count};
+    return accumulated.y >= 1.0 ? weighted_ratio(accumulated) : 0.0;
 }
 
 struct GloamKernel {
@@ -116,7 +78,7 @@ inline bool gloam_can_gather(dvec3 position, dvec3 normal, double radius, const 
 }
 
 inline GloamEstimate gloam_estimate(double occluded, double whole, unsigned samples) {
-    return {gloam_weighted_ratio({occluded, whole}), static_cast<double>(samples), 0U};
+    return {weighted_ratio({occluded, whole}), static_cast<double>(samples), 0U};
 }
 
 inline bool gloam_tap_sees(double depth) {
@@ -125,15 +87,6 @@ inline bool gloam_tap_sees(double depth) {
 
 inline bool gloam_tap_rejected(double depth, double tap_depth, double threshold) {
     return gloam_tap_sees(depth) && gloam_tap_sees(tap_depth) && depth - tap_depth > threshold;
-}
-
-inline double gloam_layers_occlusion(double occlusion, double layer) {
-    return max(gloam_unit_interval(occlusion), gloam_unit_interval(layer));
-}
-
-inline double gloam_layer_blocked(double sample_depth, double front, double back) {
-    if (gloam_is_background(sample_depth) || gloam_is_background(front)) return 0.0;
-    return front <= sample_depth && (sample_depth <= back || gloam_is_background(back)) ? 1.0 : 0.0;
 }
 
 inline double gloam_layer_depth(double first, dvec3 further, int layer) {
@@ -163,43 +116,23 @@ inline GloamLayersSeen gloam_layers_add(const GloamLayersSeen& seen, double bloc
     return {back ? left : max(left, blocked), left, signed_depth > 0.0};
 }
 
-inline double gloam_sample_blocked(double sample_depth, double buffer_depth, double bias, double range) {
-    if (gloam_is_background(sample_depth) || gloam_is_background(buffer_depth)) return 0.0;
+inline bool gloam_sample_blocked(double sample_depth, double buffer_depth, double bias, double range) {
     const double in_front = sample_depth - buffer_depth;
-    return in_front > bias && in_front <= range ? 1.0 : 0.0;
+    return gloam_tap_sees(buffer_depth) && in_front > bias && in_front <= range;
 }
 
 inline double gloam_contribution_crytek(double sample_depth, double buffer_depth) {
-    if (gloam_is_background(sample_depth) || gloam_is_background(buffer_depth)) return 0.0;
-    return buffer_depth <= sample_depth ? 1.0 : 0.0;
-}
-
-inline double gloam_contribution_crytek_buffer(double sample_value, double buffer_value) {
-    return buffer_value < 1.0 && buffer_value <= sample_value ? 1.0 : 0.0;
-}
-
-inline dvec3 gloam_crytek_sample(dvec2 uv, double buffer_value, dvec3 s, double radius, double depth,
-                                 double z_far) {
-    const dvec3 center(uv, buffer_value);
-    if (gloam_is_background(depth) || !(z_far >= 1e-30 && z_far <= 0x1p126)) return center;
-    return center + radius / depth * s * dvec3(1.0, 1.0, 100.0 / z_far * buffer_value);
+    return gloam_tap_sees(buffer_depth) && buffer_depth <= sample_depth ? 1.0 : 0.0;
 }
 
 inline double gloam_contribution_filion(double sample_depth, double buffer_depth, double radius) {
-    if (gloam_is_background(sample_depth) || gloam_is_background(buffer_depth)) return 0.0;
-    return 1.0 - gloam_visibility_filion(sample_depth - buffer_depth, radius);
+    const double in_front = sample_depth - buffer_depth;
+    if (!(gloam_tap_sees(buffer_depth) && in_front > 0.0)) return 0.0;
+    return 1.0 - max((in_front - radius) / in_front, 0.0);
 }
 
 inline double gloam_contribution_ritschel(double blocked, double falloff, double cosine) {
     return gloam_unit_interval(blocked) * gloam_unit_interval(falloff) * gloam_unit_interval(cosine);
-}
-
-inline double gloam_contribution_cosine_directions(double blocked, double falloff) {
-    return gloam_contribution_ritschel(blocked, falloff, 1.0);
-}
-
-inline double gloam_contribution_uniform_directions(double blocked, double falloff, double cosine) {
-    return 2.0 * gloam_contribution_ritschel(blocked, falloff, cosine);
 }
 
 inline double gloam_occlusion_bowl(double a, double b) {

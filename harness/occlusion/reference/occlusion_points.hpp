@@ -9,100 +9,31 @@
 // Contributions of the surface points around, and what becomes of their sum.
 namespace gloam::reference {
 
-inline double gloam_contribution_fox_compton(dvec3 position, dvec3 normal, dvec3 sample_position,
-                                             double epsilon) {
-    const dvec3 offset = sample_position - position;
-    if (!(epsilon <= float_max) || !has_direction(offset)) return 0.0;
-    return gloam_sample_cosine(offset, normal) / std::clamp(max(epsilon, length(offset)), float_min, 0x1p126);
-}
-
-inline double gloam_contribution_fox_compton_scaled(dvec3 position, dvec3 normal, dvec3 sample_position,
-                                                    double epsilon) {
-    const dvec3 offset = sample_position - position;
-    if (!(epsilon > 0.0) || !has_direction(offset)) return 0.0;
-    const double share = length(offset) > epsilon ? epsilon / length(offset) : 1.0;
-    return gloam_sample_cosine(offset, normal) * share;
+inline double gloam_contribution_fox_compton(dvec3 offset, dvec3 normal, double epsilon) {
+    if (!(length(offset) > 0.0)) return 0.0;
+    return dot(normalize(offset), normal) * min(max(epsilon, 0.0) / length(offset), 1.0);
 }
 
 inline double gloam_contribution_aksoy_phaneuf(dvec3 offset, dvec3 normal, double radius, double bias) {
-    if (!is_finite(offset) || !(dot(offset, normal) > bias)) return 0.0;
-    return gloam_falloff_linear(length(offset), radius);
+    return dot(offset, normal) > bias ? 1.0 - length(offset) / radius : 0.0;
 }
 
 inline double gloam_two_radii_sum(double fine, double broad) {
     return min(gloam_unit_interval(fine) + gloam_unit_interval(broad), 1.0);
 }
 
-inline double gloam_contribution_alchemy(dvec3 offset, dvec3 normal, double bias, double epsilon) {
-    const double divisor = dot(offset, offset) + epsilon;
-    if (!(epsilon >= 0.0 && divisor >= float_min && divisor <= 0x1p126)) return 0.0;
+inline double gloam_contribution_alchemy(dvec3 offset, dvec3 normal, double bias, double epsilon,
+                                         double scale) {
     const double above = dot(offset, normal) - bias;
-    return above > 0.0 && is_finite(above / divisor) ? above / divisor : 0.0;
+    return above > 0.0 ? scale * above / (dot(offset, offset) + epsilon) : 0.0;
 }
 
-inline double gloam_visibility_alchemy(dvec2 accumulated, double sigma, double k) {
-    if (!(accumulated.y >= 1.0 && accumulated.x > 0.0)) return 1.0;
-    return gloam_remap(1.0 - 2.0 * sigma / accumulated.y * accumulated.x, 0.0, 1.0, k);
-}
-
-inline double gloam_sao_window(double squared_distance, double radius) {
-    const double r2 = pow(radius, 2);
-    const bool inside = squared_distance >= 0.0 && squared_distance < r2 && radius > 0.0;
-    return inside && r2 >= 0x1p-100 && r2 <= 0x1p126 ? 1.0 - squared_distance / r2 : 0.0;
-}
-
-inline double gloam_sao_height(dvec3 offset, dvec3 normal, double bias) {
-    const double height = dot(offset, normal) - bias;
-    return is_finite(height) ? max(height, 0.0) : 0.0;
-}
-
-inline double gloam_sao_quotient(double height, double squared_distance, double epsilon) {
-    const double divisor = squared_distance + epsilon;
-    return divisor >= float_min && divisor <= 0x1p126 && height > 0.0 ? height / divisor : 0.0;
-}
-
-inline double gloam_contribution_sao(dvec3 offset, dvec3 normal, double radius, double bias, double epsilon) {
+inline double gloam_contribution_sao(dvec3 offset, dvec3 normal, double radius, double bias, double epsilon,
+                                     double scale) {
     const double vv = dot(offset, offset);
-    return pow(gloam_sao_window(vv, radius), 3) *
-           gloam_sao_quotient(gloam_sao_height(offset, normal, bias), vv, epsilon);
-}
-
-inline double gloam_contribution_sao_paper(dvec3 offset, dvec3 normal, double radius, double bias,
-                                           double epsilon) {
-    const double vv = dot(offset, offset);
-    if (!(gloam_sao_window(vv, radius) > 0.0)) return 0.0;
-    return 0.6 * gloam_sao_quotient(gloam_sao_height(offset, normal, bias), vv, epsilon);
-}
-
-// Printed for a radius of 1, as the two that follow: v / r and bias / r stand for v and bias.
-inline double gloam_contribution_sao_medium(dvec3 offset, dvec3 normal, double radius, double bias) {
-    if (!(gloam_sao_window(dot(offset, offset), radius) > 0.0)) return 0.0;
-    const dvec3 v = offset / radius;
-    return 4.0 * (1.0 - dot(v, v)) * gloam_sao_height(v, normal, bias / radius) / radius;
-}
-
-inline double gloam_contribution_sao_low(dvec3 offset, dvec3 normal, double radius, double bias) {
-    if (!(gloam_sao_window(dot(offset, offset), radius) > 0.0)) return 0.0;
-    return 2.0 * gloam_sao_height(offset / radius, normal, bias / radius) / radius;
-}
-
-inline double gloam_contribution_deep(dvec3 offset, dvec3 normal, double radius, double bias,
-                                      double epsilon) {
-    const double vv = dot(offset, offset);
-    const double reach = sqrt(epsilon + vv);
-    if (!(reach >= sqrt(float_min) && reach <= 0x1p126)) return 0.0;
-    return gloam_sao_window(vv, radius) * min(gloam_sao_height(offset, normal, bias) / reach, 1.0);
-}
-
-inline double gloam_visibility_sao(dvec2 accumulated, double sigma) {
-    if (!(accumulated.y >= 1.0 && accumulated.y <= 0x1p24)) return 1.0;
-    return gloam_visibility(5.0 * sigma / accumulated.y * accumulated.x);
-}
-
-inline double gloam_visibility_deep(dvec2 accumulated, double power) {
-    const double mean = accumulated.x / accumulated.y;
-    if (!(accumulated.y >= 1.0 && accumulated.y <= 0x1p24 && mean > 0.0)) return 1.0;
-    return gloam_remap(max(0.0, 1.0 - sqrt(3.0 * mean)), 0.0, 1.0, power);
+    const double above = dot(offset, normal) - bias;
+    if (!(vv < pow(radius, 2) && above > 0.0)) return 0.0;
+    return scale * pow(1.0 - vv / pow(radius, 2), 3) * above / (vv + epsilon);
 }
 
 inline double gloam_issao_attenuation(double hit_distance, double phi, double mu) {
@@ -124,17 +55,9 @@ inline double gloam_contribution_issao_attenuated(dvec3 offset, dvec3 normal, do
 
 inline double gloam_contribution_issao(dvec3 offset, dvec3 normal, double radius, double phi, double bias,
                                        double sigma) {
-    const double divisor = dot(offset, offset) + sigma;
-    const bool near = length(offset) < radius && sigma >= 0.0 && divisor >= float_min && divisor <= 0x1p126;
     const double above = dot(offset, normal) - bias;
-    if (!(near && phi > 0.0 && above > 0.0)) return 0.0;
-    const double contribution = phi * above / divisor;
-    return is_finite(contribution) ? contribution : 0.0;
-}
-
-inline double gloam_issao_occlusion(dvec2 accumulated, double lambda) {
-    if (!(accumulated.y >= 1.0 && accumulated.x > 0.0 && lambda > 0.0)) return 0.0;
-    return gloam_unit_interval(lambda / accumulated.y * accumulated.x);
+    if (!(length(offset) < radius && above > 0.0)) return 0.0;
+    return phi * above / (dot(offset, offset) + sigma);
 }
 
 inline double gloam_contribution_mssao(dvec3 offset, dvec3 normal, double radius) {
@@ -158,13 +81,6 @@ inline dvec2 gloam_disc_share(double area, double distance_to) {
     if (std::isinf(area)) return std::isinf(distance_to) ? dvec2(0.5) : dvec2(1.0, 0.0);
     const double larger = area / (area + pi * pow(distance_to, 2));
     return {larger, 1.0 - larger};
-}
-
-inline double gloam_contribution_disc_proxy(dvec3 offset, dvec3 normal, dvec3 emitter_normal, double area,
-                                            double weight) {
-    const double open = gloam_disc_share(area, gloam_length(offset)).y;  // 1 / (1 + A / (pi D^2))
-    return gloam_unit_interval(weight) * (1.0 - sqrt(open)) * gloam_sample_cosine(-offset, emitter_normal) *
-           min(4.0 * gloam_sample_cosine(offset, normal), 1.0);
 }
 
 inline double gloam_contribution_disc_proxy_cosine(dvec3 offset, dvec3 normal, dvec3 emitter_normal,
@@ -202,7 +118,7 @@ inline double gloam_lifted_cosine(dvec3 offset, dvec3 normal, dvec3 view) {
     dvec3 direction = gloam_safe_normalize(offset, dvec3(0.0));
     if (dot(direction, normal) < 0.0) direction -= dot(direction, normal) * normal;
     const double left = length(direction);
-    return left > 1e-5 ? gloam_clamp_cosine(dot(view, direction) / left) : 0.0;
+    return left > 1e-5 ? cosine_in_range(dot(view, direction) / left) : 0.0;
 }
 
 inline bool gloam_sample_near(dvec3 offset, double range) {
@@ -221,20 +137,9 @@ inline dvec3 gloam_angle_pair(dvec3 first, dvec3 second, dvec3 normal, dvec3 vie
             b ? gloam_lifted_cosine(second, normal, view) : mirrored(first), a && b ? 1.0 : 0.5};
 }
 
-inline dvec2 gloam_angle_add(dvec2 accumulated, double weight, double angles) {
-    if (!(weight > 0.0 && is_finite(weight) && is_finite(angles))) return accumulated;
-    return accumulated + weight * dvec2(1.0 - angles / pi, 1.0);
-}
-
-inline double gloam_angle_occlusion(dvec2 accumulated) {
-    if (!(accumulated.x > 0.0 && accumulated.y >= 1e-4 && accumulated.y <= 0x1p126)) return 0.0;
-    return min(accumulated.x / accumulated.y, 1.0);
-}
-
-inline double gloam_contribution_unreal(dvec3 offset, dvec3 normal, double scale) {
-    const double squared = dot(offset, offset);
-    if (!(scale > 0.0 && squared >= float_min && squared <= 0x1p126)) return 0.0;
-    return gloam_unit_interval(scale * dot(offset, normal) / squared);
+inline double gloam_contribution_unreal(dvec3 offset, dvec3 normal, double bias, double scale) {
+    const double above = dot(offset, normal);
+    return above > bias ? scale * above / dot(offset, offset) : 0.0;
 }
 
 inline double gloam_unreal_side(double occlusion) {

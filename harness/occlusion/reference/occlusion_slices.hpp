@@ -8,22 +8,12 @@
 // Horizons, sectors and sweeps of slices.
 namespace gloam::reference {
 
-inline double gloam_tangent_slope(dvec2 direction, dvec3 dpdu, dvec3 dpdv) {
-    const dvec3 t = direction.x * dpdu + direction.y * dpdv;
-    return has_direction(t) ? clamp(t.z / length(dvec2(t)), -1e6, 1e6) : 0.0;
+inline double gloam_tangent_slope(dvec3 normal, dvec2 direction) {
+    return clamp(-dot(dvec2(normal), direction) / max(normal.z, 1e-6), -1e6, 1e6);
 }
 
 inline double gloam_sine_of_tangent(double tangent) {
     return std::isnan(tangent) ? 0.0 : sin(atan(tangent));
-}
-
-inline double gloam_tangent_elevation(dvec3 normal, dvec2 direction) {
-    return clamp(gloam_atan2(-dot(dvec2(normal), direction), normal.z), -pi / 2.0, pi / 2.0);
-}
-
-inline dvec2 gloam_hbao_start(double tangent, double bias) {
-    const double elevation = tangent + bias;
-    return {std::isnan(elevation) ? 1.0 : sin(clamp(elevation, -pi / 2.0, pi / 2.0)), 0.0};
 }
 
 inline dvec2 gloam_hbao_horizon(dvec3 normal, dvec2 direction, dvec2 bias) {
@@ -38,19 +28,10 @@ inline dvec2 gloam_hbao_start_slope(double slope, double bias) {
     return {sin(atan(slope + tan(bias))), 0.0};
 }
 
-inline dvec2 gloam_hbao_step(dvec2 horizon, dvec3 offset, double radius) {
-    const double r = length(offset);
-    if (!(has_direction(offset) && radius >= float_min && radius <= 0x1p126 && r < radius)) return horizon;
-    const double sine = offset.z / r;
-    if (!(sine > horizon.x)) return horizon;
-    return {sine, horizon.y + (1.0 - pow(r / radius, 2)) * (sine - horizon.x)};
-}
-
-inline dvec2 gloam_hbao_step_size(double radius, double largest, double steps, double extra) {
-    const double reach = radius < largest ? radius : largest;
-    if (!(reach >= 1.0 && reach <= 0x1p126 && steps >= 1.0 && extra >= 0.0)) return dvec2(0.0);
-    const double count = floor(min(steps, reach));
-    return {reach / (count + extra), count};
+inline dvec2 gloam_hbao_step(dvec2 march, double rise, double squared, double radius) {
+    const double sine = min(rise / sqrt(squared), 1.0);
+    if (!(squared < pow(radius, 2) && sine > march.x)) return march;
+    return {sine, march.y + (1.0 - squared / pow(radius, 2)) * (sine - march.x)};
 }
 
 inline double gloam_hbao_visibility(double occlusion, double bias, double contrast) {
@@ -58,41 +39,14 @@ inline double gloam_hbao_visibility(double occlusion, double bias, double contra
     return max(1.0 - contrast * occlusion / (1.0 - sin(bias)), 0.0);
 }
 
-inline double gloam_contribution_hbao_simplified(dvec3 offset, dvec3 normal, double radius, double bias) {
+inline double gloam_gtao_horizon(double horizon, double lowest, dvec2 offset, double radius) {
     const double r = length(offset);
-    const bool near = has_direction(offset) && radius >= float_min && radius <= 0x1p126 && r < radius;
-    const double above = dot(normal, offset) / r - bias;
-    if (!(near && above > 0.0 && bias >= 0.0 && bias < 1.0)) return 0.0;
-    return min(above / (1.0 - bias), 1.0) * (1.0 - pow(r / radius, 2));
-}
-
-inline double gloam_visibility_hbao_simplified(dvec2 accumulated, double power) {
-    if (!(accumulated.y >= 1.0 && accumulated.x > 0.0)) return 1.0;
-    return gloam_remap(1.0 - 2.0 * accumulated.x / accumulated.y, 0.0, 1.0, power);
-}
-
-inline double gloam_gtao_horizon(double horizon, double lowest, dvec3 offset, dvec3 view, double weight) {
-    if (!(weight > 0.0) || !has_direction(offset)) return horizon;
-    const double cosine = mix(lowest, dot(normalize(offset), view), min(weight, 1.0));
-    return cosine > horizon ? min(cosine, 1.0) : horizon;
+    return r < radius ? max(horizon, mix(lowest, offset.x / r, 1.0 - r / radius)) : horizon;
 }
 
 // The angle of a horizon of that cosine; NaN has seen nothing.
 inline double horizon_angle(double cosine) {
-    return std::isnan(cosine) ? pi : acos(gloam_clamp_cosine(cosine));
-}
-
-// (n + pi / 2) - h, the horizon at h = acos(c).
-inline double gloam_gtao_elevation(double horizon, double angle) {
-    const double e = angle + pi / 2.0 - gloam_acos(horizon);
-    return std::isnan(e) ? 0.0 : clamp(e, 0.0, pi);
-}
-
-inline double gloam_gtao_inner(double horizon, double angle) {
-    const dvec2 n = gloam_sincos(angle);
-    const dvec2 turned = gloam_sincos(2.0 * horizon - angle);
-    const double visible = 0.25 * (-turned.x + n.x + 2.0 * horizon * n.y);
-    return std::isnan(visible) ? 0.0 : clamp(visible, 0.0, pi / 2.0);
+    return std::isnan(cosine) ? pi : acos(cosine_in_range(cosine));
 }
 
 // (e sin n + cos h cos(h - n)) / 2.
@@ -102,49 +56,10 @@ inline double gloam_gtao_arc(double elevation, dvec2 horizon, dvec2 normal) {
     return std::isnan(arc) ? 0.0 : clamp(arc, 0.0, pi / 2.0);
 }
 
-inline double gloam_gtao_arc_uniform(double horizon, double sine) {
-    return gloam_unit_interval((sine + horizon) / 2.0);
-}
-
 inline double gloam_gtao_side(double horizon, double angle, dvec2 normal) {
     const double h = horizon_angle(horizon);
-    const double c = std::isnan(horizon) ? -1.0 : gloam_clamp_cosine(horizon);
+    const double c = std::isnan(horizon) ? -1.0 : cosine_in_range(horizon);
     return gloam_gtao_arc(angle + pi / 2.0 - h, {c, sin(h)}, normal);
-}
-
-// Cosine-weighted: all of the slice, cos n + n sin n, less what is visible between the horizons, the printed
-// inner integrals; the horizons lie within the hemisphere.
-inline dvec2 gloam_gtao_add(dvec2 accumulated, const GloamSlice& slice, dvec2 horizons) {
-    if (!(slice.weight > 0.0 && is_finite(slice.weight))) return accumulated;
-    const double n = slice.angle;
-    const double h_1 = n + max(-horizon_angle(horizons.x) - n, -pi / 2.0);
-    const double h_2 = n + min(horizon_angle(horizons.y) - n, pi / 2.0);
-    const double whole = gloam_slice_whole(slice);
-    const double visible = gloam_gtao_inner(h_1, n) + gloam_gtao_inner(h_2, n);
-    return accumulated + slice.weight * dvec2(whole - visible, whole);
-}
-
-inline dvec2 gloam_gtao_add_uniform(dvec2 accumulated, const GloamSlice& slice, dvec2 horizons) {
-    if (!(slice.weight > 0.0)) return accumulated;
-    const double n = slice.angle;
-    return accumulated +
-           dvec2(gloam_gtao_arc_uniform(horizons.x, sin(-n)) + gloam_gtao_arc_uniform(horizons.y, sin(n)),
-                 1.0);
-}
-
-inline double gloam_gtao_occlusion(dvec2 accumulated) {
-    if (!(accumulated.x > 0.0 && accumulated.y >= float_min && accumulated.y <= 0x1p126)) return 0.0;
-    return min(accumulated.x / accumulated.y, 1.0);
-}
-
-inline dvec2 gloam_bitmask_back(dvec3 offset, const GloamSlice& slice, double thickness) {
-    const dvec3 behind = offset - thickness * slice.view;
-    const bool thick = thickness > 0.0 && has_direction(offset) && is_finite(behind);
-    return gloam_slice_direction(thick ? behind : offset, slice);
-}
-
-inline double gloam_slice_fraction_angle(dvec2 direction, const GloamSlice& slice) {
-    return gloam_unit_interval((gloam_atan2(direction.y, direction.x) - slice.angle) / pi + 0.5);
 }
 
 // The part of the slice's integral below the direction: on the negative side what a horizon there takes, on
@@ -156,12 +71,6 @@ inline double gloam_slice_fraction_cosine(dvec2 direction, const GloamSlice& sli
         gloam_gtao_arc(elevation, {direction.x, side * direction.y}, {slice.normal.x, side * slice.normal.y});
     const double part = taken / gloam_slice_whole(slice);
     return gloam_unit_interval(side < 0.0 ? part : 1.0 - part);
-}
-
-inline double gloam_slice_fraction_uniform(dvec2 direction, const GloamSlice& slice) {
-    const double side = direction.y < 0.0 ? -1.0 : 1.0;
-    const double part = gloam_gtao_arc_uniform(direction.x, side * slice.normal.y);
-    return side < 0.0 ? part : 1.0 - part;
 }
 
 inline unsigned gloam_bit_range(unsigned first, unsigned last) {
@@ -179,13 +88,6 @@ inline unsigned gloam_bitmask_sectors(dvec2 fractions) {
             bits |= 1U << i;
     }
     return bits;
-}
-
-inline unsigned gloam_bitmask_sectors_outward(dvec2 fractions) {
-    const double lower = gloam_unit_interval(fractions.x);
-    const double width = gloam_unit_interval(fractions.y) - lower;
-    const auto first = static_cast<unsigned>(32.0 * lower);
-    return width > 0.0 ? gloam_bit_range(first, first + static_cast<unsigned>(std::ceil(32.0 * width))) : 0U;
 }
 
 inline double gloam_bitmask_occlusion(unsigned sectors) {

@@ -93,16 +93,6 @@ inline dvec3 gloam_hemisphere_uniform_point(unsigned index) {
     return gloam_hemisphere_uniform(gloam_halton_3d(index));
 }
 
-inline dvec3 gloam_hemisphere_flip(dvec3 s, dvec3 normal) {
-    if (!(length(s) <= 1e19)) return dvec3(0.0);
-    return dot(s, normal) > 0.0 ? s : -s;
-}
-
-inline dvec3 gloam_reflect_sample(dvec3 s, dvec3 encoded) {
-    if (!(length(s) <= 1e19)) return dvec3(0.0);
-    return glm::reflect(s, gloam_safe_normalize(2.0 * encoded - 1.0, dvec3(0.0)));
-}
-
 // Rodrigues' rotation of z onto n, 1 + K + K^2 / (1 + n.z) with K = (z x n) x; below the horizon of z that
 // onto -n, with y negated to stay right-handed.
 inline dmat3 gloam_tangent_frame(dvec3 n) {
@@ -111,20 +101,6 @@ inline dmat3 gloam_tangent_frame(dvec3 n) {
     const dmat3 k(0.0, 0.0, -up.x, 0.0, 0.0, -up.y, up.x, up.y, 0.0);
     const dmat3 rotation = dmat3(1.0) + k + k * k / (1.0 + up.z);
     return {rotation[0], side * rotation[1], n};
-}
-
-inline double gloam_radius_linear(double zeta) {
-    return gloam_unit_interval(zeta);
-}
-
-inline double gloam_radius_quadratic(double zeta) {
-    const double x = gloam_unit_interval(zeta);
-    return x < float_min ? 0.0 : sqrt(x);
-}
-
-inline double gloam_radius_cubic(double zeta) {
-    const double x = gloam_unit_interval(zeta);
-    return x < float_min ? 0.0 : cbrt(x);
 }
 
 // frac(10 h / (2 pi)) in units of 2^-32: the constant is frac(10 / (2 pi)) 2^64.
@@ -142,15 +118,6 @@ inline double gloam_hash_rotation(glm::ivec2 pixel) {
     const double turns = std::floor(angle / two_pi);
     const double within = std::fma(-turns, two_pi_rest, std::fma(-turns, two_pi, angle));
     return within < 0.0 ? within + two_pi : within;
-}
-
-inline dvec2 gloam_paired_sample(dvec2 s, int index) {
-    if (!is_finite(s)) return dvec2(0.0);
-    return index % 2 == 0 ? s : -s;
-}
-
-inline bool gloam_poisson_accepts(dvec2 candidate, dvec2 other, double min_distance) {
-    return distance(candidate, other) > min_distance;
 }
 
 inline dvec3 gloam_hemisphere_lift(dvec2 disc) {
@@ -193,10 +160,6 @@ inline dvec2 gloam_spiral_point(int index, int count, int turns) {
     return (twice * on_circle(pi * part / count)) / (2.0 * count);
 }
 
-inline dvec2 gloam_spiral_tap(int index, int count, int turns, double phase) {
-    return gloam_rotate_disc(gloam_spiral_point(index, count, turns), phase);
-}
-
 inline dvec2 gloam_issao_offset_polar(dvec2 e, double radius) {
     const double angle = 2.0 * pi * gloam_unit_interval(e.y);
     return radius * gloam_unit_interval(e.x) * dvec2(sin(angle), cos(angle));
@@ -221,12 +184,9 @@ inline GloamSliceSample gloam_slice_sample(unsigned index, double turns) {
     return {on_circle(pi * fract(point.x + turns)), fract(point.y + turns), point.z};
 }
 
-inline dvec3 gloam_eye_march(dvec3 position, dvec3 direction, double radius, int index, int count,
+inline dvec3 gloam_eye_march(dvec3 position, dvec3 direction, double radius, unsigned index, unsigned count,
                              double jitter) {
-    if (!is_finite(direction) || !(radius >= 0.0) || std::isinf(radius)) return position;
-    const int steps = std::clamp(count, 1, 16777216);
-    const double travelled = std::clamp(index, 0, steps - 1) + gloam_unit_interval(jitter);
-    return position + direction * (radius * travelled / steps);
+    return position + direction * (radius * (index + jitter) / count);
 }
 
 inline unsigned gloam_whole_samples(unsigned count, unsigned unit) {

@@ -125,10 +125,6 @@ inline bool gloam_depth_consistent(double stored_depth, double expected_depth, d
     return abs(1.0 - expected_depth / stored_depth) < epsilon;
 }
 
-inline bool gloam_both_background(double stored_depth, double expected_depth) {
-    return gloam_is_background(stored_depth) && gloam_is_background(expected_depth);
-}
-
 // | |s - p| - |s' - p'| |.
 inline double gloam_neighborhood_change(dvec3 sample_position, dvec3 position, dvec3 previous_sample,
                                         dvec3 previous_position) {
