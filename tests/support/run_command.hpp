@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "support/files.hpp"
@@ -36,6 +39,28 @@ struct CommandOptions {
 // run_program() of the gloam binary: $GLOAM_BINARY, else the one this build makes.
 [[nodiscard]] CommandResult run_command(const std::vector<std::string>& arguments,
                                         const CommandOptions& options = {});
+
+// The words of a line, which single blanks part. Each {} in it stands for the next of the further arguments,
+// whole even where that holds blanks.
+template <class... Texts>
+[[nodiscard]] std::vector<std::string> words(std::string_view line, const Texts&... arguments) {
+    const std::vector<std::string> given{std::filesystem::path(arguments).string()...};
+    auto next = given.begin();
+    std::vector<std::string> all;
+    for (std::size_t begin = 0; begin <= line.size();) {
+        const std::size_t end = std::min(line.find(' ', begin), line.size());
+        const std::string_view word = line.substr(begin, end - begin);
+        all.push_back(word == "{}" && next != given.end() ? *next++ : std::string(word));
+        begin = end + 1;
+    }
+    return all;
+}
+
+// run_command() of the words of a line: gloam("check {} --inputs 64", file).
+template <class... Texts>
+[[nodiscard]] CommandResult gloam(std::string_view line, const Texts&... arguments) {
+    return run_command(words(line, arguments...));
+}
 
 // How many lines a message has; a last line without its newline counts.
 [[nodiscard]] int line_count(const std::string& text);

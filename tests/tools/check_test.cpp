@@ -1,43 +1,54 @@
 // SPDX-License-Identifier: MIT
-#include <nlohmann/json.hpp>
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <thread>
+
+#include "cli/check/worker_session.hpp"
 #include "tools/expect.hpp"
 #include "tools/installation.hpp"
 
-namespace gloam::test {
-namespace check_test {
+namespace gloam::test::check_test {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-using testing::HasSubstr;
 
 constexpr const char* function = "gloam_radical_inverse_base2";
 
 json check_json(const fs::path& program, const fs::path& file, int expected_status) {
     const CommandResult result =
-        run_program(program, {"check", function, "--inputs", "4096", "--json", file.string()});
+        run_program(program, words("check {} --inputs 4096 --json {}", function, file));
     EXPECT_EQ(result.status, expected_status) << result.out << result.err;
     json report = json::parse(read_file(file));
     for (json& row : report.at("results")) row["seconds"] = 0.0;  // all else must be the same in every run
     return report;
 }
 
-TEST(Check, OneLineForEachEquationAndStatusZero) {
-    const CommandResult result = run_command({"check", function, "--inputs", "1024", "--validation"});
-    expect_success(result);
-    EXPECT_THAT(result.out, HasSubstr(function));
-    EXPECT_THAT(result.out, HasSubstr("1 checks, 0 failed"));
+class Check : public InFolder {};
+
+TEST_F(Check, OneLineForEachEquationAndStatusZero) {
+    const std::string result = output_of(gloam("check {} --inputs 1024 --validation", function));
+    EXPECT_THAT(result, HasSubstr(function));
+    EXPECT_THAT(result, HasSubstr("1 checks, 0 failed"));
 }
 
-TEST(Check, GlobsSelect) {
-    const CommandResult result = run_command({"check", "GLOAM_radical_*", "--inputs", "64"});
-    expect_success(result);
-    EXPECT_THAT(result.out, HasSubstr("gloam_radical_inverse_base2"));
-    EXPECT_THAT(result.out, testing::Not(HasSubstr("gloam_smoothstep")));
-    EXPECT_THAT(result.out, testing::ContainsRegex("[2-9] checks, 0 failed"));
+TEST_F(Check, GlobsSelect) {
+    const std::string result = output_of(gloam("check GLOAM_radical_* --inputs 64"));
+    EXPECT_THAT(result, HasSubstr("gloam_radical_inverse_base2"));
+    EXPECT_THAT(result, Not(HasSubstr("gloam_smoothstep")));
+    EXPECT_THAT(result, testing::ContainsRegex("[2-9] checks, 0 failed"));
 }
 
-TEST(Check, JsonHasTheStableShape) {
+TEST_F(Check, JsonHasTheStableShape) {
     const Installation installation;
     const json report = check_json(installation.program(), installation.file("a.json"), 0);
     EXPECT_NE(report.at("device").at("name"), "");
@@ -58,16 +69,16 @@ TEST(Check, JsonHasTheStableShape) {
     EXPECT_TRUE(result.contains("worst"));
 }
 
-TEST(Check, TheSameSeedGivesTheSameReport) {
+TEST_F(Check, TheSameSeedGivesTheSameReport) {
     const Installation installation;
     const json first = check_json(installation.program(), installation.file("a.json"), 0);
     EXPECT_EQ(first, check_json(installation.program(), installation.file("b.json"), 0));
 }
 
-TEST(Check, AWrongConstantFailsWithStatusOneAndAStory) {
+TEST_F(Check, AWrongConstantFailsWithStatusOneAndAStory) {
     const Installation installation;
-    installation.replace("gloam/sampling/radical_inverse.glsl", "5.9604644775390625e-8", "5.9604652e-8");
-    const CommandResult result = run_program(installation.program(), {"check", function, "--inputs", "4096"});
+    installation.spoil_radical_inverse_base2();
+    const CommandResult result = installation.gloam("check {} --inputs 4096", function);
     EXPECT_EQ(result.status, 1);
     EXPECT_EQ(result.err, "");
     EXPECT_THAT(result.out, HasSubstr("1 checks, 1 failed"));
@@ -79,34 +90,178 @@ TEST(Check, AWrongConstantFailsWithStatusOneAndAStory) {
     EXPECT_TRUE(row.at("worst").is_object());
 }
 
-TEST(Check, AShaderThatDoesNotCompileFailsAndNamesFileAndLine) {
+TEST_F(Check, AShaderThatDoesNotCompileFailsAndNamesFileAndLine) {
     const Installation installation;
     installation.replace("gloam/sampling/radical_inverse.glsl",
                          "uint bits = ", "uint bits = no_such_variable + ");
-    const CommandResult result = run_program(installation.program(), {"check", function});
+    const CommandResult result = installation.gloam("check {}", function);
     EXPECT_EQ(result.status, 1);
     EXPECT_THAT(result.out, testing::ContainsRegex("radical_inverse\\.glsl:[0-9]+: .*no_such_variable"));
 }
 
-TEST(Check, AllVariantsAndJunit) {
-    const TemporaryDirectory folder;
-    const fs::path junit = folder.path() / "junit.xml";
-    const CommandResult result =
-        run_command({"check", function, "--inputs", "64", "--variant", "all", "--junit", junit.string()});
-    expect_success(result);
-    EXPECT_THAT(result.out, HasSubstr("9 checks, 0 failed"));
+TEST_F(Check, AllVariantsAndJunit) {
+    const fs::path junit = path("junit.xml");
+    EXPECT_THAT(output_of(gloam("check {} --inputs 64 --variant all --junit {}", function, junit)),
+                HasSubstr("9 checks, 0 failed"));
     EXPECT_THAT(read_file(junit), HasSubstr("<testsuite"));
 }
 
-TEST(Check, BadInputIsNamed) {
-    expect_could_not_run(run_command({"check", "no-such-equation"}), "no-such-equation");
-    expect_could_not_run(run_command({"check", function, "--device", "no-such-device"}), "no-such-device");
-    expect_could_not_run(run_command({"check", function, "--variant", "no-such-variant"}), "no-such-variant");
-    expect_could_not_run(run_command({"check", function, "--inputs", "0"}), "--inputs");
-    expect_could_not_run(run_command({"check", function, "--inputs", "many"}), "many");
-    expect_could_not_run(run_command({"check", function, "--json", "/no/such/folder/a.json"}),
-                         "/no/such/folder/a.json");
+TEST_F(Check, BadInputIsNamed) {
+    expect_could_not_run(gloam("check no-such-equation"), "no-such-equation");
+    expect_could_not_run(gloam("check {} --device no-such-device", function), "no-such-device");
+    expect_could_not_run(gloam("check {} --variant no-such-variant", function), "no-such-variant");
+    expect_could_not_run(gloam("check {} --inputs 0", function), "--inputs");
+    expect_could_not_run(gloam("check {} --inputs many", function), "many");
+    expect_could_not_run(gloam("check {} --json /no/such/folder/a.json", function), "/no/such/folder/a.json");
 }
 
-}  // namespace check_test
-}  // namespace gloam::test
+class CheckResume : public InFolder {
+  protected:
+    [[nodiscard]] std::vector<std::string> command(std::vector<std::string> more = {}) const {
+        std::vector<std::string> words{"check", "TSSAO-*", "--inputs", "64", "--json", results().string()};
+        words.insert(words.end(), more.begin(), more.end());
+        return words;
+    }
+
+    [[nodiscard]] fs::path results() const { return path("results.json"); }
+    [[nodiscard]] fs::path journal() const { return path("results.json.journal"); }
+
+    // The lines that stand in the journal whole.
+    [[nodiscard]] std::vector<std::string> kept() const {
+        std::ifstream stream(journal());
+        std::vector<std::string> lines;
+        for (std::string line; std::getline(stream, line) && !stream.eof();) lines.push_back(line);
+        return lines;
+    }
+
+    // Runs the check until some results stand in the journal, and kills it then.
+    void run_and_kill() {
+        std::vector<std::string> words = command();
+        words.insert(words.begin(), GLOAM_BUILT_BINARY);
+        std::vector<char*> arguments;
+        for (std::string& word : words) arguments.push_back(word.data());
+        arguments.push_back(nullptr);
+        const pid_t child = fork();
+        if (child == 0) {
+            dup2(open("/dev/null", O_WRONLY), STDOUT_FILENO);
+            execv(arguments[0], arguments.data());
+            _exit(127);
+        }
+        constexpr std::size_t enough = 4;  // the heading and three results
+        const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+        while (kept().size() < enough && std::chrono::steady_clock::now() < deadline)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        kill(child, SIGKILL);
+        int status = 0;
+        ASSERT_EQ(waitpid(child, &status, 0), child);
+        ASSERT_TRUE(WIFSIGNALED(status)) << "it ended before it was killed";
+        ASSERT_GE(kept().size(), enough);
+    }
+};
+
+TEST_F(CheckResume, AKilledRunLeavesItsResultsAndTheNextGoesOnFromThere) {
+    run_and_kill();
+    EXPECT_FALSE(fs::exists(results()));
+    std::map<std::string, double> seconds;
+    const std::vector<std::string> lines = kept();
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        const json row = json::parse(json::parse(lines[i]).at("row").get<std::string>());
+        seconds[row.at("equation")] = row.at("seconds");
+    }
+    std::ofstream(journal(), std::ios::app) << R"({"device": "cut of)";  // as a kill may leave it
+
+    const std::string resumed = output_of(run_command(command(words("--resume"))));
+    EXPECT_FALSE(fs::exists(journal()));
+    const json rows = json::parse(read_file(results())).at("results");
+    EXPECT_GT(rows.size(), seconds.size());
+    for (const auto& [equation, time] : seconds) {
+        const auto row = std::find_if(rows.begin(), rows.end(),
+                                      [&name = equation](const json& r) { return r.at("equation") == name; });
+        ASSERT_NE(row, rows.end()) << equation;
+        EXPECT_EQ(row->at("seconds"), time) << equation << " was run again";
+        EXPECT_THAT(resumed, HasSubstr(equation));
+    }
+}
+
+TEST_F(CheckResume, WithoutTheOptionARunBeginsAnew) {
+    std::ofstream(journal()) << "of another run\n";
+    expect_success(gloam("check gloam_radical_inverse_base2 --inputs 64 --json {}", results()));
+    EXPECT_FALSE(fs::exists(journal()));
+}
+
+TEST_F(CheckResume, ResultsOfOtherInputsAreNotTakenOver) {
+    run_and_kill();
+    const CommandResult other = run_command(command(words("--resume --seed 2")));
+    expect_could_not_run(other, journal().string());
+    EXPECT_THAT(other.err, HasSubstr("\"seed\":2"));
+}
+
+TEST_F(CheckResume, ALineThatIsNoResultIsNamed) {
+    run_and_kill();
+    std::ofstream(journal(), std::ios::app) << "\n{}\n";
+    expect_could_not_run(run_command(command(words("--resume"))), journal().string() + ", line ");
+}
+
+TEST_F(CheckResume, NeedsAFileOfResults) {
+    expect_could_not_run(gloam("check --resume"), "--json");
+}
+
+// The first words of the lines of a check's table.
+std::multiset<std::string> equations_of(const std::string& out) {
+    std::istringstream lines(out);
+    std::multiset<std::string> ids;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.find(" shipped ") != std::string::npos) ids.insert(line.substr(0, line.find(' ')));
+    }
+    return ids;
+}
+
+CommandResult check_shard(const std::string& shard) {
+    return gloam("check gloam_radical_* --inputs 16 --shard {}", shard);
+}
+
+TEST(Shard, EveryPositionIsInExactlyOne) {
+    for (std::size_t position = 0; position < 20; ++position) {
+        std::size_t holders = 0;
+        for (const char* text : {"0/3", "1/3", "2/3"})
+            holders += cli::shard_from(text).holds(position) ? 1 : 0;
+        EXPECT_EQ(holders, 1U);
+    }
+    EXPECT_TRUE(cli::Shard{}.holds(7));
+}
+
+TEST(Shard, TogetherTheShardsOfACheckAreTheWhole) {
+    const CommandResult whole = gloam("check gloam_radical_* --inputs 16 --in-process");
+    const std::multiset<std::string> all = equations_of(whole.out);
+    ASSERT_GT(all.size(), 1U);
+    std::multiset<std::string> parts = equations_of(check_shard("0/2").out);
+    EXPECT_LT(parts.size(), all.size());
+    parts.merge(equations_of(check_shard("1/2").out));
+    EXPECT_EQ(parts, all);
+}
+
+TEST(Shard, WhatGoogleTestSaysIsHeard) {
+    const CommandOptions second{.environment = {"GTEST_SHARD_INDEX=1", "GTEST_TOTAL_SHARDS=2"}};
+    EXPECT_EQ(equations_of(output_of(run_command(words("check gloam_radical_* --inputs 16"), second))),
+              equations_of(check_shard("1/2").out));
+    const CommandResult overruled =
+        run_command(words("check gloam_radical_* --inputs 16 --shard 0/2"), second);
+    EXPECT_EQ(equations_of(overruled.out), equations_of(check_shard("0/2").out));
+}
+
+TEST(Shard, AnEmptyShareIsNoFailure) {
+    EXPECT_THAT(output_of(check_shard("999/1000")), HasSubstr("0 checks, 0 failed"));
+}
+
+TEST(Shard, WhatIsNoneIsNamed) {
+    for (const char* text : {"2/2", "1", "a/b", "1/", "/2", "-1/2", "0/0", "1/2/3", " 0/1"}) {
+        expect_could_not_run(check_shard(text), "--shard");
+    }
+    expect_could_not_run(run_command(words("check"), {.environment = {"GTEST_TOTAL_SHARDS=2"}}),
+                         "GTEST_SHARD_INDEX");
+    expect_could_not_run(
+        run_command(words("check"), {.environment = {"GTEST_TOTAL_SHARDS=2", "GTEST_SHARD_INDEX=2"}}),
+        "GTEST_TOTAL_SHARDS");
+}
+
+}  // namespace gloam::test::check_test

@@ -9,14 +9,12 @@
 #include "tools/expect.hpp"
 #include "tools/installation.hpp"
 
-namespace gloam::test {
-namespace check_worker_test {
+namespace gloam::test::check_worker_test {
 
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 using base::WorkerProcess;
 using nlohmann::json;
-using testing::HasSubstr;
 
 constexpr const char* hanging = "HALTON-base2";
 
@@ -54,7 +52,7 @@ class HangingCheck {
         std::string line;
         // The device is named when its worker has greeted.
         EXPECT_EQ(check_.receive(line, WorkerProcess::Clock::now() + 60s), WorkerProcess::Heard::line);
-        EXPECT_THAT(line, testing::StartsWith("device: "));
+        EXPECT_THAT(line, StartsWith("device: "));
         worker_ = child_of(check_.id());
         EXPECT_NE(worker_, 0);
     }
@@ -78,9 +76,8 @@ TEST(CheckWorker, AShaderThatLoopsForEverIsOneRow) {
     const Installation installation;
     installation.make_radical_inverse_base2_hang();
     const fs::path file = installation.file("a.json");
-    const CommandResult result = run_program(
-        installation.program(),
-        {"check", "gloam_radical_*", "--inputs", "65536", "--timeout", "1.5", "--json", file.string()});
+    const CommandResult result =
+        installation.gloam("check gloam_radical_* --inputs 65536 --timeout 1.5 --json {}", file);
     EXPECT_EQ(result.status, 1);
     EXPECT_EQ(result.err, "");
     EXPECT_THAT(result.out, HasSubstr("2 checks, 1 failed"));
@@ -140,7 +137,7 @@ TEST(CheckWorker, ADriverThatCrashesWhenOpenedIsOneRow) {
     const CommandOptions crashing{
         .environment = {"VK_ICD_FILENAMES=" + manifest.string(), "VK_DRIVER_FILES=" + manifest.string()}};
     const CommandResult result =
-        run_command({"check", "gloam_radical_*", "--json", (folder.path() / "a.json").string()}, crashing);
+        run_command(words("check gloam_radical_* --json {}", folder.path() / "a.json"), crashing);
     EXPECT_EQ(result.status, 1);
     EXPECT_EQ(result.err, "");
     EXPECT_THAT(result.out, HasSubstr("1 checks, 1 failed"));
@@ -151,20 +148,19 @@ TEST(CheckWorker, ADriverThatCrashesWhenOpenedIsOneRow) {
     EXPECT_EQ(row.at("reason"), "crash");
     EXPECT_THAT(row.at("error").get<std::string>(), HasSubstr("2 checks were not run"));
     EXPECT_THAT(row.at("error").get<std::string>(), HasSubstr("ABRT"));
-    expect_could_not_run(run_command({"check", "gloam_radical_*", "--device", "all"}, crashing), "ABRT");
+    expect_could_not_run(run_command(words("check gloam_radical_* --device all"), crashing), "ABRT");
 }
 
 TEST(CheckWorker, HelpDoesNotNameIt) {
-    EXPECT_THAT(run_command({"--help"}).out, testing::Not(HasSubstr("worker")));
+    EXPECT_THAT(gloam("--help").out, Not(HasSubstr("worker")));
 }
 
 TEST(CheckWorker, WrongOptionsAreNamed) {
-    expect_could_not_run(run_command({"check", "--timeout", "0"}), "--timeout");
-    expect_could_not_run(run_command({"check", "--timeout", "soon"}), "--timeout");
-    expect_could_not_run(run_command({"check", "--jobs", "0"}), "--jobs");
-    expect_could_not_run(run_command({"check", "--jobs", "-1"}), "--jobs");
-    expect_could_not_run(run_command({"check", "--in-process=maybe"}), "--in-process");
+    expect_could_not_run(gloam("check --timeout 0"), "--timeout");
+    expect_could_not_run(gloam("check --timeout soon"), "--timeout");
+    expect_could_not_run(gloam("check --jobs 0"), "--jobs");
+    expect_could_not_run(gloam("check --jobs -1"), "--jobs");
+    expect_could_not_run(gloam("check --in-process=maybe"), "--in-process");
 }
 
-}  // namespace check_worker_test
-}  // namespace gloam::test
+}  // namespace gloam::test::check_worker_test

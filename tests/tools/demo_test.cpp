@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The first minute: `gloam demo`, its page and its pictures.
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
-#include "tools/expect.hpp"
+#include "tools/rendering.hpp"
 
-namespace gloam::test {
-namespace demo_test {
+namespace gloam::test::demo_test {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
-
-std::string bytes_of(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 std::vector<std::string> files_in(const fs::path& folder) {
     std::vector<std::string> names;
@@ -25,11 +16,12 @@ std::vector<std::string> files_in(const fs::path& folder) {
     return names;
 }
 
-TEST(Demo, SaysInTenLinesWhatItDidAndWhereToLook) {
-    const TemporaryDirectory folder;
-    const fs::path out = folder.path() / "demo";
+class Demo : public InFolder {};
+
+TEST_F(Demo, SaysInTenLinesWhatItDidAndWhereToLook) {
+    const fs::path out = path("demo");
     const CommandResult result =
-        run_command({"demo", "--out", out.string()}, {.timeout = std::chrono::seconds(600)});
+        run_command(words("demo --out {}", out), {.timeout = std::chrono::seconds(600)});
     EXPECT_EQ(result.err, "");
     EXPECT_LE(line_count(result.out), 10) << result.out;
     for (const std::string& named : {(out / "index.html").string(), (out / "sheet.png").string()}) {
@@ -37,8 +29,8 @@ TEST(Demo, SaysInTenLinesWhatItDidAndWhereToLook) {
         EXPECT_TRUE(fs::is_regular_file(named));
     }
     EXPECT_THAT(result.out, HasSubstr("equations, 4096 inputs each"));
-    EXPECT_THAT(result.out, testing::Not(HasSubstr("\033")));  // no terminal, no colour
-    const std::string page = bytes_of(out / "index.html");
+    EXPECT_THAT(result.out, Not(HasSubstr("\033")));  // no terminal, no colour
+    const std::string page = read_file(out / "index.html");
     EXPECT_THAT(page, HasSubstr("<input type=\"range\""));
     EXPECT_THAT(page, HasSubstr("gloam_radical_inverse_base2"));
     // Every picture of the page is there, and nothing that the page does not show.
@@ -54,49 +46,37 @@ TEST(Demo, SaysInTenLinesWhatItDidAndWhereToLook) {
     EXPECT_EQ(files.size(), shown.size() + 4);  // those of the bunny, or of the knot
 }
 
-TEST(Demo, AFolderThatCannotBeWrittenIsNamedBeforeTheWork) {
-    expect_could_not_run(run_command({"demo", "--out", "/proc/gloam"}), "/proc/gloam");
+TEST_F(Demo, AFolderThatCannotBeWrittenIsNamedBeforeTheWork) {
+    expect_could_not_run(gloam("demo --out /proc/gloam"), "/proc/gloam");
 }
 
-class Gallery : public testing::Test {
+class Gallery : public Rendering {
   protected:
-    [[nodiscard]] fs::path path(const std::string& name) const { return folder_.path() / name; }
+    Gallery() { always_ = words("--size 64x36 --samples 4"); }
 
-    [[nodiscard]] CommandResult render(std::vector<std::string> arguments) const {
-        arguments.insert(arguments.begin(), "render");
-        arguments.insert(arguments.end(),
-                         {"--size", "64x36", "--samples", "4", "--out", path("out").string()});
-        return run_command(arguments);
+    [[nodiscard]] fs::path cube() const {
+        return write("cube.obj",
+                     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 2\nv 1 0 2\nv 1 1 2\nv 0 1 2\n"
+                     "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
     }
-
-    [[nodiscard]] std::string cube() const {
-        std::ofstream(path("cube.obj"))
-            << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 2\nv 1 0 2\nv 1 1 2\nv 0 1 2\n"
-            << "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
-        return path("cube.obj").string();
-    }
-
-  private:
-    TemporaryDirectory folder_;
 };
 
 TEST_F(Gallery, LitPicturesComeWithTheOcclusion) {
-    expect_success(render({"corner", "--frames", "2"}));
+    expect_success(render("out", "corner --frames 2"));
     for (const char* name : {"sheet.png", "f0001_plain.png", "f0001_shaded.png", "f0001_error.png"})
         EXPECT_TRUE(fs::is_regular_file(path("out") / name)) << name;
     EXPECT_FALSE(fs::exists(path("out") / "f0000_shaded.png"));  // of the last frame alone
-    EXPECT_NE(bytes_of(path("out") / "f0001_plain.png"), bytes_of(path("out") / "f0001_shaded.png"));
+    EXPECT_NE(read_file(path("out") / "f0001_plain.png"), read_file(path("out") / "f0001_shaded.png"));
 }
 
 TEST_F(Gallery, SeveralMethodsAreComparedInATable) {
-    const CommandResult result =
-        render({"corner", "--method", "gtao,hemisphere", "--gallery", path("page").string()});
-    expect_success(result);
+    const std::string result =
+        output_of(render("out", "corner --method gtao,hemisphere --gallery {}", path("page")));
     for (const char* line : {"method", "gtao", "hemisphere", "closed form"})
-        EXPECT_THAT(result.out, HasSubstr(line));
+        EXPECT_THAT(result, HasSubstr(line));
     for (const char* name : {"sheet.png", "gtao_render.json", "hemisphere_f0000_ao.pfm"})
         EXPECT_TRUE(fs::is_regular_file(path("out") / name)) << name;
-    const std::string page = bytes_of(path("page") / "index.html");
+    const std::string page = read_file(path("page") / "index.html");
     for (const char* name : {"gtao_plain.png", "hemisphere_shaded.png", "hemisphere_error.png"}) {
         EXPECT_THAT(page, HasSubstr(name));
         EXPECT_TRUE(fs::is_regular_file(path("page") / name)) << name;
@@ -104,49 +84,94 @@ TEST_F(Gallery, SeveralMethodsAreComparedInATable) {
 }
 
 TEST_F(Gallery, AMethodAmongOthersIsTheMethodAlone) {
-    expect_success(render({"corner", "--method", "gtao,hemisphere"}));
-    const std::string among = bytes_of(path("out") / "gtao_f0000_ao.pfm");
-    expect_success(render({"corner", "--method", "gtao"}));
-    EXPECT_EQ(among, bytes_of(path("out") / "f0000_ao.pfm"));
+    expect_success(render("out", "corner --method gtao,hemisphere"));
+    const std::string among = read_file(path("out") / "gtao_f0000_ao.pfm");
+    expect_success(render("out", "corner --method gtao"));
+    EXPECT_EQ(among, read_file(path("out") / "f0000_ao.pfm"));
 }
 
 TEST_F(Gallery, ATurntableShowsEveryView) {
-    expect_success(render({cube(), "--up", "z", "--turntable", "3", "--gallery", path("page").string()}));
-    const std::string page = bytes_of(path("page") / "index.html");
+    expect_success(render("out", "{} --up z --turntable 3 --gallery {}", cube(), path("page")));
+    const std::string page = read_file(path("page") / "index.html");
     for (const char* name : {"_view0000.png", "_view0001.png", "_view0002.png"})
         EXPECT_THAT(page, HasSubstr(name));
     EXPECT_TRUE(fs::is_regular_file(path("out") / "f0002_shaded.png"));
-    EXPECT_NE(bytes_of(path("out") / "f0001_shaded.png"), bytes_of(path("out") / "f0002_shaded.png"));
+    EXPECT_NE(read_file(path("out") / "f0001_shaded.png"), read_file(path("out") / "f0002_shaded.png"));
 }
 
 // The name of a file that someone else made is text on the page, and no part of a path.
 TEST_F(Gallery, AForeignNameIsText) {
     const fs::path hostile = path("<img src=x onerror=alert(1)>.obj");
     fs::rename(cube(), hostile);
-    expect_success(render({hostile.string(), "--gallery", path("page").string()}));
-    const std::string page = bytes_of(path("page") / "index.html");
-    EXPECT_THAT(page, testing::Not(HasSubstr("<img src=x")));
+    expect_success(render("out", "{} --gallery {}", hostile, path("page")));
+    const std::string page = read_file(path("page") / "index.html");
+    EXPECT_THAT(page, Not(HasSubstr("<img src=x")));
     EXPECT_THAT(page, HasSubstr("&lt;img src=x onerror=alert(1)&gt;"));
-    for (const std::string& name : files_in(path("page")))
-        EXPECT_THAT(name, testing::Not(HasSubstr("onerror")));
+    for (const std::string& name : files_in(path("page"))) EXPECT_THAT(name, Not(HasSubstr("onerror")));
 }
 
 TEST_F(Gallery, WrongViewsAreNamed) {
-    const auto refused = [&](const std::vector<std::string>& arguments, const std::string& named) {
-        expect_could_not_run(render(arguments), named);
-        EXPECT_FALSE(fs::exists(path("out"))) << named;
-    };
-    refused({cube(), "--up", "w"}, "--up w");
-    refused({cube(), "--eye", "1,2"}, "--eye 1,2");
-    refused({cube(), "--eye", "1,2,inf"}, "--eye 1,2,inf");
-    refused({cube(), "--orbit", "1,2,3"}, "--orbit 1,2,3");
-    refused({cube(), "--orbit", "0,95"}, "elevation");
-    refused({cube(), "--eye", "0,0.5,0"}, "eye");
-    refused({cube(), "--eye", "1,1,1", "--orbit", "1,1"}, "--orbit");
-    refused({"corner", "--turntable", "4"}, "camera of its own");
-    refused({"corner", "--method", "gtao,no-such-method"}, "no-such-method");
-    refused({"corner", "--method", "gtao,hbao", "--write-gbuffer", path("g").string()}, "--write-gbuffer");
+    expect_refused(words("{} --up w", cube()), "--up w");
+    expect_refused(words("{} --eye 1,2", cube()), "--eye 1,2");
+    expect_refused(words("{} --eye 1,2,inf", cube()), "--eye 1,2,inf");
+    expect_refused(words("{} --orbit 1,2,3", cube()), "--orbit 1,2,3");
+    expect_refused(words("{} --orbit 0,95", cube()), "elevation");
+    expect_refused(words("{} --eye 0,0.5,0", cube()), "eye");
+    expect_refused(words("{} --eye 1,1,1 --orbit 1,1", cube()), "--orbit");
+    expect_refused(words("corner --turntable 4"), "camera of its own");
+    expect_refused(words("corner --method gtao,no-such-method"), "no-such-method");
+    expect_refused(words("corner --method gtao,hbao --write-gbuffer {}", path("g")), "--write-gbuffer");
 }
 
-}  // namespace demo_test
-}  // namespace gloam::test
+// gloam site: the files that it writes. The site itself is used in tests/site.
+
+class SiteTest : public InFolder {};
+
+// The JSON between the first and the last of two characters of a file.
+nlohmann::json json_in(const fs::path& file, char begin, char end) {
+    const std::string text = read_file(file);
+    const std::size_t first = text.find(begin);
+    return nlohmann::json::parse(text.substr(first, text.rfind(end) - first + 1));
+}
+
+TEST_F(SiteTest, WritesPagesAndTheChecksOfEachPart) {
+    const fs::path site = path("site");
+    const CommandResult result = gloam("site {} HALTON* TSSAO-11 --inputs 40 --no-pictures", site);
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("index.html: "));
+    for (const char* page : {"index.html", "check.html", "check.js", "style.css"})
+        EXPECT_TRUE(fs::exists(site / page)) << page;
+    EXPECT_THAT(read_file(site / "check.html"),
+                AllOf(StartsWith("<!DOCTYPE html>\n"), HasSubstr("<title>gloam: check this browser</title>"),
+                      HasSubstr("<main>\n<h1>Check this browser</h1>\n"), Not(HasSubstr("<!-- main -->"))));
+    const nlohmann::json index = json_in(site / "site.js", '{', '}');
+    EXPECT_EQ(index.at("files"), (nlohmann::json{"checks-filter.js", "checks-sampling.js"}));
+    EXPECT_EQ(index.at("inputs"), 40);
+    const nlohmann::json checks = json_in(site / "checks-filter.js", '[', ']');
+    ASSERT_EQ(checks.size(), 1U);
+    EXPECT_EQ(checks.front().at("equation"), "TSSAO-11");
+    EXPECT_EQ(checks.front().at("scenarios").front().at("count"), 40);
+    EXPECT_THAT(checks.front().at("kernel").get<std::string>(),
+                AllOf(HasSubstr("#version 300 es\n"), Not(HasSubstr("//")), Not(HasSubstr("#undef"))));
+}
+
+TEST_F(SiteTest, TheSameSeedGivesTheSameFiles) {
+    for (const char* name : {"a", "b", "c"}) {
+        const std::string seed = name == std::string("c") ? "2" : "1";
+        EXPECT_EQ(gloam("site {} TSSAO-11 --seed {} --no-pictures", path(name), seed).status, 0);
+    }
+    const auto text = [&](const char* name) { return read_file(path(name) / "checks-filter.js"); };
+    EXPECT_EQ(text("a"), text("b"));
+    EXPECT_NE(text("a"), text("c"));
+}
+
+TEST_F(SiteTest, WhatCannotBeWrittenIsOneLineAndLeavesNothing) {
+    const fs::path site = path("site");
+    expect_could_not_run(gloam("site {} NO-SUCH --no-pictures", site), "NO-SUCH");
+    EXPECT_FALSE(fs::exists(site));
+    expect_could_not_run(gloam("site {} --inputs 0", site), "--inputs");
+    expect_could_not_run(gloam("site /dev/null --no-pictures"), "/dev/null");
+    expect_could_not_run(gloam("site {} --measured no-such.md", site), "no-such.md");
+}
+
+}  // namespace gloam::test::demo_test

@@ -3,15 +3,14 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "gl/device.hpp"
 #include "gpu/device.hpp"
 #include "tools/expect.hpp"
+#include "tools/installation.hpp"
 
-namespace gloam::test {
-namespace drivers_test {
+namespace gloam::test::drivers_test {
 
 using nlohmann::json;
-using testing::HasSubstr;
-using testing::Not;
 
 json vulkan_devices(const std::string& list) {
     json vulkan = json::array();
@@ -35,57 +34,52 @@ std::size_t swiftshaders(const json& devices) {
     }));
 }
 
-std::string manifest_in(const TemporaryDirectory& folder, const std::string& name,
-                        const std::string& library) {
-    std::string path = (folder.path() / name).string();
-    std::ofstream(path) << json{{"file_format_version", "1.0.0"},
-                                {"ICD", {{"library_path", library}, {"api_version", "1.3.0"}}}};
-    return path;
-}
+class Drivers : public InFolder {
+  protected:
+    [[nodiscard]] std::string manifest(const std::string& name, const std::string& library) const {
+        return write(name, json{{"file_format_version", "1.0.0"},
+                                {"ICD", {{"library_path", library}, {"api_version", "1.3.0"}}}}
+                               .dump())
+            .string();
+    }
+    [[nodiscard]] std::string crashing() const { return manifest("crashing.json", GLOAM_CRASHING_DRIVER); }
+};
 
-TEST(Drivers, WhatIsNoManifestIsNamedByEveryCommand) {
-    const TemporaryDirectory folder;
-    const std::string missing = (folder.path() / "missing.json").string();
-    const std::string malformed = (folder.path() / "malformed.json").string();
-    std::ofstream(malformed) << R"({"ICD": )";
+TEST_F(Drivers, WhatIsNoManifestIsNamedByEveryCommand) {
+    const std::string missing = path("missing.json").string();
+    const std::string malformed = write("malformed.json", R"({"ICD": )").string();
     for (const char* command : {"check", "demo", "devices", "render"}) {
-        expect_could_not_run(run_command({command, "--driver", missing}), missing + ": no such file");
-        expect_could_not_run(run_command({command, "--driver", malformed}),
+        expect_could_not_run(gloam("{} --driver {}", command, missing), missing + ": no such file");
+        expect_could_not_run(gloam("{} --driver {}", command, malformed),
                              malformed + ": not a driver manifest");
     }
-    expect_could_not_run(run_command({"devices", "--driver"}), "--driver");
+    expect_could_not_run(gloam("devices --driver"), "--driver");
 }
 
-TEST(Drivers, TheOptionTakesOneFileAndMayBeRepeated) {
-    const TemporaryDirectory folder;
-    const std::string first = manifest_in(folder, "first.json", "libno_such_driver.so");
-    const std::string second = manifest_in(folder, "second.json", "./gone.so");
+TEST_F(Drivers, TheOptionTakesOneFileAndMayBeRepeated) {
+    const std::string first = manifest("first.json", "libno_such_driver.so");
+    const std::string second = manifest("second.json", "./gone.so");
     const CommandResult result =
-        run_command({"check", "--driver", first, "--driver", second, "gloam_radical_inverse_base2"});
+        gloam("check --driver {} --driver {} gloam_radical_inverse_base2", first, second);
     expect_could_not_run(result, "second.json");
     EXPECT_THAT(result.err, HasSubstr("gone.so"));
 }
 
 // Asked for by name, a driver is checked, or the run fails: it once was passed over without a word.
-TEST(Drivers, WhatIsNoDriverIsAnError) {
-    const TemporaryDirectory folder;
-    const std::string library = (folder.path() / "libnone.so").string();
-    std::ofstream(library) << "no library";
-    const std::string unknown = manifest_in(folder, "unknown.json", "libno_such_driver.so");
-    const std::string text = manifest_in(folder, "text.json", library);
-    const std::string other = manifest_in(folder, "other.json", "libm.so.6");  // a library, but no driver
-    for (const std::string& manifest : {unknown, text, other}) {
-        expect_could_not_run(
-            run_command({"check", "--driver", manifest, "gloam_radical_inverse_base2", "--inputs", "64"}),
-            manifest);
-        expect_could_not_run(run_command({"devices", "--driver", manifest}), manifest);
+TEST_F(Drivers, WhatIsNoDriverIsAnError) {
+    const std::string library = write("libnone.so", "no library").string();
+    const std::string unknown = manifest("unknown.json", "libno_such_driver.so");
+    const std::string text = manifest("text.json", library);
+    const std::string other = manifest("other.json", "libm.so.6");  // a library, but no driver
+    for (const std::string& each : {unknown, text, other}) {
+        expect_could_not_run(gloam("check --driver {} gloam_radical_inverse_base2 --inputs 64", each), each);
+        expect_could_not_run(gloam("devices --driver {}", each), each);
     }
 }
 
 // A driver that crashes, exits or hangs while it loads costs itself only, and is named.
-TEST(Drivers, OneThatDoesNotLoadCostsItselfOnly) {
-    const TemporaryDirectory folder;
-    const std::string crashing = manifest_in(folder, "crashing.json", GLOAM_CRASHING_DRIVER);
+TEST_F(Drivers, OneThatDoesNotLoadCostsItselfOnly) {
+    const std::string crashing = this->crashing();
     for (const auto& how : {std::vector<std::string>{}, std::vector<std::string>{"--driver", crashing}}) {
         CommandOptions options;
         if (how.empty()) options.environment = {"VK_ADD_DRIVER_FILES=" + crashing};
@@ -93,64 +87,60 @@ TEST(Drivers, OneThatDoesNotLoadCostsItselfOnly) {
             command.insert(command.end(), how.begin(), how.end());
             return run_command(command, options);
         };
-        const CommandResult list = run({"devices"});
+        const CommandResult list = run(words("devices"));
         EXPECT_EQ(list.status, 0);
-        EXPECT_THAT(list.out, testing::StartsWith("0: "));
+        EXPECT_THAT(list.out, StartsWith("0: "));
         EXPECT_THAT(list.err, HasSubstr(crashing));
         EXPECT_THAT(list.err, HasSubstr("ABRT"));
-        const std::string out = (folder.path() / "out").string();
-        const CommandResult render =
-            run({"render", "corner", "--size", "16x9", "--samples", "1", "--out", out});
+        const std::string out = path("out").string();
+        const CommandResult render = run(words("render corner --size 16x9 --samples 1 --out {}", out));
         EXPECT_EQ(render.status, 0) << render.err;
         EXPECT_THAT(render.err, HasSubstr(crashing));
-        const std::string file = (folder.path() / "a.json").string();
-        const CommandResult check = run(
-            {"check", "gloam_radical_inverse_base2", "--inputs", "64", "--device", "all", "--json", file});
+        const std::string file = path("a.json").string();
+        const CommandResult check =
+            run(words("check gloam_radical_inverse_base2 --inputs 64 --device all --json {}", file));
         EXPECT_EQ(check.status, 1) << check.err;
         EXPECT_THAT(check.out, HasSubstr(crashing));
         EXPECT_THAT(check.out, HasSubstr("1 failed"));
-        std::ifstream stream(file);
         // The driver that crashed has a report as the others of Vulkan have.
-        EXPECT_EQ(json::parse(stream).size(), vulkan_devices(run({"devices", "--json"}).out).size() + 1);
+        EXPECT_EQ(json::parse(read_file(file)).size(),
+                  vulkan_devices(run(words("devices --json")).out).size() + 1);
     }
 }
 
-TEST(Drivers, OneThatEndsTheProcessCostsItselfOnly) {
-    const TemporaryDirectory folder;
-    const std::string manifest = manifest_in(folder, "ends.json", GLOAM_CRASHING_DRIVER);
+TEST_F(Drivers, OneThatEndsTheProcessCostsItselfOnly) {
+    const std::string ends = manifest("ends.json", GLOAM_CRASHING_DRIVER);
     const CommandResult list = run_command(
-        {"devices"}, {.environment = {"VK_ADD_DRIVER_FILES=" + manifest, "GLOAM_TEST_DRIVER_EXITS=1"}});
+        words("devices"), {.environment = {"VK_ADD_DRIVER_FILES=" + ends, "GLOAM_TEST_DRIVER_EXITS=1"}});
     EXPECT_EQ(list.status, 0);
-    EXPECT_THAT(list.out, testing::StartsWith("0: "));
-    EXPECT_THAT(list.err, HasSubstr(manifest + ": its process ended with status 0"));
+    EXPECT_THAT(list.out, StartsWith("0: "));
+    EXPECT_THAT(list.err, HasSubstr(ends + ": its process ended with status 0"));
 }
 
-TEST(Drivers, OneThatHangsCostsItselfAndItsTimeOnly) {
-    const TemporaryDirectory folder;
-    const std::string manifest = manifest_in(folder, "hangs.json", GLOAM_CRASHING_DRIVER);
-    std::vector<std::string> environment{"VK_ADD_DRIVER_FILES=" + manifest, "GLOAM_TEST_DRIVER_HANGS=1",
+TEST_F(Drivers, OneThatHangsCostsItselfAndItsTimeOnly) {
+    const std::string hangs = manifest("hangs.json", GLOAM_CRASHING_DRIVER);
+    std::vector<std::string> environment{"VK_ADD_DRIVER_FILES=" + hangs, "GLOAM_TEST_DRIVER_HANGS=1",
                                          "GLOAM_DRIVER_SECONDS=3"};
-    const CommandResult list = run_command({"devices"}, {.environment = environment});
+    const CommandResult list = run_command(words("devices"), {.environment = environment});
     EXPECT_EQ(list.status, 0);
-    EXPECT_THAT(list.out, testing::StartsWith("0: "));
-    EXPECT_THAT(list.err, HasSubstr(manifest + ": does not load within 3 s"));
+    EXPECT_THAT(list.out, StartsWith("0: "));
+    EXPECT_THAT(list.err, HasSubstr(hangs + ": does not load within 3 s"));
     for (const char* wrong :
          {"GLOAM_DRIVER_SECONDS=soon", "GLOAM_DRIVER_SECONDS=0", "GLOAM_DRIVER_SECONDS=nan"}) {
         environment.back() = wrong;
-        expect_could_not_run(run_command({"devices"}, {.environment = environment}), "GLOAM_DRIVER_SECONDS");
+        expect_could_not_run(run_command(words("devices"), {.environment = environment}),
+                             "GLOAM_DRIVER_SECONDS");
     }
 }
 
-TEST(Drivers, NoneThatLoadsIsOneLine) {
-    const TemporaryDirectory folder;
-    const std::string crashing = manifest_in(folder, "crashing.json", GLOAM_CRASHING_DRIVER);
+TEST_F(Drivers, NoneThatLoadsIsOneLine) {
+    const std::string crashing = this->crashing();
     const CommandOptions only{.environment = {"VK_DRIVER_FILES=" + crashing, "VK_ICD_FILENAMES=" + crashing}};
-    expect_could_not_run(run_command({"devices"}, only), crashing);
-    expect_could_not_run(run_command({"render", "corner", "--out", (folder.path() / "out").string()}, only),
-                         "ABRT");
+    expect_could_not_run(run_command(words("devices"), only), crashing);
+    expect_could_not_run(run_command(words("render corner --out {}", path("out")), only), "ABRT");
 }
 
-TEST(Drivers, ABrowsersSwiftShaderIsFoundAndComesLast) {
+TEST_F(Drivers, ABrowsersSwiftShaderIsFoundAndComesLast) {
     const auto manifest = gpu::find_swiftshader();
     if (!manifest) GTEST_SKIP() << "no SwiftShader here (Debian's package chromium has it)";
     if (gpu::drivers_are_chosen()) GTEST_SKIP() << "the environment chooses the drivers";
@@ -161,17 +151,15 @@ TEST(Drivers, ABrowsersSwiftShaderIsFoundAndComesLast) {
                 testing::ContainsRegex("SwiftShader driver [0-9]+\\."));
     EXPECT_EQ(swiftshaders(devices({"--driver", manifest->string()})), 1U) << "listed twice";
 
-    const CommandResult check =
-        run_command({"check", "gloam_radical_inverse_base2", "--inputs", "64", "--device", "swiftshader"});
+    const CommandResult check = gloam("check gloam_radical_inverse_base2 --inputs 64 --device swiftshader");
     expect_success(check);
     EXPECT_THAT(check.out, HasSubstr("device: SwiftShader"));
     if (all.size() == 1) return;
-    const CommandResult standard = run_command({"check", "gloam_radical_inverse_base2", "--inputs", "64"});
-    expect_success(standard);
-    EXPECT_THAT(standard.out, Not(HasSubstr("SwiftShader")));
+    EXPECT_THAT(output_of(gloam("check gloam_radical_inverse_base2 --inputs 64")),
+                Not(HasSubstr("SwiftShader")));
 }
 
-TEST(Drivers, TheEnvironmentsChoiceIsRespected) {
+TEST_F(Drivers, TheEnvironmentsChoiceIsRespected) {
     const auto manifest = gpu::find_swiftshader();
     if (!manifest) GTEST_SKIP() << "no SwiftShader here (Debian's package chromium has it)";
     const CommandOptions only{
@@ -180,9 +168,105 @@ TEST(Drivers, TheEnvironmentsChoiceIsRespected) {
     EXPECT_EQ(chosen.size(), 1U);
     EXPECT_EQ(swiftshaders(chosen), 1U);
     const CommandOptions elsewhere{.environment = {"VK_ADD_DRIVER_FILES=/no/such/driver.json"}};
-    const CommandResult without = run_command({"devices", "--json"}, elsewhere);
+    const CommandResult without = run_command(words("devices --json"), elsewhere);
     EXPECT_THAT(without.out, Not(HasSubstr("SwiftShader")));
 }
 
-}  // namespace drivers_test
-}  // namespace gloam::test
+// OpenGL devices on the command line.
+
+namespace fs = std::filesystem;
+
+// The names of the OpenGL devices here.
+std::vector<std::string> names() {
+    const CommandResult result = gloam("devices --json");
+    expect_success(result);
+    std::vector<std::string> all;
+    for (const json& device : json::parse(result.out)) {
+        const std::string name = device.at("name");
+        if (!name.starts_with("gl:") && !name.starts_with("es:")) continue;
+        EXPECT_TRUE(device.at("index").is_null());
+        EXPECT_THAT(device.at("api_version").get<std::string>(), HasSubstr("OpenGL"));
+        all.push_back(name);
+    }
+    return all;
+}
+
+class OpenGlCommands : public InFolder {
+  protected:
+    void SetUp() override {
+        if (names_.empty()) GTEST_SKIP() << "no OpenGL device here";
+    }
+    const std::vector<std::string> names_ = names();
+};
+
+TEST_F(OpenGlCommands, EveryListedDeviceRunsChecks) {
+    const CommandResult result = gloam("check HALTON-2D BUILTIN-sin --inputs 256 --device gl");
+    EXPECT_EQ(result.status, 0) << result.err;
+    for (const std::string& name : names_) EXPECT_THAT(result.out, HasSubstr("device: " + name + " ("));
+    EXPECT_THAT(result.out, HasSubstr(std::to_string(2 * names_.size()) + " checks, 0 failed"));
+    EXPECT_THAT(result.out, HasSubstr("not judged"));
+}
+
+// There are no precision rules for OpenGL ES 3.0, and a built-in function documents no accuracy.
+TEST_F(OpenGlCommands, NothingJudgedIsNoSuccess) {
+    const CommandResult result = gloam("check BUILTIN-sin --inputs 64 --device es:llvmpipe-3.0");
+    EXPECT_EQ(result.status, 2) << result.out << result.err;
+    EXPECT_THAT(result.out, HasSubstr("not judged; it documents no accuracy"));
+    EXPECT_THAT(result.out, HasSubstr("1 checks, 0 failed, 1 not judged"));
+}
+
+TEST_F(OpenGlCommands, TheListIsAlsoForPeople) {
+    const std::string result = output_of(gloam("devices"));
+    for (const std::string& name : names_) EXPECT_THAT(result, HasSubstr("\n" + name + ": OpenGL "));
+}
+
+TEST_F(OpenGlCommands, ResultsSayWhichInterfaceItWas) {
+    const std::filesystem::path file = path("results.json");
+    expect_success(
+        gloam("check HALTON-2D --inputs 64 --device {} --json {} --variant all", names_.front(), file));
+    const std::string result = output_of(gloam("report {}", file));
+    EXPECT_THAT(result, HasSubstr(names_.front()));
+    EXPECT_THAT(result, HasSubstr("1 checks, 0 failed"));
+}
+
+// A compute shader is probed, a fragment shader draws green.
+TEST_F(OpenGlCommands, AFailureIsHandedOverAsAShaderTest) {
+    const Installation installation;
+    installation.spoil_radical_inverse_base2();
+    for (const std::string& name : names_) {
+        const bool compute = gl::has_compute(gl::device_name_from(name)->version);
+        if (name != "es:llvmpipe-3.0" && name != "es:llvmpipe-3.1") continue;
+        const fs::path failures = installation.file("failures" + std::to_string(compute));
+        const CommandResult result =
+            installation.gloam("check HALTON-base2 --inputs 64 --device {} --failures {}", name, failures);
+        EXPECT_EQ(result.status, 1) << result.err;
+        ASSERT_TRUE(fs::exists(failures));
+        const fs::path device = fs::directory_iterator(failures)->path();
+        const fs::path folder = fs::directory_iterator(device)->path();
+        EXPECT_FALSE(fs::exists(folder / "repro.amber"));
+        EXPECT_THAT(read_file(folder / "shader.glsl"),
+                    HasSubstr("float gloam_radical_inverse_base2(uint index)"));
+        EXPECT_THAT(read_file(folder / "report.txt"), HasSubstr(", OpenGL ES 3."));
+        const std::string script = read_file(folder / "repro.shader_test");
+        EXPECT_THAT(script, HasSubstr("float gloam_radical_inverse_base2(uint index)"));
+        EXPECT_THAT(script, HasSubstr(compute ? "probe ssbo float 1 0 >= 0.5\nprobe ssbo float 1 0 <= 0.5\n"
+                                              : "probe all rgba 0.0 1.0 0.0 1.0\n"));
+        EXPECT_THAT(script, HasSubstr(compute ? "ssbo 0 subdata int 0 1\n"
+                                              : "uniform uint gloam_kernel_inputs[0] 1\n"));
+        if (!compute) {
+            EXPECT_THAT(script, HasSubstr(">= uintBitsToFloat(1056964608u)"));
+        }
+    }
+}
+
+TEST_F(OpenGlCommands, OtherVariantsAndUnknownNamesAreRefusedInOneLine) {
+    const std::string name = names_.front();
+    expect_could_not_run(gloam("check HALTON-2D --device {} --variant strict", name),
+                         "OpenGL devices have the variant shipped only, not strict");
+    expect_could_not_run(gloam("check HALTON-2D --device gl:nonsense-1.0"),
+                         "no OpenGL device \"gl:nonsense-1.0\"");
+    expect_could_not_run(gloam("check HALTON-2D --device {} --validation", name),
+                         "validation layers are of Vulkan");
+}
+
+}  // namespace gloam::test::drivers_test

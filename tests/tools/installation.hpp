@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <string_view>
 
 #include "support/run_command.hpp"
 
@@ -34,6 +35,11 @@ class Installation {
         std::ofstream(glsl() / file) << text.replace(at, from.size(), to);
     }
 
+    // Makes results of gloam_radical_inverse_base2 wrong; the first such index is 1.
+    void spoil_radical_inverse_base2() const {
+        replace("gloam/sampling/radical_inverse.glsl", "5.9604644775390625e-8", "5.9604652e-8");
+    }
+
     // Makes gloam_radical_inverse_base2 loop until a generator of period 2^32 returns to a certain number.
     // lavapipe ends loops after 65,535 rounds without a word: these are so long that it is busy for minutes.
     void make_radical_inverse_base2_hang() const {
@@ -41,6 +47,12 @@ class Installation {
         for (int i = 0; i < 200; ++i) loop += "        spin = (spin ^ i) * 1664525u + 1013904223u;\n";
         replace("gloam/sampling/radical_inverse.glsl", "uint bits = bitfieldReverse(index)",
                 loop + "    }\n    uint bits = (spin & 1u) + bitfieldReverse(index)");
+    }
+
+    // Its program, run with the words of a line.
+    template <class... Texts>
+    [[nodiscard]] CommandResult gloam(std::string_view line, const Texts&... arguments) const {
+        return run_program(program(), words(line, arguments...));
     }
 
   private:

@@ -5,20 +5,16 @@
 #include "tools/expect.hpp"
 #include "tools/installation.hpp"
 
-namespace gloam::test {
-namespace own_file_test {
-
-using testing::HasSubstr;
-using testing::Not;
+namespace gloam::test::own_file_test {
 
 const std::string file = std::string(GLOAM_TOOLS_FIXTURES) + "/own.glsl";
 
-TEST(OwnFile, EveryFunctionIsJudgedByTheRules) {
-    const TemporaryDirectory folder;
-    const std::string report = (folder.path() / "own.json").string();
-    const CommandResult result = run_command({"check", file, "--inputs", "512", "--json", report});
-    expect_success(result);
-    EXPECT_THAT(result.out, HasSubstr("2 checks, 0 failed"));
+class OwnFile : public InFolder {};
+
+TEST_F(OwnFile, EveryFunctionIsJudgedByTheRules) {
+    const std::string report = path("own.json").string();
+    EXPECT_THAT(output_of(gloam("check {} --inputs 512 --json {}", file, report)),
+                HasSubstr("2 checks, 0 failed"));
     const nlohmann::json rows = nlohmann::json::parse(read_file(report)).at("results");
     ASSERT_EQ(rows.size(), 2U);
     EXPECT_EQ(rows[0].at("function"), "own_root");
@@ -27,19 +23,19 @@ TEST(OwnFile, EveryFunctionIsJudgedByTheRules) {
 }
 
 // A shader of another API and stage: its functions are checked without main, bindings and inputs.
-TEST(OwnFile, AWholeShaderIsCheckedFunctionByFunction) {
-    const TemporaryDirectory folder;
-    const std::string shader = (folder.path() / "whole.frag").string();
-    std::ofstream(shader) << "#version 330 core\n"
-                             "in vec2 uv;\nout vec4 color;\nuniform sampler2D image;\n"
-                             "float luma(vec3 c) { return dot(c, vec3(0.3, 0.6, 0.1)); }\n"
-                             "float luma(vec4 c) { return luma(c.rgb) * c.a; }\n"
-                             "float table(int i) { return float[2](1.0, 2.0)[i]; }\n"
-                             "float edge(float x) { return fwidth(x); }\n"
-                             "vec3 seen() { return texture(image, uv).rgb; }\n"
-                             "void main() { color = vec4(seen(), edge(luma(color))); }\n";
-    const std::string report = (folder.path() / "own.json").string();
-    const CommandResult all = run_command({"check", shader, "--inputs", "64", "--json", report});
+TEST_F(OwnFile, AWholeShaderIsCheckedFunctionByFunction) {
+    const std::string shader = write("whole.frag",
+                                     "#version 330 core\n"
+                                     "in vec2 uv;\nout vec4 color;\nuniform sampler2D image;\n"
+                                     "float luma(vec3 c) { return dot(c, vec3(0.3, 0.6, 0.1)); }\n"
+                                     "float luma(vec4 c) { return luma(c.rgb) * c.a; }\n"
+                                     "float table(int i) { return float[2](1.0, 2.0)[i]; }\n"
+                                     "float edge(float x) { return fwidth(x); }\n"
+                                     "vec3 seen() { return texture(image, uv).rgb; }\n"
+                                     "void main() { color = vec4(seen(), edge(luma(color))); }\n")
+                                   .string();
+    const std::string report = path("own.json").string();
+    const CommandResult all = gloam("check {} --inputs 64 --json {}", shader, report);
     expect_success(all);
     EXPECT_THAT(all.out, HasSubstr("3 checks, 0 failed"));
     EXPECT_THAT(all.out, HasSubstr("#version 330 core is compiled as #version 450 for Vulkan"));
@@ -54,64 +50,59 @@ TEST(OwnFile, AWholeShaderIsCheckedFunctionByFunction) {
     EXPECT_EQ(rows[1].at("equation"), "luma(vec4)");
     EXPECT_EQ(rows[1].at("function"), "luma");
     EXPECT_GT(rows[2].at("undefined"), 0);
-    expect_success(run_command({"check", shader, "luma(vec4)", "--inputs", "64", "--variant", "all"}));
-    expect_success(run_command({"explain", shader, "luma(vec4)", "1", "2", "3", "4"}));
+    expect_success(gloam("check {} luma(vec4) --inputs 64 --variant all", shader));
+    expect_success(gloam("explain {} luma(vec4) 1 2 3 4", shader));
     // What was named and cannot be checked is not passed over.
-    EXPECT_EQ(run_command({"check", shader, "luma", "edge", "--inputs", "64"}).status, 2);
-    expect_could_not_run(run_command({"explain", shader, "edge", "1"}), "fwidth");
+    EXPECT_EQ(gloam("check {} luma edge --inputs 64", shader).status, 2);
+    expect_could_not_run(gloam("explain {} edge 1", shader), "fwidth");
 }
 
 // Vulkan promises nothing of a sine outside of [-pi, pi].
-TEST(OwnFile, ACheckWithoutAVerdictNamesTheRange) {
-    const TemporaryDirectory folder;
-    const std::string shader = (folder.path() / "wave.glsl").string();
-    std::ofstream(shader) << "float wave(float x) { return sin(1e20 + x); }\n";
-    const CommandResult usual = run_command({"check", shader, "--inputs", "64"});
+TEST_F(OwnFile, ACheckWithoutAVerdictNamesTheRange) {
+    const std::string shader = write("wave.glsl", "float wave(float x) { return sin(1e20 + x); }\n").string();
+    const CommandResult usual = gloam("check {} --inputs 64", shader);
     EXPECT_EQ(usual.status, 2);
     EXPECT_THAT(usual.out, HasSubstr("--range PARAMETER=LOW:HIGH"));
-    const CommandResult given = run_command({"check", shader, "--inputs", "64", "--range", "x=0:1"});
+    const CommandResult given = gloam("check {} --inputs 64 --range x=0:1", shader);
     EXPECT_EQ(given.status, 2);
     EXPECT_THAT(given.out, Not(HasSubstr("--range PARAMETER"))) << "it was given";
 }
 
-TEST(OwnFile, NothingCheckedIsNoSuccess) {
-    const TemporaryDirectory folder;
-    const std::string shader = (folder.path() / "nothing.glsl").string();
+TEST_F(OwnFile, NothingCheckedIsNoSuccess) {
+    const std::string shader = path("nothing.glsl").string();
     const std::string sampled = "vec4 sampled(sampler2D image, vec2 uv) { return texture(image, uv); }\n";
     std::ofstream(shader) << sampled;
     expect_could_not_run(
-        run_command({"check", shader}),
+        gloam("check {}", shader),
         "nothing was checked: sampled(sampler2D, vec2): values of the parameter type sampler2D");
     std::ofstream(shader) << "const float one = 1.0;\n";
-    expect_could_not_run(run_command({"check", shader}), "nothing was checked: it defines no function");
+    expect_could_not_run(gloam("check {}", shader), "nothing was checked: it defines no function");
     std::ofstream(shader) << sampled << "void nothing(float x) { }\n";
-    const CommandResult several = run_command({"check", shader});
+    const CommandResult several = gloam("check {}", shader);
     EXPECT_EQ(several.status, 2);
     EXPECT_THAT(several.err, HasSubstr("all 2 functions were left out"));
     EXPECT_THAT(several.out, HasSubstr("sampled(sampler2D, vec2) was left out: values"));
     EXPECT_THAT(several.out, HasSubstr("nothing(float) was left out: it has no result"));
     std::ofstream(shader) << "float sum(float x) { return x + 1.0; }\n\nfloat wrong(float x) { return y; }\n";
-    const CommandResult wrong = run_command({"check", shader, "--inputs", "64"});
+    const CommandResult wrong = gloam("check {} --inputs 64", shader);
     EXPECT_EQ(wrong.status, 2);
     EXPECT_THAT(wrong.out, HasSubstr("1 checks, 0 failed"));
     EXPECT_THAT(wrong.out, HasSubstr(shader + ":3: 'y' : undeclared identifier"));
 }
 
-TEST(OwnFile, OneFunctionInAllVariantsFromItsRange) {
-    const CommandResult result = run_command({"check", file, "own_root", "--range", "p=2:3", "--range",
-                                              "q=0:1", "--inputs", "64", "--variant", "all"});
-    expect_success(result);
-    EXPECT_THAT(result.out, HasSubstr("9 checks, 0 failed"));
+TEST_F(OwnFile, OneFunctionInAllVariantsFromItsRange) {
+    EXPECT_THAT(
+        output_of(gloam("check {} own_root --range p=2:3 --range q=0:1 --inputs 64 --variant all", file)),
+        HasSubstr("9 checks, 0 failed"));
 }
 
 // Each function in a worker: a hang is reported, and the other functions are checked.
-TEST(OwnFile, AHangCostsOneFunction) {
+TEST_F(OwnFile, AHangCostsOneFunction) {
     const std::string spins = std::string(GLOAM_TOOLS_FIXTURES) + "/own_spins.glsl";
-    const TemporaryDirectory folder;
-    const std::string json = (folder.path() / "own.json").string();
-    const std::string failures = (folder.path() / "failures").string();
-    const CommandResult result = run_command(
-        {"check", spins, "--inputs", "4096", "--timeout", "6", "--json", json, "--failures", failures});
+    const std::string json = path("own.json").string();
+    const std::string failures = path("failures").string();
+    const CommandResult result =
+        gloam("check {} --inputs 4096 --timeout 6 --json {} --failures {}", spins, json, failures);
     EXPECT_EQ(result.status, 1);
     EXPECT_THAT(result.out, HasSubstr("3 checks, 1 failed"));
     EXPECT_THAT(result.out, testing::ContainsRegex("run it again: gloam check .*own_spins.glsl own_spins"));
@@ -126,35 +117,30 @@ TEST(OwnFile, AHangCostsOneFunction) {
     EXPECT_FALSE(std::filesystem::is_empty(failures));
 }
 
-TEST(OwnFile, CoverageIsReportedOnRequest) {
-    const TemporaryDirectory folder;
-    const std::string json = (folder.path() / "own.json").string();
-    const CommandResult result =
-        run_command({"check", file, "own_swap", "--inputs", "64", "--coverage", "--json", json});
-    expect_success(result);
-    EXPECT_THAT(result.out, HasSubstr("own_swap shipped: lines 1 of 1, ways of branches 2 of 2"));
+TEST_F(OwnFile, CoverageIsReportedOnRequest) {
+    const std::string json = path("own.json").string();
+    EXPECT_THAT(output_of(gloam("check {} own_swap --inputs 64 --coverage --json {}", file, json)),
+                HasSubstr("own_swap shipped: lines 1 of 1, ways of branches 2 of 2"));
     const nlohmann::json row = nlohmann::json::parse(read_file(json)).at("results").at(0);
     EXPECT_EQ(row.at("coverage").at("points").at(0).at("text"), "return really ? v.yx : v;");
 }
 
-TEST(OwnFile, BadInputIsNamed) {
-    expect_could_not_run(run_command({"check", file, "no_such"}), "no_such");
-    expect_could_not_run(run_command({"check", "no_such.glsl"}), "no_such.glsl");
-    expect_could_not_run(run_command({"check", file, "--range", "z=0:1"}), "z");
-    expect_could_not_run(run_command({"check", file, "--range", "p=1:0"}), "LOW <= HIGH");
-    expect_could_not_run(run_command({"check", "--range", "p=0:1"}), "--range");
-    expect_could_not_run(run_command({"explain", file, "own_root", "1"}), "takes 2 values");
-    expect_could_not_run(run_command({"explain", file, "own_root", "1", "x"}), "x");
-    expect_could_not_run(run_command({"explain", "no_such.glsl", "f", "1"}), "no_such.glsl");
+TEST_F(OwnFile, BadInputIsNamed) {
+    expect_could_not_run(gloam("check {} no_such", file), "no_such");
+    expect_could_not_run(gloam("check no_such.glsl"), "no_such.glsl");
+    expect_could_not_run(gloam("check {} --range z=0:1", file), "z");
+    expect_could_not_run(gloam("check {} --range p=1:0", file), "LOW <= HIGH");
+    expect_could_not_run(gloam("check --range p=0:1"), "--range");
+    expect_could_not_run(gloam("explain {} own_root 1", file), "takes 2 values");
+    expect_could_not_run(gloam("explain {} own_root 1 x", file), "x");
+    expect_could_not_run(gloam("explain no_such.glsl f 1"), "no_such.glsl");
 }
 
-TEST(OwnFile, ExplainNamesTheLineWhereTheErrorEnters) {
-    const CommandResult result = run_command({"explain", file, "own_root", "1", "1e-4"});
-    expect_success(result);
-    EXPECT_THAT(result.out, testing::ContainsRegex("own.glsl:4 own_root +OpFMul"));
-    EXPECT_THAT(result.out, testing::ContainsRegex("own.glsl:5 own_root +OpFSub.*most of the error"));
-    EXPECT_THAT(result.out, HasSubstr("grows most at"));
+TEST_F(OwnFile, ExplainNamesTheLineWhereTheErrorEnters) {
+    const std::string result = output_of(gloam("explain {} own_root 1 1e-4", file));
+    EXPECT_THAT(result, testing::ContainsRegex("own.glsl:4 own_root +OpFMul"));
+    EXPECT_THAT(result, testing::ContainsRegex("own.glsl:5 own_root +OpFSub.*most of the error"));
+    EXPECT_THAT(result, HasSubstr("grows most at"));
 }
 
-}  // namespace own_file_test
-}  // namespace gloam::test
+}  // namespace gloam::test::own_file_test

@@ -1,162 +1,137 @@
 // SPDX-License-Identifier: MIT
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "tools/expect.hpp"
 
-namespace gloam::test {
-namespace pack_test {
-
-using testing::HasSubstr;
-using testing::Not;
-using testing::StartsWith;
+namespace gloam::test::pack_test {
 
 constexpr const char* halton = "gloam/sampling/halton.glsl";
 
-std::string read(const std::filesystem::path& file) {
-    std::ifstream stream(file);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
+class Pack : public InFolder {};
 
-TEST(Pack, OneSelfContainedTextInEachVersion) {
+TEST_F(Pack, OneSelfContainedTextInEachVersion) {
     for (const auto& [version, first_line] :
          {std::pair("450", "#version 450"), std::pair("330", "#version 330"),
           std::pair("300es", "#version 300 es"), std::pair("310es", "#version 310 es")}) {
-        const CommandResult result = run_command({"pack", halton, "--version", version});
-        expect_success(result);
-        EXPECT_THAT(result.out, StartsWith(first_line));
-        EXPECT_THAT(result.out, HasSubstr("float gloam_radical_inverse_base2(uint index)"));
-        EXPECT_THAT(result.out, Not(HasSubstr("#include")));
+        const std::string result = output_of(gloam("pack {} --version {}", halton, version));
+        EXPECT_THAT(result, StartsWith(first_line));
+        EXPECT_THAT(result, HasSubstr("float gloam_radical_inverse_base2(uint index)"));
+        EXPECT_THAT(result, Not(HasSubstr("#include")));
     }
 }
 
-TEST(Pack, WritesTheFileItIsTold) {
-    const TemporaryDirectory folder;
-    const std::filesystem::path out = folder.path() / "packed.glsl";
-    expect_success(run_command({"pack", halton, "--out", out.string()}));
-    EXPECT_EQ(read(out), run_command({"pack", halton}).out);
+TEST_F(Pack, WritesTheFileItIsTold) {
+    const std::filesystem::path out = path("packed.glsl");
+    expect_success(gloam("pack {} --out {}", halton, out));
+    EXPECT_EQ(read_file(out), gloam("pack {}", halton).out);
 }
 
-TEST(Pack, TakesOnesOwnFile) {
-    const TemporaryDirectory folder;
-    const std::filesystem::path own = folder.path() / "own.glsl";
+TEST_F(Pack, TakesOnesOwnFile) {
+    const std::filesystem::path own = path("own.glsl");
     std::ofstream(own) << "#include \"" << halton
                        << "\"\nfloat own() { return gloam_radical_inverse_base2(1u); }\n";
-    const CommandResult result = run_command({"pack", own.string()});
-    expect_success(result);
-    EXPECT_THAT(result.out, HasSubstr("float own()"));
+    EXPECT_THAT(output_of(gloam("pack {}", own)), HasSubstr("float own()"));
 }
 
 // As docs/integration.md shows it: the engine defines what the library asks for.
-TEST(Pack, AnEnginesOwnImagesServeThePrototypes) {
+TEST_F(Pack, AnEnginesOwnImagesServeThePrototypes) {
     const std::string folder = GLOAM_TOOLS_FIXTURES;
     const auto packed = [&](const char* file, const char* version) {
-        return run_command(
-            {"pack", folder + file, "--function", "gloam_normal_from_depth", "--version", version});
+        return gloam("pack {} --function gloam_normal_from_depth --version {}", folder + file, version);
     };
-    const CommandResult vulkan = packed("/engine_vulkan.glsl", "450");
-    expect_success(vulkan);
-    EXPECT_THAT(vulkan.out, HasSubstr("vec3 gloam_normal_from_depth("));
+    EXPECT_THAT(output_of(packed("/engine_vulkan.glsl", "450")), HasSubstr("vec3 gloam_normal_from_depth("));
     for (const char* version : {"330", "300es", "310es"}) expect_success(packed("/engine_gl.glsl", version));
 }
 
-TEST(Pack, OneFunctionAlone) {
-    const CommandResult result = run_command({"pack", halton, "--function", "gloam_halton_2d"});
-    expect_success(result);
-    EXPECT_THAT(result.out, HasSubstr("vec2 gloam_halton_2d("));
-    EXPECT_THAT(result.out, Not(HasSubstr("gloam_halton_3d")));
-    expect_could_not_run(run_command({"pack", halton, "--function", "gloam_halton_4d"}), "gloam_halton_4d");
+TEST_F(Pack, OneFunctionAlone) {
+    const std::string result = output_of(gloam("pack {} --function gloam_halton_2d", halton));
+    EXPECT_THAT(result, HasSubstr("vec2 gloam_halton_2d("));
+    EXPECT_THAT(result, Not(HasSubstr("gloam_halton_3d")));
+    expect_could_not_run(gloam("pack {} --function gloam_halton_4d", halton), "gloam_halton_4d");
 }
 
-TEST(Pack, OtherLanguages) {
-    const CommandResult hlsl = run_command({"pack", halton, "--target", "hlsl"});
+TEST_F(Pack, OtherLanguages) {
+    const CommandResult hlsl = gloam("pack {} --target hlsl", halton);
     expect_success(hlsl);
     EXPECT_THAT(hlsl.out, HasSubstr("float gloam_radical_inverse_base2(uint index)\n{"));
     EXPECT_THAT(hlsl.out, HasSubstr("// index: number of the sample;"));
     EXPECT_THAT(hlsl.out, Not(HasSubstr("main")));
-    const CommandResult metal =
-        run_command({"pack", GLOAM_GLSL_DIR "/passes/reproject.comp", "--target", "msl"});
-    expect_success(metal);
-    EXPECT_THAT(metal.out, HasSubstr("kernel void reproject_main("));
-    EXPECT_THAT(metal.out, HasSubstr("\n// Indices: buffer(4) tile_lists, "));
-    const CommandResult wgsl = run_command({"pack", halton, "--target", "wgsl"});
+    const std::string metal =
+        output_of(gloam("pack {} --target msl", GLOAM_GLSL_DIR "/passes/reproject.comp"));
+    EXPECT_THAT(metal, HasSubstr("kernel void reproject_main("));
+    EXPECT_THAT(metal, HasSubstr("\n// Indices: buffer(4) tile_lists, "));
+    const CommandResult wgsl = gloam("pack {} --target wgsl", halton);
     expect_success(wgsl);
     EXPECT_THAT(wgsl.out, HasSubstr("fn gloam_radical_inverse_base2(index: u32) -> f32 {\n"));
     EXPECT_THAT(wgsl.out, HasSubstr("// index: number of the sample;"));
-    expect_could_not_run(run_command({"pack", GLOAM_GLSL_DIR "/passes/gbuffer.frag", "--target", "wgsl"}),
+    expect_could_not_run(gloam("pack {} --target wgsl", GLOAM_GLSL_DIR "/passes/gbuffer.frag"),
                          "gbuffer.frag: gloam does not translate to WGSL yet");
-    expect_could_not_run(run_command({"pack", halton, "--target", "cg"}), "hlsl, msl or wgsl");
-    expect_could_not_run(run_command({"pack", halton, "--target", "hlsl", "--version", "330"}), "--version");
-    expect_could_not_run(run_command({"pack", halton, "--lines", "--target", "hlsl"}), "--lines");
-    const TemporaryDirectory folder;
-    const std::filesystem::path own = folder.path() / "own.glsl";
-    std::ofstream(own) << "float own(sampler2D s) { return texture(s, vec2(0.5)).x; }\n";
-    expect_could_not_run(run_command({"pack", own.string(), "--target", "msl"}), "sampler2D");
+    expect_could_not_run(gloam("pack {} --target cg", halton), "hlsl, msl or wgsl");
+    expect_could_not_run(gloam("pack {} --target hlsl --version 330", halton), "--version");
+    expect_could_not_run(gloam("pack {} --lines --target hlsl", halton), "--lines");
+    const std::filesystem::path own =
+        write("own.glsl", "float own(sampler2D s) { return texture(s, vec2(0.5)).x; }\n");
+    expect_could_not_run(gloam("pack {} --target msl", own), "sampler2D");
 }
 
 // A whole shader, whose stage follows from its name.
-TEST(Pack, AShaderWithAMain) {
+TEST_F(Pack, AShaderWithAMain) {
     for (const char* name : {"reproject.comp", "gbuffer.vert", "gbuffer.frag", "tiles/select.comp"}) {
-        const CommandResult result = run_command({"pack", std::string(GLOAM_GLSL_DIR "/passes/") + name});
-        expect_success(result);
-        EXPECT_THAT(result.out, HasSubstr("void main()")) << name;
-        EXPECT_THAT(result.out, Not(HasSubstr("#if"))) << name;
+        const std::string result = output_of(gloam("pack {}", std::string(GLOAM_GLSL_DIR "/passes/") + name));
+        EXPECT_THAT(result, HasSubstr("void main()")) << name;
+        EXPECT_THAT(result, Not(HasSubstr("#if"))) << name;
     }
 }
 
-TEST(Pack, CountsTheLinesOfEveryMethod) {
-    const CommandResult result = run_command({"pack", "--lines"}, {.timeout = std::chrono::seconds(300)});
-    expect_success(result);
-    std::istringstream methods(run_command({"list", "methods"}).out);
+TEST_F(Pack, CountsTheLinesOfEveryMethod) {
+    const std::string result =
+        output_of(run_command(words("pack --lines"), {.timeout = std::chrono::seconds(300)}));
+    std::istringstream methods(gloam("list methods").out);
     int counted = 0;
     for (std::string name; std::getline(methods, name); ++counted)
-        EXPECT_THAT(result.out,
+        EXPECT_THAT(result,
                     testing::ContainsRegex("\n\\| " + name + " \\| [1-9][0-9]* \\| [1-9][0-9]* \\|\n"));
     EXPECT_GT(counted, 30);
 }
 
-TEST(Pack, CountsLines) {
-    const CommandResult result = run_command({"pack", "--lines", halton, "gloam/temporal/history.glsl"});
-    expect_success(result);
-    EXPECT_THAT(result.out,
+TEST_F(Pack, CountsLines) {
+    const std::string result = output_of(gloam("pack --lines {} gloam/temporal/history.glsl", halton));
+    EXPECT_THAT(result,
                 StartsWith("| file | lines of code |\n| --- | --- |\n| `gloam/sampling/halton.glsl` | "));
-    EXPECT_EQ(line_count(result.out), 4);
+    EXPECT_EQ(line_count(result), 4);
 }
 
-TEST(Pack, BadInputIsNamed) {
-    expect_could_not_run(run_command({"pack"}), "--effect");
-    expect_could_not_run(run_command({"pack", "--method", "disc"}), "--effect");
-    expect_could_not_run(run_command({"pack", GLOAM_GLSL_DIR "/passes/reproject.comp", "--version", "300es"}),
+TEST_F(Pack, BadInputIsNamed) {
+    expect_could_not_run(gloam("pack"), "--effect");
+    expect_could_not_run(gloam("pack --method disc"), "--effect");
+    expect_could_not_run(gloam("pack {} --version 300es", GLOAM_GLSL_DIR "/passes/reproject.comp"),
                          "reproject.comp");
-    expect_could_not_run(run_command({"pack", "gloam/no/such.glsl"}), "gloam/no/such.glsl");
-    expect_could_not_run(run_command({"pack", halton, "--version", "110"}), "110");
-    expect_could_not_run(run_command({"pack", halton, "--out", "/no/such/folder/file"}),
-                         "/no/such/folder/file");
-    expect_could_not_run(run_command({"pack", halton, "--out", "/dev/full"}), "/dev/full");
+    expect_could_not_run(gloam("pack gloam/no/such.glsl"), "gloam/no/such.glsl");
+    expect_could_not_run(gloam("pack {} --version 110", halton), "110");
+    expect_could_not_run(gloam("pack {} --out /no/such/folder/file", halton), "/no/such/folder/file");
+    expect_could_not_run(gloam("pack {} --out /dev/full", halton), "/dev/full");
 }
 
-TEST(Pack, TextThatDoesNotCompileNamesFileAndLine) {
-    const TemporaryDirectory folder;
-    const std::filesystem::path own = folder.path() / "own.glsl";
-    std::ofstream(own) << "float own() {\n    return no_such_variable;\n}\n";
-    expect_could_not_run(run_command({"pack", own.string()}), "no_such_variable");
+TEST_F(Pack, TextThatDoesNotCompileNamesFileAndLine) {
+    const std::filesystem::path own = write("own.glsl", "float own() {\n    return no_such_variable;\n}\n");
+    expect_could_not_run(gloam("pack {}", own), "no_such_variable");
 }
 
-TEST(Pack, AnErrorNamesTheFileAndItsLine) {
-    const TemporaryDirectory folder;
-    const std::filesystem::path own = folder.path() / "own.glsl";
+TEST_F(Pack, AnErrorNamesTheFileAndItsLine) {
+    const std::filesystem::path own = path("own.glsl");
     std::ofstream(own) << "#version 450\n#include \"" << halton << "\"\n\nfloat own() { return wrong; }\n";
-    const CommandResult result = run_command({"pack", own.string()});
+    const CommandResult result = gloam("pack {}", own);
     expect_could_not_run(result, own.string() + ":4:");
     EXPECT_THAT(result.err, Not(HasSubstr("packed text")));
 }
 
-TEST(Pack, AVersionThatIsNoneIsNamed) {
-    const TemporaryDirectory folder;
-    const std::filesystem::path own = folder.path() / "own.glsl";
-    std::ofstream(own) << "#version banana\nfloat own() { return 1.0; }\n";
-    expect_could_not_run(run_command({"pack", own.string()}), own.string() + ":1: #version banana");
+TEST_F(Pack, AVersionThatIsNoneIsNamed) {
+    const std::filesystem::path own = write("own.glsl", "#version banana\nfloat own() { return 1.0; }\n");
+    expect_could_not_run(gloam("pack {}", own), own.string() + ":1: #version banana");
 }
 
 // A chain of includes: each file includes the next one. Returns the first.
@@ -169,41 +144,215 @@ std::string chain_of_includes(const std::filesystem::path& folder, int depth) {
     return (folder / name(0)).string();
 }
 
-TEST(Pack, ManyIncludesDeep) {
-    const TemporaryDirectory folder;
-    const CommandResult result = run_command({"pack", chain_of_includes(folder.path(), 250)});
-    expect_success(result);
-    EXPECT_THAT(result.out, HasSubstr("float f250()"));
-    expect_could_not_run(run_command({"pack", chain_of_includes(folder.path(), 300)}),
+TEST_F(Pack, ManyIncludesDeep) {
+    EXPECT_THAT(output_of(gloam("pack {}", chain_of_includes(path(""), 250))), HasSubstr("float f250()"));
+    expect_could_not_run(gloam("pack {}", chain_of_includes(path(""), 300)),
                          "i256.glsl:1: includes are nested more than 256 deep");
 }
 
 // Each file includes the next one twice: 2^40 lines.
-TEST(Pack, IncludesThatDoubleAreStopped) {
-    const TemporaryDirectory folder;
+TEST_F(Pack, IncludesThatDoubleAreStopped) {
     for (int i = 0; i < 40; ++i) {
         const std::string next = "#include \"i" + std::to_string(i + 1) + ".glsl\"\n";
-        std::ofstream(folder.path() / ("i" + std::to_string(i) + ".glsl")) << next << next;
+        write("i" + std::to_string(i) + ".glsl", next + next);
     }
-    std::ofstream(folder.path() / "i40.glsl") << "// nothing\n";
-    const std::string first = (folder.path() / "i0.glsl").string();
-    const CommandResult result = run_command({"pack", first});
+    write("i40.glsl", "// nothing\n");
+    const std::string first = path("i0.glsl").string();
+    const CommandResult result = gloam("pack {}", first);
     expect_could_not_run(result, "more than 65536 includes at ");
 }
 
-// Each macro is twice the one before: 2^40 additions, 7 GB on the way there.
-TEST(Pack, ACompilerThatGrowsIsStopped) {
-    const TemporaryDirectory folder;
-    const std::filesystem::path own = folder.path() / "own.glsl";
-    std::ofstream stream(own);
-    stream << "#define M0 1.0\n";
-    for (int i = 1; i <= 40; ++i) stream << "#define M" << i << " M" << i - 1 << " + M" << i - 1 << "\n";
-    stream << "float own() { return M40; }\n";
-    stream.close();
-    const CommandResult result = run_command({"pack", own.string()});
-    expect_could_not_run(result, own.string());
-    EXPECT_THAT(result.err, HasSubstr("takes more than"));
+// What `gloam pack --effect` writes, as its reader takes it: compiled by glslang's own program, the header by
+// a C compiler.
+
+namespace fs = std::filesystem;
+
+class PackEffect : public InFolder {
+  protected:
+    void pack(std::vector<std::string> options) {
+        fs::remove_all(out());
+        options.insert(options.begin(), {"pack", "--effect", "--out", out().string()});
+        expect_success(run_command(options));
+    }
+
+    [[nodiscard]] fs::path out() const { return path("effect"); }
+    [[nodiscard]] nlohmann::json json() const {
+        return nlohmann::json::parse(read_file(out() / "effect.json"));
+    }
+
+    // Every pass by glslangValidator, the header as C and as C++.
+    void expect_compiles() const {
+        for (const auto& entry : fs::directory_iterator(out())) {
+            const std::string file = entry.path().string();
+            if (entry.path().extension() == ".comp") {
+                const CommandResult result =
+                    run_program("/usr/bin/glslangValidator",
+                                words("-V --target-env vulkan1.2 {} -o {}", file, path("module.spv")));
+                EXPECT_EQ(result.status, 0) << file << "\n" << result.out;
+                EXPECT_THAT(read_file(entry.path()), Not(HasSubstr("#include")));
+            } else if (entry.path().extension() == ".h") {
+                for (const std::vector<std::string>& language :
+                     {std::vector<std::string>{"-xc", "-std=c11"}, {"-xc++", "-std=c++20"}}) {
+                    std::vector<std::string> arguments = language;
+                    arguments.insert(arguments.end(),
+                                     {"-Wall", "-Wextra", "-Werror", "-Wno-unused", "-fsyntax-only", file});
+                    const CommandResult result = run_program("/usr/bin/c++", arguments);
+                    EXPECT_EQ(result.status, 0) << result.err;
+                }
+            }
+        }
+    }
+};
+
+nlohmann::json named(const nlohmann::json& list, const std::string& name) {
+    for (const nlohmann::json& each : list)
+        if (each["name"] == name) return each;
+    ADD_FAILURE() << "no " << name;
+    return {};
 }
 
-}  // namespace pack_test
-}  // namespace gloam::test
+// One of each kind: with and without a table of samples, with and without preparation.
+TEST_F(PackEffect, EveryKindOfMethodIsWholeAndCompiles) {
+    for (const char* method : {"hemisphere", "gtao", "dual_resolution", "mssao", "sao_chain", "separable"}) {
+        SCOPED_TRACE(method);
+        pack(words("--method {} --preset paper --size 640x360", method));
+        expect_compiles();
+    }
+}
+
+// The passes in another language stand beside those in GLSL.
+TEST_F(PackEffect, AnotherLanguageBesideGlsl) {
+    for (const auto& [target, suffix, first] :
+         {std::tuple("hlsl", ".hlsl", "// Registers: b0 Parameters"),
+          std::tuple("msl", ".metal", "// Indices: buffer(4) tile_states"),
+          std::tuple("wgsl", ".wgsl", "@group(0) @binding(0) var depth_image: texture_2d<f32>;")}) {
+        SCOPED_TRACE(target);
+        pack(words("--target {}", target));
+        for (const nlohmann::json& pass : json()["passes"]) {
+            const std::string name = pass["name"];
+            EXPECT_TRUE(fs::exists(out() / (name + ".comp"))) << name;
+            EXPECT_THAT(read_file(out() / (name + suffix)),
+                        HasSubstr(name == "ambient_occlusion" ? first : "main("))
+                << name;
+        }
+        const std::string last = json()["passes"].back()["name"];
+        EXPECT_THAT(read_file(out() / "README.md"), HasSubstr("as `" + last + suffix + "`"));
+    }
+}
+
+// With whatever else there is in the passes.
+TEST_F(PackEffect, EveryOptionCompiles) {
+    for (const std::vector<std::string>& options :
+         {std::vector<std::string>{"--tiles", "--preset", "moving"},
+          {"--moving-objects", "--orthographic", "--reconstruct-normals"},
+          {"--set", "layers=3", "--set", "remap_b=2", "--preset", "sao-quality"},
+          {"--set", "remap_b=2", "--tiles", "--set", "precision=float16", "--set", "table_size=2048"},
+          {"--set", "resolution=half", "--moving-objects", "--set", "layers=2", "--depth", "buffer"},
+          {"--set", "resolution=half", "--orthographic", "--reconstruct-normals", "--preset", "moving",
+           "--tiles"}}) {
+        pack(options);
+        expect_compiles();
+    }
+}
+
+// "balanced" holds its history packed: so say the shaders, the header and the tables.
+TEST_F(PackEffect, FormatsAreThoseOfThePreset) {
+    pack(words("--preset balanced"));
+    EXPECT_THAT(read_file(out() / "ambient_occlusion.comp"), HasSubstr("#define GLOAM_HISTORY rgba16ui\n"));
+    EXPECT_EQ(named(json()["images"], "history_after")["format"], "VK_FORMAT_R16G16B16A16_UINT");
+    EXPECT_THAT(read_file(out() / "gloam_effect.h"),
+                HasSubstr("{\"history_after\", VK_FORMAT_R16G16B16A16_UINT,"));
+    const nlohmann::json all = json();
+    for (const nlohmann::json& pass : all.at("passes")) {
+        for (const nlohmann::json& binding : pass.at("bindings")) {
+            if (!binding["resource"].get<std::string>().starts_with("history")) continue;
+            if (binding["writes"])
+                EXPECT_EQ(binding["format"], "rgba16ui") << pass["name"];
+            else
+                EXPECT_EQ(binding["type"], "VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER") << pass["name"];
+        }
+    }
+    pack(words("--preset paper"));
+    EXPECT_EQ(named(json()["images"], "history_after")["format"], "VK_FORMAT_R32G32B32A32_SFLOAT");
+}
+
+// Each binding is to a resource that is listed, each image is used, and what one pass writes and another
+// reads has a barrier.
+TEST_F(PackEffect, TheTablesAgree) {
+    for (const char* method : {"hemisphere", "mssao", "separable"}) {
+        pack(words("--method {} --preset moving --tiles", method));
+        const nlohmann::json all = json();
+        std::set<std::string> resources;
+        for (const char* kind : {"images", "buffers"})
+            for (const nlohmann::json& each : all[kind]) EXPECT_TRUE(resources.insert(each["name"]).second);
+        std::set<std::string> bound{all["result"]["image"]};
+        std::set<std::string> written;
+        for (const nlohmann::json& pass : all["passes"]) {
+            std::set<std::string> guarded;
+            for (const nlohmann::json& barrier : pass["barriers"]) guarded.insert(barrier["resource"]);
+            for (const nlohmann::json& binding : pass["bindings"]) {
+                const std::string name = binding["resource"];
+                bound.insert(name);
+                EXPECT_TRUE(!written.contains(name) || guarded.contains(name)) << pass["name"] << " " << name;
+            }
+            for (const nlohmann::json& binding : pass["bindings"]) {
+                const std::string name = binding["resource"];
+                if (binding["writes"] && !name.starts_with("nothing") && pass["turn"] != "once")
+                    written.insert(name);
+            }
+        }
+        EXPECT_EQ(bound, resources) << method;
+    }
+}
+
+// mssao cannot do without its preparation passes: they are there, in their order, before the samples.
+TEST_F(PackEffect, PreparationComesWithTheMethod) {
+    pack(words("--method mssao"));
+    const std::string page = read_file(out() / "README.md");
+    EXPECT_LT(page.find("`surface_1.comp`"), page.find("`occlusion_4.comp`"));
+    EXPECT_LT(page.find("`occlusion_1.comp`"), page.find("`ambient_occlusion.comp`"));
+    EXPECT_TRUE(fs::exists(out() / "occlusion_1.comp"));
+    EXPECT_FALSE(named(json()["images"], "prepared").is_null());
+}
+
+// tests/effect/opengl_passes_test.cpp compiles them with a driver.
+TEST_F(PackEffect, PassesInES) {
+    pack(words("--version 310es --tiles --preset moving"));
+    const std::string shader = read_file(out() / "reproject.comp");
+    EXPECT_THAT(shader, StartsWith("#version 310 es\n"));
+    EXPECT_THAT(shader, HasSubstr("layout(binding = 0, std140) uniform Parameters {"));
+    EXPECT_THAT(shader, HasSubstr("const bool listed = true;"));
+    EXPECT_THAT(shader, Not(HasSubstr("constant_id")));
+    EXPECT_THAT(read_file(out() / "README.md"), HasSubstr("GLSL ES file"));
+}
+
+TEST_F(PackEffect, SettingsStandAtTheHead) {
+    pack(words("--preset crytek-quality --radius 0.25 --set weight_max=77"));
+    const std::string page = read_file(out() / "README.md");
+    EXPECT_LT(page.find("| samples | 200 |"), page.find("## Order of calls"));
+    EXPECT_THAT(page, HasSubstr("| weight_max | 77 |"));
+    EXPECT_THAT(read_file(out() / "gloam_effect.h"), HasSubstr("    0.25f,  /* radius */\n"));
+    const std::string shader = read_file(out() / "ambient_occlusion.comp");
+    EXPECT_THAT(shader, HasSubstr("const bool keeps_history = false;"));
+    // What holds a history comes first, since the types of the bindings are made of it.
+    EXPECT_LT(shader.find("uniform Parameters"), shader.find("GloamEstimate gloam_crytek("));
+    EXPECT_LT(shader.find("uniform Parameters"), shader.find("vec3 gloam_view_position_perspective("));
+}
+
+TEST_F(PackEffect, BadInputLeavesNothing) {
+    const auto refused = [&](std::vector<std::string> options, const std::string& named) {
+        options.insert(options.begin(), {"pack", "--effect"});
+        expect_could_not_run(run_command(options), named);
+        EXPECT_FALSE(fs::exists(out()));
+    };
+    const std::string folder = out().string();
+    refused({}, "--out");
+    refused(words("--out {} --preset magic", folder), "magic");
+    refused(words("--out {} --method magic", folder), "magic");
+    refused(words("--out {} --size 0x3", folder), "--size 0x3");
+    refused(words("--out {} --version 330", folder), "--version 330");
+    refused(words("--out {} --set samples=0", folder), "samples");
+    refused(words("--out /dev/null/effect"), "/dev/null");
+}
+
+}  // namespace gloam::test::pack_test

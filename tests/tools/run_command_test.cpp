@@ -5,8 +5,7 @@
 
 #include <fstream>
 
-namespace gloam::test {
-namespace run_command_test {
+namespace gloam::test::run_command_test {
 
 TEST(RunProgram, KeepsStatusOutputAndErrorsApart) {
     const CommandResult result = run_program("/bin/sh", {"-c", "echo out; echo err >&2; exit 3"});
@@ -31,7 +30,7 @@ TEST(RunProgram, ReplacesTheNamedVariablesOnly) {
 
 TEST(RunProgram, RunsInTheGivenDirectory) {
     const TemporaryDirectory directory;
-    ASSERT_EQ(run_program("touch", {"here"}, {.working_directory = directory.path()}).status, 0);
+    ASSERT_EQ(run_program("touch", words("here"), {.working_directory = directory.path()}).status, 0);
     EXPECT_TRUE(std::filesystem::exists(directory.path() / "here"));
 }
 
@@ -41,7 +40,7 @@ TEST(RunProgram, StandsMoreOutputThanAPipeHolds) {
 
 TEST(RunProgram, ThrowsWhenTheProgramCannotStartOrDoesNotEnd) {
     EXPECT_THROW(static_cast<void>(run_program("/no/such/program", {})), std::runtime_error);
-    EXPECT_THROW(static_cast<void>(run_program("sleep", {"60"}, {.timeout = std::chrono::seconds(0)})),
+    EXPECT_THROW(static_cast<void>(run_program("sleep", words("60"), {.timeout = std::chrono::seconds(0)})),
                  std::runtime_error);
 }
 
@@ -62,5 +61,4 @@ TEST(LineCount, CountsALastLineWithoutItsNewline) {
     EXPECT_EQ(line_count("a\nb"), 2);
 }
 
-}  // namespace run_command_test
-}  // namespace gloam::test
+}  // namespace gloam::test::run_command_test

@@ -4,48 +4,43 @@
 #include "tools/expect.hpp"
 #include "tools/installation.hpp"
 
-namespace gloam::test {
-namespace stress_test {
+namespace gloam::test::stress_test {
 
 using nlohmann::json;
-using testing::HasSubstr;
 
-TEST(Stress, WritesWhatItMeasured) {
-    const TemporaryDirectory folder;
-    const auto file = folder.path() / "stress.json";
-    const CommandResult result = run_command({"stress", "--only", "long-run", "--brief", "--frames", "400",
-                                              "--seed", "5", "--json", file.string()});
-    expect_success(result);
-    EXPECT_THAT(result.out, HasSubstr("0 bounds broken"));
+class Stress : public InFolder {};
+
+TEST_F(Stress, WritesWhatItMeasured) {
+    const auto file = path("stress.json");
+    const std::string result =
+        output_of(gloam("stress --only long-run --brief --frames 400 --seed 5 --json {}", file));
+    EXPECT_THAT(result, HasSubstr("0 bounds broken"));
     const json document = json::parse(read_file(file));
     EXPECT_NE(document.at("device").at("name"), "");
     ASSERT_FALSE(document.at("rows").empty());
     for (const json& row : document.at("rows")) {
         EXPECT_EQ(row.at("run"), "long-run");
         EXPECT_EQ(row.at("passed"), true);
-        EXPECT_THAT(result.out, HasSubstr(row.at("varied").get<std::string>()));
+        EXPECT_THAT(result, HasSubstr(row.at("varied").get<std::string>()));
     }
 }
 
-TEST(Stress, ABrokenBoundIsStatusOne) {
+TEST_F(Stress, ABrokenBoundIsStatusOne) {
     const Installation broken;
     broken.replace("gloam/temporal/blend.glsl", "total < cap ? total : cap", "total");
-    const CommandResult result =
-        run_program(broken.program(), {"stress", "--only", "long-run", "--frames", "400"});
+    const CommandResult result = broken.gloam("stress --only long-run --frames 400");
     EXPECT_EQ(result.status, 1);
     EXPECT_THAT(result.out, HasSubstr("BROKEN"));
 }
 
-TEST(Stress, BadInputIsOneClearLine) {
-    const CommandResult unknown = run_command({"stress", "--only", "no-such-run"});
+TEST_F(Stress, BadInputIsOneClearLine) {
+    const CommandResult unknown = gloam("stress --only no-such-run");
     expect_could_not_run(unknown, "no-such-run");
     EXPECT_THAT(unknown.err, HasSubstr("long-run, far-away"));
-    expect_could_not_run(run_command({"stress", "--frames", "0"}), "--frames");
-    expect_could_not_run(run_command({"stress", "--only", "worst-inputs", "--equation", "no-such"}),
-                         "no-such");
-    expect_could_not_run(run_command({"stress", "--device", "no-such-device"}), "no-such-device");
-    expect_could_not_run(run_command({"stress", "--json", "/no/such/folder/stress.json"}), "/no/such/folder");
+    expect_could_not_run(gloam("stress --frames 0"), "--frames");
+    expect_could_not_run(gloam("stress --only worst-inputs --equation no-such"), "no-such");
+    expect_could_not_run(gloam("stress --device no-such-device"), "no-such-device");
+    expect_could_not_run(gloam("stress --json /no/such/folder/stress.json"), "/no/such/folder");
 }
 
-}  // namespace stress_test
-}  // namespace gloam::test
+}  // namespace gloam::test::stress_test

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 // What people see on a terminal: colour, completion, examples, and nothing where they want quiet.
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 
+#include "support/full_disk.hpp"
 #include "tools/expect.hpp"
 
-namespace gloam::test {
-namespace terminal_test {
+namespace gloam::test::terminal_test {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
-using testing::Not;
 
 constexpr const char* quick_check = "check gloam_radical_inverse_base2 --inputs 64";
 
@@ -32,11 +32,13 @@ bool has_pseudo_terminals() {
 CommandResult on_terminal(const std::string& arguments, std::vector<std::string> environment = {}) {
     environment.emplace_back("TERM=xterm");
     return run_program("/usr/bin/script",
-                       {"-qec", std::string(GLOAM_BUILT_BINARY) + " " + arguments, "/dev/null"},
+                       words("-qec {} /dev/null", std::string(GLOAM_BUILT_BINARY) + " " + arguments),
                        {.environment = std::move(environment)});
 }
 
-TEST(Terminal, VerdictsHaveColourUnlessItIsNotWanted) {
+class Terminal : public InFolder {};
+
+TEST_F(Terminal, VerdictsHaveColourUnlessItIsNotWanted) {
     if (!fs::exists("/usr/bin/script")) GTEST_SKIP() << "util-linux's script is not installed";
     if (!has_pseudo_terminals()) GTEST_SKIP() << "no pseudo-terminals here: /dev/ptmx or /dev/pts is missing";
     EXPECT_THAT(on_terminal(quick_check).out, HasSubstr("\033[32mok\033[0m"));
@@ -44,55 +46,49 @@ TEST(Terminal, VerdictsHaveColourUnlessItIsNotWanted) {
     EXPECT_THAT(on_terminal(quick_check, {"TERM=dumb"}).out, HasSubstr("ok"));
 }
 
-TEST(Terminal, TheTableExplainsItsColumnsAndLinesUp) {
-    const CommandResult result = run_command({"check", "gloam_radical_inverse_base2",
-                                              "gloam_normal_from_neighbors_orthographic", "--inputs", "64"});
-    expect_success(result);
-    EXPECT_THAT(result.out, HasSubstr("of allowed: "));
-    EXPECT_THAT(result.out, HasSubstr("judged by: "));
+TEST_F(Terminal, TheTableExplainsItsColumnsAndLinesUp) {
+    const std::string result = output_of(
+        gloam("check gloam_radical_inverse_base2 gloam_normal_from_neighbors_orthographic --inputs 64"));
+    EXPECT_THAT(result, HasSubstr("of allowed: "));
+    EXPECT_THAT(result, HasSubstr("judged by: "));
     std::vector<std::size_t> columns;
-    std::istringstream lines(result.out);
+    std::istringstream lines(result);
     for (std::string line; std::getline(lines, line);) {
         for (const char* word : {"verdict", "ok"}) {
             if (line.ends_with(std::string(" ") + word)) columns.push_back(line.rfind(word));
         }
     }
-    ASSERT_EQ(columns.size(), 3U) << result.out;
+    ASSERT_EQ(columns.size(), 3U) << result;
     EXPECT_EQ(columns[0], columns[1]);
     EXPECT_EQ(columns[0], columns[2]);
 }
 
-TEST(Terminal, QuietLeavesTheCountAlone) {
-    const CommandResult check =
-        run_command({"check", "gloam_radical_inverse_base2", "--inputs", "64", "--quiet"});
-    expect_success(check);
-    EXPECT_EQ(check.out, "1 checks, 0 failed\n");
-    const TemporaryDirectory folder;
-    const CommandResult render = run_command({"render", "corner", "--size", "16x9", "--samples", "1",
-                                              "--quiet", "--out", (folder.path() / "out").string()});
-    expect_success(render);
-    EXPECT_EQ(render.out, "");
+TEST_F(Terminal, QuietLeavesTheCountAlone) {
+    EXPECT_EQ(output_of(gloam("check gloam_radical_inverse_base2 --inputs 64 --quiet")),
+              "1 checks, 0 failed\n");
+    EXPECT_EQ(output_of(gloam("render corner --size 16x9 --samples 1 --quiet --out {}", path("out"))), "");
 }
 
-TEST(Terminal, HelpHasExamples) {
+TEST_F(Terminal, HelpHasExamples) {
     for (const char* command : {"demo", "devices", "list", "check", "report", "render", "bench", "pack"}) {
-        const CommandResult help = run_command({command, "--help"});
+        const CommandResult help = gloam("{} --help", command);
         EXPECT_THAT(help.out, HasSubstr(std::string("Examples:\n  gloam ") + command)) << command;
     }
-    EXPECT_THAT(run_command({"--help"}).out, HasSubstr("Examples:\n  gloam demo"));
+    EXPECT_THAT(gloam("--help").out, HasSubstr("Examples:\n  gloam demo"));
 }
 
 // What bash offers for the last word of a command line.
-std::string completions(const std::string& words) {
+std::string completions(const std::string& line) {
     const std::string script =
         "source <(\"$0\" completion bash)\n"
         "COMP_WORDS=(" +
-        words +
+        line +
         ")\n"
         "COMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n"
         "_gloam\nprintf '%s\\n' \"${COMPREPLY[@]}\"";
-    const CommandResult result = run_program("/bin/bash", {"--norc", "-c", script, GLOAM_BUILT_BINARY});
-    EXPECT_EQ(result.err, "") << words;
+    const CommandResult result =
+        run_program("/bin/bash", words("--norc -c {} {}", script, GLOAM_BUILT_BINARY));
+    EXPECT_EQ(result.err, "") << line;
     return result.out;
 }
 
@@ -109,8 +105,8 @@ TEST(Completion, KnowsCommandsOptionsAndNames) {
 }
 
 TEST(Completion, OtherShellsAreNamed) {
-    expect_could_not_run(run_command({"completion", "powershell"}), "powershell");
-    expect_could_not_run(run_command({"completion"}), "shell");
+    expect_could_not_run(gloam("completion powershell"), "powershell");
+    expect_could_not_run(gloam("completion"), "shell");
 }
 
 // A browser runs the page's script, which its content security policy names by a hash: it counts the rows.
@@ -119,35 +115,87 @@ void expect_script_runs(const std::string& page) {
     if (!fs::exists(browser)) return;  // wanted, not needed: tools/packages-tests.txt
     const TemporaryDirectory home;
     const CommandResult shown =
-        run_program(browser, {"--headless", "--no-sandbox", "--disable-gpu", "--dump-dom", "file://" + page},
+        run_program(browser, words("--headless --no-sandbox --disable-gpu --dump-dom {}", "file://" + page),
                     {.environment = {"HOME=" + home.path().string()}});
     EXPECT_THAT(shown.out, HasSubstr("1 of 1 rows</output>"));
 }
 
-TEST(Terminal, CheckAndReportWriteAPage) {
-    const TemporaryDirectory folder;
-    const auto path = [&](const char* name) { return (folder.path() / name).string(); };
-    const auto read = [](const std::string& file) {
-        std::ifstream stream(file);
-        return std::string(std::istreambuf_iterator<char>(stream), {});
-    };
-    expect_success(run_command({"check", "gloam_radical_inverse_base2", "--inputs", "64", "--json",
-                                path("a.json"), "--html", path("a.html")}));
-    EXPECT_THAT(read(path("a.html")), HasSubstr("1 checks, 0 failed"));
-    expect_success(run_command({"report", path("a.json"), "--html", path("b.html")}));
-    EXPECT_EQ(read(path("a.html")), read(path("b.html")));
-    expect_script_runs(path("a.html"));
+TEST_F(Terminal, CheckAndReportWriteAPage) {
+    expect_success(gloam("check gloam_radical_inverse_base2 --inputs 64 --json {} --html {}", path("a.json"),
+                         path("a.html")));
+    EXPECT_THAT(read_file(path("a.html")), HasSubstr("1 checks, 0 failed"));
+    expect_success(gloam("report {} --html {}", path("a.json"), path("b.html")));
+    EXPECT_EQ(read_file(path("a.html")), read_file(path("b.html")));
+    expect_script_runs(path("a.html").string());
     // A device's name from a file of someone else.
-    std::string text = read(path("a.json"));
+    std::string text = read_file(path("a.json"));
     const std::size_t name = text.find("\"name\": \"") + 9;
     text.insert(name, "</script><b>");
     std::ofstream(path("a.json")) << text;
-    expect_success(run_command({"report", path("a.json"), "--html", path("b.html")}));
-    EXPECT_THAT(read(path("b.html")), HasSubstr("&lt;/script&gt;&lt;b&gt;"));
-    EXPECT_THAT(read(path("b.html")), Not(HasSubstr("</script><b>")));
-    expect_could_not_run(run_command({"report", path("a.json"), "--html", "/no/such/folder/a.html"}),
+    expect_success(gloam("report {} --html {}", path("a.json"), path("b.html")));
+    EXPECT_THAT(read_file(path("b.html")), HasSubstr("&lt;/script&gt;&lt;b&gt;"));
+    EXPECT_THAT(read_file(path("b.html")), Not(HasSubstr("</script><b>")));
+    expect_could_not_run(gloam("report {} --html /no/such/folder/a.html", path("a.json")),
                          "/no/such/folder/a.html");
 }
 
-}  // namespace terminal_test
-}  // namespace gloam::test
+// An output that cannot be written is an error, wherever it goes; and no other file replaces a closed stream.
+
+const std::vector<std::string> small_check{"check", "gloam_radical_inverse_base2", "--inputs", "64"};
+
+std::vector<std::string> with_json(std::vector<std::string> command, const fs::path& file) {
+    command.insert(command.end(), {"--json", file.string()});
+    return command;
+}
+
+class Streams : public InFolder {};
+
+TEST_F(Streams, AFullStandardOutputIsAnError) {
+    if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+    const fs::path file = path("a.json");
+    expect_success(run_command(with_json(small_check, file)));
+    const std::vector<std::vector<std::string>> commands{
+        {"list", "presets"},
+        {"--help"},
+        {"devices"},
+        {"devices", "--json"},
+        small_check,
+        {"report", file.string()},
+        {"pack", "gloam/geometry/background.glsl"},
+        {"render", "corner", "--size", "16x9", "--samples", "1", "--out", path("out").string()}};
+    for (const auto& command : commands) {
+        const CommandResult result = run_command(command, {.standard_output = "/dev/full"});
+        EXPECT_EQ(result.status, 2) << command.front();
+        EXPECT_EQ(line_count(result.err), 1) << result.err;
+        EXPECT_THAT(result.err, HasSubstr("standard output")) << command.front();
+    }
+}
+
+TEST_F(Streams, ClosedStreamsFailNoCheck) {
+    const fs::path file = path("a.json");
+    const CommandResult result = run_command(with_json(small_check, file), {.closed_streams = true});
+    EXPECT_EQ(result.status, 2);  // its table went nowhere
+    EXPECT_THAT(result.err, HasSubstr("standard output"));
+    const auto report = nlohmann::json::parse(read_file(file));
+    EXPECT_EQ(report.at("results").at(0).at("error"), "");
+    EXPECT_EQ(report.at("results").at(0).at("outside"), 0);
+}
+
+TEST_F(Streams, AFileThatMayNotGrowIsNamed) {
+    const fs::path file = path("a.json");
+    CommandResult result;
+    {
+        const FullDisk disk(100);  // of the program, too
+        rlimit limit{};
+        getrlimit(RLIMIT_FSIZE, &limit);
+        result = run_command(words("list equations --json"), {.standard_output = "/dev/null"});
+        EXPECT_EQ(result.status, 0) << result.err;
+        result = run_command(words("pack gloam/geometry/background.glsl --out {}", file),
+                             {.standard_output = "/dev/null"});
+    }
+    EXPECT_EQ(result.status, 2);
+    EXPECT_FALSE(fs::exists(file));
+    EXPECT_TRUE(fs::is_empty(path("")));
+}
+
+}  // namespace gloam::test::terminal_test

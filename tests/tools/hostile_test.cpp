@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Hostile files: each soon ends with one line on standard error and status 2, and leaves nothing behind.
+#include <sys/stat.h>
+
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -8,36 +10,24 @@
 #include "report/benchmark/benchmark_json.hpp"
 #include "report/benchmark_rows.hpp"
 #include "tools/expect.hpp"
+#include "tools/installation.hpp"
 
-namespace gloam::test {
-namespace hostile_files_test {
+namespace gloam::test::hostile_test {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
 
-class HostileFiles : public testing::Test {
+class HostileFiles : public InFolder {
   protected:
-    [[nodiscard]] fs::path write(const std::string& name, const std::string& text) const {
-        std::ofstream(scratch_.path() / name, std::ios::binary) << text;
-        return scratch_.path() / name;
-    }
-
-    [[nodiscard]] const fs::path& folder() const { return scratch_.path(); }
-
     // gloam refuses the mesh, within seconds, and writes nothing.
     void expect_refused(const std::string& name, const std::string& content, const std::string& why) const {
-        const fs::path file = write(name, content);
-        const fs::path out = folder() / "out";
-        const CommandResult result =
-            run_command({"render", file.string(), "--size", "16x9", "--out", out.string()},
-                        {.timeout = std::chrono::seconds(100)});
-        expect_could_not_run(result, file.string());
+        const fs::path mesh = write(name, content);
+        const fs::path out = path("out");
+        const CommandResult result = run_command(words("render {} --size 16x9 --out {}", mesh, out),
+                                                 {.timeout = std::chrono::seconds(100)});
+        expect_could_not_run(result, mesh.string());
         EXPECT_THAT(result.err, HasSubstr(why));
         EXPECT_FALSE(fs::exists(out));
     }
-
-  private:
-    TemporaryDirectory scratch_;
 };
 
 std::string repeated(const std::string& text, std::size_t count) {
@@ -94,9 +84,8 @@ TEST_F(HostileFiles, DamagedMeshes) {
             for (std::size_t k = 3; k < i; ++k)
                 damaged[random() % damaged.size()] = "-0123456789e. \n"[random() % 15];
             const fs::path file = write(name, damaged);
-            const fs::path out = folder() / "out";
-            const CommandResult result = run_command(
-                {"render", file.string(), "--size", "16x9", "--samples", "1", "--out", out.string()});
+            const fs::path out = path("out");
+            const CommandResult result = gloam("render {} --size 16x9 --samples 1 --out {}", file, out);
             EXPECT_TRUE(result.status == 0 || result.status == 2) << result.status << "\n" << damaged;
             EXPECT_EQ(line_count(result.err), result.status == 0 ? 0 : 1) << result.err;
         }
@@ -123,44 +112,37 @@ TEST_F(HostileFiles, JsonThatIsDeeplyNested) {
     const std::string whole = repeated("[", 1'000'000) + repeated("]", 1'000'000);
     for (const std::string& text : {arrays, objects, whole}) {
         const std::string file = write("a.json", text).string();
-        expect_could_not_run(run_command({"report", file}), file);
-        expect_could_not_run(run_command({"bench", "--from", file}), file);
-        expect_could_not_run(run_command({"bench", "--compare", file, file}), file);
-        const fs::path gbuffer = folder() / "gbuffer";
-        fs::create_directories(gbuffer);
-        std::ofstream(gbuffer / "f0000.json") << text;
-        expect_could_not_run(
-            run_command({"render", "--gbuffer", gbuffer.string(), "--out", (folder() / "o").string()}),
-            (gbuffer / "f0000.json").string());
+        expect_could_not_run(gloam("report {}", file), file);
+        expect_could_not_run(gloam("bench --from {}", file), file);
+        expect_could_not_run(gloam("bench --compare {} {}", file, file), file);
+        const fs::path frame = write("gbuffer/f0000.json", text);
+        expect_could_not_run(gloam("render --gbuffer {} --out {}", path("gbuffer"), path("o")),
+                             frame.string());
     }
 }
 
 TEST_F(HostileFiles, NumbersBeyondAllNumbersNameTheFile) {
     const std::string file = write("a.json", R"({"benchmark": 1e999, "device": {"name": 1e999}})").string();
-    expect_could_not_run(run_command({"report", file}), file);
-    expect_could_not_run(run_command({"bench", "--from", file}), file);
-    expect_could_not_run(run_command({"bench", "--compare", file, file}), file);
+    expect_could_not_run(gloam("report {}", file), file);
+    expect_could_not_run(gloam("bench --from {}", file), file);
+    expect_could_not_run(gloam("bench --compare {} {}", file, file), file);
 }
 
 TEST_F(HostileFiles, AWrongValueIsNotQuotedWhole) {
     const std::string long_text(5'000'000, 'x');
-    const fs::path gbuffer = folder() / "gbuffer";
-    fs::create_directories(gbuffer);
-    std::ofstream(gbuffer / "f0000.json")
-        << R"({"camera": {}, "width": ")" + std::string(900'000, 'x') + "\"}";
-    const CommandResult frame =
-        run_command({"render", "--gbuffer", gbuffer.string(), "--out", (folder() / "o").string()});
+    write("gbuffer/f0000.json", R"({"camera": {}, "width": ")" + std::string(900'000, 'x') + "\"}");
+    const CommandResult frame = gloam("render --gbuffer {} --out {}", path("gbuffer"), path("o"));
     expect_could_not_run(frame, "width");
     EXPECT_LT(frame.err.size(), 1000U);
     const std::string file = write("a.json", R"({"benchmark": ")" + long_text + "\"}").string();
-    const CommandResult report = run_command({"bench", "--from", file});
+    const CommandResult report = gloam("bench --from {}", file);
     expect_could_not_run(report, "benchmark");
     EXPECT_LT(report.err.size(), 1000U);
 }
 
 TEST_F(HostileFiles, FilesWithoutEnd) {
-    expect_could_not_run(run_command({"report", "/dev/zero"}), "/dev/zero");
-    expect_could_not_run(run_command({"bench", "--from", "/dev/zero"}), "/dev/zero");
+    expect_could_not_run(gloam("report /dev/zero"), "/dev/zero");
+    expect_could_not_run(gloam("bench --from /dev/zero"), "/dev/zero");
 }
 
 // Text in a results file is never a command, nor a way out of --out.
@@ -169,12 +151,12 @@ TEST_F(HostileFiles, ResultsAreNeitherCommandsNorPaths) {
         {report::make_row("a", "m", 4, 10, 0.05), report::make_row("b", "n", 8, 30, 0.02, true)});
     benchmark.framework = {{"figure", "ms", 1.25}};
     const auto good = nlohmann::ordered_json::parse(report::to_json(benchmark));
-    const fs::path out = folder() / "deep" / "er" / "out";
-    const fs::path proof = folder() / "proof";
+    const fs::path out = path("deep/er/out");
+    const fs::path proof = path("proof");
     const std::string hostile = "x'\nsystem('touch " + proof.string() + "')\n`touch " + proof.string() + "`";
     const auto run = [&](const nlohmann::ordered_json& results) {
         const fs::path file = write("results.json", results.dump());
-        const CommandResult result = run_command({"bench", "--from", file.string(), "--out", out.string()});
+        const CommandResult result = gloam("bench --from {} --out {}", file, out);
         EXPECT_TRUE(result.status == 0 || result.status == 2) << result.err;
         EXPECT_FALSE(fs::exists(proof)) << results.dump();
         return result;
@@ -187,12 +169,96 @@ TEST_F(HostileFiles, ResultsAreNeitherCommandsNorPaths) {
         EXPECT_EQ(run(bad).status, 2) << place;
         bad[nlohmann::ordered_json::json_pointer(place)] = "../../../escaped";
         run(bad);
-        for (const auto& entry : fs::recursive_directory_iterator(folder())) {
+        for (const auto& entry : fs::recursive_directory_iterator(path(""))) {
             if (entry.path().filename().string().find("escaped") == std::string::npos) continue;
             EXPECT_EQ(entry.path().parent_path(), out) << entry.path();
         }
     }
 }
 
-}  // namespace hostile_files_test
-}  // namespace gloam::test
+// Hostile shaders: `check`, `explain` and `pack` refuse each with one line on standard error and status 2.
+
+class HostileShaders : public InFolder {
+  protected:
+    static void expect_refused(const fs::path& file, const std::string& why) {
+        for (const char* command : {"check {}", "explain {} f 1", "pack {}", "pack {} --target wgsl"}) {
+            const CommandResult result = gloam(command, file);
+            expect_could_not_run(result, file.filename().string());
+            EXPECT_THAT(result.err, AllOf(HasSubstr(why), Not(HasSubstr("\x1b")))) << command;
+        }
+    }
+};
+
+TEST_F(HostileShaders, DeepExpressions) {
+    const fs::path terms =
+        write("terms.glsl", "float f(float x) { return " + repeated("x-", 40'000) + "x; }\n");
+    for (const char* command : {"check {}", "explain {} f 1"})
+        expect_could_not_run(gloam(command, terms), "terms.glsl: the compiler ended by signal 11");
+}
+
+TEST_F(HostileShaders, MacrosThatDouble) {
+    std::string macros = "#define M0 x\n";
+    for (int i = 1; i <= 40; ++i)
+        macros +=
+            "#define M" + std::to_string(i) + repeated(" M" + std::to_string(i - 1) + " +", 2) + " 0.0\n";
+    const fs::path file = write("macros.glsl", macros + "float f(float x) { return M40; }\n");
+    const CommandResult result = gloam("check {}", file);
+    expect_could_not_run(result, "macros.glsl: the compiler takes more than");
+}
+
+TEST_F(HostileShaders, IncludesFromElsewhere) {
+    write("secret.glsl", "float secret;\n");
+    write("library/math/twice.glsl", "float twice(float x) { return x + x; }\n");
+    const std::string use = "float f(float x) { return twice(x); }\n";
+    const fs::path outside = write("library/color/a.glsl", "#include \"../../secret.glsl\"\n" + use);
+    const std::string why = "a.glsl:1: include \"../../secret.glsl\" is outside the include roots";
+    expect_refused(outside, why);
+    const fs::path beside = write("library/color/b.glsl", "#include \"../math/twice.glsl\"\n" + use);
+    expect_refused(beside, "b.glsl:1: include \"../math/twice.glsl\" is outside the include roots");
+    const std::string root = path("library").string();
+    EXPECT_THAT(output_of(gloam("check --include {} {} --inputs 64", root, beside)),
+                HasSubstr("1 checks, 0 failed"));
+    expect_success(gloam("explain --include {} {} f 1", root, beside));
+    expect_success(gloam("pack --include {} {}", root, beside));
+    expect_could_not_run(gloam("check --include {} {}", root, outside), "include roots");
+    expect_could_not_run(gloam("check --include {} REMAP", root), "--include");
+    expect_could_not_run(gloam("check --include {} {}", root + "/none", beside), "none");
+}
+
+// A #line directive can name any file as the place of a line; gloam does not follow it.
+TEST_F(HostileShaders, CoverageDoesNotQuoteOtherFiles) {
+    const fs::path secret = write("secret.txt", "password\n");
+    const fs::path file = write("own/a.glsl", "float f(float x) {\n#line 1 \"" + secret.string() +
+                                                  "\"\nif (x > 1e30 && x < 0.0) return 1.0;\nreturn x;\n}\n");
+    const std::string json = path("a.json").string();
+    const CommandResult result = gloam("check {} --inputs 64 --coverage --json {}", file, json);
+    EXPECT_THAT(result.out + read_file(json), AllOf(HasSubstr("a.glsl"), Not(HasSubstr("password"))));
+}
+
+TEST_F(HostileShaders, FilesThatAreNoText) {
+    expect_refused(write("utf16.glsl", std::string("\xff\xfe"
+                                                   "f\0",
+                                                   4)),
+                   "NUL");
+    fs::create_directory(path("folder.glsl"));
+    expect_refused(path("folder.glsl"), "is a folder");
+    const fs::path fifo = path("fifo.glsl");
+    ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+    expect_refused(fifo, "is no regular file");
+    expect_refused(write("long.glsl", std::string((64U << 20U) + 1, ' ')), "longer than");
+}
+
+TEST_F(HostileShaders, ControlCharactersDoNotReachTheTerminal) {
+    const std::string red = "\x1b[31mred";
+    expect_refused(write("token.glsl", "float f(float x) { return " + red + "; }\n"), "");
+    expect_refused(write("error.glsl", "#error " + red + "\n"), "");
+    expect_refused(write("include.glsl", "#include \"" + red + "\"\n"), "[31mred");
+    const fs::path named = write("line\n" + red + ".glsl", "float f(float x) { return x@; }\n");
+    for (const char* command : {"check", "pack"}) {
+        const CommandResult result = gloam("{} {}", command, named);
+        expect_could_not_run(result, "[31mred.glsl");
+        EXPECT_THAT(result.out + result.err, Not(HasSubstr("\x1b")));
+    }
+}
+
+}  // namespace gloam::test::hostile_test

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT
+// `gloam render`: errors for invalid input, the truth, directions and light.
+#include <unistd.h>
+
+#include "tools/rendering.hpp"
+
+namespace gloam::test::render_test {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+class RenderErrors : public Rendering {
+  protected:
+    // A G-buffer of one small frame, as gloam writes it.
+    [[nodiscard]] fs::path gbuffer() const {
+        expect_success(render("first", "corner --size 16x9 --samples 1 --write-gbuffer {}", path("gbuffer")));
+        return path("gbuffer");
+    }
+};
+
+TEST_F(RenderErrors, Names) {
+    expect_refused(words("no-such-scene"), "no-such-scene");
+    EXPECT_THAT(render("out", "no-such-scene").err, HasSubstr("corner"));
+    expect_refused(words("corner --method no-such-method"), "no-such-method");
+    expect_refused(words("corner --preset no-such-preset"), "no-such-preset");
+    expect_refused(words("corner --device no-such-device"), "no-such-device");
+    expect_refused(words("corner --no-such-option"), "--no-such-option");
+    expect_refused({}, "corner");
+}
+
+TEST_F(RenderErrors, Numbers) {
+    for (const char* size : {"0x0", "99999x99999", "16", "-1x5", "16x9x3", "16x"}) {
+        expect_refused(words("corner --size {}", size), size);
+    }
+    expect_refused(words("corner --size 16x9 --radius 0"), "0");
+    expect_refused(words("corner --size 16x9 --radius nan"), "radius");
+    expect_refused(words("corner --size 16x9 --bias -1"), "-1");
+    expect_refused(words("corner --samples 0"), "--samples");
+    for (const char* guard : {"-0.1", "0.6", "nan"})
+        expect_refused(words("corner --size 16x9 --guard {}", guard), "guard");
+    expect_refused(words("corner --frames 0"), "--frames");
+}
+
+TEST_F(RenderErrors, Settings) {
+    expect_refused(words("corner --set samples"), "NAME=VALUE");
+    expect_refused(words("corner --set no_such=1"), "no_such");
+    expect_refused(words("corner --set samples=0"), "samples 0: expected a whole number, 1 to 2048");
+    expect_refused(words("corner --set taps=all"), "nearest, bilinear or validated");
+    expect_refused(words("corner --set guard=1"), "guard 1: expected 0 to 0.5");
+    expect_refused(words("corner --set radius=1"), "--radius");
+    expect_refused(words("corner --set method=disc"), "--method");
+    expect_refused(words("corner --set precision=float16"), "at most 2048");
+}
+
+TEST_F(RenderErrors, Meshes) {
+    expect_refused(words("{}", write("empty.obj", "")), "empty.obj");
+    expect_refused(words("{}", write("nonsense.obj", "this is no mesh\n")), "nonsense.obj");
+    expect_refused(words("{}", write("nan.obj", "v 0 0 0\nv 1 0 0\nv 0 nan 0\nf 1 2 3\n")), "nan.obj");
+    expect_refused(words("{}", path("missing.obj")), "missing.obj");
+    if (geteuid() == 0) return;  // root reads everything
+    const fs::path secret = write("secret.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    fs::permissions(secret, fs::perms::none);
+    expect_refused(words("{}", secret), "secret.obj");
+}
+
+TEST_F(RenderErrors, GBuffers) {
+    expect_refused(words("--gbuffer {}", path("missing")), "missing");
+    const fs::path folder = gbuffer();
+    expect_refused(words("corner --gbuffer {}", folder), "--gbuffer");
+    expect_refused(words("--gbuffer {} --guard 0.1", folder), "no guard band");
+
+    const fs::path depth = folder / "f0000_depth.pfm";
+    const auto whole = fs::file_size(depth);
+    fs::resize_file(depth, whole - 4);
+    expect_refused(words("--gbuffer {}", folder), "f0000_depth.pfm");
+    fs::remove(depth);
+    expect_refused(words("--gbuffer {}", folder), "f0000_depth");
+    write("gbuffer/f0000_depth.pfm", "Pf\n1 1\n-1.0\n" + std::string(4, '\0'));
+    expect_refused(words("--gbuffer {}", folder), "f0000_depth.pfm");
+}
+
+TEST_F(RenderErrors, Truth) {
+    const fs::path small = write("small.pfm", "Pf\n1 1\n-1.0\n" + std::string(4, '\0'));
+    expect_refused(words("corner --size 16x9 --truth {}", small), "small.pfm");
+    expect_refused(words("corner --size 16x9 --truth {}", path("missing.pfm")), "missing.pfm");
+}
+
+TEST_F(RenderErrors, OutputThatCannotBeWritten) {
+    const fs::path in_the_way = write("in_the_way", "");
+    expect_could_not_run(gloam("render corner --out {}", in_the_way), "in_the_way");
+    expect_could_not_run(gloam("render corner --out /proc/gloam"), "/proc/gloam");
+}
+
+TEST_F(RenderErrors, AFullDiskLeavesNothing) {
+#ifdef __SANITIZE_ADDRESS__
+    GTEST_SKIP() << "the sanitizer wants to be the first library of a program";
+#endif
+    fs::create_directory(path("out"));
+    const CommandResult result =
+        render("out", words("corner --size 16x9 --frames 2"), {"LD_PRELOAD=" GLOAM_FULL_DISK});
+    expect_could_not_run(result, "_ao.pfm");
+    EXPECT_THAT(result.err, HasSubstr("No space left on device"));
+    EXPECT_TRUE(fs::is_empty(path("out")));
+}
+
+TEST_F(RenderErrors, TheSameGBufferGivesTheSamePictures) {
+    const fs::path folder = gbuffer();
+    expect_success(render("out", "--gbuffer {} --samples 1", folder));
+    EXPECT_EQ(read_file(path("out") / "f0000_ao.pfm"), read_file(path("first") / "f0000_ao.pfm"));
+    EXPECT_EQ(report("out").at("frames").size(), 1U);
+    EXPECT_EQ(report("out").at("frames")[0].at("pixels"), 16 * 9);
+}
+
+// The traced truth, the metrics against it, and the messages for invalid options.
+class RenderTruth : public Rendering {
+  protected:
+    RenderTruth() {
+        always_ = words("--size 48x27");
+        environment_ = {"GLOAM_CACHE_DIR=" + path("cache").string()};  // of its own
+    }
+};
+
+TEST_F(RenderTruth, IsTracedAndComparedWith) {
+    expect_success(render("out", "corner --truth --truth-rays 64 --frames 2"));
+    for (const char* name : {"truth.png", "truth.pfm", "truth_depth.png", "truth_depth.pfm",
+                             "truth_error.pfm", "f0001_error.png"})
+        EXPECT_TRUE(fs::is_regular_file(path("out") / name)) << name;
+    const json frame = report("out").at("frames").at(1);
+    EXPECT_EQ(frame.at("truth").at("rays"), 64);
+    EXPECT_EQ(frame.at("truth").at("pixels"), 48 * 27);
+    EXPECT_LT(frame.at("truth").at("standard_error"), 0.02);
+    EXPECT_GT(frame.at("truth").at("standard_error"), 0.0);
+    EXPECT_GT(frame.at("flicker"), 0.0);
+    const json errors = frame.at("errors");
+    EXPECT_EQ(errors.at("compared"), 48 * 27);
+    EXPECT_LT(errors.at("filtered").at("rmse"), 0.15);
+    EXPECT_LE(errors.at("filtered_metrics").at("remapped").at("rmse"), errors.at("filtered").at("rmse"));
+    EXPECT_GT(errors.at("filtered_metrics").at("ssim"), 0.3);
+    EXPECT_TRUE(errors.contains("filtered_against_depth"));
+    EXPECT_TRUE(report("out").at("frames").at(0).at("errors").contains("raw"));
+}
+
+// The image that was traced, given back as a file, gives the same errors; so does what the cache kept.
+TEST_F(RenderTruth, FromAFileAndFromTheCacheIsTheSame) {
+    for (const char* out : {"first", "second"})
+        expect_success(render(out, "moving --frame 3 --truth --truth-rays 32"));
+    const fs::path image = path("first") / "truth.pfm";
+    expect_success(render("third", "moving --frame 3 --truth {}", image));
+    const json errors = report("first").at("frames").at(0).at("errors");
+    EXPECT_EQ(report("second").at("frames").at(0).at("errors"), errors);
+    EXPECT_EQ(report("third").at("frames").at(0).at("errors").at("filtered"), errors.at("filtered"));
+    EXPECT_EQ(picture("second", "truth.pfm"), picture("first", "truth.pfm"));
+    EXPECT_TRUE(fs::is_directory(path("cache") / "truth"));
+}
+
+TEST_F(RenderTruth, OfAnotherFrameIsAnother) {
+    expect_success(render("first", "moving --truth --truth-rays 32"));
+    expect_success(render("second", "moving --frame 40 --truth --truth-rays 32"));
+    EXPECT_NE(picture("first", "truth.pfm"), picture("second", "truth.pfm"));
+}
+
+// Of an engine's buffers only the depth is known.
+TEST_F(RenderTruth, OfAGBufferIsThatOfItsDepth) {
+    const fs::path folder = path("gbuffer");
+    expect_success(render("first", "knot --truth --truth-rays 32 --write-gbuffer {}", folder));
+    expect_success(render("second", "--gbuffer {} --truth --truth-rays 32", folder));
+    EXPECT_EQ(picture("second", "truth.pfm"), picture("first", "truth_depth.pfm"));
+    EXPECT_EQ(report("second").at("truth"), "traced depth buffer");
+}
+
+TEST_F(RenderTruth, WithoutGeometryInViewIsNotToBeHad) {
+    const fs::path folder = path("gbuffer");
+    expect_success(render("first", "sky --write-gbuffer {}", folder));
+    write("gbuffer/f0000_depth.pfm", "Pf\n48 27\n-1.0\n" + std::string(std::size_t{4} * 48 * 27, '\0'));
+    expect_refused(words("--gbuffer {} --truth", folder), "no geometry");
+}
+
+TEST_F(RenderTruth, OptionsThatCannotBe) {
+    expect_refused(words("corner --truth --truth-rays 0"), "0 rays");
+    expect_refused(words("corner --truth --truth-falloff cubic"), "cubic");
+    expect_refused(words("corner --truth --truth-thickness 0"), "--truth-thickness");
+    expect_refused(words("corner --frame -1"), "--frame");
+    expect_refused(words("--gbuffer {} --frame 2", path("none")), "--frame");
+}
+
+TEST_F(RenderTruth, EveryBuiltInSceneIsListed) {
+    const std::string list = output_of(gloam("list scenes"));
+    for (const char* scene : {"columns", "corner", "far", "grass", "knot", "moving", "room", "sky"})
+        EXPECT_THAT(list, HasSubstr(scene));
+}
+
+// Directions and light.
+class RenderDirections : public Rendering {
+  protected:
+    [[nodiscard]] CommandResult corner(const std::vector<std::string>& more) const {
+        std::vector<std::string> all = words("corner --size 40x24");
+        all.insert(all.end(), more.begin(), more.end());
+        return render("out", all);
+    }
+
+    [[nodiscard]] std::uintmax_t bytes_of(const std::string& name) const {
+        return fs::file_size(path("out") / ("f0000_" + name));
+    }
+};
+
+TEST_F(RenderDirections, BentNormalsAndLightAreFiles) {
+    expect_success(corner(words("--bent-normals --light sky")));
+    for (const char* name : {"bent.pfm", "bent.png", "cone.pfm", "light.pfm", "light.png", "bounce.pfm"})
+        EXPECT_GT(bytes_of(name), 100U) << name;
+}
+
+TEST_F(RenderDirections, InterleavedBentNormals) {
+    expect_success(corner(words("--bent-normals --bent-interleave 4")));
+    EXPECT_GT(bytes_of("bent.pfm"), 100U);
+    EXPECT_EQ(corner(words("--bent-normals --bent-interleave 9")).status, 2);
+    EXPECT_EQ(corner(words("--bent-interleave 4")).status, 2);
+}
+
+// Other cameras see the sides that this one sees edge-on.
+TEST_F(RenderDirections, FurtherViewsRaiseTheOcclusion) {
+    const std::string result = output_of(render(
+        "out", "knot --size 64x36 --method gtao --frames 1 --further-views 4 --truth --truth-rays 64"));
+    for (const char* name : {"views.pfm", "views.png"}) EXPECT_GT(bytes_of(name), 100U) << name;
+    EXPECT_THAT(result, HasSubstr("by further views"));
+    const json errors = report("out").at("frames").at(0).at("errors");
+    EXPECT_GT(errors.at("further_views").at("bias"), errors.at("raw").at("bias"));
+    EXPECT_EQ(corner(words("--further-views 7")).status, 2);
+    expect_could_not_run(corner(words("--further-views 1 --method mssao")), "mssao");
+}
+
+TEST_F(RenderDirections, NothingIsWrittenThatWasNotAskedFor) {
+    expect_success(corner({}));
+    EXPECT_FALSE(fs::exists(path("out") / "f0000_bent.pfm"));
+    EXPECT_FALSE(fs::exists(path("out") / "f0000_light.pfm"));
+}
+
+TEST_F(RenderDirections, AnEnvironmentFromAFile) {
+    const std::string half("\0\0\0\x3f\0\0\0\x3f\0\0\0\x3f", 12);
+    expect_success(corner(words("--light {}", write("half.pfm", "PF\n1 1\n-1.0\n" + half))));
+}
+
+TEST_F(RenderDirections, BadEnvironmentsAreNamed) {
+    expect_could_not_run(corner(words("--light /no/such.exr")), "/no/such.exr");
+    expect_could_not_run(corner(words("--light noon")), "noon");
+    const fs::path grey = write("grey.pfm", "Pf\n1 1\n-1.0\n" + std::string(4, '\0'));
+    expect_could_not_run(corner(words("--light {}", grey)), "grey.pfm");
+    EXPECT_FALSE(fs::exists(path("out")));
+}
+
+TEST_F(RenderDirections, LayersThatAFolderDoesNotHaveAreNamed) {
+    const fs::path views = path("views");
+    expect_success(corner(words("--write-gbuffer {} --set layers=3", views)));
+    EXPECT_TRUE(fs::exists(views / "f0000_layer2.pfm"));
+    expect_success(render("b", "--gbuffer {} --set layers=3", views));
+    expect_could_not_run(render("b", "--gbuffer {} --set layers=4", views), "layers 4: the view has 3");
+}
+
+}  // namespace gloam::test::render_test
