@@ -156,8 +156,8 @@ TEST(CompileErrorMessage, HasOneLinePerMessage) {
         error_of({"two.comp", "#version 450\nfloat f() { return a; }\nfloat g() { return b; }\n"});
     EXPECT_THAT(message, StartsWith("two.comp:2: 'a'"));
     EXPECT_THAT(message, HasSubstr("\ntwo.comp:3: 'b'"));
-    EXPECT_THAT(message, AllOf(Not(HasSubstr("ERROR")), Not(HasSubstr("No code generated")),
-                               Not(testing::EndsWith("\n"))));
+    EXPECT_THAT(message,
+                AllOf(Not(HasSubstr("ERROR")), Not(HasSubstr("No code generated")), Not(EndsWith("\n"))));
 }
 
 TEST(CompileErrorMessage, LeavesWarningsOut) {
@@ -196,7 +196,7 @@ TEST(CompileErrorMessage, FileThatIncludesItselfIsACycle) {
 TEST(CompileErrorMessage, MissingBodyNamesTheFunction) {
     EXPECT_THAT(error_of(kernel("#include \"fetch.glsl\"", "fx_twice(ivec2(0))")),
                 AllOf(StartsWith("kernel: "), HasSubstr(" fx_fetch_depth()"), Not(HasSubstr("\n"))));
-    EXPECT_THAT(error_of(kernel("float nothing();", "nothing()")), testing::EndsWith(" nothing()"));
+    EXPECT_THAT(error_of(kernel("float nothing();", "nothing()")), EndsWith(" nothing()"));
 }
 
 TEST(CompileErrorMessage, RecursionNamesTheFunction) {

@@ -69,7 +69,7 @@ std::string text_of(const std::string& glsl, Target target) {
 TEST(Translate, AFileOfFunctionsStaysOne) {
     for (const Target target : {Target::hlsl, Target::msl}) {
         const std::string text = text_of(functions, target);
-        EXPECT_THAT(text, testing::StartsWith("// SPDX-License-Identifier: MIT\n"));
+        EXPECT_THAT(text, StartsWith("// SPDX-License-Identifier: MIT\n"));
         EXPECT_THAT(text, AllOf(HasSubstr("\n// What the file is about.\n"), Not(HasSubstr("main")),
                                 Not(HasSubstr("WorkGroup")), Not(HasSubstr("gloam_argument"))));
         EXPECT_THAT(text, HasSubstr("// A corner, or zero.\n// index: of the corner.\n" +

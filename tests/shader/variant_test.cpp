@@ -25,8 +25,8 @@ TEST(Variants, HaveTheirNamesInOrder) {
         EXPECT_FALSE(known.description.empty()) << known.name;
         EXPECT_EQ(variant(known.name).description, known.description);
     }
-    EXPECT_THAT(names, testing::ElementsAre("shipped", "strict", "optimized", "small", "round_trip", "hlsl",
-                                            "relaxed", "literals", "specialization"));
+    EXPECT_THAT(names, ElementsAre("shipped", "strict", "optimized", "small", "round_trip", "hlsl", "relaxed",
+                                   "literals", "specialization"));
 }
 
 TEST(Variants, AnUnknownNameListsThoseThereAre) {
