@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "effect/ambient_occlusion.hpp"
 
-#include <gmock/gmock.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -18,6 +16,7 @@
 #include "on_device.hpp"
 #include "scene/rasterize.hpp"
 #include "scene/scene.hpp"
+#include "support/matchers.hpp"
 #include "support/method_names.hpp"
 
 namespace gloam::effect::ambient_occlusion_test {
@@ -57,8 +56,8 @@ TEST_P(EffectOf, LeavesAnOpenPlaneOpen) {
         scene::GBuffer view = wall({63, 47}, 3.0F);
         if (!normals) view.normal.clear();
         const Frame frame = run(view, settings, 3);
-        EXPECT_THAT(frame.occlusion, testing::Each(0.0F));
-        EXPECT_THAT(frame.filtered, testing::Each(0.0F));
+        EXPECT_THAT(frame.occlusion, Each(0.0F));
+        EXPECT_THAT(frame.filtered, Each(0.0F));
         EXPECT_LE(frame.work.samples, 63U * 47U * 32U);
         if (!method_named(GetParam()).takes_fewer) {
             EXPECT_EQ(frame.work.samples, 63U * 47U * 32U);
@@ -69,14 +68,14 @@ TEST_P(EffectOf, LeavesAnOpenPlaneOpen) {
 TEST_F(Effect, OddSizesAndBackground) {
     for (const gpu::Extent extent : {gpu::Extent{1, 1}, gpu::Extent{3, 3}, gpu::Extent{17, 9}}) {
         const std::uint64_t pixels = std::uint64_t{extent.width} * extent.height;
-        EXPECT_THAT(run(wall(extent, 3.0F), settings_for(1.0F)).filtered, testing::Each(0.0F));
+        EXPECT_THAT(run(wall(extent, 3.0F), settings_for(1.0F)).filtered, Each(0.0F));
         for (const float depth : {inf, 0.0F, -1.0F, std::numeric_limits<float>::quiet_NaN()}) {
             scene::GBuffer view = wall(extent, 3.0F);
             view.depth.assign(view.depth.size(), depth);
             const Frame frame = run(view, settings_for(1.0F), 2);
-            EXPECT_THAT(frame.occlusion, testing::Each(0.0F));
-            EXPECT_THAT(frame.filtered, testing::Each(0.0F));
-            EXPECT_THAT(frame.convergence, testing::Each(0.0F));
+            EXPECT_THAT(frame.occlusion, Each(0.0F));
+            EXPECT_THAT(frame.filtered, Each(0.0F));
+            EXPECT_THAT(frame.convergence, Each(0.0F));
             EXPECT_EQ(frame.work.pixels, pixels);
             EXPECT_EQ(frame.work.background, pixels);
             EXPECT_EQ(frame.work.samples, 0U);

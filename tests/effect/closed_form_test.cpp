@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What every method makes of views in closed form, by the passes: it converges to the method's own value.
 #include <fmt/format.h>
-#include <gmock/gmock.h>
 
 #include <cmath>
 #include <filesystem>
@@ -18,6 +17,7 @@
 #include "on_device.hpp"
 #include "scene/analytic_scene.hpp"
 #include "scene/rasterize.hpp"
+#include "support/matchers.hpp"
 #include "support/method_names.hpp"
 
 namespace gloam::effect::closed_form_test {
@@ -177,7 +177,7 @@ TEST(Shaders, NothingDependsOnSubgroups) {
         std::ostringstream text;
         text << std::ifstream(entry.path()).rdbuf();
         for (const char* word : {"subgroup", "gl_Subgroup"})
-            EXPECT_THAT(text.str(), testing::Not(testing::HasSubstr(word))) << entry.path();
+            EXPECT_THAT(text.str(), Not(HasSubstr(word))) << entry.path();
         ++files;
     }
     EXPECT_GT(files, 50U);

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -21,6 +18,7 @@
 #include "reference/geometry_camera.hpp"
 #include "reference/temporal.hpp"
 #include "scene/rasterize.hpp"
+#include "support/matchers.hpp"
 
 namespace gloam::effect::composite_test {
 
@@ -70,8 +68,6 @@ TEST_F(CompositePass, RefusesImagesOfAnotherSize) {
         return
             [&, extent, occlusions] { (void)composite_.lit(extent, light, std::vector<float>(occlusions)); };
     };
-    using testing::HasSubstr;
-    using testing::ThrowsMessage;
     EXPECT_THAT(with({3, 2}, 4), ThrowsMessage<std::invalid_argument>(HasSubstr("4 occlusions")));
     EXPECT_THAT(with({3, 3}, 0),
                 ThrowsMessage<std::invalid_argument>(HasSubstr("6 pixels with ambient light")));

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The filters that the setting `filter` chooses from: the pass alone, on images made for it, and in the
 // effect.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -25,6 +22,7 @@
 #include "reference/temporal.hpp"
 #include "scene/rasterize.hpp"
 #include "scene/scene.hpp"
+#include "support/matchers.hpp"
 
 namespace gloam::effect::filters_test {
 
@@ -88,7 +86,7 @@ TEST_P(Filters, SmoothsWithinWhatItSees) {
     };
     EXPECT_LT(variance(result), 0.5 * variance(field.occlusion));
     const auto [low, high] = std::ranges::minmax(field.occlusion);
-    EXPECT_THAT(result, testing::Each(testing::AllOf(testing::Ge(low), testing::Le(high))));
+    EXPECT_THAT(result, Each(AllOf(testing::Ge(low), testing::Le(high))));
 }
 
 // A step of depth between surfaces that face different ways, and background between others.

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -18,6 +15,7 @@
 #include "scene/mesh.hpp"
 #include "scene/rasterize.hpp"
 #include "scene/truth.hpp"
+#include "support/matchers.hpp"
 #include "support/method_names.hpp"
 #include "surface_views.hpp"
 
@@ -167,8 +165,6 @@ TEST_F(Further, WhatCannotBeUsedIsNamed) {
     const scene::GBuffer view = view_from(0, 50, {16, 16});
     const std::vector<float> once(view.depth.size());
     const scene::GBuffer others[] = {view};
-    using testing::HasSubstr;
-    using testing::ThrowsMessage;
     EXPECT_THAT([&] { (void)further_.raised(view, once, others, settings_for("mssao")); },
                 ThrowsMessage<std::invalid_argument>(HasSubstr("mssao")));
     EXPECT_THAT([&] { (void)further_.raised(view, {}, others, settings_for("gtao")); },
@@ -224,7 +220,7 @@ TEST_P(LayersOf, WhatLiesBehindAPlaneLeavesItOpen) {
     view.depth.assign(view.depth.size(), 2.0F);
     view.layers.clear();
     for (const float depth : {2.4F, 2.8F, 3.2F}) view.layers.emplace_back(view.depth.size(), depth);
-    EXPECT_THAT(occlusion(view, settings_of_layers(GetParam(), 4, 1.0)), testing::Each(0.0F));
+    EXPECT_THAT(occlusion(view, settings_of_layers(GetParam(), 4, 1.0)), Each(0.0F));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, LayersOf, testing::ValuesIn(test::method_names()), test::parameter_name);
@@ -251,8 +247,8 @@ TEST_F(Layers, MoreThanTheViewHasAreRefused) {
     AmbientOcclusion effect(device_, passes_, view.extent);
     Settings settings;
     settings.layers = 3;
-    EXPECT_THAT([&] { effect.begin(view, settings); }, testing::ThrowsMessage<std::invalid_argument>(
-                                                           testing::HasSubstr("layers 3: the view has 2")));
+    EXPECT_THAT([&] { effect.begin(view, settings); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr("layers 3: the view has 2")));
     scene::GBuffer uneven = view;
     uneven.layers[0].pop_back();
     EXPECT_THROW(effect.begin(uneven, {}), std::invalid_argument);

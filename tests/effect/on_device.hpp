@@ -27,14 +27,14 @@ inline std::vector<std::uint32_t> bits_of(const std::vector<float>& values) {
     return bits;
 }
 
-// The settings with every skip off.
-inline Settings without_skips(Settings settings) {
-    settings.skip_background = false;
-    settings.skip_open = false;
-    settings.skip_closed = false;
-    settings.skip_settled = false;
-    settings.skip_filtered = false;
+// The settings with every skip on, or off.
+inline Settings with_skips(Settings settings, bool on = true) {
+    settings.skip_background = settings.skip_open = settings.skip_closed = on;
+    settings.skip_settled = settings.skip_filtered = on;
     return settings;
+}
+inline Settings without_skips(const Settings& settings) {
+    return with_skips(settings, false);
 }
 
 // A test of passes on the device that tests run on, under validation: any message fails it.

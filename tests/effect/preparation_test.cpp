@@ -3,8 +3,6 @@
 // known, and the passes themselves.
 #include "effect/preparation.hpp"
 
-#include <gmock/gmock.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -19,6 +17,7 @@
 #include "on_device.hpp"
 #include "scene/gbuffer.hpp"
 #include "scene/rasterize.hpp"
+#include "support/matchers.hpp"
 #include "surface_views.hpp"
 
 namespace gloam::effect::preparation_test {
@@ -60,7 +59,7 @@ TEST_P(Prepared, ABarePlaneIsOpen) {
             for (const glm::dvec3 tilt :
                  {glm::dvec3(0, 0, 1), glm::dvec3(0.8, -0.5, 1), glm::dvec3(-1.4, 1.0, 1)}) {
                 const Frame frame = follow(effect, plane(extent, orthographic, tilt), settings, 2);
-                EXPECT_THAT(frame.occlusion, testing::Each(testing::Le(1e-6F)))
+                EXPECT_THAT(frame.occlusion, Each(testing::Le(1e-6F)))
                     << extent.width << " x " << extent.height << " tilt " << tilt.x
                     << (orthographic ? " orthographic" : " perspective");
                 // In whole slices of 6 steps.
@@ -81,9 +80,9 @@ TEST_P(Prepared, NothingIsFoundWhereThereIsNothing) {
             scene::GBuffer view = view_of(extent, false, [](glm::dvec2) { return 3.0; });
             view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
             view.depth.back() = depth;  // a surface before nothing
-            EXPECT_THAT(follow(effect, view, settings, 2).occlusion, testing::Each(0.0F));
+            EXPECT_THAT(follow(effect, view, settings, 2).occlusion, Each(0.0F));
             view.depth.assign(view.depth.size(), depth);
-            EXPECT_THAT(follow(effect, view, settings, 2).occlusion, testing::Each(0.0F));
+            EXPECT_THAT(follow(effect, view, settings, 2).occlusion, Each(0.0F));
         }
     }
 }

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Skips change nothing: over several frames, images are bit-identical with each skip and without.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,6 +12,7 @@
 #include "on_device.hpp"
 #include "scene/gbuffer.hpp"
 #include "scene/rasterize.hpp"
+#include "support/matchers.hpp"
 #include "support/method_names.hpp"
 
 namespace gloam::effect::skips_test {
@@ -26,15 +24,6 @@ struct Stay {
     scene::GBuffer view;
     int frames = 1;
 };
-
-Settings with_skips(Settings settings) {
-    settings.skip_background = true;
-    settings.skip_open = true;
-    settings.skip_closed = true;
-    settings.skip_settled = true;
-    settings.skip_filtered = true;
-    return settings;
-}
 
 class Skips : public OnDevice<testing::Test> {
   protected:
@@ -111,7 +100,7 @@ TEST_F(Skips, FramesThatStandAlone) {
         settings.remap_c = power;
         const std::vector<Frame> frames = expect_same(stays, settings);
         EXPECT_GT(frames.back().work.tiles_blank, frames.back().work.tiles / 3);
-        EXPECT_THAT(frames.back().kept, testing::Each(0.0F));
+        EXPECT_THAT(frames.back().kept, Each(0.0F));
         EXPECT_GT(*std::ranges::max_element(frames.back().occlusion), 0.1F);
         for (const PassTime& time : frames[1].times) EXPECT_NE(time.pass, "reproject");
     }

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the temporal effect must be worth, on small images: the same numbers that `gloam bench temporal`
 // measures.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <string>
 #include <vector>
 
@@ -14,6 +11,7 @@
 #include "on_device.hpp"
 #include "scene/truth.hpp"
 #include "support/devices.hpp"
+#include "support/matchers.hpp"
 
 namespace gloam::effect::temporal_quality_test {
 
@@ -141,7 +139,7 @@ TEST_F(TemporalQuality, EveryDriverGivesTheSameOcclusion) {
         // of the 192 samples, at a few pixels.
         EXPECT_LT(difference.mean, 1e-4) << info.name;
         EXPECT_LT(difference.max, 0.05) << info.name;
-        EXPECT_THAT(other.take_validation_messages(), testing::IsEmpty()) << info.name;
+        EXPECT_THAT(other.take_validation_messages(), IsEmpty()) << info.name;
         ++others;
     }
     if (others == 0) GTEST_SKIP() << "no second driver here (Debian's package chromium has SwiftShader)";

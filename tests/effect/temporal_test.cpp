@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The history on moving cameras and objects: it survives what it should and dies when it must.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -17,6 +14,7 @@
 #include "on_device.hpp"
 #include "scene/mesh.hpp"
 #include "scene/rasterize.hpp"
+#include "support/matchers.hpp"
 #include "surface_views.hpp"
 
 namespace gloam::effect::temporal_test {
@@ -356,23 +354,23 @@ TEST_F(Temporal, OutOfOrderAndOutOfRangeAreErrors) {
     Settings settings = paper();
     settings.precision = HistoryPrecision::float16;
     EXPECT_THAT([&] { effect.begin(first, settings); },
-                testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("at most 2048")));
+                ThrowsMessage<std::invalid_argument>(HasSubstr("at most 2048")));
     settings = paper();
     settings.precision = HistoryPrecision::packed;
     settings.weight_max = 4096.0F;
     EXPECT_THAT([&] { effect.begin(first, settings); },
-                testing::ThrowsMessage<std::invalid_argument>(
-                    testing::HasSubstr("weight_max 4096: expected at most 4095 with a history in packed")));
+                ThrowsMessage<std::invalid_argument>(
+                    HasSubstr("weight_max 4096: expected at most 4095 with a history in packed")));
     settings = paper();
     settings.depth_tolerance = 0.0F;
     EXPECT_THAT([&] { effect.begin(first, settings); },
-                testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("depth_tolerance")));
+                ThrowsMessage<std::invalid_argument>(HasSubstr("depth_tolerance")));
     effect.begin(first, paper());
     scene::GBuffer wrong = first;
     wrong.camera.previous_from_current = glm::mat4(1.0F);
     wrong.previous_position.resize(7);
-    EXPECT_THAT([&] { effect.advance(wrong); }, testing::ThrowsMessage<std::invalid_argument>(
-                                                    testing::HasSubstr("previous positions: 7 pixels")));
+    EXPECT_THAT([&] { effect.advance(wrong); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr("previous positions: 7 pixels")));
 }
 
 }  // namespace gloam::effect::temporal_test
