@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "effect/presets.hpp"
-#include "effect/study/limit.hpp"
 #include "effect/study/motion_study.hpp"
 #include "effect/study/still_study.hpp"
 #include "on_device.hpp"

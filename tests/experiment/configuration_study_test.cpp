@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "effect/methods.hpp"
 #include "effect/on_device.hpp"
 #include "effect/presets.hpp"
 
@@ -31,6 +32,12 @@ class ConfigurationStudyTest : public effect::OnDevice<testing::Test> {
     }
 };
 
+Settings four_samples() {
+    Settings settings = with_method(effect::preset_named("moving").settings, "hemisphere");
+    settings.samples = settings.samples_converged = 4;
+    return settings;
+}
+
 Settings all_skips(Settings settings) {
     settings.skip_open = true;
     settings.freeze = true;
@@ -41,7 +48,7 @@ Settings all_skips(Settings settings) {
 TEST_F(ConfigurationStudyTest, WhatWentBeforeLeavesNoTrace) {
     BenchmarkViews views = views_of("sky");
     const auto radius = static_cast<float>(views.scene().ao_radius);
-    const Settings plain = with_radius(measured_settings("hemisphere", 4, true), radius);
+    const Settings plain = with_radius(four_samples(), radius);
     Settings half = all_skips(plain);
     half.precision = effect::HistoryPrecision::float16;
     half.table_size = 2'048;
@@ -62,8 +69,7 @@ TEST_F(ConfigurationStudyTest, WhatWentBeforeLeavesNoTrace) {
 // A skipped tile is counted correctly: the sky has no pixels over which samples are averaged.
 TEST_F(ConfigurationStudyTest, SamplesAreCountedOverPixelsWithGeometry) {
     BenchmarkViews views = views_of("sky");
-    Settings settings =
-        with_radius(measured_settings("hemisphere", 4, true), static_cast<float>(views.scene().ao_radius));
+    Settings settings = with_radius(four_samples(), static_cast<float>(views.scene().ao_radius));
     settings.least_radius = 0.0F;
     ConfigurationStudy study(device_, passes_, frames.extent);
     for (const bool temporal : {false, true}) {
@@ -101,8 +107,7 @@ TEST_F(ConfigurationStudyTest, ViewsAreShownForAsManyFramesAsAsked) {
     EXPECT_TRUE(views.is_new(1));
     EXPECT_FALSE(views.is_new(2));
     EXPECT_EQ(&views.view(1, {}), &views.view(3, {}));
-    const Settings settings =
-        with_radius(measured_settings("hemisphere", 4, true), static_cast<float>(views.scene().ao_radius));
+    const Settings settings = with_radius(four_samples(), static_cast<float>(views.scene().ao_radius));
     effect::AmbientOcclusion effect(device_, passes_, shown.extent);
     effect.begin(views.view(0, settings), settings);
     (void)effect.next();
@@ -112,24 +117,6 @@ TEST_F(ConfigurationStudyTest, ViewsAreShownForAsManyFramesAsAsked) {
     const ConfigurationVisit visit = study.visit(views, settings, true, 0);
     EXPECT_FALSE(visit.quality);
     EXPECT_EQ(visit.shown, effect.next().filtered);
-}
-
-TEST(ConfigurationStudy, TemporalRunsAreVisitedAsOftenAsFramesAreScored) {
-    for (int round = 0; round < 20; ++round) {
-        EXPECT_TRUE(ConfigurationStudy::due(false, round, 8));
-        EXPECT_EQ(ConfigurationStudy::due(true, round, 8), round == 0 || round == 8 || round == 16);
-    }
-}
-
-TEST(ConfigurationStudy, SettingsHoldTheSamplesAskedFor) {
-    const Settings single = measured_settings("gtao", 16, false);
-    EXPECT_EQ(single.method, "gtao");
-    EXPECT_EQ(single.samples, 16U);
-    EXPECT_EQ(single.samples_converged, 16U);
-    const Settings temporal = measured_settings("hemisphere", 512, true);
-    EXPECT_EQ(temporal.samples, 512U);
-    EXPECT_GE(temporal.weight_max, 1024.0F);
-    EXPECT_THROW((void)measured_settings("magic", 16, false), std::invalid_argument);
 }
 
 }  // namespace configuration_study_test

@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "effect/methods.hpp"
 #include "experiment/experiment.hpp"
 
 namespace gloam::experiment {
@@ -42,6 +43,44 @@ TEST(ExperimentFile, ReadsAllParts) {
     EXPECT_EQ(read.candidates.at(1).layer.plain.blurs, 1);
     EXPECT_EQ(read.tables.at(0).columns.at(0).over, "loop");
     EXPECT_NO_THROW(require_consistent(read));
+}
+
+// Each method with each count, then each preset; single frames before sequences.
+TEST(ExperimentFile, AQueryStandsForCandidates) {
+    const auto names_of = [](CandidateQuery query) {
+        Experiment what;
+        what.candidate_query = std::move(query);
+        choose_candidates(what);
+        std::vector<std::string> names;
+        for (const Candidate& candidate : what.candidates) names.push_back(candidate.name);
+        return names;
+    };
+    EXPECT_THAT(
+        names_of({.methods = {"gtao", "sao"}, .presets = {"fast"}, .samples = {4, 8}, .sequence = false}),
+        testing::ElementsAre("gtao/4/single", "gtao/8/single", "sao/4/single", "sao/8/single",
+                             "fast/3/single"));
+    EXPECT_THAT(names_of({.presets = {"fast"}, .single = false}), testing::ElementsAre("fast/3/temporal"));
+    EXPECT_EQ(names_of({.samples = {4}}).size(), 2 * effect::methods().size());
+    EXPECT_THROW((void)names_of({.presets = {"magic"}}), std::invalid_argument);
+    EXPECT_THROW((void)names_of({.methods = {"magic"}}), std::invalid_argument);
+    EXPECT_THROW((void)names_of({.single = false, .sequence = false}), std::invalid_argument);
+}
+
+// A mean over at least two frames.
+TEST(ExperimentFile, AMethodTakesTheSamplesAskedFor) {
+    Experiment what;
+    what.candidate_query = {.methods = {"hemisphere"}, .samples = {512}};
+    choose_candidates(what);
+    const Candidate& single = what.candidates.at(0);
+    EXPECT_EQ(single.layer.preset, "paper");
+    EXPECT_EQ(single.layer.sequence, false);
+    using testing::Pair;
+    EXPECT_THAT(single.layer.set,
+                testing::ElementsAre(Pair("samples", "512"), Pair("samples_converged", "512")));
+    const Candidate& sequence = what.candidates.at(1);
+    EXPECT_EQ(sequence.group, "hemisphere, temporal");
+    EXPECT_EQ(sequence.layer.preset, "moving");
+    EXPECT_EQ(sequence.layer.set.back(), (std::pair<std::string, std::string>("weight_max", "1024")));
 }
 
 TEST(ExperimentFile, EveryFaultIsNamedWithItsPlace) {

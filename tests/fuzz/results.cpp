@@ -3,8 +3,8 @@
 // again.
 #include <sstream>
 
+#include "experiment/results.hpp"
 #include "fuzz/fuzz.hpp"
-#include "report/benchmark/benchmark_json.hpp"
 #include "report/check_report.hpp"
 #include "report/internal/plot_layout.hpp"
 #include "report/laboratory/summary_lines.hpp"
@@ -24,12 +24,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         fuzz::require(report::news_since(report::earlier_from_lines(lines), summary).newly_failed.empty());
     });
     fuzz::read_or_refuse([&] {
-        const report::Benchmark benchmark = report::benchmark_from_json(text);
-        const std::string written = report::to_json(benchmark);
-        fuzz::require(report::to_json(report::benchmark_from_json(written)) == written);
-        (void)report::to_csv(benchmark);
+        const experiment::Record record = experiment::read_record("results", text);
+        std::string written = record.heading();
         std::vector<double> values;
-        for (const report::Row& row : benchmark.rows) values.push_back(row.total_copies.median);
+        for (const experiment::Visit& visit : record.visits()) {
+            written += "\n" + line_of(visit);
+            for (const experiment::FrameReading& reading : visit.readings) values.push_back(reading.copy_ms);
+        }
+        const experiment::Record back = experiment::read_record("results", written);
+        fuzz::require(back.visits().size() == record.visits().size());
+        for (std::size_t i = 0; i < back.visits().size(); ++i)
+            fuzz::require(line_of(back.visits()[i]) == line_of(record.visits()[i]));
         (void)report::internal::tics_of(report::internal::range_around(values));
     });
     return 0;

@@ -21,20 +21,25 @@ Arguments tiny(const Arguments& more) {
     return arguments;
 }
 
-// A measured configuration, as --json has it.
+// A configuration of a case, as --json has it.
 void expect_plausible(const json& row) {
-    EXPECT_GT(double{row.at("total_copies").at("median")}, 0.0);
-    EXPECT_GE(double{row.at("total_ms").at("median")}, double{row.at("gather_ms").at("median")});
-    EXPECT_GT(double{row.at("quality").at("rmse_geometry")}, 0.0);
-    EXPECT_LT(double{row.at("quality").at("rmse_geometry")}, 0.3);
-    const double taken = row.at("quality").at("samples_taken");
+    const bool temporal = row.at("candidate").get<std::string>().ends_with("temporal");
+    EXPECT_GT(double{row.at("copies")}, 0.0);
+    EXPECT_GT(double{row.at("rmse")}, 0.0);
+    EXPECT_LT(double{row.at("rmse")}, 0.3);
+    EXPECT_GT(double{row.at("rmse_depth")}, 0.0);
+    const double taken = row.at("samples");
     EXPECT_GT(taken, 0.0);
     // Fewer where nothing can block, but one slice at least.
     constexpr double slice = 8.0;
-    EXPECT_LE(taken, std::max(double{row.at("samples")}, slice) + 1e-9);
-    EXPECT_GT(std::uint64_t{row.at("quality").at("memory_bytes")}, 64U * 36U * 4U * 10U);
-    EXPECT_EQ(std::size_t{row.at("readings")}, row.at("temporal") ? 2U : 1U);
-    EXPECT_EQ(row.at("quality").at("flicker").is_number(), bool{row.at("temporal")});
+    EXPECT_LE(taken, std::max(double{row.at("samples_asked")}, slice) + 1e-9);
+    EXPECT_GT(std::uint64_t{row.at("memory_bytes")}, 64U * 36U * 4U * 10U);
+    EXPECT_EQ(row.at("rounds_ms").size(), 1U);
+    EXPECT_EQ(row.at("flicker").is_number(), temporal);
+}
+
+json results_in(const std::filesystem::path& file) {
+    return json::parse(read_file(file)).at("sizes").at(0).at("cases").at(0).at("results");
 }
 
 void expect_compared(const std::filesystem::path& file, const std::filesystem::path& second) {
@@ -63,13 +68,14 @@ TEST(Bench, MeasuresResumesAnswersAndCompares) {
         run_command(tiny({"--validation", "--out", out.string(), "--json", file.string()}));
     expect_success(first);
     EXPECT_THAT(first.out, HasSubstr("all scenes"));
-    const json results = json::parse(read_file(file)).at("results");
+    const json results = results_in(file);
     ASSERT_EQ(results.size(), 8U);
     for (const json& row : results) {
         SCOPED_TRACE(row.dump());
         expect_plausible(row);
     }
     EXPECT_EQ(read_file(out / "results.json"), read_file(file));
+    EXPECT_EQ(line_count(read_file(out / "results.csv")), 1 + 8);
     EXPECT_THAT(read_file(out / "moving.svg"), HasSubstr("<svg"));
     EXPECT_THAT(read_file(out / "overall.png"), HasSubstr("PNG"));
 
@@ -80,10 +86,14 @@ TEST(Bench, MeasuresResumesAnswersAndCompares) {
     const auto second = folder.path() / "b.json";
     expect_success(run_command(tiny({"--resume", "--out", out.string(), "--json", second.string()})));
     EXPECT_EQ(line_count(read_file(out / "journal.jsonl")), line_count(journal));
-    const json again = json::parse(read_file(second)).at("results");
+    const json again = results_in(second);
     ASSERT_EQ(again.size(), results.size());
     for (std::size_t i = 0; i < results.size(); ++i)
-        EXPECT_EQ(again[i].at("quality"), results[i].at("quality"));  // the same to the bit
+        for (const char* error : {"rmse", "rmse_raw", "rmse_depth", "similarity", "flicker", "samples"})
+            EXPECT_EQ(again[i].at(error), results[i].at(error)) << error;  // the same to the bit
+    expect_could_not_run(run_command({"bench", "--scene", "moving", "--preset", "fast", "--frames", "2",
+                                      "--rays", "32", "--resume", "--out", out.string()}),
+                         "cannot resume");
 
     expect_compared(file, second);
     expect_answered(file);
@@ -99,11 +109,13 @@ TEST(Bench, ComparesWithWhatGotWorse) {
                                 "--frames", "2", "--rays", "32", "--repeat", "1", "--single", "--json",
                                 file.string(), "--report", page.string()}));
     EXPECT_THAT(read_file(page), HasSubstr("| fast/3/single |"));
-    EXPECT_THAT(read_file(folder.path() / "images" / "benchmark" / "corner.png"), HasSubstr("PNG"));
-    EXPECT_THAT(read_file(folder.path() / "images" / "benchmark" / "corner.svg"), HasSubstr("<svg"));
+    EXPECT_THAT(read_file(page), HasSubstr("all scenes, presets"));
+    EXPECT_THAT(read_file(page), HasSubstr("](images/samples/corner.svg)"));
+    EXPECT_THAT(read_file(folder.path() / "images" / "samples" / "corner.png"), HasSubstr("PNG"));
+    EXPECT_THAT(read_file(folder.path() / "images" / "samples" / "overall.svg"), HasSubstr("<svg"));
     json document = json::parse(read_file(file));
     document["device"] = "another";
-    json& error = document["results"][0]["quality"]["rmse_geometry"];
+    json& error = document["visits"][0]["quality"]["rmse"];
     error = double{error} + 0.01;
     std::ofstream(worse) << document.dump();
     const CommandResult told = run_command({"bench", "--compare", file.string(), worse.string()});
@@ -119,9 +131,8 @@ TEST(Bench, ComparesWithWhatGotWorse) {
 TEST(Bench, FrameworkIsMeasuredAlone) {
     const TemporaryDirectory folder;
     const auto file = folder.path() / "a.json";
-    expect_success(run_command({"bench", "--framework", "--repeat", "1", "--json", file.string()}));
+    expect_success(run_command({"bench", "framework", "--repeat", "1", "--json", file.string()}));
     const json document = json::parse(read_file(file));
-    EXPECT_TRUE(document.at("results").empty());
     EXPECT_GE(document.at("framework").size(), 8U);
     for (const json& figure : document.at("framework")) EXPECT_GT(double{figure.at("value")}, 0.0) << figure;
 }
@@ -129,15 +140,18 @@ TEST(Bench, FrameworkIsMeasuredAlone) {
 TEST(Bench, BadInputIsOneClearLine) {
     const TemporaryDirectory folder;
     const auto bad = folder.path() / "bad.json";
-    std::ofstream(bad) << R"({"benchmark": 1, "device": 7})";
+    std::ofstream(bad) << R"({"experiment": "e", "device": 7})";
     const auto out = folder.path() / "out";
     expect_could_not_run(run_command({"bench", "--scene", "nowhere", "--out", out.string()}), "nowhere");
     EXPECT_FALSE(std::filesystem::exists(out));
     expect_could_not_run(run_command({"bench", "--method", "magic"}), "magic");
     expect_could_not_run(run_command({"bench", "--preset", "magic"}), "magic");
-    expect_could_not_run(run_command({"bench", "--method", "gtao", "gtao"}), "asked for twice");
+    expect_could_not_run(run_command({"bench", "--method", "gtao", "gtao"}), "twice");
     expect_could_not_run(run_command({"bench", "--samples", "0"}), "--samples");
-    expect_could_not_run(run_command({"bench", "--repeat", "0"}), "--repeat");
+    expect_could_not_run(run_command({"bench", "--repeat", "-1"}), "--rounds");
+    expect_could_not_run(run_command({"bench", "--from", bad.string(), "--samples", "4"}), "--samples");
+    expect_could_not_run(run_command({"bench", "views", "--from", bad.string(), "--single", "fast"}),
+                         "--single");
     expect_could_not_run(run_command({"bench", "--size", "8x8"}), "--size 8x8");
     expect_could_not_run(run_command({"bench", "--temporal", "--single"}), "--single");
     expect_could_not_run(run_command({"bench", "--resume"}), "--out");

@@ -309,6 +309,7 @@ TEST_F(BenchExperiments, WhatGrowsIsPlotted) {
     EXPECT_THAT(out_, HasSubstr("| four | 0.00, missed |"));
     std::size_t plots = 0;
     for (const fs::directory_entry& entry : fs::directory_iterator(out)) {
+        if (entry.path().extension() != ".svg" && entry.path().extension() != ".png") continue;
         ++plots;
         EXPECT_THAT(entry.path().filename().string(), testing::StartsWith("mine-"));
     }
@@ -329,6 +330,24 @@ TEST_F(BenchExperiments, AFileOfOnesOwn) {
     EXPECT_TRUE(result_of(document, 0, "alchemy").at("rmse").is_null()) << "no rays, no error";
     EXPECT_THAT(out_, HasSubstr("| corner | 0.00, missed |"));
     EXPECT_EQ(run_command({"bench", file.string(), "--fail-if-missed"}).status, 1);
+}
+
+// What one experiment can do, all can: its results are kept, taken up again, asked and printed again.
+TEST_F(BenchExperiments, StoredResultsPrintTheSameTables) {
+    const fs::path out = write("x", "").parent_path() / "out";
+    const Arguments bar_in_folder = with(bar, {"--out", out.string()});
+    (void)measured(bar_in_folder);
+    const std::string tables = out_;
+    (void)measured(with(bar_in_folder, {"--resume"}));
+    EXPECT_EQ(out_, tables) << "nothing was left to measure";
+    for (const char* file : {"journal.jsonl", "results.json"}) {
+        const CommandResult again = run_command({"bench", "bar", "--from", (out / file).string()});
+        expect_success(again);
+        EXPECT_EQ(again.out, tables) << file;
+    }
+    const CommandResult asked =
+        run_command({"bench", "bar", "--from", (out / "results.json").string(), "--budget", "1000000copies"});
+    EXPECT_THAT(asked.out, HasSubstr("within 1000000copies: 9x3, at most"));
 }
 
 TEST_F(BenchExperiments, WrongOptionsAreNamed) {

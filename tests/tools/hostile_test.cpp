@@ -7,8 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "report/benchmark/benchmark_json.hpp"
-#include "report/benchmark_rows.hpp"
 #include "tools/expect.hpp"
 #include "tools/installation.hpp"
 
@@ -134,9 +132,9 @@ TEST_F(HostileFiles, AWrongValueIsNotQuotedWhole) {
     const CommandResult frame = gloam("render --gbuffer {} --out {}", path("gbuffer"), path("o"));
     expect_could_not_run(frame, "width");
     EXPECT_LT(frame.err.size(), 1000U);
-    const std::string file = write("a.json", R"({"benchmark": ")" + long_text + "\"}").string();
+    const std::string file = write("a.json", R"({"experiment": ")" + long_text + "\"}").string();
     const CommandResult report = gloam("bench --from {}", file);
-    expect_could_not_run(report, "benchmark");
+    expect_could_not_run(report, "experiment");
     EXPECT_LT(report.err.size(), 1000U);
 }
 
@@ -147,10 +145,16 @@ TEST_F(HostileFiles, FilesWithoutEnd) {
 
 // Text in a results file is never a command, nor a way out of --out.
 TEST_F(HostileFiles, ResultsAreNeitherCommandsNorPaths) {
-    report::Benchmark benchmark = report::make_benchmark(
-        {report::make_row("a", "m", 4, 10, 0.05), report::make_row("b", "n", 8, 30, 0.02, true)});
-    benchmark.framework = {{"figure", "ms", 1.25}};
-    const auto good = nlohmann::ordered_json::parse(report::to_json(benchmark));
+    const auto good =
+        nlohmann::ordered_json::parse(R"({"experiment": "e", "device": "d", "driver": "d", "frames": 2,
+      "scored": 1, "repeat": 1, "rays": 32, "visits": [{"width": 32, "height": 32, "case": "a", "value": 0,
+        "target": 0, "candidate": "m", "group": "g", "round": 0, "samples_asked": 4,
+        "quality": {"rmse": 0.1, "rmse_raw": 0.2, "rmse_depth": 0.1, "rmse_depth_raw": 0.2, "bias": 0,
+          "similarity": 1, "samples": 4, "memory_bytes": 1},
+        "work": {"pixels": 1, "background": 0, "below_radius": 0, "converged": 0, "samples": 4,
+          "ended_early": 0, "tiles": 1, "tiles_background": 0, "tiles_skipped": 0, "tiles_shaded": 1,
+          "tiles_filtered": 0, "tiles_blank": 0, "tiles_open": 0, "tiles_settled": 0, "tiles_unfiltered": 0},
+        "readings": [{"copy_ms": 0.1, "passes": [{"pass": "p", "ms": 1}]}]}]})");
     const fs::path out = path("deep/er/out");
     const fs::path proof = path("proof");
     const std::string hostile = "x'\nsystem('touch " + proof.string() + "')\n`touch " + proof.string() + "`";
@@ -162,8 +166,8 @@ TEST_F(HostileFiles, ResultsAreNeitherCommandsNorPaths) {
         return result;
     };
     EXPECT_EQ(run(good).status, 0);
-    for (const char* place : {"/device", "/driver", "/results/0/scene", "/results/0/method",
-                              "/results/0/preset", "/framework/0/name"}) {
+    for (const char* place : {"/device", "/driver", "/visits/0/case", "/visits/0/candidate",
+                              "/visits/0/group", "/visits/0/readings/0/passes/0/pass"}) {
         auto bad = good;
         bad[nlohmann::ordered_json::json_pointer(place)] = hostile;
         EXPECT_EQ(run(bad).status, 2) << place;

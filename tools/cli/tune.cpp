@@ -3,27 +3,98 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <map>
 #include <memory>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "cli/bench/image_size.hpp"
-#include "cli/bench/view_options.hpp"
 #include "cli/environment.hpp"
 #include "cli/open_device.hpp"
 #include "cli/progress.hpp"
 #include "cli/settings.hpp"
-#include "cli/tune_report.hpp"
+#include "effect/study/tuning.hpp"
 #include "experiment/configuration_study.hpp"
-#include "report/benchmark/summary.hpp"
+#include "numeric/numbers.hpp"
 #include "report/output_file.hpp"
 
 namespace gloam::cli {
 namespace {
 
+using effect::SearchPoint;
+using effect::TunedView;
+using effect::TuneOutcome;
+using effect::TuneTask;
+using scene::ViewHalf;
+
+std::string parameters_text(const TuneOutcome& outcome, const TuneTask& task) {
+    std::string text = "| parameter | from | to | start | tuned |\n|---|--:|--:|--:|--:|\n";
+    for (std::size_t i = 0; i < task.parameters.size(); ++i) {
+        const effect::SearchRange& range = task.parameters[i];
+        text += fmt::format("| `{}` | {} | {} | {:.4g} | {:.4g} |\n", range.name, range.least, range.most,
+                            outcome.search.points.front().at[i], outcome.search.best.at[i]);
+    }
+    return text;
+}
+
+std::string mean_row(const TuneOutcome& outcome, ViewHalf half) {
+    double before = 0.0;
+    double after = 0.0;
+    int count = 0;
+    for (const TunedView& tuned : outcome.views) {
+        if (tuned.view.half != half) continue;
+        before += tuned.before.rmse;
+        after += tuned.after.rmse;
+        ++count;
+    }
+    return fmt::format("| {} | {} | {:.4f} | {:.4f} | {:.3f} |\n", scene::name_of(half), count,
+                       before / count, after / count, after / before);
+}
+
+std::string views_text(const TuneOutcome& outcome) {
+    std::string text = "| view | kind | half | start | tuned | ratio |\n|---|---|---|--:|--:|--:|\n";
+    for (const TunedView& tuned : outcome.views)
+        text += fmt::format("| {} | {} | {} | {:.4f} | {:.4f} | {:.3f} |\n", tuned.view.name, tuned.view.kind,
+                            scene::name_of(tuned.view.half), tuned.before.rmse, tuned.after.rmse,
+                            tuned.after.rmse / tuned.before.rmse);
+    return text;
+}
+
+// The points that were better than all before them.
+std::string course_text(const TuneOutcome& outcome, const TuneTask& task) {
+    std::string head = "| evaluation |";
+    std::string rule = "|--:|";
+    for (const effect::SearchRange& range : task.parameters) {
+        head += fmt::format(" `{}` |", range.name);
+        rule += "--:|";
+    }
+    std::string text = head + " objective |\n" + rule + "--:|\n";
+    for (std::size_t i = 0; i < outcome.search.points.size(); ++i) {
+        const SearchPoint& point = outcome.search.points[i];
+        if (!point.improves) continue;
+        text += fmt::format("| {} |", i + 1);
+        for (const double value : point.at) text += fmt::format(" {:.4g} |", value);
+        text += fmt::format(" {:.5f} |\n", point.value);
+    }
+    return text;
+}
+
 constexpr int timed_rounds = 3;  // of single frames
+
+// The views with these names, in the order of the list; all without names.
+std::vector<scene::ViewInfo> views_named(const std::vector<std::string>& names) {
+    std::string known;
+    for (const scene::ViewInfo& view : scene::all_views()) known += (known.empty() ? "" : ", ") + view.name;
+    std::vector<scene::ViewInfo> views;
+    for (const scene::ViewInfo& view : scene::all_views())
+        if (names.empty() || std::ranges::count(names, view.name) > 0) views.push_back(view);
+    for (const std::string& name : names)
+        if (std::ranges::find(views, name, &scene::ViewInfo::name) == views.end())
+            throw std::invalid_argument(fmt::format("--view {}: expected {}", name, known));
+    return views;
+}
 
 effect::TuneTask task_of(const TuneOptions& options) {
     const RenderOptions start{.method = options.method, .preset = options.preset, .set = options.set};
@@ -36,7 +107,9 @@ effect::TuneTask task_of(const TuneOptions& options) {
         task.parameters.push_back(effect::tuned_parameter(text));
     if (task.parameters.empty())
         throw std::invalid_argument("nothing to tune: give --parameter NAME=LEAST:MOST");
-    require_scored(options.scored, options.frames);
+    if (options.scored > options.frames)
+        throw std::invalid_argument(
+            fmt::format("--scored {}: expected at most {}, the frames", options.scored, options.frames));
     return task;
 }
 
@@ -69,7 +142,7 @@ class MeasuredViews {
             for (const effect::PassTime& pass : reading.passes) ms += pass.ms;
             copies.push_back(ms / reading.copy_ms);
         }
-        measured.copies = report::spread_of(copies).median;
+        measured.copies = numeric::spread_of(copies).median;
         return measured;
     }
 
@@ -121,6 +194,39 @@ void add_search(CLI::App& command, TuneOptions& options) {
     command.add_option("--view", options.views, "views of both halves; without it all (gloam list views)");
 }
 
+// What of the views is rendered and traced.
+void add_views(CLI::App& command, TuneOptions& options) {
+    command.add_option("--size", options.size, "WIDTHxHEIGHT of the images")->capture_default_str();
+    command.add_option("--frames", options.frames, "of each view")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command.add_option("--scored", options.scored, "the last ones of these")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command.add_option("--rays", options.rays, "rays of the truth for each pixel")
+        ->check(CLI::Range(32, 65'536))
+        ->capture_default_str();
+    command.add_option("--meshes", options.meshes, "folder of the meshes; without it that of glmark2-data");
+}
+
+// What was tuned and what it gains, in Markdown: the parameters before and after, the means of both halves, a
+// row for each view, the course of the search.
+std::string to_text(const TuneOutcome& outcome, const TuneTask& task, const TuneOptions& options) {
+    std::string text = fmt::format("# Tuning of {}\n\n", options.preset);
+    text += fmt::format(
+        "The search took {} evaluations (at most {}) on the tuning half of the views. The unseen half was "
+        "measured\nafterwards, at the start and at the result. Errors are RMSE against the truth of the "
+        "geometry, of frames {},\n{} pixels, the last {} of {} frames, {} rays a pixel. The objective is the "
+        "{} error.\n\n",
+        outcome.search.points.size(), task.evaluations, options.sequence ? "in sequence" : "alone",
+        options.size, options.scored, options.frames, options.rays, options.objective);
+    text += parameters_text(outcome, task) + "\n";
+    text += "| half | views | mean at the start | tuned | ratio |\n|---|--:|--:|--:|--:|\n" +
+            mean_row(outcome, ViewHalf::tuning) + mean_row(outcome, ViewHalf::unseen) + "\n";
+    return text + "## Views\n\n" + views_text(outcome) +
+           "\n## The search\n\nPoints that were better than all before.\n\n" + course_text(outcome, task);
+}
+
 }  // namespace
 
 int run_tune(const TuneOptions& options) {
@@ -155,7 +261,7 @@ void add_tune(CLI::App& app, int& status) {
     CLI::App* command = app.add_subcommand(
         "tune", "fit settings on one half of the views and judge them on the half that they have not seen");
     add_search(*command, *options);
-    add_view_options(*command, *options);
+    add_views(*command, *options);
     add_device_options(*command, options->device, options->validation);
     command->add_option("--out", options->out, "write the preset here, for --preset FILE.json");
     command->add_option("--report", options->report, "write the report here, in Markdown");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiment/cases.hpp"
+#include "experiment/runner.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,11 @@
 #include <numeric>
 #include <set>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
+#include "effect/methods.hpp"
+#include "effect/presets.hpp"
 #include "scene/mesh.hpp"
 #include "scene/scene.hpp"
 
@@ -111,6 +114,49 @@ std::vector<Case> all_views() {
     return cases;
 }
 
+// All, if none is asked for.
+std::vector<std::string> methods_of(const CandidateQuery& query) {
+    if (query.methods.empty() && !query.presets.empty()) return {};
+    if (!query.methods.empty() && std::ranges::count(query.methods, "all") == 0) return query.methods;
+    std::vector<std::string> names;
+    for (const effect::MethodInfo& method : effect::methods()) names.push_back(method.name);
+    return names;
+}
+
+std::vector<std::string> presets_of(const CandidateQuery& query) {
+    if (std::ranges::count(query.presets, "all") == 0) return query.presets;
+    std::vector<std::string> names;
+    for (const effect::Preset& preset : effect::presets()) names.push_back(preset.name);
+    return names;
+}
+
+const char* mode_of(bool sequence) {
+    return sequence ? "temporal" : "single";
+}
+
+// Single frames use the preset `paper`, sequences use `moving`, with a mean over at least two frames. Every
+// pixel takes so many samples in every frame.
+Candidate method_candidate(const std::string& method, int samples, bool sequence) {
+    const char* preset = sequence ? "moving" : "paper";
+    Candidate made{.name = fmt::format("{}/{}/{}", method, samples, mode_of(sequence)),
+                   .group = fmt::format("{}{}", method, sequence ? ", temporal" : "")};
+    made.layer = {.kind = Kind::effect, .preset = preset, .method = method, .sequence = sequence};
+    const std::string count = std::to_string(samples);
+    made.layer.set = {{"samples", count}, {"samples_converged", count}};
+    const float weight = 2.0F * static_cast<float>(samples);
+    if (sequence && weight > with_method(effect::preset_named(preset).settings, method).weight_max)
+        made.layer.set.emplace_back("weight_max", std::to_string(2 * samples));
+    return made;
+}
+
+Candidate preset_candidate(const std::string& name, bool sequence) {
+    Candidate made{
+        .name = fmt::format("{}/{}/{}", name, effect::preset_named(name).settings.samples, mode_of(sequence)),
+        .group = "presets"};
+    made.layer = {.kind = Kind::effect, .preset = name, .sequence = sequence};
+    return made;
+}
+
 void require_names(const std::vector<Case>& cases, const std::vector<std::string>& names) {
     std::string known;
     for (const Case& one : cases)
@@ -140,6 +186,10 @@ void require_consistent(const Experiment& experiment) {
             throw std::invalid_argument(
                 fmt::format("{}: \"{}\", expected one of {}", where, name, fmt::join(names, ", ")));
     };
+    std::set<std::tuple<std::string, std::string, std::string>> cases;
+    for (const Case& one : experiment.cases)
+        if (!cases.insert({one.name, one.kind, one.what}).second)
+            throw std::invalid_argument(fmt::format("cases: \"{}\" twice, expected once", one.name));
     for (const Case& one : experiment.cases)
         for (const std::string& name : one.candidates) require(name, "a case's candidates");
     for (const Table& table : experiment.tables) {
@@ -149,6 +199,21 @@ void require_consistent(const Experiment& experiment) {
             require(column.minus, "a column's \"minus\"");
         }
     }
+}
+
+void choose_candidates(Experiment& experiment) {
+    if (!experiment.candidate_query) return;
+    const CandidateQuery query = *std::exchange(experiment.candidate_query, std::nullopt);
+    for (const bool sequence : {false, true}) {
+        if (!(sequence ? query.sequence : query.single)) continue;
+        for (const std::string& method : methods_of(query))
+            for (const int samples : query.samples)
+                experiment.candidates.push_back(method_candidate(method, samples, sequence));
+        for (const std::string& preset : presets_of(query))
+            experiment.candidates.push_back(preset_candidate(preset, sequence));
+    }
+    if (experiment.candidates.empty())
+        throw std::invalid_argument("nothing to measure: expected a method or preset");
 }
 
 PlainLoop plain_loop(std::string_view text) {

@@ -50,7 +50,8 @@ struct Layer {
 
 struct Candidate {
     std::string name;
-    Layer layer;
+    std::string group{};  // candidates of one group are alike: a method with other counts of samples
+    Layer layer{};
 };
 
 // What is shown: frames of a scene or of a view.
@@ -84,6 +85,16 @@ struct CaseQuery {
     double target = 0.0;       // of each
 };
 
+// A choice of candidates that a short description stands for: methods, with each count of samples, and
+// presets as they are; frames alone and sequences.
+struct CandidateQuery {
+    std::vector<std::string> methods;  // empty: all, unless there are presets; "all": all
+    std::vector<std::string> presets;  // "all": all
+    std::vector<int> samples{16};
+    bool single = true;
+    bool sequence = true;
+};
+
 // A column of a table.
 struct Column {
     std::string title;      // "{}" is replaced by the name of the candidate, or of what it is repeated for
@@ -97,7 +108,8 @@ struct Column {
     std::vector<std::string> passes;       // times of passes whose names begin so; empty: of all
     std::vector<std::string> over_passes;  // passes of the divisor; empty: those of `passes`
     std::string repeated;                  // "candidates" or "sizes": a column for each
-    // Of times: "median", "least" or "quartiles" of the rounds' ratios. Of a row of rows "growth":
+    // Of times: "median", "least" or "quartiles" of the rounds' ratios. Over cases: "most", the largest, or
+    // "of_best", the geometric mean of the ratios to the least of each case. Of a row of rows "growth":
     // "exponent" e of value ~ growing^e, or "list" of both for each case.
     std::string statistic = "median";
     int digits = 2;
@@ -112,7 +124,12 @@ struct Table {
     // "cases", "candidates", "runs" (each candidate of each case), "passes", "kinds" or "growth" (each
     // candidate of each kind)
     std::string rows;
-    std::string kind;  // only the cases of this kind; empty: all
+    std::string kind;   // only the cases of this kind; empty: all
+    std::string group;  // only the candidates of this group; empty: all
+    // Of rows "runs" and "candidates": "front", those that no other beats in both error and time, by time; or
+    // "best", the one with the least error of each group. Empty: all.
+    std::string keep;
+    bool in_report = false;  // it stands in the report alone
     std::vector<Column> columns;
 };
 
@@ -127,10 +144,14 @@ struct Experiment {
     int rays = 0;                    // of the truth, for each pixel; 0: no errors
     double depth_thickness = std::numeric_limits<double>::infinity();  // of the surface of (D), in radii
     bool interleaved = false;  // a round visits all cases; otherwise each case has its rounds
+    // Sequences, which give as many readings as there are scored frames, take part in the first of so many
+    // rounds, and that may be round 0.
+    bool equal_readings = false;
     Layer layer;
     std::optional<CaseQuery> query;
     std::vector<Case> cases;  // without a query
-    std::vector<Candidate> candidates;
+    std::optional<CandidateQuery> candidate_query;
+    std::vector<Candidate> candidates;  // without a query
     std::vector<Table> tables;
 };
 
@@ -142,8 +163,8 @@ struct Experiment {
 // The number of the candidate with this name, or "#0" for the first and so on. nullopt: there is none.
 [[nodiscard]] std::optional<std::size_t> candidate_of(const Experiment& experiment, std::string_view name);
 
-// Throws std::invalid_argument for two candidates with one name, and for a case or a column that names a
-// candidate or a case that does not exist.
+// Throws std::invalid_argument for two candidates with one name, two cases with one name, kind and "what",
+// and for a case or a column that names a candidate or a case that does not exist.
 void require_consistent(const Experiment& experiment);
 
 // Replaces a query by its cases, and keeps the cases with these names; all without names. half: instead of
@@ -151,5 +172,9 @@ void require_consistent(const Experiment& experiment);
 // std::invalid_argument for an unknown name, for a half without a query of views, and if no case is left.
 void choose_cases(Experiment& experiment, const std::vector<std::string>& names, const std::string& half,
                   const std::filesystem::path& meshes);
+
+// Replaces a query of candidates by them: METHOD/SAMPLES/single and PRESET/SAMPLES/temporal. Throws
+// std::invalid_argument for unknown names, and if there is none.
+void choose_candidates(Experiment& experiment);
 
 }  // namespace gloam::experiment

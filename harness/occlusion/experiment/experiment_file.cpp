@@ -2,148 +2,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <nlohmann/json.hpp>
-#include <set>
 #include <stdexcept>
 
-#include "base/text.hpp"
 #include "experiment/experiment.hpp"
+#include "experiment/internal/json_value.hpp"
 #include "experiment/table.hpp"
 
 namespace gloam::experiment {
 namespace {
 
+using internal::Members;
+using internal::Value;
 using nlohmann::ordered_json;
 
-constexpr std::size_t most_elements = 1'000;
 constexpr int most_frames = 1'000;
 constexpr int most_rays = 65'536;
-constexpr std::size_t longest_quote = 40;
-
-// A value of the file and its place. Every reader throws std::runtime_error with the place, what was expected
-// and what was found.
-class Value {
-  public:
-    Value(const ordered_json& json, std::string where) : json_(&json), where_(std::move(where)) {}
-
-    [[noreturn]] void expected(const std::string& what) const {
-        const std::string found = json_->dump(-1, ' ', false, ordered_json::error_handler_t::replace);
-        throw std::runtime_error(fmt::format("{}{}expected {}, found {}", where_, where_.empty() ? "" : ": ",
-                                             what, base::shortened(found, longest_quote)));
-    }
-
-    void read(std::string& text) const {
-        if (!json_->is_string() || !base::is_name(json_->get<std::string>()))
-            expected("a text of one line, at most 1000 bytes");
-        text = json_->get<std::string>();
-    }
-
-    void read(bool& flag) const {
-        if (!json_->is_boolean()) expected("true or false");
-        flag = json_->get<bool>();
-    }
-
-    void read(double& number, double least, double most) const {
-        if (!json_->is_number() || !(json_->get<double>() >= least) || !(json_->get<double>() <= most))
-            expected(fmt::format("a number from {:g} to {:g}", least, most));
-        number = json_->get<double>();
-    }
-
-    void read(int& count, int least, int most) const {
-        if (!json_->is_number_integer() || json_->get<double>() < least || json_->get<double>() > most)
-            expected(fmt::format("a whole number from {} to {}", least, most));
-        count = json_->get<int>();
-    }
-
-    // One of these words.
-    void read(std::string& word, const std::vector<std::string>& words) const {
-        if (!json_->is_string() || std::ranges::count(words, json_->get<std::string>()) == 0)
-            expected(fmt::format("one of {}", fmt::join(words, ", ")));
-        word = json_->get<std::string>();
-    }
-
-    template <class T, class... Bounds>
-    void read(std::optional<T>& value, Bounds... bounds) const {
-        read(value.emplace(), bounds...);
-    }
-
-    template <class T, class... Bounds>
-    void read(std::vector<T>& values, Bounds... bounds) const {
-        for (const Value& element : elements()) element.read(values.emplace_back(), bounds...);
-    }
-
-    [[nodiscard]] bool is_array() const { return json_->is_array(); }
-
-    [[nodiscard]] std::vector<Value> elements() const {
-        if (!json_->is_array() || json_->size() > most_elements)
-            expected(fmt::format("an array of at most {} elements", most_elements));
-        std::vector<Value> all;
-        for (const ordered_json& element : *json_)
-            all.emplace_back(element, fmt::format("{}[{}]", where_, all.size()));
-        return all;
-    }
-
-    [[nodiscard]] std::vector<std::pair<std::string, Value>> members() const {
-        if (!json_->is_object()) expected("an object");
-        std::vector<std::pair<std::string, Value>> all;
-        for (const auto& [name, value] : json_->items())
-            all.emplace_back(name, Value(value, where_.empty() ? name : where_ + "." + name));
-        return all;
-    }
-
-    // A setting's value as text that effect::set() reads.
-    [[nodiscard]] std::string setting() const {
-        if (json_->is_boolean()) return json_->get<bool>() ? "on" : "off";
-        if (json_->is_string()) return json_->get<std::string>();
-        if (!json_->is_number()) expected("a number, a name, true or false");
-        return json_->dump();
-    }
-
-  private:
-    const ordered_json* json_;
-    std::string where_;
-};
-
-// The members of an object. Those that nobody asked for are an error, because a misspelt one would be
-// ignored.
-class Members {
-  public:
-    explicit Members(const Value& value) : value_(value), members_(value.members()) {}
-
-    // nullptr: there is none.
-    [[nodiscard]] const Value* find(const std::string& name) {
-        asked_.insert(name);
-        const auto found = std::ranges::find(members_, name, [](const auto& member) { return member.first; });
-        return found == members_.end() ? nullptr : &found->second;
-    }
-
-    // Reads the member if there is one.
-    template <class T, class... Bounds>
-    void read(const std::string& name, T& value, Bounds... bounds) {
-        if (const Value* member = find(name)) member->read(value, bounds...);
-    }
-
-    // The same, in place of the elements that there are.
-    void read_instead(const std::string& name, std::vector<std::string>& values) {
-        if (find(name) != nullptr) values.clear();
-        read(name, values);
-    }
-
-    void require_known() const {
-        for (const auto& [name, value] : members_)
-            if (!asked_.contains(name)) value.expected(fmt::format("one of {}", fmt::join(asked_, ", ")));
-    }
-
-    void require(const std::string& name, bool given) const {
-        if (!given) value_.expected("an object with \"" + name + "\"");
-    }
-
-  private:
-    Value value_;
-    std::vector<std::pair<std::string, Value>> members_;
-    std::set<std::string> asked_;
-};
 
 void read_layer(Members& members, Layer& layer) {
     members.read("preset", layer.preset);
@@ -185,6 +58,7 @@ Candidate candidate_from(const Value& value) {
     Candidate candidate;
     members.read("name", candidate.name);
     members.require("name", !candidate.name.empty());
+    members.read("group", candidate.group);
     read_layer(members, candidate.layer);
     members.require_known();
     return candidate;
@@ -237,6 +111,24 @@ void read_cases(const Value& value, Experiment& experiment) {
     members.require_known();
 }
 
+void read_candidates(const Value& value, Experiment& experiment) {
+    if (value.is_array()) {
+        for (const Value& element : value.elements())
+            experiment.candidates.push_back(candidate_from(element));
+        return;
+    }
+    Members members(value);
+    CandidateQuery& query = experiment.candidate_query.emplace();
+    members.read("methods", query.methods);
+    members.read("presets", query.presets);
+    query.samples.clear();
+    members.read("samples", query.samples, 1, static_cast<int>(effect::most_samples));
+    members.require("samples", !query.samples.empty());
+    members.read("single", query.single);
+    members.read("sequence", query.sequence);
+    members.require_known();
+}
+
 Column column_from(const Value& value) {
     Members members(value);
     Column column;
@@ -254,8 +146,9 @@ Column column_from(const Value& value) {
     column.over_passes = column.passes;
     members.read_instead("over_passes", column.over_passes);
     members.read("repeated", column.repeated, std::vector<std::string>{"candidates", "sizes"});
-    members.read("statistic", column.statistic,
-                 std::vector<std::string>{"median", "least", "quartiles", "exponent", "list"});
+    members.read(
+        "statistic", column.statistic,
+        std::vector<std::string>{"median", "least", "quartiles", "most", "of_best", "exponent", "list"});
     members.read("digits", column.digits, 0, 9);
     members.read("percent", column.percent);
     members.read("front", column.front);
@@ -271,6 +164,9 @@ Table table_from(const Value& value) {
                  std::vector<std::string>{"cases", "candidates", "runs", "passes", "kinds", "growth"});
     members.read("name", table.name);
     members.read("kind", table.kind);
+    members.read("group", table.group);
+    members.read("keep", table.keep, std::vector<std::string>{"front", "best"});
+    members.read("in_report", table.in_report);
     const Value* columns = members.find("columns");
     members.require("rows", !table.rows.empty());
     members.require("columns", columns != nullptr);
@@ -288,6 +184,7 @@ void read_frames(Members& members, Experiment& experiment) {
     members.read("rays", experiment.rays, 0, most_rays);
     members.read("depth_thickness", experiment.depth_thickness, 1e-6, 1e18);
     members.read("interleaved", experiment.interleaved);
+    members.read("equal_readings", experiment.equal_readings);
 }
 
 // A query's cases are not known yet.
@@ -300,28 +197,18 @@ void require_cases(const Experiment& experiment) {
                     fmt::format("over_case: \"{}\", expected the name of a case", column.over_case));
 }
 
-ordered_json parsed(std::string_view text) {
-    base::require_bounded_json(text);
-    ordered_json document = ordered_json::parse(text, nullptr, false);
-    if (document.is_discarded()) throw std::runtime_error("no JSON");
-    if (!document.is_object()) throw std::runtime_error("expected an object");
-    return document;
-}
-
 }  // namespace
 
 Experiment read_experiment(const std::string& name, std::string_view text) {
     try {
-        const ordered_json document = parsed(text);
+        const ordered_json document = internal::parsed(text);
         Members members(Value(document, ""));
         Experiment experiment{.name = name};
         members.read("about", experiment.about);
         read_frames(members, experiment);
         read_layer(members, experiment.layer);
         if (const Value* cases = members.find("cases")) read_cases(*cases, experiment);
-        if (const Value* candidates = members.find("candidates"))
-            for (const Value& candidate : candidates->elements())
-                experiment.candidates.push_back(candidate_from(candidate));
+        if (const Value* candidates = members.find("candidates")) read_candidates(*candidates, experiment);
         if (const Value* tables = members.find("tables"))
             for (const Value& table : tables->elements()) experiment.tables.push_back(table_from(table));
         members.require_known();

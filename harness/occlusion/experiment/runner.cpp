@@ -18,7 +18,6 @@
 #include "effect/plan.hpp"
 #include "effect/setting_table.hpp"
 #include "effect/study/copy_clock.hpp"
-#include "experiment/cases.hpp"
 
 namespace gloam::experiment {
 namespace {
@@ -125,32 +124,33 @@ struct Measured {
 
 // One case, and what is measured in it.
 struct Visited {
-    CaseResult* result;
+    const Case* shown;
+    bool again = false;  // the first round has no complete record: it is visited as a whole
     std::vector<Measured> all;
 };
 
 // All cases at one size.
 class SizeRun {
   public:
-    SizeRun(const Experiment& experiment, gpu::Extent extent, const Place& place)
-        : experiment_(experiment), extent_(extent), place_(place), cache_(place.truth_cache) {}
+    SizeRun(const Experiment& experiment, gpu::Extent extent, const Place& place, Record& record)
+        : experiment_(experiment),
+          extent_(extent),
+          place_(place),
+          record_(record),
+          cache_(place.truth_cache) {}
 
-    [[nodiscard]] SizeResult run() {
-        SizeResult result{.extent = extent_};
-        for (const Case& one : experiment_.cases)
-            result.cases.push_back({one, std::vector<std::optional<Cell>>(experiment_.candidates.size())});
+    void run() {
         if (experiment_.interleaved) {
             std::vector<Visited> all;
-            for (CaseResult& one : result.cases) all.push_back(visited(one));
+            for (const Case& one : experiment_.cases) all.push_back(visited(one));
             go_through(all, experiment_.name);
-        } else {
-            for (CaseResult& one : result.cases) {
-                std::vector<Visited> alone{visited(one)};
-                go_through(alone, label_of(one.shown));
-                shared_.clear();
-            }
+            return;
         }
-        return result;
+        for (const Case& one : experiment_.cases) {
+            std::vector<Visited> alone{visited(one)};
+            go_through(alone, label_of(one));
+            shared_.clear();
+        }
     }
 
   private:
@@ -159,23 +159,50 @@ class SizeRun {
         return fmt::format("{}, {} x {}", one.name, extent.width, extent.height);
     }
 
-    [[nodiscard]] Visited visited(CaseResult& result) {
-        const Case& one = result.shown;
-        Visited made{.result = &result};
-        bool depth_truth = false;
+    // What tables say of the case, and nothing measured yet.
+    [[nodiscard]] Visit empty_visit(const Case& one, const Candidate& candidate, int round) const {
+        return {.size = extent_,
+                .shown = {.name = one.name,
+                          .what = one.what,
+                          .kind = one.kind,
+                          .half = one.half,
+                          .value = one.value,
+                          .target = one.target},
+                .candidate = candidate.name,
+                .group = candidate.group,
+                .round = round};
+    }
+
+    [[nodiscard]] bool is_due(const Case& one, const Measured& measured, int round) const {
+        const BenchmarkFrames frames = frames_of(experiment_, one, extent_);
+        return !experiment_.equal_readings || !measured.subject.sequence || round % frames.scored == 0;
+    }
+
+    [[nodiscard]] bool is_recorded(const Case& one, const Measured& measured, int round) const {
+        return record_.find(empty_visit(one, experiment_.candidates[measured.number], round)) != nullptr;
+    }
+
+    // Nothing is measured in a case of which all is recorded.
+    [[nodiscard]] Visited visited(const Case& one) {
+        Visited made{.shown = &one};
+        bool depth_truth = shows(experiment_, "rmse_depth") || shows(experiment_, "rmse_depth_raw");
+        bool missing = false;
         for (std::size_t i = 0; i < experiment_.candidates.size(); ++i) {
             const Candidate& candidate = experiment_.candidates[i];
             if (!takes_part(one, candidate)) continue;
             made.all.push_back({.number = i, .subject = subject_of(experiment_, one, candidate, place_)});
-            depth_truth |= made.all.back().subject.kind == Kind::depth_truth;
-            result.cells[i].emplace();
+            const Measured& measured = made.all.back();
+            depth_truth |= measured.subject.kind == Kind::depth_truth;
+            for (int round = 0; round <= experiment_.rounds; ++round)
+                missing |= is_due(one, measured, round) && !is_recorded(one, measured, round);
+            made.again |= shows(experiment_, "difference") && !is_recorded(one, measured, 0);
         }
+        if (!missing) made.all.clear();
         for (Measured& measured : made.all) {
             measured.views = views_of(one, measured.subject.radius, depth_truth);
             measured.own = own_radius_ ? views_of(one, 1.0, depth_truth) : measured.views;
             Subject& subject = measured.subject;
             if (subject.enough_samples) subject.settings = enough_samples(subject, *measured.views);
-            result.cells[measured.number]->samples_asked = subject.settings.samples;
         }
         return made;
     }
@@ -226,34 +253,37 @@ class SizeRun {
                 if (round > 0) std::ranges::reverse(one.all);
                 std::optional<effect::Truth> first;
                 for (const Measured& measured : one.all) {
-                    const ConfigurationVisit found = visit(measured.subject, *measured.views, round);
-                    Cell& cell = *one.result->cells[measured.number];
-                    take(cell, found, round);
-                    if (round > 0 || found.shown.empty()) continue;
-                    judge_at_own_radius(cell, measured);
-                    const scene::GBuffer& view =
-                        measured.views->view(measured.views->frames().frames - 1, {});
-                    if (!first) first = effect::truth_from(view, found.shown);
-                    cell.difference = effect::errors_of(found.shown, *first).rmse;
+                    if (!is_due(*one.shown, measured, round)) continue;
+                    if (is_recorded(*one.shown, measured, round) && (round > 0 || !one.again)) continue;
+                    Visit made = empty_visit(*one.shown, experiment_.candidates[measured.number], round);
+                    measure(made, measured, first);
+                    if (place_.keep) place_.keep(line_of(made));
+                    record_.add(std::move(made));
                 }
             }
             progress(static_cast<double>(round + 1) / (experiment_.rounds + 1));
         }
     }
 
-    static void take(Cell& cell, const ConfigurationVisit& found, int round) {
-        if (found.quality) cell.quality = found.quality;
-        cell.work = found.work;
-        if (round > 0) cell.rounds.push_back(found.readings);
+    // first: the first candidate's image of the case, once it is known.
+    void measure(Visit& made, const Measured& measured, std::optional<effect::Truth>& first) {
+        ConfigurationVisit found = visit(measured.subject, *measured.views, made.round);
+        made.quality = found.quality;
+        if (made.round > 0 || experiment_.equal_readings) made.readings = std::move(found.readings);
+        made.work = found.work;
+        made.samples_asked = static_cast<int>(measured.subject.settings.samples);
+        if (made.round > 0 || found.shown.empty()) return;
+        if (made.quality) made.own_radius_error = error_at_own_radius(*made.quality, measured);
+        const scene::GBuffer& view = measured.views->view(measured.views->frames().frames - 1, {});
+        if (!first) first = effect::truth_from(view, found.shown);
+        made.difference = effect::errors_of(found.shown, *first).rmse;
     }
 
     // The radius in the world stays that of the candidate; only the truth is another.
-    void judge_at_own_radius(Cell& cell, const Measured& measured) {
-        if (!cell.quality) return;
-        cell.own_radius_error = cell.quality->geometry;
-        if (measured.own == measured.views || measured.subject.kind != Kind::effect) return;
+    [[nodiscard]] double error_at_own_radius(const FrameQuality& quality, const Measured& measured) {
+        if (measured.own == measured.views || measured.subject.kind != Kind::effect) return quality.geometry;
         const auto radius = static_cast<float>(measured.views->scene().ao_radius);
-        cell.own_radius_error = visit(measured.subject, *measured.own, 0, radius).quality.value().geometry;
+        return visit(measured.subject, *measured.own, 0, radius).quality.value().geometry;
     }
 
     [[nodiscard]] ConfigurationVisit visit(const Subject& subject, BenchmarkViews& views, int round) {
@@ -306,6 +336,7 @@ class SizeRun {
     const Experiment& experiment_;
     gpu::Extent extent_;
     const Place& place_;
+    Record& record_;
     scene::TruthCache cache_;
     std::map<std::string, std::shared_ptr<BenchmarkViews>> shared_;
     bool remap_ = shows(experiment_, "rmse_remapped");
@@ -339,13 +370,11 @@ void require_possible(const Experiment& experiment, const Place& place) {
     }
 }
 
-std::vector<SizeResult> run(const Experiment& experiment, const std::vector<gpu::Extent>& sizes,
-                            const Place& place) {
+void run(const Experiment& experiment, const std::vector<gpu::Extent>& sizes, const Place& place,
+         Record& record) {
     require_possible(experiment, place);
     if (experiment.rounds > 0) effect::require_timestamps(place.device.info());
-    std::vector<SizeResult> results;
-    for (const gpu::Extent extent : sizes) results.push_back(SizeRun(experiment, extent, place).run());
-    return results;
+    for (const gpu::Extent extent : sizes) SizeRun(experiment, extent, place, record).run();
 }
 
 }  // namespace gloam::experiment

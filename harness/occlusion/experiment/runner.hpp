@@ -7,34 +7,20 @@
 #include <string>
 #include <vector>
 
-#include "experiment/configuration_study.hpp"
-#include "experiment/experiment.hpp"
+#include "experiment/results.hpp"
 #include "gpu/device.hpp"
 #include "scene/pass_library.hpp"
 #include "scene/truth.hpp"
 
 namespace gloam::experiment {
 
-// What a candidate reached in a case.
-struct Cell {
-    std::optional<FrameQuality> quality;            // nullopt: without a truth
-    std::vector<std::vector<FrameReading>> rounds;  // the readings of each timed round
-    std::optional<double>
-        difference;     // RMS of the displayed image of the last frame and the first candidate's
-    effect::Work work;  // of the last frame
-    std::optional<double> own_radius_error;  // the error against the truth for the scene's own radius
-    std::uint32_t samples_asked = 0;
-};
+// The scene or the view of a case. Throws like scene::make_scene() and scene::make_view(), and
+// std::invalid_argument for a number of objects of a scene without any.
+[[nodiscard]] scene::Scene scene_of(const Case& one, const std::filesystem::path& meshes);
 
-struct CaseResult {
-    Case shown;
-    std::vector<std::optional<Cell>> cells;  // of the experiment's candidates; nullopt: not measured
-};
-
-struct SizeResult {
-    gpu::Extent extent;
-    std::vector<CaseResult> cases;
-};
+// The frames of a case at a size of the experiment, without the truth of the depth buffer. Changed views have
+// no truth.
+[[nodiscard]] BenchmarkFrames frames_of(const Experiment& experiment, const Case& one, gpu::Extent extent);
 
 // Where an experiment runs. The device and the passes must outlive the call.
 struct Place {
@@ -45,6 +31,7 @@ struct Place {
     std::function<effect::Settings(const std::string& preset)> preset_of;
     // Makes a function that is called with the part done, in [0, 1]; `what` is being done.
     std::function<std::function<void(double)>(const std::string& what)> progress;
+    std::function<void(const std::string& line)> keep{};  // is given the line of each visit; may be empty
 };
 
 // Whether a table shows the quantity.
@@ -54,11 +41,12 @@ struct Place {
 // more scored frames than there are, and an experiment without a candidate.
 void require_possible(const Experiment& experiment, const Place& place);
 
-// Measures every candidate of every case at every size, in rounds: round 0 gives the errors and compiles, the
-// others give times. Every other round visits the candidates in reverse, so that the machine's drift affects
-// all alike. Throws like require_possible(), BenchmarkViews and effect::AmbientOcclusion, and
-// std::runtime_error for a device without timestamps if there are rounds.
-[[nodiscard]] std::vector<SizeResult> run(const Experiment& experiment, const std::vector<gpu::Extent>& sizes,
-                                          const Place& place);
+// Measures every candidate of every case at every size, in rounds, but for the visits that the record has,
+// and adds them to it. Round 0 gives the errors and compiles, the others give times. Every other round visits
+// the candidates in reverse, so that the machine's drift affects all alike. Throws like require_possible(),
+// BenchmarkViews and effect::AmbientOcclusion, and std::runtime_error for a device without timestamps if
+// there are rounds.
+void run(const Experiment& experiment, const std::vector<gpu::Extent>& sizes, const Place& place,
+         Record& record);
 
 }  // namespace gloam::experiment

@@ -8,8 +8,6 @@
 #include <functional>
 #include <map>
 
-#include "experiment/values.hpp"
-
 namespace gloam::experiment {
 namespace {
 
@@ -91,7 +89,7 @@ class Writer {
             if (table_.kind.empty() || cases[i].shown.kind == table_.kind) all.push_back(i);
         std::vector<Row> rows;
         if (table_.rows == "candidates") {
-            for (std::size_t c = 0; c < experiment_.candidates.size(); ++c) rows.push_back({all, c, ""});
+            for (const std::size_t c : kept(cases_of({all, 0, ""}, size, ""))) rows.push_back({all, c, ""});
         } else if (table_.rows == "kinds") {
             add_kinds(rows, cases, all, 0, false);
         } else if (table_.rows == "growth") {
@@ -115,13 +113,44 @@ class Writer {
         }
     }
 
+    // The candidates of which a table over these cases has rows, in their order.
+    [[nodiscard]] std::vector<std::size_t> kept(const std::vector<const CaseResult*>& cases) const {
+        std::vector<std::size_t> numbers;
+        if (table_.keep == "front") {
+            for (const FrontPoint& point : front_of(front_points(cases))) numbers.push_back(point.candidate);
+        } else {
+            for (std::size_t c = 0; c < experiment_.candidates.size(); ++c) numbers.push_back(c);
+            if (table_.keep == "best") numbers = best_of(cases, numbers);
+        }
+        std::erase_if(numbers, [&](std::size_t c) {
+            return !table_.group.empty() && experiment_.candidates[c].group != table_.group;
+        });
+        return numbers;
+    }
+
+    // The one with the least error of each group.
+    [[nodiscard]] std::vector<std::size_t> best_of(const std::vector<const CaseResult*>& cases,
+                                                   const std::vector<std::size_t>& numbers) const {
+        std::map<std::string, std::pair<double, std::size_t>> best;  // by group
+        for (const std::size_t c : numbers) {
+            const auto error = mean_value(cases, c, "rmse", "median", {});
+            if (!error) continue;
+            const auto [at, is_new] = best.try_emplace(experiment_.candidates[c].group, *error, c);
+            if (!is_new && *error < at->second.first) at->second = {*error, c};
+        }
+        std::vector<std::size_t> chosen;
+        for (const auto& [group, found] : best) chosen.push_back(found.second);
+        std::ranges::sort(chosen);
+        return chosen;
+    }
+
     // The rows of one case.
     void add_rows(std::vector<Row>& rows, const CaseResult& result, std::size_t number) const {
         if (table_.rows == "cases") {
             rows.push_back({{number}, 0, ""});
             return;
         }
-        for (std::size_t c = 0; c < result.cells.size(); ++c) {
+        for (const std::size_t c : kept({&result})) {
             if (!result.cells[c]) continue;
             if (table_.rows == "runs") rows.push_back({{number}, c, ""});
             if (table_.rows == "passes")
@@ -254,7 +283,8 @@ Text to_text(const Experiment& experiment, const std::vector<SizeResult>& result
             Writer writer(experiment, results, table);
             std::string text = writer.written(size);
             if (!by_size && results.size() > 1) text = size_text(results[size].extent) + ":\n\n" + text;
-            all.text += "\n" + text;
+            all.report += "\n" + text;
+            if (!table.in_report) all.text += "\n" + text;
             if (!table.name.empty()) {
                 std::string& block = all.named[table.name];
                 block += (block.empty() ? "" : "\n") + text;

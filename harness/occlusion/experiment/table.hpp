@@ -2,11 +2,15 @@
 #pragma once
 
 #include <map>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "experiment/runner.hpp"
+#include "experiment/results.hpp"
+#include "numeric/numbers.hpp"
 
 namespace gloam::experiment {
 
@@ -14,7 +18,8 @@ namespace gloam::experiment {
 [[nodiscard]] const std::vector<std::string>& quantities();
 
 struct Text {
-    std::string text;  // the tables in Markdown; where a table shows one size, one for each size
+    std::string text;    // the tables in Markdown; where a table shows one size, one for each size
+    std::string report;  // the same, and those that stand in the report alone
     std::map<std::string, std::string> named;  // those with a name alone
     bool missed = false;                       // a target is missed
 };
@@ -36,11 +41,60 @@ struct Growth {
 // The median time of a copy in all readings, in milliseconds; NaN without readings.
 [[nodiscard]] double copy_ms(const SizeResult& result);
 
-// {"versions", "device", "driver", "experiment", "frames", "scored", "rounds", "rays", "sizes": [{"width",
+// The passes whose times count: those with this name, or whose names begin with one of the prefixes. All
+// where both are empty.
+struct TimedPasses {
+    std::vector<std::string> prefixes{};
+    std::string name{};
+};
+
+// "640 x 360".
+[[nodiscard]] std::string size_text(gpu::Extent extent);
+
+// The names of a cell's passes, in the order in which they ran. Empty without readings.
+[[nodiscard]] std::vector<std::string> passes_of(const Cell& cell);
+
+// A quantity of quantities() over some cases: times are geometric means, all else arithmetic ones.
+// statistic: of the readings' times, "median" or "least"; "most", the largest of the cases; "of_best", the
+// geometric mean of the ratios to the least value of any candidate in the case; or "exponent" e of the value
+// as a power of what grows from case to case. nullopt without cases, where a case lacks it, and for an
+// exponent without two different points.
+[[nodiscard]] std::optional<double> mean_value(const std::vector<const CaseResult*>& cases,
+                                               std::size_t candidate, std::string_view quantity,
+                                               std::string_view statistic, const TimedPasses& passes);
+
+// The ratio of the times of two candidates in each round, median by median. NaN without rounds.
+[[nodiscard]] numeric::Spread round_ratios(const CaseResult& one, std::size_t of, std::size_t over,
+                                           const TimedPasses& passes, const TimedPasses& over_passes);
+
+// The points (cost, error) that no other point dominates, by their numbers: at least as good in both and
+// better in one. Cheapest first; of equal points the first. Points that are not finite are in no front.
+[[nodiscard]] std::vector<std::size_t> pareto_front(std::span<const std::pair<double, double>> points);
+
+// A candidate over some cases: copies against error, RMSE (G). Of more than one case the error is the
+// geometric mean of the ratios to the least error of any candidate in the case.
+struct FrontPoint {
+    std::size_t candidate;
+    double copies;
+    double error;
+};
+
+// Those of the candidates that were judged and timed in all cases.
+[[nodiscard]] std::vector<FrontPoint> front_points(const std::vector<const CaseResult*>& cases);
+
+// The points on the front, cheapest first.
+[[nodiscard]] std::vector<FrontPoint> front_of(const std::vector<FrontPoint>& points);
+
+// {"versions", "experiment", "device", "driver", "frames", "scored", "repeat", "rays", "sizes": [{"width",
 // "height", "copy_ms", "cases": [{"case", "what", "kind", "half", "value", "target", "results":
 // [{"candidate", the quantities but the times, "ms", "copies", "passes": [{"pass", "ms", "least_ms",
-// "copies"}], "rounds_ms"}]}]}]}. Times are medians. What was not measured is null.
+// "copies"}], "rounds_ms"}]}]}], "visits": [the lines of the record]}. Times are medians. What was not
+// measured is null.
 [[nodiscard]] std::string to_json(const Experiment& experiment, const std::vector<SizeResult>& results,
-                                  const gpu::DeviceInfo& device, const std::string& versions);
+                                  const Record& record, const std::string& versions);
+
+// A title line, then a line for each candidate of each case at each size, with every quantity. What was not
+// measured is empty.
+[[nodiscard]] std::string to_csv(const Experiment& experiment, const std::vector<SizeResult>& results);
 
 }  // namespace gloam::experiment

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiment/values.hpp"
+#include "experiment/table.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,6 @@
 #include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
-
-#include "experiment/table.hpp"
 
 namespace gloam::experiment {
 namespace {
@@ -53,6 +51,11 @@ const std::vector<Quantity>& untimed() {
         error("bias", &FrameQuality::bias),
         error("similarity", &FrameQuality::similarity),
         error("samples", &FrameQuality::samples),
+        {"memory_mib",
+         [](const Cell& cell) {
+             return cell.quality ? std::optional(static_cast<double>(cell.quality->memory_bytes) / 1048576.0)
+                                 : std::nullopt;
+         }},
         {"flicker", [](const Cell& cell) { return cell.quality ? cell.quality->flicker : std::nullopt; }},
         tiles("tiles_blank", &Work::tiles_blank),
         tiles("tiles_open", &Work::tiles_open),
@@ -108,6 +111,12 @@ double median_of_round(const std::vector<FrameReading>& round, const TimedPasses
     return numeric::spread_of(times).median;
 }
 
+// For a quoted field of CSV.
+std::string quoted(std::string text) {
+    for (std::size_t at = 0; (at = text.find('"', at)) != std::string::npos; at += 2) text.insert(at, 1, '"');
+    return text;
+}
+
 ordered_json json_of(const std::optional<double>& value) {
     return value && std::isfinite(*value) ? ordered_json(*value) : ordered_json(nullptr);
 }
@@ -142,6 +151,23 @@ ordered_json json_of(const Experiment& experiment, const CaseResult& one) {
     for (std::size_t i = 0; i < one.cells.size(); ++i)
         if (one.cells[i]) json["results"].push_back(json_of(*one.cells[i], experiment.candidates[i].name));
     return json;
+}
+
+std::optional<double> value_in(const CaseResult& one, std::size_t candidate, std::string_view quantity,
+                               std::string_view statistic, const TimedPasses& passes) {
+    const std::optional<Cell>& cell = one.cells.at(candidate);
+    return cell ? value_of(*cell, quantity, statistic, passes) : std::nullopt;
+}
+
+// The ratio to the least value of any candidate.
+std::optional<double> ratio_to_best(const CaseResult& one, std::size_t candidate, std::string_view quantity,
+                                    const TimedPasses& passes) {
+    const auto own = value_in(one, candidate, quantity, "median", passes);
+    std::optional<double> least;
+    for (std::size_t i = 0; i < one.cells.size(); ++i)
+        if (const auto value = value_in(one, i, quantity, "median", passes))
+            least = std::min(least.value_or(*value), *value);
+    return own && least ? std::optional(*own / *least) : std::nullopt;
 }
 
 // Of value ~ growing^e, by least squares on logarithmic axes. nullopt without two cases that differ.
@@ -183,18 +209,52 @@ std::optional<double> mean_value(const std::vector<const CaseResult*>& cases, st
                                  std::string_view quantity, std::string_view statistic,
                                  const TimedPasses& passes) {
     if (statistic == "exponent") return exponent_of(cases, candidate, quantity, passes);
-    const bool geometric = quantity == "ms" || quantity == "copies";
+    const bool of_best = statistic == "of_best";
+    const bool geometric = quantity == "ms" || quantity == "copies" || of_best;
     double sum = 0.0;
+    double most = -numeric::infinity;
     for (const CaseResult* one : cases) {
-        const std::optional<Cell>& cell = one->cells.at(candidate);
-        const auto value = cell ? value_of(*cell, quantity, statistic, passes) : std::nullopt;
+        const auto value = of_best ? ratio_to_best(*one, candidate, quantity, passes)
+                                   : value_in(*one, candidate, quantity, statistic, passes);
         if (!value) return std::nullopt;
         if (cases.size() == 1) return value;
         sum += geometric ? std::log(*value) : *value;
+        most = std::max(most, *value);
     }
     if (cases.empty()) return std::nullopt;
+    if (statistic == "most") return most;
     const double mean = sum / static_cast<double>(cases.size());
     return geometric ? std::exp(mean) : mean;
+}
+
+std::vector<std::size_t> pareto_front(std::span<const std::pair<double, double>> points) {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (std::isfinite(points[i].first) && std::isfinite(points[i].second)) order.push_back(i);
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return points[i]; });
+    std::vector<std::size_t> front;
+    for (const std::size_t i : order)
+        if (front.empty() || points[i].second < points[front.back()].second) front.push_back(i);
+    return front;
+}
+
+std::vector<FrontPoint> front_points(const std::vector<const CaseResult*>& cases) {
+    const char* statistic = cases.size() > 1 ? "of_best" : "median";
+    std::vector<FrontPoint> points;
+    for (std::size_t i = 0; !cases.empty() && i < cases.front()->cells.size(); ++i) {
+        const auto copies = mean_value(cases, i, "copies", "median", {});
+        const auto error = mean_value(cases, i, "rmse", statistic, {});
+        if (copies && error) points.push_back({i, *copies, *error});
+    }
+    return points;
+}
+
+std::vector<FrontPoint> front_of(const std::vector<FrontPoint>& points) {
+    std::vector<std::pair<double, double>> pairs;
+    for (const FrontPoint& point : points) pairs.emplace_back(point.copies, point.error);
+    std::vector<FrontPoint> front;
+    for (const std::size_t i : pareto_front(pairs)) front.push_back(points[i]);
+    return front;
 }
 
 numeric::Spread round_ratios(const CaseResult& one, std::size_t of, std::size_t over,
@@ -234,11 +294,10 @@ double copy_ms(const SizeResult& result) {
 }
 
 std::string to_json(const Experiment& experiment, const std::vector<SizeResult>& results,
-                    const gpu::DeviceInfo& device, const std::string& versions) {
-    ordered_json document{
-        {"versions", versions},          {"device", device.name},       {"driver", device.driver},
-        {"experiment", experiment.name}, {"frames", experiment.frames}, {"scored", experiment.scored},
-        {"rounds", experiment.rounds},   {"rays", experiment.rays},     {"sizes", ordered_json::array()}};
+                    const Record& record, const std::string& versions) {
+    ordered_json document{{"versions", versions}};
+    document.update(ordered_json::parse(record.heading()));
+    document["sizes"] = ordered_json::array();
     for (const SizeResult& result : results) {
         ordered_json size{{"width", result.extent.width},
                           {"height", result.extent.height},
@@ -247,7 +306,30 @@ std::string to_json(const Experiment& experiment, const std::vector<SizeResult>&
         for (const CaseResult& one : result.cases) size["cases"].push_back(json_of(experiment, one));
         document["sizes"].push_back(std::move(size));
     }
-    return document.dump(2) + "\n";
+    document["visits"] = ordered_json::array();
+    for (const Visit& visit : record.visits())
+        document["visits"].push_back(ordered_json::parse(line_of(visit)));
+    return document.dump(1) + "\n";
+}
+
+std::string to_csv(const Experiment& experiment, const std::vector<SizeResult>& results) {
+    std::string text = fmt::format("width,height,case,what,candidate,{}\n", fmt::join(quantities(), ","));
+    for (const SizeResult& result : results) {
+        for (const CaseResult& one : result.cases) {
+            for (std::size_t i = 0; i < one.cells.size(); ++i) {
+                if (!one.cells[i]) continue;
+                text += fmt::format("{},{},\"{}\",\"{}\",\"{}\"", result.extent.width, result.extent.height,
+                                    quoted(one.shown.name), quoted(one.shown.what),
+                                    quoted(experiment.candidates[i].name));
+                for (const std::string& quantity : quantities()) {
+                    const auto value = value_of(*one.cells[i], quantity, "median", {});
+                    text += value && std::isfinite(*value) ? fmt::format(",{}", *value) : ",";
+                }
+                text += "\n";
+            }
+        }
+    }
+    return text;
 }
 
 }  // namespace gloam::experiment

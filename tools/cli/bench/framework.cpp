@@ -1,19 +1,90 @@
 // SPDX-License-Identifier: MIT
 #include "cli/bench/framework.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <span>
 
 #include "catalogue/catalogue.hpp"
 #include "check/lab.hpp"
-#include "cli/bench/bare_copy.hpp"
 #include "cli/environment.hpp"
-#include "report/benchmark/summary.hpp"
+#include "gpu/commands.hpp"
+#include "gpu/resources.hpp"
+#include "numeric/numbers.hpp"
 
 namespace gloam::cli {
 namespace {
+
+constexpr std::uint32_t group = 64;
+
+std::string text_of(std::size_t words_in, std::size_t words_out) {
+    std::string loads;
+    for (std::size_t i = 0; i < words_in; ++i)
+        loads += fmt::format("uint word{} = i[at * {}u + {}u];\n", i, words_in, i);
+    std::string stores;
+    for (std::size_t i = 0; i < words_out; ++i)
+        stores += fmt::format("o[at * {}u + {}u] = word{};\n", words_out, i, i % words_in);
+    return fmt::format(
+        "#version 450\nlayout(local_size_x = {}) in;\n"
+        "layout(push_constant) uniform Run {{ uint count; }};\n"
+        "layout(std430, binding = 0) readonly buffer In {{ uint i[]; }};\n"
+        "layout(std430, binding = 1) writeonly buffer Out {{ uint o[]; }};\n"
+        "void main() {{ uint at = gl_GlobalInvocationID.x; if (at >= count) return;\n{}{}}}\n",
+        group, loads, stores);
+}
+
+gpu::ComputePipeline pipeline_of(const check::Lab& lab, std::size_t words_in, std::size_t words_out) {
+    const shader::Spirv spirv = lab.compile({.name = "copy", .text = text_of(words_in, words_out)});
+    return {lab.device(),
+            {.spirv = spirv,
+             .bindings = {gpu::BindingKind::storage_buffer, gpu::BindingKind::storage_buffer},
+             .push_constant_bytes = sizeof(std::uint32_t)}};
+}
+
+// A dispatch that only copies words from buffer to buffer: the minimal cost of evaluating a function. Each
+// invocation copies the `words_in` words of its input to `words_out` words of output, repeating them if there
+// are fewer.
+class BareCopy {
+  public:
+    // Throws like gpu::Buffer and gpu::ComputePipeline.
+    BareCopy(const check::Lab& lab, std::size_t count, std::size_t words_in, std::size_t words_out);
+
+    // Uploads the inputs, copies, downloads the outputs. Throws like gpu::Commands::submit().
+    void run(std::span<const check::Word> inputs);
+
+  private:
+    const gpu::Device* device_;
+    std::size_t count_;
+    gpu::ComputePipeline pipeline_;
+    gpu::Buffer inputs_;
+    gpu::Buffer outputs_;
+    std::vector<check::Word> received_;
+};
+
+BareCopy::BareCopy(const check::Lab& lab, std::size_t count, std::size_t words_in, std::size_t words_out)
+    : device_(&lab.device()),
+      count_(count),
+      pipeline_(pipeline_of(lab, words_in, words_out)),
+      inputs_(lab.device(), count * words_in * sizeof(check::Word)),
+      outputs_(lab.device(), count * words_out * sizeof(check::Word)),
+      received_(count * words_out) {}
+
+void BareCopy::run(std::span<const check::Word> inputs) {
+    std::ranges::copy(inputs, inputs_.as<check::Word>().begin());
+    gpu::Commands commands(*device_);
+    const std::vector<gpu::Resource> resources{std::cref(inputs_), std::cref(outputs_)};
+    const auto count = static_cast<std::uint32_t>(count_);
+    commands.dispatch(pipeline_, resources, {(count + group - 1) / group, 1, 1},
+                      std::as_bytes(std::span(&count, 1)));
+    commands.submit();
+    std::ranges::copy(outputs_.as<check::Word>(), received_.begin());
+}
 
 using Clock = std::chrono::steady_clock;
 
@@ -26,7 +97,7 @@ double seconds(Clock::duration duration) {
 }
 
 double median_of(const std::vector<double>& values) {
-    return report::spread_of(values).median;
+    return numeric::spread_of(values).median;
 }
 
 check::LabOptions options_for(const std::string& device, const std::filesystem::path& cache) {
@@ -38,8 +109,7 @@ check::Question question_of(const std::string& equation) {
 }
 
 // Framework and copy alternate, so that the machine's drift affects both.
-void add_rate(std::vector<report::Figure>& figures, const check::Lab& lab, const std::string& equation,
-              int repeat) {
+void add_rate(std::vector<Figure>& figures, const check::Lab& lab, const std::string& equation, int repeat) {
     const check::Question what = question_of(equation);
     const check::KernelCore kernel = lab.kernel(what.file, what.function, what.signature);
     const check::Domain::Inputs inputs = what.domain.draw(evaluations, 1);
@@ -81,7 +151,7 @@ Start start(const check::LabOptions& options) {
     return {1e3 * seconds(opened - begin), 1e3 * seconds(made - opened), 1e3 * seconds(end - made)};
 }
 
-void add_starts(std::vector<report::Figure>& figures, const std::string& device, bool warm, int repeat) {
+void add_starts(std::vector<Figure>& figures, const std::string& device, bool warm, int repeat) {
     const auto cache = std::filesystem::temp_directory_path() / ("gloam-bench-" + std::to_string(::getpid()));
     std::filesystem::remove_all(cache);
     const check::LabOptions options = options_for(device, warm ? cache : std::filesystem::path{});
@@ -104,9 +174,9 @@ void add_starts(std::vector<report::Figure>& figures, const std::string& device,
 
 }  // namespace
 
-std::vector<report::Figure> framework_figures(const std::string& device, int repeat,
-                                              const std::function<void(double)>& progress) {
-    std::vector<report::Figure> figures;
+std::vector<Figure> framework_figures(const std::string& device, int repeat,
+                                      const std::function<void(double)>& progress) {
+    std::vector<Figure> figures;
     {
         const check::Lab lab(options_for(device, {}));
         add_rate(figures, lab, cheap, repeat);

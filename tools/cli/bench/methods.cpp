@@ -10,7 +10,6 @@
 #include <stdexcept>
 
 #include "cli/bench/image_size.hpp"
-#include "cli/bench/methods_report.hpp"
 #include "cli/environment.hpp"
 #include "cli/open_device.hpp"
 #include "cli/progress.hpp"

@@ -5,6 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "cli/bench/page_blocks.hpp"
+#include "effect/study/method_study.hpp"
+#include "gpu/device.hpp"
+
 namespace CLI {
 class App;
 }
@@ -32,5 +36,32 @@ struct BenchMethodsOptions {
 
 // Adds the subcommand; `status` receives what it returns.
 void add_bench_methods(CLI::App& bench, int& status);
+
+// The results of one configuration: on views, and on scenes in the order of MethodsReport::scenes.
+struct MethodRow {
+    effect::MethodConfiguration configuration;
+    std::vector<effect::ViewResult> views;
+    std::vector<effect::SceneResult> scenes;
+};
+
+struct MethodsReport {
+    gpu::DeviceInfo device;
+    gpu::Extent extent;  // of the scenes' images
+    int pixels = 0;      // of a side of the views
+    std::vector<std::string> scenes;
+    std::vector<effect::Metrics>
+        depth;  // of each scene: the truth of its depth buffer against that of its geometry
+    std::vector<MethodRow> rows;
+};
+
+// Tables as Markdown, for the blocks of a page: what methods estimate, their results on closed-form views,
+// the differences from the truth, their errors on scenes, and the paths of their pictures.
+[[nodiscard]] std::vector<PageBlock> to_blocks(const MethodsReport& report);
+
+// All numbers as JSON.
+[[nodiscard]] std::string to_json(const MethodsReport& report);
+
+// The file of a picture; what: a method's name, "truth" or "depth".
+[[nodiscard]] std::string picture_name(const std::string& scene, const std::string& what);
 
 }  // namespace gloam::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/bench/methods_report.hpp"
+#include "cli/bench/methods.hpp"
 
 #include <fmt/format.h>
 

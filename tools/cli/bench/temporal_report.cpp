@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/bench/temporal_report.hpp"
+#include "cli/bench/temporal.hpp"
 #include "cli/names.hpp"
 
 #include <fmt/format.h>

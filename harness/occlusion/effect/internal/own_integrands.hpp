@@ -2,8 +2,7 @@
 #pragma once
 
 #include "effect/settings.hpp"
-#include "effect/study/expectation.hpp"
-#include "effect/study/seen_surface.hpp"
+#include "effect/study/own_value.hpp"
 
 // The integrands of own_values(), by family of methods. Lengths are in units of the radius.
 namespace gloam::effect::own {

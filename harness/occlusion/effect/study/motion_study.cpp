@@ -1,13 +1,51 @@
 // SPDX-License-Identifier: MIT
 #include "effect/study/motion_study.hpp"
 
-#include <optional>
+#include <limits>
 #include <utility>
 
 #include "effect/internal/work.hpp"
 
 namespace gloam::effect {
+
+std::vector<SequenceFrame> sequence_of(const gpu::Device& device, const scene::PassLibrary& passes,
+                                       const scene::Scene& scene, gpu::Extent extent, int frames) {
+    std::vector<SequenceFrame> sequence;
+    PixelClasses classes({.radius = scene.ao_radius});
+    for (int i = 0; i < frames; ++i) {
+        scene::GBuffer view = scene::rasterize(device, passes, scene, extent, {.frame = i, .motion = true});
+        std::optional<HistoryMap> history;
+        if (i > 0) history.emplace(view, sequence.back().view);
+        classes.advance(view, history);
+        scene::GBuffer wide = scene::rasterize(device, passes, scene, extent,
+                                               {.frame = i, .motion = true, .guard = study_guard});
+        sequence.push_back({std::move(view), std::move(wide), std::move(history), classes});
+    }
+    return sequence;
+}
+
+scene::GBuffer standing_still(scene::GBuffer view) {
+    view.motion.clear();
+    view.previous_position.clear();
+    view.camera.previous_view.reset();
+    view.camera.previous_from_current.reset();
+    return view;
+}
+
 namespace {
+
+constexpr float never = 2.0F;    // a convergence that is never reached
+constexpr float without = 1e6F;  // samples: a cap that is never reached
+
+// The cap is the unit of convergence, so the thresholds are scaled to the same numbers of samples.
+Settings uncapped(Settings settings) {
+    const float part = settings.weight_max / without;
+    settings.weight_max = without;
+    settings.c_spatial *= part;
+    settings.c_rot *= part;
+    settings.c_adaptive *= part;
+    return settings;
+}
 
 // Runs one variant through the sequence.
 class Runner {
@@ -59,6 +97,44 @@ class Runner {
 };
 
 }  // namespace
+
+std::vector<Variant> ablations_of(const Settings& full) {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    std::vector<Variant> variants{{"full", "", full}};
+    const auto off = [&](const char* name, const char* instead, const auto& change) {
+        Settings settings = full;
+        change(settings);
+        variants.push_back({name, instead, settings});
+    };
+    off("disocclusion test (8)", "every surface is the same",
+        [](Settings& s) { s.depth_tolerance = infinity; });
+    off("neighbourhood (9)", "the history counts in full",
+        [](Settings& s) { s.invalidation = Invalidation::none; });
+    off("smooth invalidation by confidence", "at most 48 samples count", [](Settings& s) {
+        s.invalidation = Invalidation::clamp;
+        s.weight_small = 48.0F;
+    });
+    off("both smooth invalidations", "a changed neighbourhood starts afresh", [](Settings& s) {
+        s.invalidation = Invalidation::clamp;
+        s.weight_small = 0.0F;
+    });
+    off("adaptive k", "always k1", [](Settings& s) { s.c_spatial = never; });
+    off("adaptive k, the other way", "always k2", [](Settings& s) { s.c_spatial = 0.0F; });
+    off("filter", "none", [](Settings& s) { s.filter = Filter::none; });
+    off("shrink", "always the full window", [](Settings& s) { s.c_adaptive = infinity; });
+    off("trust in what has converged (10)", "at most that in the pixel itself",
+        [](Settings& s) { s.filter_cap = 1.0F; });
+    off("rotation switch", "always rotated", [](Settings& s) { s.c_rot = never; });
+    off("rotation", "never rotated", [](Settings& s) { s.c_rot = 0.0F; });
+    off("nearest index", "interpolated", [](Settings& s) { s.nearest_index = false; });
+    off("validation of each tap", "bilinear where the nearest is valid",
+        [](Settings& s) { s.taps = HistoryTaps::bilinear; });
+    off("bilinear taps", "the nearest texel", [](Settings& s) { s.taps = HistoryTaps::nearest; });
+    off("frame without a guard band", "10 % on each side, rendered, shaded and cropped",
+        [](Settings& s) { s.guard = 0.1F; });
+    variants.push_back({"weight cap", "all samples count alike", uncapped(full)});
+    return variants;
+}
 
 MotionStudy study_motion(const gpu::Device& device, const scene::PassLibrary& passes,
                          const std::vector<SequenceFrame>& sequence, const std::vector<Variant>& variants,

@@ -2,14 +2,48 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "effect/study/score.hpp"
-#include "effect/study/sequence.hpp"
-#include "effect/study/variants.hpp"
+#include "effect/history_map.hpp"
+#include "effect/pixel_classes.hpp"
+#include "effect/settings.hpp"
+#include "effect/study/still_study.hpp"
+#include "scene/rasterize.hpp"
 
 namespace gloam::effect {
+
+// The guard band that is compared with no guard band, share of the frame on each side.
+constexpr double study_guard = 0.1;
+
+// A frame of a moving scene, with further data about its pixels.
+struct SequenceFrame {
+    scene::GBuffer view;
+    scene::GBuffer wide;                // the same with a guard band of study_guard
+    std::optional<HistoryMap> history;  // from the previous frame; none in the first
+    PixelClasses classes;
+};
+
+// The first frames of a scene, rendered once for all comparisons. Throws like scene::rasterize().
+[[nodiscard]] std::vector<SequenceFrame> sequence_of(const gpu::Device& device,
+                                                     const scene::PassLibrary& passes,
+                                                     const scene::Scene& scene, gpu::Extent extent,
+                                                     int frames);
+
+// The view as it would be if nothing had moved since the previous frame.
+[[nodiscard]] scene::GBuffer standing_still(scene::GBuffer view);
+
+// The effect with one mechanism switched off.
+struct Variant {
+    std::string name;     // of what is switched off; "full" for nothing
+    std::string instead;  // what replaces the mechanism
+    Settings settings;
+};
+
+// The full effect, then one variant for each mechanism of the temporal effect, with that mechanism switched
+// off.
+[[nodiscard]] std::vector<Variant> ablations_of(const Settings& full);
 
 struct MotionOptions {
     int every = 1;                           // every how many frames one is scored; the first frame is scored

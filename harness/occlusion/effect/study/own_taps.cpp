@@ -26,6 +26,83 @@ Integrand taps(const SeenSurface& seen, Radii radii, const Contribution& contrib
     };
 }
 
+using std::numbers::pi;
+
+// The piece of surface in a pixel. Contributions are divided by the pixel's area at its depth, so that they
+// converge for small pixels.
+struct Piece {
+    double distance = 0.0;  // from the shaded point
+    double cosine = 0.0;    // of the angle between the offset and the shaded point's normal
+    double pixel = 0.0;     // width in the scene, radii; 0 in the limit
+    double facing = 0.0;    // cosine between the piece's normal and the direction back to the point
+    double seen_at = 0.0;   // the piece's normal times the view ray, whose component along the axis is 1
+};
+
+// The sum over the pixels within the disc, as an integral over its radius and angle.
+template <class Contribution>
+Integrand pieces(const SeenSurface& seen, const Settings& s, const Contribution& contribution) {
+    return [seen, s, contribution](const std::array<double, 3>& u) {
+        const glm::dvec2 place =
+            seen.reach() * u[0] * glm::dvec2(std::cos(turn * u[1]), std::sin(turn * u[1]));
+        const Seen surface = seen.at(place);
+        if (surface.background || surface.own_pixel) return glm::dvec2(0.0, 1.0);
+        const glm::dvec3& v = surface.offset;
+        const double distance = glm::length(v);
+        const double height = glm::dot(v, seen.normal());
+        if (!(height > double{s.bias} && distance <= 1.0)) return glm::dvec2(0.0, 1.0);
+        const double scale = seen.orthographic() ? 1.0 : surface.depth;
+        const glm::dvec3 position = v + seen.view().point;
+        const glm::dvec3 ray = seen.orthographic() ? glm::dvec3(0, 0, -1) : position / surface.depth;
+        const Piece piece{.distance = distance,
+                          .cosine = height / distance,
+                          .pixel = seen.pitch() * scale,
+                          .facing = std::max(-glm::dot(v, surface.normal) / distance, 0.0),
+                          .seen_at = -glm::dot(surface.normal, ray)};
+        const double disc =
+            pi * seen.reach() * seen.reach() * 2.0 * u[0];  // area on the image plane, per radius
+        const double occlusion = disc * scale * scale * contribution(piece, s, seen.normal(), v);
+        return glm::dvec2(double{s.own.intensity} * occlusion, 1.0);
+    };
+}
+
+// (r / D)^2 of a ball with r half the pixel's width, and its share of the half space, both divided by the
+// pixel's area.
+double ball(const Piece& piece) {
+    return 0.25 / (piece.distance * piece.distance);
+}
+double ball_fraction(const Piece& piece) {
+    const double x = 0.5 * piece.pixel / piece.distance;
+    return ball(piece) / (1.0 + std::sqrt(1.0 - x * x));
+}
+
+// The differences of position and normal between an end of a cross and the shaded point; 0 for another
+// surface.
+struct End {
+    glm::dvec3 offset{0};
+    glm::dvec3 turn{0};
+};
+
+End end_at(const SeenSurface& seen, const glm::dvec2& place, double range) {
+    const Seen surface = seen.at(place);
+    if (surface.background || glm::length(surface.offset) > range) return {};
+    return {surface.offset, surface.normal - seen.normal()};
+}
+
+// The curvature of the surface in the direction at an angle from the first arm. The changes of position and
+// normal along both arms determine its quadratic form.
+double curvature_at(const End& first, const End& second, double angle) {
+    const double length = glm::length(first.offset);
+    if (length < 1e-9) return 0.0;
+    const glm::dvec3 along = first.offset / length;
+    const double shear = glm::dot(second.offset, along);
+    const double across = glm::length(second.offset - shear * along);
+    if (across < 1e-4 * glm::length(second.offset) || across == 0.0) return 0.0;
+    const double b = std::sin(angle) / across;
+    const double a = (std::cos(angle) - b * shear) / length;
+    const glm::dvec3 step = a * first.offset + b * second.offset;
+    return -glm::dot(step, a * first.turn + b * second.turn);
+}
+
 }  // namespace
 
 // TSSAO-12 times epsilon, for surface points of the ball.
@@ -103,6 +180,54 @@ Integrand aksoy_phaneuf_two(const SeenSurface& seen, const Settings& s) {
         const bool counts = !surface.background && glm::dot(v, seen.normal()) > bias;
         const double fine = counts ? std::max(1.0 - 4.0 * glm::length(v), 0.0) : 0.0;
         return broad(u) + glm::dvec2(2.0 * u[0] * fine, 0.0);
+    };
+}
+
+// CS-H: balls as wide as their pixels, cosine-weighted.
+Integrand sphere_proxy(const SeenSurface& seen, const Settings& s) {
+    return pieces(seen, s, [](const Piece& piece, const Settings&, const glm::dvec3&, const glm::dvec3&) {
+        return ball(piece) * piece.cosine;
+    });
+}
+
+// CS-S: discs of the surface's area and normal, cosine-weighted.
+Integrand disc_proxy(const SeenSurface& seen, const Settings& s) {
+    return pieces(seen, s, [](const Piece& piece, const Settings&, const glm::dvec3&, const glm::dvec3&) {
+        const double seen_at = std::max(piece.seen_at, 0.05);
+        const double area = piece.pixel * piece.pixel / seen_at;
+        const double share = 1.0 / (seen_at * (area + pi * piece.distance * piece.distance));
+        return share * piece.cosine * piece.facing;
+    });
+}
+
+// CS-H: balls, weighted by their solid angle, above the biased tangent plane, with linear falloff.
+Integrand mixture(const SeenSurface& seen, const Settings& s) {
+    return pieces(
+        seen, s, [](const Piece& piece, const Settings& settings, const glm::dvec3& n, const glm::dvec3& v) {
+            const double across = glm::length(glm::dvec2(v));
+            const double slope = across > 0.0 ? -glm::dot(glm::dvec2(n), glm::dvec2(v)) / across : 0.0;
+            const double least = std::atan2(slope, n.z) + double{settings.own.angle_bias};
+            if (!(std::atan2(v.z, across) > std::min(least, 0.5 * pi))) return 0.0;
+            return ball_fraction(piece) * piece.cosine * (1.0 - piece.distance);
+        });
+}
+
+// CS-K: the mean over directions of sin^2 of the quadric's horizon. The crosses have half the radius to the
+// whole radius.
+Integrand curvature(const SeenSurface& seen, const Settings& s) {
+    return [seen, range = double{s.own.range}](const std::array<double, 3>& u) {
+        const double share = (0.5 + 0.5 * u[0]) * seen.reach();
+        // The image's y axis points down, and so does that of the crosses.
+        const glm::dvec2 arm =
+            share * glm::dvec2(std::cos(0.25 * turn * u[1]), -std::sin(0.25 * turn * u[1]));
+        const glm::dvec2 other(arm.y, -arm.x);
+        const auto across = [&](const glm::dvec2& along) {
+            const End ahead = end_at(seen, along, range);
+            const End behind = end_at(seen, -along, range);
+            return End{ahead.offset - behind.offset, ahead.turn - behind.turn};
+        };
+        const double q = 0.5 * std::max(curvature_at(across(arm), across(other), turn * u[2]), 0.0);
+        return glm::dvec2(q * q / (1.0 + q * q), 1.0);
     };
 }
 

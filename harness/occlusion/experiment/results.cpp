@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: MIT
+#include "experiment/results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+
+#include "experiment/internal/json_value.hpp"
+
+namespace gloam::experiment {
+namespace {
+
+using internal::Members;
+using internal::Value;
+using nlohmann::ordered_json;
+
+constexpr int most = 1'000'000;  // of counts that are small
+constexpr double largest = std::numeric_limits<double>::max();
+
+// The members of each part of a record are named once, by members(): with a JsonWriter they are written, with
+// a JsonReader they are read.
+class JsonWriter {
+  public:
+    template <class T>
+    void member(const char* name, T& value) {
+        if constexpr (std::is_class_v<T> && requires { value.has_value(); }) {
+            if (value) member(name, *value);
+        } else if constexpr (std::is_same_v<T, std::string>) {
+            if (!value.empty()) json[name] = value;
+        } else if constexpr (std::is_arithmetic_v<T>) {
+            json[name] = value;
+        } else {
+            json[name] = json_of(value);
+        }
+    }
+
+    template <class T>
+    static ordered_json json_of(std::vector<T>& values) {
+        ordered_json all = ordered_json::array();
+        for (T& value : values) all.push_back(json_of(value));
+        return all;
+    }
+
+    template <class T>
+    static ordered_json json_of(T& value) {
+        JsonWriter writer;
+        members(writer, value);
+        return std::move(writer.json);
+    }
+
+    ordered_json json = ordered_json::object();
+};
+
+class JsonReader {
+  public:
+    explicit JsonReader(const Value& value) : members_(value) {}
+
+    template <class T>
+    void member(const char* name, T& value) {
+        const Value* found = members_.find(name);
+        members_.require(name, found != nullptr);
+        read(*found, value);
+    }
+
+    // What was empty was not written.
+    template <class T>
+    void member(const char* name, std::optional<T>& value) {
+        if (const Value* found = members_.find(name)) read(*found, value.emplace());
+    }
+    void member(const char* name, std::string& value) {
+        if (const Value* found = members_.find(name)) found->read(value);
+    }
+
+  private:
+    static void read(const Value& value, std::string& text) { value.read(text); }
+    static void read(const Value& value, int& count) { value.read(count, 0, most); }
+    static void read(const Value& value, double& number) {
+        number = std::numeric_limits<double>::quiet_NaN();  // which JSON has not
+        if (!value.is_null()) value.read(number, -largest, largest);
+    }
+    static void read(const Value& value, std::uint64_t& count) {
+        constexpr double most_counted = 9e15;
+        double number = 0.0;
+        value.read(number, 0.0, most_counted);
+        count = static_cast<std::uint64_t>(number);
+    }
+    static void read(const Value& value, std::uint32_t& count) {
+        int number = 0;
+        value.read(number, 1, most);
+        count = static_cast<std::uint32_t>(number);
+    }
+
+    template <class T>
+    static void read(const Value& value, std::vector<T>& values) {
+        for (const Value& element : value.elements()) read(element, values.emplace_back());
+    }
+
+    template <class T>
+    static void read(const Value& value, T& part) {
+        JsonReader reader(value);
+        members(reader, part);
+    }
+
+    Members members_;
+};
+
+template <class Io>
+void members(Io& io, Conditions& all) {
+    io.member("experiment", all.experiment);
+    io.member("device", all.device);
+    io.member("driver", all.driver);
+    io.member("frames", all.frames);
+    io.member("scored", all.scored);
+    io.member("repeat", all.repeat);
+    io.member("rays", all.rays);
+}
+
+template <class Io>
+void members(Io& io, FrameQuality& all) {
+    io.member("rmse", all.geometry);
+    io.member("rmse_raw", all.raw_geometry);
+    io.member("rmse_depth", all.depth);
+    io.member("rmse_depth_raw", all.raw_depth);
+    io.member("bias", all.bias);
+    io.member("similarity", all.similarity);
+    io.member("flicker", all.flicker);
+    io.member("rmse_remapped", all.remapped);
+    io.member("samples", all.samples);
+    io.member("memory_bytes", all.memory_bytes);
+}
+
+template <class Io>
+void members(Io& io, effect::Work& all) {
+    io.member("pixels", all.pixels);
+    io.member("background", all.background);
+    io.member("below_radius", all.below_radius);
+    io.member("converged", all.converged);
+    io.member("samples", all.samples);
+    io.member("ended_early", all.ended_early);
+    io.member("tiles", all.tiles);
+    io.member("tiles_background", all.tiles_background);
+    io.member("tiles_skipped", all.tiles_skipped);
+    io.member("tiles_shaded", all.tiles_shaded);
+    io.member("tiles_filtered", all.tiles_filtered);
+    io.member("tiles_blank", all.tiles_blank);
+    io.member("tiles_open", all.tiles_open);
+    io.member("tiles_settled", all.tiles_settled);
+    io.member("tiles_unfiltered", all.tiles_unfiltered);
+}
+
+template <class Io>
+void members(Io& io, effect::PassTime& all) {
+    io.member("pass", all.pass);
+    io.member("ms", all.ms);
+}
+
+template <class Io>
+void members(Io& io, FrameReading& all) {
+    io.member("copy_ms", all.copy_ms);
+    io.member("passes", all.passes);
+}
+
+template <class Io>
+void members(Io& io, Visit& all) {
+    io.member("width", all.size.width);
+    io.member("height", all.size.height);
+    io.member("case", all.shown.name);
+    io.member("what", all.shown.what);
+    io.member("kind", all.shown.kind);
+    io.member("half", all.shown.half);
+    io.member("value", all.shown.value);
+    io.member("target", all.shown.target);
+    io.member("candidate", all.candidate);
+    io.member("group", all.group);
+    io.member("round", all.round);
+    io.member("samples_asked", all.samples_asked);
+    io.member("quality", all.quality);
+    io.member("difference", all.difference);
+    io.member("rmse_own_radius", all.own_radius_error);
+    io.member("work", all.work);
+    io.member("readings", all.readings);
+}
+
+template <class T>
+T read_whole(const ordered_json& json) {
+    T read;
+    JsonReader reader(Value(json, ""));
+    members(reader, read);
+    return read;
+}
+
+// What find() compares.
+std::string key_of(const Visit& visit) {
+    return fmt::format("{} {} {}\n{}\n{}\n{}\n{}", visit.size.width, visit.size.height, visit.round,
+                       visit.shown.name, visit.shown.kind, visit.shown.what, visit.candidate);
+}
+
+// A visit of a later round replaces or extends what those before it gave.
+void add_to(std::optional<Cell>& cell, const Visit& visit) {
+    if (!cell) cell.emplace();
+    if (visit.quality) cell->quality = visit.quality;
+    if (visit.round == 0) {
+        cell->difference = visit.difference;
+        cell->own_radius_error = visit.own_radius_error;
+    }
+    cell->samples_asked = visit.samples_asked;
+    cell->work = visit.work;
+    if (visit.round > 0 || !visit.readings.empty()) cell->rounds.push_back(visit.readings);
+}
+
+}  // namespace
+
+std::string Record::heading() const {
+    Conditions conditions = conditions_;
+    return JsonWriter::json_of(conditions).dump();
+}
+
+const Visit* Record::find(const Visit& like) const {
+    const auto found = places_.find(key_of(like));
+    return found == places_.end() ? nullptr : &visits_[found->second];
+}
+
+void Record::add(Visit visit) {
+    const auto [place, is_new] = places_.try_emplace(key_of(visit), visits_.size());
+    if (is_new)
+        visits_.push_back(std::move(visit));
+    else
+        visits_[place->second] = std::move(visit);
+}
+
+void Record::add_line(std::string_view line) {
+    add(read_whole<Visit>(internal::parsed(line)));
+}
+
+std::string line_of(const Visit& visit) {
+    Visit written = visit;
+    return JsonWriter::json_of(written).dump();
+}
+
+Record read_record(const std::string& name, std::string_view text) {
+    std::size_t number = 1;
+    try {
+        const std::string_view first = text.substr(0, text.find('\n'));
+        const bool is_document = !ordered_json::accept(first) || first.size() == text.size();
+        const ordered_json heading = internal::parsed(is_document ? text : first);
+        Record record(read_whole<Conditions>(heading));
+        if (heading.contains("visits")) {
+            for (const Value& visit : Value(heading["visits"], "visits").elements()) {
+                Visit read;
+                JsonReader reader(visit);
+                members(reader, read);
+                record.add(std::move(read));
+            }
+            return record;
+        }
+        for (std::size_t at = first.size() + 1; at < text.size();) {
+            ++number;
+            const std::size_t end = std::min(text.find('\n', at), text.size());
+            record.add_line(text.substr(at, end - at));
+            at = end + 1;
+        }
+        return record;
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error(fmt::format("{}, line {}: {}", name, number, error.what()));
+    }
+}
+
+Record joined(std::span<const Record> parts) {
+    if (parts.empty()) throw std::invalid_argument("no results: expected one or more");
+    Record whole(parts.front().conditions());
+    for (const Record& part : parts) {
+        if (part.conditions() != whole.conditions())
+            throw std::invalid_argument(
+                fmt::format("results of {} and of {}: expected the same", whole.heading(), part.heading()));
+        for (const Visit& visit : part.visits()) {
+            if (whole.find(visit) != nullptr)
+                throw std::invalid_argument(
+                    fmt::format("{}/{}: in two results, expected in one", visit.shown.name, visit.candidate));
+            whole.add(visit);
+        }
+    }
+    return whole;
+}
+
+std::vector<gpu::Extent> choose_recorded(Experiment& experiment, const Record& record) {
+    std::vector<gpu::Extent> sizes;
+    experiment.query.reset();
+    experiment.cases.clear();
+    experiment.candidates.clear();
+    for (const Visit& visit : record.visits()) {
+        if (std::ranges::find(sizes, visit.size) == sizes.end()) sizes.push_back(visit.size);
+        const auto same = [&](const Case& one) {
+            return one.name == visit.shown.name && one.kind == visit.shown.kind &&
+                   one.what == visit.shown.what;
+        };
+        if (std::ranges::none_of(experiment.cases, same)) experiment.cases.push_back(visit.shown);
+        if (std::ranges::find(experiment.candidates, visit.candidate, &Candidate::name) ==
+            experiment.candidates.end())
+            experiment.candidates.push_back({.name = visit.candidate, .group = visit.group});
+    }
+    return sizes;
+}
+
+std::vector<SizeResult> results_of(const Experiment& experiment, const std::vector<gpu::Extent>& sizes,
+                                   const Record& record) {
+    int rounds = 0;
+    for (const Visit& visit : record.visits()) rounds = std::max(rounds, visit.round);
+    std::vector<SizeResult> results;
+    for (const gpu::Extent size : sizes) {
+        SizeResult& result = results.emplace_back(SizeResult{.extent = size});
+        for (const Case& one : experiment.cases) {
+            CaseResult& shown = result.cases.emplace_back(CaseResult{.shown = one});
+            for (const Candidate& candidate : experiment.candidates) {
+                std::optional<Cell>& cell = shown.cells.emplace_back();
+                for (int round = 0; round <= rounds; ++round)
+                    if (const Visit* visit = record.find(
+                            {.size = size, .shown = one, .candidate = candidate.name, .round = round}))
+                        add_to(cell, *visit);
+            }
+        }
+    }
+    return results;
+}
+
+}  // namespace gloam::experiment

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiment/configuration_study.hpp"
+#include "experiment/experiment.hpp"
+#include "gpu/device.hpp"
+
+namespace gloam::experiment {
+
+// What must be equal for visits to be combined.
+struct Conditions {
+    std::string experiment;  // its name
+    std::string device;
+    std::string driver;
+    int frames = 0;
+    int scored = 0;
+    int repeat = 0;
+    int rays = 0;
+
+    friend bool operator==(const Conditions&, const Conditions&) = default;
+};
+
+// What one visit to a candidate in a case gave.
+struct Visit {
+    gpu::Extent size;  // of the experiment
+    Case shown;        // its name, and what tables say of it; all else is empty
+    std::string candidate;
+    std::string group;                    // of the candidate
+    int round = 0;                        // 0: errors
+    std::optional<FrameQuality> quality;  // nullopt: not judged
+    std::vector<FrameReading> readings;   // in round 0 with Experiment::equal_readings alone
+    effect::Work work;                    // of the last frame
+    std::optional<double>
+        difference;  // RMS of the displayed image of the last frame and the first candidate's
+    std::optional<double> own_radius_error;  // the error against the truth for the scene's own radius
+    int samples_asked = 0;
+};
+
+// Visits as they came. The texts are lines of JSON: conditions first, then a line for each visit.
+class Record {
+  public:
+    explicit Record(Conditions conditions) : conditions_(std::move(conditions)) {}
+
+    [[nodiscard]] const Conditions& conditions() const { return conditions_; }
+    [[nodiscard]] std::string heading() const;
+    [[nodiscard]] const std::vector<Visit>& visits() const { return visits_; }
+
+    // The visit with the same size, case, candidate and round; nullptr: there is none.
+    [[nodiscard]] const Visit* find(const Visit& like) const;
+
+    // Adds a visit, or replaces the one that find() finds.
+    void add(Visit visit);
+
+    // The same for a line. Throws std::runtime_error with the place, what was expected and what was found.
+    void add_line(std::string_view line);
+
+  private:
+    Conditions conditions_;
+    std::vector<Visit> visits_;
+    std::map<std::string, std::size_t> places_;  // of visits, by what find() compares
+};
+
+[[nodiscard]] std::string line_of(const Visit& visit);
+
+// Reads the lines, or the document of to_json(). Throws like Record::add_line(), with the name.
+[[nodiscard]] Record read_record(const std::string& name, std::string_view text);
+
+// The visits of all parts. Throws std::invalid_argument if there is no part, if conditions differ, and for a
+// visit in two parts.
+[[nodiscard]] Record joined(std::span<const Record> parts);
+
+// What a candidate reached in a case.
+struct Cell {
+    std::optional<FrameQuality> quality;            // nullopt: without a truth
+    std::vector<std::vector<FrameReading>> rounds;  // the readings of each timed round
+    std::optional<double> difference;               // as in Visit
+    effect::Work work;
+    std::optional<double> own_radius_error;
+    int samples_asked = 0;
+};
+
+struct CaseResult {
+    Case shown;
+    std::vector<std::optional<Cell>> cells;  // of the experiment's candidates; nullopt: not measured
+};
+
+struct SizeResult {
+    gpu::Extent extent;
+    std::vector<CaseResult> cases;
+};
+
+// Replaces the cases and candidates by those of the record, and returns its sizes.
+std::vector<gpu::Extent> choose_recorded(Experiment& experiment, const Record& record);
+
+// The results of all visits to the experiment's candidates in its cases.
+[[nodiscard]] std::vector<SizeResult> results_of(const Experiment& experiment,
+                                                 const std::vector<gpu::Extent>& sizes, const Record& record);
+
+}  // namespace gloam::experiment

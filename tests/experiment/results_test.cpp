@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+// Records of visits: what is written is read again, and what a file may hold instead is refused.
+#include "experiment/results.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "experiment/table.hpp"
+#include "experiment/visits.hpp"
+
+namespace gloam::experiment {
+namespace results_test {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Pair;
+
+Record everything() {
+    Record record = make_record({{"a", "m/4", 10, 0.05}, {"a", "n/8", 30, 0.02}, {"a", "n/4", 40, 0.03}});
+    Visit more = make_visit("b", "n/4", 0, 1, 0.5);
+    more.shown.kind = "views";
+    more.shown.what = "25 %";
+    more.shown.value = 3.0;
+    more.difference = 0.25;
+    more.quality->flicker = 0.001;
+    more.quality->bias = std::numeric_limits<double>::quiet_NaN();
+    more.work = {.pixels = 64, .samples = std::uint64_t{1} << 40U, .tiles_unfiltered = 7};
+    record.add(more);
+    return record;
+}
+
+void expect_refused(const std::string& text, const std::string& named) {
+    EXPECT_THAT(
+        [&] { (void)read_record("some file", text); },
+        testing::ThrowsMessage<std::runtime_error>(testing::AllOf(HasSubstr("some file"), HasSubstr(named))))
+        << text.substr(0, 200);
+}
+
+std::string with(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+}
+
+TEST(ExperimentRecord, ReadsWhatItWrote) {
+    const Record record = everything();
+    const Record back = read_record("", lines_of(record));
+    EXPECT_EQ(lines_of(back), lines_of(record));
+    EXPECT_EQ(back.conditions(), record.conditions());
+    const Visit& last = back.visits().back();
+    EXPECT_EQ(last.shown.what, "25 %");
+    EXPECT_EQ(last.difference, 0.25);
+    EXPECT_EQ(last.quality->flicker, 0.001);
+    EXPECT_TRUE(std::isnan(last.quality->bias));
+    EXPECT_EQ(last.quality->memory_bytes, 3'145'728U);
+    EXPECT_EQ(last.work.samples, std::uint64_t{1} << 40U);
+    EXPECT_EQ(back.find(last), &last);
+    Visit other = last;
+    other.round = 2;
+    EXPECT_EQ(back.find(other), nullptr);
+}
+
+// The document of --json holds the same, in one line or in many.
+TEST(ExperimentRecord, ReadsTheDocumentOfResults) {
+    const Record record = everything();
+    Experiment what{.name = "mine"};
+    const std::vector<gpu::Extent> sizes = choose_recorded(what, record);
+    ASSERT_EQ(sizes.size(), 1U);
+    EXPECT_EQ(what.cases.size(), 2U);
+    EXPECT_EQ(what.candidates.size(), 3U);
+    EXPECT_EQ(what.candidates[1].group, "n");
+    std::string text = to_json(what, results_of(what, sizes, record), record, "gloam 1");
+    EXPECT_EQ(lines_of(read_record("", text)), lines_of(record));
+    std::erase(text, '\n');
+    EXPECT_EQ(lines_of(read_record("", text)), lines_of(record));
+}
+
+// A file of results is untrusted: each name in it becomes one line.
+TEST(ExperimentRecord, NamesAreOneLine) {
+    const std::string text = lines_of(everything());
+    const std::string bad = R"("a\nsystem('id')\n")";
+    expect_refused(with(text, R"(:"device")", ":" + bad), "line 1: device");
+    expect_refused(with(text, R"("driver 1")", bad), "driver: expected a text of one line");
+    expect_refused(with(text, R"("case":"a")", "\"case\":" + bad), "line 2: case");
+    expect_refused(with(text, R"("candidate":"m/4")", "\"candidate\":" + bad), "line 2: candidate");
+}
+
+TEST(ExperimentRecord, SaysWhereSomethingElseStands) {
+    const std::string text = lines_of(everything());
+    expect_refused("", "no JSON");
+    expect_refused("[]", "expected an object");
+    expect_refused("{}", "expected an object with \"frames\"");
+    expect_refused(std::string(1'000'000, '['), "nested more than 64 deep");
+    expect_refused(text + "{}\n", "line 9: ");
+    expect_refused(with(text, R"("round":0)", R"("round":-1)"), "line 2: round: expected a whole number");
+    expect_refused(with(text, R"("width":320)", R"("width":18446744073709551615)"), "line 2: width");
+    expect_refused(with(text, R"("rmse":0.05)", R"("rmse":"small")"), "line 2: quality.rmse: expected");
+    expect_refused(with(text, R"("pass":"ambient_occlusion")", R"("pass":3)"), "readings[0].passes[0].pass");
+    const std::string endless = "{\"" + std::string(100'000, 'x');
+    try {
+        (void)read_record("", endless);
+    } catch (const std::runtime_error& error) {
+        EXPECT_LT(std::string(error.what()).size(), 400U);
+    }
+}
+
+TEST(ExperimentRecord, PartsOfOneRunAreJoined) {
+    const Record one = make_record({{"a", "m/4", 10, 0.05}});
+    const Record other = make_record({{"b", "m/4", 10, 0.05}});
+    EXPECT_EQ(joined(std::vector{one, other}).visits().size(), 4U);
+    const auto refusal = [](const std::vector<Record>& parts, const char* text) {
+        EXPECT_THAT([&] { (void)joined(parts); },
+                    testing::ThrowsMessage<std::invalid_argument>(HasSubstr(text)));
+    };
+    refusal({one, one}, "a/m/4: in two results");
+    refusal({one, Record({.experiment = "mine", .device = "another"})}, "expected the same");
+    refusal({}, "expected one or more");
+}
+
+TEST(ExperimentResults, TimesAreMediansAndCopiesThoseOfTheirMoment) {
+    Visit visit = make_visit("a", "m", 1, 1, 0);
+    visit.readings = {{{{"ambient_occlusion", 3.0}, {"filter_x", 1.0}}, 0.1},
+                      {{{"ambient_occlusion", 6.0}, {"filter_x", 2.0}}, 0.2},
+                      {{{"reproject", 1.0}, {"ambient_occlusion", 4.0}}, 0.1}};
+    Record record({.experiment = "mine"});
+    record.add(visit);
+    Experiment what;
+    const std::vector<SizeResult> results = results_of(what, choose_recorded(what, record), record);
+    const std::vector<const CaseResult*> cases{&results.at(0).cases.at(0)};
+    const TimedPasses gather{.prefixes = {"ambient_occlusion"}};
+    EXPECT_EQ(mean_value(cases, 0, "ms", "median", gather), 4.0);
+    EXPECT_EQ(mean_value(cases, 0, "ms", "median", {}), 5.0);
+    EXPECT_DOUBLE_EQ(*mean_value(cases, 0, "copies", "median", gather), 30.0);
+    EXPECT_DOUBLE_EQ(*mean_value(cases, 0, "copies", "median", {}), 40.0);  // 40, 40, 50: drift cancels
+    EXPECT_FALSE(mean_value(cases, 0, "rmse", "median", {})) << "nothing was judged";
+}
+
+TEST(ExperimentResults, CsvHasALineForEachCandidateOfEachCase) {
+    Experiment what;
+    const Record record = everything();
+    const std::string text = to_csv(what, results_of(what, choose_recorded(what, record), record));
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 5);
+    EXPECT_THAT(text, HasSubstr("width,height,case,what,candidate,ms,copies,rmse,"));
+    EXPECT_THAT(text, HasSubstr("\n320,180,\"a\",\"\",\"m/4\",1,10,0.05,"));
+    EXPECT_THAT(text, HasSubstr("\n320,180,\"b\",\"25 %\",\"n/4\",,,0.5,"));
+    EXPECT_EQ(text.find("nan"), std::string::npos);
+}
+
+Table table_of(const std::string& rows, const std::string& keep) {
+    Table table{.rows = rows, .keep = keep};
+    table.columns = {{.label = "case"},
+                     {.label = "candidate"},
+                     {.value = "rmse", .statistic = rows == "runs" ? "median" : "of_best"}};
+    return table;
+}
+
+// m is fast, n/8 errs least, n/4 is beaten by it.
+TEST(ExperimentTable, KeepsTheFrontOrTheBestOfEachGroup) {
+    const Record record = make_record({{"a", "m/4", 10, 0.08},
+                                       {"a", "n/8", 40, 0.02},
+                                       {"a", "n/4", 50, 0.09},
+                                       {"b", "n/4", 50, 0.05},
+                                       {"b", "m/4", 10, 0.04},
+                                       {"b", "n/8", 90, 0.04}});
+    Experiment what;
+    const std::vector<SizeResult> results = results_of(what, choose_recorded(what, record), record);
+    const auto rows_of = [&](const Table& table) {
+        what.tables = {table};
+        const std::string text = to_text(what, results).text;
+        return text.substr(text.find("|\n", text.find("---")) + 2);
+    };
+    EXPECT_EQ(rows_of(table_of("runs", "front")),
+              "| a | m/4 | 0.08 |\n| a | n/8 | 0.02 |\n| b | m/4 | 0.04 |\n");
+    EXPECT_EQ(rows_of(table_of("runs", "best")),
+              "| a | m/4 | 0.08 |\n| a | n/8 | 0.02 |\n| b | m/4 | 0.04 |\n| b | n/8 | 0.04 |\n");
+    EXPECT_EQ(rows_of(table_of("candidates", "front")), "| a | m/4 | 2.00 |\n| a | n/8 | 1.00 |\n");
+    Table group = table_of("candidates", "");
+    group.group = "m";
+    EXPECT_EQ(rows_of(group), "| a | m/4 | 2.00 |\n");
+    group.in_report = true;
+    what.tables = {group};
+    EXPECT_EQ(to_text(what, results).text, "");
+    EXPECT_THAT(to_text(what, results).report, HasSubstr("| a | m/4 | 2.00 |"));
+}
+
+}  // namespace results_test
+}  // namespace gloam::experiment

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "experiment/results.hpp"
+
+namespace gloam::experiment {
+
+// A visit in round 1 with five readings of so many copies, in the mean, with a tenth of it as spread to each
+// side; a copy takes 0.1 ms. Round 0 judges and gives the error.
+inline Visit make_visit(const std::string& shown, const std::string& candidate, int round, double copies,
+                        double error) {
+    Visit visit{.size = {320, 180},
+                .shown = {.name = shown},
+                .candidate = candidate,
+                .group = candidate.substr(0, candidate.find('/')),
+                .round = round,
+                .samples_asked = 4};
+    if (round == 0) {
+        visit.quality = FrameQuality{.raw_geometry = 1.5 * error,
+                                     .geometry = error,
+                                     .depth = 0.5 * error,
+                                     .similarity = 0.9,
+                                     .samples = 4.0,
+                                     .memory_bytes = 3'145'728};
+        return visit;
+    }
+    for (const double part : {0.9, 0.9, 1.0, 1.1, 1.1})
+        visit.readings.push_back(
+            {{{"ambient_occlusion", 0.06 * part * copies}, {"filter_x", 0.04 * part * copies}}, 0.1});
+    return visit;
+}
+
+struct Row {
+    std::string shown;
+    std::string candidate;
+    double copies;
+    double error;
+};
+
+inline Record make_record(const std::vector<Row>& rows) {
+    Record record({.experiment = "mine",
+                   .device = "device",
+                   .driver = "driver 1",
+                   .frames = 16,
+                   .scored = 8,
+                   .repeat = 1,
+                   .rays = 256});
+    for (const int round : {0, 1})
+        for (const Row& row : rows)
+            record.add(make_visit(row.shown, row.candidate, round, row.copies, row.error));
+    return record;
+}
+
+// The lines of a record, as a journal has them.
+inline std::string lines_of(const Record& record) {
+    std::string text = record.heading() + "\n";
+    for (const Visit& visit : record.visits()) text += line_of(visit) + "\n";
+    return text;
+}
+
+}  // namespace gloam::experiment

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include "cli/bench/experiment_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+#include "base/text.hpp"
+#include "experiment/table.hpp"
+#include "numeric/numbers.hpp"
+#include "report/plot.hpp"
+
+namespace gloam::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using experiment::CaseResult;
+using experiment::Experiment;
+using experiment::FrontPoint;
+using experiment::SizeResult;
+
+using NamedPlots = std::vector<std::pair<std::string, report::Plot>>;  // by the files' names without suffix
+
+// Blocks of a page: of the tables that have names, or one of all.
+std::vector<PageBlock> blocks_of(const Experiment& what, const experiment::Text& tables,
+                                 const std::string& heading) {
+    std::vector<PageBlock> blocks;
+    for (const experiment::Table& table : what.tables)
+        if (!table.name.empty())
+            blocks.push_back(
+                {table.name, tables.named.contains(table.name) ? tables.named.at(table.name) : ""});
+    if (blocks.empty()) blocks.push_back({what.name, heading + tables.text});
+    return blocks;
+}
+
+// Time for each kind of case in which something grows.
+void add_growth(NamedPlots& all, const Measured& measured, const SizeResult& result) {
+    std::map<std::string, report::Plot> plots;  // by kind
+    for (experiment::Growth& growth : growths(measured.what, result)) {
+        report::Plot& plot = plots[growth.kind];
+        plot.title = fmt::format("time against {}, {}", growth.kind, measured.record.conditions().device);
+        plot.x = growth.kind;
+        plot.y = "all passes, ms";
+        plot.logarithmic = true;
+        plot.curves.push_back({.name = fmt::format("{}, exponent {:.2f}", growth.candidate,
+                                                   numeric::exponent_of(growth.points)),
+                               .points = std::move(growth.points)});
+    }
+    for (auto& [kind, plot] : plots)
+        all.emplace_back(fmt::format("{}-{}", measured.what.name, kind), std::move(plot));
+}
+
+// Groups with a point on the front are coloured, all others are grey; presets have their names.
+std::vector<report::Curve> curves_of(const Experiment& what, const std::vector<FrontPoint>& points) {
+    report::Curve front{.name = "Pareto front", .style = report::CurveStyle::steps};
+    std::map<std::string, report::Curve> groups;
+    for (const FrontPoint& point : front_of(points)) {
+        const experiment::Candidate& candidate = what.candidates[point.candidate];
+        front.points.emplace_back(point.copies, point.error);
+        front.labels.push_back(candidate.name);
+        groups[candidate.group].name = candidate.group;
+    }
+    report::Curve others{.name = "others", .style = report::CurveStyle::background};
+    report::Curve presets{.name = "presets", .style = report::CurveStyle::points};
+    for (const FrontPoint& point : points) {
+        const experiment::Candidate& candidate = what.candidates[point.candidate];
+        const bool preset = candidate.group == presets.name;
+        const auto found = groups.find(candidate.group);
+        report::Curve& curve = preset ? presets : found == groups.end() ? others : found->second;
+        curve.points.emplace_back(point.copies, point.error);
+        if (preset) presets.labels.push_back(candidate.name);
+    }
+    std::vector<report::Curve> curves{others};
+    for (auto& [group, curve] : groups) curves.push_back(std::move(curve));
+    curves.push_back(presets);
+    curves.push_back(front);
+    std::erase_if(curves, [](const report::Curve& curve) { return curve.points.empty(); });
+    return curves;
+}
+
+// Error against time: in each case, and over all.
+void add_fronts(NamedPlots& all, const Measured& measured, const SizeResult& result) {
+    if (std::ranges::find(measured.what.tables, "front", &experiment::Table::keep) ==
+        measured.what.tables.end())
+        return;
+    const auto add = [&](const std::string& name, const std::vector<const CaseResult*>& cases,
+                         const char* error) {
+        const std::vector<FrontPoint> points = front_points(cases);
+        if (points.empty()) return;
+        all.emplace_back(
+            name, report::Plot{.title = fmt::format("{}, {}, {}", name, experiment::size_text(result.extent),
+                                                    measured.record.conditions().device),
+                               .x = fmt::format("all passes, copies of {:.3g} ms", copy_ms(result)),
+                               .y = error,
+                               .logarithmic = true,
+                               .curves = curves_of(measured.what, points)});
+    };
+    std::vector<const CaseResult*> cases;
+    for (const CaseResult& one : result.cases) {
+        cases.push_back(&one);
+        add(one.shown.name, {&one}, "RMSE of the occlusion, against (G)");
+    }
+    add("overall", cases, "RMSE (G) over the case's best, geometric mean");
+}
+
+NamedPlots plots_of(const Measured& measured) {
+    NamedPlots all;
+    for (const SizeResult& result : measured.results) {
+        const std::size_t first = all.size();
+        add_growth(all, measured, result);
+        add_fronts(all, measured, result);
+        for (std::size_t i = first; i < all.size(); ++i) {
+            std::string& name = all[i].first;
+            if (measured.results.size() > 1) name += "-" + experiment::size_text(result.extent);
+            std::erase(name, ',');
+            std::ranges::replace(name, ' ', '-');
+            name = base::file_name_of(name);
+        }
+    }
+    return all;
+}
+
+std::string report_text(const Measured& measured, const std::string& heading, const NamedPlots& plots,
+                        const std::string& images) {
+    std::string text = fmt::format("# {}\n\n{}.\n\n{}{}\n", measured.what.name, measured.what.about, heading,
+                                   measured.tables.report);
+    for (const auto& [name, plot] : plots) text += fmt::format("![{0}]({1}/{0}.svg)\n", name, images);
+    return text;
+}
+
+}  // namespace
+
+std::string heading_of(const Measured& measured) {
+    const experiment::Conditions& conditions = measured.record.conditions();
+    std::string text = fmt::format("{} cases on {} ({})", measured.results.front().cases.size(),
+                                   conditions.device, conditions.driver);
+    int rounds = 0;
+    for (const experiment::Visit& visit : measured.record.visits()) rounds = std::max(rounds, visit.round);
+    for (const SizeResult& result : measured.results) {
+        text += fmt::format(",\n{} x {} pixels", result.extent.width, result.extent.height);
+        if (rounds > 0) text += fmt::format(" (a copy takes {:.3f} ms)", copy_ms(result));
+    }
+    text += fmt::format(", {} rounds", rounds);
+    if (conditions.rays > 0)
+        text += fmt::format(",\nthe last {} of {} frames, the truth of {} rays a pixel", conditions.scored,
+                            conditions.frames, conditions.rays);
+    return text + ".\n";
+}
+
+ExperimentFiles::ExperimentFiles(const ExperimentPaths& paths, const Experiment& what)
+    : paths_(paths),
+      old_page_(paths.page.empty() ? "" : read_page(paths.page)),
+      json_(paths.json),
+      csv_(paths.csv),
+      page_(paths.page),
+      report_(paths.report) {
+    if (!paths.page.empty()) (void)with_blocks(old_page_, blocks_of(what, {}, ""));
+    if (!paths.out.empty()) out_.emplace(paths.out);
+    if (!paths.report.empty()) images_.emplace(paths.report.parent_path() / "images" / what.name);
+}
+
+void ExperimentFiles::open_journal(experiment::Record& record, bool resume) {
+    if (!out_) return;
+    out_->keep();  // even if the run fails, because of the journal
+    journal_.emplace(out_->path() / "journal.jsonl", record.heading(), resume);
+    std::size_t number = 1;
+    for (const std::string& line : journal_->lines()) {
+        ++number;
+        try {
+            record.add_line(line);
+        } catch (const std::runtime_error& error) {
+            throw std::runtime_error(
+                fmt::format("{}, line {}: {}", journal_->path().string(), number, error.what()));
+        }
+    }
+}
+
+void ExperimentFiles::keep(const std::string& line) const {
+    if (journal_) journal_->add(line);
+}
+
+void ExperimentFiles::write(const Measured& measured, const std::string& heading,
+                            const std::string& versions) {
+    const std::string json = to_json(measured.what, measured.results, measured.record, versions);
+    const std::string csv = to_csv(measured.what, measured.results);
+    json_.write(json);
+    csv_.write(csv);
+    if (!paths_.page.empty())
+        page_.write(with_blocks(old_page_, blocks_of(measured.what, measured.tables, heading)));
+    if (!out_ && !images_) return;
+    const NamedPlots plots = plots_of(measured);
+    for (const auto& [name, plot] : plots) {
+        const std::string svg = report::to_svg(plot);
+        const std::string png = report::to_png(plot);
+        for (auto* folder : {&images_, &out_}) {
+            if (!*folder) continue;
+            (*folder)->write(name + ".svg", svg);
+            (*folder)->write(name + ".png", png);
+        }
+    }
+    if (images_) images_->keep();
+    report_.write(report_text(measured, heading, plots, "images/" + measured.what.name));
+    if (!out_) return;
+    out_->write("results.json", json);
+    out_->write("results.csv", csv);
+    out_->keep();
+}
+
+}  // namespace gloam::cli

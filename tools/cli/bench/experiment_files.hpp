@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/bench/page_blocks.hpp"
+#include "experiment/results.hpp"
+#include "experiment/table.hpp"
+#include "report/line_journal.hpp"
+#include "report/output_file.hpp"
+#include "report/output_folder.hpp"
+
+namespace gloam::cli {
+
+// Files of an experiment. Empty paths are not written.
+struct ExperimentPaths {
+    std::filesystem::path json;    // every number
+    std::filesystem::path csv;     // a line for each candidate of each case
+    std::filesystem::path page;    // whose blocks of the tables' names, or the experiment's, are written anew
+    std::filesystem::path report;  // a page of its own; its plots lie in images/NAME beside it
+    std::filesystem::path out;     // folder for results, plots and the journal
+};
+
+// The results with all that pages and plots say of them.
+struct Measured {
+    const experiment::Experiment& what;
+    const experiment::Record& record;
+    const std::vector<experiment::SizeResult>& results;
+    const experiment::Text& tables;
+};
+
+// What was measured where, in a few lines.
+[[nodiscard]] std::string heading_of(const Measured& measured);
+
+// The requested files of one run. The constructor finds out whether they can be written, before the work.
+class ExperimentFiles {
+  public:
+    // Throws std::runtime_error for a file that cannot be written, and std::invalid_argument for a page
+    // without the experiment's blocks.
+    ExperimentFiles(const ExperimentPaths& paths, const experiment::Experiment& what);
+
+    // Begins the journal in the folder, or with `resume` takes its visits over into the record. Throws like
+    // report::LineJournal, and std::runtime_error with the line for one that is no visit.
+    void open_journal(experiment::Record& record, bool resume);
+    void keep(const std::string& line) const;  // in the journal, if there is one
+
+    // Writes all files. Throws std::runtime_error for a file that cannot be written, and if gnuplot is
+    // missing.
+    void write(const Measured& measured, const std::string& heading, const std::string& versions);
+
+  private:
+    ExperimentPaths paths_;
+    std::string old_page_;
+    report::OutputFile json_;
+    report::OutputFile csv_;
+    report::OutputFile page_;
+    report::OutputFile report_;
+    std::optional<report::OutputFolder> out_;
+    std::optional<report::OutputFolder> images_;
+    std::optional<report::LineJournal> journal_;
+};
+
+}  // namespace gloam::cli
