@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "stress/far_away.hpp"
+#include "stress/run.hpp"
 
 #include <fmt/format.h>
 

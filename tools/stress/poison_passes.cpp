@@ -9,7 +9,7 @@
 #include "effect/methods.hpp"
 #include "effect/preparation.hpp"
 #include "effect/presets.hpp"
-#include "stress/poison.hpp"
+#include "stress/run.hpp"
 #include "stress/views.hpp"
 
 namespace gloam::stress {

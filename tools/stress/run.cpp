@@ -7,11 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "stress/far_away.hpp"
 #include "stress/long_run.hpp"
-#include "stress/poison.hpp"
-#include "stress/shapes.hpp"
-#include "stress/worst_inputs.hpp"
 
 namespace gloam::stress {
 

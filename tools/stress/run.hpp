@@ -12,6 +12,13 @@
 #include "gpu/device.hpp"
 #include "scene/pass_library.hpp"
 
+namespace gloam::catalogue {
+struct Entry;
+}
+namespace gloam::effect {
+class AmbientOcclusion;
+}
+
 namespace gloam::stress {
 
 // One measured number of a stress run, and the largest value that the documentation allows it.
@@ -51,6 +58,59 @@ struct Context {
 
 // Those that the context names. Throws like effect::method_named().
 [[nodiscard]] std::vector<effect::MethodInfo> methods_of(const Context& context);
+
+// For every equation of the catalogue, the worst input that a guided search finds (check/run.hpp), as a
+// fraction of what its documentation states, beside the worst of its random inputs alone. The search is made
+// of the default variant: inputs that break a budget are rows that fail.
+[[nodiscard]] Rows worst_inputs(const Context& context);
+
+// The same for one of them.
+[[nodiscard]] Rows worst_inputs(const Context& context, const catalogue::Entry& entry);
+
+// Scene and camera moved together, as far as 1e8 units. What is centred on the camera (positions and eye
+// difference formed in double by the host) must not change in a single bit: matrices, previous positions,
+// previous texture coordinates, and the picture of a whole scene. The same in world coordinates: how many
+// pixels it is off at which distance.
+[[nodiscard]] Rows far_away(const Context& context);
+
+constexpr const char* poison_name = "poison";
+
+// Depth and normals that go into the passes of a method. What it returns keeps the passes that methods share,
+// so that they are compiled once.
+[[nodiscard]] std::function<Rows(const effect::MethodInfo&)> poisoned_passes_of(const Context& context);
+
+// The rows of poisoned_passes_of() for all methods of the context.
+[[nodiscard]] Rows poisoned_passes(const Context& context);
+
+// Fetches of methods: none may be outside, whatever the images hold.
+[[nodiscard]] Rows poisoned_gathers(const Context& context);
+
+// Fetches of the filter and of normals from depth: none may be outside, either.
+[[nodiscard]] Rows poisoned_filters(const Context& context);
+
+// History texels and contributions.
+[[nodiscard]] Rows poisoned_history(const Context& context);
+
+// NaN, infinities, negative, subnormal and huge values in depth, normals, history and contributions, one
+// texel at a time and everywhere. Occlusion stays in [0, 1]; pixels beyond the footprint stay as they were;
+// a poisoned history counts as none. Nothing is fetched outside an image. All the same without
+// robustBufferAccess.
+[[nodiscard]] Rows poison(const Context& context);
+
+// Image sizes from 1 x 1 over odd primes and the edges of work groups to the device's limit: every pixel is
+// written, a bare plane is open. Radii that are zero, negative, infinite or NaN, and sample counts from none
+// to the most: what cannot be is refused, the rest is counted to the last sample.
+[[nodiscard]] Rows shapes(const Context& context);
+
+// The same with an effect of shapes_effect() that other methods may have used: it has compiled the passes
+// that methods share.
+[[nodiscard]] Rows shapes(const Context& context, effect::AmbientOcclusion& effect);
+[[nodiscard]] effect::AmbientOcclusion shapes_effect(const Context& context);
+
+// The row of one image size: pixels that are not as they must be, with each of the context's
+// methods, with normals and without.
+// A size at the device's limit is tried less often in a brief run.
+[[nodiscard]] Row one_size(const Context& context, gpu::Extent size);
 
 // One way to stress the library. `go` throws what the gpu, check and effect rooms throw.
 struct Run {

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+
+#include "stress/long_run.hpp"
+#include "stress/reprojected.hpp"
+#include "stress/run.hpp"
+#include "support/entries.hpp"
+#include "support/matchers.hpp"
+#include "tools/installation.hpp"
+#include "tools/stress/support.hpp"
+
+namespace gloam::stress::test::runs_test {
+
+TEST(LongRun, StaysWithinItsBounds) {
+    const Bench bench;
+    const Rows rows = long_run(bench.context());
+    expect_all_passed(rows);
+    // Storing float16 is what costs: the mean stops moving where a frame's change is less than half its
+    // spacing.
+    const std::string quantity = "farthest from the exact mean";
+    const double single = row_of(rows, quantity, "k 8, w_max 1500, float32").measured;
+    const double half = row_of(rows, quantity, "k 8, w_max 1500, float16").measured;
+    EXPECT_GT(single, 0.0);
+    EXPECT_GT(half, 100.0 * single);
+}
+
+// The double beside the device: plain mean until w_max, then the exponential one.
+TEST(LongRun, ItsReferenceIsTheMeanAndThenTheExponentialMean) {
+    HistoryLane lane{.sequence = {.pattern = noise,
+                                  .seed = 3,
+                                  .first = 0,
+                                  .frames = 0,
+                                  .k = 4,
+                                  .table_size = 64,
+                                  .weight_max = 40.0F,
+                                  .stored_half = false}};
+    double sum = 0.0;
+    for (std::uint64_t frame = 0; frame < 10; ++frame) sum += contribution(lane.sequence, frame);
+    lane.advance(10);
+    EXPECT_NEAR(lane.mean, sum / 10.0, 1e-15);
+    EXPECT_EQ(lane.weight, 40.0);
+    EXPECT_EQ(lane.samples, 40U);
+    const double before = lane.mean;
+    lane.advance(1);
+    EXPECT_NEAR(lane.mean, before + (contribution(lane.sequence, 10) - before) * 4.0 / 44.0, 1e-15);
+    EXPECT_EQ(lane.weight, 40.0);
+}
+
+TEST(LongRun, ContributionsOfDeviceAndHostAgree) {
+    const Bench bench;
+    const check::Kernel<float(Sequence, unsigned)> device(bench.lab(), accumulate_file,
+                                                          "stress_contribution");
+    for (unsigned pattern = 0; pattern < pattern_count; ++pattern) {
+        double sum = 0.0;
+        std::vector<decltype(device)::Inputs> inputs;
+        const Sequence sequence{pattern, 7, 0, 0, 1, 1, 1.0F, false};
+        for (unsigned frame = 0; frame < 3 * 8192; ++frame) inputs.emplace_back(sequence, frame);
+        const std::vector<float> values = device(inputs);
+        for (unsigned frame = 0; frame < values.size(); ++frame) {
+            ASSERT_EQ(values[frame], contribution(sequence, frame)) << pattern << ", frame " << frame;
+            sum += values[frame];
+        }
+        const std::array means{1.0 / 3.0, 0.5, 0.5, 0.5, 1.0 / 32.0};
+        EXPECT_NEAR(sum / static_cast<double>(values.size()), means.at(pattern), 0.01) << pattern;
+    }
+}
+
+// A blend that rounds down a little in each frame; a weight that forgets its cap; an index that skips.
+TEST(LongRun, NoticesWhatIsBroken) {
+    struct Fault {
+        const char* file;
+        const char* from;
+        const char* to;
+        const char* quantity;
+    };
+    for (const Fault& fault : {Fault{"gloam/temporal/blend.glsl", "return vec2(blended,",
+                                     "return vec2(blended * 0.9999995,", "farthest from the exact mean"},
+                               Fault{"gloam/temporal/blend.glsl", "total < cap ? total : cap",
+                                     "total < cap ? total : cap - 1.0", "weight off, samples"},
+                               Fault{"gloam/temporal/history.glsl", "(index % size + k % size) % size",
+                                     "(index + k) % size", "next index off"}}) {
+        const gloam::test::Installation broken;
+        broken.replace(fault.file, fault.from, fault.to);
+        const Bench bench(broken.glsl());
+        bool noticed = false;
+        for (const Row& row : rows_of(long_run(bench.context(4'000)), fault.quantity))
+            noticed |= !row.passed();
+        EXPECT_TRUE(noticed) << fault.to;
+    }
+}
+
+TEST(FarAway, NothingCentredOnTheCameraChanges) {
+    const Bench bench;
+    const Rows rows = far_away(bench.context());
+    expect_all_passed(rows);
+    // World coordinates do break, sooner for finer limits: the comparison means something.
+    const double tenth = row_of(rows, "off by 0.1 pixel from", "static").measured;
+    const double whole = row_of(rows, "off by 1 pixel from", "static").measured;
+    EXPECT_GT(tenth, 10.0);
+    EXPECT_GT(whole, tenth);
+    EXPECT_LT(whole, 1e7);
+    EXPECT_LT(row_of(rows, "rejected by TSSAO-8 (0.01) from").measured, 1e8);
+}
+
+TEST(FarAway, ShiftsAreExact) {
+    const MovedPoints origin = points_at_origin(100, 2);
+    for (const double distance : {1e3, 1e6, 1e8}) {
+        const MovedPoints far = moved(origin, distance);
+        EXPECT_NEAR(glm::length(far.shift), distance, 2.0);
+        EXPECT_EQ(far.now.eye - far.shift, origin.now.eye);
+        for (std::size_t i = 0; i < origin.points.size(); ++i)
+            ASSERT_EQ(far.points[i] - far.shift, origin.points[i]);
+    }
+}
+
+// What is compared to the bit depends on where the camera was.
+TEST(FarAway, AnotherPreviousEyeIsNoticed) {
+    const Bench bench;
+    const CenteredForm form(bench.lab());
+    MovedPoints all = points_at_origin(16, 2);
+    const CenteredResults results = form.run(all);
+    EXPECT_LT(CenteredForm::pixels(all, results), 0.01);
+    all.before.eye.x += 1.0 / 1024.0;
+    EXPECT_NE(form.run(all).words(), results.words());
+    EXPECT_GT(CenteredForm::pixels(all, results), 0.01);
+}
+
+TEST(FarAway, PixelsBetweenClipPoints) {
+    EXPECT_DOUBLE_EQ(pixels_between({1, 0, 0, 2}, {0, 0, 0, 1}), 0.25 * image_width);
+    EXPECT_DOUBLE_EQ(pixels_between({0, -1, 0, 2}, {0, 0, 0, 5}), 0.25 * image_height);
+    EXPECT_TRUE(std::isinf(pixels_between({0, 0, 0, -1}, {0, 0, 0, 1})));
+}
+
+// Of one equation; a suite shares a run.
+class WorstInputs : public testing::TestWithParam<std::size_t> {
+  protected:
+    static void SetUpTestSuite() { bench_.emplace(); }
+    static void TearDownTestSuite() { bench_.reset(); }
+
+    inline static std::optional<Bench> bench_;
+};
+
+TEST_P(WorstInputs, StayWithinWhatIsDocumentedAndAreAtLeastAsBadAsRandomOnes) {
+    const Rows rows = worst_inputs(bench_->context(), gloam::test::entries()[GetParam()]);
+    ASSERT_EQ(rows.size(), 2U);
+    expect_all_passed(rows);
+    EXPECT_GE(rows[0].measured, rows[1].measured);
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, WorstInputs, gloam::test::entry_numbers(), gloam::test::entry_name);
+
+TEST(Climb, FindsWorseInputsThanDrawingForManyEquations) {
+    const Bench bench;
+    Context context = bench.context();
+    context.equations = {"TSSAO-*"};
+    const Rows rows = worst_inputs(context);
+    std::size_t worse = 0;
+    for (std::size_t i = 0; i + 1 < rows.size(); i += 2) worse += rows[i].measured > rows[i + 1].measured;
+    EXPECT_GT(worse, rows.size() / 8);
+}
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+TEST(Report, ABoundIsBrokenByMoreAndByNaN) {
+    EXPECT_TRUE((Row{.measured = 2.0, .bound = 2.0}.passed()));
+    EXPECT_FALSE((Row{.measured = 2.1, .bound = 2.0}.passed()));
+    EXPECT_FALSE((Row{.measured = nan, .bound = 2.0}.passed()));
+    EXPECT_FALSE((Row{.measured = nan, .bound = inf}.passed()));
+    EXPECT_TRUE((Row{.measured = inf}.passed()));
+}
+
+TEST(Report, JsonHoldsEveryRow) {
+    const auto json = nlohmann::json::parse(to_json(
+        {.name = "device", .driver = "driver"},
+        {{"run", "a", "b", 0.5, 1.0}, {"run", "c", "d", inf, std::nullopt}, {"run", "e", "f", nan, 0.0}}));
+    EXPECT_EQ(json.at("device").at("name"), "device");
+    EXPECT_EQ(json.at("device").at("driver"), "driver");
+    ASSERT_EQ(json.at("rows").size(), 3U);
+    EXPECT_EQ(json.at("rows")[0], (nlohmann::json{{"run", "run"},
+                                                  {"varied", "a"},
+                                                  {"quantity", "b"},
+                                                  {"measured", 0.5},
+                                                  {"bound", 1.0},
+                                                  {"passed", true}}));
+    EXPECT_TRUE(json.at("rows")[1].at("bound").is_null());
+    EXPECT_EQ(json.at("rows")[1].at("measured"), "inf");
+    EXPECT_EQ(json.at("rows")[2].at("measured"), "nan");
+    EXPECT_EQ(json.at("rows")[2].at("passed"), false);
+}
+
+TEST(Report, LinesSayTheVerdict) {
+    EXPECT_THAT(table_line({"run", "a", "b", 0.5, 1.0}), EndsWith(" ok"));
+    EXPECT_THAT(table_line({"run", "a", "b", 1.5, 1.0}), EndsWith(" BROKEN"));
+    EXPECT_THAT(table_line({"run", "a", "b", 1.5, std::nullopt}), EndsWith(" measured"));
+    EXPECT_EQ(table_line({"run", "a", "b", 0.5, 1.0}).find("0.5"), table_header().find("value") + 2);
+}
+
+TEST(Runs, ByNameOrAll) {
+    EXPECT_EQ(select_runs("").size(), all_runs().size());
+    for (const stress::Run& run : all_runs()) {
+        ASSERT_EQ(select_runs(run.name).size(), 1U);
+        EXPECT_EQ(select_runs(run.name).front().go, run.go);
+        EXPECT_FALSE(run.description.empty());
+    }
+    EXPECT_THROW((void)select_runs("no-such-run"), std::invalid_argument);
+}
+
+}  // namespace gloam::stress::test::runs_test
