@@ -138,7 +138,10 @@ void append_filtering(Entries& entries) {
         {.domain = {vector(3, uniform(-0.5, 0.5)).and_special(), uniform(0, 1), scales(), uniform(0, 1)},
          .budget = {.absolute = 5e-7},
          .codomain = {0, 1}},
-        [](glm::dvec3, double coverage, double, double) { return moderate(1e-30, 1.0, coverage); });
+        [](glm::dvec3 v, double coverage, double scale, double convergence) {
+            return moderate(1e-15, 1e15, v) && moderate(1e-30, 1.0, coverage) && scale >= 1e-6 &&
+                   convergence >= 0 && convergence <= 1;
+        });
     const Values axis = made_by<glm::ivec2>(
         [](numeric::Random& random) { return random.below(2) == 0 ? glm::ivec2(1, 0) : glm::ivec2(0, 1); });
     add(entries, "TSSAO-10",

@@ -164,8 +164,9 @@ void append_issao_contributions(Entries& entries) {
                     biases(), log_uniform(1e-6, 1e-2)},
          .budget = {.absolute = 3e-6, .backward_ulp = 4},
          .codomain = {0, numeric::infinity}},
-        [](glm::dvec3 v, glm::dvec3, double radius, double, double bias, double) {
-            return ordinary(v) && moderate(1e-9, 1e9, radius, bias);
+        [](glm::dvec3 v, glm::dvec3, double radius, double phi, double bias, double sigma) {
+            return ordinary(v) && radius > 0 && moderate(1e-9, 1e9, radius, bias) && bias >= 0 && phi >= 0 &&
+                   phi <= 1 && sigma >= 1e-6 && sigma <= 1;
         });
 }
 
@@ -214,7 +215,10 @@ void append_crytek_and_filion(Entries& entries) {
     add(entries, "CS-B", &reference::gloam_contribution_filion,
         {.domain = Domain{depths(), depths(), log_uniform(0.01, 10)}.tied(1, 0).tied(2, 0),
          .budget = {.absolute = 2e-7, .backward_ulp = 1},
-         .codomain = {0, 1}});
+         .codomain = {0, 1}},
+        [](double sample, double, double radius) {
+            return !std::isinf(sample) && radius >= 0.01 && radius <= 10;
+        });
 }
 
 void append_points(Entries& entries) {

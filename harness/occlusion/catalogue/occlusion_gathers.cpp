@@ -111,7 +111,7 @@ void append_pairs(Entries& entries) {
     const Values offset = vector(3, uniform(-4, 4));
     add(entries, "PAIR-height", &reference::gloam_height_at,
         {.domain = {offset, offset, unit_vector(3), uniform(0.03, 1)},
-         .budget = {.absolute = 3.5e-4},
+         .budget = {.absolute = 6e-5},
          .codomain = {-700, 700}});
 }
 
