@@ -160,14 +160,13 @@ void append_issao_contributions(Entries& entries) {
                    mu >= 0.2;
         });
     add(entries, "ISSAO-6", &reference::gloam_contribution_issao,
-        {.domain = {finite_offsets(), unit_vector(3), log_uniform(0.5, 4).and_special(), log_uniform(0.1, 1),
-                    biases(), log_uniform(1e-6, 1e-2)},
+        {.domain = {finite_offsets().only_as_drawn(), unit_vector(3).only_as_drawn(),
+                    log_uniform(0.5, 4).only_as_drawn(), log_uniform(0.1, 1).only_as_drawn(),
+                    either(constant(0.0F), log_uniform(1e-4, 0.1)).only_as_drawn(),
+                    log_uniform(1e-6, 1e-2).only_as_drawn()},
          .budget = {.absolute = 3e-6, .backward_ulp = 4},
          .codomain = {0, numeric::infinity}},
-        [](glm::dvec3 v, glm::dvec3, double radius, double phi, double bias, double sigma) {
-            return ordinary(v) && radius > 0 && moderate(1e-9, 1e9, radius, bias) && bias >= 0 && phi >= 0 &&
-                   phi <= 1 && sigma >= 1e-6 && sigma <= 1;
-        });
+        [](glm::dvec3 v, const auto&...) { return ordinary(v); });
 }
 
 void append_issao_samples(Entries& entries) {
@@ -213,12 +212,12 @@ void append_crytek_and_filion(Entries& entries) {
     add(entries, "CS-A", &reference::gloam_contribution_crytek,
         {.domain = Domain{depths(), depths()}.tied(1, 0), .codomain = {0, 1}});
     add(entries, "CS-B", &reference::gloam_contribution_filion,
-        {.domain = Domain{depths(), depths(), log_uniform(0.01, 10)}.tied(1, 0).tied(2, 0),
+        {.domain =
+             Domain{log_uniform(1e-3, 1e6).only_as_drawn(), depths(), log_uniform(0.01, 10).only_as_drawn()}
+                 .tied(1, 0)
+                 .tied(2, 0),
          .budget = {.absolute = 2e-7, .backward_ulp = 1},
-         .codomain = {0, 1}},
-        [](double sample, double, double radius) {
-            return !std::isinf(sample) && radius >= 0.01 && radius <= 10;
-        });
+         .codomain = {0, 1}});
 }
 
 void append_points(Entries& entries) {
