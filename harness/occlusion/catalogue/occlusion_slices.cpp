@@ -51,7 +51,7 @@ void append_hbao_march(Entries& entries) {
     add(entries, "CS-C", &reference::gloam_hbao_step,
         {.domain = {vector({uniform(-1, 1), uniform(0, 1)}).only_as_drawn(), uniform(-2, 2).only_as_drawn(),
                     uniform(0.01, 4).only_as_drawn(), uniform(0.5, 2).only_as_drawn()},
-         .budget = {.absolute = 1e-6, .backward_ulp = 4},
+         .budget = {.absolute = 9e-7, .backward_ulp = 4},
          .codomain = {-1.000001, 3.000001}});
 }
 
