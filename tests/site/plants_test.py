@@ -68,7 +68,7 @@ class PlantsTest(unittest.TestCase):
         page.click("run")
         page.finish()
         rows = page.rows()
-        self.assertGreater(len(rows), 300)
+        self.assertGreater(len(rows), 250)
         self.assertEqual([], [(row["equation"], row["error"] or row["story"])
                               for row in rows if row["outcome"] == "failed"])
         self.assertEqual([], browser.evaluate("gloam.missed"))
