@@ -120,13 +120,13 @@ class Browser:
                 raise BrowserError(f"after {self.timeout} s still not: {condition}")
             time.sleep(0.05)
 
-    def key(self, name, seconds=0):
-        """Presses a key for so long: "Tab", "Enter", "Space", "ArrowRight"."""
+    def key(self, name, until="true"):
+        """Presses a key until an expression in the page is true: "Tab", "Enter", "Space", "ArrowRight"."""
         code = {"Tab": 9, "Enter": 13, "Space": 32, "ArrowRight": 39}[name]
         text = {"Enter": "\r", "Space": " "}.get(name)
         press = {"key": " " if name == "Space" else name, "code": name, "windowsVirtualKeyCode": code}
         self.call("Input.dispatchKeyEvent", type="keyDown", **press, **({"text": text} if text else {}))
-        time.sleep(seconds)
+        self.wait(until)
         self.call("Input.dispatchKeyEvent", type="keyUp", **press)
 
     def problems(self):
