@@ -13,7 +13,7 @@
 // offset: s - p, world units. normal: n, unit vector, same space. epsilon: world units, 0.01 to 0.1 of the kernel
 // radius; a negative one counts as 0.
 // Returns a contribution in [0, 1] where the patch is in front of the tangent plane: the cosine within epsilon of p,
-// falling as epsilon / |s - p| beyond. Behind the plane it is negative: such a patch does not count. Error: 3e-7.
+// falling as epsilon / |s - p| beyond. Behind the plane it is negative: such a patch does not count. Error: 3.5e-7.
 float gloam_contribution_fox_compton(vec3 offset, vec3 normal, float epsilon) {
     float inverse = inversesqrt(max(dot(offset, offset), GLOAM_LEAST_SQUARE));
     return min(dot(offset, normal) * inverse, 1.0) * min(max(epsilon, 0.0) * inverse, 1.0);

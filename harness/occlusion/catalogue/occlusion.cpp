@@ -80,7 +80,7 @@ void append_fox_compton(Entries& entries) {
     add(entries, "TSSAO-12", &reference::gloam_contribution_fox_compton,
         {.domain = {finite_offsets(), unit_vector(3),
                     either(log_uniform(0.01, 10), log_uniform(1e-15, 1e15))},
-         .budget = {.absolute = 3e-7},
+         .budget = {.absolute = 3.5e-7},
          .codomain = {-1.000001, 1}},
         [](glm::dvec3 v, glm::dvec3, double) { return moderate(1e-15, 1e15, glm::length(v)); });
 }

@@ -134,7 +134,7 @@ INSTANTIATE_TEST_SUITE_P(All, ShapesOf, testing::ValuesIn(gloam::test::method_na
 // out the last pixel of each row.
 TEST(Shapes, NoticesWhatIsBroken) {
     for (const auto& [file, from, to] :
-         {std::array{"gloam/methods/poisson.glsl", "in_front > kernel.bias", "in_front > -10.0"},
+         {std::array{"gloam/occlusion/blocked.glsl", "in_front > bias", "in_front > -10.0"},
           std::array{"passes/ambient_occlusion.comp", "pixel.x < parameters.size.x &&",
                      "pixel.x < parameters.size.x - 1 &&"}}) {
         const Installation broken;
