@@ -7,8 +7,6 @@
 #include <functional>
 #include <numeric>
 #include <stdexcept>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "gpu/commands.hpp"
@@ -33,22 +31,13 @@ TEST(CopyClock, TheShaderCopiesEveryPixel) {
     const scene::PassLibrary passes(GLOAM_GLSL_DIR);
     const glm::ivec2 size(13, 21);
     const gpu::Extent extent{13, 21};
-    const std::pair<gpu::Format, std::vector<std::string>> formats[] = {
-        {gpu::Format::r32f, {}},
-        {gpu::Format::rgba32f, {"GLOAM_FORMAT rgba32f"}},
-        {gpu::Format::rgba16f, {"GLOAM_FORMAT rgba16f"}},
-        {gpu::Format::rgba16ui, {"GLOAM_FORMAT rgba16ui", "GLOAM_INTEGERS"}}};
-    for (const auto& [format, defines] : formats) {
-        SCOPED_TRACE(defines.empty() ? "r32f" : defines.front());
-        const gpu::ComputePipeline copy(
-            device, {.spirv = passes.compile("copy.comp", defines),
-                     .bindings = {gpu::BindingKind::storage_image, gpu::BindingKind::storage_image},
-                     .push_constant_bytes = sizeof(size)});
+    using enum gpu::Format;
+    for (const gpu::Format format : {r32f, rgba32f, rgba16f, rgba16ui}) {
+        const gpu::ComputePipeline copy = copy_pipeline(device, passes, format);
         gpu::Image from(device, extent, format);
         gpu::Image to(device, extent, format);
         std::vector<float> texels(static_cast<std::size_t>(gpu::channels(format)) * extent.width *
                                   extent.height);
-        from.upload(std::vector<float>(texels.size(), 0.0F));
         to.upload(std::vector<float>(texels.size(), 0.0F));
         std::iota(texels.begin(), texels.end(), 1.0F);
         from.upload(texels);
@@ -56,7 +45,7 @@ TEST(CopyClock, TheShaderCopiesEveryPixel) {
         commands.dispatch(copy, std::vector<gpu::Resource>{std::cref(from), std::cref(to)}, {2, 3, 1},
                           std::as_bytes(std::span(&size, 1)));
         commands.submit();
-        EXPECT_EQ(to.download(), texels);
+        EXPECT_EQ(to.download(), texels) << static_cast<int>(format);
     }
 }
 

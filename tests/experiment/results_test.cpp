@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Records of visits: what is written is read again, and what a file may hold instead is refused.
+// Records of visits: written ones are read again, and wrong values in a file are refused.
 #include "experiment/results.hpp"
 
 #include <gmock/gmock.h>

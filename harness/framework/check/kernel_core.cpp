@@ -153,20 +153,20 @@ class InterpreterKernel : public backend::Kernel {
     [[nodiscard]] std::size_t most_inputs() const override { return std::numeric_limits<std::size_t>::max(); }
 
     void run(std::size_t count, Word canary, backend::KernelMemory& memory) const override {
+        // One share where there are stores: each input sees those of the inputs before it.
         const bool stores = std::ranges::find(stores_, true) != stores_.end();
         const auto shares = base::shares_of(count, stores ? 1 : base::processors());
-        std::vector<std::vector<std::vector<Word>>> images(shares.size(), memory.images);
         std::vector<KernelFaults> faults(shares.size());
         base::for_each_index(shares.size(), 0,
-                             [&](std::size_t i) { run(shares[i], canary, memory, images[i], faults[i]); });
+                             [&](std::size_t i) { run(shares[i], canary, memory, faults[i]); });
         for (const KernelFaults& share : faults) add(share, memory.faults);
-        if (stores && count > 0) memory.images = std::move(images.front());
     }
 
   private:
-    // The inputs of a share, one after another. `images`: stores change them.
+    // The inputs of a share, one after another.
     void run(const base::Range& share, Word canary, backend::KernelMemory& memory,
-             std::vector<std::vector<Word>>& images, KernelFaults& faults) const {
+             KernelFaults& faults) const {
+        std::vector<std::vector<Word>>& images = memory.images;
         InterpretedKernel<float> kernel(program_, module_, images);
         const std::size_t row = module_.output_words + 1;
         for (std::size_t i = share.begin; i < share.end; ++i) {

@@ -41,18 +41,6 @@ struct Compared {
     double error = 0.0;
 };
 
-std::vector<double> copies_of(const Cell& cell) {
-    std::vector<double> copies;
-    for (const std::vector<FrameReading>& round : cell.rounds) {
-        for (const FrameReading& reading : round) {
-            double ms = 0.0;
-            for (const effect::PassTime& pass : reading.passes) ms += pass.ms;
-            copies.push_back(ms / reading.copy_ms);
-        }
-    }
-    return copies;
-}
-
 std::vector<Compared> compared_of(const Record& record) {
     Experiment all;
     const std::vector<gpu::Extent> sizes = choose_recorded(all, record);
@@ -67,7 +55,7 @@ std::vector<Compared> compared_of(const Record& record) {
                 name += one.shown.name + (one.shown.what.empty() ? "" : ", " + one.shown.what) + "/";
                 measured.push_back(
                     {.name = name + all.candidates[i].name,
-                     .copies = numeric::spread_of(copies_of(*cell)),
+                     .copies = numeric::spread_of(times_of(*cell, true, {})),
                      .error = mean_value({&one}, i, "rmse", "median", {}).value_or(std::nan(""))});
             }
         }

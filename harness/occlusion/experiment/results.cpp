@@ -187,11 +187,11 @@ void members(Io& io, Visit& all) {
 }
 
 template <class T>
-T read_whole(const ordered_json& json) {
-    T read;
-    JsonReader reader(Value(json, ""));
-    members(reader, read);
-    return read;
+T part_in(const Value& value) {
+    T part;
+    JsonReader reader(value);
+    members(reader, part);
+    return part;
 }
 
 // What find() compares.
@@ -234,7 +234,8 @@ void Record::add(Visit visit) {
 }
 
 void Record::add_line(std::string_view line) {
-    add(read_whole<Visit>(internal::parsed(line)));
+    const ordered_json visit = internal::parsed(line);
+    add(part_in<Visit>(Value(visit, "")));
 }
 
 std::string line_of(const Visit& visit) {
@@ -248,14 +249,10 @@ Record read_record(const std::string& name, std::string_view text) {
         const std::string_view first = text.substr(0, text.find('\n'));
         const bool is_document = !ordered_json::accept(first) || first.size() == text.size();
         const ordered_json heading = internal::parsed(is_document ? text : first);
-        Record record(read_whole<Conditions>(heading));
+        Record record(part_in<Conditions>(Value(heading, "")));
         if (heading.contains("visits")) {
-            for (const Value& visit : Value(heading["visits"], "visits").elements()) {
-                Visit read;
-                JsonReader reader(visit);
-                members(reader, read);
-                record.add(std::move(read));
-            }
+            for (const Value& visit : Value(heading["visits"], "visits").elements())
+                record.add(part_in<Visit>(visit));
             return record;
         }
         for (std::size_t at = first.size() + 1; at < text.size();) {

@@ -51,6 +51,9 @@ struct TimedPasses {
 // "640 x 360".
 [[nodiscard]] std::string size_text(gpu::Extent extent);
 
+// The times of the passes that count in each reading of a cell, in milliseconds or in copies.
+[[nodiscard]] std::vector<double> times_of(const Cell& cell, bool copies, const TimedPasses& passes);
+
 // The names of a cell's passes, in the order in which they ran. Empty without readings.
 [[nodiscard]] std::vector<std::string> passes_of(const Cell& cell);
 

@@ -89,10 +89,7 @@ double sum_of(const FrameReading& reading, const TimedPasses& passes) {
 // The time of a cell, in milliseconds or in copies. nullopt without readings.
 std::optional<double> time_of(const Cell& cell, bool copies, std::string_view statistic,
                               const TimedPasses& passes) {
-    std::vector<double> times;
-    for (const std::vector<FrameReading>& round : cell.rounds)
-        for (const FrameReading& reading : round)
-            times.push_back(sum_of(reading, passes) / (copies ? reading.copy_ms : 1.0));
+    const std::vector<double> times = times_of(cell, copies, passes);
     if (times.empty()) return std::nullopt;
     return statistic == "least" ? *std::ranges::min_element(times) : numeric::spread_of(times).median;
 }
@@ -194,6 +191,14 @@ const std::vector<std::string>& quantities() {
 
 std::string size_text(gpu::Extent extent) {
     return fmt::format("{} x {}", extent.width, extent.height);
+}
+
+std::vector<double> times_of(const Cell& cell, bool copies, const TimedPasses& passes) {
+    std::vector<double> times;
+    for (const std::vector<FrameReading>& round : cell.rounds)
+        for (const FrameReading& reading : round)
+            times.push_back(sum_of(reading, passes) / (copies ? reading.copy_ms : 1.0));
+    return times;
 }
 
 std::vector<std::string> passes_of(const Cell& cell) {

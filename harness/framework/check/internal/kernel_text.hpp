@@ -71,8 +71,7 @@ struct Evaluation {
 
 // A fragment shader that evaluates one input and draws green where every output is allowed, else red: for
 // scripts that run it elsewhere. Its inputs and images are arrays of uniforms, uint gloam_kernel_inputs[] and
-// gloam_kernel_image0[] ...; what is allowed is part of the text. Throws as
-// gl_kernel_code() does.
+// gloam_kernel_image0[] ...; the bounds of its outputs are part of the text. Throws as gl_kernel_code() does.
 struct GlReplay {
     std::vector<std::size_t> image_words;  // of each image
     std::vector<shader::Scalar> outputs;

@@ -31,6 +31,14 @@ std::vector<std::string> defines_for(gpu::Format format) {
     }
 }
 
+}  // namespace
+
+void require_timestamps(const gpu::DeviceInfo& device) {
+    if (device.timestamp_period_ns > 0.0) return;
+    throw std::runtime_error(fmt::format(
+        "device \"{}\" has no timestamps: expected one that can tell how long a pass takes", device.name));
+}
+
 gpu::ComputePipeline copy_pipeline(const gpu::Device& device, const scene::PassLibrary& passes,
                                    gpu::Format format) {
     require_timestamps(device.info());
@@ -39,14 +47,6 @@ gpu::ComputePipeline copy_pipeline(const gpu::Device& device, const scene::PassL
             {.spirv = spirv,
              .bindings = {gpu::BindingKind::storage_image, gpu::BindingKind::storage_image},
              .push_constant_bytes = sizeof(glm::ivec2)}};
-}
-
-}  // namespace
-
-void require_timestamps(const gpu::DeviceInfo& device) {
-    if (device.timestamp_period_ns > 0.0) return;
-    throw std::runtime_error(fmt::format(
-        "device \"{}\" has no timestamps: expected one that can tell how long a pass takes", device.name));
 }
 
 CopyClock::CopyClock(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent,

@@ -13,6 +13,11 @@ namespace gloam::effect {
 // it.
 void require_timestamps(const gpu::DeviceInfo& device);
 
+// The copy that is timed: of storage images, binding 0 to binding 1, whose size are the push constants
+// (ivec2). Throws like CopyClock.
+[[nodiscard]] gpu::ComputePipeline copy_pipeline(const gpu::Device& device, const scene::PassLibrary& passes,
+                                                 gpu::Format format);
+
 // The time of a copy: a pass that reads one texel and writes one, for each pixel of images of one size. Times
 // in copies of r32f can be compared across machines, and the drift of a machine cancels out.
 class CopyClock {
