@@ -183,8 +183,6 @@ std::vector<Preset> presets_with_history() {
 
 // The difference to the truth that a viewer sees beside an object.
 constexpr float visible_ghost = 0.1F;
-// The one preset that leaves more, 0.133; why is not known.
-constexpr const char* known_ghost = "poisson-performance";
 // The difference to all neighbours beyond the truth's up to which a pixel may be alone, in a still view and
 // beside moving objects. A preset whose filter runs in every frame is meant: elsewhere what has just come
 // into view has few samples. Converged pictures have single pixels of up to 0.56 in thin parts of `room`,
@@ -209,7 +207,6 @@ TEST_F(Pictures, MovingObjectsLeaveNoGhost) {
         const Found ghost =
             largest_ghost(shown(preset), last(moving().stopped, settings), moving().traced, view);
         RecordProperty("ghost_" + preset.name, fmt::format("{:.3f} at {},{}", ghost.value, ghost.x, ghost.y));
-        if (preset.name == known_ghost) continue;
         EXPECT_LT(ghost.value, visible_ghost) << preset.name << ", pixel " << ghost.x << "," << ghost.y;
     }
 }

@@ -18,13 +18,23 @@ void adapt_unreal(Settings& s) {
     s.own.steps = 3;
 }
 
+// Rays and steps of a frame. The history weighs by rays: as default settings keep 500 samples of 32 a frame,
+// it keeps those of 16 frames. What objects covered before is visible for as long.
+Settings remembered_rays(const MethodInfo& method, std::uint32_t count, std::uint32_t steps) {
+    constexpr std::uint32_t frames = 16;
+    Settings settings = rays(method, count, steps);
+    settings.weight_max = static_cast<float>(frames * count);
+    return settings;
+}
+
 std::vector<Preset> poisson_presets(const MethodInfo& method) {
-    return {{"poisson-performance", "Sourimant's least: 8 rays of 4 steps", rays(method, 8, 4)},
-            {"poisson-quality", "Sourimant's most: 24 rays of 8 steps", rays(method, 24, 8)}};
+    return {{"poisson-performance", "Sourimant's least: 8 rays of 4 steps", remembered_rays(method, 8, 4)},
+            {"poisson-quality", "Sourimant's most: 24 rays of 8 steps", remembered_rays(method, 24, 8)}};
 }
 
 std::vector<Preset> unreal_presets(const MethodInfo& method) {
-    return {{"unreal-quality", "the engine's 6 mirrored directions of 3 steps", rays(method, 12, 3)}};
+    return {
+        {"unreal-quality", "the engine's 6 mirrored directions of 3 steps", remembered_rays(method, 12, 3)}};
 }
 
 }  // namespace
