@@ -12,7 +12,6 @@
 
 #include "effect/errors.hpp"
 #include "effect/methods.hpp"
-#include "effect/presets.hpp"
 #include "on_device.hpp"
 #include "scene/rasterize.hpp"
 #include "scene/scene.hpp"

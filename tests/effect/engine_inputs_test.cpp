@@ -13,10 +13,9 @@
 #include <vector>
 
 #include "effect/errors.hpp"
+#include "effect/internal/frame_images.hpp"
 #include "effect/internal/steps.hpp"
-#include "effect/internal/texels.hpp"
 #include "effect/methods.hpp"
-#include "effect/presets.hpp"
 #include "gpu/commands.hpp"
 #include "on_device.hpp"
 #include "scene/camera.hpp"

@@ -2,6 +2,7 @@
 // A filter that runs in the first frames after a cut alone: until then the frames are those of a filter that
 // always runs, and from then on those without a filter, to the bit.
 #include <fmt/format.h>
+
 #include <gtest/gtest.h>
 
 #include <cctype>
@@ -14,9 +15,9 @@
 #include "effect/ambient_occlusion.hpp"
 #include "effect/internal/passes.hpp"
 #include "effect/internal/steps.hpp"
+#include "effect/methods.hpp"
 #include "effect/plan.hpp"
-#include "effect/presets.hpp"
-#include "effect/setting_table.hpp"
+#include "effect/settings.hpp"
 #include "filter_passes.hpp"
 #include "on_device.hpp"
 #include "scene/rasterize.hpp"

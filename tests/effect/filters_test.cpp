@@ -14,7 +14,7 @@
 #include "effect/internal/passes.hpp"
 #include "effect/internal/steps.hpp"
 #include "effect/methods.hpp"
-#include "effect/setting_table.hpp"
+#include "effect/settings.hpp"
 #include "filter_passes.hpp"
 #include "on_device.hpp"
 #include "reference/filter.hpp"

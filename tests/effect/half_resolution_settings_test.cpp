@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "effect/errors.hpp"
-#include "effect/setting_table.hpp"
+#include "effect/settings.hpp"
 #include "half_size.hpp"
 #include "scene/camera.hpp"
 

@@ -15,7 +15,6 @@
 #include "effect/further_views.hpp"
 #include "effect/internal/steps.hpp"
 #include "effect/methods.hpp"
-#include "effect/presets.hpp"
 #include "gpu/commands.hpp"
 #include "interpreter/machine.hpp"
 #include "on_device.hpp"

@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "effect/metrics.hpp"
-#include "effect/similarity.hpp"
+#include "effect/errors.hpp"
 #include "numeric/random.hpp"
 #include "support/matchers.hpp"
 

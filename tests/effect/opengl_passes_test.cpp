@@ -17,7 +17,6 @@
 #include "effect/ambient_occlusion.hpp"
 #include "effect/methods.hpp"
 #include "effect/plan.hpp"
-#include "effect/presets.hpp"
 #include "gl/opened.hpp"
 #include "gl/program.hpp"
 #include "numeric/numbers.hpp"

@@ -17,7 +17,7 @@
 
 #include "effect/ambient_occlusion.hpp"
 #include "effect/errors.hpp"
-#include "effect/presets.hpp"
+#include "effect/methods.hpp"
 #include "on_device.hpp"
 #include "scene/mesh_scene.hpp"
 #include "scene/rasterize.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The plain loop over slices: a fair opponent estimates what the method estimates.
 #include <fmt/format.h>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +14,6 @@
 #include "effect/errors.hpp"
 #include "effect/internal/method_families.hpp"
 #include "effect/methods.hpp"
-#include "effect/presets.hpp"
 #include "effect/study/plain_slices.hpp"
 #include "on_device.hpp"
 #include "scene/rasterize.hpp"

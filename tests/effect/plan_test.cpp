@@ -15,8 +15,6 @@
 #include "effect/internal/passes.hpp"
 #include "effect/methods.hpp"
 #include "effect/plan.hpp"
-#include "effect/preparation.hpp"
-#include "effect/presets.hpp"
 #include "on_device.hpp"
 #include "scene/rasterize.hpp"
 #include "shader/reflection.hpp"

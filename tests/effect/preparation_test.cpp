@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The methods that prepare something before their samples, on their real passes: scenes whose result is
 // known, and the passes themselves.
-#include "effect/preparation.hpp"
+#include "effect/methods.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,6 @@
 #include <vector>
 
 #include "effect/ambient_occlusion.hpp"
-#include "effect/methods.hpp"
-#include "effect/presets.hpp"
 #include "on_device.hpp"
 #include "scene/gbuffer.hpp"
 #include "scene/rasterize.hpp"

@@ -12,7 +12,6 @@
 
 #include "effect/ambient_occlusion.hpp"
 #include "effect/methods.hpp"
-#include "effect/presets.hpp"
 #include "on_device.hpp"
 #include "scene/rasterize.hpp"
 #include "surface_views.hpp"

@@ -14,7 +14,6 @@
 #include "effect/internal/steps.hpp"
 #include "effect/internal/tiles.hpp"
 #include "effect/methods.hpp"
-#include "effect/presets.hpp"
 #include "gpu/commands.hpp"
 #include "gpu/resources.hpp"
 #include "on_device.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The table of settings: complete, in range, and every line of it changes what is shown.
-#include "effect/setting_table.hpp"
+#include "effect/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "effect/ambient_occlusion.hpp"
-#include "effect/presets.hpp"
+#include "effect/methods.hpp"
 #include "on_device.hpp"
 #include "scene/mesh.hpp"
 #include "scene/rasterize.hpp"

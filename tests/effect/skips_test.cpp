@@ -8,7 +8,6 @@
 
 #include "effect/ambient_occlusion.hpp"
 #include "effect/methods.hpp"
-#include "effect/presets.hpp"
 #include "on_device.hpp"
 #include "scene/gbuffer.hpp"
 #include "scene/rasterize.hpp"

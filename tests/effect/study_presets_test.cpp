@@ -2,7 +2,7 @@
 // The comparative study's configurations (Aalund and Baerentzen 2013) as it prints them.
 #include <gtest/gtest.h>
 
-#include "effect/presets.hpp"
+#include "effect/methods.hpp"
 
 namespace gloam::effect {
 namespace {

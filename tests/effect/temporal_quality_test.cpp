@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "effect/presets.hpp"
+#include "effect/methods.hpp"
 #include "effect/study/motion_study.hpp"
 #include "effect/study/still_study.hpp"
 #include "on_device.hpp"

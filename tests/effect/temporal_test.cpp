@@ -10,7 +10,6 @@
 #include "effect/ambient_occlusion.hpp"
 #include "effect/errors.hpp"
 #include "effect/methods.hpp"
-#include "effect/presets.hpp"
 #include "on_device.hpp"
 #include "scene/mesh.hpp"
 #include "scene/rasterize.hpp"

@@ -5,7 +5,6 @@
 
 #include "effect/methods.hpp"
 #include "effect/on_device.hpp"
-#include "effect/presets.hpp"
 
 namespace gloam::experiment {
 namespace configuration_study_test {

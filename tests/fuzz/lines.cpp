@@ -2,7 +2,7 @@
 // The messages of a worker process, which a driver may have overwritten, and the rows of a check.
 #include "cli/check/task.hpp"
 #include "fuzz/fuzz.hpp"
-#include "report/answer_json.hpp"
+#include "report/check_report.hpp"
 
 using namespace gloam;
 

@@ -7,7 +7,7 @@
 #include "fuzz/fuzz.hpp"
 #include "report/check_report.hpp"
 #include "report/internal/plot_layout.hpp"
-#include "report/laboratory/summary_lines.hpp"
+#include "report/laboratory.hpp"
 
 using namespace gloam;
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "effect/setting_table.hpp"
+#include "effect/settings.hpp"
 #include "on_rough.hpp"
 #include "support/method_names.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/answer_json.hpp"
+#include "report/check_report.hpp"
 
 #include <cmath>
 #include <stdexcept>

@@ -4,8 +4,6 @@
 #include "report/accuracy.hpp"
 #include "report/check_page.hpp"
 #include "report/check_report.hpp"
-#include "report/matrix.hpp"
-#include "report/merge.hpp"
 #include "report/rows.hpp"
 #include "support/matchers.hpp"
 

@@ -4,10 +4,8 @@
 #include <set>
 #include <sstream>
 
-#include "report/amber.hpp"
-#include "report/failure_text.hpp"
+#include "report/failures.hpp"
 #include "report/rows.hpp"
-#include "report/shader_test.hpp"
 #include "support/matchers.hpp"
 
 namespace gloam::report::failures_test {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "report/laboratory/summary_page.hpp"
+#include "report/laboratory.hpp"
 #include "report/rows.hpp"
 #include "support/matchers.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/line_journal.hpp"
+#include "report/output.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -8,8 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "report/output_file.hpp"
-#include "report/output_folder.hpp"
+#include "report/output.hpp"
 #include "support/files.hpp"
 #include "support/full_disk.hpp"
 #include "support/matchers.hpp"

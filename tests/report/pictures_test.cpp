@@ -9,11 +9,9 @@
 #include <vector>
 
 #include "report/check_page.hpp"
-#include "report/color_map.hpp"
 #include "report/image.hpp"
 #include "report/page.hpp"
 #include "report/rows.hpp"
-#include "report/sheet.hpp"
 #include "support/matchers.hpp"
 
 namespace gloam::report::pictures_test {

@@ -12,7 +12,7 @@
 #include "check/run.hpp"
 #include "numeric/numbers.hpp"
 #include "numeric/random.hpp"
-#include "report/answer_json.hpp"
+#include "report/check_report.hpp"
 #include "site/check_data.hpp"
 
 namespace {

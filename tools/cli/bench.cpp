@@ -2,7 +2,6 @@
 #include "cli/bench.hpp"
 
 #include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
@@ -17,7 +16,7 @@
 #include "cli/names.hpp"
 #include "cli/open_device.hpp"
 #include "cli/progress.hpp"
-#include "report/output_file.hpp"
+#include "report/output.hpp"
 
 namespace gloam::cli {
 namespace {

@@ -25,7 +25,7 @@
 #include "gl/device.hpp"
 #include "report/check_page.hpp"
 #include "report/check_report.hpp"
-#include "report/output_file.hpp"
+#include "report/output.hpp"
 
 namespace gloam::cli {
 namespace {

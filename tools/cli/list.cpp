@@ -16,9 +16,9 @@
 #include "cli/environment.hpp"
 #include "cli/names.hpp"
 #include "cli/settings.hpp"
-#include "effect/presets.hpp"
-#include "effect/setting_table.hpp"
-#include "report/output_file.hpp"
+#include "effect/methods.hpp"
+#include "effect/settings.hpp"
+#include "report/output.hpp"
 #include "report/page.hpp"
 #include "shader/compile.hpp"
 

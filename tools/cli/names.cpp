@@ -2,12 +2,12 @@
 #include "cli/names.hpp"
 
 #include <fmt/format.h>
+
 #include <stdexcept>
 
 #include "base/text.hpp"
 #include "effect/methods.hpp"
-#include "effect/presets.hpp"
-#include "effect/setting_table.hpp"
+#include "effect/settings.hpp"
 #include "scene/scene.hpp"
 
 namespace gloam::cli {

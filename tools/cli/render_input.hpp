@@ -10,7 +10,7 @@
 #include "cli/render.hpp"
 #include "effect/errors.hpp"
 #include "gpu/device.hpp"
-#include "report/output_folder.hpp"
+#include "report/output.hpp"
 #include "scene/gbuffer.hpp"
 #include "scene/image_files.hpp"
 #include "scene/pass_library.hpp"

@@ -2,9 +2,10 @@
 #include "cli/render_pictures.hpp"
 
 #include <fmt/format.h>
+
 #include <cmath>
 
-#include "report/sheet.hpp"
+#include "report/image.hpp"
 #include "scene/read_gbuffer.hpp"
 
 namespace gloam::cli {

@@ -9,7 +9,7 @@
 #include "cli/names.hpp"
 #include "cli/settings.hpp"
 #include "effect/methods.hpp"
-#include "effect/setting_table.hpp"
+#include "effect/settings.hpp"
 
 namespace gloam::cli {
 namespace {

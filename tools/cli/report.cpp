@@ -23,10 +23,9 @@
 #include "cli/progress.hpp"
 #include "report/accuracy.hpp"
 #include "report/check_page.hpp"
-#include "report/laboratory/summary_page.hpp"
-#include "report/matrix.hpp"
-#include "report/merge.hpp"
-#include "report/output_file.hpp"
+#include "report/check_report.hpp"
+#include "report/laboratory.hpp"
+#include "report/output.hpp"
 
 namespace gloam::cli {
 namespace {

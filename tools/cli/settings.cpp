@@ -2,13 +2,13 @@
 #include "cli/settings.hpp"
 
 #include <fmt/format.h>
+
 #include <cmath>
 #include <stdexcept>
 
 #include "base/text.hpp"
 #include "cli/arguments.hpp"
 #include "effect/methods.hpp"
-#include "effect/presets.hpp"
 
 namespace gloam::cli {
 

@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "cli/render.hpp"
-#include "effect/setting_table.hpp"
 #include "effect/settings.hpp"
 
 namespace gloam::cli {

@@ -15,7 +15,7 @@
 #include "cli/render_pictures.hpp"
 #include "cli/renderer.hpp"
 #include "cli/site_gallery.hpp"
-#include "report/output_folder.hpp"
+#include "report/output.hpp"
 #include "site/site.hpp"
 
 namespace gloam::cli {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "report/output_folder.hpp"
+#include "report/output.hpp"
 
 namespace gloam::cli {
 

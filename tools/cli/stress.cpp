@@ -13,7 +13,7 @@
 #include "cli/names.hpp"
 #include "cli/open_device.hpp"
 #include "effect/method_functions.hpp"
-#include "report/output_file.hpp"
+#include "report/output.hpp"
 #include "stress/run.hpp"
 
 namespace gloam::cli {

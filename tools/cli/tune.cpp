@@ -18,7 +18,7 @@
 #include "effect/study/tuning.hpp"
 #include "experiment/configuration_study.hpp"
 #include "numeric/numbers.hpp"
-#include "report/output_file.hpp"
+#include "report/output.hpp"
 
 namespace gloam::cli {
 namespace {

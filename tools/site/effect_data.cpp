@@ -7,7 +7,7 @@
 
 #include "base/files.hpp"
 #include "effect/methods.hpp"
-#include "effect/setting_table.hpp"
+#include "effect/settings.hpp"
 #include "shader/pack.hpp"
 #include "site/shader_text.hpp"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "check/lab.hpp"
-#include "report/output_folder.hpp"
+#include "report/output.hpp"
 
 namespace gloam::site {
 

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "effect/ambient_occlusion.hpp"
-#include "effect/presets.hpp"
+#include "effect/methods.hpp"
 #include "scene/rasterize.hpp"
 #include "stress/reprojected.hpp"
 

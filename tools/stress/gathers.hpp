@@ -8,7 +8,7 @@
 
 #include "check/kernel.hpp"
 #include "effect/method_functions.hpp"
-#include "effect/preparation.hpp"
+#include "effect/methods.hpp"
 
 namespace gloam::stress {
 

@@ -7,8 +7,6 @@
 
 #include "effect/ambient_occlusion.hpp"
 #include "effect/methods.hpp"
-#include "effect/preparation.hpp"
-#include "effect/presets.hpp"
 #include "stress/run.hpp"
 #include "stress/views.hpp"
 

@@ -10,7 +10,6 @@
 
 #include "effect/ambient_occlusion.hpp"
 #include "effect/methods.hpp"
-#include "effect/presets.hpp"
 #include "stress/gathers.hpp"
 #include "stress/views.hpp"
 

@@ -11,7 +11,6 @@
 #include "effect/internal/frame.hpp"
 #include "effect/internal/frame_images.hpp"
 #include "effect/internal/progress.hpp"
-#include "effect/internal/view_inputs.hpp"
 #include "effect/internal/work.hpp"
 #include "scene/gbuffer.hpp"
 

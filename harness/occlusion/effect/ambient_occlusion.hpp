@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "effect/pass_watcher.hpp"
+#include "effect/plan.hpp"
 #include "effect/settings.hpp"
 #include "gpu/device.hpp"
 #include "gpu/resources.hpp"

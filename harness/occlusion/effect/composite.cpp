@@ -5,9 +5,9 @@
 
 #include <stdexcept>
 
+#include "effect/internal/frame_images.hpp"
 #include "effect/internal/passes.hpp"
 #include "effect/internal/steps.hpp"
-#include "effect/internal/texels.hpp"
 
 namespace gloam::effect {
 namespace {

@@ -12,8 +12,6 @@
 #include "effect/internal/executor.hpp"
 #include "effect/internal/frame_images.hpp"
 #include "effect/internal/passes.hpp"
-#include "effect/internal/texels.hpp"
-#include "effect/internal/view_inputs.hpp"
 #include "scene/gbuffer.hpp"
 
 namespace gloam::effect {

@@ -3,9 +3,12 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "effect/pixel_classes.hpp"
+#include "gpu/resources.hpp"
 #include "scene/gbuffer.hpp"
 
 namespace gloam::effect {
@@ -35,5 +38,56 @@ using TrueOcclusion = std::function<double(const glm::dvec3& world, double radiu
 
 // A reference image as truth: NaN at the background. Throws std::invalid_argument when the sizes disagree.
 [[nodiscard]] Truth truth_from(const scene::GBuffer& view, std::span<const float> reference);
+
+// Structural similarity (SSIM: Wang et al. 2004) of an occlusion image and the truth, as visibility in [0,
+// 1]. The window is a Gaussian of 11 x 11 pixels with a standard deviation of 1.5 pixels; the constants are
+// 0.01^2 and 0.03^2. Only pixels with known truth count, in a window and in the mean. Returns 1 for equal
+// images, and when no truth is known. Throws std::invalid_argument when the sizes disagree.
+[[nodiscard]] double structural_similarity(std::span<const float> occlusion, std::span<const float> truth,
+                                           gpu::Extent extent);
+
+// The remap of a visibility v in [0, 1] (CS-REMAP): v' = (b (v + a))^c, clamped to [0, 1]. A base below 0
+// gives 0.
+struct Remap {
+    double a = 0.0;
+    double b = 1.0;
+    double c = 1.0;
+
+    [[nodiscard]] double operator()(double visibility) const;
+};
+
+// The remap that minimises the root mean square difference of an occlusion image from the truth. It shows how
+// accurate a method is apart from constant factors. The result is deterministic, and its error is never
+// larger than without a remap. If no truth is known, the result is no remap. Throws std::invalid_argument
+// when the sizes disagree.
+[[nodiscard]] Remap best_remap(std::span<const float> occlusion, std::span<const float> truth);
+
+// The occlusion image after a remap.
+[[nodiscard]] std::vector<float> remapped(std::span<const float> occlusion, const Remap& remap);
+
+// Differences between an occlusion image and the truth, over the pixels whose truth is known.
+struct Metrics {
+    Errors raw;
+    double similarity = 1.0;  // SSIM
+    Remap remap;              // the one that brings the image nearest to the truth
+    Errors after_remap;
+    double similarity_after_remap = 1.0;
+};
+
+// Calculates them. Throws std::invalid_argument when the sizes disagree.
+[[nodiscard]] Metrics metrics_of(std::span<const float> occlusion, std::span<const float> truth,
+                                 gpu::Extent extent);
+
+// The truth where the mask is set, NaN elsewhere. Throws std::invalid_argument when the sizes disagree.
+[[nodiscard]] Truth masked(std::span<const float> truth, const Mask& mask);
+
+// Errors by class of pixel.
+struct ClassErrors {
+    Errors disoccluded;
+    Errors near_moving;
+    Errors settled;
+};
+[[nodiscard]] ClassErrors class_errors_of(std::span<const float> occlusion, std::span<const float> truth,
+                                          const PixelClasses& classes);
 
 }  // namespace gloam::effect

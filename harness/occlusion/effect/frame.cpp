@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "effect/internal/frame_images.hpp"
-#include "effect/internal/pass_table.hpp"
 
 namespace gloam::effect {
 namespace {

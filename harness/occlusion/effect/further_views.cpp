@@ -8,7 +8,6 @@
 
 #include "effect/internal/executor.hpp"
 #include "effect/internal/passes.hpp"
-#include "effect/internal/view_inputs.hpp"
 #include "effect/methods.hpp"
 
 namespace gloam::effect {

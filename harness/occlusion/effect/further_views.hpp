@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "effect/pass_watcher.hpp"
+#include "effect/plan.hpp"
 #include "effect/settings.hpp"
 #include "gpu/device.hpp"
 #include "scene/gbuffer.hpp"

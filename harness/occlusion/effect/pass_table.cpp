@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "effect/internal/pass_table.hpp"
+#include "effect/internal/frame.hpp"
 
 #include <fmt/format.h>
 

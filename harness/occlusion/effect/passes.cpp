@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "effect/methods.hpp"
-#include "effect/setting_table.hpp"
+#include "effect/settings.hpp"
 
 namespace gloam::effect {
 namespace {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,12 @@
 #include "scene/pass_library.hpp"
 
 namespace gloam::effect {
+
+struct Step;
+
+// Called before a pass runs, by itself, and after: tests of single passes read what its bindings hold
+// (internal/steps.hpp).
+using PassWatcher = std::function<void(const Step& pass, bool after)>;
 
 // The source of a pass, the same for every device.
 struct PassSource {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "effect/remap_fit.hpp"
+#include "effect/errors.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "effect/setting_table.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,10 +9,12 @@
 
 #include "effect/internal/named.hpp"
 #include "effect/methods.hpp"
+#include "effect/settings.hpp"
 #include "numeric/numbers.hpp"
 #include "scene/gbuffer.hpp"
 
 namespace gloam::effect {
+
 namespace {
 
 using numeric::infinity;
@@ -316,6 +316,12 @@ void set(Settings& settings, std::string_view name, std::string_view text) {
     const SettingValue value = value_of(setting, text);
     check(setting, value);
     setting.put(settings, value);
+}
+
+std::string name_of(HistoryPrecision precision) {
+    Settings settings;
+    settings.precision = precision;
+    return std::get<std::string>(setting_named("precision").get(settings));
 }
 
 }  // namespace gloam::effect

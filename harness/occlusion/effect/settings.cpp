@@ -7,9 +7,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "effect/internal/precision_name.hpp"
-#include "effect/setting_table.hpp"
-
 namespace gloam::effect {
 namespace {
 

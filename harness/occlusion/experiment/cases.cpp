@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "effect/methods.hpp"
-#include "effect/presets.hpp"
 #include "scene/mesh.hpp"
 #include "scene/scene.hpp"
 

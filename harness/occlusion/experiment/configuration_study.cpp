@@ -2,11 +2,11 @@
 #include "experiment/configuration_study.hpp"
 
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 
-#include "effect/remap_fit.hpp"
-#include "effect/similarity.hpp"
+#include "effect/errors.hpp"
 
 namespace gloam::experiment {
 

@@ -11,7 +11,7 @@
 
 #include "effect/ambient_occlusion.hpp"
 #include "effect/errors.hpp"
-#include "effect/history_map.hpp"
+#include "effect/pixel_classes.hpp"
 #include "effect/settings.hpp"
 #include "effect/study/copy_clock.hpp"
 #include "effect/study/plain_slices.hpp"

@@ -16,7 +16,7 @@
 #include "effect/errors.hpp"
 #include "effect/methods.hpp"
 #include "effect/plan.hpp"
-#include "effect/setting_table.hpp"
+#include "effect/settings.hpp"
 #include "effect/study/copy_clock.hpp"
 
 namespace gloam::experiment {

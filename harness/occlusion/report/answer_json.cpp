@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "report/answer_json.hpp"
+#include "report/check_report.hpp"
 
 #include <fmt/format.h>
 
-#include "report/internal/answer_json.hpp"
+#include "report/internal/json_fields.hpp"
 
 namespace gloam::report {
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "check/answer.hpp"
-#include "report/answer_json.hpp"
 
 namespace gloam::report {
 
@@ -92,5 +91,37 @@ struct OutcomeCounts {
 // JUnit XML: a test suite for each device, a test case for each row. A row that did not run is an error whose
 // type is its reason; one that was not judged is skipped.
 [[nodiscard]] std::string to_junit(const std::vector<CheckReport>& reports);
+
+// One line of JSON, and back. Reading restores the worst input without its fractions, the first unbounded
+// input as text alone, and no first failures. It throws std::runtime_error with the field's name and what was
+// expected.
+[[nodiscard]] std::string to_json(const check::Answer& answer);
+[[nodiscard]] check::Answer answer_from_json(std::string_view text);
+
+// A report, and the file that it was read from.
+struct ReportFile {
+    std::string file;
+    CheckReport report;
+};
+
+// Reports merged from one or more files: a report for each driver, with each equation in each variant once.
+struct MergedReports {
+    std::vector<CheckReport> reports;    // drivers in the order of their files; rows sorted by equation
+    std::vector<std::string> conflicts;  // a line for each row that differs between two files
+};
+
+// Merges files. Two drivers are the same if all their reported properties are; their rows are united, so that
+// shards become the whole. Of two rows that differ (except in time) the worse is kept: first one that did not
+// run, then one with a fault, then the larger share outside, then the larger error.
+[[nodiscard]] MergedReports merge(const std::vector<ReportFile>& files);
+
+// A table of equation by driver and variant. A cell is "ok 0.85" with the worst error as a fraction of what
+// is allowed, "FAIL 3/100" with the inputs outside, or "not judged". It is the reason of a check that did not
+// run, and "-" if no check was run. Above the table are the drivers by number. Below it are, for each driver,
+// how many checks failed and why, how many were not judged, and the worst error.
+[[nodiscard]] std::string to_matrix(const std::vector<CheckReport>& reports);
+
+// The same as a Markdown page.
+[[nodiscard]] std::string to_matrix_markdown(const std::vector<CheckReport>& reports);
 
 }  // namespace gloam::report

@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace gloam::report {
+
+// sRGB, 8 bits.
+using Color = std::array<std::uint8_t, 3>;
+
+// The colour of an error on a scale from 0 to 1: from nearly black over violet and red to pale yellow.
+// Lightness rises evenly (in Oklab), so that the order of values is visible in grey as well. Values are
+// clamped to [0, 1]; NaN counts as 0.
+[[nodiscard]] Color heat_color(double value);
 
 // Three bytes for each pixel, as to_rgb_png() takes them.
 using RgbBytes = std::vector<std::uint8_t>;
@@ -46,5 +56,17 @@ using RgbBytes = std::vector<std::uint8_t>;
 // 0) and more is pale yellow. NaN, an unknown error, is grey.
 [[nodiscard]] std::string to_heat_png(std::span<const float> errors, std::uint32_t width,
                                       std::uint32_t height, double full);
+
+// A picture of a sheet, and the line below it.
+struct SheetPicture {
+    std::vector<std::uint8_t> rgb;  // sRGB, three bytes for each pixel, rows from the top
+    std::string caption;            // ASCII and Latin-1; cut at the picture's width
+};
+
+// PNG of pictures of one size on light grey, `columns` in a row, each with its caption below. There are no
+// captions if the font DejaVu Sans is not installed. Throws std::invalid_argument for no pictures, no
+// columns, and a picture of another size.
+[[nodiscard]] std::string to_sheet_png(std::span<const SheetPicture> pictures, std::uint32_t width,
+                                       std::uint32_t height, std::size_t columns);
 
 }  // namespace gloam::report

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/matrix.hpp"
+#include "report/check_report.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,6 @@
 #include <set>
 
 #include "numeric/numbers.hpp"
-#include "report/merge.hpp"
 
 namespace gloam::report {
 namespace {

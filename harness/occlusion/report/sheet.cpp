@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/sheet.hpp"
+#include "report/image.hpp"
 
 #include <stb_truetype.h>
 
@@ -10,8 +10,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string_view>
-
-#include "report/image.hpp"
 
 namespace gloam::report {
 namespace {

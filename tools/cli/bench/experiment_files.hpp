@@ -9,9 +9,7 @@
 #include "cli/bench/page_blocks.hpp"
 #include "experiment/results.hpp"
 #include "experiment/table.hpp"
-#include "report/line_journal.hpp"
-#include "report/output_file.hpp"
-#include "report/output_folder.hpp"
+#include "report/output.hpp"
 
 namespace gloam::cli {
 

@@ -14,8 +14,7 @@
 #include "cli/open_device.hpp"
 #include "cli/progress.hpp"
 #include "report/image.hpp"
-#include "report/output_file.hpp"
-#include "report/output_folder.hpp"
+#include "report/output.hpp"
 
 namespace gloam::cli {
 namespace {

@@ -12,10 +12,9 @@
 #include "cli/environment.hpp"
 #include "cli/open_device.hpp"
 #include "cli/progress.hpp"
-#include "effect/presets.hpp"
+#include "effect/methods.hpp"
 #include "report/image.hpp"
-#include "report/output_file.hpp"
-#include "report/output_folder.hpp"
+#include "report/output.hpp"
 #include "report/plot.hpp"
 #include "scene/truth.hpp"
 

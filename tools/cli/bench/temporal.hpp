@@ -8,7 +8,7 @@
 #include "effect/study/motion_study.hpp"
 #include "effect/study/still_study.hpp"
 #include "gpu/device.hpp"
-#include "report/output_folder.hpp"
+#include "report/output.hpp"
 
 namespace CLI {
 class App;

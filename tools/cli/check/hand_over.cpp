@@ -2,6 +2,7 @@
 #include "cli/check/hand_over.hpp"
 
 #include <fmt/format.h>
+
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -13,9 +14,8 @@
 #include "check/reproduction.hpp"
 #include "gl/device.hpp"
 #include "numeric/numbers.hpp"
-#include "report/amber.hpp"
-#include "report/answer_json.hpp"
-#include "report/shader_test.hpp"
+#include "report/check_report.hpp"
+#include "report/failures.hpp"
 
 namespace gloam::cli {
 namespace {

@@ -13,9 +13,8 @@
 #include "check/run.hpp"
 #include "cli/check/task.hpp"
 #include "report/check_report.hpp"
-#include "report/failure_text.hpp"
-#include "report/line_journal.hpp"
-#include "report/output_folder.hpp"
+#include "report/failures.hpp"
+#include "report/output.hpp"
 
 namespace gloam::cli {
 

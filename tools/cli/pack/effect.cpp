@@ -2,6 +2,7 @@
 #include "cli/pack/effect.hpp"
 
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <regex>
@@ -12,7 +13,7 @@
 #include "cli/environment.hpp"
 #include "cli/render.hpp"
 #include "cli/settings.hpp"
-#include "report/output_folder.hpp"
+#include "report/output.hpp"
 #include "shader/compile.hpp"
 
 namespace gloam::cli {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "cli/pack/effect.hpp"
-#include "effect/setting_table.hpp"
+#include "effect/settings.hpp"
 
 namespace gloam::cli {
 namespace {

@@ -2,6 +2,7 @@
 #include "cli/commands.hpp"
 
 #include <fmt/format.h>
+
 #include <unistd.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -16,7 +17,7 @@
 #include "cli/environment.hpp"
 #include "cli/pack/effect.hpp"
 #include "effect/methods.hpp"
-#include "report/output_file.hpp"
+#include "report/output.hpp"
 #include "shader/include.hpp"
 #include "shader/pack.hpp"
 

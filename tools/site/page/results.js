@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Results as the file that `gloam check --json` writes (harness/occlusion/report/check_json.cpp). `gloam report` merges
-// both.
+// Results as the file that `gloam check --json` writes (harness/occlusion/report/check_report.cpp). `gloam report`
+// merges both.
 "use strict";
 
 gloam.results = (() => {

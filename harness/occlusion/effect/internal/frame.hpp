@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
 #include "effect/internal/passes.hpp"
 #include "effect/plan.hpp"
 
-// The one description of a frame: a table of its passes, and what they read and write.
 namespace gloam::effect {
+
+// The one description of a frame: a table of its passes, and what they read and write.
 
 // A plan without passes: the images and buffers of all frames with these settings and views of this size.
 [[nodiscard]] Plan planned_resources(const Moment& moment);
@@ -15,5 +22,38 @@ namespace gloam::effect {
 // `depth`, for example, is the depth that the passes read, and `history` the one that the samples enter. Both
 // sets of parameters are those of this frame.
 [[nodiscard]] std::vector<PlannedPass> planned_passes(const Moment& moment, const Plan& resources);
+
+// Push constants, and which of them are the view's.
+struct Constants {
+    std::vector<std::byte> bytes;
+    std::vector<bool> of_view;  // for each byte
+};
+
+// What the groups of a pass cover.
+enum class Cover {
+    tiles,           // one tile: 8 x 8 pixels of the images that the passes read
+    rows_of_tiles,   // a row of filter_tiles tiles
+    tiles_of_tiles,  // 8 x 8 tiles
+    view,            // 8 x 8 pixels of the engine's view
+    halved,          // 8 x 8 pixels of the half-size images; the constants are those of the engine's view
+    own              // PassRow::groups
+};
+
+// A pass. Resources are named by what they are to the frame: see planned_passes().
+struct PassRow {
+    const char* name;
+    std::function<std::size_t(const Moment&)> when;  // how many times it runs; Moment::step counts them
+    std::function<PassSource(const Moment&, List)> source;
+    std::vector<const char*> resources;  // at binding 0, 1, ...
+    std::function<Constants(const Moment&)> fill;
+    Cover cover = Cover::tiles;
+    List list = {};  // on which it runs in frames with lists
+    Turn turn = Turn::always;
+    std::function<std::array<std::uint32_t, 3>(const Moment&)> groups = {};
+    std::function<std::string(const Moment&)> own_name = {};  // in the place of `name`
+};
+
+// The passes of a frame in their order.
+[[nodiscard]] const std::vector<PassRow>& pass_table();
 
 }  // namespace gloam::effect

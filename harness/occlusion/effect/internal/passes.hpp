@@ -9,8 +9,8 @@
 
 #include "effect/internal/constants.hpp"
 #include "effect/internal/tiles.hpp"
+#include "effect/methods.hpp"
 #include "effect/plan.hpp"
-#include "effect/preparation.hpp"
 #include "effect/settings.hpp"
 #include "scene/camera.hpp"
 

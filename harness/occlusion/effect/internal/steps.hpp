@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "effect/ambient_occlusion.hpp"
-#include "effect/pass_watcher.hpp"
 #include "effect/plan.hpp"
 #include "gpu/commands.hpp"
 

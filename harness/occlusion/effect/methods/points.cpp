@@ -2,6 +2,7 @@
 #include "effect/internal/method_families.hpp"
 
 namespace gloam::effect {
+
 namespace {
 
 using enum Measure;
@@ -49,6 +50,96 @@ std::vector<MethodInfo> point_methods() {
          .points = "hemisphere_uniform",
          .open_proof = OpenProof::points,
          .presets = filion_presets},
+    };
+}
+
+namespace {
+
+using enum Measure;
+
+std::vector<Preset> volumetric_presets(const MethodInfo& method) {
+    return {{"volumetric-performance",
+             "the study's: pairs of lines, a blur of one pixel, no history; 6 pairs, because it does not "
+             "print a number",
+             blurred(configuration(method, 12), 1)},
+            {"volumetric-quality", "the study's: 32 pairs of lines, no blur, no history",
+             studied(configuration(method, 64))}};
+}
+
+std::vector<Preset> two_balls_presets(const MethodInfo& method) {
+    return {{"volumetric-two", "volumetric-performance at two radii", blurred(configuration(method, 24), 1)}};
+}
+
+// The game's other settings are not published. The number of pairs, 6, is that of volumetric-performance.
+std::vector<Preset> spiral_presets(const MethodInfo& method) {
+    return {{"volumetric-spiral", "Toy Story 3's: pairs on a turned spiral, 6 here; a blur of one pixel",
+             blurred(configuration(method, 12), 1)}};
+}
+
+std::vector<Preset> angle_presets(const MethodInfo& method) {
+    return {
+        {"angle-performance", "the study's: 6 pairs, its blur, no history",
+         blurred(configuration(method, 12))},
+        {"angle-quality", "the study's: 32 pairs, no blur, no history", studied(configuration(method, 64))}};
+}
+
+}  // namespace
+
+std::vector<MethodInfo> pair_methods() {
+    return {
+        {.name = "volumetric",
+         .description = "solid share of a ball, by paired lines (Loos and Sloan 2010)",
+         .measure = volume,
+         .falloff = "none",
+         .points = "disc",
+         .unit = SampleUnit::pair,
+         .on_a_plane = 0.5,
+         .adapt = [](Settings& s) { s.remap_a = 0.5F; },
+         .presets = volumetric_presets},
+        {.name = "volumetric_two",
+         .family = "volumetric",
+         .description = "volumetric in a ball of a quarter of the radius and in the whole one",
+         .measure = volume,
+         .falloff = "none",
+         .points = "disc",
+         .unit = SampleUnit::cross,
+         .on_a_plane = 0.5,
+         .adapt = [](Settings& s) { s.remap_a = 0.5F; },
+         .presets = two_balls_presets},
+        {.name = "volumetric_spiral",
+         .family = "volumetric",
+         .description = "the same ball, pairs of lines on a turned spiral (Toy Story 3; Ownby et al. 2010)",
+         .measure = volume,
+         .falloff = "none",
+         .unit = SampleUnit::pair,
+         .on_a_plane = 0.5,
+         .adapt = [](Settings& s) { s.remap_a = 0.5F; },
+         .presets = spiral_presets},
+        {.name = "tangent_sphere",
+         .family = "volumetric",
+         .description = "solid share of the ball on the surface, by lines (Szirmay-Kalos et al. 2009)",
+         .measure = volume,
+         .falloff = "none",
+         .points = "disc",
+         .unit = SampleUnit::pair},
+        {.name = "angle",
+         .description = "angles between opposite samples, as in Unreal Engine 4 (Mittring 2012)",
+         .measure = shape,
+         .falloff = "none",
+         .own_settings = "GloamAngle",
+         .members = {{"range"}, {"angle_bias"}},
+         .points = "disc",
+         .unit = SampleUnit::pair,
+         .adapt = [](Settings& s) { s.own.angle_bias = 0.08F; },
+         .presets = angle_presets},
+        {.name = "depth_darkening",
+         .description = "unsharp mask of the depth (Luft, Colditz and Deussen 2006)",
+         .measure = shape,
+         .falloff = "none",
+         .own_settings = "GloamDepthDarkening",
+         .members = {{"range"}, {"intensity"}},
+         .points = "disc",
+         .unit = SampleUnit::pair},
     };
 }
 

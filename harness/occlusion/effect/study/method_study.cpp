@@ -2,14 +2,15 @@
 #include "effect/study/method_study.hpp"
 
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "effect/errors.hpp"
 #include "effect/internal/work.hpp"
-#include "effect/presets.hpp"
-#include "effect/remap_fit.hpp"
-#include "effect/setting_table.hpp"
+#include "effect/methods.hpp"
+#include "effect/settings.hpp"
 #include "scene/rasterize.hpp"
 
 namespace gloam::effect {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "effect/ambient_occlusion.hpp"
+#include "effect/errors.hpp"
 #include "effect/methods.hpp"
-#include "effect/metrics.hpp"
 #include "effect/study/own_value.hpp"
 #include "scene/analytic_scene.hpp"
 #include "scene/scene.hpp"

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "effect/history_map.hpp"
 #include "effect/pixel_classes.hpp"
 #include "effect/settings.hpp"
 #include "effect/study/still_study.hpp"

@@ -2,6 +2,7 @@
 #include "effect/study/tuning.hpp"
 
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -10,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-#include "effect/setting_table.hpp"
+#include "effect/settings.hpp"
 
 namespace gloam::effect {
 namespace {

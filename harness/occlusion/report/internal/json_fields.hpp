@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "report/check_report.hpp"
+
 namespace gloam::report::internal {
 
 // JSON has no infinity and no NaN; they become the strings "inf", "-inf" and "nan".
@@ -49,5 +51,8 @@ class JsonReader {
 // Parses a text. Throws std::runtime_error with the line and column of invalid JSON, or with the bound of
 // base::JsonBounds that the text exceeds.
 [[nodiscard]] nlohmann::ordered_json parse_json(std::string_view text);
+
+[[nodiscard]] nlohmann::ordered_json answer_json(const check::Answer& answer);
+[[nodiscard]] check::Answer read_answer(const JsonReader& json);
 
 }  // namespace gloam::report::internal

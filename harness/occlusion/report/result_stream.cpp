@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/laboratory/result_stream.hpp"
+#include "report/laboratory.hpp"
 
 #include <fmt/format.h>
 

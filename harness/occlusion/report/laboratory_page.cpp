@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/laboratory/summary_page.hpp"
+#include "report/laboratory.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: MIT
+#include "report/failures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include "numeric/numbers.hpp"
+
+namespace gloam::report {
+
+namespace {
+
+constexpr std::size_t words_in_a_line = 8;
+constexpr std::size_t fault_words = 5;
+// The canary that the kernel writes behind the outputs: the bits of 1, visible as a float and as a word.
+constexpr std::uint32_t canary = 0x3f800000U;
+constexpr auto largest = std::numeric_limits<float>::max();
+
+std::string buffer_declaration(const std::string& name, const std::vector<std::uint32_t>& words) {
+    std::string text = fmt::format("BUFFER {} DATA_TYPE uint32 DATA\n", name);
+    const std::vector<std::uint32_t> one{0U};  // no buffer is empty
+    const std::vector<std::uint32_t>& all = words.empty() ? one : words;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const bool last = i + 1 == all.size() || (i + 1) % words_in_a_line == 0;
+        text += fmt::format("0x{:08x}{}", all[i], last ? "\n" : " ");
+    }
+    return text + "END\n\n";
+}
+
+// Amber reads a number without a point as an integer, and ends a shader at the first "END".
+std::string number(float value) {
+    return fmt::format("{:#.9g}", value);
+}
+
+std::string without_end(std::string assembly) {
+    for (std::size_t at = 0; (at = assembly.find("END", at)) != std::string::npos; at += 3) {
+        assembly.replace(at, 3, "End");
+    }
+    return assembly;
+}
+
+// The ends of a range as floats inside it.
+float lowest_inside(double low) {
+    auto value = static_cast<float>(low);
+    return static_cast<double>(value) < low ? std::nextafter(value, INFINITY) : value;
+}
+float highest_inside(double high) {
+    auto value = static_cast<float>(high);
+    return static_cast<double>(value) > high ? std::nextafter(value, -INFINITY) : value;
+}
+
+// Amber's comparisons are true for NaN, so NaN is excluded separately. Amber has no word for infinity.
+std::string expect_float(std::size_t byte, const numeric::Bounds& allowed) {
+    const auto expect = [byte](const std::string& condition) {
+        return fmt::format("EXPECT floats IDX {} {}\n", byte, condition);
+    };
+    if (allowed.low > allowed.high) return allowed.nan ? expect("EQ nan") : std::string{};
+    std::string text;
+    if (!allowed.nan) text += expect("NE nan");
+    const float low = lowest_inside(allowed.low);
+    const float high = highest_inside(allowed.high);
+    if (low > largest) {
+        text += expect("GT " + number(largest));
+    } else if (low >= -largest) {
+        text += expect("GE " + number(low));
+    }
+    if (high < -largest) {
+        text += expect("LT " + number(-largest));
+    } else if (high <= largest) {
+        text += expect("LE " + number(high));
+    }
+    return text;
+}
+
+// Integers are exact; a word holds negative ones in two's complement.
+std::string expect_word(std::size_t byte, const numeric::Bounds& allowed) {
+    const auto word = static_cast<std::uint32_t>(static_cast<std::int64_t>(allowed.low));
+    return fmt::format("EXPECT words IDX {} EQ {}\n", byte, word);
+}
+
+std::string pipeline(const KernelReplay& replay, const std::string& view) {
+    std::string constants;
+    for (std::size_t i = 0; replay.specialized && i < replay.inputs.size(); ++i) {
+        constants += fmt::format(" SPECIALIZE {} AS uint32 {}", i, replay.inputs[i]);
+    }
+    std::string text = fmt::format(
+        "PIPELINE compute read_{0}\n"
+        "  ATTACH kernel{1}\n"
+        "  BIND BUFFER run AS push_constant\n"
+        "  BIND BUFFER inputs AS storage DESCRIPTOR_SET 0 BINDING 0\n"
+        "  BIND BUFFER {0} AS storage DESCRIPTOR_SET 0 BINDING 1\n"
+        "  BIND BUFFER faults AS storage DESCRIPTOR_SET 0 BINDING 2\n",
+        view, constants);
+    for (std::size_t i = 0; i < replay.images.size(); ++i) {
+        text += fmt::format("  BIND BUFFER image{} AS storage DESCRIPTOR_SET 0 BINDING {}\n", i, 3 + i);
+    }
+    return text + fmt::format("END\n\nRUN read_{} 1 1 1\n", view);
+}
+
+// A view of the outputs as floats or as words, because an Amber buffer has one type.
+std::string view_of(const KernelReplay& replay, bool floats) {
+    const std::string view = floats ? "floats" : "words";
+    std::string text =
+        fmt::format("BUFFER {} DATA_TYPE {} SIZE {} FILL {}\n\n", view, floats ? "float" : "uint32",
+                    replay.outputs.size() + 1, floats ? "0.0" : "0");
+    text += pipeline(replay, view);
+    text += "# the kernel ran to its end\n";
+    text += fmt::format("EXPECT {} IDX {} EQ {}\n", view, 4 * replay.outputs.size(),
+                        floats ? "1.0" : std::to_string(canary));
+    for (std::size_t i = 0; i < replay.outputs.size(); ++i) {
+        const KernelReplay::Output& output = replay.outputs[i];
+        if (output.is_float != floats) continue;
+        text += fmt::format("# output {}: {}\n", i, output.comment);
+        if (output.allowed.empty()) continue;
+        const numeric::Bounds& allowed = output.allowed.front();
+        text += floats ? expect_float(4 * i, allowed) : expect_word(4 * i, allowed);
+    }
+    return text + "\n";
+}
+
+}  // namespace
+
+std::string to_amber(const KernelReplay& replay) {
+    std::string text = "#!amber\n";
+    for (const std::string& comment : replay.comments) text += "# " + comment + "\n";
+    text += "\nSHADER compute kernel SPIRV-ASM TARGET_ENV spv1.5\n" + without_end(replay.assembly);
+    if (!text.ends_with('\n')) text += '\n';
+    text += "END\n\n";
+    text += "# how many inputs, invocations in a row, the word to write behind the outputs\n";
+    text += buffer_declaration("run", {1U, 64U, canary});
+    text += buffer_declaration("inputs", replay.inputs);
+    text += "# accesses outside an image: how many, and the first\n";
+    text += buffer_declaration("faults", std::vector<std::uint32_t>(fault_words));
+    for (std::size_t i = 0; i < replay.images.size(); ++i) {
+        text +=
+            fmt::format("# {}: width, height, clamped, then the pixels row by row\n", replay.images[i].name);
+        text += buffer_declaration(fmt::format("image{}", i), replay.images[i].words);
+    }
+    const auto is_float = [](const KernelReplay::Output& output) { return output.is_float; };
+    if (std::ranges::any_of(replay.outputs, is_float)) text += view_of(replay, true);
+    if (!std::ranges::all_of(replay.outputs, is_float)) text += view_of(replay, false);
+    if (!replay.images.empty()) text += "# no access fell outside an image\nEXPECT faults IDX 0 EQ 0\n";
+    return text;
+}
+
+namespace {
+
+using Words = std::vector<std::uint32_t>;
+
+constexpr std::uint32_t end_mark = 0x3f800000U;
+constexpr std::size_t words_of_faults = 5;
+constexpr unsigned first_image = 3;
+
+std::string storage(unsigned binding, const Words& words, std::size_t count) {
+    std::string text = fmt::format("ssbo {} {}\n", binding, 4 * std::max<std::size_t>(count, 1));
+    for (std::size_t i = 0; i < words.size(); ++i)
+        text +=
+            fmt::format("ssbo {} subdata int {} {}\n", binding, 4 * i, std::bit_cast<std::int32_t>(words[i]));
+    return text;
+}
+
+std::string probe_word(std::size_t word, std::uint32_t value) {
+    return fmt::format("probe ssbo uint 1 {} == 0x{:x}\n", 4 * word, value);
+}
+
+// NaN fails every comparison of a probe.
+std::string probe(std::size_t word, const KernelReplay::Output& output) {
+    if (output.allowed.empty()) return "";
+    const numeric::Bounds& allowed = output.allowed.front();
+    if (!output.is_float)
+        return probe_word(word, static_cast<std::uint32_t>(static_cast<std::int64_t>(allowed.low)));
+    if (allowed.nan) return "";
+    const auto bound = [word](const char* comparison, double end) {
+        return std::isinf(end) ? ""
+                               : fmt::format("probe ssbo float 1 {} {} {:.9g}\n", 4 * word, comparison, end);
+    };
+    const bool anything = std::isinf(allowed.low) && std::isinf(allowed.high);
+    if (anything) return fmt::format("probe ssbo float 1 {0} >= -inf\n", 4 * word);
+    return bound(">=", allowed.low) + bound("<=", allowed.high);
+}
+
+std::string run_compute(const KernelReplay& kernel) {
+    std::string text = "# inputs; outputs and a canary; accesses outside an image\n";
+    text += storage(0, kernel.inputs, kernel.inputs.size());
+    text += storage(1, {}, kernel.outputs.size() + 1);
+    text += storage(2, Words(words_of_faults), words_of_faults);
+    for (std::size_t i = 0; i < kernel.images.size(); ++i) {
+        text +=
+            fmt::format("# {}: width, height, clamped, then the pixels row by row\n", kernel.images[i].name);
+        text += storage(first_image + static_cast<unsigned>(i), kernel.images[i].words,
+                        kernel.images[i].words.size());
+    }
+    text += fmt::format(
+        "uniform uint gloam_kernel_count 1\nuniform uint gloam_kernel_row_length 64\n"
+        "uniform uint gloam_kernel_canary {}\ncompute 1 1 1\n",
+        end_mark);
+    text += "# the kernel ran to its end\n" + probe_word(kernel.outputs.size(), end_mark);
+    for (std::size_t i = 0; i < kernel.outputs.size(); ++i)
+        text += fmt::format("# output {}: {}\n", i, kernel.outputs[i].comment) + probe(i, kernel.outputs[i]);
+    if (!kernel.images.empty()) text += "# no access fell outside an image\nprobe ssbo uint 2 0 == 0x0\n";
+    return text;
+}
+
+std::string uniforms(const std::string& name, const Words& words) {
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        text += fmt::format("uniform uint {}[{}] {}\n", name, i, words[i]);
+    return text;
+}
+
+std::string draw(const KernelReplay& kernel) {
+    std::string text = uniforms("gloam_kernel_inputs", kernel.inputs);
+    for (std::size_t i = 0; i < kernel.images.size(); ++i)
+        text += uniforms(fmt::format("gloam_kernel_image{}", i), kernel.images[i].words);
+    for (std::size_t i = 0; i < kernel.outputs.size(); ++i)
+        text += fmt::format("# output {}: {}\n", i, kernel.outputs[i].comment);
+    return text + "draw rect -1 -1 2 2\nprobe all rgba 0.0 1.0 0.0 1.0\n";
+}
+
+}  // namespace
+
+std::string to_shader_test(const ShaderReplay& replay) {
+    std::string text;
+    for (const std::string& comment : replay.kernel.comments) text += "# " + comment + "\n";
+    text += fmt::format("\n[require]\n{}\n{}\n\n", replay.version, replay.glsl_version);
+    if (replay.compute) {
+        text += "[compute shader]\n" + replay.glsl + "\n[test]\n" + run_compute(replay.kernel);
+        return text;
+    }
+    const std::string version = replay.glsl.substr(0, replay.glsl.find('\n'));
+    text += "[vertex shader]\n" + version +
+            "\nin vec4 piglit_vertex;\nvoid main() { gl_Position = piglit_vertex; }\n\n";
+    return text + "[fragment shader]\n" + replay.glsl + "\n[test]\nclear color 0.0 0.0 1.0 1.0\nclear\n" +
+           draw(replay.kernel);
+}
+
+namespace {
+
+std::string allowed_text(const numeric::Bounds& allowed) {
+    if (allowed.low > allowed.high) return allowed.nan ? "NaN" : "nothing";
+    return fmt::format("{} to {}{}", numeric::to_text(allowed.low), numeric::to_text(allowed.high),
+                       allowed.nan ? ", or NaN" : "");
+}
+
+// Integers with many digits in decimal alone; their bits as a double carry no information.
+std::string wanted_text(double number) {
+    constexpr double many_digits = 65'536.0;
+    constexpr double exact = 9'007'199'254'740'992.0;
+    const double size = std::abs(number);
+    const bool whole = size >= many_digits && size <= exact && number == std::floor(number);
+    return whole ? fmt::format("{:.0f}", number) : numeric::to_text(number);
+}
+
+std::string input_text(const std::string& title, const check::Sample& input) {
+    std::string text = fmt::format("{}\n  input   {}\n", title, input.values);
+    if (!input.scenario.empty()) text += fmt::format("  images  {}\n", input.scenario);
+    for (std::size_t i = 0; i < input.got.size(); ++i) {
+        const std::uint32_t word = input.got[i];
+        text += fmt::format("  output {}: got 0x{:08x} (as a float {}, as an integer {})", i, word,
+                            numeric::to_text(std::bit_cast<float>(word)), std::bit_cast<std::int32_t>(word));
+        if (i < input.want.size()) text += fmt::format(", want {}", wanted_text(input.want[i]));
+        if (i < input.permitted.size())
+            text += fmt::format(", permitted {}", allowed_text(input.permitted[i]));
+        text += "\n";
+    }
+    return text + fmt::format("  error   {:.6g} ulp, {:.6g} absolute\n\n", input.ulp, input.absolute);
+}
+
+std::string yes_no(bool flag) {
+    return flag ? "yes" : "no";
+}
+
+}  // namespace
+
+std::string failure_text(const DeviceSummary& device, const check::Answer& row,
+                         const std::optional<check::Sample>& smallest, const std::string& note,
+                         const RunAgain& again) {
+    std::string text =
+        fmt::format("{}: {} of {}, variant {}\n\n", row.equation, row.function, row.file, row.variant);
+    text += row.ran() ? row.story + "\n" : fmt::format("{}: {}\n\n", name_of(row.reason), row.error);
+    if (smallest) text += input_text("The simplest input found that fails:", *smallest);
+    if (row.worst) text += input_text("The input with the largest error:", *row.worst);
+    text += fmt::format(
+        "Judged by: {}; documented accuracy: {}\n\n"
+        "Device: {}\n  driver {}, {}, type {}\n"
+        "  float32: keeps signed zero, infinity and NaN: {}; keeps subnormals: {}; flushes them: {}; "
+        "rounds to even: {}\n\n",
+        row.verdict == check::Verdict::rules ? "what Vulkan's precision rules permit"
+                                             : "the documented accuracy",
+        to_text(row.budget), device.name, device.driver, api_of(device), device.type,
+        yes_no(device.preserves_signed_zero_inf_nan), yes_no(device.preserves_denormals),
+        yes_no(device.flushes_denormals), yes_no(device.rounds_to_even));
+    if (!again.versions.empty()) text += "Versions: " + again.versions + "\n\n";
+    if (!note.empty()) text += note + "\n\n";
+    const std::string command = again.command.empty()
+                                    ? fmt::format("gloam check {} --variant {}", row.equation, row.variant)
+                                    : again.command;
+    return text + fmt::format(
+                      "Run it again: {}\n"
+                      "Run it without gloam: amber -v 1.2 -t spv1.5 repro.amber "
+                      "(https://github.com/google/amber)\n",
+                      command);
+}
+
+std::string shell_word(const std::string& text) {
+    const auto is_plain = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+               std::string_view("-_./=,:+").find(c) != std::string_view::npos;
+    };
+    const auto is_control = [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; };
+    if (!text.empty() && std::ranges::all_of(text, is_plain)) return text;
+    if (std::ranges::any_of(text, is_control)) {
+        std::string word = "$'";
+        for (const char c : text)
+            word += is_control(c)            ? fmt::format("\\x{:02x}", static_cast<unsigned char>(c))
+                    : c == '\'' || c == '\\' ? std::string("\\") + c
+                                             : std::string(1, c);
+        return word + "'";
+    }
+    std::string word = "'";
+    for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+    return word + "'";
+}
+
+std::string slug(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (std::isalnum(byte) != 0 && byte < 0x80) {
+            out += static_cast<char>(std::tolower(byte));
+        } else if (!out.empty() && out.back() != '-') {
+            out += '-';
+        }
+    }
+    while (!out.empty() && out.back() == '-') out.pop_back();
+    return out.empty() ? "unnamed" : out;
+}
+
+}  // namespace gloam::report

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "numeric/interval.hpp"
+#include "report/check_report.hpp"
+
+namespace gloam::report {
+
+// One dispatch of a generated kernel for a single input, with all that an AmberScript file needs to repeat
+// it.
+struct KernelReplay {
+    std::vector<std::string> comments;  // lines at the top: what, where, how to run
+    std::string assembly;               // SPIR-V 1.5
+    std::vector<std::uint32_t> inputs;
+    bool specialized = false;  // the inputs are also specialization constants, counted from 0
+    struct Image {
+        std::string name;
+        std::vector<std::uint32_t> words;
+    };
+    std::vector<Image> images;  // in the order of their bindings
+    struct Output {
+        bool is_float = true;                  // false: compared as words
+        std::vector<numeric::Bounds> allowed;  // one range, or none: not judged
+        std::string comment;
+    };
+    std::vector<Output> outputs;
+};
+
+// An AmberScript (https://github.com/google/amber) that runs the kernel and expects each output in its range,
+// ends included; NaN only if it is allowed. Run it with `amber -v 1.2 -t spv1.5 FILE`.
+[[nodiscard]] std::string to_amber(const KernelReplay& replay);
+
+// One run of a generated OpenGL kernel for a single input.
+struct ShaderReplay {
+    std::string glsl;  // a compute shader; or a fragment shader that draws green if the results are allowed
+    bool compute = true;
+    std::string version;       // of the interface, as piglit requires it: "GL >= 4.5", "GL ES >= 3.0"
+    std::string glsl_version;  // "GLSL >= 4.50", "GLSL ES >= 3.00"
+    KernelReplay kernel;       // its comments, inputs, images and outputs
+};
+
+// A script for piglit's shader_runner (https://piglit.freedesktop.org). With a compute shader it probes that
+// each output lies in its range, ends included; with a fragment shader that the picture is green. Run it with
+// `shader_runner -auto -fbo -ignore-missing-uniforms FILE`, or shader_runner_gles3 for OpenGL ES.
+[[nodiscard]] std::string to_shader_test(const ShaderReplay& replay);
+
+// What is needed to reproduce a failure.
+struct RunAgain {
+    std::string command;   // complete; empty: gloam check with the equation and the variant alone
+    std::string versions;  // of gloam and of the compilers; empty: unknown
+};
+
+// The description of a failing row, complete in itself: what failed where, the smallest input found in
+// decimal and hexadecimal, the result, the expected and the allowed values, the device and its driver, and
+// how to run it again. `note`: what could not be determined; may be empty.
+[[nodiscard]] std::string failure_text(const DeviceSummary& device, const check::Answer& row,
+                                       const std::optional<check::Sample>& smallest, const std::string& note,
+                                       const RunAgain& again = {});
+
+// The word in a shell's syntax, quoted if necessary.
+[[nodiscard]] std::string shell_word(const std::string& text);
+
+// Lower-case letters, digits and dashes only: a folder name for a device or an equation.
+[[nodiscard]] std::string slug(const std::string& text);
+
+}  // namespace gloam::report

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "report/output.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+
+#include <sys/file.h>
+#include <unistd.h>
+#include <algorithm>
+#include <cerrno>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "base/files.hpp"
+#include "base/text.hpp"
+
+namespace gloam::report {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// The target of a link; the link itself if its target does not exist.
+fs::path end_of_links(const fs::path& path) {
+    std::error_code none;
+    if (!fs::is_symlink(path, none)) return path;
+    fs::path end = fs::weakly_canonical(path, none);
+    return none || end.empty() ? path : end;
+}
+
+// Devices (/dev/full) and files that this process has open (/dev/stdout) are written in place.
+bool is_written_in_place(const fs::path& path) {
+    std::error_code none;
+    const fs::file_status status = fs::status(path, none);
+    if (fs::exists(status) && !fs::is_regular_file(status)) return true;
+    fs::path link = path;
+    constexpr int most_links = 40;
+    for (int i = 0; i < most_links && fs::is_symlink(link, none); ++i) {
+        const fs::path folder = fs::canonical(link.has_parent_path() ? link.parent_path() : ".", none);
+        if (folder.string().starts_with("/proc/")) return true;
+        link = folder / fs::read_symlink(link, none);
+    }
+    return false;
+}
+
+void write_in_place(const fs::path& path, std::string_view text) {
+    const base::FileDescriptor file(open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+    if (!file.is_open()) base::fail_to_write(path, errno);
+    if (const int error = base::write_all(file.get(), text)) base::fail_to_write(path, error);
+}
+
+}  // namespace
+
+OutputFile::OutputFile(fs::path path) : path_(std::move(path)) {
+    if (path_.empty()) return;
+    std::error_code none;
+    if (fs::is_directory(path_, none)) base::fail_to_write(path_, EISDIR);
+    const fs::path folder = path_.has_parent_path() ? path_.parent_path() : fs::path(".");
+    if (access(folder.c_str(), W_OK) != 0) base::fail_to_write(path_, errno);
+}
+
+void OutputFile::write(std::string_view text) const {
+    if (path_.empty()) return;
+    if (is_written_in_place(path_)) {
+        write_in_place(path_, text);
+    } else {
+        base::write_file(end_of_links(path_), text);
+    }
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+using base::fail_to_write;
+
+// Names can come from data, and must not lead out of the folder.
+void require_file_name(const std::string& name) {
+    if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos ||
+        name.find('\0') != std::string::npos)
+        throw std::invalid_argument("output file \"" + name + "\": expected a name without a folder");
+}
+
+// Locks the folder for this process until the end of the scope.
+class FolderLock {
+  public:
+    explicit FolderLock(const fs::path& folder)
+        : file_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+        if (!file_.is_open()) return;  // put() reports the reason
+        while (flock(file_.get(), LOCK_EX) != 0 && errno == EINTR) {
+        }
+    }
+
+  private:
+    base::FileDescriptor file_;
+};
+
+}  // namespace
+
+OutputFolder::OutputFolder(fs::path folder) : folder_(std::move(folder)) {
+    if (folder_.empty()) folder_ = ".";
+    std::error_code error;
+    for (fs::path missing = folder_; !missing.empty() && !fs::exists(missing, error);
+         missing = missing.parent_path()) {
+        made_.insert(made_.begin(), missing);
+    }
+    for (std::size_t i = 0; i < made_.size(); ++i) {
+        fs::create_directory(made_[i], error);
+        if (!error) continue;
+        for (std::size_t j = i; j-- > 0;) {
+            std::error_code ignored;
+            fs::remove(made_[j], ignored);
+        }
+        fail_to_write(folder_, error.value());
+    }
+    if (!fs::is_directory(folder_, error)) fail_to_write(folder_, ENOTDIR);
+    if (access(folder_.c_str(), W_OK | X_OK) != 0) fail_to_write(folder_, errno);
+}
+
+OutputFolder::~OutputFolder() {
+    waiting_.clear();
+    std::error_code ignored;  // a destructor cannot report it
+    for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) fs::remove(*folder, ignored);
+}
+
+void OutputFolder::write(const std::string& name, std::string_view bytes) {
+    require_file_name(name);
+    const fs::path file = folder_ / name;
+    std::error_code none;
+    if (fs::is_directory(file, none)) fail_to_write(file, EISDIR);
+    fs::create_directories(folder_, none);  // another run that had made it may have removed it
+    base::WrittenAside aside(file, bytes);
+    const auto known =
+        std::ranges::find(waiting_, file, [](const base::WrittenAside& other) { return other.path(); });
+    if (known != waiting_.end()) waiting_.erase(known);
+    waiting_.push_back(std::move(aside));
+}
+
+void OutputFolder::keep() {
+    made_.clear();
+    const FolderLock lock(folder_);
+    while (!waiting_.empty()) {
+        waiting_.front().put();
+        waiting_.pop_front();
+    }
+}
+
+namespace {
+
+constexpr std::size_t longest_journal = std::size_t{1} << 30;  // bytes
+constexpr std::size_t longest_quote = 300;
+
+}  // namespace
+
+LineJournal::LineJournal(std::filesystem::path path, const std::string& heading, bool resume)
+    : path_(std::move(path)) {
+    if (path_.empty()) return;
+    std::string kept = heading + "\n";
+    if (resume && std::filesystem::exists(path_)) {
+        const std::string text = base::read_file(path_, longest_journal);
+        const std::string whole = text.substr(0, text.rfind('\n') + 1);
+        if (!whole.empty()) {
+            take_over(whole, heading);
+            kept = whole;
+        }
+    }
+    base::write_file(path_, kept);
+}
+
+void LineJournal::take_over(std::string_view text, const std::string& heading) {
+    const std::size_t first = text.find('\n');
+    const std::string_view found = text.substr(0, first);
+    if (found != heading) {
+        throw std::runtime_error(
+            fmt::format("{}: cannot resume what was measured otherwise: expected {}, found {}",
+                        path_.string(), heading, base::shortened(found, longest_quote)));
+    }
+    for (std::size_t at = first + 1; at < text.size();) {
+        const std::size_t end = text.find('\n', at);
+        lines_.emplace_back(text.substr(at, end - at));
+        at = end + 1;
+    }
+}
+
+void LineJournal::add(std::string_view line) const {
+    if (path_.empty()) return;
+    const base::FileDescriptor file(open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NOFOLLOW));
+    if (!file.is_open()) base::fail_to_write(path_, errno);
+    std::string text(line);
+    text += '\n';
+    if (const int error = base::write_all(file.get(), text)) base::fail_to_write(path_, error);
+}
+
+}  // namespace gloam::report
