@@ -347,6 +347,18 @@ TEST_F(Directions, TheFilterSmoothsTheFirstFrameOfLight) {
     EXPECT_EQ(second(), later) << "the history holds nothing that is filtered";
 }
 
+// What bounces off the red and the green wall keeps its colour and its amount.
+TEST_F(Directions, TheFilterSmoothsWhatBounces) {
+    const scene::GBuffer view =
+        scene::rasterize(device_, passes_, scene::make_scene("corner"), {64, 36}, {.color = true});
+    const scene::Environment white = scene::constant_environment({1, 1, 1});
+    const std::vector<glm::vec3> wanted = directional_.light(view, many(), white).bounced;
+    Settings settings = unfiltered(8);
+    const double rough = rmse(directional_.light(view, settings, white).bounced, wanted);
+    settings.filter = Filter::convergence;
+    EXPECT_LT(rmse(directional_.light(view, settings, white).bounced, wanted), 0.8 * rough);
+}
+
 // A camera and objects that move: the history follows the surfaces, and objects leave no trail of light.
 TEST_F(Directions, LightFollowsWhatMoves) {
     const scene::Scene scene = scene::make_scene("moving");
