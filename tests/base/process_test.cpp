@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "base/process.hpp"
-
 #include <gmock/gmock.h>
-
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 #include <csignal>
 #include <system_error>
+#include <thread>
+
+#include "base/process.hpp"
+#include "base/threads.hpp"
 
 namespace gloam::base {
+
 namespace process_test {
 
 using namespace std::chrono_literals;
@@ -75,5 +80,84 @@ TEST(Process, NothingOfTheCommandIsForAShell) {
     EXPECT_EQ(run_process({"echo", "$(id); `id`\n'"}, "", {}).output, "$(id); `id`\n'\n");
 }
 
+using namespace std::chrono_literals;
+using std::chrono::nanoseconds;
+
+void wait_for(const Patience& patience) {
+    std::this_thread::sleep_until(patience.next_look());
+}
+
+TEST(Patience, EndsNoEarlierThanItsLimit) {
+    Patience patience(10s, [] { return nanoseconds(0); });
+    EXPECT_FALSE(patience.is_over());
+    EXPECT_GT(patience.next_look() - Patience::Clock::now(), 5s);
+}
+
+TEST(Patience, EndsAtItsLimitForAProcessThatComputesNothing) {
+    Patience patience(20ms, [] { return nanoseconds(0); });
+    wait_for(patience);
+    EXPECT_TRUE(patience.is_over());
+}
+
+TEST(Patience, EndsAtItsLimitForAProcessThatHasUsedIt) {
+    nanoseconds used = 5s;  // before the wait: does not count
+    Patience patience(20ms, [&] { return used; });
+    used += 20ms;
+    wait_for(patience);
+    EXPECT_TRUE(patience.is_over());
+}
+
+TEST(Patience, GoesOnWhileAProcessGetsOnlyAShareOfTheProcessor) {
+    nanoseconds used = 0s;
+    Patience patience(20ms, [&] { return used; });
+    for (int look = 0; look < 3; ++look) {
+        used += 5ms;
+        wait_for(patience);
+        EXPECT_FALSE(patience.is_over()) << look;
+    }
+    used += 5ms;
+    wait_for(patience);
+    EXPECT_TRUE(patience.is_over());
+}
+
+TEST(Patience, EndsForAProcessThatStopsComputing) {
+    nanoseconds used = 0s;
+    Patience patience(20ms, [&] { return used; });
+    used += 10ms;
+    wait_for(patience);
+    EXPECT_FALSE(patience.is_over());
+    wait_for(patience);
+    EXPECT_TRUE(patience.is_over());
+}
+
+TEST(ProcessorTime, GrowsWithWorkAndIsZeroForAProcessThatHasEnded) {
+    const nanoseconds before = processor_time_of(getpid());
+    while (processor_time_of(getpid()) < before + 20ms) {
+    }
+    const pid_t child = fork();
+    if (child == 0) _exit(0);
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    EXPECT_EQ(processor_time_of(child), 0s);
+}
+
+TEST(Threads, SharesCoverEveryIndexOnceAndAreNeverEmpty) {
+    for (const std::size_t count : {0U, 1U, 2U, 7U, 8U, 1000U}) {
+        for (const std::size_t most : {1U, 2U, 3U, 16U}) {
+            const std::vector<Range> shares = shares_of(count, most);
+            EXPECT_LE(shares.size(), most);
+            std::size_t next = 0;
+            for (const Range& share : shares) {
+                EXPECT_EQ(share.begin, next);
+                EXPECT_LT(share.begin, share.end);
+                next = share.end;
+            }
+            EXPECT_EQ(next, count) << most;
+        }
+    }
+    EXPECT_GE(processors(), 1U);
+}
+
 }  // namespace process_test
+
 }  // namespace gloam::base

@@ -1,12 +1,36 @@
 // SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "base/text.hpp"
 
-#include <gmock/gmock.h>
-
-#include <set>
-
 namespace gloam::base {
+
 namespace text_test {
+
+std::string of(std::string_view text) {
+    return base64(std::vector<unsigned char>(text.begin(), text.end()));
+}
+
+// The test vectors of RFC 4648, section 10.
+TEST(Base64Test, GivesTheVectorsOfTheStandard) {
+    EXPECT_EQ(of(""), "");
+    EXPECT_EQ(of("f"), "Zg==");
+    EXPECT_EQ(of("fo"), "Zm8=");
+    EXPECT_EQ(of("foo"), "Zm9v");
+    EXPECT_EQ(of("foob"), "Zm9vYg==");
+    EXPECT_EQ(of("fooba"), "Zm9vYmE=");
+    EXPECT_EQ(of("foobar"), "Zm9vYmFy");
+}
+
+TEST(Base64Test, TakesAnyByte) {
+    EXPECT_EQ(base64(std::vector<unsigned char>{0xff, 0xfe, 0x00, 0xfb}), "//4A+w==");
+}
 
 TEST(Text, IsShortenedBetweenCharacters) {
     EXPECT_EQ(shortened("abcdef", 6), "abcdef");
@@ -47,5 +71,54 @@ TEST(Text, FileNamesLeadNowhereElse) {
     }
 }
 
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+std::string repeated(const std::string& text, std::size_t count) {
+    std::string all;
+    for (std::size_t i = 0; i < count; ++i) all += text;
+    return all;
+}
+
+std::string object_of(std::size_t members) {
+    return "{" + repeated(R"("a": [1, 2], )", members - 1) + R"("b": 0})";
+}
+
+TEST(JsonBounds, DepthEndsAtItsBound) {
+    const JsonBounds bounds{.depth = 10};
+    EXPECT_NO_THROW(require_bounded_json(repeated("[", 10) + repeated("]", 10), bounds));
+    EXPECT_THAT([&] { require_bounded_json("\n\n" + repeated("[", 11), bounds); },
+                ThrowsMessage<std::runtime_error>(HasSubstr("line 3: nested more than 10 deep")));
+    EXPECT_THAT([&] { require_bounded_json(repeated("{\"a\":", 11), bounds); },
+                ThrowsMessage<std::runtime_error>(HasSubstr("nested")));
+}
+
+TEST(JsonBounds, WhatIsClosedDoesNotCount) {
+    EXPECT_NO_THROW(require_bounded_json("[" + repeated("[],", 100'000) + "[]]", {.depth = 2}));
+}
+
+TEST(JsonBounds, BracketsInStringsAreText) {
+    EXPECT_NO_THROW(require_bounded_json(R"(["[[[[\"[[[[", "\\", "{{{"])", {.depth = 1}));
+    EXPECT_THROW(require_bounded_json(R"(["\\", [[)", {.depth = 1}), std::runtime_error);
+}
+
+TEST(JsonBounds, AnObjectHasSoManyMembers) {
+    EXPECT_NO_THROW(require_bounded_json(object_of(100), {.members = 100}));
+    EXPECT_THAT([] { require_bounded_json(object_of(101), {.members = 100}); },
+                ThrowsMessage<std::runtime_error>(HasSubstr("more than 100 members")));
+}
+
+TEST(JsonBounds, BytesEndAtTheirBound) {
+    EXPECT_NO_THROW(require_bounded_json("[1,2]", {.bytes = 5}));
+    EXPECT_THAT([] { require_bounded_json("[1, 2]", {.bytes = 5}); },
+                ThrowsMessage<std::runtime_error>(HasSubstr("6 bytes of JSON, expected at most 5")));
+}
+
+TEST(JsonBounds, WhatIsNoJsonIsLeftToTheParser) {
+    for (const char* text : {"", "]]]]", "\"", "\"\\", "}{", "nonsense"})
+        EXPECT_NO_THROW(require_bounded_json(text)) << text;
+}
+
 }  // namespace text_test
+
 }  // namespace gloam::base

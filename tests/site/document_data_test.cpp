@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "site/document_data.hpp"
+#include "site/page_data.hpp"
 
 #include <gtest/gtest.h>
 

@@ -13,7 +13,7 @@
 #include "numeric/numbers.hpp"
 #include "numeric/random.hpp"
 #include "report/check_report.hpp"
-#include "site/check_data.hpp"
+#include "site/page_data.hpp"
 
 namespace {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "site/shader_text.hpp"
+#include "site/page_data.hpp"
 
 #include <gtest/gtest.h>
 
 namespace gloam::site {
-namespace shader_text_test {
+namespace document_data_test {
 
 TEST(ShaderTextTest, CommentsAndBlankLinesGo) {
     EXPECT_EQ(
@@ -27,5 +27,5 @@ TEST(ShaderTextTest, AnOpenCommentEndsTheText) {
     EXPECT_EQ(condensed(""), "");
 }
 
-}  // namespace shader_text_test
+}  // namespace document_data_test
 }  // namespace gloam::site

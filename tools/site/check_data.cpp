@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "site/check_data.hpp"
+#include "site/page_data.hpp"
 
 #include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <vector>
-
-#include "site/bytes.hpp"
-#include "site/shader_text.hpp"
 
 namespace gloam::site {
 namespace {

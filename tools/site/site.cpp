@@ -9,9 +9,7 @@
 
 #include "base/files.hpp"
 #include "catalogue/catalogue.hpp"
-#include "site/check_data.hpp"
-#include "site/document_data.hpp"
-#include "site/effect_data.hpp"
+#include "site/page_data.hpp"
 
 namespace gloam::site {
 namespace {

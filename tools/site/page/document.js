@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shows the blocks of gloam.documents (tools/site/document_data.hpp): tables sort, tables of time and error become
+// Shows the blocks of gloam.documents (tools/site/page_data.hpp): tables sort, tables of time and error become
 // charts, too, where chart.js is loaded.
 "use strict";
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "base/files.hpp"
-
+#include <fcntl.h>
 #include <gmock/gmock.h>
-
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <cerrno>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -10,12 +12,41 @@
 #include <thread>
 #include <vector>
 
+#include "base/files.hpp"
 #include "support/files.hpp"
 #include "support/full_disk.hpp"
 #include "support/run_command.hpp"
 
 namespace gloam::base {
-namespace write_file_test {
+
+namespace files_test {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+TEST(ReadFile, IsEveryByte) {
+    const test::TemporaryDirectory scratch;
+    const auto path = scratch.path() / "a";
+    const std::string bytes("a\0b\r\n\xff", 6);
+    std::ofstream(path, std::ios::binary) << bytes;
+    EXPECT_EQ(read_file(path), bytes);
+    EXPECT_EQ(read_file(path, bytes.size()), bytes);
+}
+
+TEST(ReadFile, WhatCannotBeReadIsNamed) {
+    const test::TemporaryDirectory scratch;
+    EXPECT_THAT([&] { (void)read_file(scratch.path() / "none"); },
+                ThrowsMessage<std::runtime_error>(AllOf(HasSubstr("none"), HasSubstr("No such file"))));
+    EXPECT_THAT([&] { (void)read_file(scratch.path()); },
+                ThrowsMessage<std::runtime_error>(
+                    AllOf(HasSubstr(scratch.path().string()), HasSubstr("Is a directory"))));
+}
+
+TEST(ReadFile, ADeviceWithoutEndIsTooLong) {
+    EXPECT_THAT([] { (void)read_file("/dev/zero", 100'000); },
+                ThrowsMessage<std::runtime_error>(HasSubstr("/dev/zero: it is longer than 100000 bytes")));
+}
 
 namespace fs = std::filesystem;
 using testing::AllOf;
@@ -104,5 +135,59 @@ TEST(WriteFile, ManyAtOnceNeverMixAndNeverFail) {
     EXPECT_EQ(count_files(scratch.path()), 1U);
 }
 
-}  // namespace write_file_test
+TEST(FileDescriptor, ClosesAtItsEnd) {
+    int number = -1;
+    {
+        const FileDescriptor file(open("/dev/null", O_RDONLY | O_CLOEXEC));
+        number = file.get();
+        EXPECT_TRUE(file.is_open());
+    }
+    EXPECT_EQ(fcntl(number, F_GETFD), -1);
+}
+
+// In a child process, which may close what it likes.
+int status_of(int (*work)()) {
+    const pid_t child = fork();
+    if (child == 0) _exit(work());
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST(FileDescriptor, ConnectionsStayOffTheStandardStreams) {
+    EXPECT_EQ(status_of([] {
+                  close(STDIN_FILENO);
+                  close(STDOUT_FILENO);
+                  const auto [ours, theirs] = connected_pair();
+                  return ours.get() > STDERR_FILENO && theirs.get() > STDERR_FILENO ? 0 : 1;
+              }),
+              0);
+}
+
+TEST(FileDescriptor, ReservedStreamsFailAndAreNobodyElses) {
+    EXPECT_EQ(status_of([] {
+                  close(STDIN_FILENO);
+                  close(STDOUT_FILENO);
+                  reserve_standard_streams();
+                  const FileDescriptor file(open("/dev/null", O_RDONLY));
+                  if (file.get() <= STDERR_FILENO) return 1;
+                  char c = 'x';
+                  if (write(STDOUT_FILENO, &c, 1) >= 0 || errno != EBADF) return 2;
+                  if (read(STDIN_FILENO, &c, 1) >= 0 || errno != EBADF) return 3;
+                  return 0;
+              }),
+              0);
+}
+
+TEST(FileDescriptor, OpenStreamsStayAsTheyAre) {
+    EXPECT_EQ(status_of([] {
+                  const int before = fcntl(STDOUT_FILENO, F_GETFL);
+                  reserve_standard_streams();
+                  return fcntl(STDOUT_FILENO, F_GETFL) == before ? 0 : 1;
+              }),
+              0);
+}
+
+}  // namespace files_test
+
 }  // namespace gloam::base

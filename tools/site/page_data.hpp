@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <bit>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/text.hpp"
+#include "catalogue/entry.hpp"
+#include "check/prepared_check.hpp"
+#include "scene/scene.hpp"
+
+namespace gloam::site {
+
+// Little-endian bytes of values one after another, which the pages read.
+class Bytes {
+  public:
+    template <class T>
+    void add(T value) {
+        static_assert(std::endian::native == std::endian::little);
+        const auto bytes = std::bit_cast<std::array<unsigned char, sizeof(T)>>(value);
+        bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+    }
+    // As base64.
+    [[nodiscard]] std::string text() const { return base::base64(bytes_); }
+
+  private:
+    std::vector<unsigned char> bytes_;
+};
+
+// A prepared check as JSON for the page (page/checks.js lists the members). Words and doubles are base64 of
+// their little-endian bytes.
+[[nodiscard]] std::string check_json(const catalogue::Description& description,
+                                     const check::Question& question, const check::PreparedCheck& prepared);
+
+// A page of the documents as JSON for page/document.js: an array of blocks in order. Each has a "kind":
+// "heading" with "level" and "text", "paragraph" with "text", "list" with "items", "code" with "text",
+// "table" with "head" and "rows". Texts keep `code` spans; links are reduced to their words. Pictures are
+// left out. markdown: what the pages of docs use: ATX headings, lists with "-" or numbers, fenced or indented
+// code, tables.
+[[nodiscard]] std::string document_json(std::string_view markdown);
+
+// The folders of the shaders that the effect of the page is made from.
+struct ShaderFolders {
+    std::filesystem::path library;  // with gloam/ and passes/
+    std::filesystem::path page;     // with occlusion.frag
+};
+
+// The passes of the page in GLSL ES 3.00, packed, the methods that run there, and the settings of the presets
+// without a filter for each of them, for a radius of 1: as JSON (page/effect.js). Throws like shader::pack().
+[[nodiscard]] std::string effect_json(const ShaderFolders& folders);
+
+// The triangles of a scene and its camera in each of `frames` frames, as JSON (page/scene.js).
+[[nodiscard]] std::string scene_json(const scene::Scene& scene, int frames);
+
+// A line without the blanks at its ends.
+[[nodiscard]] std::string_view without_ends(std::string_view line);
+
+// A GLSL text without its comments, indents and blank lines. Other lines stay lines of their own. Where it
+// defines no macro, it is also without #undef lines.
+[[nodiscard]] std::string condensed(std::string_view text);
+
+}  // namespace gloam::site
