@@ -12,7 +12,7 @@
 #include "effect/ambient_occlusion.hpp"
 #include "effect/errors.hpp"
 #include "effect/methods.hpp"
-#include "effect/study/method_study.hpp"
+#include "effect/study/closed_form.hpp"
 #include "effect/study/own_value.hpp"
 #include "on_device.hpp"
 #include "scene/analytic_scene.hpp"

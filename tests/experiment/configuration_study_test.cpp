@@ -115,7 +115,7 @@ TEST_F(ConfigurationStudyTest, ViewsAreShownForAsManyFramesAsAsked) {
     ConfigurationStudy study(device_, passes_, shown.extent);
     const ConfigurationVisit visit = study.visit(views, settings, true, 0);
     EXPECT_FALSE(visit.quality);
-    EXPECT_EQ(visit.shown, effect.next().filtered);
+    EXPECT_EQ(visit.shown.filtered, effect.next().filtered);
 }
 
 }  // namespace configuration_study_test

@@ -66,6 +66,23 @@ TEST(ExperimentFile, AQueryStandsForCandidates) {
     EXPECT_THROW((void)names_of({.single = false, .sequence = false}), std::invalid_argument);
 }
 
+// Without counts each method is as it is, with its preset; those that only take more samples are alike.
+TEST(ExperimentFile, AQueryWithoutCountsTakesMethodsAsTheyAre) {
+    Experiment what = read_experiment("mine.json", with("{\"name\": \"loop\", \"plain\": \"9x3+1\"}",
+                                                        "{\"methods\": [\"gtao\", \"sao\"]}"));
+    choose_candidates(what);
+    ASSERT_EQ(what.candidates.size(), 5U);
+    EXPECT_EQ(what.candidates[0].name, "run");
+    EXPECT_EQ(what.candidates[1].name, "gtao");
+    EXPECT_EQ(what.candidates[1].group, "methods");
+    EXPECT_EQ(what.candidates[1].layer.method, "gtao");
+    EXPECT_EQ(what.candidates[2].name, "gtao-quality");
+    EXPECT_EQ(what.candidates[2].layer.preset, "gtao-quality");
+    EXPECT_EQ(what.candidates[2].group, "methods");
+    EXPECT_EQ(what.candidates[4].name, "sao-quality");
+    EXPECT_EQ(what.candidates[4].group, "alike");
+}
+
 // A mean over at least two frames.
 TEST(ExperimentFile, AMethodTakesTheSamplesAskedFor) {
     Experiment what;
@@ -101,6 +118,31 @@ TEST(ExperimentFile, EveryFaultIsNamedWithItsPlace) {
     expect_refused(with("\"value\": \"ms\"", "\"value\": \"luck\""), "tables[0].columns[0].value");
     expect_refused(with("{\"samples\": 8", "{\"samples\": [8]"), "set.samples");
     expect_refused(with("\"name\": \"run\", ", ""), "candidates[0]: expected an object with \"name\"");
+    expect_refused(with("\"sequence\": true", "\"held\": 1"), "candidates[0].held: expected true or false");
+    expect_refused(with("\"sequence\": true", "\"pictures\": [\"all\"]"),
+                   "candidates[0].pictures[0]: expected one of visibility, error");
+    expect_refused(with("\"sequence\": true}", "\"sequence\": true}, {\"methods\": []}, {\"methods\": []}"),
+                   "candidates[2]: expected one query alone");
+    expect_refused(with("\"scored\": 1", "\"every\": 0"), "cases[0].every: expected a whole number from 1");
+    expect_refused(with("\"scored\": 1", "\"pixels\": 64"), "cases[0].pixels: expected an odd number");
+}
+
+TEST(ExperimentFile, AColumnAsksForWhatThereIs) {
+    const std::string place = "tables[0].columns[0]";
+    const auto refused = [&](const std::string& column, const std::string& why) {
+        expect_refused(with("\"value\": \"ms\"", column), place + why);
+    };
+    refused(R"("value": "rmse", "pixels": "odd")", ".pixels: expected one of all, settled");
+    refused(R"("value": "rmse", "against": "me")", ".against: expected one of limit, depth, geometry");
+    refused(R"("value": "ms", "against": "limit")", ": expected a \"value\" of rmse, rmse_raw");
+    refused(R"("value": "copies", "statistic": "slope")", ": expected a \"value\" of rmse, rmse_raw");
+    refused(R"("value": "rmse", "frame": 0)", ".frame: expected a whole number from 1");
+    refused(R"("value": "rmse", "most": "little")", ".most: expected a number");
+    refused(R"("value": "rmse", "beside": "luck")", ".beside: expected one of ms");
+    refused(R"("value": "rmse", "repeated": "cakes")", ".repeated: expected one of candidates, cases");
+    expect_refused(with("\"over\": \"loop\"", "\"cases\": [\"ski\"]"), "cases: \"ski\"");
+    expect_refused(with("\"rows\": \"cases\"", "\"rows\": \"cases\", \"keep\": \"some\""),
+                   "tables[0].keep: expected one of front, best, doubling");
 }
 
 TEST(ExperimentFile, NamesThatPartsReferToExistOnce) {

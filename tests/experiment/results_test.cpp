@@ -130,7 +130,7 @@ TEST(ExperimentResults, TimesAreMediansAndCopiesThoseOfTheirMoment) {
     Experiment what;
     const std::vector<SizeResult> results = results_of(what, choose_recorded(what, record), record);
     const std::vector<const CaseResult*> cases{&results.at(0).cases.at(0)};
-    const TimedPasses gather{.prefixes = {"ambient_occlusion"}};
+    const Part gather{.prefixes = {"ambient_occlusion"}};
     EXPECT_EQ(mean_value(cases, 0, "ms", "median", gather), 4.0);
     EXPECT_EQ(mean_value(cases, 0, "ms", "median", {}), 5.0);
     EXPECT_DOUBLE_EQ(*mean_value(cases, 0, "copies", "median", gather), 30.0);

@@ -11,75 +11,74 @@ namespace bench_methods_test {
 using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
+using Arguments = std::vector<std::string>;
 
-void write_file(const std::filesystem::path& file, const std::string& text) {
-    std::ofstream(file) << text;
-}
-
-std::string page_with(const std::vector<std::string>& blocks) {
-    std::string page = "# Methods\n";
+std::filesystem::path page_with(const std::filesystem::path& folder, const Arguments& blocks) {
+    std::ofstream page(folder / "methods.md");
     for (const std::string& name : blocks)
-        page += "before " + name + "\n<!-- begin " + name + " -->\nold\n<!-- end " + name + " -->\n";
-    return page + "after\n";
+        page << "before " << name << "\n<!-- begin " << name << " -->\nold\n<!-- end " << name << " -->\n";
+    return folder / "methods.md";
 }
 
-const std::vector<std::string> all_blocks{"estimates", "views", "bias", "scenes", "pictures"};
+void expect_plausible(const json& point, const std::string& candidate) {
+    EXPECT_EQ(double{point.at("truth")}, 0.0);
+    if (candidate == "truth") return;
+    const double open = candidate.starts_with("volumetric") ? 0.5 : 0.0;
+    for (const char* what : {"occlusion", "own"})
+        EXPECT_NEAR(double{point.at(what)}, open, 1e-5) << candidate;
+}
 
 TEST(BenchMethods, WritesTablesPicturesAndNumbers) {
     const TemporaryDirectory folder;
-    const auto page = folder.path() / "methods.md";
+    const auto page = page_with(folder.path(), {"views", "bias", "scenes"});
     const auto file = folder.path() / "methods.json";
     const auto out = folder.path() / "pictures";
-    write_file(page, page_with(all_blocks));
     const CommandResult result =
-        run_command({"bench",      "methods",    "--scene", "corner",       "--method", "gtao",
-                     "volumetric", "--size",     "32x18",   "--rays",       "32",       "--pixels",
-                     "65",         "--frames",   "4",       "--validation", "--json",   file.string(),
-                     "--out",      out.string(), "--page",  page.string()});
+        run_command({"bench",    "methods",     "--case",     "corner",     "plane 0", "wall 0.25",
+                     "--method", "gtao",        "volumetric", "--size",     "32x18",   "--rays",
+                     "32",       "--frames",    "4",          "--rounds",   "1",       "--validation",
+                     "--json",   file.string(), "--out",      out.string(), "--page",  page.string()});
     expect_success(result);
     const std::string text = read_file(page);
     EXPECT_THAT(text, Not(HasSubstr("old")));
-    EXPECT_THAT(text,
-                HasSubstr("before views\n<!-- begin views -->\n\n| configuration | planes | wall 0.25 |"));
+    EXPECT_THAT(text, HasSubstr("| configuration, with its own value | planes | wall 0.25 | furthest"));
+    EXPECT_THAT(text, HasSubstr("| truth | 0.000 | 0."));
     EXPECT_THAT(text, HasSubstr("| volumetric | 0.500 |"));
-    EXPECT_THAT(text, HasSubstr("images/methods/corner-gtao.png"));
-    EXPECT_THAT(read_file(out / "corner-volumetric.png"), HasSubstr("PNG"));
-    EXPECT_THAT(read_file(out / "corner-truth.png"), HasSubstr("PNG"));
+    EXPECT_THAT(text, HasSubstr("| truth of the depth buffer (D) | 0."));
+    EXPECT_THAT(text, Not(HasSubstr("| truth | - |"))) << "a row in which nothing is known";
+    for (const char* name : {"volumetric-converged", "truth-visibility"})
+        EXPECT_THAT(read_file(out / ("corner-" + std::string(name) + ".png")), HasSubstr("PNG"));
     const json document = json::parse(read_file(file));
-    EXPECT_THAT(document.at("versions"), HasSubstr("gloam"));
-    EXPECT_GE(document.at("depth_against_geometry").at("corner").at("rmse"), 0.0);
-    ASSERT_EQ(document.at("configurations").size(), 4U);  // both and their presets
-    for (const json& row : document.at("configurations")) {
-        EXPECT_EQ(row.at("views").size(), 13U);
-        EXPECT_GT(row.at("scenes").at(0).at("limit").at("geometry").at("rmse"), 0.0);
-        EXPECT_GT(row.at("scenes").at(0).at("gather_ms"), 0.0);
-        // The first view is a bare plane.
-        const double open = row.at("method") == "volumetric" ? 0.5 : 0.0;
-        for (const char* what : {"measured", "own"})
-            EXPECT_NEAR(double{row.at("views").at(0).at(what).at("value")}, open, 1e-5) << row.at("name");
-        EXPECT_EQ(double{row.at("views").at(0).at("truth")}, 0.0);
+    std::size_t converged = 0;
+    for (const json& visit : document.at("visits")) {
+        const std::string candidate = visit.at("candidate");
+        if (visit.at("case") == "plane 0" && visit.contains("point"))
+            expect_plausible(visit.at("point"), candidate);
+        if (!visit.contains("quality") || !visit.at("quality").contains("converged")) continue;
+        const json& quality = visit.at("quality").at("converged");
+        EXPECT_GT(quality.at("geometry").at("rmse"), 0.0);
+        EXPECT_LE(quality.at("remapped").at("rmse"), quality.at("geometry").at("rmse"));
+        EXPECT_EQ(quality.contains("own"), candidate.starts_with("gtao")) << candidate;
+        ++converged;
     }
+    EXPECT_EQ(converged, 5U) << "both methods, their presets, and (D)";
 }
 
 TEST(BenchMethods, BadInputIsOneClearLine) {
     const TemporaryDirectory folder;
-    const auto page = folder.path() / "page.md";
-    write_file(page, page_with({"estimates", "views", "bias", "scenes"}));
+    const auto page = page_with(folder.path(), {"views", "bias"});
     const std::string before = read_file(page);
-    const auto bench = [](std::vector<std::string> arguments) {
+    const auto bench = [](Arguments arguments) {
         arguments.insert(arguments.begin(), {"bench", "methods"});
         return run_command(arguments);
     };
-    expect_could_not_run(bench({"--scene", "nowhere"}), "nowhere");
+    expect_could_not_run(bench({"--case", "nowhere"}), "nowhere");
     expect_could_not_run(bench({"--method", "magic"}), "magic");
     expect_could_not_run(bench({"--size", "1x1"}), "--size 1x1");
-    expect_could_not_run(bench({"--pixels", "64"}), "odd");
-    expect_could_not_run(bench({"--pixels", "3"}), "--pixels");
-    expect_could_not_run(bench({"--frames", "1"}), "--frames");
-    expect_could_not_run(bench({"--rays", "1"}), "--rays");
+    expect_could_not_run(bench({"--frames", "1"}), "plane 0: 1 frames, expected 2 or more");
     expect_could_not_run(bench({"--json", "/no/such/folder/a.json"}), "/no/such/folder");
     expect_could_not_run(bench({"--page", "/no/such/page.md"}), "/no/such/page.md");
-    expect_could_not_run(bench({"--page", page.string()}), "begin pictures");
+    expect_could_not_run(bench({"--page", page.string()}), "begin scenes");
     EXPECT_EQ(read_file(page), before);
 }
 

@@ -11,8 +11,6 @@
 
 #include "cli/bench/experiments.hpp"
 #include "cli/bench/framework.hpp"
-#include "cli/bench/methods.hpp"
-#include "cli/bench/temporal.hpp"
 #include "cli/names.hpp"
 #include "cli/open_device.hpp"
 #include "cli/progress.hpp"
@@ -64,8 +62,6 @@ void add_bench(CLI::App& app, int& status) {
         app.add_subcommand("bench", "time against error: which method with how many samples, on this device");
     group->require_subcommand(0, 1);
     add_experiments(*group, status);
-    add_bench_temporal(*group, status);
-    add_bench_methods(*group, status);
     add_framework(*group, status);
 }
 

@@ -84,6 +84,16 @@ nlohmann::ordered_json preset_json(const Named& named) {
     return json;
 }
 
+nlohmann::ordered_json method_json(const Named& named) {
+    const effect::MethodInfo& method = effect::method_named(named.name);
+    nlohmann::ordered_json json = named_json(named);
+    json["measure"] = to_string(method.measure);
+    json["falloff"] = method.falloff;
+    json["samples"] = with_method(effect::Settings{}, method.name).samples;
+    json["file"] = file_of(method);
+    return json;
+}
+
 // The names of a kind with all their properties.
 nlohmann::ordered_json kind_json(const std::string& kind, const std::vector<Named>& names) {
     auto json = nlohmann::ordered_json::array();
@@ -95,6 +105,7 @@ nlohmann::ordered_json kind_json(const std::string& kind, const std::vector<Name
     for (const Named& named : names)
         json.push_back(kind == "settings"  ? json_of(effect::setting_named(named.name))
                        : kind == "presets" ? preset_json(named)
+                       : kind == "methods" ? method_json(named)
                                            : named_json(named));
     return json;
 }
@@ -192,7 +203,8 @@ void add_list(CLI::App& app) {
         "equations, methods, presets, scenes, settings, variants or views: one name a line, of "
         "settings with meaning, default and range; all when not given");
     command->add_option("name", options->name,
-                        "all that is known of this one: of a preset the settings that it changes");
+                        "all that is known of this one: of a preset the settings that it changes, of a "
+                        "method what it measures");
     command->add_flag("--json", options->json, "names, descriptions and all other properties as JSON");
     command->add_option("--html", options->html,
                         "equations only: write a page of them all that is searched and sorted");

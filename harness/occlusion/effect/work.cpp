@@ -47,19 +47,6 @@ Work summed(std::span<const TileState> tiles, gpu::Extent extent, gpu::Extent ba
     return work;
 }
 
-double total_ms(const Frame& frame) {
-    double sum = 0.0;
-    for (const PassTime& time : frame.times) sum += time.ms;
-    return sum;
-}
-
-double sampling_ms(const Frame& frame) {
-    double sum = 0.0;
-    for (const PassTime& time : frame.times)
-        if (time.pass.starts_with("ambient_occlusion")) sum += time.ms;
-    return sum;
-}
-
 double median(std::span<const double> values) {
     if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
     std::vector<double> sorted(values.begin(), values.end());

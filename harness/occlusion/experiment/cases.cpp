@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "effect/methods.hpp"
+#include "effect/settings.hpp"
 #include "scene/mesh.hpp"
 #include "scene/scene.hpp"
 
@@ -83,8 +84,9 @@ void take_objects(scene::Scene& scene, std::size_t count) {
     }
 }
 
-bool is_edited(const Case& one) {
-    return one.still || one.rough_from || one.empty_until > 0.0;
+// Its truth is not that of the scene.
+bool is_changed(const Case& one) {
+    return one.rough_from || one.empty_until > 0.0;
 }
 
 // The changes of a view that a case asks for. A view that stands still has not moved since the one before.
@@ -127,6 +129,25 @@ std::vector<std::string> presets_of(const CandidateQuery& query) {
     std::vector<std::string> names;
     for (const effect::Preset& preset : effect::presets()) names.push_back(preset.name);
     return names;
+}
+
+// Whether two differ in nothing but the number of samples and the filter, so that they converge to the same.
+bool are_alike(const effect::Settings& a, const effect::Settings& b) {
+    return std::ranges::all_of(effect::setting_table(), [&](const effect::Setting& setting) {
+        const bool apart = setting.name.starts_with("samples") || setting.name.starts_with("filter");
+        return apart || setting.get(a) == setting.get(b);
+    });
+}
+
+// The method as it is, and its preset METHOD-quality.
+void add_as_they_are(std::vector<Candidate>& candidates, const std::string& method) {
+    const effect::Settings settings = with_method(effect::Settings{}, method);
+    candidates.push_back({.name = method, .group = "methods", .layer = {.method = method}});
+    for (const effect::Preset& preset : effect::presets())
+        if (preset.name == method + "-quality")
+            candidates.push_back({.name = preset.name,
+                                  .group = are_alike(preset.settings, settings) ? "alike" : "methods",
+                                  .layer = {.preset = preset.name}});
 }
 
 const char* mode_of(bool sequence) {
@@ -203,6 +224,8 @@ void require_consistent(const Experiment& experiment) {
 void choose_candidates(Experiment& experiment) {
     if (!experiment.candidate_query) return;
     const CandidateQuery query = *std::exchange(experiment.candidate_query, std::nullopt);
+    if (query.samples.empty())
+        for (const std::string& method : methods_of(query)) add_as_they_are(experiment.candidates, method);
     for (const bool sequence : {false, true}) {
         if (!(sequence ? query.sequence : query.single)) continue;
         for (const std::string& method : methods_of(query))
@@ -256,6 +279,15 @@ void choose_cases(Experiment& experiment, const std::vector<std::string>& names,
                                                 : "no view of this half");
 }
 
+scene::ClosedFormView closed_form_of(const Case& one) {
+    std::string known;
+    for (scene::ClosedFormView& view : scene::closed_form_views(scene::Projection::perspective)) {
+        if (view.name == one.scene) return std::move(view);
+        known += (known.empty() ? "" : ", ") + view.name;
+    }
+    throw std::invalid_argument(fmt::format("closed_form {}: expected {}", one.scene, known));
+}
+
 scene::Scene scene_of(const Case& one, const std::filesystem::path& meshes) {
     if (one.view) return scene::make_view(one.scene, meshes);
     scene::Scene scene = one.scene == "floor" ? floor_scene() : scene::make_scene(one.scene);
@@ -268,7 +300,8 @@ BenchmarkFrames frames_of(const Experiment& experiment, const Case& one, gpu::Ex
     BenchmarkFrames frames{.extent = {extent.width * scale, extent.height * scale},
                            .frames = experiment.frames,
                            .scored = one.scored.value_or(experiment.scored),
-                           .rays = is_edited(one) ? 0 : experiment.rays,
+                           .every = one.every.value_or(experiment.every),
+                           .rays = is_changed(one) ? 0 : experiment.rays,
                            .depth_truth = false,
                            .depth_thickness = experiment.depth_thickness,
                            .repeat = experiment.repeat,
@@ -276,7 +309,8 @@ BenchmarkFrames frames_of(const Experiment& experiment, const Case& one, gpu::Ex
                            .still = one.still,
                            .shown = one.shown};
     if (!one.shown.empty()) frames.frames = std::accumulate(one.shown.begin(), one.shown.end(), 0);
-    if (is_edited(one)) frames.edit = [one](scene::GBuffer& view, int number) { edit(one, view, number); };
+    if (is_changed(one) || one.still)
+        frames.edit = [one](scene::GBuffer& view, int number) { edit(one, view, number); };
     return frames;
 }
 

@@ -2,7 +2,6 @@
 #include "experiment/configuration_study.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <stdexcept>
 
@@ -13,7 +12,7 @@ namespace gloam::experiment {
 BenchmarkViews::BenchmarkViews(const gpu::Device& device, const scene::PassLibrary& passes,
                                scene::Scene scene, const BenchmarkFrames& frames,
                                const scene::TruthCache& cache, const std::function<void(double)>& progress)
-    : device_(&device), passes_(passes), scene_(std::move(scene)), frames_(frames) {
+    : device_(&device), passes_(passes), scene_(std::move(scene)), frames_(frames), cache_(cache) {
     if (frames.scored < 1 || frames.scored > frames.frames) {
         throw std::invalid_argument(fmt::format("{} scored frames of {}: expected 1 to {}", frames.scored,
                                                 frames.frames, frames.frames));
@@ -21,18 +20,62 @@ BenchmarkViews::BenchmarkViews(const gpu::Device& device, const scene::PassLibra
     for (std::size_t i = 0; i < frames.shown.size(); ++i)
         numbers_.insert(numbers_.end(), static_cast<std::size_t>(frames.shown[i]), static_cast<int>(i));
     for (int i = 0; frames.shown.empty() && i < frames.frames; ++i) numbers_.push_back(i);
-    if (frames.rays == 0) return;
-    const scene::TruthSettings traced{.rays = {.radius = scene_.ao_radius, .rays = frames.rays},
-                                      .thickness = frames.depth_thickness * scene_.ao_radius};
-    for (int i = first_scored(); i < frames.frames; ++i) {
+    if (frames.rays > 0) score(progress);
+    if (frames.rays > 0 && frames.by_class) classify();
+}
+
+void BenchmarkViews::score(const std::function<void(double)>& progress) {
+    std::optional<Limit> limit;
+    if (frames_.limit) limit.emplace(*device_, passes_, frames_.extent);
+    for (int i = first_scored(); i < frames_.frames; i += frames_.every) {
+        const int number = numbers_.at(static_cast<std::size_t>(i));
+        if (progress) progress(static_cast<double>(i + 1 - first_scored()) / frames_.scored);
+        const auto [at, is_new] = scored_.try_emplace(number);
+        if (!is_new) continue;
+        ScoredView& truth = at->second;
         const scene::GBuffer& view = this->view(i, {});
-        ScoredFrame truth{.geometry =
-                              effect::truth_from(view, cache.geometry(scene_, i, view, traced).occlusion)};
-        if (frames.depth_truth) truth.depth = effect::truth_from(view, cache.depth(view, traced).occlusion);
-        if (i > 0 && is_new(i)) truth.history.emplace(view, this->view(i - 1, {}));
-        scored_.push_back(std::move(truth));
-        if (progress) progress(static_cast<double>(scored_.size()) / static_cast<double>(frames.scored));
+        const scene::TruthSettings settings = traced({scene::Weighting::cosine, scene::Falloff::linear});
+        truth.geometry = effect::truth_from(
+            view, cache_.geometry(scene_, frames_.still ? 0 : number, view, settings).occlusion);
+        if (frames_.depth_truth)
+            truth.depth = effect::truth_from(view, cache_.depth(view, settings).occlusion);
+        if (limit) truth.limit = effect::truth_from(view, limit->of(view, *frames_.limit));
+        if (i > 0 && this->is_new(i)) truth.history.emplace(view, this->view(i - 1, {}));
     }
+}
+
+void BenchmarkViews::classify() {
+    effect::PixelClasses classes({.radius = scene_.ao_radius});
+    const std::vector<scene::GBuffer>& views = views_with(0.0, 1);
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        std::optional<effect::HistoryMap> history;
+        if (i > 0) history.emplace(views[i], views[i - 1]);
+        classes.advance(views[i], history);
+        classed_.push_back({std::move(history), classes});
+    }
+}
+
+scene::TruthSettings BenchmarkViews::traced(const Measured& measured) const {
+    return {.rays = {.radius = scene_.ao_radius,
+                     .falloff = measured.second,
+                     .rays = frames_.rays,
+                     .weighting = measured.first},
+            .thickness = frames_.depth_thickness * scene_.ao_radius};
+}
+
+const effect::Truth* BenchmarkViews::own_measure(const effect::MethodInfo& method) {
+    const bool step = method.falloff == "none up to the radius";
+    const auto falloff = step ? scene::Falloff::step : scene::falloff_named(method.falloff);
+    const bool cosine = method.measure == effect::Measure::cosine;
+    if (!falloff || (!cosine && method.measure != effect::Measure::uniform)) return nullptr;
+    const Measured measured{cosine ? scene::Weighting::cosine : scene::Weighting::uniform, *falloff};
+    const auto [at, is_new] = own_.try_emplace(measured);
+    const int number = frames_.still ? 0 : numbers_.at(static_cast<std::size_t>(last_scored()));
+    const scene::GBuffer& view = this->view(last_scored(), {});
+    if (is_new)
+        at->second =
+            effect::truth_from(view, cache_.geometry(scene_, number, view, traced(measured)).occlusion);
+    return &at->second;
 }
 
 const scene::GBuffer& BenchmarkViews::view(int frame, const effect::Settings& settings) {
@@ -45,8 +88,12 @@ bool BenchmarkViews::is_new(int frame) const {
     return frame == 0 || numbers_.at(at) != numbers_.at(at - 1);
 }
 
-const ScoredFrame& BenchmarkViews::scored(int frame) const {
-    return scored_.at(static_cast<std::size_t>(frame - first_scored()));
+const ScoredView& BenchmarkViews::scored(int frame) const {
+    return scored_.at(numbers_.at(static_cast<std::size_t>(frame)));
+}
+
+const ClassedView& BenchmarkViews::classed(int frame) const {
+    return classed_.at(static_cast<std::size_t>(numbers_.at(static_cast<std::size_t>(frame))));
 }
 
 std::vector<scene::GBuffer>& BenchmarkViews::views_with(double guard, int layers) {
@@ -54,7 +101,7 @@ std::vector<scene::GBuffer>& BenchmarkViews::views_with(double guard, int layers
     for (int i = static_cast<int>(views.size()); i <= numbers_.back(); ++i) {
         views.push_back(scene::rasterize(*device_, passes_, scene_, frames_.extent,
                                          {.frame = frames_.still ? 0 : i,
-                                          .motion = frames_.motion && !scene_.objects.empty(),
+                                          .motion = frames_.motion.value_or(!scene_.objects.empty()),
                                           .layers = layers,
                                           .guard = guard}));
         if (frames_.edit) frames_.edit(views.back(), i);
@@ -64,18 +111,46 @@ std::vector<scene::GBuffer>& BenchmarkViews::views_with(double guard, int layers
 
 namespace {
 
-// Adds up the errors and counts of scored frames.
+// Adds up the errors and counts of frames.
 class Judge {
   public:
-    explicit Judge(const BenchmarkViews& views) : views_(&views) {}
+    Judge(const BenchmarkViews& views, const effect::Settings& settings) : views_(&views) {
+        if (!views.frames().by_class || views.frames().rays == 0) return;
+        sum_.by_class = ClassScores{.most_samples = double{settings.weight_max}};
+        for (const std::string& name : pixel_classes()) sum_.by_class->flicker.push_back({name});
+    }
 
+    // before: the frame's predecessor; empty: there is none.
     void add(int number, const effect::Frame& frame, const std::vector<float>& before) {
         if (views_->frames().rays == 0) return;
-        const ScoredFrame& truth = views_->scored(number);
+        if (sum_.by_class) add_flicker(number, frame.filtered, before);
+        taken_ += samples_of(frame.work);
+        if (views_->is_scored(number)) score(number, frame, before);
+    }
+
+    // Nothing where there is no truth.
+    [[nodiscard]] std::optional<FrameQuality> mean() const {
+        if (views_->frames().rays == 0) return std::nullopt;
+        const double frames = views_->frames().scores();
+        FrameQuality mean = sum_;
+        for (double* value : {&mean.raw_geometry, &mean.raw_depth, &mean.geometry, &mean.depth, &mean.bias,
+                              &mean.percentile_99, &mean.samples})
+            *value /= frames;
+        if (mean.flicker) *mean.flicker /= std::max(1.0, frames - (views_->first_scored() == 0 ? 1.0 : 0.0));
+        if (mean.by_class && flickers_ == 0) mean.by_class->flicker.clear();
+        if (mean.by_class)
+            for (ClassFlicker& flicker : mean.by_class->flicker) flicker.mean /= flickers_;
+        return mean;
+    }
+
+  private:
+    void score(int number, const effect::Frame& frame, const std::vector<float>& before) {
+        const ScoredView& truth = views_->scored(number);
         sum_.raw_geometry += effect::errors_of(frame.occlusion, truth.geometry).rmse;
         const effect::Errors shown = effect::errors_of(frame.filtered, truth.geometry);
         sum_.geometry += shown.rmse;
         sum_.bias += shown.bias;
+        sum_.percentile_99 += shown.percentile_99;
         if (!truth.depth.empty()) {
             sum_.raw_depth += effect::errors_of(frame.occlusion, truth.depth).rmse;
             sum_.depth += effect::errors_of(frame.filtered, truth.depth).rmse;
@@ -87,29 +162,49 @@ class Judge {
         sum_.samples +=
             shaded == 0 ? 0.0 : static_cast<double>(frame.work.samples) / static_cast<double>(shaded);
         sum_.memory_bytes = std::max(sum_.memory_bytes, frame.memory_bytes);
-        if (number + 1 < views_->frames().frames) return;
+        if (sum_.by_class)
+            sum_.by_class->frames.push_back(
+                {number + 1, taken_, scores_of(frame, truth, views_->classed(number).classes)});
+        if (number < views_->last_scored()) return;
         sum_.similarity = effect::structural_similarity(frame.filtered, truth.geometry, frame.extent);
         if (!views_->frames().remap) return;
         const effect::Remap best = effect::best_remap(frame.occlusion, truth.geometry);
         sum_.remapped = effect::errors_of(effect::remapped(frame.occlusion, best), truth.geometry).rmse;
     }
 
-    // Nothing where there is no truth.
-    [[nodiscard]] std::optional<FrameQuality> mean() const {
-        if (views_->frames().rays == 0) return std::nullopt;
-        const double frames = views_->frames().scored;
-        FrameQuality mean = sum_;
-        for (double* value :
-             {&mean.raw_geometry, &mean.raw_depth, &mean.geometry, &mean.depth, &mean.bias, &mean.samples})
-            *value /= frames;
-        if (mean.flicker) *mean.flicker /= std::max(1.0, frames - (views_->first_scored() == 0 ? 1.0 : 0.0));
-        return mean;
+    void add_flicker(int number, const std::vector<float>& image, const std::vector<float>& before) {
+        const ClassedView& view = views_->classed(number);
+        if (before.empty() || !view.history || 2 * number < views_->frames().frames) return;
+        ++flickers_;
+        for (ClassFlicker& flicker : sum_.by_class->flicker)
+            flicker.mean +=
+                effect::mean_change(*view.history, image, before, mask_of(view.classes, flicker.pixels));
     }
 
-  private:
     const BenchmarkViews* views_;
     FrameQuality sum_;
+    double taken_ = 0.0;  // samples of a pixel so far
+    int flickers_ = 0;    // frames in the flicker by class
 };
+
+effect::Remap remap_of(const effect::Settings& settings) {
+    return {settings.remap_a, settings.remap_b, settings.remap_c};
+}
+
+// What the last scored frame would converge to, compared.
+Converged compared(const std::vector<float>& image, BenchmarkViews& views, const effect::Settings& settings) {
+    const ScoredView& truth = views.scored(views.last_scored());
+    const effect::Metrics metrics = effect::metrics_of(image, truth.geometry, views.frames().extent);
+    Converged found{.geometry = metrics.raw,
+                    .remapped = metrics.after_remap,
+                    .similarity = metrics.similarity,
+                    .depth = std::nullopt,
+                    .own = std::nullopt};
+    if (!truth.depth.empty()) found.depth = effect::errors_of(image, truth.depth);
+    if (const effect::Truth* own = views.own_measure(effect::method_named(settings.method)))
+        found.own = effect::errors_of(image, *own);
+    return found;
+}
 
 // The part of one of the scored frames in the means.
 void add(FrameQuality& mean, const effect::PlainFrame& frame, const effect::Truth& truth, int scored) {
@@ -117,9 +212,23 @@ void add(FrameQuality& mean, const effect::PlainFrame& frame, const effect::Trut
     const effect::Errors shown = effect::errors_of(frame.blurred, truth);
     mean.geometry += shown.rmse / scored;
     mean.bias += shown.bias / scored;
+    mean.percentile_99 += shown.percentile_99 / scored;
 }
 
 }  // namespace
+
+std::vector<float> converged(effect::AmbientOcclusion& effect, const scene::GBuffer& view,
+                             const effect::Settings& settings, std::uint32_t samples) {
+    effect::Settings many = settings;
+    many.samples = many.samples_converged = samples;
+    many.c_rot = 0.0F;
+    many.filter = effect::Filter::none;
+    many.remap_a = 0.0F;
+    many.remap_b = 1.0F;
+    many.remap_c = 1.0F;
+    effect.begin(view, many);
+    return effect::remapped(effect.next().occlusion, remap_of(settings));
+}
 
 ConfigurationStudy::ConfigurationStudy(const gpu::Device& device, const scene::PassLibrary& passes,
                                        gpu::Extent extent)
@@ -142,19 +251,41 @@ ConfigurationVisit ConfigurationStudy::single(BenchmarkViews& views, const effec
     const BenchmarkFrames& frames = views.frames();
     effect::AmbientOcclusion& effect = effect_for(views.view(0, settings).extent);
     if (round > 0) {
-        effect.begin(views.view(views.first_scored() + round % frames.scored, settings), settings);
+        effect.begin(
+            views.view(views.first_scored() + frames.every * (round % views.frames().scores()), settings),
+            settings);
         const double copy = clock_.measure();
         const effect::Frame frame = effect.next(frames.repeat);
         return {.readings = {{frame.times, copy}}, .work = frame.work};
     }
-    Judge judge(views);
+    Judge judge(views, settings);
     ConfigurationVisit visit;
-    for (int i = views.first_scored(); i < frames.frames; ++i) {
+    for (int i = views.first_scored(); i < frames.frames; i += frames.every) {
         effect.begin(views.view(i, settings), settings);
         effect::Frame frame = effect.next();
         judge.add(i, frame, {});
         visit.work = frame.work;
-        visit.shown = std::move(frame.filtered);
+        visit.shown = std::move(frame);
+    }
+    visit.quality = judge.mean();
+    if (!frames.converged || !visit.quality) return visit;
+    constexpr std::uint32_t many = 1'024;
+    visit.converged = converged(effect, views.view(views.last_scored(), settings), settings, many);
+    visit.quality->converged = compared(visit.converged, views, settings);
+    return visit;
+}
+
+ConfigurationVisit ConfigurationStudy::held(BenchmarkViews& views, const effect::Settings& settings) {
+    effect::AmbientOcclusion& effect = effect_for(views.view(0, settings).extent);
+    Judge judge(views, settings);
+    ConfigurationVisit visit;
+    for (int i = views.first_scored(); i < views.frames().frames; i += views.frames().every) {
+        effect.begin(views.view(i, settings), settings);
+        effect::Frame frame = effect.next();
+        for (int again = 0; again < i; ++again) frame = effect.next();
+        judge.add(i, frame, {});
+        visit.work = frame.work;
+        visit.shown = std::move(frame);
     }
     visit.quality = judge.mean();
     return visit;
@@ -163,7 +294,7 @@ ConfigurationVisit ConfigurationStudy::single(BenchmarkViews& views, const effec
 ConfigurationVisit ConfigurationStudy::temporal(BenchmarkViews& views, const effect::Settings& settings,
                                                 int round) {
     effect::AmbientOcclusion& effect = effect_for(views.view(0, settings).extent);
-    Judge judge(views);
+    Judge judge(views, settings);
     ConfigurationVisit visit;
     std::vector<float> before;
     for (int i = 0; i < views.frames().frames; ++i) {
@@ -173,17 +304,16 @@ ConfigurationVisit ConfigurationStudy::temporal(BenchmarkViews& views, const eff
         } else if (views.is_new(i)) {
             effect.advance(view);
         }
-        const bool scored = i >= views.first_scored();
+        const bool scored = views.is_scored(i);
         const double copy = scored ? clock_.measure() : 0.0;
         effect::Frame frame = effect.next(scored ? views.frames().repeat : 1);
         visit.work = frame.work;
         if (scored) visit.readings.push_back({frame.times, copy});
-        if (scored && round == 0) judge.add(i, frame, before);
-        before = std::move(frame.filtered);
+        if (round == 0) judge.add(i, frame, before);
+        before = frame.filtered;
+        if (scored && round == 0) visit.shown = std::move(frame);
     }
-    if (round > 0) return visit;
-    visit.quality = judge.mean();
-    visit.shown = std::move(before);
+    if (round == 0) visit.quality = judge.mean();
     return visit;
 }
 
@@ -196,7 +326,7 @@ ConfigurationVisit PlainRun::visit(BenchmarkViews& views, effect::CopyClock& clo
     const auto radius = static_cast<float>(views.scene().ao_radius);
     ConfigurationVisit visit;
     FrameQuality sum;
-    for (int i = views.first_scored(); i < frames.frames; ++i) {
+    for (int i = views.first_scored(); i < frames.frames; i += frames.every) {
         slices_.take(views.view(i, {}), radius);
         const double copy = round > 0 ? clock.measure() : 0.0;
         effect::PlainFrame frame = slices_.next(round > 0 ? frames.repeat : 1);
@@ -205,11 +335,38 @@ ConfigurationVisit PlainRun::visit(BenchmarkViews& views, effect::CopyClock& clo
                 {{{"plain_slices", frame.slices_ms}, {"plain_blur", frame.blur_ms}}, copy});
             continue;
         }
-        if (frames.rays > 0) add(sum, frame, views.scored(i).geometry, frames.scored);
-        visit.shown = std::move(frame.blurred);
+        if (frames.rays > 0) add(sum, frame, views.scored(i).geometry, views.frames().scores());
+        visit.shown.filtered = std::move(frame.blurred);
     }
     if (round == 0 && frames.rays > 0) visit.quality = sum;
     return visit;
+}
+
+ConfigurationVisit depth_truth_of(const BenchmarkViews& views, int round) {
+    if (round > 0) return {};
+    const BenchmarkFrames& frames = views.frames();
+    FrameQuality quality;
+    for (int i = views.first_scored(); i < frames.frames; i += frames.every) {
+        const effect::Errors errors = effect::errors_of(views.scored(i).depth, views.scored(i).geometry);
+        quality.geometry += errors.rmse / frames.scores();
+        quality.bias += errors.bias / frames.scores();
+    }
+    quality.raw_geometry = quality.geometry;
+    const ScoredView& last = views.scored(views.last_scored());
+    if (frames.converged) {
+        const effect::Metrics metrics = effect::metrics_of(last.depth, last.geometry, frames.extent);
+        quality.converged = Converged{.geometry = metrics.raw,
+                                      .remapped = metrics.after_remap,
+                                      .similarity = metrics.similarity,
+                                      .depth = std::nullopt,
+                                      .own = std::nullopt};
+    }
+    return {.quality = quality, .shown = {.filtered = last.depth}};
+}
+
+ConfigurationVisit truth_of(const BenchmarkViews& views, int round) {
+    if (round > 0 || views.frames().rays == 0) return {};
+    return {.shown = {.filtered = views.scored(views.last_scored()).geometry}};
 }
 
 }  // namespace gloam::experiment

@@ -11,10 +11,11 @@
 
 #include "effect/ambient_occlusion.hpp"
 #include "effect/errors.hpp"
-#include "effect/pixel_classes.hpp"
+#include "effect/methods.hpp"
 #include "effect/settings.hpp"
 #include "effect/study/copy_clock.hpp"
 #include "effect/study/plain_slices.hpp"
+#include "experiment/scores.hpp"
 #include "scene/rasterize.hpp"
 #include "scene/truth.hpp"
 
@@ -25,23 +26,23 @@ struct BenchmarkFrames {
     gpu::Extent extent;
     int frames = 16;          // of a temporal run
     int scored = 8;           // the last ones of these: 1 to frames
+    int every = 1;            // of these, from one that counts to the next
     int rays = 256;           // of the truth, for each pixel; 0: there is no truth, and nothing is scored
     bool depth_truth = true;  // false: only the geometry is traced
     double depth_thickness =
         std::numeric_limits<double>::infinity();  // of the surface of (D), in radii; as in depth_field()
     int repeat = 1;                               // runs of a timed frame, whose median time counts
-    bool motion = true;        // views know how objects moved; otherwise only how the camera did
-    bool still = false;        // every view is the first frame's
-    bool remap = false;        // the best remap of the last frame is looked for
+    std::optional<bool>
+        motion{};            // views know how surfaces moved, not only the camera; nullopt: if objects do
+    bool still = false;      // every view is the first frame's
+    bool remap = false;      // the best remap of the last frame is looked for
+    bool by_class = false;   // errors of each class of pixels in each scored frame
+    bool converged = false;  // single frames: what more samples would give
+    std::optional<effect::Settings> limit{};  // whose limit is a reference as well
     std::vector<int> shown{};  // for how many frames each view is shown, in all `frames`; empty: for one each
     std::function<void(scene::GBuffer& view, int number)> edit{};  // changes a view; then no truth is traced
-};
 
-// The truth of a scored frame, and what else its score needs.
-struct ScoredFrame {
-    effect::Truth geometry;  // (G)
-    effect::Truth depth;     // (D); empty where it is not traced
-    std::optional<effect::HistoryMap> history;
+    [[nodiscard]] int scores() const { return 1 + (scored - 1) / every; }  // how many frames count
 };
 
 // The first frames of a scene with the truth of the scored ones. They are rendered and traced once for all
@@ -57,24 +58,45 @@ class BenchmarkViews {
     [[nodiscard]] const scene::Scene& scene() const { return scene_; }
     [[nodiscard]] const BenchmarkFrames& frames() const { return frames_; }
     [[nodiscard]] int first_scored() const { return frames_.frames - frames_.scored; }
+    [[nodiscard]] int last_scored() const {
+        return frames_.frames - 1 - (frames_.scored - 1) % frames_.every;
+    }
+    [[nodiscard]] bool is_scored(int frame) const {
+        return frame >= first_scored() && (frame - first_scored()) % frames_.every == 0;
+    }
 
     // Whether a frame shows another view than the one before it. The first does.
     [[nodiscard]] bool is_new(int frame) const;
 
     // A frame with the guard band and the depth layers that the settings ask for.
     [[nodiscard]] const scene::GBuffer& view(int frame, const effect::Settings& settings);
-    [[nodiscard]] const ScoredFrame& scored(int frame) const;
+    [[nodiscard]] const ScoredView& scored(int frame) const;
+
+    // With frames().by_class.
+    [[nodiscard]] const ClassedView& classed(int frame) const;
+
+    // The truth of the last scored frame by the method's own weighting and falloff. nullptr for a method that
+    // does not estimate occlusion by rays, or that has a falloff of its own.
+    [[nodiscard]] const effect::Truth* own_measure(const effect::MethodInfo& method);
 
   private:
+    using Measured = std::pair<scene::Weighting, scene::Falloff>;
+
+    void score(const std::function<void(double)>& progress);
+    void classify();
+    [[nodiscard]] scene::TruthSettings traced(const Measured& measured) const;
+    std::vector<scene::GBuffer>& views_with(double guard, int layers);
+
     const gpu::Device* device_;
     scene::PassLibrary passes_;
     scene::Scene scene_;
     BenchmarkFrames frames_;
-    std::map<std::pair<double, int>, std::vector<scene::GBuffer>> views_;  // by guard band and layers
-    std::vector<ScoredFrame> scored_;
-
+    scene::TruthCache cache_;
     std::vector<int> numbers_;  // of the view that each frame shows
-    std::vector<scene::GBuffer>& views_with(double guard, int layers);
+    std::map<std::pair<double, int>, std::vector<scene::GBuffer>> views_;  // by guard band and layers
+    std::map<int, ScoredView> scored_;                                     // by the view's number
+    std::vector<ClassedView> classed_;
+    std::map<Measured, effect::Truth> own_;
 };
 
 // Times on the device at the same moment, in milliseconds: of a frame, and of a copy.
@@ -83,26 +105,43 @@ struct FrameReading {
     double copy_ms = 0.0;
 };
 
+// A frame of many samples, and how it compares with truths.
+struct Converged {
+    effect::Errors geometry;
+    effect::Errors remapped;  // after its best remap
+    double similarity = 0.0;
+    std::optional<effect::Errors> depth;
+    std::optional<effect::Errors> own;  // by the method's own measure
+};
+
 // Errors of a configuration: RMSE, means over the scored frames.
 struct FrameQuality {
     double raw_geometry = 0.0;  // of the estimate against (G)
     double raw_depth = 0.0;     // of the estimate against (D); 0 where that is not traced
     double geometry = 0.0;      // of the displayed image against (G)
     double depth = 0.0;
-    double bias = 0.0;        // mean of the displayed image - (G)
-    double similarity = 0.0;  // SSIM of the displayed image and (G), in the last scored frame
+    double bias = 0.0;           // mean of the displayed image - (G)
+    double percentile_99 = 0.0;  // of the magnitude of its errors
+    double similarity = 0.0;     // SSIM of the displayed image and (G), in the last scored frame
     std::optional<double> flicker;
     std::optional<double> remapped;  // of the estimate in the last scored frame after its best remap
     double samples = 0.0;            // taken for each pixel with geometry, mean
     std::uint64_t memory_bytes = 0;
+    std::optional<Converged> converged;
+    std::optional<ClassScores> by_class;
 };
 
 struct ConfigurationVisit {
     std::optional<FrameQuality> quality;  // in round 0, of views with a truth
     std::vector<FrameReading> readings;
-    effect::Work work;         // of the last frame
-    std::vector<float> shown;  // the displayed image of the last frame, in round 0
+    effect::Work work;             // of the last frame
+    effect::Frame shown;           // the last scored frame, in round 0
+    std::vector<float> converged;  // of BenchmarkFrames::converged, in round 0
 };
+
+// The occlusion that the method would have after `samples` in one frame, without rotation and filter.
+[[nodiscard]] std::vector<float> converged(effect::AmbientOcclusion& effect, const scene::GBuffer& view,
+                                           const effect::Settings& settings, std::uint32_t samples);
 
 // Measures configurations of the effect in rounds. Each round visits every configuration once, so that the
 // machine's load affects all of them alike.
@@ -116,6 +155,9 @@ class ConfigurationStudy {
     // is timed in the scored ones. Settings are for the scene's radius. Throws like AmbientOcclusion.
     [[nodiscard]] ConfigurationVisit visit(BenchmarkViews& views, const effect::Settings& settings,
                                            bool temporal, int round);
+
+    // Each scored frame's view alone, standing still for as many frames as the sequence has had. Untimed.
+    [[nodiscard]] ConfigurationVisit held(BenchmarkViews& views, const effect::Settings& settings);
 
   private:
     effect::AmbientOcclusion& effect_for(gpu::Extent extent);
@@ -145,5 +187,11 @@ class PlainRun {
   private:
     effect::PlainSlices slices_;
 };
+
+// (D) as a candidate: its error against (G). Nothing is timed.
+[[nodiscard]] ConfigurationVisit depth_truth_of(const BenchmarkViews& views, int round);
+
+// (G) itself, as an image of which nothing is judged.
+[[nodiscard]] ConfigurationVisit truth_of(const BenchmarkViews& views, int round);
 
 }  // namespace gloam::experiment

@@ -26,10 +26,11 @@ struct PlainLoop {
 
 // What is measured.
 enum class Kind {
-    effect,      // the effect with settings
-    plain,       // the plain loop
-    copy,        // a copy of a history: the lower bound of a pass that moves one
-    depth_truth  // the truth of the depth buffer (D), as an image: nothing is timed
+    effect,       // the effect with settings
+    plain,        // the plain loop
+    copy,         // a copy of a history: the lower bound of a pass that moves one
+    depth_truth,  // the truth of the depth buffer (D), as an image: nothing is timed
+    truth         // of the geometry (G), the same
 };
 
 // A part of a description of what is measured. The experiment, a case and a candidate have one each. What a
@@ -41,11 +42,15 @@ struct Layer {
     std::string preset;            // name or file; empty: not said
     std::string method;            // empty: the preset's
     std::optional<bool> sequence;  // with the history, in the order of the frames; otherwise each frame alone
+    // Instead of a sequence each scored frame's view alone, for as many frames as the sequence would have
+    // had.
+    bool held = false;
     std::optional<bool> hoisted;   // the shader compiler hoists loop invariants
     std::optional<double> radius;  // in units of the scene's own
     bool enough_samples = false;   // as many as lower the error by a hundredth or more
     // Settings, lengths for a radius of 1. "x2" doubles the number that the layers before have set.
     std::vector<std::pair<std::string, std::string>> set;
+    std::vector<std::string> pictures;  // of picture_kinds(), of the last scored frame; empty: not said
 };
 
 struct Candidate {
@@ -54,7 +59,7 @@ struct Candidate {
     Layer layer{};
 };
 
-// What is shown: frames of a scene or of a view.
+// What is shown: frames of a scene or of a view, or a point with known occlusion.
 struct Case {
     std::string name;
     std::string what{};  // in a few words
@@ -63,8 +68,12 @@ struct Case {
     std::string scene{};
     bool view = false;         // `scene` is a view of scene/scene.hpp; otherwise a built-in scene or "floor"
     std::vector<int> shown{};  // for how many frames each view is shown; empty: the experiment's frames
-    std::optional<int> scored{};            // the last ones of these, instead of the experiment's
-    bool motion = true;                     // views hold the motion of objects, not of the camera alone
+    std::optional<int> scored{};  // the last ones of these, instead of the experiment's
+    std::optional<int> every{};   // instead of the experiment's
+    bool closed_form = false;     // `scene` is a view of scene/analytic_scene.hpp
+    int pixels = 257;             // of a side of its image, odd
+    // Views hold the motion of surfaces, not of the camera alone. nullopt: where objects move.
+    std::optional<bool> motion{};
     bool still = false;                     // all views are the first frame's
     std::optional<double> rough_from{};     // share of the width from which on the depth is roughened
     double empty_until = 0.0;               // share of the width up to which there is nothing
@@ -86,7 +95,8 @@ struct CaseQuery {
 };
 
 // A choice of candidates that a short description stands for: methods, with each count of samples, and
-// presets as they are; frames alone and sequences.
+// presets as they are; frames alone and sequences. Without counts each method as it is, followed by its
+// preset METHOD-quality if there is one; those of group "alike" converge to the same values as their method.
 struct CandidateQuery {
     std::vector<std::string> methods;  // empty: all, unless there are presets; "all": all
     std::vector<std::string> presets;  // "all": all
@@ -97,39 +107,53 @@ struct CandidateQuery {
 
 // A column of a table.
 struct Column {
-    std::string title;      // "{}" is replaced by the name of the candidate, or of what it is repeated for
-    std::string label;      // "case", "what", "kind", "half", "candidate", "pass", or "cases", a count
-    std::string value;      // a quantity of quantities(); empty: a label
-    std::string half;       // over the views of this half alone
-    std::string of;         // the candidate, as in candidate_of(); empty: the row's
-    std::string over;       // divided by the value of this candidate; empty: not divided
-    std::string over_case;  // divided by the value in this case of the table
-    std::string minus;      // less the value of this candidate
-    std::vector<std::string> passes;       // times of passes whose names begin so; empty: of all
+    std::string title;  // "{}" is replaced by the name of the candidate, or of what it is repeated for
+    std::string label;  // one of labels()
+    std::string value;  // a quantity of quantities(); empty: a label
+    std::string half;   // over the views of this half alone
+    std::vector<std::string> cases;   // over these alone, or repeated for these; empty: over all of the row
+    std::string pixels;               // of one class, of pixel_classes()
+    std::string against;              // one of references()
+    int frame = 0;                    // the last scored one up to this number, from 1 on; 0: all
+    int over_frame = 0;               // divided by the value in that frame
+    std::string of;                   // the candidate, as in candidate_of(); empty: the row's
+    std::string over;                 // divided by the value of this candidate; empty: not divided
+    std::string over_case;            // divided by the value in this case of the table
+    std::string minus;                // less the value of this candidate
+    std::vector<std::string> passes;  // times of passes whose names begin so; empty: of all
     std::vector<std::string> over_passes;  // passes of the divisor; empty: those of `passes`
-    std::string repeated;                  // "candidates" or "sizes": a column for each
-    // Of times: "median", "least" or "quartiles" of the rounds' ratios. Over cases: "most", the largest, or
-    // "of_best", the geometric mean of the ratios to the least of each case. Of a row of rows "growth":
-    // "exponent" e of value ~ growing^e, or "list" of both for each case.
+    std::string repeated;                  // "candidates", "cases" or "sizes": a column for each
+    // Of times: "median", "least" or "quartiles" of the rounds' ratios. Over cases: "most", the largest;
+    // "furthest", the one furthest from 0 with its case; or "of_best", the geometric mean of the ratios to
+    // the least of each case. Of a row of rows "growth": "exponent" e of value ~ growing^e, or "list" of both
+    // for each case. Over the scored frames: "slope", the exponent of the mean square error as a power of the
+    // samples taken, as long as all samples count.
     std::string statistic = "median";
+    std::string beside;  // a quantity in brackets behind the value
     int digits = 2;
     bool percent = false;
-    bool front = false;   // bold where no other candidate has both a smaller error and a smaller time
-    bool target = false;  // the case's target, and whether it is met
+    bool with_sign = false;
+    bool front = false;          // bold where no other candidate has both a smaller error and a smaller time
+    bool target = false;         // the case's target, and whether it is met
+    std::optional<double> most;  // a target of the column's own
 };
 
 // A table over the results.
 struct Table {
     std::string name;  // of the block of a page; empty: it stands in the experiment's
-    // "cases", "candidates", "runs" (each candidate of each case), "passes", "kinds" or "growth" (each
-    // candidate of each kind)
+    // "cases", "candidates", "runs" (each candidate of each case), "passes", "kinds", "growth" (each
+    // candidate of each kind) or "frames" (each scored frame of each case)
     std::string rows;
     std::string kind;   // only the cases of this kind; empty: all
     std::string group;  // only the candidates of this group; empty: all
     // Of rows "runs" and "candidates": "front", those that no other beats in both error and time, by time; or
-    // "best", the one with the least error of each group. Empty: all.
+    // "best", the one with the least error of each group. Of rows "frames": "doubling", frames 1, 2, 4 and so
+    // on. Empty: all.
     std::string keep;
     bool in_report = false;  // it stands in the report alone
+    // Of rows "frames": the name of a plot of the other columns over the first, for each case. Empty: none.
+    std::string plot;
+    bool logarithmic = false;  // both axes of the plot
     std::vector<Column> columns;
 };
 
@@ -139,6 +163,7 @@ struct Experiment {
     std::vector<std::string> sizes;  // WIDTHxHEIGHT of the images
     int frames = 1;                  // of each case
     int scored = 1;                  // the last ones of these
+    int every = 1;                   // of these, from one that counts to the next
     int rounds = 1;                  // that are timed
     int repeat = 1;                  // runs of a timed frame
     int rays = 0;                    // of the truth, for each pixel; 0: no errors
@@ -151,9 +176,15 @@ struct Experiment {
     std::optional<CaseQuery> query;
     std::vector<Case> cases;  // without a query
     std::optional<CandidateQuery> candidate_query;
-    std::vector<Candidate> candidates;  // without a query
+    std::vector<Candidate> candidates;  // those of the query come after them
     std::vector<Table> tables;
 };
+
+// "case", "what", "kind", "half", "candidate", "pass", "frame", "cases", a count.
+[[nodiscard]] const std::vector<std::string>& labels();
+
+// "visibility", "error", "convergence", "samples", "limit", "converged".
+[[nodiscard]] const std::vector<std::string>& picture_kinds();
 
 // Reads a description in JSON (docs/measurements.md). name: of the experiment, and in messages. Throws
 // std::runtime_error with the name, the place and what was expected, also for members that it does not know

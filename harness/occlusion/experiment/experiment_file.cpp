@@ -6,6 +6,7 @@
 
 #include "experiment/experiment.hpp"
 #include "experiment/internal/json_value.hpp"
+#include "experiment/scores.hpp"
 #include "experiment/table.hpp"
 
 namespace gloam::experiment {
@@ -22,9 +23,11 @@ void read_layer(Members& members, Layer& layer) {
     members.read("preset", layer.preset);
     members.read("method", layer.method);
     members.read("sequence", layer.sequence);
+    members.read("held", layer.held);
     members.read("hoisted", layer.hoisted);
     members.read("radius", layer.radius, 1e-3, 1e3);
     members.read("enough_samples", layer.enough_samples);
+    members.read("pictures", layer.pictures, picture_kinds());
     if (const Value* plain = members.find("plain")) {
         std::string text;
         plain->read(text);
@@ -43,12 +46,12 @@ void read_layer(Members& members, Layer& layer) {
                        : text == "float16" ? effect::HistoryPrecision::float16
                                            : effect::HistoryPrecision::packed;
     }
-    bool effect = false;
-    members.read("effect", effect);
-    if (effect) layer.kind = Kind::effect;
-    bool depth_truth = false;
-    members.read("depth_truth", depth_truth);
-    if (depth_truth) layer.kind = Kind::depth_truth;
+    for (const auto& [name, kind] :
+         {std::pair("effect", Kind::effect), {"depth_truth", Kind::depth_truth}, {"truth", Kind::truth}}) {
+        bool is = false;
+        members.read(name, is);
+        if (is) layer.kind = kind;
+    }
     if (const Value* set = members.find("set"))
         for (const auto& [name, value] : set->members()) layer.set.emplace_back(name, value.setting());
 }
@@ -68,9 +71,11 @@ Case case_from(const Value& value) {
     Members members(value);
     Case made;
     members.read("scene", made.scene);
-    if (const Value* view = members.find("view")) {
-        view->read(made.scene);
-        made.view = true;
+    for (const auto& [name, is] : {std::pair("view", &Case::view), {"closed_form", &Case::closed_form}}) {
+        const Value* found = members.find(name);
+        if (found == nullptr) continue;
+        found->read(made.scene);
+        made.*is = true;
     }
     members.require("scene", !made.scene.empty());
     made.name = made.scene;
@@ -79,6 +84,9 @@ Case case_from(const Value& value) {
     members.read("kind", made.kind);
     members.read("shown", made.shown, 1, most_frames);
     members.read("scored", made.scored, 1, most_frames);
+    members.read("every", made.every, 1, most_frames);
+    members.read("pixels", made.pixels, 33, 1025);
+    if (made.pixels % 2 == 0) members.find("pixels")->expected("an odd number");
     members.read("motion", made.motion);
     members.read("still", made.still);
     members.read("rough_from", made.rough_from, 0.0, 1.0);
@@ -111,33 +119,50 @@ void read_cases(const Value& value, Experiment& experiment) {
     members.require_known();
 }
 
-void read_candidates(const Value& value, Experiment& experiment) {
-    if (value.is_array()) {
-        for (const Value& element : value.elements())
-            experiment.candidates.push_back(candidate_from(element));
-        return;
-    }
+CandidateQuery query_from(const Value& value) {
     Members members(value);
-    CandidateQuery& query = experiment.candidate_query.emplace();
+    CandidateQuery query;
     members.read("methods", query.methods);
     members.read("presets", query.presets);
     query.samples.clear();
     members.read("samples", query.samples, 1, static_cast<int>(effect::most_samples));
-    members.require("samples", !query.samples.empty());
     members.read("single", query.single);
     members.read("sequence", query.sequence);
     members.require_known();
+    return query;
+}
+
+// An element that names methods is a query, of which there may be one.
+void read_candidates(const Value& value, Experiment& experiment) {
+    if (!value.is_array()) {
+        experiment.candidate_query = query_from(value);
+        return;
+    }
+    for (const Value& element : value.elements()) {
+        if (Members(element).find("methods") == nullptr) {
+            experiment.candidates.push_back(candidate_from(element));
+            continue;
+        }
+        if (experiment.candidate_query) element.expected("one query alone");
+        experiment.candidate_query = query_from(element);
+    }
 }
 
 Column column_from(const Value& value) {
     Members members(value);
     Column column;
     members.read("title", column.title);
-    members.read("label", column.label,
-                 std::vector<std::string>{"case", "what", "kind", "half", "candidate", "pass", "cases"});
-    members.read("value", column.value, quantities());
+    members.read("label", column.label, labels());
+    std::vector<std::string> values = quantities();
+    values.insert(values.end(), class_quantities().begin(), class_quantities().end());
+    members.read("value", column.value, values);
     members.require("value", column.value.empty() != column.label.empty());
     members.read("half", column.half, std::vector<std::string>{"tuning", "unseen"});
+    members.read("cases", column.cases);
+    members.read("pixels", column.pixels, pixel_classes());
+    members.read("against", column.against, references());
+    members.read("frame", column.frame, 1, 1'000'000);
+    members.read("over_frame", column.over_frame, 1, 1'000'000);
     members.read("of", column.of);
     members.read("over", column.over);
     members.read("over_case", column.over_case);
@@ -145,28 +170,36 @@ Column column_from(const Value& value) {
     members.read("passes", column.passes);
     column.over_passes = column.passes;
     members.read_instead("over_passes", column.over_passes);
-    members.read("repeated", column.repeated, std::vector<std::string>{"candidates", "sizes"});
-    members.read(
-        "statistic", column.statistic,
-        std::vector<std::string>{"median", "least", "quartiles", "most", "of_best", "exponent", "list"});
+    members.read("repeated", column.repeated, std::vector<std::string>{"candidates", "cases", "sizes"});
+    members.read("statistic", column.statistic,
+                 std::vector<std::string>{"median", "least", "quartiles", "most", "furthest", "of_best",
+                                          "exponent", "list", "slope"});
+    members.read("beside", column.beside, quantities());
     members.read("digits", column.digits, 0, 9);
     members.read("percent", column.percent);
+    members.read("with_sign", column.with_sign);
     members.read("front", column.front);
     members.read("target", column.target);
+    members.read("most", column.most, -1e9, 1e9);
     members.require_known();
+    if (by_class(column) && std::ranges::count(class_quantities(), column.value) == 0)
+        value.expected(fmt::format("a \"value\" of {}", fmt::join(class_quantities(), ", ")));
     return column;
 }
 
 Table table_from(const Value& value) {
     Members members(value);
     Table table;
-    members.read("rows", table.rows,
-                 std::vector<std::string>{"cases", "candidates", "runs", "passes", "kinds", "growth"});
+    members.read(
+        "rows", table.rows,
+        std::vector<std::string>{"cases", "candidates", "runs", "passes", "kinds", "growth", "frames"});
     members.read("name", table.name);
     members.read("kind", table.kind);
     members.read("group", table.group);
-    members.read("keep", table.keep, std::vector<std::string>{"front", "best"});
+    members.read("keep", table.keep, std::vector<std::string>{"front", "best", "doubling"});
     members.read("in_report", table.in_report);
+    members.read("plot", table.plot);
+    members.read("logarithmic", table.logarithmic);
     const Value* columns = members.find("columns");
     members.require("rows", !table.rows.empty());
     members.require("columns", columns != nullptr);
@@ -179,6 +212,7 @@ void read_frames(Members& members, Experiment& experiment) {
     members.read("sizes", experiment.sizes);
     members.read("frames", experiment.frames, 1, most_frames);
     members.read("scored", experiment.scored, 1, most_frames);
+    members.read("every", experiment.every, 1, most_frames);
     members.read("rounds", experiment.rounds, 0, most_frames);
     members.read("repeat", experiment.repeat, 1, most_frames);
     members.read("rays", experiment.rays, 0, most_rays);
@@ -189,15 +223,32 @@ void read_frames(Members& members, Experiment& experiment) {
 
 // A query's cases are not known yet.
 void require_cases(const Experiment& experiment) {
-    for (const Table& table : experiment.tables)
-        for (const Column& column : table.columns)
-            if (!experiment.query && !column.over_case.empty() &&
-                std::ranges::find(experiment.cases, column.over_case, &Case::name) == experiment.cases.end())
-                throw std::runtime_error(
-                    fmt::format("over_case: \"{}\", expected the name of a case", column.over_case));
+    const auto require = [&](const char* member, const std::string& name) {
+        if (!experiment.query && !name.empty() &&
+            std::ranges::find(experiment.cases, name, &Case::name) == experiment.cases.end())
+            throw std::runtime_error(fmt::format("{}: \"{}\", expected the name of a case", member, name));
+    };
+    for (const Table& table : experiment.tables) {
+        for (const Column& column : table.columns) {
+            require("over_case", column.over_case);
+            for (const std::string& name : column.cases) require("cases", name);
+        }
+    }
 }
 
 }  // namespace
+
+const std::vector<std::string>& labels() {
+    static const std::vector<std::string> names{"case",      "what", "kind",  "half",
+                                                "candidate", "pass", "frame", "cases"};
+    return names;
+}
+
+const std::vector<std::string>& picture_kinds() {
+    static const std::vector<std::string> names{"visibility", "error", "convergence",
+                                                "samples",    "limit", "converged"};
+    return names;
+}
 
 Experiment read_experiment(const std::string& name, std::string_view text) {
     try {

@@ -121,17 +121,76 @@ void members(Io& io, Conditions& all) {
 }
 
 template <class Io>
+void members(Io& io, ClassScore& all) {
+    io.member("pixels", all.pixels);
+    io.member("against", all.against);
+    io.member("count", all.count);
+    io.member("squares", all.squares);
+    io.member("raw_squares", all.raw_squares);
+    io.member("raw_errors", all.raw_errors);
+}
+
+template <class Io>
+void members(Io& io, FrameScore& all) {
+    io.member("frame", all.frame);
+    io.member("samples", all.samples);
+    io.member("classes", all.classes);
+}
+
+template <class Io>
+void members(Io& io, ClassFlicker& all) {
+    io.member("pixels", all.pixels);
+    io.member("mean", all.mean);
+}
+
+template <class Io>
+void members(Io& io, ClassScores& all) {
+    io.member("most_samples", all.most_samples);
+    io.member("frames", all.frames);
+    io.member("flicker", all.flicker);
+}
+
+template <class Io>
+void members(Io& io, effect::Errors& all) {
+    io.member("rmse", all.rmse);
+    io.member("bias", all.bias);
+    io.member("percentile_99", all.percentile_99);
+}
+
+template <class Io>
+void members(Io& io, Converged& all) {
+    io.member("geometry", all.geometry);
+    io.member("remapped", all.remapped);
+    io.member("similarity", all.similarity);
+    io.member("depth", all.depth);
+    io.member("own", all.own);
+}
+
+template <class Io>
+void members(Io& io, PointQuality& all) {
+    io.member("truth", all.truth);
+    io.member("occlusion", all.occlusion);
+    io.member("standard_error", all.standard_error);
+    io.member("own", all.own);
+    io.member("own_standard_error", all.own_standard_error);
+    io.member("shown", all.shown);
+}
+
+template <class Io>
 void members(Io& io, FrameQuality& all) {
     io.member("rmse", all.geometry);
     io.member("rmse_raw", all.raw_geometry);
     io.member("rmse_depth", all.depth);
     io.member("rmse_depth_raw", all.raw_depth);
     io.member("bias", all.bias);
+    io.member("percentile_99", all.percentile_99);
     io.member("similarity", all.similarity);
     io.member("flicker", all.flicker);
     io.member("rmse_remapped", all.remapped);
     io.member("samples", all.samples);
     io.member("memory_bytes", all.memory_bytes);
+    io.member("converged", all.converged);
+    io.member("by_class", all.by_class);
 }
 
 template <class Io>
@@ -180,6 +239,7 @@ void members(Io& io, Visit& all) {
     io.member("round", all.round);
     io.member("samples_asked", all.samples_asked);
     io.member("quality", all.quality);
+    io.member("point", all.point);
     io.member("difference", all.difference);
     io.member("rmse_own_radius", all.own_radius_error);
     io.member("work", all.work);
@@ -204,6 +264,7 @@ std::string key_of(const Visit& visit) {
 void add_to(std::optional<Cell>& cell, const Visit& visit) {
     if (!cell) cell.emplace();
     if (visit.quality) cell->quality = visit.quality;
+    if (visit.point) cell->point = visit.point;
     if (visit.round == 0) {
         cell->difference = visit.difference;
         cell->own_radius_error = visit.own_radius_error;

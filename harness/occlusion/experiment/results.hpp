@@ -28,6 +28,16 @@ struct Conditions {
     friend bool operator==(const Conditions&, const Conditions&) = default;
 };
 
+// What a candidate makes of the point of a view in closed form. Occlusion before the remap, but for `shown`.
+struct PointQuality {
+    double truth = 0.0;  // cosine-weighted, linear falloff
+    double occlusion = 0.0;
+    double standard_error = 0.0;
+    std::optional<double> own;  // to which the method converges on ever finer images; nullopt: not known
+    std::optional<double> own_standard_error;
+    std::optional<double> shown;  // nullopt: of the truth itself
+};
+
 // What one visit to a candidate in a case gave.
 struct Visit {
     gpu::Extent size;  // of the experiment
@@ -36,6 +46,7 @@ struct Visit {
     std::string group;                    // of the candidate
     int round = 0;                        // 0: errors
     std::optional<FrameQuality> quality;  // nullopt: not judged
+    std::optional<PointQuality> point;    // of a view in closed form
     std::vector<FrameReading> readings;   // in round 0 with Experiment::equal_readings alone
     effect::Work work;                    // of the last frame
     std::optional<double>
@@ -79,7 +90,8 @@ class Record {
 
 // What a candidate reached in a case.
 struct Cell {
-    std::optional<FrameQuality> quality;            // nullopt: without a truth
+    std::optional<FrameQuality> quality;  // nullopt: without a truth
+    std::optional<PointQuality> point;
     std::vector<std::vector<FrameReading>> rounds;  // the readings of each timed round
     std::optional<double> difference;               // as in Visit
     effect::Work work;

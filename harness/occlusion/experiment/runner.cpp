@@ -4,114 +4,29 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <ranges>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
-#include <variant>
 
 #include "effect/errors.hpp"
 #include "effect/methods.hpp"
 #include "effect/plan.hpp"
-#include "effect/settings.hpp"
+#include "effect/study/closed_form.hpp"
 #include "effect/study/copy_clock.hpp"
+#include "effect/study/own_value.hpp"
+#include "experiment/internal/subject.hpp"
 
 namespace gloam::experiment {
 namespace {
 
-// All that the layers say of one candidate in one case.
-struct Subject {
-    Kind kind = Kind::effect;
-    effect::Settings settings;  // for a radius of 1
-    bool sequence = true;
-    bool hoisted = true;
-    double radius = 1.0;  // in units of the scene's
-    bool enough_samples = false;
-    PlainLoop plain;
-    effect::HistoryPrecision copied = effect::HistoryPrecision::float32;
-};
-
-// The text of a value, where "x2" means twice the number that the setting has.
-std::string value_text(const effect::Settings& settings, const std::string& name, const std::string& text) {
-    if (!text.starts_with('x')) return text;
-    const auto value = effect::setting_named(name).get(settings);
-    double factor = 0.0;
-    const char* end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data() + 1, end, factor);
-    if (!std::holds_alternative<double>(value) || error != std::errc{} || stop != end) return text;
-    return effect::text_of(factor * std::get<double>(value));
-}
-
-void apply(effect::Settings& settings, const Layer& layer) {
-    for (const auto& [name, value] : layer.set) {
-        if (name == "method" || name == "radius")
-            throw std::invalid_argument(
-                fmt::format("set {}: expected a setting other than method and radius", name));
-        effect::set(settings, name, value_text(settings, name, value));
-    }
-}
-
-Subject subject_of(const std::vector<const Layer*>& layers, const Place& place) {
-    Subject subject;
-    std::string preset;
-    std::string method;
-    for (const Layer* layer : layers) {
-        if (!layer->preset.empty()) preset = layer->preset;
-        if (!layer->method.empty()) method = layer->method;
-        subject.sequence = layer->sequence.value_or(subject.sequence);
-        subject.hoisted = layer->hoisted.value_or(subject.hoisted);
-        subject.radius = layer->radius.value_or(subject.radius);
-        subject.enough_samples |= layer->enough_samples;
-        if (!layer->kind) continue;
-        subject.kind = *layer->kind;
-        subject.plain = layer->plain;
-        subject.copied = layer->copied;
-    }
-    if (!preset.empty()) subject.settings = place.preset_of(preset);
-    if (!method.empty() && method != subject.settings.method)
-        subject.settings = with_method(subject.settings, method);
-    for (const Layer* layer : layers) apply(subject.settings, *layer);
-    validate(subject.settings);
-    return subject;
-}
-
-bool takes_part(const Case& one, const Candidate& candidate) {
-    return one.candidates.empty() || std::ranges::count(one.candidates, candidate.name) > 0;
-}
-
-Subject subject_of(const Experiment& experiment, const Case& one, const Candidate& candidate,
-                   const Place& place) {
-    try {
-        return subject_of({&experiment.layer, &one.layer, &candidate.layer}, place);
-    } catch (const std::invalid_argument& error) {
-        throw std::invalid_argument(fmt::format("{}, {}: {}", one.name, candidate.name, error.what()));
-    }
-}
-
-void require_possible(const Experiment& experiment, const Case& one, const Candidate& candidate,
-                      const Place& place) {
-    const Subject subject = subject_of(experiment, one, candidate, place);
-    const bool judged = frames_of(experiment, one, {}).rays > 0 && subject.kind == Kind::effect;
-    if (subject.enough_samples && !judged)
-        throw std::invalid_argument(
-            fmt::format("{}, {}: enough_samples: expected rays and the effect", one.name, candidate.name));
-}
-
-// The error of (D) against (G).
-ConfigurationVisit depth_truth_of(const BenchmarkViews& views, int round) {
-    if (round > 0) return {};
-    FrameQuality quality;
-    for (int i = views.first_scored(); i < views.frames().frames; ++i) {
-        const effect::Errors errors = effect::errors_of(views.scored(i).depth, views.scored(i).geometry);
-        quality.geometry += errors.rmse / views.frames().scored;
-        quality.bias += errors.bias / views.frames().scored;
-    }
-    quality.raw_geometry = quality.geometry;
-    return {.quality = quality};
-}
+using internal::shows;
+using internal::Subject;
+using internal::subject_of;
+using internal::takes_part;
 
 // A candidate in a case, and the views in which it is measured: with the truth for its radius, and for the
 // scene's own.
@@ -129,14 +44,31 @@ struct Visited {
     std::vector<Measured> all;
 };
 
+}  // namespace
+
+// By width and height of the images, and by what they are made for.
+struct Shared::Parts {
+    using Side = std::uint32_t;
+    std::map<std::string, std::shared_ptr<BenchmarkViews>> views;
+    std::map<Side, std::unique_ptr<effect::ClosedFormStudy>> closed_forms;
+    std::map<std::tuple<Side, Side, bool>, std::unique_ptr<ConfigurationStudy>> studies;
+    std::map<std::tuple<Side, Side, std::uint32_t, std::uint32_t, int>, std::unique_ptr<PlainRun>> loops;
+    std::map<std::tuple<Side, Side, gpu::Format>, std::unique_ptr<effect::CopyClock>> clocks;
+};
+
+Shared::Shared() : parts_(std::make_unique<Parts>()) {}
+Shared::~Shared() = default;
+
 // All cases at one size.
 class SizeRun {
   public:
-    SizeRun(const Experiment& experiment, gpu::Extent extent, const Place& place, Record& record)
+    SizeRun(const Experiment& experiment, gpu::Extent extent, const Place& place, Record& record,
+            const Shared& shared)
         : experiment_(experiment),
           extent_(extent),
           place_(place),
           record_(record),
+          shared_(*shared.parts_),
           cache_(place.truth_cache) {}
 
     void run() {
@@ -149,11 +81,13 @@ class SizeRun {
         for (const Case& one : experiment_.cases) {
             std::vector<Visited> alone{visited(one)};
             go_through(alone, label_of(one));
-            shared_.clear();
+            shared_.views.clear();
         }
     }
 
   private:
+    [[nodiscard]] std::size_t rounds() const { return static_cast<std::size_t>(experiment_.rounds) + 1; }
+
     [[nodiscard]] std::string label_of(const Case& one) const {
         const gpu::Extent extent = frames_of(experiment_, one, extent_).extent;
         return fmt::format("{}, {} x {}", one.name, extent.width, extent.height);
@@ -174,8 +108,9 @@ class SizeRun {
     }
 
     [[nodiscard]] bool is_due(const Case& one, const Measured& measured, int round) const {
+        if (one.closed_form || measured.subject.held) return round == 0;  // nothing is timed
         const BenchmarkFrames frames = frames_of(experiment_, one, extent_);
-        return !experiment_.equal_readings || !measured.subject.sequence || round % frames.scored == 0;
+        return !experiment_.equal_readings || !measured.subject.sequence || round % frames.scores() == 0;
     }
 
     [[nodiscard]] bool is_recorded(const Case& one, const Measured& measured, int round) const {
@@ -185,7 +120,9 @@ class SizeRun {
     // Nothing is measured in a case of which all is recorded.
     [[nodiscard]] Visited visited(const Case& one) {
         Visited made{.shown = &one};
-        bool depth_truth = shows(experiment_, "rmse_depth") || shows(experiment_, "rmse_depth_raw");
+        bool depth_truth = shows(experiment_, "rmse_depth") || shows(experiment_, "rmse_depth_raw") ||
+                           shows(experiment_, "converged_depth") ||
+                           internal::shows_against(experiment_, "depth");
         bool missing = false;
         for (std::size_t i = 0; i < experiment_.candidates.size(); ++i) {
             const Candidate& candidate = experiment_.candidates[i];
@@ -199,6 +136,7 @@ class SizeRun {
         }
         if (!missing) made.all.clear();
         for (Measured& measured : made.all) {
+            if (one.closed_form) continue;
             measured.views = views_of(one, measured.subject.radius, depth_truth);
             measured.own = own_radius_ ? views_of(one, 1.0, depth_truth) : measured.views;
             Subject& subject = measured.subject;
@@ -212,14 +150,20 @@ class SizeRun {
         BenchmarkFrames frames = frames_of(experiment_, one, extent_);
         frames.depth_truth = depth_truth;
         frames.remap = remap_;
-        const std::string key =
-            fmt::format("{} {} {} {} {} {} {} {} {} {} {} {}", one.scene, one.view, one.motion,
-                        fmt::join(one.shown, "+"), frames.scored, one.still, one.rough_from.value_or(-1.0),
-                        one.empty_until, one.filled_later, one.scale, one.objects, radius);
-        std::shared_ptr<BenchmarkViews>& views = shared_[key];
+        frames.by_class = by_class_;
+        frames.converged = converged_;
+        const std::string key = fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {}", one.scene, one.view,
+                                            one.motion ? static_cast<int>(*one.motion) : -1,
+                                            fmt::join(one.shown, "+"), frames.scored, frames.every, one.still,
+                                            one.rough_from.value_or(-1.0), one.empty_until, one.filled_later,
+                                            one.scale, one.objects, radius, limit_ ? label_of(one) : "");
+        std::shared_ptr<BenchmarkViews>& views = shared_.views[key];
         if (views) return views;
         scene::Scene scene = scene_of(one, place_.meshes);
         scene.ao_radius *= radius;
+        if (limit_)  // of what all candidates of the case have in common
+            frames.limit = with_radius(subject_of({&experiment_.layer, &one.layer}, place_).settings,
+                                       static_cast<float>(scene.ao_radius));
         views = std::make_shared<BenchmarkViews>(place_.device, place_.passes, std::move(scene), frames,
                                                  cache_, place_.progress(label_of(one) + ", truth"));
         return views;
@@ -248,35 +192,102 @@ class SizeRun {
 
     void go_through(std::vector<Visited>& all, const std::string& what) {
         const auto progress = place_.progress(what);
+        double visits = 0.0;
+        double done = 0.0;
+        for (const Visited& one : all) visits += static_cast<double>(one.all.size() * rounds());
         for (int round = 0; round <= experiment_.rounds; ++round) {
             for (Visited& one : all) {
                 if (round > 0) std::ranges::reverse(one.all);
                 std::optional<effect::Truth> first;
                 for (const Measured& measured : one.all) {
+                    progress(done++ / visits);
                     if (!is_due(*one.shown, measured, round)) continue;
                     if (is_recorded(*one.shown, measured, round) && (round > 0 || !one.again)) continue;
                     Visit made = empty_visit(*one.shown, experiment_.candidates[measured.number], round);
-                    measure(made, measured, first);
+                    measure(made, *one.shown, measured, first);
                     if (place_.keep) place_.keep(line_of(made));
                     record_.add(std::move(made));
                 }
             }
-            progress(static_cast<double>(round + 1) / (experiment_.rounds + 1));
         }
+        progress(1.0);
     }
 
     // first: the first candidate's image of the case, once it is known.
-    void measure(Visit& made, const Measured& measured, std::optional<effect::Truth>& first) {
+    void measure(Visit& made, const Case& one, const Measured& measured,
+                 std::optional<effect::Truth>& first) {
+        if (measured.subject.kind == Kind::effect)
+            made.samples_asked = static_cast<int>(measured.subject.settings.samples);
+        if (one.closed_form) {
+            made.point = point_of(one, measured.subject);
+            return;
+        }
         ConfigurationVisit found = visit(measured.subject, *measured.views, made.round);
         made.quality = found.quality;
         if (made.round > 0 || experiment_.equal_readings) made.readings = std::move(found.readings);
         made.work = found.work;
-        made.samples_asked = static_cast<int>(measured.subject.settings.samples);
-        if (made.round > 0 || found.shown.empty()) return;
+        if (made.round > 0 || found.shown.filtered.empty()) return;
+        show(made, found, measured);
+        if (measured.subject.kind == Kind::depth_truth || measured.subject.kind == Kind::truth) return;
         if (made.quality) made.own_radius_error = error_at_own_radius(*made.quality, measured);
-        const scene::GBuffer& view = measured.views->view(measured.views->frames().frames - 1, {});
-        if (!first) first = effect::truth_from(view, found.shown);
-        made.difference = effect::errors_of(found.shown, *first).rmse;
+        const scene::GBuffer& view = measured.views->view(measured.views->last_scored(), {});
+        if (!first) first = effect::truth_from(view, found.shown.filtered);
+        made.difference = effect::errors_of(found.shown.filtered, *first).rmse;
+    }
+
+    // The pictures that the candidate asks for, and of which there is something to see.
+    void show(const Visit& made, const ConfigurationVisit& found, const Measured& measured) const {
+        if (!place_.show) return;
+        for (const std::string& kind : measured.subject.pictures) {
+            Picture picture{.name = fmt::format("{}-{}-{}", made.shown.name, made.candidate, kind),
+                            .kind = kind,
+                            .extent = measured.views->frames().extent,
+                            .values = pictured(kind, found, measured)};
+            if (!picture.values.empty()) place_.show(picture);
+        }
+    }
+
+    [[nodiscard]] static std::vector<float> pictured(const std::string& kind, const ConfigurationVisit& found,
+                                                     const Measured& measured) {
+        if (kind == "visibility") return found.shown.filtered;
+        if (kind == "convergence") return found.shown.convergence;
+        if (kind == "converged") return found.converged;
+        if (kind == "samples") {
+            std::vector<float> parts = found.shown.kept;
+            for (float& part : parts) part /= measured.subject.settings.weight_max;
+            return parts;
+        }
+        if (measured.views->frames().rays == 0) return {};
+        const ScoredView& truth = measured.views->scored(measured.views->last_scored());
+        if (kind == "limit") return truth.limit;
+        std::vector<float> errors = truth.limit.empty() ? truth.geometry : truth.limit;
+        for (std::size_t i = 0; i < errors.size(); ++i)
+            errors[i] = std::abs(found.shown.filtered[i] - errors[i]);
+        return errors;
+    }
+
+    [[nodiscard]] std::optional<PointQuality> point_of(const Case& one, const Subject& subject) {
+        const scene::ClosedFormView view = closed_form_of(one);
+        if (subject.kind == Kind::truth)
+            return PointQuality{.truth = view.occlusion, .occlusion = view.occlusion};
+        if (subject.kind != Kind::effect) return std::nullopt;
+        const auto pixels = static_cast<std::uint32_t>(one.pixels);
+        const effect::Settings& settings = subject.settings;
+        std::unique_ptr<effect::ClosedFormStudy>& study = shared_.closed_forms[pixels];
+        if (!study) study = std::make_unique<effect::ClosedFormStudy>(place_.device, place_.passes, pixels);
+        const effect::Estimate measured =
+            study->measure(view, settings, {.pixels = pixels, .frames = experiment_.frames});
+        constexpr double tolerance = 5e-4;
+        const bool of_pixels = effect::own_value_of(settings.method).of_pixels;
+        const auto own = effect::own_value(view, settings, of_pixels ? pixels : 0, tolerance);
+        const effect::Remap remap{settings.remap_a, settings.remap_b, settings.remap_c};
+        PointQuality point{.truth = view.occlusion,
+                           .occlusion = measured.value,
+                           .standard_error = measured.error,
+                           .shown = 1.0 - remap(1.0 - measured.value)};
+        if (own) point.own = own->value;
+        if (own) point.own_standard_error = own->error;
+        return point;
     }
 
     // The radius in the world stays that of the candidate; only the truth is another.
@@ -304,14 +315,19 @@ class SizeRun {
             }
             case Kind::depth_truth:
                 return depth_truth_of(views, round);
-            default:
-                return study_of(extent, subject.hoisted)
-                    .visit(views, with_radius(subject.settings, radius), subject.sequence, round);
+            case Kind::truth:
+                return truth_of(views, round);
+            default: {
+                ConfigurationStudy& study = study_of(extent, subject.hoisted);
+                const effect::Settings settings = with_radius(subject.settings, radius);
+                return subject.held ? study.held(views, settings)
+                                    : study.visit(views, settings, subject.sequence, round);
+            }
         }
     }
 
     ConfigurationStudy& study_of(gpu::Extent extent, bool hoisted) {
-        std::unique_ptr<ConfigurationStudy>& study = studies_[{extent.width, extent.height, hoisted}];
+        std::unique_ptr<ConfigurationStudy>& study = shared_.studies[{extent.width, extent.height, hoisted}];
         if (!study)
             study = std::make_unique<ConfigurationStudy>(
                 place_.device,
@@ -321,14 +337,14 @@ class SizeRun {
 
     PlainRun& loop_of(gpu::Extent extent, const PlainLoop& loop) {
         std::unique_ptr<PlainRun>& made =
-            loops_[{extent.width, extent.height, loop.taps.slices, loop.taps.steps, loop.blurs}];
+            shared_.loops[{extent.width, extent.height, loop.taps.slices, loop.taps.steps, loop.blurs}];
         if (!made)
             made = std::make_unique<PlainRun>(place_.device, place_.passes, extent, loop.taps, loop.blurs);
         return *made;
     }
 
     effect::CopyClock& clock(gpu::Extent extent, gpu::Format format) {
-        std::unique_ptr<effect::CopyClock>& made = clocks_[{extent.width, extent.height, format}];
+        std::unique_ptr<effect::CopyClock>& made = shared_.clocks[{extent.width, extent.height, format}];
         if (!made) made = std::make_unique<effect::CopyClock>(place_.device, place_.passes, extent, format);
         return *made;
     }
@@ -337,44 +353,27 @@ class SizeRun {
     gpu::Extent extent_;
     const Place& place_;
     Record& record_;
+    Shared::Parts& shared_;
     scene::TruthCache cache_;
-    std::map<std::string, std::shared_ptr<BenchmarkViews>> shared_;
     bool remap_ = shows(experiment_, "rmse_remapped");
     bool own_radius_ = shows(experiment_, "rmse_own_radius");
-    // By width and height of the images, and by what they are made for.
-    using Side = std::uint32_t;
-    std::map<std::tuple<Side, Side, bool>, std::unique_ptr<ConfigurationStudy>> studies_;
-    std::map<std::tuple<Side, Side, std::uint32_t, std::uint32_t, int>, std::unique_ptr<PlainRun>> loops_;
-    std::map<std::tuple<Side, Side, gpu::Format>, std::unique_ptr<effect::CopyClock>> clocks_;
+    bool by_class_ = internal::shows_classes(experiment_);
+    bool converged_ = internal::shows_converged(experiment_);
+    bool limit_ = internal::shows_against(experiment_, "limit");
 };
-
-}  // namespace
-
-bool shows(const Experiment& experiment, std::string_view quantity) {
-    return std::ranges::any_of(experiment.tables, [&](const Table& table) {
-        return std::ranges::count(table.columns, quantity, &Column::value) > 0;
-    });
-}
-
-void require_possible(const Experiment& experiment, const Place& place) {
-    if (experiment.candidates.empty()) throw std::invalid_argument("nothing to measure: no candidate");
-    require_consistent(experiment);
-    for (const Case& one : experiment.cases) {
-        if (!one.view) (void)scene_of(one, place.meshes);  // a view's meshes are read when it is measured
-        const BenchmarkFrames frames = frames_of(experiment, one, {});
-        if (frames.scored > frames.frames)
-            throw std::invalid_argument(fmt::format("{}: {} scored frames, expected at most {}, the frames",
-                                                    one.name, frames.scored, frames.frames));
-        for (const Candidate& candidate : experiment.candidates)
-            if (takes_part(one, candidate)) require_possible(experiment, one, candidate, place);
-    }
-}
 
 void run(const Experiment& experiment, const std::vector<gpu::Extent>& sizes, const Place& place,
          Record& record) {
+    for (const gpu::Extent extent : sizes) {
+        Shared shared;
+        run(experiment, extent, place, record, shared);
+    }
+}
+
+void run(const Experiment& experiment, gpu::Extent size, const Place& place, Record& record, Shared& shared) {
     require_possible(experiment, place);
     if (experiment.rounds > 0) effect::require_timestamps(place.device.info());
-    for (const gpu::Extent extent : sizes) SizeRun(experiment, extent, place, record).run();
+    SizeRun(experiment, size, place, record, shared).run();
 }
 
 }  // namespace gloam::experiment

@@ -3,12 +3,14 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "experiment/results.hpp"
 #include "gpu/device.hpp"
+#include "scene/analytic_scene.hpp"
 #include "scene/pass_library.hpp"
 #include "scene/truth.hpp"
 
@@ -18,9 +20,20 @@ namespace gloam::experiment {
 // std::invalid_argument for a number of objects of a scene without any.
 [[nodiscard]] scene::Scene scene_of(const Case& one, const std::filesystem::path& meshes);
 
+// The view of a case in closed form. Throws std::invalid_argument that lists the names.
+[[nodiscard]] scene::ClosedFormView closed_form_of(const Case& one);
+
 // The frames of a case at a size of the experiment, without the truth of the depth buffer. Changed views have
 // no truth.
 [[nodiscard]] BenchmarkFrames frames_of(const Experiment& experiment, const Case& one, gpu::Extent extent);
+
+// A picture that a candidate asks for.
+struct Picture {
+    std::string name;  // "CASE-CANDIDATE-KIND"
+    std::string kind;  // one of picture_kinds()
+    gpu::Extent extent;
+    std::vector<float> values;  // occlusion, magnitudes of errors, or parts of the most that there can be
+};
 
 // Where an experiment runs. The device and the passes must outlive the call.
 struct Place {
@@ -32,10 +45,22 @@ struct Place {
     // Makes a function that is called with the part done, in [0, 1]; `what` is being done.
     std::function<std::function<void(double)>(const std::string& what)> progress;
     std::function<void(const std::string& line)> keep{};  // is given the line of each visit; may be empty
+    std::function<void(const Picture&)> show{};           // is given each picture; may be empty
 };
 
-// Whether a table shows the quantity.
-[[nodiscard]] bool shows(const Experiment& experiment, std::string_view quantity);
+// What experiments on the same frames at one place may share: views with their truth, and compiled effects.
+class Shared {
+  public:
+    Shared();
+    ~Shared();
+    Shared(const Shared&) = delete;
+    Shared& operator=(const Shared&) = delete;
+
+  private:
+    friend class SizeRun;
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
 
 // Throws std::invalid_argument, before any work, for a scene, preset, method or setting that does not exist,
 // more scored frames than there are, and an experiment without a candidate.
@@ -48,5 +73,9 @@ void require_possible(const Experiment& experiment, const Place& place);
 // there are rounds.
 void run(const Experiment& experiment, const std::vector<gpu::Extent>& sizes, const Place& place,
          Record& record);
+
+// The same at one size. An interleaved experiment leaves its views in `shared`, and takes those of other
+// experiments with the same frames and rays from there.
+void run(const Experiment& experiment, gpu::Extent size, const Place& place, Record& record, Shared& shared);
 
 }  // namespace gloam::experiment

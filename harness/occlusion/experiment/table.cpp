@@ -6,17 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
+
+#include "experiment/internal/rows.hpp"
 
 namespace gloam::experiment {
 namespace {
 
-// What a row is about: cases and a candidate, both by number, and a pass.
-struct Row {
-    std::vector<std::size_t> cases;
-    std::size_t candidate = 0;
-    std::string pass;
-};
+using internal::Row;
 
 // What a column shows: itself, at one size, of one candidate.
 struct Shown {
@@ -24,13 +20,14 @@ struct Shown {
     std::size_t size = 0;
     std::optional<std::size_t> candidate;
     std::string title;
+    std::vector<std::string> cases;  // over these alone; empty: over all of the row
 };
 
 // One table over results of one or all sizes.
 class Writer {
   public:
     Writer(const Experiment& experiment, const std::vector<SizeResult>& results, const Table& table)
-        : experiment_(experiment), results_(results), table_(table) {}
+        : experiment_(experiment), results_(results), table_(table), rows_(experiment, results, table) {}
 
     [[nodiscard]] std::string written(std::size_t size) {
         const std::vector<Shown> columns = columns_of(size);
@@ -41,12 +38,42 @@ class Writer {
             rule += shown.column->label.empty() && !shown.column->target ? "--:|" : "---|";
         }
         text += rule + "\n";
-        for (const Row& row : rows_of(size)) {
-            text += "|";
-            for (const Shown& shown : columns) text += fmt::format(" {} |", cell_text(row, shown));
-            text += "\n";
+        for (const Row& row : rows_.of(size)) {
+            std::string line = "|";
+            bool known = table_.rows != "candidates";
+            for (const Shown& shown : columns) {
+                const std::string cell = cell_text(row, shown);
+                known |= shown.column->label.empty() && cell != "-";
+                line += fmt::format(" {} |", cell);
+            }
+            if (known) text += line + "\n";
         }
         return text;
+    }
+
+    // The columns over the first, in one case.
+    [[nodiscard]] FramePlot plotted(std::size_t size, std::size_t number) {
+        const std::vector<Shown> columns = columns_of(size);
+        const Column& last = *columns.back().column;
+        FramePlot plot{.name = results_[size].cases[number].shown.name + "-" + table_.plot,
+                       .x = columns.front().title,
+                       .y = fmt::format("{}{}{}", last.value, last.pixels.empty() ? "" : ", " + last.pixels,
+                                        last.against.empty() ? "" : ", against the " + last.against),
+                       .logarithmic = table_.logarithmic,
+                       .curves = {}};
+        for (std::size_t i = 1; i < columns.size(); ++i) {
+            std::vector<std::pair<double, double>> points;
+            for (const Row& row : rows_.of(size)) {
+                if (row.cases.front() != number || !columns[i].column->label.empty()) continue;
+                const std::optional<double> x = columns.front().column->label.empty()
+                                                    ? number_in(row, columns.front())
+                                                    : std::optional<double>(row.frame);
+                const std::optional<double> y = number_in(row, columns[i]);
+                if (x && y) points.emplace_back(*x, *y);
+            }
+            if (!points.empty()) plot.curves.emplace_back(columns[i].title, std::move(points));
+        }
+        return plot;
     }
 
     [[nodiscard]] bool missed() const { return missed_; }
@@ -59,21 +86,30 @@ class Writer {
             std::string title = column.title;
             const std::size_t place = title.find("{}");
             if (place != std::string::npos) title.replace(place, 2, name);
-            columns.push_back({&column, at, candidate, title});
+            columns.push_back({&column, at, candidate, title, column.cases});
         };
         for (std::size_t i = 0; i < table_.columns.size(); ++i) {
             const Column& column = table_.columns[i];
             if (column.repeated == "candidates") {
                 for (std::size_t c = 0; c < experiment_.candidates.size(); ++c)
                     add(column, size, c, experiment_.candidates[c].name);
-            } else if (column.repeated == "sizes") {
+            } else if (!column.repeated.empty()) {
                 // Columns beside each other are repeated together.
-                std::size_t end = i;
-                while (end < table_.columns.size() && table_.columns[end].repeated == "sizes") ++end;
-                for (std::size_t s = 0; s < results_.size(); ++s)
-                    for (std::size_t c = i; c < end; ++c)
-                        add(table_.columns[c], s, std::nullopt, size_text(results_[s].extent));
-                i = end - 1;
+                const std::size_t first = i;
+                while (i + 1 < table_.columns.size() && table_.columns[i + 1].repeated == column.repeated)
+                    ++i;
+                const auto repeat = [&](std::size_t at, const std::string& name, bool of_case) {
+                    for (std::size_t c = first; c <= i; ++c) {
+                        add(table_.columns[c], at, std::nullopt, name);
+                        if (of_case) columns.back().cases = {name};
+                    }
+                };
+                for (std::size_t s = 0; column.repeated == "sizes" && s < results_.size(); ++s)
+                    repeat(s, size_text(results_[s].extent), false);
+                if (column.repeated == "cases")
+                    for (const CaseResult* one :
+                         rows_.cases_of(rows_.all_cases(size), size, column.cases, ""))
+                        repeat(size, one->shown.name, true);
             } else {
                 add(column, size, std::nullopt,
                     column.of.empty() ? "" : experiment_.candidates[number_of(column.of, 0)].name);
@@ -82,96 +118,9 @@ class Writer {
         return columns;
     }
 
-    [[nodiscard]] std::vector<Row> rows_of(std::size_t size) const {
-        const std::vector<CaseResult>& cases = results_[size].cases;
-        std::vector<std::size_t> all;
-        for (std::size_t i = 0; i < cases.size(); ++i)
-            if (table_.kind.empty() || cases[i].shown.kind == table_.kind) all.push_back(i);
-        std::vector<Row> rows;
-        if (table_.rows == "candidates") {
-            for (const std::size_t c : kept(cases_of({all, 0, ""}, size, ""))) rows.push_back({all, c, ""});
-        } else if (table_.rows == "kinds") {
-            add_kinds(rows, cases, all, 0, false);
-        } else if (table_.rows == "growth") {
-            for (std::size_t c = 0; c < experiment_.candidates.size(); ++c)
-                add_kinds(rows, cases, all, c, true);
-        } else {
-            for (const std::size_t i : all) add_rows(rows, cases[i], i);
-        }
-        return rows;
-    }
-
-    // A row for each kind of the cases; measured: only cases in which the candidate was measured.
-    static void add_kinds(std::vector<Row>& rows, const std::vector<CaseResult>& cases,
-                          const std::vector<std::size_t>& all, std::size_t candidate, bool measured) {
-        std::map<std::string, std::size_t> row_of;  // by kind
-        for (const std::size_t i : all) {
-            if (measured && !cases[i].cells[candidate]) continue;
-            const auto [at, is_new] = row_of.try_emplace(cases[i].shown.kind, rows.size());
-            if (is_new) rows.push_back({{}, candidate, ""});
-            rows[at->second].cases.push_back(i);
-        }
-    }
-
-    // The candidates of which a table over these cases has rows, in their order.
-    [[nodiscard]] std::vector<std::size_t> kept(const std::vector<const CaseResult*>& cases) const {
-        std::vector<std::size_t> numbers;
-        if (table_.keep == "front") {
-            for (const FrontPoint& point : front_of(front_points(cases))) numbers.push_back(point.candidate);
-        } else {
-            for (std::size_t c = 0; c < experiment_.candidates.size(); ++c) numbers.push_back(c);
-            if (table_.keep == "best") numbers = best_of(cases, numbers);
-        }
-        std::erase_if(numbers, [&](std::size_t c) {
-            return !table_.group.empty() && experiment_.candidates[c].group != table_.group;
-        });
-        return numbers;
-    }
-
-    // The one with the least error of each group.
-    [[nodiscard]] std::vector<std::size_t> best_of(const std::vector<const CaseResult*>& cases,
-                                                   const std::vector<std::size_t>& numbers) const {
-        std::map<std::string, std::pair<double, std::size_t>> best;  // by group
-        for (const std::size_t c : numbers) {
-            const auto error = mean_value(cases, c, "rmse", "median", {});
-            if (!error) continue;
-            const auto [at, is_new] = best.try_emplace(experiment_.candidates[c].group, *error, c);
-            if (!is_new && *error < at->second.first) at->second = {*error, c};
-        }
-        std::vector<std::size_t> chosen;
-        for (const auto& [group, found] : best) chosen.push_back(found.second);
-        std::ranges::sort(chosen);
-        return chosen;
-    }
-
-    // The rows of one case.
-    void add_rows(std::vector<Row>& rows, const CaseResult& result, std::size_t number) const {
-        if (table_.rows == "cases") {
-            rows.push_back({{number}, 0, ""});
-            return;
-        }
-        for (const std::size_t c : kept({&result})) {
-            if (!result.cells[c]) continue;
-            if (table_.rows == "runs") rows.push_back({{number}, c, ""});
-            if (table_.rows == "passes")
-                for (const std::string& pass : passes_of(*result.cells[c]))
-                    rows.push_back({{number}, c, pass});
-        }
-    }
-
     // require_consistent() has found that there is such a candidate.
     [[nodiscard]] std::size_t number_of(const std::string& candidate, std::size_t rows) const {
         return candidate.empty() ? rows : candidate_of(experiment_, candidate).value();
-    }
-
-    [[nodiscard]] std::vector<const CaseResult*> cases_of(const Row& row, std::size_t size,
-                                                          const std::string& half) const {
-        std::vector<const CaseResult*> cases;
-        for (const std::size_t i : row.cases) {
-            const CaseResult& one = results_[size].cases[i];
-            if (half.empty() || one.shown.half == half) cases.push_back(&one);
-        }
-        return cases;
     }
 
     [[nodiscard]] std::string label_text(const Row& row, const Shown& shown) const {
@@ -182,37 +131,87 @@ class Writer {
         if (label == "kind") return first.kind;
         if (label == "half") return first.half;
         if (label == "pass") return row.pass;
+        if (label == "frame") return std::to_string(row.frame);
         if (label == "cases") return std::to_string(row.cases.size());
         return experiment_.candidates[row.candidate].name;
+    }
+
+    // The value of a column in a row, after all divisions.
+    [[nodiscard]] std::optional<double> number_in(const Row& row, const Shown& shown) const {
+        const Column& column = *shown.column;
+        const std::vector<const CaseResult*> cases =
+            rows_.cases_of(row, shown.size, shown.cases, column.half);
+        const std::size_t of = number_of(column.of, shown.candidate.value_or(row.candidate));
+        const Part part = part_of(row, column);
+        Part over_part = part;
+        over_part.prefixes = column.over_passes;
+        const auto value_in = [&](const std::vector<const CaseResult*>& some, std::size_t candidate,
+                                  const Part& counted) {
+            return mean_value(some, candidate, column.value, column.statistic, counted);
+        };
+        std::optional<double> value = value_in(cases, of, part);
+        const auto combine = [&](const std::optional<double>& other, const auto& operation) {
+            value = value && other ? std::optional(operation(*value, *other)) : std::nullopt;
+        };
+        if (!column.over.empty())
+            combine(value_in(cases, number_of(column.over, of), over_part), std::divides{});
+        if (!column.over_case.empty())
+            combine(value_in(case_named(column.over_case, shown.size), of, over_part), std::divides{});
+        if (!column.minus.empty()) combine(value_in(cases, number_of(column.minus, of), part), std::minus{});
+        if (column.over_frame > 0) {
+            over_part.frame = column.over_frame;
+            combine(value_in(cases, of, over_part), std::divides{});
+        }
+        return value;
+    }
+
+    [[nodiscard]] static Part part_of(const Row& row, const Column& column) {
+        return {.prefixes = column.passes,
+                .name = row.pass,
+                .pixels = column.pixels,
+                .against = column.against,
+                .frame = row.frame > 0 ? row.frame : column.frame};
     }
 
     [[nodiscard]] std::string cell_text(const Row& row, const Shown& shown) {
         const Column& column = *shown.column;
         if (!column.label.empty()) return label_text(row, shown);
-        const std::vector<const CaseResult*> cases = cases_of(row, shown.size, column.half);
+        const std::vector<const CaseResult*> cases =
+            rows_.cases_of(row, shown.size, shown.cases, column.half);
         const std::size_t of = number_of(column.of, shown.candidate.value_or(row.candidate));
-        const TimedPasses passes{.prefixes = column.passes, .name = row.pass};
-        const TimedPasses over_passes{.prefixes = column.over_passes, .name = row.pass};
         if (column.statistic == "quartiles") return quartiles_text(cases, of, column);
         if (column.statistic == "list") return list_text(cases, of, column);
-        const auto value_in = [&](const std::vector<const CaseResult*>& some, std::size_t candidate,
-                                  const TimedPasses& timed) {
-            return mean_value(some, candidate, column.value, column.statistic, timed);
-        };
-        std::optional<double> value = value_in(cases, of, passes);
-        const auto combine = [&](const std::optional<double>& other, const auto& operation) {
-            value = value && other ? std::optional(operation(*value, *other)) : std::nullopt;
-        };
-        if (!column.over.empty())
-            combine(value_in(cases, number_of(column.over, of), over_passes), std::divides{});
-        if (!column.over_case.empty())
-            combine(value_in(case_named(column.over_case, shown.size), of, over_passes), std::divides{});
-        if (!column.minus.empty())
-            combine(value_in(cases, number_of(column.minus, of), passes), std::minus{});
+        if (column.statistic == "furthest") return furthest_text(cases, of, column);
+        const std::optional<double> value = number_in(row, shown);
         if (column.target) return target_text(*cases.front(), value);
         if (!value) return "-";
-        const std::string text = number_text(*value, column);
+        std::string text = number_text(*value, column);
+        if (column.most) text += most_text(*value, *column.most);
+        if (!column.beside.empty())
+            if (const auto other =
+                    mean_value(cases, of, column.beside, column.statistic, part_of(row, column)))
+                text += fmt::format(" ({})", number_text(*other, column));
         return column.front && on_front(cases, of) ? "**" + text + "**" : text;
+    }
+
+    // Whether a target of the column's own is met.
+    [[nodiscard]] std::string most_text(double value, double most) {
+        missed_ |= !(value <= most);
+        return fmt::format(", at most {:g}: {}", most, value <= most ? "met" : "missed");
+    }
+
+    // The value that is furthest from 0, behind its case.
+    [[nodiscard]] static std::string furthest_text(const std::vector<const CaseResult*>& cases,
+                                                   std::size_t of, const Column& column) {
+        std::optional<double> furthest;
+        std::string name;
+        for (const CaseResult* one : cases) {
+            const auto value = mean_value({one}, of, column.value, "median", {});
+            if (!value || (furthest && std::abs(*value) <= std::abs(*furthest))) continue;
+            furthest = value;
+            name = one->shown.name;
+        }
+        return furthest ? fmt::format("{}: {}", name, number_text(*furthest, column)) : "-";
     }
 
     // None where it was not chosen.
@@ -235,8 +234,9 @@ class Writer {
     }
 
     [[nodiscard]] static std::string number_text(double value, const Column& column) {
-        return column.percent ? fmt::format("{:.{}f} %", 100.0 * value, column.digits)
-                              : fmt::format("{:.{}f}", value, column.digits);
+        if (column.percent) return fmt::format("{:.{}f} %", 100.0 * value, column.digits);
+        return column.with_sign ? fmt::format("{:+.{}f}", value, column.digits)
+                                : fmt::format("{:.{}f}", value, column.digits);
     }
 
     [[nodiscard]] std::string quartiles_text(const std::vector<const CaseResult*>& cases, std::size_t of,
@@ -270,10 +270,23 @@ class Writer {
     const Experiment& experiment_;
     const std::vector<SizeResult>& results_;
     const Table& table_;
+    internal::Rows rows_;
     bool missed_ = false;
 };
 
 }  // namespace
+
+std::vector<FramePlot> frame_plots(const Experiment& experiment, const std::vector<SizeResult>& results,
+                                   std::size_t size) {
+    std::vector<FramePlot> plots;
+    for (const Table& table : experiment.tables) {
+        for (std::size_t i = 0; !table.plot.empty() && i < results[size].cases.size(); ++i) {
+            FramePlot plot = Writer(experiment, results, table).plotted(size, i);
+            if (!plot.curves.empty()) plots.push_back(std::move(plot));
+        }
+    }
+    return plots;
+}
 
 Text to_text(const Experiment& experiment, const std::vector<SizeResult>& results) {
     Text all;

@@ -17,6 +17,12 @@ namespace gloam::experiment {
 // The names of what a column can show. Errors are root mean square errors against the traced geometry (G).
 [[nodiscard]] const std::vector<std::string>& quantities();
 
+// Of these and some more, those that can be shown by class of pixel, reference and frame.
+[[nodiscard]] const std::vector<std::string>& class_quantities();
+
+// Whether a column shows such a part, or a quantity that has no other form.
+[[nodiscard]] bool by_class(const Column& column);
+
 struct Text {
     std::string text;    // the tables in Markdown; where a table shows one size, one for each size
     std::string report;  // the same, and those that stand in the report alone
@@ -38,37 +44,54 @@ struct Growth {
 // One for each kind and candidate, of the cases with a value.
 [[nodiscard]] std::vector<Growth> growths(const Experiment& experiment, const SizeResult& result);
 
+// A table over frames as curves, of one case.
+struct FramePlot {
+    std::string name;  // the table's plot, behind the case
+    std::string x;
+    std::string y;
+    bool logarithmic = false;
+    std::vector<std::pair<std::string, std::vector<std::pair<double, double>>>> curves;  // those with a point
+};
+
+// Those of the tables that ask for one, at a size.
+[[nodiscard]] std::vector<FramePlot> frame_plots(const Experiment& experiment,
+                                                 const std::vector<SizeResult>& results, std::size_t size);
+
 // The median time of a copy in all readings, in milliseconds; NaN without readings.
 [[nodiscard]] double copy_ms(const SizeResult& result);
 
-// The passes whose times count: those with this name, or whose names begin with one of the prefixes. All
-// where both are empty.
-struct TimedPasses {
+// What of a cell counts. Of times the passes with this name, or whose names begin with one of the prefixes;
+// all where both are empty. Of scores the pixels of a class against a reference, and the last scored frame up
+// to `frame`, or all with 0.
+struct Part {
     std::vector<std::string> prefixes{};
     std::string name{};
+    std::string pixels{};
+    std::string against{};
+    int frame = 0;
 };
 
 // "640 x 360".
 [[nodiscard]] std::string size_text(gpu::Extent extent);
 
 // The times of the passes that count in each reading of a cell, in milliseconds or in copies.
-[[nodiscard]] std::vector<double> times_of(const Cell& cell, bool copies, const TimedPasses& passes);
+[[nodiscard]] std::vector<double> times_of(const Cell& cell, bool copies, const Part& passes);
 
 // The names of a cell's passes, in the order in which they ran. Empty without readings.
 [[nodiscard]] std::vector<std::string> passes_of(const Cell& cell);
 
 // A quantity of quantities() over some cases: times are geometric means, all else arithmetic ones.
 // statistic: of the readings' times, "median" or "least"; "most", the largest of the cases; "of_best", the
-// geometric mean of the ratios to the least value of any candidate in the case; or "exponent" e of the value
-// as a power of what grows from case to case. nullopt without cases, where a case lacks it, and for an
-// exponent without two different points.
+// geometric mean of the ratios to the least value of any candidate in the case; "slope", as in Column; or
+// "exponent" e of the value as a power of what grows from case to case. nullopt without cases, where a case
+// lacks it, and for an exponent without two different points.
 [[nodiscard]] std::optional<double> mean_value(const std::vector<const CaseResult*>& cases,
                                                std::size_t candidate, std::string_view quantity,
-                                               std::string_view statistic, const TimedPasses& passes);
+                                               std::string_view statistic, const Part& part);
 
 // The ratio of the times of two candidates in each round, median by median. NaN without rounds.
 [[nodiscard]] numeric::Spread round_ratios(const CaseResult& one, std::size_t of, std::size_t over,
-                                           const TimedPasses& passes, const TimedPasses& over_passes);
+                                           const Part& passes, const Part& over_passes);
 
 // The points (cost, error) that no other point dominates, by their numbers: at least as good in both and
 // better in one. Cheapest first; of equal points the first. Points that are not finite are in no front.

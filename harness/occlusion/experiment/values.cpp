@@ -4,21 +4,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
-#include <nlohmann/json.hpp>
+
+#include "experiment/internal/quantities.hpp"
 
 namespace gloam::experiment {
 namespace {
 
 using effect::Work;
-using nlohmann::ordered_json;
+using internal::median_of_round;
+using internal::Quantity;
+using internal::value_of;
 
-// Quantities that are no times.
-struct Quantity {
-    std::string name;
-    std::function<std::optional<double>(const Cell&)> of;
-};
+// Those of scores by class alone.
+constexpr std::array<std::string_view, 3> class_only{"bias_raw", "samples_so_far", "rmse_independent"};
 
 Quantity error(std::string name, double FrameQuality::* member) {
     return {std::move(name), [member](const Cell& cell) {
@@ -42,6 +43,99 @@ std::optional<double> ended_early(const Cell& cell) {
            static_cast<double>(std::max<std::uint64_t>(work.pixels - work.background, 1));
 }
 
+Quantity converged(std::string name, std::optional<double> (*of)(const Converged&)) {
+    return {std::move(name), [of](const Cell& cell) {
+                return cell.quality && cell.quality->converged ? of(*cell.quality->converged) : std::nullopt;
+            }};
+}
+
+Quantity point(std::string name, std::optional<double> (*of)(const PointQuality&)) {
+    return {std::move(name), [of](const Cell& cell) { return cell.point ? of(*cell.point) : std::nullopt; }};
+}
+
+std::optional<double> rmse_of(const std::optional<effect::Errors>& errors) {
+    return errors ? std::optional(errors->rmse) : std::nullopt;
+}
+
+std::optional<double> difference(const std::optional<double>& a, const std::optional<double>& b) {
+    return a && b ? std::optional(*a - *b) : std::nullopt;
+}
+
+bool counts(const Part& passes, const std::string& name) {
+    if (!passes.name.empty()) return name == passes.name;
+    return passes.prefixes.empty() || std::ranges::any_of(passes.prefixes, [&](const std::string& prefix) {
+               return name.starts_with(prefix);
+           });
+}
+
+double sum_of(const FrameReading& reading, const Part& passes) {
+    double sum = 0.0;
+    for (const effect::PassTime& time : reading.passes)
+        if (counts(passes, time.pass)) sum += time.ms;
+    return sum;
+}
+
+// The time of a cell, in milliseconds or in copies. nullopt without readings.
+std::optional<double> time_of(const Cell& cell, bool copies, std::string_view statistic, const Part& passes) {
+    const std::vector<double> times = times_of(cell, copies, passes);
+    if (times.empty()) return std::nullopt;
+    return statistic == "least" ? *std::ranges::min_element(times) : numeric::spread_of(times).median;
+}
+
+// A quantity of one class against one reference, over the scored frames or in one of them.
+std::optional<double> class_value(const ClassScores& scores, std::string_view quantity, const Part& part) {
+    const std::string pixels = part.pixels.empty() ? "all" : part.pixels;
+    const std::string against = part.against.empty() ? "geometry" : part.against;
+    if (quantity == "flicker") {
+        const auto found = std::ranges::find(scores.flicker, pixels, &ClassFlicker::pixels);
+        return found == scores.flicker.end() ? std::nullopt : std::optional(found->mean);
+    }
+    ClassScore sum;
+    double samples = 0.0;
+    for (const FrameScore& frame : scores.frames) {
+        if (part.frame > 0 && frame.frame > part.frame) break;
+        if (part.frame > 0) sum = {};
+        samples = frame.samples;
+        for (const ClassScore& score : frame.classes) {
+            if (score.pixels != pixels || score.against != against) continue;
+            sum.count += score.count;
+            sum.squares += score.squares;
+            sum.raw_squares += score.raw_squares;
+            sum.raw_errors += score.raw_errors;
+        }
+    }
+    if (quantity == "samples_so_far" && !scores.frames.empty()) return samples;
+    if (sum.count == 0) return std::nullopt;
+    const auto count = static_cast<double>(sum.count);
+    if (quantity == "bias_raw") return sum.raw_errors / count;
+    if (quantity == "rmse") return std::sqrt(sum.squares / count);
+    if (quantity == "rmse_raw") return std::sqrt(sum.raw_squares / count);
+    Part first = part;  // what independent samples would have made of its error
+    first.frame = scores.frames.front().frame;
+    const auto raw = class_value(scores, "rmse_raw", first);
+    return raw ? std::optional(*raw * std::sqrt(scores.frames.front().samples / samples)) : std::nullopt;
+}
+
+std::optional<double> slope_of(const ClassScores& scores, std::string_view quantity, Part part) {
+    std::vector<std::pair<double, double>> points;
+    for (const FrameScore& frame : scores.frames) {
+        if (frame.samples >= scores.most_samples) continue;
+        part.frame = frame.frame;
+        if (const auto error = class_value(scores, quantity, part))
+            points.emplace_back(frame.samples, *error * *error);
+    }
+    const double slope = numeric::exponent_of(points);
+    return std::isfinite(slope) ? std::optional(slope) : std::nullopt;
+}
+
+bool is_class_only(std::string_view quantity) {
+    return std::ranges::find(class_only, quantity) != class_only.end();
+}
+
+}  // namespace
+
+namespace internal {
+
 const std::vector<Quantity>& untimed() {
     static const std::vector<Quantity> all{
         error("rmse", &FrameQuality::geometry),
@@ -49,6 +143,7 @@ const std::vector<Quantity>& untimed() {
         error("rmse_depth", &FrameQuality::depth),
         error("rmse_depth_raw", &FrameQuality::raw_depth),
         error("bias", &FrameQuality::bias),
+        error("percentile_99", &FrameQuality::percentile_99),
         error("similarity", &FrameQuality::similarity),
         error("samples", &FrameQuality::samples),
         {"memory_mib",
@@ -68,97 +163,60 @@ const std::vector<Quantity>& untimed() {
         {"rmse_remapped",
          [](const Cell& cell) { return cell.quality ? cell.quality->remapped : std::nullopt; }},
         {"samples_asked",
-         [](const Cell& cell) { return std::optional(static_cast<double>(cell.samples_asked)); }}};
+         [](const Cell& cell) {
+             return cell.samples_asked > 0 ? std::optional(static_cast<double>(cell.samples_asked))
+                                           : std::nullopt;
+         }},
+        converged("converged_rmse", [](const Converged& all) { return std::optional(all.geometry.rmse); }),
+        converged("converged_bias", [](const Converged& all) { return std::optional(all.geometry.bias); }),
+        converged("converged_remapped",
+                  [](const Converged& all) { return std::optional(all.remapped.rmse); }),
+        converged("converged_similarity", [](const Converged& all) { return std::optional(all.similarity); }),
+        converged("converged_depth", [](const Converged& all) { return rmse_of(all.depth); }),
+        converged("converged_own", [](const Converged& all) { return rmse_of(all.own); }),
+        point("truth", [](const PointQuality& all) { return std::optional(all.truth); }),
+        point("occlusion", [](const PointQuality& all) { return std::optional(all.occlusion); }),
+        point("own", [](const PointQuality& all) { return all.own; }),
+        point("off_own", [](const PointQuality& all) { return difference(all.occlusion, all.own); }),
+        point("shown", [](const PointQuality& all) { return all.shown; }),
+        point("off_truth", [](const PointQuality& all) { return difference(all.shown, all.truth); })};
     return all;
 }
 
-bool counts(const TimedPasses& passes, const std::string& name) {
-    if (!passes.name.empty()) return name == passes.name;
-    return passes.prefixes.empty() || std::ranges::any_of(passes.prefixes, [&](const std::string& prefix) {
-               return name.starts_with(prefix);
-           });
-}
-
-double sum_of(const FrameReading& reading, const TimedPasses& passes) {
-    double sum = 0.0;
-    for (const effect::PassTime& time : reading.passes)
-        if (counts(passes, time.pass)) sum += time.ms;
-    return sum;
-}
-
-// The time of a cell, in milliseconds or in copies. nullopt without readings.
-std::optional<double> time_of(const Cell& cell, bool copies, std::string_view statistic,
-                              const TimedPasses& passes) {
-    const std::vector<double> times = times_of(cell, copies, passes);
-    if (times.empty()) return std::nullopt;
-    return statistic == "least" ? *std::ranges::min_element(times) : numeric::spread_of(times).median;
-}
-
 std::optional<double> value_of(const Cell& cell, std::string_view quantity, std::string_view statistic,
-                               const TimedPasses& passes) {
+                               const Part& passes) {
+    const bool part = !passes.pixels.empty() || !passes.against.empty() || passes.frame > 0;
+    if (part || statistic == "slope" || is_class_only(quantity)) {
+        if (!cell.quality || !cell.quality->by_class) return std::nullopt;
+        const ClassScores& scores = *cell.quality->by_class;
+        return statistic == "slope" ? slope_of(scores, quantity, passes)
+                                    : class_value(scores, quantity, passes);
+    }
     if (quantity == "ms" || quantity == "copies")
         return time_of(cell, quantity == "copies", statistic, passes);
     const auto found = std::ranges::find(untimed(), quantity, &Quantity::name);
     return found == untimed().end() ? std::nullopt : found->of(cell);
 }
 
-double median_of_round(const std::vector<FrameReading>& round, const TimedPasses& passes) {
+double median_of_round(const std::vector<FrameReading>& round, const Part& passes) {
     std::vector<double> times;
     for (const FrameReading& reading : round) times.push_back(sum_of(reading, passes));
     return numeric::spread_of(times).median;
 }
 
-// For a quoted field of CSV.
-std::string quoted(std::string text) {
-    for (std::size_t at = 0; (at = text.find('"', at)) != std::string::npos; at += 2) text.insert(at, 1, '"');
-    return text;
-}
+}  // namespace internal
 
-ordered_json json_of(const std::optional<double>& value) {
-    return value && std::isfinite(*value) ? ordered_json(*value) : ordered_json(nullptr);
-}
-
-ordered_json json_of(const Cell& cell, const std::string& candidate) {
-    ordered_json json{{"candidate", candidate}};
-    for (const Quantity& quantity : untimed()) json[quantity.name] = json_of(quantity.of(cell));
-    if (cell.quality) json["memory_bytes"] = cell.quality->memory_bytes;
-    json["ms"] = json_of(time_of(cell, false, "median", {}));
-    json["copies"] = json_of(time_of(cell, true, "median", {}));
-    json["passes"] = ordered_json::array();
-    for (const std::string& pass : passes_of(cell))
-        json["passes"].push_back({{"pass", pass},
-                                  {"ms", json_of(time_of(cell, false, "median", {.name = pass}))},
-                                  {"least_ms", json_of(time_of(cell, false, "least", {.name = pass}))},
-                                  {"copies", json_of(time_of(cell, true, "median", {.name = pass}))}});
-    ordered_json rounds = ordered_json::array();
-    for (const std::vector<FrameReading>& round : cell.rounds)
-        if (!round.empty()) rounds.push_back(median_of_round(round, {}));
-    json["rounds_ms"] = rounds;
-    return json;
-}
-
-ordered_json json_of(const Experiment& experiment, const CaseResult& one) {
-    ordered_json json{{"case", one.shown.name}};
-    for (const auto& [name, text] :
-         {std::pair("what", &one.shown.what), {"kind", &one.shown.kind}, {"half", &one.shown.half}})
-        if (!text->empty()) json[name] = *text;
-    if (one.shown.value > 0.0) json["value"] = one.shown.value;
-    if (one.shown.target > 0.0) json["target"] = one.shown.target;
-    json["results"] = ordered_json::array();
-    for (std::size_t i = 0; i < one.cells.size(); ++i)
-        if (one.cells[i]) json["results"].push_back(json_of(*one.cells[i], experiment.candidates[i].name));
-    return json;
-}
+namespace {
 
 std::optional<double> value_in(const CaseResult& one, std::size_t candidate, std::string_view quantity,
-                               std::string_view statistic, const TimedPasses& passes) {
+                               std::string_view statistic, const Part& passes) {
     const std::optional<Cell>& cell = one.cells.at(candidate);
     return cell ? value_of(*cell, quantity, statistic, passes) : std::nullopt;
 }
 
 // The ratio to the least value of any candidate.
 std::optional<double> ratio_to_best(const CaseResult& one, std::size_t candidate, std::string_view quantity,
-                                    const TimedPasses& passes) {
+                                    const Part& passes) {
     const auto own = value_in(one, candidate, quantity, "median", passes);
     std::optional<double> least;
     for (std::size_t i = 0; i < one.cells.size(); ++i)
@@ -169,7 +227,7 @@ std::optional<double> ratio_to_best(const CaseResult& one, std::size_t candidate
 
 // Of value ~ growing^e, by least squares on logarithmic axes. nullopt without two cases that differ.
 std::optional<double> exponent_of(const std::vector<const CaseResult*>& cases, std::size_t candidate,
-                                  std::string_view quantity, const TimedPasses& passes) {
+                                  std::string_view quantity, const Part& passes) {
     std::vector<std::pair<double, double>> points;
     for (const CaseResult* one : cases)
         if (const auto value = mean_value({one}, candidate, quantity, "median", passes))
@@ -183,17 +241,28 @@ std::optional<double> exponent_of(const std::vector<const CaseResult*>& cases, s
 const std::vector<std::string>& quantities() {
     static const std::vector<std::string> names = [] {
         std::vector<std::string> all{"ms", "copies"};
-        for (const Quantity& quantity : untimed()) all.push_back(quantity.name);
+        for (const Quantity& quantity : internal::untimed()) all.push_back(quantity.name);
         return all;
     }();
     return names;
+}
+
+const std::vector<std::string>& class_quantities() {
+    static const std::vector<std::string> names{"rmse",     "rmse_raw",       "flicker",
+                                                "bias_raw", "samples_so_far", "rmse_independent"};
+    return names;
+}
+
+bool by_class(const Column& column) {
+    return !column.pixels.empty() || !column.against.empty() || column.frame > 0 || column.over_frame > 0 ||
+           column.statistic == "slope" || is_class_only(column.value);
 }
 
 std::string size_text(gpu::Extent extent) {
     return fmt::format("{} x {}", extent.width, extent.height);
 }
 
-std::vector<double> times_of(const Cell& cell, bool copies, const TimedPasses& passes) {
+std::vector<double> times_of(const Cell& cell, bool copies, const Part& passes) {
     std::vector<double> times;
     for (const std::vector<FrameReading>& round : cell.rounds)
         for (const FrameReading& reading : round)
@@ -211,8 +280,7 @@ std::vector<std::string> passes_of(const Cell& cell) {
 }
 
 std::optional<double> mean_value(const std::vector<const CaseResult*>& cases, std::size_t candidate,
-                                 std::string_view quantity, std::string_view statistic,
-                                 const TimedPasses& passes) {
+                                 std::string_view quantity, std::string_view statistic, const Part& passes) {
     if (statistic == "exponent") return exponent_of(cases, candidate, quantity, passes);
     const bool of_best = statistic == "of_best";
     const bool geometric = quantity == "ms" || quantity == "copies" || of_best;
@@ -262,8 +330,8 @@ std::vector<FrontPoint> front_of(const std::vector<FrontPoint>& points) {
     return front;
 }
 
-numeric::Spread round_ratios(const CaseResult& one, std::size_t of, std::size_t over,
-                             const TimedPasses& passes, const TimedPasses& over_passes) {
+numeric::Spread round_ratios(const CaseResult& one, std::size_t of, std::size_t over, const Part& passes,
+                             const Part& over_passes) {
     std::vector<double> ratios;
     const std::optional<Cell>& a = one.cells.at(of);
     const std::optional<Cell>& b = one.cells.at(over);
@@ -296,45 +364,6 @@ double copy_ms(const SizeResult& result) {
             for (std::size_t i = 0; cell && i < cell->rounds.size(); ++i)
                 for (const FrameReading& reading : cell->rounds[i]) times.push_back(reading.copy_ms);
     return numeric::spread_of(times).median;
-}
-
-std::string to_json(const Experiment& experiment, const std::vector<SizeResult>& results,
-                    const Record& record, const std::string& versions) {
-    ordered_json document{{"versions", versions}};
-    document.update(ordered_json::parse(record.heading()));
-    document["sizes"] = ordered_json::array();
-    for (const SizeResult& result : results) {
-        ordered_json size{{"width", result.extent.width},
-                          {"height", result.extent.height},
-                          {"copy_ms", json_of(copy_ms(result))},
-                          {"cases", ordered_json::array()}};
-        for (const CaseResult& one : result.cases) size["cases"].push_back(json_of(experiment, one));
-        document["sizes"].push_back(std::move(size));
-    }
-    document["visits"] = ordered_json::array();
-    for (const Visit& visit : record.visits())
-        document["visits"].push_back(ordered_json::parse(line_of(visit)));
-    return document.dump(1) + "\n";
-}
-
-std::string to_csv(const Experiment& experiment, const std::vector<SizeResult>& results) {
-    std::string text = fmt::format("width,height,case,what,candidate,{}\n", fmt::join(quantities(), ","));
-    for (const SizeResult& result : results) {
-        for (const CaseResult& one : result.cases) {
-            for (std::size_t i = 0; i < one.cells.size(); ++i) {
-                if (!one.cells[i]) continue;
-                text += fmt::format("{},{},\"{}\",\"{}\",\"{}\"", result.extent.width, result.extent.height,
-                                    quoted(one.shown.name), quoted(one.shown.what),
-                                    quoted(experiment.candidates[i].name));
-                for (const std::string& quantity : quantities()) {
-                    const auto value = value_of(*one.cells[i], quantity, "median", {});
-                    text += value && std::isfinite(*value) ? fmt::format(",{}", *value) : ",";
-                }
-                text += "\n";
-            }
-        }
-    }
-    return text;
 }
 
 }  // namespace gloam::experiment

@@ -11,6 +11,7 @@
 #include "base/text.hpp"
 #include "experiment/table.hpp"
 #include "numeric/numbers.hpp"
+#include "report/image.hpp"
 #include "report/plot.hpp"
 
 namespace gloam::cli {
@@ -106,18 +107,38 @@ void add_fronts(NamedPlots& all, const Measured& measured, const SizeResult& res
     add("overall", cases, "RMSE (G) over the case's best, geometric mean");
 }
 
+// Tables over frames.
+void add_frames(NamedPlots& all, const Measured& measured, std::size_t size) {
+    for (experiment::FramePlot& shown : frame_plots(measured.what, measured.results, size)) {
+        report::Plot plot{.title = fmt::format("{}, {}", shown.name, measured.record.conditions().device),
+                          .x = shown.x,
+                          .y = shown.y,
+                          .logarithmic = shown.logarithmic};
+        for (auto& [name, points] : shown.curves)
+            plot.curves.push_back({.name = name, .points = std::move(points)});
+        all.emplace_back(shown.name, std::move(plot));
+    }
+}
+
+// Without what leads into another folder or has to be quoted.
+std::string file_name(std::string name) {
+    std::erase_if(name, [](char c) { return c == ',' || c == ':' || c == '(' || c == ')'; });
+    std::ranges::replace(name, ' ', '-');
+    return base::file_name_of(name);
+}
+
 NamedPlots plots_of(const Measured& measured) {
     NamedPlots all;
-    for (const SizeResult& result : measured.results) {
+    for (std::size_t size = 0; size < measured.results.size(); ++size) {
+        const SizeResult& result = measured.results[size];
         const std::size_t first = all.size();
         add_growth(all, measured, result);
         add_fronts(all, measured, result);
+        add_frames(all, measured, size);
         for (std::size_t i = first; i < all.size(); ++i) {
             std::string& name = all[i].first;
             if (measured.results.size() > 1) name += "-" + experiment::size_text(result.extent);
-            std::erase(name, ',');
-            std::ranges::replace(name, ' ', '-');
-            name = base::file_name_of(name);
+            name = file_name(std::move(name));
         }
     }
     return all;
@@ -180,6 +201,17 @@ void ExperimentFiles::open_journal(experiment::Record& record, bool resume) {
 
 void ExperimentFiles::keep(const std::string& line) const {
     if (journal_) journal_->add(line);
+}
+
+void ExperimentFiles::show(const experiment::Picture& picture) {
+    constexpr double full_error = 0.1;  // as bright as the scale goes
+    const auto [width, height] = picture.extent;
+    const bool error = picture.kind == "error";
+    const bool part = picture.kind == "convergence" || picture.kind == "samples";
+    out_->write(file_name(picture.name) + ".png",
+                error || part ? report::to_heat_png(picture.values, width, height, error ? full_error : 1.0)
+                              : report::to_visibility_png(picture.values, width, height));
+    out_->keep();  // a run that is taken up again does not measure what the picture shows
 }
 
 void ExperimentFiles::write(const Measured& measured, const std::string& heading,

@@ -8,6 +8,7 @@
 
 #include "cli/bench/page_blocks.hpp"
 #include "experiment/results.hpp"
+#include "experiment/runner.hpp"
 #include "experiment/table.hpp"
 #include "report/output.hpp"
 
@@ -19,7 +20,7 @@ struct ExperimentPaths {
     std::filesystem::path csv;     // a line for each candidate of each case
     std::filesystem::path page;    // whose blocks of the tables' names, or the experiment's, are written anew
     std::filesystem::path report;  // a page of its own; its plots lie in images/NAME beside it
-    std::filesystem::path out;     // folder for results, plots and the journal
+    std::filesystem::path out;     // folder for results, plots, pictures and the journal
 };
 
 // The results with all that pages and plots say of them.
@@ -44,6 +45,10 @@ class ExperimentFiles {
     // report::LineJournal, and std::runtime_error with the line for one that is no visit.
     void open_journal(experiment::Record& record, bool resume);
     void keep(const std::string& line) const;  // in the journal, if there is one
+
+    // Writes a picture into the folder, if there is one. Throws like write().
+    void show(const experiment::Picture& picture);
+    [[nodiscard]] bool shows_pictures() const { return out_.has_value(); }
 
     // Writes all files. Throws std::runtime_error for a file that cannot be written, and if gnuplot is
     // missing.

@@ -95,6 +95,16 @@ std::vector<Candidate> replaced(const std::vector<Candidate>& candidates, const 
     return chosen;
 }
 
+// Where candidates are a query, any scene may be a case. It is shown as the last case of the description is.
+void add_scenes(Experiment& what, const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+        if (std::ranges::find(what.cases, name, &experiment::Case::name) != what.cases.end()) continue;
+        experiment::Case scene = what.cases.back();
+        scene.name = scene.scene = name;
+        what.cases.push_back(std::move(scene));
+    }
+}
+
 }  // namespace
 
 Experiment described(const ExperimentOptions& options) {
@@ -103,10 +113,7 @@ Experiment described(const ExperimentOptions& options) {
     Experiment what = experiment::read_experiment(file.string(), read_text(file));
     what.name = file.stem().string();
     if (!options.sizes.empty()) what.sizes = options.sizes;
-    if (options.query && !options.cases.empty()) {  // its cases are scenes, and any scene may be one
-        what.cases.clear();
-        for (const std::string& scene : options.cases) what.cases.push_back({.name = scene, .scene = scene});
-    }
+    if (options.query) add_scenes(what, options.cases);
     what.frames = options.frames.value_or(what.frames);
     what.rounds = options.rounds.value_or(what.rounds);
     what.rays = options.rays.value_or(what.rays);

@@ -108,6 +108,7 @@ int run_experiment(const ExperimentOptions& options) {
                                .rays = what.rays});
     files.open_journal(record, options.resume);
     place.keep = [&](const std::string& line) { files.keep(line); };
+    if (files.shows_pictures()) place.show = [&](const experiment::Picture& picture) { files.show(picture); };
     run(what, sizes, place, record);
     const int status = report_on(what, sizes, record, options, files);
     const int messages = validation_status(device);
@@ -200,7 +201,7 @@ void add_outputs(CLI::App& command, ExperimentOptions& options) {
     command.add_option("--page", paths.page,
                        "page whose blocks of the tables' names, or the experiment's, are written anew");
     command.add_option("--report", paths.report, "write a page with all tables; its plots lie beside it");
-    command.add_option("--out", paths.out, "folder for results, plots and the journal");
+    command.add_option("--out", paths.out, "folder for results, plots, pictures and the journal");
     command.add_flag("--fail-if-missed", options.fail_if_missed, "status 1 where a target is missed");
 }
 

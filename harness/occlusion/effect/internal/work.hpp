@@ -14,12 +14,6 @@ namespace gloam::effect {
 [[nodiscard]] Work summed(std::span<const TileState> tiles, gpu::Extent extent, gpu::Extent band,
                           std::uint32_t samples, bool selected);
 
-// Sum of the times of all passes, milliseconds. NaN where the device has no clock.
-[[nodiscard]] double total_ms(const Frame& frame);
-
-// Sum of the times of the passes that take samples, milliseconds.
-[[nodiscard]] double sampling_ms(const Frame& frame);
-
 // The median; for an even number of values the mean of the middle two. NaN for no value.
 [[nodiscard]] double median(std::span<const double> values);
 

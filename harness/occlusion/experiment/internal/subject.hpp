@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "effect/settings.hpp"
+#include "experiment/experiment.hpp"
+#include "experiment/runner.hpp"
+
+namespace gloam::experiment::internal {
+
+// All that the layers say of one candidate in one case.
+struct Subject {
+    Kind kind = Kind::effect;
+    effect::Settings settings;  // for a radius of 1
+    bool sequence = true;
+    bool hoisted = true;
+    double radius = 1.0;  // in units of the scene's
+    bool enough_samples = false;
+    bool held = false;
+    std::vector<std::string> pictures;
+    PlainLoop plain;
+    effect::HistoryPrecision copied = effect::HistoryPrecision::float32;
+};
+
+// Of the experiment's, the case's and the candidate's layer. Throws std::invalid_argument for settings that
+// do not exist.
+[[nodiscard]] Subject subject_of(const std::vector<const Layer*>& layers, const Place& place);
+
+// The same with the names of both in the message.
+[[nodiscard]] Subject subject_of(const Experiment& experiment, const Case& one, const Candidate& candidate,
+                                 const Place& place);
+
+[[nodiscard]] bool takes_part(const Case& one, const Candidate& candidate);
+
+// What the tables ask for.
+[[nodiscard]] bool shows(const Experiment& experiment, std::string_view quantity);
+[[nodiscard]] bool shows_against(const Experiment& experiment, std::string_view reference);
+[[nodiscard]] bool shows_classes(const Experiment& experiment);
+[[nodiscard]] bool shows_converged(const Experiment& experiment);
+
+}  // namespace gloam::experiment::internal
