@@ -17,7 +17,6 @@
 #include "base/files.hpp"
 #include "base/text.hpp"
 #include "cli/bench.hpp"
-#include "cli/bench/experiments.hpp"
 #include "cli/check.hpp"
 #include "cli/check/checker.hpp"
 #include "cli/commands.hpp"

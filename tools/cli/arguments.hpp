@@ -2,9 +2,7 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
-#include <string_view>
 
 #include "gpu/resources.hpp"
 
@@ -14,10 +12,11 @@ namespace gloam::cli {
 // cannot be read.
 [[nodiscard]] std::string read_text(const std::filesystem::path& file);
 
-// The two integers of "640x360"; nullopt for other text.
-[[nodiscard]] std::optional<gpu::Extent> extent_from(std::string_view text);
-
 // The value of --size: "640x360". Throws std::invalid_argument that names --size.
 [[nodiscard]] gpu::Extent parse_size(const std::string& text);
+
+// The same of images that are judged: each side 16 to 4096, so that a kernel, a window and a pixel's
+// neighbours fit.
+[[nodiscard]] gpu::Extent judged_size(const std::string& text);
 
 }  // namespace gloam::cli

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/bench/image_size.hpp"
+#include "cli/arguments.hpp"
 #include "cli/environment.hpp"
 #include "cli/open_device.hpp"
 #include "cli/progress.hpp"
@@ -234,7 +234,7 @@ int run_tune(const TuneOptions& options) {
     const effect::TuneTask task = task_of(options);
     const report::OutputFile out(options.out);
     const report::OutputFile report(options.report);
-    const experiment::BenchmarkFrames frames{.extent = image_size(options.size),
+    const experiment::BenchmarkFrames frames{.extent = judged_size(options.size),
                                              .frames = options.frames,
                                              .scored = options.scored,
                                              .rays = options.rays,

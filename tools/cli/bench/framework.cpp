@@ -4,19 +4,29 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "catalogue/catalogue.hpp"
 #include "check/lab.hpp"
 #include "cli/environment.hpp"
+#include "cli/names.hpp"
+#include "cli/open_device.hpp"
+#include "cli/progress.hpp"
 #include "gpu/commands.hpp"
 #include "gpu/resources.hpp"
 #include "numeric/numbers.hpp"
+#include "report/output.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -85,6 +95,13 @@ void BareCopy::run(std::span<const check::Word> inputs) {
     commands.submit();
     std::ranges::copy(outputs_.as<check::Word>(), received_.begin());
 }
+
+// A figure of the framework.
+struct Figure {
+    std::string name;
+    std::string unit;
+    double value = 0.0;
+};
 
 using Clock = std::chrono::steady_clock;
 
@@ -172,8 +189,6 @@ void add_starts(std::vector<Figure>& figures, const std::string& device, bool wa
     figures.push_back({"start to the first result" + how, "ms", median_of(all)});
 }
 
-}  // namespace
-
 std::vector<Figure> framework_figures(const std::string& device, int repeat,
                                       const std::function<void(double)>& progress) {
     std::vector<Figure> figures;
@@ -189,6 +204,44 @@ std::vector<Figure> framework_figures(const std::string& device, int repeat,
     add_starts(figures, device, true, repeat);
     progress(1.0);
     return figures;
+}
+
+struct FrameworkOptions {
+    int repeat = 5;
+    std::string device;
+    bool validation = false;
+    std::filesystem::path json;
+};
+
+int run_framework(const FrameworkOptions& options) {
+    const report::OutputFile json(options.json);
+    gpu::Device device = open_device(options.device, options.validation);
+    const std::vector<Figure> figures =
+        framework_figures(options.device, options.repeat, progress_bar("framework"));
+    nlohmann::ordered_json document{{"versions", versions()},
+                                    {"device", device.info().name},
+                                    {"framework", nlohmann::ordered_json::array()}};
+    fmt::print("| figure | value |\n| --- | --- |\n");
+    for (const Figure& figure : figures) {
+        fmt::print("| {} | {:.4g} {} |\n", figure.name, figure.value, figure.unit);
+        document["framework"].push_back(
+            {{"name", figure.name}, {"unit", figure.unit}, {"value", figure.value}});
+    }
+    json.write(document.dump(2) + "\n");
+    return validation_status(device);
+}
+
+}  // namespace
+
+void add_framework(CLI::App& bench, int& status) {
+    auto options = std::make_shared<FrameworkOptions>();
+    CLI::App* command = bench.add_subcommand("framework", "what the shader-test framework itself costs");
+    command->add_option("--repeat", options->repeat, "rounds, whose medians are printed")
+        ->check(CLI::Range(1, 10'000))
+        ->capture_default_str();
+    add_device_options(*command, options->device, options->validation);
+    command->add_option("--json", options->json, "write every number to this file");
+    command->callback([options, &status] { status = run_framework(*options); });
 }
 
 }  // namespace gloam::cli

@@ -1,24 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
-#include <string>
-#include <vector>
+namespace CLI {
+class App;
+}
 
 namespace gloam::cli {
 
-// A figure of the shader-test framework itself.
-struct Figure {
-    std::string name;
-    std::string unit;
-    double value = 0.0;
-};
-
-// Costs of the framework itself on a device: evaluations per second of a cheap and an expensive equation,
-// also as a fraction of the rate of a bare dispatch that copies the same bytes, timed in turn; opening the
-// device; and a kernel and its first result, without and with caches. Medians of `repeat` rounds. Throws like
-// check::Lab.
-[[nodiscard]] std::vector<Figure> framework_figures(const std::string& device, int repeat,
-                                                    const std::function<void(double)>& progress);
+// Adds the subcommand `framework`: what the shader-test framework itself costs on a device. Evaluations a
+// second of a cheap and an expensive equation, also as a fraction of the rate of a bare dispatch that copies
+// the same bytes, timed in turn; opening the device; and a kernel and its first result, without and with
+// caches. `status` receives the exit status: 0, or 1 if the validation layers reported messages.
+void add_framework(CLI::App& bench, int& status);
 
 }  // namespace gloam::cli

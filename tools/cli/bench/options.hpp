@@ -6,8 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "cli/bench/experiment_files.hpp"
+#include "cli/bench/files.hpp"
 #include "experiment/experiment.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace gloam::cli {
 
@@ -44,6 +48,9 @@ struct ExperimentOptions {
     bool validation = false;
     ExperimentPaths paths;
 };
+
+// has_query: of a description with a query of candidates.
+void add_options(CLI::App& command, ExperimentOptions& options, bool has_query);
 
 // The description of the file, or of `gloam bench` alone, in which the options count instead. Throws like
 // experiment::read_experiment().

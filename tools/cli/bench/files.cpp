@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/bench/experiment_files.hpp"
+#include "cli/bench/files.hpp"
 
 #include <fmt/format.h>
 
@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "cli/arguments.hpp"
 #include "experiment/table.hpp"
 #include "numeric/numbers.hpp"
 #include "report/image.hpp"
@@ -24,6 +25,36 @@ using experiment::FrontPoint;
 using experiment::SizeResult;
 
 using NamedPlots = std::vector<std::pair<std::string, report::Plot>>;  // by the files' names without suffix
+
+// A part of a page that a command generates: the text between the lines "<!-- begin NAME -->" and "<!-- end
+// NAME -->".
+struct PageBlock {
+    std::string name;
+    std::string text;  // whole lines
+};
+
+// The position of a line that must occur exactly once.
+std::size_t line_in(const std::string& page, const std::string& line) {
+    const std::size_t at = page.find(line);
+    if (at == std::string::npos || page.find(line, at + 1) != std::string::npos)
+        throw std::invalid_argument(fmt::format("the page: expected one line \"{}\"", line));
+    return at;
+}
+
+// The page with its blocks replaced. Throws std::invalid_argument with the block's name unless the page
+// contains its two lines, in this order, exactly once.
+std::string with_blocks(std::string page, const std::vector<PageBlock>& blocks) {
+    for (const PageBlock& block : blocks) {
+        const std::string begin = fmt::format("<!-- begin {} -->\n", block.name);
+        const std::string end = fmt::format("<!-- end {} -->", block.name);
+        const std::size_t first = line_in(page, begin) + begin.size();
+        const std::size_t last = line_in(page, end);
+        if (last < first)
+            throw std::invalid_argument(fmt::format("the page: block {} ends before it begins", block.name));
+        page.replace(first, last - first, "\n" + block.text + "\n");
+    }
+    return page;
+}
 
 // Blocks of a page: of the tables that have names, or one of all.
 std::vector<PageBlock> blocks_of(const Experiment& what, const experiment::Text& tables,
@@ -173,7 +204,7 @@ std::string heading_of(const Measured& measured) {
 
 ExperimentFiles::ExperimentFiles(const ExperimentPaths& paths, const Experiment& what)
     : paths_(paths),
-      old_page_(paths.page.empty() ? "" : read_page(paths.page)),
+      old_page_(paths.page.empty() ? "" : read_text(paths.page)),
       json_(paths.json),
       csv_(paths.csv),
       page_(paths.page),

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/bench/page_blocks.hpp"
 #include "experiment/results.hpp"
 #include "experiment/runner.hpp"
 #include "experiment/table.hpp"

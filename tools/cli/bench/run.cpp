@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/bench/experiments.hpp"
+#include "cli/bench.hpp"
 
 #include <fmt/format.h>
 
@@ -13,8 +13,9 @@
 #include <stdexcept>
 
 #include "cli/arguments.hpp"
-#include "cli/bench/experiment_options.hpp"
-#include "cli/bench/image_size.hpp"
+#include "cli/bench/files.hpp"
+#include "cli/bench/framework.hpp"
+#include "cli/bench/options.hpp"
 #include "cli/environment.hpp"
 #include "cli/names.hpp"
 #include "cli/open_device.hpp"
@@ -87,7 +88,7 @@ int run_experiment(const ExperimentOptions& options) {
     choose_candidates(what, options);
     choose_cases(what, options.cases, options.half, meshes);
     std::vector<gpu::Extent> sizes;
-    for (const std::string& size : what.sizes) sizes.push_back(image_size(size));
+    for (const std::string& size : what.sizes) sizes.push_back(judged_size(size));
     gpu::Device device = open_device(options.device, options.validation);
     const scene::PassLibrary passes =
         scene::PassLibrary(glsl_directory(), cache_directory()).reading(inputs_named(options.inputs));
@@ -113,106 +114,6 @@ int run_experiment(const ExperimentOptions& options) {
     const int status = report_on(what, sizes, record, options, files);
     const int messages = validation_status(device);
     return messages == 0 ? status : messages;
-}
-
-void add_what(CLI::App& command, ExperimentOptions& options) {
-    command.add_option("--size", options.sizes, "WIDTHxHEIGHT of the images, one or more");
-    command.add_option("--frames", options.frames, "of each case")->check(CLI::Range(1, 1000));
-    command.add_option("--scored", options.scored, "the last ones of these")->check(CLI::Range(1, 1000));
-    command.add_option("--rounds,--repeat", options.rounds, "that are timed, 0: only errors")
-        ->check(CLI::Range(0, 1000));
-    command.add_option("--rays", options.rays, "rays of the truth for each pixel, 0: no errors")
-        ->check(CLI::Range(0, 65'536));
-    command.add_option("--case,--view,--scene", options.cases, "only these cases");
-    command.add_option("--half", options.half, "only the views of this half")
-        ->check(CLI::IsMember({"tuning", "unseen"}));
-    command.add_option("--meshes", options.meshes,
-                       "folder of the views' meshes; without it that of glmark2-data");
-}
-
-void add_candidates(CLI::App& command, ExperimentOptions& options) {
-    command.add_option("--method", options.methods,
-                       "methods with the settings of the cases, instead of the candidates");
-    command.add_option("--plain", options.plain,
-                       "SLICESxSTEPS+BLURS of single frames of the plain loop, instead of the candidates");
-    command.add_option("--single", options.single, "PRESET or PRESET,NAME=VALUE,..., each frame alone");
-    command.add_option("--sequence", options.sequence, "the same, in sequence with their history");
-    command.add_option("--set", options.set, "NAME=VALUE: any setting of all, lengths for a radius of 1")
-        ->allow_extra_args(false);
-    command
-        .add_option("--depth-thickness", options.depth_thickness,
-                    "thickness of the surface of (D), in radii; without it (D) is solid")
-        ->check(CLI::PositiveNumber);
-    command.add_flag("--no-depth-truth", options.no_depth_truth,
-                     "do not trace the depth buffer's truth (D): half the time of a first run");
-    command
-        .add_option("--inputs", options.inputs,
-                    "images that passes only read: sampled, storage, or device (storage on a CPU)")
-        ->check(CLI::IsMember({"device", "sampled", "storage"}))
-        ->capture_default_str();
-}
-
-// Of a description with a query of candidates.
-void add_query(CLI::App& command, ExperimentOptions& options) {
-    experiment::CandidateQuery& query = options.query.emplace();
-    query.samples.clear();
-    command.add_option("--method", query.methods,
-                       "methods; `all` for all, which is what is measured unless presets are named");
-    command.add_option("--preset", query.presets, "presets, measured as they are; `all` for all");
-    command.add_option("--samples", query.samples, "samples for each pixel in each frame, of the methods")
-        ->check(CLI::Range(1, static_cast<int>(effect::most_samples)));
-    command.add_flag("--temporal", options.only_temporal, "only over the frames of a moving camera");
-    command.add_flag("--single", options.only_single, "only single frames");
-}
-
-void add_answers(CLI::App& command, ExperimentOptions& options) {
-    command.add_option("--budget", options.budget, "name the most exact within this time: 1ms, 40copies");
-    command.add_option("--error", options.error, "name the fastest with at most this RMSE")
-        ->check(CLI::PositiveNumber);
-    std::vector<CLI::Option*> measured;
-    for (CLI::Option* option : command.get_options()) {
-        const std::string name = option->get_name();
-        if (name != "--help" && name != "--budget" && name != "--error") measured.push_back(option);
-    }
-    CLI::Option* from =
-        command.add_option("--from", options.from, "results of --json or --out as one, instead of measuring");
-    CLI::Option* compare =
-        command.add_option("--compare", options.compare, "two results: what changed from OLD to NEW")
-            ->expected(2);
-    command
-        .add_flag("--fail-if-worse", options.fail_if_worse,
-                  "with --compare: status 1 when something got worse beyond its spread")
-        ->needs(compare);
-    CLI::Option* resume =
-        command.add_flag("--resume", options.resume, "measure only what the journal in --out lacks");
-    measured.push_back(resume);
-    compare->excludes(from);
-    for (CLI::Option* option : measured) {  // they cannot be combined with results
-        from->excludes(option);
-        compare->excludes(option);
-    }
-}
-
-void add_outputs(CLI::App& command, ExperimentOptions& options) {
-    add_device_options(command, options.device, options.validation);
-    ExperimentPaths& paths = options.paths;
-    command.add_option("--json", paths.json, "write every number to this file");
-    command.add_option("--csv", paths.csv, "a line for each candidate of each case");
-    command.add_option("--page", paths.page,
-                       "page whose blocks of the tables' names, or the experiment's, are written anew");
-    command.add_option("--report", paths.report, "write a page with all tables; its plots lie beside it");
-    command.add_option("--out", paths.out, "folder for results, plots, pictures and the journal");
-    command.add_flag("--fail-if-missed", options.fail_if_missed, "status 1 where a target is missed");
-}
-
-void add_options(CLI::App& command, ExperimentOptions& options, bool has_query) {
-    add_what(command, options);
-    if (has_query)
-        add_query(command, options);
-    else
-        add_candidates(command, options);
-    add_answers(command, options);
-    add_outputs(command, options);
 }
 
 CLI::App& add_command(CLI::App& bench, const std::string& name, const std::string& about, bool has_query,
@@ -244,8 +145,8 @@ std::set<fs::path> built_in_experiments() {
     return files;
 }
 
-}  // namespace
-
+// A subcommand for each description, and one for a user's own file. Without one the options of `gloam bench`
+// alone run the description samples.json.
 void add_experiments(CLI::App& bench, int& status) {
     auto unnamed = std::make_shared<ExperimentOptions>();
     add_options(bench, *unnamed, true);
@@ -264,6 +165,16 @@ void add_experiments(CLI::App& bench, int& status) {
                 status)
         .add_option("FILE", options->file, "its description in JSON")
         ->required();
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app, int& status) {
+    CLI::App* group =
+        app.add_subcommand("bench", "time against error: which method with how many samples, on this device");
+    group->require_subcommand(0, 1);
+    add_experiments(*group, status);
+    add_framework(*group, status);
 }
 
 std::vector<std::string> with_own_experiment(std::vector<std::string> arguments) {
