@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <map>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -16,8 +16,8 @@
 #include "cli/progress.hpp"
 #include "cli/settings.hpp"
 #include "effect/study/tuning.hpp"
-#include "experiment/configuration_study.hpp"
-#include "numeric/numbers.hpp"
+#include "experiment/runner.hpp"
+#include "experiment/table.hpp"
 #include "report/output.hpp"
 
 namespace gloam::cli {
@@ -113,57 +113,53 @@ effect::TuneTask task_of(const TuneOptions& options) {
     return task;
 }
 
-// Views with their truth, made when they are first measured.
+// Measures settings as the only candidate of an experiment on one view.
 class MeasuredViews {
   public:
-    MeasuredViews(const gpu::Device& device, const TuneOptions& options,
-                  const experiment::BenchmarkFrames& frames)
-        : device_(&device),
-          options_(&options),
-          frames_(frames),
+    MeasuredViews(const gpu::Device& device, const TuneOptions& options)
+        : size_(judged_size(options.size)),
           passes_(glsl_directory(), cache_directory()),
-          study_(device, passes_, frames.extent) {}
+          place_{.device = device,
+                 .passes = passes_,
+                 .truth_cache = truth_cache_directory(),
+                 .meshes = options.meshes.empty() ? scene::installed_meshes() : options.meshes,
+                 .preset_of = [this](const std::string&) { return tried_; },
+                 .progress = [](const std::string& what) -> std::function<void(double)> {
+                     if (what.ends_with("truth")) return progress_bar(what);
+                     return [](double) {};
+                 }},
+          what_{.name = "tune",
+                .frames = options.frames,
+                .scored = options.scored,
+                .rounds = options.copies && !options.sequence ? timed_rounds : 0,
+                .rays = options.rays,
+                .interleaved = true,
+                .equal_readings = true,
+                .cases = {{.view = true}},
+                .candidates = {{.name = "tried", .layer = {.preset = "tried"}}}} {
+        what_.layer.sequence = options.sequence;
+    }
 
     // settings: lengths for a radius of 1.
     [[nodiscard]] effect::ViewMeasure measure(const scene::ViewInfo& view, const effect::Settings& settings) {
-        experiment::BenchmarkViews& views = views_of(view.name);
-        const effect::Settings scaled = with_radius(settings, static_cast<float>(views.scene().ao_radius));
-        const experiment::ConfigurationVisit judged = study_.visit(views, scaled, options_->sequence, 0);
-        effect::ViewMeasure measured{.rmse = judged.quality.value().geometry};
-        if (!options_->copies) return measured;
-        std::vector<experiment::FrameReading> readings = judged.readings;
-        for (int round = 1; readings.empty() || (!options_->sequence && round <= timed_rounds); ++round)
-            for (experiment::FrameReading& reading :
-                 study_.visit(views, scaled, options_->sequence, round).readings)
-                readings.push_back(std::move(reading));
-        std::vector<double> copies;
-        for (const experiment::FrameReading& reading : readings) {
-            double ms = 0.0;
-            for (const effect::PassTime& pass : reading.passes) ms += pass.ms;
-            copies.push_back(ms / reading.copy_ms);
-        }
-        measured.copies = numeric::spread_of(copies).median;
-        return measured;
+        tried_ = settings;
+        what_.cases[0].name = what_.cases[0].scene = view.name;
+        experiment::Record record({});
+        run(what_, size_, place_, record, shared_);
+        const auto results = results_of(what_, {size_}, record);
+        const auto value = [&](const char* quantity) {
+            return experiment::mean_value({&results[0].cases[0]}, 0, quantity, "median", {});
+        };
+        return {.rmse = value("rmse").value(), .copies = value("copies").value_or(0.0)};
     }
 
   private:
-    experiment::BenchmarkViews& views_of(const std::string& name) {
-        std::unique_ptr<experiment::BenchmarkViews>& views = views_[name];
-        if (views) return *views;
-        const std::filesystem::path meshes =
-            options_->meshes.empty() ? scene::installed_meshes() : options_->meshes;
-        views = std::make_unique<experiment::BenchmarkViews>(
-            *device_, passes_, scene::make_view(name, meshes), frames_,
-            scene::TruthCache(truth_cache_directory()), progress_bar(name + ", truth"));
-        return *views;
-    }
-
-    const gpu::Device* device_;
-    const TuneOptions* options_;
-    experiment::BenchmarkFrames frames_;
+    gpu::Extent size_;
     scene::PassLibrary passes_;
-    experiment::ConfigurationStudy study_;
-    std::map<std::string, std::unique_ptr<experiment::BenchmarkViews>> views_;
+    effect::Settings tried_;
+    experiment::Place place_;
+    experiment::Experiment what_;
+    experiment::Shared shared_;
 };
 
 std::string description_of(const effect::TuneOutcome& outcome, const TuneOptions& options) {
@@ -234,14 +230,8 @@ int run_tune(const TuneOptions& options) {
     const effect::TuneTask task = task_of(options);
     const report::OutputFile out(options.out);
     const report::OutputFile report(options.report);
-    const experiment::BenchmarkFrames frames{.extent = judged_size(options.size),
-                                             .frames = options.frames,
-                                             .scored = options.scored,
-                                             .rays = options.rays,
-                                             .depth_truth = false};
     gpu::Device device = open_device(options.device, options.validation);
-    if (options.copies) effect::require_timestamps(device.info());
-    MeasuredViews measured(device, options, frames);
+    MeasuredViews measured(device, options);
     const effect::TuneOutcome outcome = effect::tune(
         task, views,
         [&](const scene::ViewInfo& view, const effect::Settings& settings) {
