@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(All, Languages, testing::ValuesIn(languages),
 using Point = std::tuple<std::string, std::string, std::string>;
 
 constexpr const char* unusable =
-    "no weight so far: the chords of volumetric all have a length; tests/glsl/directions_test.cpp tries it";
+    "no weight so far: the chords of volumetric all have a length; tests/glsl/relatives_test.cpp tries it";
 constexpr const char* flushed =
     "NaN: only a device that flushes a subnormal contrast beside an infinite occlusion comes here";
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The convergence-aware filter on synthetic rows and images.
+// The filters on synthetic rows and images: the convergence-aware one, the bilateral filter of ISSAO and the
+// study's geometry-aware blur, and those of half the resolution.
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -62,75 +64,14 @@ float noise(glm::ivec2 p) {
     return static_cast<float>((p.x * 37 + p.y * 61 + p.x * p.y * 13) % 100) / 100.0F;
 }
 
-TEST_F(Filter, ShrinkIsLinearUpToTheThreshold) {
-    const Kernel<float(float, float)> shrink(lab, "gloam/filter/shrink.glsl", "gloam_shrink");
-    EXPECT_EQ(shrink(0.0F, 0.2F), 1.0F);
-    EXPECT_EQ(shrink(0.1F, 0.2F), 0.5F);
-    EXPECT_EQ(shrink(0.2F, 0.2F), 0.0F);
-    EXPECT_EQ(shrink(0.3F, 0.2F), 0.0F);
-    EXPECT_EQ(shrink(-1.0F, 0.2F), 1.0F);
-    EXPECT_EQ(shrink(NAN, 0.2F), 1.0F);
-    for (const float none : {0.0F, -1.0F, NAN}) {
-        EXPECT_EQ(shrink(0.0F, none), 0.0F);
-        EXPECT_EQ(shrink(NAN, none), 0.0F);
-    }
-}
-
-TEST_F(Filter, GaussianOfDistance) {
-    const Kernel<float(float, float)> g(lab, "gloam/filter/gaussian.glsl", "gloam_gaussian");
-    EXPECT_EQ(g(0.0F, 1.0F), 1.0F);
-    EXPECT_NEAR(g(4.0F, 2.0F), std::exp(-0.5), 2e-7);
-    EXPECT_NEAR(g(1e-36F, 1e-18F), std::exp(-0.5), 2e-7);
-    EXPECT_NEAR(g(1e36F, 1e18F), std::exp(-0.5), 2e-7);
-    EXPECT_EQ(g(1e10F, 1.0F), 0.0F);
-    EXPECT_EQ(g(0.0F, 0.0F), 1.0F);
-    EXPECT_EQ(g(1.0F, 0.0F), 0.0F);
-    EXPECT_EQ(g(1.0F, infinity), 1.0F);
-    EXPECT_EQ(g(infinity, 1.0F), 0.0F);
-    EXPECT_EQ(g(NAN, 1.0F), 0.0F);
-    EXPECT_EQ(g(0.0F, NAN), 0.0F);
-    EXPECT_EQ(g(1.0F, NAN), 0.0F);
-    EXPECT_EQ(g(1e38F, infinity), 1.0F);
-    EXPECT_EQ(g(infinity, infinity), 0.0F);
-    EXPECT_EQ(g(-infinity, 1.0F), 0.0F);  // the sign does not count
-    EXPECT_EQ(g(1.2e-38F, 1.2e-38F), 0.0F);
-    EXPECT_EQ(g(1.2e-38F, -1.0F), 0.0F);
-}
-
 TEST_F(Filter, ScaleOfTheGaussianStandsForItsWidth) {
     const Kernel<float(float)> scale(lab, "gloam/filter/gaussian.glsl", "gloam_gaussian_scale");
     const Kernel<float(float, float)> g(lab, "gloam/filter/gaussian.glsl", "gloam_gaussian_scaled");
-    EXPECT_NEAR(scale(1.0F), std::sqrt(0.5 / std::log(2.0)), 1e-7);
     EXPECT_EQ(scale(0.5F), 2.0F * scale(1.0F));
-    EXPECT_NEAR(g(4.0F, scale(2.0F)), std::exp(-0.5), 2e-7);
-    for (const float none : {0.0F, -1.0F, -infinity, 1e-40F}) EXPECT_EQ(scale(none), scale(0x1p-126F));
-    for (const float all : {0x1p101F, infinity}) EXPECT_EQ(scale(all), 0.0F);
     EXPECT_EQ(scale(0x1p100F), 0x1p-100F * scale(1.0F));
-    EXPECT_EQ(scale(NAN), infinity);
-    for (const float distance : {0.0F, 1.0F, infinity, NAN}) {
-        EXPECT_EQ(g(distance, infinity), 0.0F);
-        EXPECT_EQ(g(distance, NAN), 0.0F);
-    }
+    for (const float none : {0.0F, -1.0F, -infinity, 1e-40F}) EXPECT_EQ(scale(none), scale(0x1p-126F));
     EXPECT_EQ(g(0.0F, scale(0.0F)), 1.0F);
     EXPECT_EQ(g(0x1p-126F, scale(0.0F)), 0.0F);
-    EXPECT_EQ(g(0x1.fffffep127F, scale(infinity)), 1.0F);
-    EXPECT_EQ(g(infinity, scale(infinity)), 0.0F);
-    EXPECT_EQ(g(NAN, 1.0F), 0.0F);
-    EXPECT_EQ(g(-1.0F, 1.0F), g(1.0F, 1.0F));
-    EXPECT_EQ(g(100.0F, 1.0F), 0.0F);
-}
-
-TEST_F(Filter, WidthIsSoManyPixelsInTheWorld) {
-    const Kernel<float(float, float, float, float)> width(lab, "gloam/filter/gaussian.glsl",
-                                                          "gloam_filter_sigma");
-    EXPECT_NEAR(width(10.0F, 0.5F, 1000.0F, 1.25F), 0.0125, 1e-8);
-    for (const float none : {0.0F, -1.0F, NAN}) {
-        EXPECT_EQ(width(none, 0.5F, 1000.0F, 1.25F), 0.0F);
-        EXPECT_EQ(width(10.0F, none, 1000.0F, 1.25F), 0.0F);
-        EXPECT_EQ(width(10.0F, 0.5F, none, 1.25F), 0.0F);
-        EXPECT_EQ(width(10.0F, 0.5F, 1000.0F, none), 0.0F);
-    }
-    EXPECT_EQ(width(infinity, 0.5F, 1000.0F, 1.25F), 0.0F);
 }
 
 TEST_F(Filter, NothingConvergedLeavesThePixel) {
@@ -249,6 +190,97 @@ TEST_F(Filter, ConvergedPixelReadsNoNeighbour) {
     EXPECT_THROW((void)run(0.1F), std::runtime_error);
 }
 
+// What the filters read.
+struct Surface {
+    glm::ivec2 size{7, 5};
+    std::function<float(glm::ivec2)> occlusion = [](glm::ivec2) { return 0.25F; };
+    std::function<float(glm::ivec2)> depth = [](glm::ivec2) { return 5.0F; };
+    std::function<glm::vec3(glm::ivec2)> normal = [](glm::ivec2) { return glm::vec3(0, 0, 1); };
+
+    check::ImageSet images(bool with_normals) const {
+        check::ImageSet set{{"gloam_fetch_occlusion", check::make_image<float>(size, occlusion)},
+                            {"gloam_fetch_depth", check::make_image<float>(size, depth)}};
+        if (with_normals) set.emplace("gloam_fetch_normal", check::make_image<glm::vec3>(size, normal));
+        return set;
+    }
+};
+
+class EdgeAware : public testing::Test {
+  protected:
+    check::Lab lab = test::make_lab();
+    Kernel<float(glm::ivec2, glm::ivec2, glm::ivec2, float, float)> bilateral_filter{
+        lab, "gloam/filter/bilateral.glsl", "gloam_bilateral_filter"};
+    Kernel<float(glm::ivec2, glm::ivec2, glm::ivec2, int, glm::vec2)> geometry_blur{
+        lab, "gloam/filter/geometry_blur.glsl", "gloam_geometry_blur"};
+
+    float bilateral(const Surface& s, glm::ivec2 pixel, glm::ivec2 half_width = glm::ivec2(2),
+                    float sigma_d = 2.0F, float sigma_r = 0.1F) const {
+        return bilateral_filter.with_images(s.images(false), {pixel, half_width, s.size, sigma_d, sigma_r});
+    }
+    float blur(const Surface& s, glm::ivec2 pixel, glm::ivec2 axis = {1, 0}, int half_width = 2) const {
+        return geometry_blur.with_images(s.images(true),
+                                         {pixel, axis, s.size, half_width, glm::vec2(10, 0.5F)});
+    }
+};
+
+TEST_F(EdgeAware, BilateralFilter) {
+    Surface s;
+    EXPECT_EQ(bilateral(s, glm::ivec2(3, 2)), 0.25F);  // constant stays constant
+    EXPECT_EQ(bilateral(s, glm::ivec2(0, 0)), 0.25F);
+    s.occlusion = [](glm::ivec2 p) { return p == glm::ivec2(3, 2) ? 1.0F : 0.0F; };
+    double sum = 0.0;
+    for (int y = -2; y <= 2; ++y)
+        for (int x = -2; x <= 2; ++x) sum += std::exp(-(x * x + y * y) / 8.0);
+    EXPECT_NEAR(bilateral(s, glm::ivec2(3, 2)), 1 / sum, 1e-6);
+    EXPECT_NEAR(bilateral(s, glm::ivec2(2, 2)), std::exp(-1 / 8.0) / sum, 0.03);  // one column is outside
+    EXPECT_EQ(bilateral(s, glm::ivec2(0, 2)), 0.0F);
+    EXPECT_EQ(bilateral(s, glm::ivec2(3, 2), glm::ivec2(0)), 1.0F);
+    EXPECT_GT(bilateral(s, glm::ivec2(3, 2), glm::ivec2(2, 0)), bilateral(s, glm::ivec2(3, 2)));
+    EXPECT_GT(bilateral(s, glm::ivec2(3, 2), glm::ivec2(2), 1.0F), bilateral(s, glm::ivec2(3, 2)));
+    s.size = glm::ivec2(1, 1);
+    s.occlusion = [](glm::ivec2) { return 0.5F; };
+    EXPECT_EQ(bilateral(s, glm::ivec2(0, 0), glm::ivec2(2147483647, -3)), 0.5F);
+}
+
+TEST_F(EdgeAware, BilateralFilterKeepsToItsSurface) {
+    Surface s;
+    s.depth = [](glm::ivec2 p) { return p.x < 4 ? 5.0F : 6.0F; };
+    s.occlusion = [](glm::ivec2 p) { return p.x < 4 ? 0.25F : 0.75F; };
+    EXPECT_NEAR(bilateral(s, glm::ivec2(3, 2)), 0.25, 1e-6);
+    EXPECT_NEAR(bilateral(s, glm::ivec2(4, 2)), 0.75, 1e-6);
+    EXPECT_GT(bilateral(s, glm::ivec2(3, 2), glm::ivec2(2), 2.0F, 10.0F), 0.3F);
+    s.depth = [](glm::ivec2 p) { return p.x < 4 ? 5.0F : infinity; };  // background
+    EXPECT_EQ(bilateral(s, glm::ivec2(3, 2)), 0.25F);
+    EXPECT_EQ(bilateral(s, glm::ivec2(5, 2)), 0.75F);
+    s.depth = [](glm::ivec2) { return 5.0F; };
+    s.occlusion = [](glm::ivec2 p) { return p.x == 2 ? NAN : 0.25F; };
+    EXPECT_EQ(bilateral(s, glm::ivec2(3, 2)), 0.25F);
+    EXPECT_EQ(bilateral(s, glm::ivec2(2, 2)), 0.25F);
+}
+
+TEST_F(EdgeAware, GeometryBlur) {
+    Surface s;
+    EXPECT_EQ(blur(s, glm::ivec2(3, 2)), 0.25F);
+    s.occlusion = [](glm::ivec2 p) { return p.x == 3 ? 1.0F : 0.0F; };
+    EXPECT_NEAR(blur(s, glm::ivec2(3, 2)), 0.2, 1e-6);             // a box: no weight by distance
+    EXPECT_EQ(blur(s, glm::ivec2(3, 2), glm::ivec2(0, 1)), 1.0F);  // along the other axis
+    EXPECT_EQ(blur(s, glm::ivec2(3, 2), glm::ivec2(1, 0), 0), 1.0F);
+    EXPECT_NEAR(blur(s, glm::ivec2(0, 2), glm::ivec2(1, 0), 3), 0.25,
+                1e-6);  // neighbours outside are left out
+    s.normal = [](glm::ivec2 p) { return p.x == 3 ? glm::vec3(1, 0, 0) : glm::vec3(0, 0, 1); };
+    EXPECT_NEAR(blur(s, glm::ivec2(2, 2)), std::pow(2.0, -10) / (4 + std::pow(2.0, -10)), 1e-6);
+    s.normal = [](glm::ivec2) { return glm::vec3(0, 0, 1); };
+    s.depth = [](glm::ivec2 p) { return p.x == 3 ? 8.0F : 5.0F; };
+    EXPECT_NEAR(blur(s, glm::ivec2(2, 2)), 0.5 / 4.5, 1e-6);
+    s.depth = [](glm::ivec2 p) { return p.x == 3 ? infinity : 5.0F; };
+    EXPECT_EQ(blur(s, glm::ivec2(2, 2)), 0.0F);
+    EXPECT_EQ(blur(s, glm::ivec2(3, 2)), 1.0F);
+    s.depth = [](glm::ivec2) { return 5.0F; };
+    s.occlusion = [](glm::ivec2 p) { return p.x == 3 ? NAN : 0.25F; };
+    EXPECT_EQ(blur(s, glm::ivec2(2, 2)), 0.25F);
+    EXPECT_EQ(blur(s, glm::ivec2(3, 2)), 0.25F);
+}
+
 // Half the resolution and back: what holds of any depths.
 
 constexpr const char* file = "gloam/filter/upsample.glsl";
@@ -260,40 +292,13 @@ class Upsample : public testing::Test {
     const Kernel<bool(float, float, float, bool)> continues{lab, file, "gloam_upsample_continues"};
 };
 
-// Through any three pixels in a row of a plane, however steep, the surface continues; through a step of 1.3 %
-// of the depth it does not.
-TEST_F(Upsample, PlanesContinueAndStepsDoNot) {
+// Through any three pixels in a row of a plane, however steep.
+TEST_F(Upsample, PlanesContinue) {
     for (const float slope : {0.0F, 0.01F, 0.3F, 0.9F}) {
         const auto depth = [&](float x) { return 1.0F / (1.0F + slope * x); };  // perspective
         EXPECT_TRUE(continues(depth(0), depth(-1), depth(1), false)) << slope;
         EXPECT_TRUE(continues(1.0F, 1.0F - slope, 1.0F + slope, true)) << slope;
     }
-    for (const bool orthographic : {false, true}) {
-        EXPECT_FALSE(continues(1.0F, 1.0F, 1.013F, orthographic));
-        EXPECT_FALSE(continues(1.0F, 1.0F, 0.987F, orthographic));
-        EXPECT_FALSE(continues(1.0F, 1.013F, 1.013F, orthographic));
-        EXPECT_FALSE(continues(1.0F, infinity, 1.0F, orthographic));
-        EXPECT_FALSE(continues(infinity, infinity, infinity, orthographic));
-        EXPECT_FALSE(continues(1.0F, NAN, 1.0F, orthographic));
-    }
-    EXPECT_FALSE(continues(1.0F, 0.5F, 1.5F, false)) << "not a plane of a perspective camera";
-    EXPECT_TRUE(continues(1.0F, 0.5F, 1.5F, true));
-}
-
-// What is on the pixel's surface counts, and only that.
-TEST_F(Upsample, OnlyTheSurfaceOfThePixelCounts) {
-    const glm::vec4 occlusions(0.1F, 0.3F, 0.5F, 0.9F);
-    const auto at = [&](glm::vec4 depths) { return upsample(2.0F, depths, occlusions, false); };
-    EXPECT_NEAR(at(glm::vec4(2)), 0.45F, 1e-6F);
-    EXPECT_NEAR(at(glm::vec4(2, 2, 2, 4)), 0.4F, 1e-6F) << "the pair of y and z";
-    EXPECT_NEAR(at(glm::vec4(2, 1, 2, 2)), 0.5F, 1e-6F) << "the pair of x and w";
-    EXPECT_EQ(at(glm::vec4(4, 4, 2.1F, 4)), 0.5F) << "the nearest";
-    EXPECT_EQ(at(glm::vec4(1.9F, 4, 4, 4)), 0.1F);
-    EXPECT_EQ(at(glm::vec4(infinity, 4, 0, NAN)), 0.3F);
-    EXPECT_EQ(at(glm::vec4(infinity)), 0.0F);
-    EXPECT_EQ(upsample(infinity, glm::vec4(2), occlusions, false), 0.0F);
-    EXPECT_EQ(upsample(2.0F, glm::vec4(2), glm::vec4(NAN), false), 0.0F);
-    EXPECT_EQ(upsample(2.0F, glm::vec4(2), glm::vec4(5), false), 1.0F);
 }
 
 TEST_F(Upsample, AConstantStays) {

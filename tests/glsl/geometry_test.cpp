@@ -2,10 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
-#include <limits>
+#include <cstdint>
 
-#include "numeric/numbers.hpp"
 #include "numeric/random.hpp"
 #include "support/lab.hpp"
 
@@ -13,74 +13,10 @@ namespace gloam::geometry_test {
 
 using check::Kernel;
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
 class Geometry : public testing::Test {
   protected:
     check::Lab lab = test::make_lab();
-
-    using DepthKernel = Kernel<float(float, float, float)>;
-    DepthKernel depth(const std::string& kind) const {
-        return {lab, "gloam/geometry/linear_depth.glsl", "gloam_linear_depth_" + kind};
-    }
 };
-
-// d at b = 0, 1/2 and 1 of a projection's elements.
-void expect_depths(const Kernel<float(float, float, float)>& depth, double p22, double p32, double d0,
-                   double half, double d1) {
-    const auto e22 = static_cast<float>(p22);
-    const auto e32 = static_cast<float>(p32);
-    EXPECT_NEAR(depth(0.0F, e22, e32), d0, 1e-5 * d0);
-    EXPECT_NEAR(depth(0.5F, e22, e32), half, 1e-5 * half);
-    if (std::isinf(d1)) {
-        EXPECT_EQ(depth(1.0F, e22, e32), infinity);
-    } else {
-        EXPECT_NEAR(depth(1.0F, e22, e32), d1, 3e-5 * d1);
-    }
-}
-
-constexpr double n = 1.0;
-constexpr double f = 101.0;
-const double half_depth = 2 * n * f / (n + f);  // where a perspective depth buffer reads 1/2
-
-TEST_F(Geometry, PerspectiveDepthsOfTheRangeOfVulkan) {
-    const auto d = depth("perspective_vk");
-    expect_depths(d, f / (n - f), f * n / (n - f), n, half_depth, f);
-    expect_depths(d, n / (f - n), f * n / (f - n), f, half_depth, n);  // reversed
-    expect_depths(d, -1, -n, n, 2 * n, infinity);                      // infinite far plane
-    EXPECT_EQ(d(0.0F, 0.0F, 1.0F), infinity);  // reversed with infinite far plane: n / b
-    EXPECT_EQ(d(0.5F, 0.0F, 1.0F), 2.0F);
-    EXPECT_EQ(d(NAN, 0.0F, 1.0F), infinity);
-    EXPECT_EQ(d(2.0F, -1.0F, -1.0F), infinity);  // behind the eye
-}
-
-TEST_F(Geometry, PerspectiveDepthsOfTheRangeOfOpenGl) {
-    const auto d = depth("perspective_gl");
-    expect_depths(d, -(f + n) / (f - n), -2 * f * n / (f - n), n, half_depth, f);
-    expect_depths(d, (f + n) / (f - n), 2 * f * n / (f - n), f, half_depth, n);  // reversed
-    expect_depths(d, -1, -2 * n, n, 2 * n, infinity);                            // infinite far plane
-    // Reversed with infinite far plane, d = n / b: b keeps its digits only if the two ones cancel first.
-    EXPECT_FLOAT_EQ(d(1e-9F, 1.0F, 2.0F), 1e9F);
-}
-
-TEST_F(Geometry, OrthographicDepths) {
-    const double middle = (n + f) / 2;
-    expect_depths(depth("orthographic_vk"), 1 / (n - f), n / (n - f), n, middle, f);
-    expect_depths(depth("orthographic_vk"), 1 / (f - n), f / (f - n), f, middle, n);
-    expect_depths(depth("orthographic_gl"), -2 / (f - n), -(f + n) / (f - n), n, middle, f);
-    expect_depths(depth("orthographic_gl"), 2 / (f - n), (f + n) / (f - n), f, middle, n);
-    EXPECT_EQ(depth("orthographic_vk")(0.5F, 0.0F, 1.0F), infinity);
-}
-
-TEST_F(Geometry, BackgroundIsEveryDepthThatIsNotPositiveAndFinite) {
-    const Kernel<bool(float)> background(lab, "gloam/geometry/background.glsl", "gloam_is_background");
-    for (const float depth : {0.0F, -0.0F, -1.0F, infinity, -infinity, NAN, 1e-40F}) {
-        EXPECT_TRUE(background(depth)) << depth;
-    }
-    for (const float depth : {1e-30F, 1.0F, 1e30F, std::numeric_limits<float>::max()}) {
-        EXPECT_FALSE(background(depth)) << depth;
-    }
-}
 
 TEST_F(Geometry, PositionsProjectBackOntoTheirPixels) {
     const std::string file = "gloam/geometry/position.glsl";
@@ -89,7 +25,6 @@ TEST_F(Geometry, PositionsProjectBackOntoTheirPixels) {
                                                                   "gloam_view_position_perspective");
     const Kernel<glm::vec2(glm::vec3, glm::vec2)> project(lab, file, "gloam_ndc_perspective");
     const glm::ivec2 size(33, 7);
-    EXPECT_EQ(ndc_of(glm::ivec2(16, 3), size), glm::vec2(0.0F));  // the centre of the middle pixel
     for (const glm::vec2 scale : {glm::vec2(1.5F, -2.0F), glm::vec2(1.5F, 2.0F)}) {
         for (const glm::ivec2 pixel : {glm::ivec2(0, 0), glm::ivec2(32, 6), glm::ivec2(5, 1)}) {
             const glm::vec2 ndc = ndc_of(pixel, size);
@@ -100,14 +35,11 @@ TEST_F(Geometry, PositionsProjectBackOntoTheirPixels) {
             EXPECT_LT(glm::distance(project(p, scale), ndc), 1e-6F);
         }
     }
-    EXPECT_EQ(project(glm::vec3(0, 0, 1), glm::vec2(1.0F)), glm::vec2(2.0F));  // behind the eye: outside
 }
 
 TEST_F(Geometry, ProjectedRadiusIsThatOfAProjectedPoint) {
     const Kernel<glm::vec2(float, float, glm::vec2)> uv(lab, "gloam/geometry/projected_radius.glsl",
                                                         "gloam_projected_radius_uv");
-    // 90 degrees, a length of 1 at depth 2: a quarter of the image. Aspect ratio 2 halves P00.
-    EXPECT_EQ(uv(1.0F, 2.0F, glm::vec2(0.5F, -1.0F)), glm::vec2(0.125F, 0.25F));
     const Kernel<glm::vec2(glm::vec3, glm::vec2)> project(lab, "gloam/geometry/position.glsl",
                                                           "gloam_ndc_perspective");
     const glm::vec2 scale(0.8F, -1.3F);
@@ -115,29 +47,6 @@ TEST_F(Geometry, ProjectedRadiusIsThatOfAProjectedPoint) {
     const glm::vec2 radius = uv(0.6F, 3.0F, scale);
     EXPECT_NEAR(radius.x, std::abs(there.x), 1e-6);
     EXPECT_NEAR(radius.y, std::abs(there.y), 1e-6);
-    EXPECT_EQ(uv(1.0F, infinity, scale), glm::vec2(0.0F));
-}
-
-TEST_F(Geometry, PixelCentreTakesTheFloor) {
-    const Kernel<glm::vec2(glm::vec2, glm::ivec2)> center(lab, "gloam/geometry/pixel_center.glsl",
-                                                          "gloam_pixel_center");
-    const Kernel<glm::ivec2(glm::vec2, glm::ivec2)> pixel(lab, "gloam/geometry/pixel_center.glsl",
-                                                          "gloam_nearest_pixel");
-    // As printed, with brackets that take nothing off, it would be 0.501025.
-    EXPECT_FLOAT_EQ(center(glm::vec2(0.5004F), glm::ivec2(800)).x, 0.500625F);
-    EXPECT_EQ(pixel(glm::vec2(1.0F), glm::ivec2(800, 3)), glm::ivec2(799, 2));
-    EXPECT_EQ(pixel(glm::vec2(-0.1F, NAN), glm::ivec2(800, 3)), glm::ivec2(0, 0));
-    EXPECT_EQ(pixel(glm::vec2(0.7F), glm::ivec2(1)), glm::ivec2(0));
-}
-
-TEST_F(Geometry, TheImageHoldsItsBorders) {
-    const Kernel<bool(glm::vec2)> inside(lab, "gloam/geometry/pixel_center.glsl", "gloam_inside_unit");
-    for (const float in : {0.0F, 0.5F, 1.0F}) {
-        EXPECT_TRUE(inside(glm::vec2(in, 0.5F)) && inside(glm::vec2(0.5F, in)));
-    }
-    for (const float out : {-1e-6F, 1.000001F, NAN, infinity, -infinity}) {
-        EXPECT_FALSE(inside(glm::vec2(out, 0.5F)) || inside(glm::vec2(0.5F, out))) << out;
-    }
 }
 
 TEST_F(Geometry, PixelCentresAreTheirOwnCentres) {
@@ -172,6 +81,43 @@ TEST_F(Geometry, CameraCentredPositionsDoNotCareWhereTheWorldIs) {
     EXPECT_GT(std::abs(static_cast<double>(naive) - (x.x - previous_eye.x)), 9e-4);
 }
 
+// Changes that do not span a plane have no curvature, and lengths are those of their vectors in any
+// direction.
+TEST_F(Geometry, OfVectorsInAnyDirection) {
+    const Kernel<glm::vec2(glm::vec3, glm::vec3, glm::vec3, glm::vec3)> curvatures(
+        lab, "gloam/geometry/curvature.glsl", "gloam_principal_curvatures");
+    const Kernel<float(glm::vec3)> length(lab, "gloam/geometry/length.glsl", "gloam_length");
+    const glm::vec3 turn(0.01F, 0.002F, 0.0F);
+    std::vector<std::tuple<glm::vec3, glm::vec3, glm::vec3, glm::vec3>> parallel;
+    std::vector<std::tuple<glm::vec3>> vectors;
+    for (int i = 0; i < 500; ++i) {
+        const float a = 0.7F * static_cast<float>(i);
+        const glm::vec3 direction =
+            glm::normalize(glm::vec3(std::cos(a), std::sin(1.3F * a), std::sin(2.1F * a)));
+        vectors.emplace_back(3.0F * direction);
+        for (const float factor : {1.0F, -1.0F, 0.5F, 3.0F, 0.0F}) {
+            parallel.emplace_back(0.01F * direction, factor * 0.01F * direction, turn, -turn);
+            parallel.emplace_back(factor * 0.01F * direction, 0.01F * direction, turn, turn);
+        }
+    }
+    EXPECT_THAT(curvatures(parallel), testing::Each(glm::vec2(0)));
+    EXPECT_THAT(length(vectors), testing::Each(testing::FloatNear(3.0F, 2e-6F)));
+}
+
+// Whatever the bits of a NaN are.
+TEST_F(Geometry, NoNaNIsFinite) {
+    const Kernel<bool(float)> finite(lab, "gloam/geometry/finite.glsl", "gloam_is_finite");
+    const Kernel<bool(glm::vec2)> finite2(lab, "gloam/geometry/finite.glsl", "gloam_is_finite2");
+    const Kernel<bool(glm::vec3)> finite3(lab, "gloam/geometry/finite.glsl", "gloam_is_finite3");
+    const Kernel<bool(glm::vec4)> finite4(lab, "gloam/geometry/finite.glsl", "gloam_is_finite4");
+    for (const std::uint32_t bits : {0x7F800000U, 0x7FC00001U, 0xFFFFFFFFU, 0x7FD5AAAAU}) {
+        const float none = std::bit_cast<float>(bits);
+        EXPECT_FALSE(finite(none) || finite2(glm::vec2(0, none)) || finite3(glm::vec3(0, none, 0)) ||
+                     finite4(glm::vec4(none, 0, 0, 0)))
+            << bits;
+    }
+}
+
 class Borders : public testing::Test {
   protected:
     check::Lab lab = test::make_lab();
@@ -180,21 +126,6 @@ class Borders : public testing::Test {
     const Kernel<glm::vec2(glm::ivec2, float)> rendered_guard{lab, file, "gloam_guard_band_guard"};
     const Kernel<float(float, float)> tangent{lab, file, "gloam_guard_band_tan_half_fov"};
 };
-
-TEST_F(Borders, ClampToEdge) {
-    const Kernel<glm::ivec2(glm::ivec2, glm::ivec2)> clamp(lab, file, "gloam_clamp_to_edge");
-    EXPECT_EQ(clamp(glm::ivec2(-3, 7), glm::ivec2(4, 4)), glm::ivec2(0, 3));
-    EXPECT_EQ(clamp(glm::ivec2(2, 1), glm::ivec2(4, 4)), glm::ivec2(2, 1));
-    EXPECT_EQ(clamp(glm::ivec2(2, -1), glm::ivec2(1, 1)), glm::ivec2(0, 0));
-}
-
-TEST_F(Borders, GuardBandOfWholePixelsGivesTheSizeOfTheFormula) {
-    EXPECT_EQ(border(glm::ivec2(640, 360), 0.05F), glm::ivec2(32, 18));
-    EXPECT_EQ(border(glm::ivec2(640, 360), 0.1F), glm::ivec2(64, 36));  // cost 1.44
-    EXPECT_EQ(border(glm::ivec2(640, 360), 0.0F), glm::ivec2(0));
-    EXPECT_EQ(border(glm::ivec2(640, 360), NAN), glm::ivec2(0));
-    EXPECT_FLOAT_EQ(tangent(0.5F, 0.1F), 0.6F);
-}
 
 // Whatever the rounding, a pixel of the crop is the same pixel of the image with the band: same place, same
 // footprint. inner: texture coordinates in the crop of those in the image with the band.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Elementary functions, sequences of samples and what is made of them, beyond their known values.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,6 +16,66 @@ namespace gloam::sampling_test {
 using check::Kernel;
 
 constexpr double pi = std::numbers::pi;
+
+class Numeric : public testing::Test {
+  protected:
+    check::Lab lab = test::make_lab();
+};
+
+TEST_F(Numeric, TurnsAreOddAndEven) {
+    const Kernel<glm::vec2(float)> f(lab, "gloam/numeric/sincos.glsl", "gloam_sincos_turns");
+    for (const float t : {0.1F, 0.3F, 0.77F, 12.34F}) {
+        EXPECT_EQ(f(-t).x, f(t).x);
+        EXPECT_EQ(f(-t).y, -f(t).y);
+    }
+}
+
+TEST_F(Numeric, DirectionsOfVectorsOfAnyLength) {
+    const Kernel<float(float, float)> f(lab, "gloam/numeric/inverse_trigonometry.glsl", "gloam_atan2");
+    for (const float scale : {1e-37F, 1e-10F, 1.0F, 1e37F}) {
+        for (const float a : {0.1F, 0.7F, 1.0F, 2.0F, 3.0F, -0.1F, -1.0F, -2.5F}) {
+            EXPECT_NEAR(f(scale * std::sin(a), scale * std::cos(a)), a, 4e-7) << a << " at " << scale;
+        }
+    }
+}
+
+// T28.
+TEST_F(Numeric, TheCubicOfTheArcCosineIsSoFarOff) {
+    const Kernel<float(float)> f(lab, "gloam/numeric/acos_approximation.glsl", "gloam_acos_cubic");
+    std::vector<std::tuple<float>> inputs;
+    for (int i = 0; i <= 20000; ++i) inputs.emplace_back(static_cast<float>(i) / 10000.0F - 1.0F);
+    const std::vector<float> results = f(inputs);
+    double worst = 0.0;
+    for (std::size_t i = 0; i < results.size(); ++i)
+        worst = std::max(worst, std::abs(double{results[i]} - std::acos(double{std::get<0>(inputs[i])})));
+    EXPECT_NEAR(worst, 0.178758, 1e-5);
+}
+
+// Vulkan lets a driver reorder what is not `precise`: the reductions of arguments must not be undone by it.
+TEST_F(Numeric, WhateverOrderADriverTakesTheErrorIsBounded) {
+    const check::Lab shipped(
+        {.device = std::string(check::interpreter_name), .include_roots = {GLOAM_GLSL_DIR}});
+    const std::string forward = "gloam/numeric/sincos.glsl";
+    const std::string inverse = "gloam/numeric/inverse_trigonometry.glsl";
+    const check::RunOptions options{.inputs = 1024};
+    const auto error = [&](const check::Answer& answer) {
+        EXPECT_EQ(answer.verdict, check::Verdict::rules);
+        EXPECT_EQ(answer.unbounded, 0U) << answer.function;
+        return answer.guarantee.absolute;
+    };
+    const check::Values cosine = check::uniform(-1, 1);
+    EXPECT_LT(error(check::check_rules<glm::vec2(float)>(shipped, forward, "gloam_sincos_turns",
+                                                         {check::uniform(-4, 4)}, options)),
+              4e-6);
+    EXPECT_LT(error(check::check_rules<glm::vec2(float)>(shipped, forward, "gloam_sincos",
+                                                         {check::uniform(-100, 100)}, options)),
+              4e-6);
+    EXPECT_LT(error(check::check_rules<float(float)>(shipped, inverse, "gloam_acos", {cosine}, options)),
+              2e-4);
+    EXPECT_LT(error(check::check_rules<float(float, float)>(shipped, inverse, "gloam_atan2", {cosine, cosine},
+                                                            options)),
+              2e-4);
+}
 
 class Sampling : public testing::Test {
   protected:
@@ -95,28 +156,6 @@ TEST_F(Sampling, RadicalInverseStaysBelowOne) {
         EXPECT_LT(value, 1.0F);
         EXPECT_GE(value, 0.5F);
     }
-    // Neither does mirroring all 32 bits, which rounds up to 1.
-    const Kernel<float(unsigned)> base2(lab, "gloam/sampling/radical_inverse.glsl",
-                                        "gloam_radical_inverse_base2");
-    EXPECT_EQ(base2(0xFFFFFFFFU), 0x1.fffffep-1F);
-    EXPECT_EQ(base2(0x01000001U), 0.5F);  // modulo 2^24
-}
-
-TEST_F(Sampling, FirstDiscSampleIsOnTheNegativeAxis) {
-    const Kernel<glm::vec2(glm::vec2)> disc(lab, "gloam/sampling/disc.glsl", "gloam_disc_sample");
-    const glm::vec2 s = disc(glm::vec2(1.0F / 2, 1.0F / 3));
-    EXPECT_NEAR(s.x, -0.577350, 1e-6);  // with r = zeta_y, the line of eq 14 printed beside it, -0.333333
-    EXPECT_NEAR(s.y, 0.0, 1e-6);
-}
-
-TEST_F(Sampling, FirstHemisphereSampleHasTheLengthOfItsRadius) {
-    const Kernel<glm::vec3(glm::vec3)> sample(lab, "gloam/sampling/hemisphere.glsl",
-                                              "gloam_hemisphere_cosine");
-    const glm::vec3 s = sample(glm::vec3(1.0F / 2, 1.0F / 3, 1.0F / 5));
-    EXPECT_NEAR(s.x, -0.298142, 1e-6);
-    EXPECT_NEAR(s.y, 0.0, 1e-6);
-    EXPECT_NEAR(s.z, 0.149071, 1e-6);
-    EXPECT_NEAR(glm::length(s), 1.0 / 3, 1e-6);
 }
 
 // As printed, sqrt(r - zeta_z) is NaN where r < zeta_z, and |s| is not r.
@@ -200,21 +239,8 @@ TEST_F(Sampling, RotationKeepsLengthAndAngleToTheNormal) {
     }
 }
 
-TEST_F(Sampling, LargeAnglesLoseNoDigits) {
-    const Kernel<glm::vec2(glm::vec2, float)> rotate(lab, "gloam/sampling/rotation.glsl",
-                                                     "gloam_rotate_disc");
-    const glm::vec2 x(1.0F, 0.0F);
-    for (const float angle : {0.5F, 12345.678F, -65535.99F, 65536.0F}) {
-        EXPECT_NEAR(rotate(x, angle).x, std::cos(static_cast<double>(angle)), 3e-7) << angle;
-        EXPECT_NEAR(rotate(x, angle).y, std::sin(static_cast<double>(angle)), 3e-7) << angle;
-    }
-    for (const float angle : {65536.01F, INFINITY, NAN}) EXPECT_EQ(rotate(x, angle), x) << angle;
-}
-
 TEST_F(Sampling, HashRotationIsExactForLargePixels) {
     const Kernel<float(glm::ivec2)> rotation(lab, "gloam/sampling/hash_rotation.glsl", "gloam_hash_rotation");
-    EXPECT_NEAR(rotation(glm::ivec2(1, 0)), 30.0 - 4 * 2 * pi, 1e-6);  // 10 (3 XOR 0)
-    EXPECT_EQ(rotation(glm::ivec2(0, 0)), 0.0F);
     double worst_in_float = 0.0;
     for (const glm::ivec2 pixel : {glm::ivec2(7, 3), glm::ivec2(1919, 1079), glm::ivec2(8191, 8191)}) {
         const auto hash = static_cast<unsigned>((3 * pixel.x) ^ (pixel.y + pixel.x * pixel.y));
@@ -236,9 +262,6 @@ TEST_F(Sampling, SpiralTapsLieOnTheirRadiiAndAngles) {
         EXPECT_NEAR(s.x, radius * std::cos(2 * pi * radius * 7), 1e-6);
         EXPECT_NEAR(s.y, radius * std::sin(2 * pi * radius * 7), 1e-6);
     }
-    for (const auto& [index, count] : {std::pair{0, 0}, {9, 9}, {-1, 9}, {0, 32769}}) {
-        EXPECT_EQ(tap(index, count, 7), glm::vec2(0.0F));
-    }
 }
 
 TEST_F(Sampling, LiftedDiscPointsAreCosineWeighted) {
@@ -251,6 +274,76 @@ TEST_F(Sampling, LiftedDiscPointsAreCosineWeighted) {
         heights.push_back(s.z);
     }
     expect_mean(heights, 2.0 / 3, std::sqrt(1.0 / 2 - 4.0 / 9));
+}
+
+TEST_F(Sampling, IssaoOffsets) {
+    const std::string file = "gloam/sampling/issao_offset.glsl";
+    const Kernel<glm::vec2(glm::vec2, float)> polar(lab, file, "gloam_issao_offset_polar");
+    const Kernel<glm::vec2(glm::vec2, float)> printed(lab, file, "gloam_issao_offset_printed");
+    double longest = 0.0;
+    double sum = 0.0;
+    int moved = 0;
+    constexpr int steps = 100;
+    for (int i = 0; i < steps; ++i) {
+        std::vector<std::tuple<glm::vec2, float>> inputs;
+        for (int j = 0; j < steps; ++j)
+            inputs.emplace_back(
+                glm::vec2((static_cast<float>(i) + 0.5F) / steps, (static_cast<float>(j) + 0.5F) / steps),
+                1.0F);
+        for (const glm::vec2 p : printed(inputs)) {
+            longest = std::max(longest, static_cast<double>(glm::length(p)));
+            moved += glm::length(p) > 0.99999F ? 1 : 0;
+        }
+        for (const glm::vec2 p : polar(inputs)) {
+            longest = std::max(longest, static_cast<double>(glm::length(p)));
+            sum += static_cast<double>(glm::length(p));
+        }
+    }
+    EXPECT_LE(longest, 1.000001);
+    EXPECT_NEAR(sum / (steps * steps), 0.5, 1e-4);
+    EXPECT_NEAR(moved / double{steps * steps}, 0.031, 0.003);  // what leaves the disc as printed
+}
+
+// With the size of the disc, and with the distance.
+TEST_F(Sampling, CountsAreMonotonous) {
+    const Kernel<int(float, float, int, int)> by_radius(lab, "gloam/sampling/count_by_radius.glsl",
+                                                        "gloam_count_by_radius");
+    const Kernel<int(float, float, int, int)> by_distance(lab, "gloam/sampling/count_by_distance.glsl",
+                                                          "gloam_count_by_distance");
+    int fewer = 0;
+    for (int r = 0; r <= 64; ++r) {
+        const int now = by_radius(static_cast<float>(r), 64.0F, 2, 12);
+        EXPECT_GE(now, fewer);
+        fewer = now;
+    }
+    int more = 65;
+    for (float d = 0; d <= 120; d += 0.75F) {
+        const int now = by_distance(d, 100.0F, 64, 2);
+        EXPECT_LE(now, more);
+        more = now;
+    }
+}
+
+TEST_F(Sampling, ChainOfAnyImageSizeStaysInsideIt) {
+    const std::string file = "gloam/sampling/depth_mip.glsl";
+    const Kernel<glm::ivec2(glm::ivec2, glm::ivec2, int)> pixel(lab, file, "gloam_depth_mip_pixel");
+    const Kernel<glm::ivec2(glm::ivec2, glm::ivec2, int)> source(lab, file, "gloam_depth_mip_source");
+    for (const glm::ivec2 size :
+         {glm::ivec2(1, 1), glm::ivec2(7, 5), glm::ivec2(8, 1), glm::ivec2(1920, 1081)}) {
+        for (const int level : {0, 1, 2, 5}) {
+            const glm::ivec2 last = pixel(size - 1, size, level);
+            const glm::ivec2 from = source(last, size, level);
+            EXPECT_TRUE(glm::all(glm::greaterThanEqual(from, glm::ivec2(0))) &&
+                        glm::all(glm::lessThan(from, size)))
+                << size.x << "x" << size.y << " level " << level;
+        }
+    }
+    // No half-texel drift: a level's pixel lies over the pixel that it came from.
+    for (const glm::ivec2 at : {glm::ivec2(0, 0), glm::ivec2(13, 21), glm::ivec2(31, 17)}) {
+        for (const int level : {1, 2, 5}) {
+            EXPECT_EQ(source(at, glm::ivec2(2048), level) >> level, at) << level;
+        }
+    }
 }
 
 }  // namespace gloam::sampling_test

@@ -1,27 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Accumulation over frames: blending, convergence, the history buffer, sample counts.
+// Accumulation over frames, and what of the history may still be used: means over many frames, surfaces that
+// move, and what the equations give as printed.
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
+#include <glm/gtc/matrix_transform.hpp>
 
+#include "numeric/random.hpp"
 #include "support/lab.hpp"
 
 namespace gloam::temporal_test {
 
 using check::Kernel;
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
-// As in gloam/temporal/history.glsl.
-struct History {
-    float occlusion;
-    float weight;
-    unsigned index;
-    float depth;
-
-    bool operator==(const History&) const = default;
-};
 
 class Temporal : public testing::Test {
   protected:
@@ -53,33 +43,12 @@ TEST_F(Temporal, TwoBatchesEqualOneOfBoth) {
 }
 
 TEST_F(Temporal, SaturatedBlendIsAnExponentialAverage) {
-    EXPECT_NEAR(blend(0.0F, 500.0F, 1.0F, 16.0F, 500.0F).x, 16.0 / 516.0, 1e-8);
     glm::vec2 state(1.0F, 500.0F);
     for (int frame = 1; frame <= 20; ++frame) {
         state = blend(state.x, state.y, 0.0F, 16.0F, 500.0F);
         EXPECT_NEAR(state.x, std::pow(500.0 / 516.0, frame), 1e-6);
         EXPECT_EQ(state.y, 500.0F);
     }
-}
-
-TEST_F(Temporal, BlendAtItsEdges) {
-    EXPECT_EQ(blend(0.7F, 0.0F, 0.3F, 32.0F, 500.0F), glm::vec2(0.3F, 32.0F));    // no weight: C exactly
-    EXPECT_EQ(blend(0.7F, 100.0F, 0.3F, 0.0F, 500.0F), glm::vec2(0.7F, 100.0F));  // no samples: unchanged
-    EXPECT_EQ(blend(0.7F, 0.0F, 0.3F, 0.0F, 500.0F), glm::vec2(0));
-    EXPECT_EQ(blend(0.7F, 100.0F, NAN, 32.0F, 500.0F), glm::vec2(0.7F, 100.0F));
-    EXPECT_EQ(blend(0.7F, 100.0F, infinity, 32.0F, 500.0F), glm::vec2(0.7F, 100.0F));
-    EXPECT_EQ(blend(NAN, 100.0F, NAN, 32.0F, 500.0F), glm::vec2(0));
-    for (const float unusable : {NAN, infinity, -0.1F, 1.1F}) {
-        EXPECT_EQ(blend(unusable, 100.0F, 0.3F, 32.0F, 500.0F), glm::vec2(0.3F, 32.0F)) << unusable;
-    }
-    for (const float none : {NAN, -1.0F}) {
-        EXPECT_EQ(blend(0.7F, none, 0.3F, 32.0F, 500.0F), glm::vec2(0.3F, 32.0F)) << none;
-    }
-    // A cap that was lowered holds at once.
-    EXPECT_EQ(blend(0.0F, 1500.0F, 1.0F, 16.0F, 500.0F), blend(0.0F, 500.0F, 1.0F, 16.0F, 500.0F));
-    EXPECT_EQ(blend(0.7F, 100.0F, 0.3F, 32.0F, 0.0F), glm::vec2(0.3F, 0.0F));
-    EXPECT_EQ(blend(0.7F, 100.0F, 0.3F, NAN, 500.0F), glm::vec2(0.7F, 100.0F));
-    EXPECT_EQ(blend(0.5F, 16777216.0F, 0.5F, 1.0F, 16777216.0F), glm::vec2(0.5F, 16777216.0F));
 }
 
 // With the weight of this pixel in the denominator, as printed, a constant does not stay constant.
@@ -91,16 +60,6 @@ TEST_F(Temporal, ConstantStaysConstant) {
         }
     }
     EXPECT_GT(printed(0.5F, 500.0F, 0.5F, 16.0F, 100.0F), 2.0F);
-}
-
-TEST_F(Temporal, ConvergenceAtItsEdges) {
-    EXPECT_EQ(convergence(0.0F, 500.0F), 0.0F);
-    EXPECT_EQ(convergence(125.0F, 500.0F), 0.25F);
-    EXPECT_EQ(convergence(500.0F, 500.0F), 1.0F);
-    EXPECT_EQ(convergence(501.0F, 500.0F), 1.0F);
-    EXPECT_EQ(convergence(infinity, 500.0F), 1.0F);
-    for (const float none : {-1.0F, NAN}) EXPECT_EQ(convergence(none, 500.0F), 0.0F);
-    for (const float none : {0.0F, -1.0F, NAN}) EXPECT_EQ(convergence(10.0F, none), 1.0F);
 }
 
 // w_max = 500, k_1 = 32, k_2 = 16; thresholds 0.2 (filter), 0.3 (samples), 0.5 (rotation).
@@ -133,85 +92,154 @@ TEST_F(Temporal, TimelineOfAStaticPixel) {
     EXPECT_EQ(saturated, 27);
 }
 
-TEST_F(Temporal, SampleCountSwitchesAtTheThreshold) {
-    const Kernel<int(float, float, int, int)> k(lab, "gloam/temporal/sample_budget.glsl",
-                                                "gloam_sample_count");
-    EXPECT_EQ(k(0.299F, 0.3F, 32, 12), 32);
-    EXPECT_EQ(k(0.3F, 0.3F, 32, 12), 12);
-    EXPECT_EQ(k(1.0F, 0.3F, 32, 12), 12);
-    EXPECT_EQ(k(NAN, 0.3F, 32, 12), 32);
-    EXPECT_EQ(k(0.0F, 0.3F, -1, 12), 0);
+// m frames of x after y leave x + (y - x) (1 - rate)^m.
+TEST_F(Temporal, SmoothingIsAnExponentialMean) {
+    const Kernel<float(float, bool, float, float)> smooth(lab, "gloam/temporal/smoothing.glsl",
+                                                          "gloam_temporal_smooth");
+    float value = 0.9F;
+    for (int m = 1; m <= 12; ++m) {
+        value = smooth(value, true, 0.2F, 0.25F);
+        EXPECT_NEAR(value, 0.2 + 0.7 * std::pow(0.75, m), 1e-6);
+    }
 }
 
-TEST_F(Temporal, RotationSwitchesAtTheThreshold) {
-    const Kernel<bool(float, float)> on(lab, "gloam/temporal/rotation_switch.glsl", "gloam_rotation_enabled");
-    EXPECT_TRUE(on(0.499F, 0.5F));
-    EXPECT_FALSE(on(0.5F, 0.5F));
-    EXPECT_FALSE(on(0.0F, 0.0F));
-    EXPECT_TRUE(on(NAN, 0.5F));
-}
-
-class HistoryBuffer : public Temporal {
-  protected:
-    static constexpr const char* file = "gloam/temporal/history.glsl";
-    Kernel<glm::vec4(History)> pack{lab, file, "gloam_history_pack"};
-    Kernel<History(glm::vec4)> unpack{lab, file, "gloam_history_unpack"};
+// As in gloam/temporal/history.glsl.
+struct History {
+    float occlusion;
+    float weight;
+    unsigned index;
+    float depth;
 };
 
-TEST_F(HistoryBuffer, KeepsWhatIsUsable) {
-    for (const unsigned index : {0U, 1U, 1023U, 16777215U}) {
-        const History h{0.25F, 320.0F, index, 7.5F};
-        EXPECT_EQ(pack(h), glm::vec4(0.25F, 320.0F, static_cast<float>(index), 7.5F));
-        EXPECT_EQ(unpack(pack(h)), h);
+// Four texels of occlusion 1 and weight 100 are that at every position between them.
+TEST_F(Temporal, AHistoryThatIsAllBlockedIsKeptEverywhere) {
+    const Kernel<History(glm::vec2, glm::ivec2, float, float)> reprojected(
+        lab, "gloam/temporal/reprojected_history.glsl", "gloam_reprojected_history");
+    for (const float occlusion : {0.0F, 1.0F}) {
+        const check::ImageSet images{
+            {"gloam_fetch_history", check::make_image<glm::vec4>(glm::ivec2(40, 30), [&](glm::ivec2) {
+                 return glm::vec4(occlusion, 100.0F, 7.0F, 5.0F);
+             })}};
+        std::vector<Kernel<History(glm::vec2, glm::ivec2, float, float)>::Inputs> inputs;
+        for (int i = 0; i < 4000; ++i) {
+            const double u = std::fmod(0.6180339887 * i, 1.0);
+            const double v = std::fmod(0.7548776662 * i, 1.0);
+            inputs.emplace_back(glm::vec2(u, v), glm::ivec2(40, 30), 5.0F, 0.02F);
+        }
+        for (const History& history : reprojected(inputs, images)) {
+            EXPECT_NEAR(history.occlusion, occlusion, 1e-6);
+            EXPECT_NEAR(history.weight, 100.0, 1e-4);
+            EXPECT_EQ(history.index, 7U);
+        }
+        for (const glm::ivec2 none : {glm::ivec2(0, 30), glm::ivec2(40, 0), glm::ivec2(0)}) {
+            EXPECT_EQ(reprojected.with_images(images, {glm::vec2(0.5F), none, 5.0F, 0.02F}).weight, 0.0F);
+        }
     }
-    EXPECT_EQ(unpack(pack(History{0.25F, 320.0F, 16777217U, 7.5F})).index, 1U);
 }
 
-TEST_F(HistoryBuffer, StartsAgainFromWhatIsNot) {
-    const History empty{0.0F, 0.0F, 0U, 7.5F};
-    for (const float bad : {NAN, infinity, -0.1F, 1.1F}) {
-        EXPECT_EQ(unpack(glm::vec4(bad, 320.0F, 5.0F, 7.5F)), empty) << bad;
-        EXPECT_EQ(pack(History{bad, 320.0F, 5U, 7.5F}), glm::vec4(0, 0, 0, 7.5F)) << bad;
+class Validity : public testing::Test {
+  protected:
+    static constexpr const char* disocclusion_file = "gloam/temporal/disocclusion.glsl";
+    static constexpr const char* neighborhood_file = "gloam/temporal/neighborhood.glsl";
+    using Change = float(glm::vec3, glm::vec3, glm::vec3, glm::vec3);
+
+    check::Lab lab = test::make_lab(FIXTURES);
+    Kernel<bool(float, float, float)> consistent{lab, disocclusion_file, "gloam_depth_consistent"};
+    Kernel<Change> change{lab, neighborhood_file, "gloam_neighborhood_change"};
+};
+
+TEST_F(Validity, DepthsWithinEpsilonAreOfOneSurface) {
+    for (const float depth : {1e-3F, 1.0F, 6.0F, 1e6F}) {
+        for (const float epsilon : {0.01F, 0.05F}) {
+            for (const float side : {-1.0F, 1.0F}) {
+                EXPECT_TRUE(consistent(depth, depth * (1 + side * epsilon * 0.999F), epsilon)) << depth;
+                EXPECT_FALSE(consistent(depth, depth * (1 + side * epsilon * 1.001F), epsilon)) << depth;
+            }
+        }
     }
-    for (const float bad : {NAN, infinity, -1.0F, 0.0F}) {
-        EXPECT_EQ(unpack(glm::vec4(0.5F, bad, 5.0F, 7.5F)), empty) << bad;
-    }
-    for (const float background : {NAN, infinity, -1.0F, 0.0F}) {
-        EXPECT_EQ(unpack(glm::vec4(0.5F, 320.0F, 5.0F, background)), (History{0.0F, 0.0F, 0U, infinity}))
-            << background;
-    }
-    for (const float bad : {NAN, infinity, -1.0F, 16777216.0F}) {
-        EXPECT_EQ(unpack(glm::vec4(0.5F, 320.0F, bad, 7.5F)), (History{0.5F, 320.0F, 0U, 7.5F})) << bad;
-    }
-    EXPECT_EQ(unpack(glm::vec4(0.5F, 320.0F, 5.75F, 7.5F)).index, 5U);
-    EXPECT_EQ(unpack(glm::vec4(0)), (History{0.0F, 0.0F, 0U, infinity}));  // the first frame: cleared memory
 }
 
-TEST_F(HistoryBuffer, IndexWrapsWithoutOverflow) {
-    const Kernel<unsigned(unsigned, unsigned, unsigned)> next(lab, file, "gloam_next_index");
-    EXPECT_EQ(next(1008U, 16U, 1024U), 0U);
-    EXPECT_EQ(next(1020U, 16U, 1024U), 12U);
-    EXPECT_EQ(next(4294967295U, 4294967295U, 1024U), 1022U);
-    EXPECT_EQ(next(5U, 0U, 1024U), 5U);
-    EXPECT_EQ(next(5U, 7U, 1U), 0U);
-    EXPECT_EQ(next(16777215U, 2U, 0U), 1U);
-    EXPECT_EQ(next(16777215U, 2U, 4294967295U), 1U);
+// The camera has moved forward by 1: a point at depth 5 was at depth 6. Its depth now, as printed, would
+// reject it.
+TEST_F(Validity, DollyOverAStaticSceneKeepsTheHistory) {
+    const Kernel<float(glm::vec3, glm::mat4)> previous_depth(lab, "gloam/geometry/reprojection.glsl",
+                                                             "gloam_previous_depth");
+    const Kernel<bool(float, float, float)> printed(lab, "printed.glsl", "printed_depth_consistent");
+    const glm::vec3 point(0.3F, -0.2F, -5.0F);  // the camera is at the origin now
+    const glm::mat4 previous_view = glm::translate(glm::mat4(1), glm::vec3(0, 0, -1));
+    const float expected = previous_depth(point, previous_view);
+    EXPECT_EQ(expected, 6.0F);
+    const float stored = 6.0F;
+    EXPECT_TRUE(consistent(stored, expected, 0.01F));
+    EXPECT_FALSE(printed(stored, 5.0F, 0.01F));
+    EXPECT_FALSE(printed(stored, 5.0F, 0.05F));
 }
 
-TEST_F(Temporal, BilinearWeightsOfTheValidTexels) {
-    const std::string file = "gloam/temporal/validated_bilinear.glsl";
-    const Kernel<glm::vec4(glm::vec2)> weights(lab, file, "gloam_bilinear_weights");
-    const Kernel<glm::vec4(glm::vec4, glm::bvec4)> validated(lab, file, "gloam_validated_weights");
-    const glm::vec4 all = weights(glm::vec2(0.25F, 0.5F));
-    EXPECT_EQ(all, glm::vec4(0.375F, 0.125F, 0.375F, 0.125F));
-    EXPECT_EQ(weights(glm::vec2(0.0F, 1.0F)), glm::vec4(0, 0, 1, 0));
-    EXPECT_EQ(weights(glm::vec2(NAN, 2.0F)), glm::vec4(0, 0, 1, 0));
-    EXPECT_EQ(validated(all, glm::bvec4(true)), all);
-    EXPECT_EQ(validated(all, glm::bvec4(true, false, true, false)), glm::vec4(0.5F, 0, 0.5F, 0));
-    EXPECT_EQ(validated(all, glm::bvec4(false, true, false, false)), glm::vec4(0, 1, 0, 0));
-    EXPECT_EQ(validated(all, glm::bvec4(false)), glm::vec4(0));
-    EXPECT_EQ(validated(glm::vec4(0, 1, 0, 0), glm::bvec4(true, false, true, true)), glm::vec4(0));
-    EXPECT_EQ(validated(glm::vec4(NAN, 0.5F, -1, 0.5F), glm::bvec4(true)), glm::vec4(0, 0.5F, 0, 0.5F));
+TEST_F(Validity, RigidMotionChangesNothing) {
+    numeric::Random random(5);
+    const auto uniform = [&](double extent) { return random.uniform(-extent, extent); };
+    for (int i = 0; i < 100; ++i) {
+        const glm::dvec3 axis = glm::normalize(glm::dvec3(uniform(1), uniform(1), random.uniform(0.1, 1)));
+        const glm::dmat3 turn(glm::rotate(glm::dmat4(1), uniform(3), axis));
+        const glm::dvec3 shift(uniform(2), uniform(2), uniform(2));
+        const glm::vec3 p(uniform(2), uniform(2), uniform(2));
+        const glm::vec3 s = p + glm::vec3(uniform(1), uniform(1), uniform(1));
+        const glm::vec3 moved_p(turn * glm::dvec3(p) + shift);
+        const glm::vec3 moved_s(turn * glm::dvec3(s) + shift);
+        EXPECT_LE(change(s, p, moved_s, moved_p), 1e-5F * glm::length(s - p)) << i;
+    }
+}
+
+TEST_F(Validity, OccluderThatMovesAlongTheLineChangesByItsStep) {
+    const glm::vec3 p(1, 2, -5);
+    const glm::vec3 direction(0.6F, 0, 0.8F);
+    for (const float step : {0.5F, 0.0625F, 0.0009765625F}) {
+        EXPECT_NEAR(change(p + 2.0F * direction, p, p + (2.0F + step) * direction, p), step, 1e-6) << step;
+    }
+}
+
+// Where the differences of the positions are exact, so is the change; the difference of two rounded lengths
+// is not.
+TEST_F(Validity, SmallChangesKeepTheirAccuracy) {
+    const auto exact = [](glm::dvec3 s, glm::dvec3 p, glm::dvec3 s0, glm::dvec3 p0) {
+        const glm::dvec3 a = s - p;
+        const glm::dvec3 b = s0 - p0;
+        return std::abs(glm::dot(a - b, a + b)) / (glm::length(a) + glm::length(b));
+    };
+    const auto on_grid = [](double extent) {
+        return check::made_by<glm::vec3>([extent](numeric::Random& random) {
+            const auto axis = [&] {
+                return static_cast<float>(std::round(random.uniform(-extent, extent) * 4096) / 4096);
+            };
+            return glm::vec3(axis(), axis(), axis());
+        });
+    };
+    // s' and p' are drawn as small steps from s and p.
+    const check::Domain domain = check::Domain{on_grid(1), on_grid(4), on_grid(0.01), on_grid(0.01)}.adjusted(
+        [](std::span<check::Word> words) {
+            for (std::size_t i = 0; i < 6; ++i) {
+                words[i + 6] =
+                    check::to_word(check::from_word<float>(words[i]) + check::from_word<float>(words[i + 6]));
+            }
+        });
+    const auto judge = [&](const std::string& file, const std::string& function) {
+        return check::compare<Change>(lab, file, function, exact, domain, {.ulp = 6});
+    };
+    const check::Answer ours = judge(neighborhood_file, "gloam_neighborhood_change");
+    EXPECT_TRUE(ours.passed()) << ours;
+    const check::Answer printed = judge("printed.glsl", "printed_neighborhood_change");
+    EXPECT_GT(printed.outside(), printed.inputs() / 2);
+    EXPECT_GT(printed.max_ulp, 1000.0);
+}
+
+TEST_F(Validity, ConfidenceFallsWithTheChange) {
+    const Kernel<float(float, float)> confidence(lab, "gloam/temporal/smooth_invalidation.glsl",
+                                                 "gloam_confidence");
+    float before = 1.0F;
+    for (const float d : {0.01F, 0.1F, 1.0F, 10.0F}) {
+        EXPECT_LT(confidence(d, 20.0F), before);
+        before = confidence(d, 20.0F);
+    }
 }
 
 }  // namespace gloam::temporal_test
