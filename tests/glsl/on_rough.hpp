@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "gathers.hpp"
+#include "library_calls.hpp"
 #include "support/lab.hpp"
 
 // A view in which no mistake hides behind a symmetry: a tilted plane with up to four rough surfaces before
@@ -163,12 +164,6 @@ class OnRough {
 };
 
 inline const std::vector<Camera> cameras{rough_view::camera(false), rough_view::camera(true)};
-
-// Whether a method's text calls a function.
-inline bool calls(const std::string& method, const std::string& function) {
-    const MethodFunctions functions(4);
-    return packed_method(functions, functions.file(method)).find(function + "(") != std::string::npos;
-}
 
 // Fails unless the results are the same to the bit at each point.
 inline void expect_same(const Results& got, const Results& want, const Camera& camera,
