@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,21 +15,30 @@ namespace gloam::test {
 
 using Camera = effect::GatherCamera;
 using Samples = effect::GatherKernel;
+using Method = effect::MethodValues;
+using Gather = effect::MethodGather;
+using GatherInputs = check::Kernel<Gather>::Inputs;
 
-// effect::MethodValues with the values that the views of the tests are made for.
-struct Method {
-    float range = 2.0F;
-    float epsilon = 0.05F;
-    float intensity = 0.2F;
-    float thickness = 1e3F;
-    float angle_bias = 0.0F;
-    float mip_distance = 0.0F;
-    unsigned steps = 16;
-    float disagreement = 0.05F;
-    float feature_thickness = 1e18F;
+// The methods as kernels of one lab. layers, farthest: as effect::MethodFunctions has them.
+class Gathers {
+  public:
+    explicit Gathers(int layers = 1, float farthest = std::numeric_limits<float>::infinity())
+        : functions_(layers, farthest) {}
+
+    [[nodiscard]] check::Kernel<Gather> operator[](const std::string& method) const {
+        return {lab_, functions_.file(method), effect::method_function};
+    }
+    // Of a file of that folder.
+    [[nodiscard]] check::Kernel<Gather> in_file(const std::string& file) const {
+        return {lab_, file, effect::method_function};
+    }
+    [[nodiscard]] const check::Lab& lab() const { return lab_; }
+    [[nodiscard]] const MethodFunctions& functions() const { return functions_; }
+
+  private:
+    MethodFunctions functions_;
+    check::Lab lab_ = functions_.lab();
 };
-
-using Gather = glm::vec2(glm::vec3, glm::vec3, Camera, Samples, Method);
 
 using Depths = std::function<float(glm::ivec2)>;
 using Normals = std::function<glm::vec3(glm::ivec2)>;
@@ -41,17 +51,20 @@ inline check::ImageSet view_of(
             {"gloam_fetch_normal", check::make_image<glm::vec3>(size, normal)}};
 }
 
+// The point under a pixel, in view space, of the plane through (0, 0, -5).
+inline glm::dvec3 plane_point(const Camera& camera, glm::dvec3 normal, glm::ivec2 pixel) {
+    const glm::dvec2 size(camera.size);
+    const glm::dvec2 side = (2.0 * glm::dvec2(pixel) + 1.0 - size) / size / glm::dvec2(camera.p00_p11);
+    const double at_five = -5.0 * normal.z;
+    if (camera.orthographic) return {side, (at_five - normal.x * side.x - normal.y * side.y) / normal.z};
+    const glm::dvec3 ray(side, -1.0);
+    return ray * (at_five / glm::dot(ray, normal));
+}
+
 // A method's function as one text.
 inline std::string packed_method(const MethodFunctions& functions, const std::string& file) {
     return shader::pack(std::vector{functions.folder() / file}, {.functions = {effect::method_function}},
                         {functions.folder(), GLOAM_GLSL_DIR});
-}
-
-// The images that a packed text declares.
-inline check::ImageSet declared_in(const std::string& text, check::ImageSet images) {
-    std::erase_if(images,
-                  [&text](const auto& image) { return text.find(image.first + "(") == std::string::npos; });
-    return images;
 }
 
 }  // namespace gloam::test

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "gathers.hpp"
-#include "support/lab.hpp"
+#include "support/method_names.hpp"
 
 namespace gloam::method_gathers_test {
 
@@ -23,14 +23,6 @@ using test::Camera;
 using test::Gather;
 using test::Method;
 using test::Samples;
-
-// Those that no passes prepare: tests/effect/preparation_test.cpp has the others, with the same scenes.
-std::vector<std::string> method_names() {
-    std::vector<std::string> names;
-    for (const effect::MethodInfo& method : effect::methods())
-        if (method.prepare == nullptr) names.push_back(method.name);
-    return names;
-}
 
 // A file of the folder that no descriptor names is tried by nothing.
 TEST(MethodFiles, EachHasADescriptor) {
@@ -73,9 +65,8 @@ TEST(MethodFiles, EachStructHasTheMembersOfItsDescriptor) {
 
 class Methods : public testing::TestWithParam<std::string> {
   protected:
-    test::MethodFunctions functions;
-    check::Lab lab = functions.lab();
-    check::Kernel<Gather> gather{lab, functions.file(GetParam()), effect::method_function};
+    test::Gathers gathers;
+    check::Kernel<Gather> gather = gathers[GetParam()];
     const effect::MethodInfo& info = effect::method_named(GetParam());
 
     // That as many samples count as were asked for; fewer, but some, where several fall into one pixel.
@@ -91,7 +82,7 @@ class Methods : public testing::TestWithParam<std::string> {
     // The mean over `batches` times 64 samples of one point, as that many frames would take them.
     double mean(const check::ImageSet& image, glm::vec3 position, const Camera& camera, float radius,
                 const Method& method, unsigned batches = 64) const {
-        std::vector<check::Kernel<Gather>::Inputs> inputs;
+        std::vector<test::GatherInputs> inputs;
         for (unsigned b = 0; b < batches; ++b) {
             const Samples samples{
                 .radius = radius, .bias = 1e-5F, .angle = 0.0F, .first = 64 * b, .count = 64};
@@ -108,17 +99,6 @@ class Methods : public testing::TestWithParam<std::string> {
     }
 };
 
-// The plane through (0, 0, -5) under a pixel.
-glm::dvec3 plane_point(glm::dvec3 normal, const Camera& camera, glm::ivec2 pixel) {
-    const glm::dvec2 size(camera.size);
-    const glm::dvec2 ndc = (2.0 * glm::dvec2(pixel) + 1.0 - size) / size;
-    const glm::dvec2 side = ndc / glm::dvec2(camera.p00_p11);
-    const double at_five = -5.0 * normal.z;
-    if (camera.orthographic) return {side, (at_five - normal.x * side.x - normal.y * side.y) / normal.z};
-    const glm::dvec3 ray(side, -1.0);
-    return ray * (at_five / glm::dot(ray, normal));
-}
-
 // At any tilt, by any kind of projection, with an image of odd size, turned kernels, far taps read from the
 // depth chain.
 TEST_P(Methods, ABarePlaneIsOpen) {
@@ -130,16 +110,16 @@ TEST_P(Methods, ABarePlaneIsOpen) {
             const Camera camera{scale, glm::ivec2(67, 51), orthographic};
             const auto image = test::view_of(
                 camera.size,
-                [&](glm::ivec2 p) { return static_cast<float>(-plane_point(normal, camera, p).z); },
+                [&](glm::ivec2 p) { return static_cast<float>(-test::plane_point(camera, normal, p).z); },
                 [&](glm::ivec2) { return glm::vec3(normal); });
-            std::vector<check::Kernel<Gather>::Inputs> inputs;
+            std::vector<test::GatherInputs> inputs;
             for (const float mip_distance : {0.0F, 4.0F}) {
                 for (const glm::ivec2 pixel : {glm::ivec2(33, 25), glm::ivec2(20, 30), glm::ivec2(50, 12)}) {
                     for (const unsigned first : {0U, 32U, 640U}) {
                         const Samples samples{
                             .radius = 0.5F, .bias = 2e-5F, .angle = 1.0F, .first = first, .count = 32};
-                        inputs.emplace_back(glm::vec3(plane_point(normal, camera, pixel)), glm::vec3(normal),
-                                            camera, samples,
+                        inputs.emplace_back(glm::vec3(test::plane_point(camera, normal, pixel)),
+                                            glm::vec3(normal), camera, samples,
                                             Method{.mip_distance = mip_distance, .steps = 4});
                     }
                 }
@@ -192,8 +172,10 @@ TEST_P(Methods, AGrooveHasTheMethodsOwnValue) {
     const auto epsilon = epsilons.find(GetParam());
     const Method method{.epsilon = epsilon == epsilons.end() ? 0.05F : epsilon->second,
                         .intensity = full.contains(GetParam()) ? 1.0F : static_cast<float>(sigma),
+                        .thickness = 1e3F,
                         // Steps finer than pixels see their steps: a ray is blocked by the first of them.
-                        .steps = rays.contains(GetParam()) ? 4U : 16U};
+                        .steps = rays.contains(GetParam()) ? 4U : 16U,
+                        .feature_thickness = 1e18F};
     const double measured = mean(image, glm::vec3(0, 0, -5), camera, 1.0F, method);
     RecordProperty("groove", std::to_string(measured));
     if (expected == closed_form.end()) {
@@ -213,7 +195,7 @@ TEST_P(Methods, FramesAddUpToOneOfAllTheirSamples) {
         camera.size,
         [](glm::ivec2 p) { return static_cast<float>(5.0 - 0.02 * std::max(p.x + p.y / 2 - 96, 0)); },
         [](glm::ivec2 p) { return p.x > 64 ? glm::normalize(glm::vec3(-1, 0, 1)) : glm::vec3(0, 0, 1); });
-    const Method method{.steps = 6};
+    const Method method{.intensity = 0.2F, .steps = 6};
     const auto at = [&](unsigned first, unsigned count) {
         const Samples samples{.radius = 1.0F, .bias = 1e-4F, .angle = 0.5F, .first = first, .count = count};
         return glm::dvec2(
@@ -244,7 +226,8 @@ TEST_P(Methods, ASampleSeesThePixelsOfItsPoint) {
     const bool pairs = info.unit == effect::SampleUnit::pair;
     const bool halves = GetParam() == "aksoy_phaneuf_two" || GetParam() == "volumetric_two";
     if (info.points != "disc" || halves || !(pairs || info.unit == effect::SampleUnit::one)) GTEST_SKIP();
-    const check::Kernel<glm::vec3(unsigned)> disc(lab, "gloam/sampling/disc_point.glsl", "gloam_disc_point");
+    const check::Kernel<glm::vec3(unsigned)> disc(gathers.lab(), "gloam/sampling/disc_point.glsl",
+                                                  "gloam_disc_point");
     const Camera camera{glm::vec2(0.55F, -0.8F), glm::ivec2(29, 47), true};
     const glm::ivec2 middle = camera.size / 2;
     const glm::vec2 reach = 0.5F * glm::abs(camera.p00_p11) * glm::vec2(camera.size);
@@ -320,6 +303,14 @@ TEST_P(Methods, NothingIsGatheredWhereThereIsNothing) {
         EXPECT_EQ(at(glm::vec3(0, 0, -depth), glm::vec3(0, 0, 1)), glm::vec2(0));
         EXPECT_EQ(at(glm::vec3(0, 0, -2), glm::vec3(0)), glm::vec2(0));
         EXPECT_EQ(at(glm::vec3(0, 0, -2), glm::vec3(nan)), glm::vec2(0));
+        EXPECT_EQ(at(glm::vec3(0, 0, 2), glm::vec3(0, 0, 1)), glm::vec2(0));
+        for (const auto& [radius, count] : {std::pair{0.0F, 16U}, {nan, 16U}, {0.5F, 0U}}) {
+            if (count == 0 && info.unit != effect::SampleUnit::one) continue;  // at least one unit is taken
+            const Samples none{.radius = radius, .bias = 0.0F, .angle = 0.0F, .first = 0, .count = count};
+            const glm::vec2 sum =
+                gather.with_images(image, {glm::vec3(0, 0, -2), glm::vec3(0, 0, 1), camera, none, Method{}});
+            EXPECT_EQ(sum, glm::vec2(0)) << radius << ' ' << count;
+        }
         const glm::vec2 alone = at(glm::vec3(0, 0, -2), glm::vec3(0, 0, 1));  // a surface before nothing
         expect_taken(double{alone.y}, effect::samples_taken(info, 16, Method{}.steps));
         EXPECT_GE(alone.x, 0.0F);
@@ -327,7 +318,11 @@ TEST_P(Methods, NothingIsGatheredWhereThereIsNothing) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Methods, testing::ValuesIn(method_names()),
-                         [](const auto& info) { return info.param; });
+// Those that no passes prepare: tests/effect/preparation_test.cpp has the others, with the same scenes.
+INSTANTIATE_TEST_SUITE_P(All, Methods,
+                         testing::ValuesIn(test::method_names([](const effect::MethodInfo& method) {
+                             return method.prepare == nullptr;
+                         })),
+                         test::parameter_name);
 
 }  // namespace gloam::method_gathers_test

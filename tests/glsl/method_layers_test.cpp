@@ -228,16 +228,14 @@ TEST(RejectionAtTwoRadii, IsThatOfEachRadius) {
 
 // Methods that see that many layers.
 template <int layers>
-class Layers : public testing::TestWithParam<const char*> {
+class Layers : public testing::TestWithParam<std::string> {
   protected:
-    test::MethodFunctions functions{layers};
-    check::Lab lab = functions.lab();
-    check::Kernel<Gather> gather{lab, functions.file(GetParam()), effect::method_function};
+    test::Gathers gathers{layers};
+    check::Kernel<Gather> gather = gathers[GetParam()];
 
     // The mean of 256 samples at the middle of a floor at depth 5.
-    [[nodiscard]] double mean(
-        const test::Depths& first, const test::Depths& second,
-        const test::Depths& third = [](glm::ivec2) { return 0.0F; }) const {
+    [[nodiscard]] double mean(const test::Depths& first, const test::Depths& second,
+                              const test::Depths& third = rough::none) const {
         const Camera camera{glm::vec2(0.5F, -0.5F), glm::ivec2(65), true};
         check::ImageSet images = test::view_of(camera.size, first);
         images.insert_or_assign("gloam_fetch_layers",
@@ -248,7 +246,12 @@ class Layers : public testing::TestWithParam<const char*> {
             "gloam_fetch_prepared",
             check::make_image<glm::vec4>(camera.size, [](glm::ivec2) { return glm::vec4(0); }));
         const Samples samples{.radius = 1.0F, .bias = 1e-4F, .angle = 0.0F, .first = 0, .count = 256};
-        const Method method{.range = 1.5F, .steps = 16};
+        const Method method{.range = 1.5F,
+                            .epsilon = 0.05F,
+                            .intensity = 0.2F,
+                            .thickness = 1e3F,
+                            .steps = 16,
+                            .feature_thickness = 1e18F};
         const glm::vec2 sum =
             gather.with_images(images, {glm::vec3(0, 0, -5), glm::vec3(0, 0, 1), camera, samples, method});
         return static_cast<double>(sum.x / sum.y);
@@ -259,24 +262,15 @@ class FurtherLayers : public Layers<2> {};
 class ThreeLayers : public Layers<3> {};
 
 // A tunnel whose sides rise beside the point; a fence hangs in front of them, too far to block anything.
-float tunnel(glm::ivec2 p) {
-    return std::abs(p.x - 32) > 4 ? 4.6F : 5.0F;
+test::Depths beside(float sides, float middle) {
+    return [=](glm::ivec2 p) { return std::abs(p.x - 32) > 4 ? sides : middle; };
 }
-float fenced(glm::ivec2 p) {
-    return std::abs(p.x - 32) > 4 ? 1.0F : 5.0F;
-}
-float back_of_fence(glm::ivec2 p) {
-    return std::abs(p.x - 32) > 4 ? -1.1F : 0.0F;
-}
-float sides(glm::ivec2 p) {
-    return std::abs(p.x - 32) > 4 ? 4.6F : 0.0F;
-}
-float bare(glm::ivec2) {
-    return 5.0F;
-}
-float nothing(glm::ivec2) {
-    return 0.0F;
-}
+const test::Depths tunnel = beside(4.6F, 5.0F);
+const test::Depths fenced = beside(1.0F, 5.0F);
+const test::Depths back_of_fence = beside(-1.1F, 0.0F);
+const test::Depths sides = beside(4.6F, 0.0F);
+const test::Depths bare = beside(5.0F, 5.0F);
+const test::Depths nothing = beside(0.0F, 0.0F);
 
 // What the first layer hides blocks as if it were seen (CS-LAYERS).
 TEST_P(FurtherLayers, ASecondLayerBlocksWhatTheFirstDoesNotShow) {
@@ -303,13 +297,13 @@ TEST_P(ThreeLayers, BehindTheBackOfAnObjectOnlyTheNextOneBlocks) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Points, ThreeLayers, testing::Values("hemisphere", "crytek", "filion"),
-                         [](const auto& info) { return std::string(info.param); });
+                         test::parameter_name);
 
 INSTANTIATE_TEST_SUITE_P(Loops, FurtherLayers,
                          testing::Values("hemisphere", "disc", "alchemy", "sao", "sao_chain", "issao",
                                          "aksoy_phaneuf", "gtao", "sweep", "hbao", "hbao_study", "bitmask",
                                          "volumetric", "hsao", "poisson", "ssdo", "unreal", "sphere_proxy",
                                          "mixture"),
-                         [](const auto& info) { return std::string(info.param); });
+                         test::parameter_name);
 
 }  // namespace gloam::method_layers_test

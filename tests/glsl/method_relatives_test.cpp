@@ -5,12 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <tuple>
 
 #include "gathers.hpp"
-#include "support/lab.hpp"
+#include "support/method_names.hpp"
 
 namespace gloam::method_relatives_test {
 
@@ -45,16 +46,13 @@ struct Surface {
 
 class Relatives : public testing::Test {
   protected:
-    test::MethodFunctions functions;
-    check::Lab lab = functions.lab();
+    test::Gathers gathers;
 
-    check::Kernel<Gather> method(const std::string& name) const {
-        return {lab, functions.file(name), effect::method_function};
-    }
+    check::Kernel<Gather> method(const std::string& name) const { return gathers[name]; }
     // The mean over that many frames of 256 samples at the middle of the view.
     double mean(const std::string& name, const Surface& surface, float radius, const Method& settings,
                 unsigned frames) const {
-        std::vector<check::Kernel<Gather>::Inputs> inputs;
+        std::vector<test::GatherInputs> inputs;
         const glm::vec3 position(0, 0, surface.height(0, 0) - 5.0);
         for (unsigned f = 0; f < frames; ++f) {
             const Samples samples{
@@ -143,7 +141,8 @@ TEST_F(Relatives, ABowlHasTheOcclusionOfItsCurvature) {
 // coordinate of its point of the sequence, as long as the second says, from half the radius to all of it.
 TEST_F(Relatives, ACrossSeesThePixelsOfItsArms) {
     const auto curvature = method("curvature");
-    const check::Kernel<glm::vec3(unsigned)> halton(lab, "gloam/sampling/halton.glsl", "gloam_halton_3d");
+    const check::Kernel<glm::vec3(unsigned)> halton(gathers.lab(), "gloam/sampling/halton.glsl",
+                                                    "gloam_halton_3d");
     const auto at = [&](unsigned n, const auto& turns) {
         const auto view = test::view_of(
             size, [](glm::ivec2) { return 5.0F; },
@@ -225,17 +224,9 @@ TEST_F(Relatives, HsaoIsHbaoWithTheSameTaps) {
 // does. Methods with preparation passes are tested by the effect (tests/effect/setting_table_test.cpp).
 class RelativesSettings : public testing::TestWithParam<std::string> {};
 
-std::vector<std::string> unprepared_methods() {
-    std::vector<std::string> names;
-    for (const effect::MethodInfo& method : effect::methods())
-        if (method.prepare == nullptr) names.push_back(method.name);
-    return names;
-}
-
 TEST_P(RelativesSettings, ThoseItReadsChangeItAndNoOthers) {
-    const test::MethodFunctions functions;
-    const check::Lab lab = functions.lab();
-    const check::Kernel<Gather> gather(lab, functions.file(GetParam()), effect::method_function);
+    const test::Gathers gathers;
+    const check::Kernel<Gather> gather = gathers[GetParam()];
     std::vector<std::string> settings;
     for (const effect::MethodMember& member : effect::method_named(GetParam()).members)
         settings.push_back(setting_of(member));
@@ -247,28 +238,37 @@ TEST_P(RelativesSettings, ThoseItReadsChangeItAndNoOthers) {
         const Samples samples{.radius = 1.0F, .bias = 1e-4F, .angle = 0.5F, .first = 0, .count = 48};
         return gather.with_images(view, {glm::vec3(0, 0, -4.9F), glm::vec3(0, 0, 1), eye, samples, method});
     };
-    const Method plain{.range = 0.8F, .epsilon = 0.3F, .intensity = 0.05F, .angle_bias = 0.1F, .steps = 4};
+    const Method plain{.range = 0.8F,
+                       .epsilon = 0.3F,
+                       .intensity = 0.05F,
+                       .thickness = 1e3F,
+                       .angle_bias = 0.1F,
+                       .steps = 4,
+                       .feature_thickness = 1e18F};
     std::map<std::string, Method> changed;
-    for (const char* name : {"range", "epsilon", "intensity", "thickness", "angle_bias", "mip_distance",
-                             "steps", "disagreement", "feature_thickness"})
-        changed[name] = plain;
-    changed["range"].range = 0.3F;
-    changed["epsilon"].epsilon = 0.02F;
-    changed["intensity"].intensity = 0.03F;
-    changed["thickness"].thickness = 0.1F;
-    changed["angle_bias"].angle_bias = 0.3F;
-    changed["mip_distance"].mip_distance = 2.0F;
-    changed["steps"].steps = 3;
-    changed["disagreement"].disagreement = 0.5F;
-    changed["feature_thickness"].feature_thickness = 0.1F;
+    const auto change = [&](const char* name, auto Method::* member, auto value) {
+        changed.emplace(name, plain).first->second.*member = value;
+    };
+    change("range", &Method::range, 0.3F);
+    change("epsilon", &Method::epsilon, 0.02F);
+    change("intensity", &Method::intensity, 0.03F);
+    change("thickness", &Method::thickness, 0.1F);
+    change("angle_bias", &Method::angle_bias, 0.3F);
+    change("mip_distance", &Method::mip_distance, 2.0F);
+    change("steps", &Method::steps, 3U);
+    change("disagreement", &Method::disagreement, 0.5F);
+    change("feature_thickness", &Method::feature_thickness, 0.1F);
     for (const auto& [name, method] : changed) {
         const bool read = std::ranges::find(settings, name) != settings.end();
         EXPECT_EQ(result(method) != result(plain), read) << name;
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, RelativesSettings, testing::ValuesIn(unprepared_methods()),
-                         [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(All, RelativesSettings,
+                         testing::ValuesIn(test::method_names([](const effect::MethodInfo& method) {
+                             return method.prepare == nullptr;
+                         })),
+                         test::parameter_name);
 
 // Taps in one pixel count once. If the whole disc is in one pixel there is one sample; in a disc a few pixels
 // wide there are at most as many samples as pixels. The mean is that over the pixels that were read.
@@ -307,6 +307,53 @@ TEST_F(Relatives, WhatStandsInFrontOfTheBallHasNoHalo) {
     const Surface around{[](double x, double y) { return x * x + y * y > 0.04 ? 3.0 : 0.0; }, floor};
     EXPECT_NEAR(mean("volumetric", beside, 1.0F, Method{}, 4), 0.5, 1e-6);
     EXPECT_NEAR(mean("volumetric", around, 1.0F, Method{}, 4), 0.5, 1e-6);
+}
+
+// The eye looks along the normal at a ceiling: a sample of a kernel of uniform radii is blocked where it lies
+// behind what is seen.
+TEST_F(Relatives, CeilingByAKernelOfUniformRadii) {
+    const Camera camera{glm::vec2(1, -1), glm::ivec2(8), false};
+    const auto ceiling = test::view_of(camera.size, [](glm::ivec2) { return 5.25F; });
+    std::vector<test::GatherInputs> inputs;
+    constexpr unsigned batches = 256;
+    constexpr unsigned batch = 256;
+    for (unsigned b = 0; b < batches; ++b) {
+        const Samples samples{.radius = 1.0F,
+                              .bias = 0.0F,
+                              .angle = 0.1F * static_cast<float>(b),
+                              .first = b * batch,
+                              .count = batch};
+        inputs.emplace_back(glm::vec3(0, 0, -5), glm::vec3(0, 0, -1), camera, samples,
+                            Method{.range = std::numeric_limits<float>::infinity()});
+    }
+    double sum = 0.0;
+    for (const glm::vec2 part : method("hemisphere")(inputs, ceiling)) {
+        EXPECT_EQ(part.y, 256.0F);
+        sum += static_cast<double>(part.x);
+    }
+    EXPECT_NEAR(sum / (batches * batch), 0.5625, 4 * 0.5 / 256);
+}
+
+// The right half of the image is nearer by 0.3: only samples on that side can be blocked, within reach, and
+// none where the range excludes every blocker.
+TEST_F(Relatives, AStepBlocksWithinReachAndRange) {
+    const Camera camera{glm::vec2(2, -2), glm::ivec2(64), false};
+    const auto image = test::view_of(camera.size, [](glm::ivec2 p) { return p.x < 32 ? 5.0F : 4.7F; });
+    const auto occlusion = [&](const std::string& name, float x, float length) {
+        const Samples samples{.radius = 0.5F, .bias = 0.005F, .angle = 0.0F, .first = 0, .count = 64};
+        const Method one_length{.range = length, .epsilon = length};
+        const glm::vec2 sum = method(name).with_images(
+            image, {glm::vec3(x, 0.04F, -5), glm::vec3(0, 0, 1), camera, samples, one_length});
+        EXPECT_EQ(sum.y, 64.0F);
+        return sum.x / sum.y;
+    };
+    const float beside = occlusion("hemisphere", -0.04F, 0.5F);
+    EXPECT_GT(beside, 0.1F);
+    EXPECT_LT(beside, 0.5F);
+    EXPECT_EQ(occlusion("hemisphere", -0.6F, 0.5F), 0.0F);
+    EXPECT_EQ(occlusion("hemisphere", -0.04F, 0.004F), 0.0F);
+    EXPECT_GT(occlusion("disc", -0.04F, 0.1F), 0.02F);
+    EXPECT_EQ(occlusion("disc", -0.6F, 0.1F), 0.0F);
 }
 
 }  // namespace gloam::method_relatives_test

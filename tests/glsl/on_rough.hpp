@@ -84,8 +84,8 @@ inline glm::ivec2 pixel_of(std::size_t number) {
 }
 
 // Points all over the image, each with other samples.
-inline std::vector<check::Kernel<Gather>::Inputs> points(const Camera& camera, const Method& method) {
-    std::vector<check::Kernel<Gather>::Inputs> all;
+inline std::vector<GatherInputs> points(const Camera& camera, const Method& method) {
+    std::vector<GatherInputs> all;
     for (unsigned i = 0; pixel_of(i).y < size.y; ++i) {
         const Samples samples{.radius = radius,
                               .bias = 0.02F,
@@ -125,18 +125,22 @@ inline std::string changed(const MethodFunctions& functions, const std::string& 
 // A method on the rough view. layers, farthest: of its kernel. level: the prepared image has one value.
 class OnRough {
   public:
-    using Inputs = check::Kernel<Gather>::Inputs;
-    static constexpr Method settings{
-        .range = 0.7F, .epsilon = 0.3F, .intensity = 0.3F, .thickness = 0.4F, .angle_bias = 0.1F, .steps = 4};
+    using Inputs = GatherInputs;
+    static constexpr Method settings{.range = 0.7F,
+                                     .epsilon = 0.3F,
+                                     .intensity = 0.3F,
+                                     .thickness = 0.4F,
+                                     .angle_bias = 0.1F,
+                                     .steps = 4,
+                                     .disagreement = 0.05F,
+                                     .feature_thickness = 1e18F};
 
     OnRough(const std::string& method, int layers, float farthest = std::numeric_limits<float>::infinity(),
             bool level = false)
-        : functions_(layers, farthest),
-          gather_(lab_, functions_.file(method), effect::method_function),
-          level_(level) {}
+        : gathers_(layers, farthest), gather_(gathers_[method]), level_(level) {}
     OnRough(const std::string& method, int layers, const Changes& changes)
-        : functions_(layers),
-          gather_(lab_, changed(functions_, method, changes), effect::method_function),
+        : gathers_(layers),
+          gather_(gathers_.in_file(changed(gathers_.functions(), method, changes))),
           level_(false) {}
 
     static std::vector<Inputs> points(const Camera& camera) { return rough_view::points(camera, settings); }
@@ -157,8 +161,7 @@ class OnRough {
     }
 
   private:
-    MethodFunctions functions_;
-    check::Lab lab_ = functions_.lab();
+    Gathers gathers_;
     check::Kernel<Gather> gather_;
     bool level_;
 };

@@ -30,20 +30,14 @@ struct Bare {
     Camera camera;
     vec3 normal{0, 0, 1};
 
-    [[nodiscard]] vec3 point(ivec2 pixel) const {
-        const vec2 size(camera.size);
-        const vec2 side = (2.0F * vec2(pixel) + 1.0F - size) / size / camera.p00_p11;
-        if (camera.orthographic) return {side, -5.0F - (normal.x * side.x + normal.y * side.y) / normal.z};
-        return vec3(side, -1.0F) * (-5.0F * normal.z / glm::dot(vec3(side, -1.0F), normal));
-    }
+    [[nodiscard]] vec3 point(ivec2 pixel) const { return test::plane_point(camera, normal, pixel); }
 };
 
 class PreparedMethods : public testing::Test {
   protected:
-    test::MethodFunctions functions;
-    check::Lab lab = functions.lab();
-    check::Kernel<Gather> separable{lab, functions.file("separable"), effect::method_function};
-    check::Kernel<Gather> dual{lab, functions.file("dual_resolution"), effect::method_function};
+    test::Gathers gathers;
+    check::Kernel<Gather> separable = gathers["separable"];
+    check::Kernel<Gather> dual = gathers["dual_resolution"];
 
     // The occlusion of a pixel of the plane. prepared: of `size` pixels. further: from the plane at a pixel.
     template <class Prepared>
@@ -197,7 +191,7 @@ int level_of_mean(ivec2 texel, ivec2 size) {
 // A sample reads the block that is as wide as a square of its part of the disc, or up to half as wide: of all
 // levels that one alone. Here a level holds the floor and the others nothing.
 TEST_F(PreparedMethods, ASampleIsABlockOfItsPartOfTheDisc) {
-    const check::Kernel<Gather> area(lab, functions.file("volumetric_area"), effect::method_function);
+    const check::Kernel<Gather> area = gathers["volumetric_area"];
     const ivec2 size(256, 128);
     const vec2 pixel(1.0F / 64.0F, 1.0F / 32.0F);
     const Bare floor = floor_of(size, pixel);
@@ -229,7 +223,7 @@ struct Distinct {
 // Of the 8 x 8 pixels around the shaded one each is new once, whatever others were seen before; the others
 // always.
 TEST_F(PreparedMethods, EachOfThePixelsAroundIsNewOnce) {
-    const check::Kernel<bool(Distinct&, ivec2)> add(lab, "gloam/gather/distinct_pixels.glsl",
+    const check::Kernel<bool(Distinct&, ivec2)> add(gathers.lab(), "gloam/gather/distinct_pixels.glsl",
                                                     "gloam_distinct_add");
     const ivec2 center(20, 30);
     std::vector<ivec2> around;
@@ -269,9 +263,8 @@ vec4 level_one(ivec2 at) {
 
 class MssaoLevels : public testing::Test {
   protected:
-    test::MethodFunctions functions;
-    check::Lab lab = functions.lab();
-    check::Kernel<Gather> gather{lab, functions.file("mssao"), effect::method_function};
+    test::Gathers gathers;
+    check::Kernel<Gather> gather = gathers["mssao"];
 
     // At a pixel of a bare floor, over three levels.
     [[nodiscard]] double occlusion_at(ivec2 pixel, float depth, vec4 (*prepared)(ivec2)) const {

@@ -15,6 +15,17 @@ namespace gloam::test::wavy_view {
 
 inline const Camera camera{glm::vec2(1.8F, -2.0F), glm::ivec2(64, 48), false};
 
+// languages_test.cpp writes them in HLSL.
+inline constexpr Method values{.range = 2.0F,
+                               .epsilon = 0.05F,
+                               .intensity = 0.2F,
+                               .thickness = 1e3F,
+                               .angle_bias = 0.0F,
+                               .mip_distance = 0.0F,
+                               .steps = 4,
+                               .disagreement = 0.05F,
+                               .feature_thickness = 1e18F};
+
 inline float depth(glm::ivec2 p) {
     const auto x = static_cast<float>(p.x);
     const auto y = static_cast<float>(p.y);
@@ -28,7 +39,7 @@ inline glm::vec4 prepared(glm::ivec2 p) {
     return {depth(p), 0.1F * depth(p), -depth(p), 1.0F};
 }
 
-using Inputs = std::vector<check::Kernel<Gather>::Inputs>;
+using Inputs = std::vector<GatherInputs>;
 
 // Points all over the image, each with other samples of the sequence.
 inline Inputs points() {
@@ -41,7 +52,7 @@ inline Inputs points() {
             const auto first = static_cast<unsigned>(16 * (x + y));
             const Samples samples{.radius = 0.6F, .bias = 1e-3F, .angle = 0.7F, .first = first, .count = 16};
             all.emplace_back(glm::vec3(ndc / camera.p00_p11 * d, -d), normal({x, y}), camera, samples,
-                             Method{.steps = 4});
+                             values);
         }
     }
     return all;
@@ -50,10 +61,13 @@ inline Inputs points() {
 // The images that the method's text declares.
 inline check::ImageSet images(const std::string& text) {
     const auto clamped = check::Border::clamp;
-    return declared_in(
-        text, {{"gloam_fetch_depth", check::make_image<float>(camera.size, depth, clamped)},
-               {"gloam_fetch_normal", check::make_image<glm::vec3>(camera.size, normal, clamped)},
-               {"gloam_fetch_prepared", check::make_image<glm::vec4>(camera.size, prepared, clamped)}});
+    check::ImageSet all{
+        {"gloam_fetch_depth", check::make_image<float>(camera.size, depth, clamped)},
+        {"gloam_fetch_normal", check::make_image<glm::vec3>(camera.size, normal, clamped)},
+        {"gloam_fetch_prepared", check::make_image<glm::vec4>(camera.size, prepared, clamped)}};
+    std::erase_if(all,
+                  [&text](const auto& image) { return text.find(image.first + "(") == std::string::npos; });
+    return all;
 }
 
 // Fails unless two ways to run a method give as many samples and the same occlusion at each point, and not
