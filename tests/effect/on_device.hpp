@@ -4,28 +4,25 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <cstddef>
-#include <cstdint>
+#include <map>
 #include <optional>
+#include <string>
+#include <tuple>
 #include <vector>
 
+#include "comparisons.hpp"
 #include "effect/ambient_occlusion.hpp"
 #include "gpu/device.hpp"
 #include "scene/gbuffer.hpp"
 #include "scene/pass_library.hpp"
+#include "scene/rasterize.hpp"
+#include "scene/scene.hpp"
 #include "support/shared_device.hpp"
 
 namespace gloam::effect {
 
 using test::variable;
-
-// For comparisons in which NaN is itself and -0 is not 0.
-inline std::vector<std::uint32_t> bits_of(const std::vector<float>& values) {
-    std::vector<std::uint32_t> bits;
-    for (const float value : values) bits.push_back(std::bit_cast<std::uint32_t>(value));
-    return bits;
-}
 
 // The settings with every skip on, or off.
 inline Settings with_skips(Settings settings, bool on = true) {
@@ -66,6 +63,21 @@ class OnDevice : public Base {
         return effect;
     }
 
+    [[nodiscard]] scene::GBuffer rasterized(const scene::Scene& scene, gpu::Extent extent,
+                                            const scene::RasterizeOptions& options = {}) const {
+        return scene::rasterize(device_, passes_, scene, extent, options);
+    }
+    // A view of a built-in scene, drawn once for all tests of a suite.
+    [[nodiscard]] const scene::GBuffer& rasterized(const std::string& scene, gpu::Extent extent,
+                                                   const scene::RasterizeOptions& options = {}) const {
+        const auto& [frame, motion, ids, color, layers, guard] = options;
+        const Drawing drawing{scene, extent.width, extent.height, frame, motion, ids, color, layers, guard};
+        const auto known = shared_->drawn.find(drawing);
+        if (known != shared_->drawn.end()) return known->second;
+        return shared_->drawn.emplace(drawing, rasterized(scene::make_scene(scene), extent, options))
+            .first->second;
+    }
+
     // The last of so many frames of one view, each of its passes run `repeat` times.
     [[nodiscard]] Frame run(const scene::GBuffer& view, const Settings& settings, int frames = 1,
                             int repeat = 1) const {
@@ -96,10 +108,14 @@ class OnDevice : public Base {
         return view;
     }
 
+    // What is drawn: scene, extent and options.
+    using Drawing = std::tuple<std::string, std::uint32_t, std::uint32_t, int, bool, bool, bool, int, double>;
+
     struct Shared {
         scene::PassLibrary passes{GLOAM_GLSL_DIR, variable("GLOAM_CACHE_DIR")};
         std::optional<AmbientOcclusion> effect;
         std::optional<gpu::Extent> extent;
+        std::map<Drawing, scene::GBuffer> drawn;
     };
 
     inline static std::optional<Shared> shared_;
