@@ -13,10 +13,9 @@
 #include "effect/errors.hpp"
 #include "effect/methods.hpp"
 #include "on_device.hpp"
-#include "scene/rasterize.hpp"
 #include "scene/scene.hpp"
 #include "support/matchers.hpp"
-#include "support/method_names.hpp"
+#include "surface_views.hpp"
 
 namespace gloam::effect::ambient_occlusion_test {
 
@@ -25,43 +24,11 @@ constexpr float inf = std::numeric_limits<float>::infinity();
 // Opens the device with validation, and fails on any message.
 class Effect : public OnDevice<testing::Test> {
   protected:
-    [[nodiscard]] scene::GBuffer corner(gpu::Extent extent) const {
-        return scene::rasterize(device_, passes_, scene::make_scene("corner"), extent);
-    }
+    [[nodiscard]] scene::GBuffer corner(gpu::Extent extent) const { return rasterized("corner", extent); }
 };
 
 Settings settings_for(float radius) {
     return with_radius(preset_named("paper").settings, radius);
-}
-
-// A wall across the whole view, parallel to the image, so that every depth is exact.
-scene::GBuffer wall(gpu::Extent extent, float depth) {
-    scene::GBuffer view{.extent = extent};
-    const std::size_t pixels = std::size_t{extent.width} * extent.height;
-    view.depth.assign(pixels, depth);
-    const bool background = !std::isfinite(depth);
-    view.normal.assign(pixels, background ? glm::vec3(0.0F) : glm::vec3(0.0F, 0.0F, 1.0F));
-    view.camera =
-        scene::make_frame({}, static_cast<double>(extent.width) / static_cast<double>(extent.height));
-    return view;
-}
-
-class EffectOf : public Effect, public testing::WithParamInterface<std::string> {};
-
-TEST_P(EffectOf, LeavesAnOpenPlaneOpen) {
-    Settings settings = with_method(settings_for(1.0F), GetParam());
-    settings.own.steps = 2;  // whole slices and rays of it make up the 32 samples
-    for (const bool normals : {true, false}) {
-        scene::GBuffer view = wall({63, 47}, 3.0F);
-        if (!normals) view.normal.clear();
-        const Frame frame = run(view, settings, 3);
-        EXPECT_THAT(frame.occlusion, Each(0.0F));
-        EXPECT_THAT(frame.filtered, Each(0.0F));
-        EXPECT_LE(frame.work.samples, 63U * 47U * 32U);
-        if (!method_named(GetParam()).takes_fewer) {
-            EXPECT_EQ(frame.work.samples, 63U * 47U * 32U);
-        }
-    }
 }
 
 TEST_F(Effect, OddSizesAndBackground) {
@@ -93,8 +60,7 @@ TEST_F(Effect, TwiceTheSameAndRepeatsChangeNothing) {
         frames.push_back(effect.next(repeat));
     }
     for (const Frame& frame : frames) {
-        EXPECT_EQ(frame.occlusion, frames.front().occlusion);
-        EXPECT_EQ(frame.filtered, frames.front().filtered);
+        expect_same_images(frame, frames.front());
         EXPECT_EQ(frame.work.samples, frames.front().work.samples);
     }
     EXPECT_GT(*std::ranges::max_element(frames.front().occlusion), 0.3F);
@@ -170,19 +136,5 @@ TEST_F(Effect, WhatCannotBeIsRefused) {
     }
     EXPECT_THROW((AmbientOcclusion{device_, passes_, {0, 0}}), std::runtime_error);
 }
-
-// Some drivers end long loops early and say nothing.
-TEST_P(EffectOf, TakesTheMostSamples) {
-    if (method_named(GetParam()).takes_fewer) return;
-    Settings settings = with_method(settings_for(1.0F), GetParam());
-    settings.samples = most_samples;
-    settings.least_radius = 0.0F;  // in so small an image no radius is a pixel
-    // Of whole slices or rays there may be fewer, by less than one.
-    const std::uint64_t samples = run(wall({9, 3}, 3.0F), settings).work.samples;
-    EXPECT_LE(samples, 9U * 3U * most_samples);
-    EXPECT_GT(samples, 9U * 3U * (most_samples - 2U * settings.own.steps));
-}
-
-INSTANTIATE_TEST_SUITE_P(All, EffectOf, testing::ValuesIn(test::method_names()), test::parameter_name);
 
 }  // namespace gloam::effect::ambient_occlusion_test

@@ -83,7 +83,7 @@ class Invariants : public OnDevice<testing::TestWithParam<std::string>> {};
 TEST_P(Invariants, HowDepthIsStoredMakesNoDifference) {
     scene::Scene corner = scene::make_scene("corner");
     const gpu::Extent extent{48, 27};
-    const scene::GBuffer reversed = scene::rasterize(device_, passes_, corner, extent);
+    const scene::GBuffer reversed = rasterized(corner, extent);
     const Settings settings = plain(GetParam(), static_cast<float>(corner.ao_radius));
     const std::vector<float> known = run(reversed, settings).occlusion;
     ASSERT_TRUE(corner.camera.reversed_z);
@@ -96,7 +96,7 @@ TEST_P(Invariants, HowDepthIsStoredMakesNoDifference) {
             EXPECT_EQ(run(view, settings).occlusion, known) << reversed_z << ' ' << far;
             // Drawn through that depth buffer, depths differ by its rounding, and samples at a border of a
             // pixel or of a surface fall to the other side.
-            const auto drawn = run(scene::rasterize(device_, passes_, corner, extent), settings).occlusion;
+            const auto drawn = run(rasterized(corner, extent), settings).occlusion;
             EXPECT_LT(errors_of(drawn, known).rmse, 0.01) << reversed_z << ' ' << far;
         }
     }
@@ -130,21 +130,33 @@ double on_a_plane(const std::string& method) {
     return with_method(Settings{}, method).remap_a > 0.0F ? 0.5 : 0.0;
 }
 
+// With normals and without, and with as many samples as were asked for. Every method in images of one pixel
+// and of one row is a part of `gloam stress` (tests/tools/stress/robust_test.cpp); here those of half a
+// pixel.
 TEST_P(Invariants, ABarePlaneIsOpenInImagesOfAnySize) {
     Settings settings = plain(GetParam(), 1.0F);
     settings.least_radius = 0.0F;  // in the smallest a pixel is wider than the radius
     const scene::HalfSpace tilted{{0, 0, -5}, glm::normalize(glm::dvec3(0.4, -0.3, 1.0))};
+    const MethodInfo& method = method_named(GetParam());
     for (const Resolution resolution : {Resolution::full, Resolution::half}) {
         settings.resolution = resolution;
-        for (const gpu::Extent extent :
-             {gpu::Extent{1, 1}, gpu::Extent{3, 1}, gpu::Extent{17, 9}, gpu::Extent{18, 10}}) {
+        std::vector<gpu::Extent> extents{{17, 9}, {18, 10}};
+        if (resolution == Resolution::half) extents.push_back({1, 1});
+        for (const gpu::Extent extent : extents) {
             for (const auto projection : {scene::Projection::perspective, scene::Projection::orthographic}) {
-                const scene::GBuffer view = plane(extent, {.projection = projection}, tilted);
-                const std::vector<float> shown = run(view, settings).occlusion;
-                for (const float occlusion : shown)
-                    EXPECT_NEAR(double{occlusion}, on_a_plane(GetParam()), 1e-5)
-                        << extent.width << 'x' << extent.height
-                        << (resolution == Resolution::half ? " at half the resolution" : "");
+                scene::GBuffer view = plane(extent, {.projection = projection}, tilted);
+                for (const bool normals : {true, false}) {
+                    if (!normals) view.normal.clear();
+                    const Frame frame = run(view, settings);
+                    for (const float occlusion : frame.occlusion)
+                        EXPECT_NEAR(double{occlusion}, on_a_plane(GetParam()), normals ? 1e-5 : 1e-4)
+                            << extent.width << 'x' << extent.height << (normals ? "" : " without normals")
+                            << (resolution == Resolution::half ? " at half the resolution" : "");
+                    const std::uint64_t asked =
+                        frame.work.pixels * samples_taken(method, 32, settings.own.steps);
+                    EXPECT_LE(frame.work.samples, asked);
+                    EXPECT_TRUE(frame.work.samples == asked || method.takes_fewer) << frame.work.samples;
+                }
             }
         }
     }

@@ -115,7 +115,7 @@ TEST_F(Directions, InterleavingStopsAtEdges) {
 
 // With as many samples a pixel, less noise.
 TEST_F(Directions, InterleavingTakesNoise) {
-    const scene::GBuffer view = scene::rasterize(device_, passes_, scene::make_scene("corner"), {64, 36});
+    const scene::GBuffer view = rasterized("corner", {64, 36});
     const BentNormals truth = directional_.bent_normals(view, many());
     Settings few = many();
     few.samples = 8;
@@ -140,7 +140,7 @@ TEST_F(Directions, HalfABlockedHemisphereBendsBy45Degrees) {
 TEST_F(Directions, WhereNothingIsOpenTheNormalStays) {
     scene::Scene ball{.name = "ball", .mesh = scene::make_sphere({0, 0, 0}, 1.0, 24, 48)};
     ball.camera = {.eye = {0, 0, 0}, .target = {0, 0, -1}, .near = 0.01};
-    const scene::GBuffer view = scene::rasterize(device_, passes_, ball, {24, 16});
+    const scene::GBuffer view = rasterized(ball, {24, 16});
     Settings settings = with_radius({}, 1e4F);
     settings.samples = 32;
     settings.filter = Filter::none;
@@ -167,8 +167,7 @@ TEST_F(Directions, WhiteLightOnAnOpenPlaneIsWhite) {
 
 // Albedo times light times visibility, whichever directions it is estimated by.
 TEST_F(Directions, ConstantLightIsVisibility) {
-    const scene::GBuffer view =
-        scene::rasterize(device_, passes_, scene::make_scene("corner"), {64, 36}, {.color = true});
+    const scene::GBuffer view = rasterized("corner", {64, 36}, {.color = true});
     const glm::vec3 radiance(0.5F, 2.0F, 1.0F);
     const DirectionalLight light = directional_.light(view, many(), scene::constant_environment(radiance));
     AmbientOcclusion effect(device_, passes_, view.extent);
@@ -238,8 +237,7 @@ glm::dvec3 bounce_of(const scene::GBuffer& view, const DirectionalLight& light, 
 
 // The corner's walls are red and green.
 TEST_F(Directions, AWallTintsTheFloorBesideIt) {
-    const scene::GBuffer view =
-        scene::rasterize(device_, passes_, scene::make_scene("corner"), {64, 36}, {.color = true});
+    const scene::GBuffer view = rasterized("corner", {64, 36}, {.color = true});
     const Settings settings = many();
     const DirectionalLight light = directional_.light(view, settings, scene::constant_environment({1, 1, 1}));
     int red = 0;
@@ -280,8 +278,7 @@ Settings unfiltered(std::uint32_t samples) {
 }
 
 TEST_F(Directions, LightOfAStillViewConverges) {
-    const scene::GBuffer view =
-        scene::rasterize(device_, passes_, scene::make_scene("corner"), {64, 36}, {.color = true});
+    const scene::GBuffer view = rasterized("corner", {64, 36}, {.color = true});
     const scene::Environment sky = scene::sky_environment();
     const DirectionalLight wanted = directional_.light(view, many(), sky);
     const Settings settings = unfiltered(16);
@@ -359,8 +356,7 @@ TEST_F(Directions, LightFollowsWhatMoves) {
     const auto last_of = [&](const Settings& with, bool follows) {
         DirectionalLight light;
         for (int i = 0; i < 12; ++i) {
-            const scene::GBuffer view =
-                scene::rasterize(device_, passes_, scene, {96, 54}, {.frame = i, .motion = true});
+            const scene::GBuffer view = rasterized(scene, {96, 54}, {.frame = i, .motion = true});
             light = directional_.light(view, with, sky,
                                        follows ? LightFollows::last_view : LightFollows::nothing);
         }
@@ -379,8 +375,7 @@ TEST_F(Directions, LightFollowsWhatMoves) {
 }
 
 TEST_F(Directions, WithoutNormalsAndWithLayersAndABand) {
-    scene::GBuffer view = scene::rasterize(device_, passes_, scene::make_scene("corner"), {31, 17},
-                                           {.color = true, .layers = 2, .guard = 0.25});
+    scene::GBuffer view = rasterized("corner", {31, 17}, {.color = true, .layers = 2, .guard = 0.25});
     Settings settings = many();
     settings.samples = 16;
     settings.layers = 2;

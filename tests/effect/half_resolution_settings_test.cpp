@@ -33,22 +33,11 @@ class HalfSizeBeside : public HalfSize, public testing::WithParamInterface<Besid
                                 .layers = static_cast<int>(settings.layers),
                                 .guard = double{settings.guard}}));
             if (name == "no_normals") all.back().normal.clear();
-            if (name == "stored") store(all.back());
+            if (name == "stored")  // as an engine with a depth buffer and world-space normals has it
+                all.back().stored =
+                    scene::stored_inputs(all.back(), scene::encoding_named("buffer", "world"));
         }
         return all;
-    }
-
-  private:
-    // As an engine with a depth buffer and world-space normals has it.
-    static void store(scene::GBuffer& view) {
-        const scene::Encoding encoding = scene::encoding_named("buffer", "world");
-        view.stored = {.encoding = encoding, .depth = {}, .normal = {}};
-        for (std::size_t i = 0; i < view.depth.size(); ++i) {
-            view.stored->depth.push_back(
-                static_cast<float>(scene::stored_depth(double{view.depth[i]}, encoding, view.camera)));
-            view.stored->normal.emplace_back(
-                scene::stored_normal(glm::dvec3(view.normal[i]), encoding, view.camera));
-        }
     }
 };
 
@@ -60,14 +49,11 @@ TEST_P(HalfSizeBeside, IsNearTheFullSize) {
     const std::vector<Frame> full = run(all, settings);
     settings.resolution = Resolution::half;
     const std::vector<Frame> halved = run(all, settings);
-    const std::vector<Frame> again = run(all, settings);
+    expect_same_images(halved, run(all, settings));  // twice the same
     for (std::size_t i = 0; i < full.size(); ++i) {
         EXPECT_EQ(halved[i].extent, full[i].extent);
-        for (const auto image : {&Frame::occlusion, &Frame::filtered, &Frame::convergence, &Frame::kept}) {
-            const std::vector<float>& values = halved[i].*image;
-            ASSERT_EQ(values.size(), (full[i].*image).size());
-            EXPECT_EQ(bits_of(values), bits_of(again[i].*image)) << "not the same twice";
-        }
+        for (const auto& [image, name] : images_of_frame)
+            ASSERT_EQ((halved[i].*image).size(), (full[i].*image).size()) << name;
         for (const float value : halved[i].filtered) ASSERT_TRUE(value >= 0.0F && value <= 1.0F) << value;
         EXPECT_GT(*std::ranges::max_element(halved[i].filtered), 0.05F);
         EXPECT_LT(errors_of(halved[i].filtered, full[i].filtered).rmse, GetParam().most) << "frame " << i;
@@ -78,9 +64,7 @@ TEST_P(HalfSizeBeside, IsNearTheFullSize) {
     }
     // And back.
     settings.resolution = Resolution::full;
-    const std::vector<Frame> back = run(all, settings);
-    for (std::size_t i = 0; i < full.size(); ++i)
-        EXPECT_EQ(bits_of(back[i].filtered), bits_of(full[i].filtered));
+    expect_same_images(run(all, settings), full, {&Frame::filtered});
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -167,7 +167,6 @@ TEST_F(HalfSize, PixelsAtAnEdgeAreOfTheirSurface) {
     for (const bool orthographic : {false, true}) {
         for (const unsigned edge : {40U, 41U}) {
             scene::GBuffer scene = view_of(extent, orthographic, [](glm::dvec2) { return 4.0; });
-            scene.normal.assign(scene.depth.size(), glm::vec3(0, 0, 1));
             for (std::size_t i = 0; i < scene.depth.size(); ++i)
                 if (i % extent.width < edge) scene.depth[i] = 3.0F;
             Settings settings = half({}, 2.0F);
@@ -234,12 +233,9 @@ TEST_F(HalfSize, SkipsChangeNothing) {
             };
             const std::vector<Frame> with = frames(settings);
             const std::vector<Frame> without = frames(without_skips(settings));
+            expect_same_images(with, without);
             std::uint64_t left_out = 0;
             for (std::size_t i = 0; i < with.size(); ++i) {
-                EXPECT_EQ(bits_of(with[i].occlusion), bits_of(without[i].occlusion)) << i;
-                EXPECT_EQ(bits_of(with[i].filtered), bits_of(without[i].filtered)) << i;
-                EXPECT_EQ(bits_of(with[i].convergence), bits_of(without[i].convergence)) << i;
-                EXPECT_EQ(bits_of(with[i].kept), bits_of(without[i].kept)) << i;
                 EXPECT_EQ(without[i].work.tiles_shaded, without[i].work.tiles);
                 left_out += with[i].work.tiles - with[i].work.tiles_shaded + with[i].work.tiles_open;
             }

@@ -26,7 +26,7 @@ class HalfSize : public OnDevice<testing::Test> {
                                       gpu::Extent size = extent) const {
         scene::RasterizeOptions of_frame = options;
         of_frame.frame = frame;
-        return scene::rasterize(device_, passes_, scene::make_scene(scene), size, of_frame);
+        return rasterized(scene, size, of_frame);
     }
 
     [[nodiscard]] std::vector<scene::GBuffer> views(const std::string& scene, int count,

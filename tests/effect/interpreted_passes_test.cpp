@@ -21,6 +21,7 @@
 #include "scene/rasterize.hpp"
 #include "shader/spirv.hpp"
 #include "support/method_names.hpp"
+#include "surface_views.hpp"
 
 namespace gloam::effect::interpreted_passes_test {
 
@@ -211,6 +212,13 @@ class InterpretedPasses : public OnDevice<testing::Test> {
   protected:
     static constexpr std::size_t most_frames = 3;
 
+    [[nodiscard]] std::vector<scene::GBuffer> moving(gpu::Extent extent) const {
+        std::vector<scene::GBuffer> views;
+        for (int frame = 0; frame < static_cast<int>(most_frames); ++frame)
+            views.push_back(rasterized("moving", extent, {.frame = frame, .motion = true}));
+        return views;
+    }
+
     // The passes of the frames of one view, or of as many as there are.
     void expect_the_devices(const std::vector<scene::GBuffer>& views, const Settings& settings,
                             const std::string& what, std::size_t frames = most_frames) {
@@ -259,8 +267,7 @@ class InterpretedPasses : public OnDevice<testing::Test> {
 class InterpretedPassesOf : public InterpretedPasses, public testing::WithParamInterface<std::string> {};
 
 TEST_P(InterpretedPassesOf, AreTheDevicesPixelByPixel) {
-    const scene::GBuffer view =
-        scene::rasterize(device_, passes_, scene::make_scene("moving"), {13, 9}, {.layers = 2});
+    const scene::GBuffer view = rasterized("moving", {13, 9}, {.layers = 2});
     Settings settings = with_radius(with_method({}, GetParam()), 0.5F);
     settings.layers = 2;
     expect_the_devices({view}, settings, GetParam(), 2);
@@ -272,13 +279,8 @@ INSTANTIATE_TEST_SUITE_P(All, InterpretedPassesOf, testing::ValuesIn(test::metho
                          test::parameter_name);
 
 TEST_F(InterpretedPasses, OfAMovingSceneAreTheDevicesPixelByPixel) {
-    const scene::Scene scene = scene::make_scene("moving");
-    std::vector<scene::GBuffer> views;
-    for (int frame = 0; frame < static_cast<int>(most_frames); ++frame) {
-        views.push_back(
-            scene::rasterize(device_, passes_, scene, {37, 21}, {.frame = frame, .motion = true}));
-        views.back().normal.clear();
-    }
+    std::vector<scene::GBuffer> views = moving({37, 21});
+    for (scene::GBuffer& view : views) view.normal.clear();
     for (const Filter filter : {Filter::convergence, Filter::geometry, Filter::bilateral, Filter::sao}) {
         Settings settings;
         settings.filter = filter;
@@ -298,11 +300,7 @@ TEST_F(InterpretedPasses, OfAMovingSceneAreTheDevicesPixelByPixel) {
 
 // Histories of 16 bits: halves, and fixed point in integers.
 TEST_F(InterpretedPasses, WithSmallHistoriesAreTheDevicesPixelByPixel) {
-    const scene::Scene scene = scene::make_scene("moving");
-    std::vector<scene::GBuffer> views;
-    for (int frame = 0; frame < static_cast<int>(most_frames); ++frame)
-        views.push_back(
-            scene::rasterize(device_, passes_, scene, {21, 13}, {.frame = frame, .motion = true}));
+    const std::vector<scene::GBuffer> views = moving({21, 13});
     for (const auto& [name, precision] :
          {std::pair{"float16", HistoryPrecision::float16}, std::pair{"packed", HistoryPrecision::packed}}) {
         Settings settings;
@@ -316,8 +314,7 @@ TEST_F(InterpretedPasses, WithSmallHistoriesAreTheDevicesPixelByPixel) {
 
 // Those of bent normals and of light, of further views and of the lit image.
 TEST_F(InterpretedPasses, BesideTheEffectAreTheDevicesPixelByPixel) {
-    const scene::GBuffer view =
-        scene::rasterize(device_, passes_, scene::make_scene("moving"), {13, 9}, {.layers = 2});
+    const scene::GBuffer view = rasterized("moving", {13, 9}, {.layers = 2});
     Settings settings = with_radius({}, 0.5F);
     settings.layers = 2;
     Directional directional(device_, passes_);
@@ -327,9 +324,8 @@ TEST_F(InterpretedPasses, BesideTheEffectAreTheDevicesPixelByPixel) {
     (void)directional.light(view, settings, sky);
     settings.layers = 1;
     for (const int frame : {1, 2})
-        (void)directional.light(scene::rasterize(device_, passes_, scene::make_scene("moving"), {13, 9},
-                                                 {.frame = frame, .motion = true}),
-                                settings, sky, LightFollows::last_view);
+        (void)directional.light(rasterized("moving", {13, 9}, {.frame = frame, .motion = true}), settings,
+                                sky, LightFollows::last_view);
 
     FurtherViews further(device_, passes_);
     further.watch(watcher("further views"));
@@ -348,12 +344,7 @@ TEST_F(InterpretedPasses, BesideTheEffectAreTheDevicesPixelByPixel) {
 
 // A bare plane: nothing can block a tile of it.
 TEST_F(InterpretedPasses, OfOpenTilesAreTheDevicesPixelByPixel) {
-    scene::GBuffer view =
-        scene::rasterize(device_, passes_, scene::make_scene("corner"), {40, 24}, {.layers = 1});
-    view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
-    view.depth.assign(view.depth.size(), 2.0F);
-    view.layers.clear();
-    expect_the_devices({view}, with_radius({}, 0.25F), "plane");
+    expect_the_devices({wall({40, 24}, 2.0F)}, with_radius({}, 0.25F), "plane");
     EXPECT_GT(seen_["open_tiles"].words, 0U);
     EXPECT_GT(seen_["ambient_occlusion_open"].words, 0U);
 }

@@ -164,7 +164,7 @@ constexpr std::array device_names{"gl:llvmpipe-4.5", "es:llvmpipe-3.1"};
 
 TEST_P(OpenGlPasses, GiveThePictureOfVulkan) {
     const gpu::Extent extent{49, 35};
-    const scene::GBuffer view = scene::rasterize(device_, passes_, scene::make_scene("room"), extent, {});
+    const scene::GBuffer view = rasterized("room", extent, {});
     Settings settings = with_method(preset_named("paper").settings, GetParam());
     settings.skip_open = settings.skip_settled = settings.skip_filtered = settings.skip_background = false;
     const Plan plan = plan_of(settings, {.view = extent});
@@ -180,9 +180,8 @@ TEST_P(OpenGlPasses, GiveThePictureOfVulkan) {
         }
         const std::vector<float> got = OnOpenGl(*device, plan, view, passes_).run();
         ASSERT_EQ(got.size(), want.size());
-        float largest = 0.0F;
-        for (std::size_t i = 0; i < want.size(); ++i) largest = std::max(largest, std::abs(got[i] - want[i]));
-        EXPECT_LT(largest, 1e-5F) << name;
+        const double largest = largest_difference(got, want);
+        EXPECT_LT(largest, 1e-5) << name;
         RecordProperty(name, numeric::to_short_text(largest));
     }
 }

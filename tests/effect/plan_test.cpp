@@ -40,11 +40,9 @@ Settings without_tiles(Settings settings) {
 }
 
 TEST_F(PlanTest, IsWhatAFrameRuns) {
-    const scene::Scene scene = scene::make_scene("room");
     const gpu::Extent extent{33, 17};
-    const auto view = [&](int frame) {
-        return scene::rasterize(device_, passes_, scene, extent, {.frame = frame});
-    };
+    const scene::GBuffer first = rasterized("room", extent, {.frame = 0});
+    const scene::GBuffer second = rasterized("room", extent, {.frame = 1});
     for (const char* method : {"hemisphere", "mssao", "dual_resolution", "sao_chain", "separable"}) {
         for (const char* preset :
              {"paper", "balanced", "balanced, half", "balanced, frames alone", "paper, half"}) {
@@ -57,10 +55,10 @@ TEST_F(PlanTest, IsWhatAFrameRuns) {
             if (half) settings.resolution = Resolution::half;
             settings.remap_b = 2.0F;
             settings.filter_frames = every_frame;  // fewer: filter_frames_test.cpp
-            AmbientOcclusion effect(device_, passes_, extent);
-            effect.begin(view(0), settings);
+            AmbientOcclusion& effect = effect_for(extent);
+            effect.begin(first, settings);
             (void)effect.next(1);
-            effect.advance(view(1));
+            effect.advance(second);
             std::vector<std::string> ran = names_of(effect.next(1).times);
             std::erase(
                 ran, "remap");  // of the unfiltered occlusion, which nobody is shown where there is a filter

@@ -63,7 +63,6 @@ TEST_F(PreparedResults, OneAreaSeesWhatOneLineMisses) {
         const auto column = static_cast<int>(std::floor((at.x + 1.0) * 48.0));
         return column % 2 == 0 ? 5.0 : 4.9;
     });
-    view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
     const auto spread = [&](const char* method) {
         const auto found = estimate(view, settings_for(method, 0.5F, 2));
         double sum = 0.0;
@@ -84,7 +83,6 @@ TEST_F(PreparedResults, OneAreaSeesWhatOneLineMisses) {
 // Where nothing is seen a block is empty: every other column of a floor fills a quarter of a ball, not half.
 TEST_F(PreparedResults, AreasAreEmptyWhereNothingIsSeen) {
     scene::GBuffer view = view_of({65, 65}, true, [](glm::dvec2) { return 5.0; });
-    view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
     for (std::size_t i = 0; i < view.depth.size(); ++i)
         if (i % 65 % 2 == 1) view.depth[i] = std::numeric_limits<float>::infinity();
     const auto found = estimate(view, settings_for("volumetric_area", 0.5F, 2), 16);
@@ -129,8 +127,7 @@ scene::GBuffer trench(gpu::Extent extent) {
     for (std::size_t i = 0; i < view.depth.size(); ++i) {
         const double x = side * (static_cast<double>(i % extent.width) + 0.5 - 0.5 * extent.width);
         const bool slope = std::abs(x) > 0.1 && std::abs(x) < 0.3;
-        view.normal.emplace_back(
-            glm::normalize(glm::vec3(slope ? (x > 0.0 ? -3.0F : 3.0F) : 0.0F, 0.0F, 1.0F)));
+        view.normal[i] = glm::normalize(glm::vec3(slope ? (x > 0.0 ? -3.0F : 3.0F) : 0.0F, 0.0F, 1.0F));
     }
     return view;
 }
@@ -163,7 +160,6 @@ class MultiResolution : public OnDevice<testing::Test> {};
 // A block stands 20 pixels from the middle, beyond the reach of the finest kernel alone.
 TEST_F(MultiResolution, CoarserLevelsReachFurther) {
     scene::GBuffer view = view_of({129, 65}, true, [](glm::dvec2 at) { return at.x > 0.62 ? 4.6 : 5.0; });
-    view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
     Settings settings = settings_of(0.9F);
     std::vector<float> at_the_middle;
     for (const std::uint32_t resolutions : {1U, 2U, 3U, 4U, 5U, 9U}) {
@@ -182,7 +178,6 @@ TEST_F(MultiResolution, OneLevelIsItsOwnMaximumAndMean) {
     const double slope = 0.5;
     scene::GBuffer view =
         view_of({65, 65}, true, [&](glm::dvec2 at) { return 5.0 - slope * std::abs(at.x); });
-    view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
     Settings settings = settings_of(0.15F);  // 5 pixels
     settings.bias = 0.0F;
     settings.own.steps = 1;
@@ -215,7 +210,7 @@ TEST_F(MultiResolution, NothingDriftsWithTheLevels) {
         scene::GBuffer view = view_of(extent, true, [](glm::dvec2 at) { return 5.0 - 0.6 * std::abs(at.x); });
         for (std::size_t i = 0; i < view.depth.size(); ++i) {
             const double side = 2.0 * static_cast<double>(i % width) + 1.0 - width;
-            view.normal.emplace_back(glm::normalize(glm::dvec3(-0.6 * glm::sign(side), 0, 1)));
+            view.normal[i] = glm::normalize(glm::dvec3(-0.6 * glm::sign(side), 0, 1));
         }
         Settings settings = settings_of(0.8F);
         settings.own.range = 1.0F;
@@ -247,7 +242,6 @@ TEST_F(MultiResolution, OneOfThreeLevelsIsAThirdOfTheMean) {
             if (x % 4 < 2 && y % 4 < 2 && from_middle > 8) view.depth[extent.width * y + x] = 4.5F;
         }
     }
-    view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
     Settings settings = settings_of(0.9F);
     std::vector<double> found{0.0};
     for (const std::uint32_t resolutions : {1U, 2U, 3U}) {
@@ -276,7 +270,6 @@ TEST_F(MultiResolution, ATexelIsTheMeanOfItsMiddleTwoDepths) {
                     view.depth[extent.width * y + x] = 4.7F + spread * (static_cast<float>(order) - 1.5F);
             }
         }
-        view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
         Settings settings = settings_of(0.9F);
         settings.own.range = 1.0F;
         settings.own.steps = 2;
@@ -293,7 +286,6 @@ TEST_F(MultiResolution, TheCapOfACoarserLevelIsThatOfItsSurface) {
     const gpu::Extent extent{132, 68};
     const float tan_half = 1.0F / view_of(extent, false, [](glm::dvec2) { return 1.0; }).camera.p00_p11().y;
     scene::GBuffer view = view_of(extent, false, [](glm::dvec2 at) { return at.x > 0.05 ? 0.9 : 1.0; });
-    view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
     for (unsigned y = 1; y < extent.height; y += 2)
         for (unsigned x = 1; x < extent.width; x += 2) view.depth[extent.width * y + x] = 20.0F;
     Settings settings = settings_of(0.4F);

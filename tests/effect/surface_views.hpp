@@ -13,7 +13,7 @@ namespace gloam::effect {
 inline constexpr double view_height = 2.0;
 
 // A view of a surface whose depth under a ray (orthographic: at a place of the image plane) is given; y up.
-// pixel_aspect: width of a pixel, in its height.
+// Its normals face the eye. pixel_aspect: width of a pixel, in its height.
 inline scene::GBuffer view_of(gpu::Extent extent, bool orthographic,
                               const std::function<double(glm::dvec2)>& depth, double pixel_aspect = 1.0) {
     scene::GBuffer view{.extent = extent};
@@ -27,7 +27,23 @@ inline scene::GBuffer view_of(gpu::Extent extent, bool orthographic,
             view.depth.push_back(static_cast<float>(depth(ndc / glm::dvec2(view.camera.p00_p11()))));
         }
     }
+    view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
     return view;
+}
+
+// A wall in perspective whose depth is given for each pixel.
+template <class Depth>
+scene::GBuffer wall_of(gpu::Extent extent, const Depth& depth) {
+    scene::GBuffer view{.extent = extent};
+    view.camera =
+        scene::make_frame({}, static_cast<double>(extent.width) / static_cast<double>(extent.height));
+    for (std::uint32_t y = 0; y < extent.height; ++y)
+        for (std::uint32_t x = 0; x < extent.width; ++x) view.depth.push_back(depth(x, y));
+    view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
+    return view;
+}
+inline scene::GBuffer wall(gpu::Extent extent, float depth) {
+    return wall_of(extent, [=](std::uint32_t, std::uint32_t) { return depth; });
 }
 
 // The plane through (0, 0, -5).
@@ -46,9 +62,7 @@ inline scene::GBuffer plane(gpu::Extent extent, bool orthographic, glm::dvec3 no
 // A floor from whose middle line the right half rises by 45 degrees.
 inline scene::GBuffer groove(gpu::Extent extent, double pixel_aspect = 1.0) {
     const auto depth = [](glm::dvec2 at) { return 5.0 - std::max(at.x, 0.0); };
-    scene::GBuffer view = view_of(extent, true, depth, pixel_aspect);
-    view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
-    return view;
+    return view_of(extent, true, depth, pixel_aspect);
 }
 
 }  // namespace gloam::effect

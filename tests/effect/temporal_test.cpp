@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -51,21 +50,10 @@ Settings paper() {
     return with_radius(preset_named("paper").settings, 0.5F);
 }
 
-double mean_of(const std::vector<float>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-double largest_difference(const std::vector<float>& a, const std::vector<float>& b) {
-    double largest = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        largest = std::max(largest, std::abs(double{a[i]} - double{b[i]}));
-    return largest;
-}
-
 class Temporal : public OnDevice<testing::Test> {
   protected:
     [[nodiscard]] scene::GBuffer view(const scene::Scene& scene, int frame, bool motion = true) const {
-        return scene::rasterize(device_, passes_, scene, extent, {.frame = frame, .motion = motion});
+        return rasterized(scene, extent, {.frame = frame, .motion = motion});
     }
 
     // The last of `frames` frames; each result is passed on.
@@ -101,8 +89,7 @@ TEST_F(Temporal, ACameraThatStandsStillLosesAndBlursNothing) {
     Frame expected;
     for (int i = 0; i < 6; ++i) expected = still.next();
     const Frame moved = run(scene, settings, 6);
-    EXPECT_EQ(moved.occlusion, expected.occlusion);
-    EXPECT_EQ(moved.convergence, expected.convergence);
+    expect_same_images(moved, expected, {&Frame::occlusion, &Frame::convergence});
 }
 
 TEST_F(Temporal, HistoryFollowsAPanningCamera) {
@@ -135,8 +122,7 @@ TEST_F(Temporal, DisoccludedPixelsHaveNoHistory) {
     effect.begin(before, paper());
     (void)effect.next();
     for (int i = 1; i < 4; ++i) {
-        const scene::GBuffer now =
-            scene::rasterize(device_, passes_, scene, extent, {.frame = i, .motion = true, .ids = true});
+        const scene::GBuffer now = rasterized(scene, extent, {.frame = i, .motion = true, .ids = true});
         effect.advance(now);
         const Frame frame = effect.next();
         std::size_t uncovered = 0;
@@ -159,7 +145,7 @@ TEST_F(Temporal, HistoryMovesWithAnObject) {
     Frame frame = effect.next();
     scene::GBuffer now;
     for (int i = 1; i < 5; ++i) {
-        now = scene::rasterize(device_, passes_, scene, extent, {.frame = i, .motion = true, .ids = true});
+        now = rasterized(scene, extent, {.frame = i, .motion = true, .ids = true});
         effect.advance(now);
         frame = effect.next();
     }
@@ -183,7 +169,7 @@ TEST_F(Temporal, ACutAndAnotherSizeForget) {
     effect.advance(view(scene, 0));  // frame 0 knows no frame before: a cut
     EXPECT_EQ(mean_of(effect.next().kept), 0.0);
     const gpu::Extent other{40, 30};
-    effect.advance(scene::rasterize(device_, passes_, scene, other, {.frame = 2, .motion = true}));
+    effect.advance(rasterized(scene, other, {.frame = 2, .motion = true}));
     const Frame resized = effect.next();
     EXPECT_EQ(resized.occlusion.size(), std::size_t{other.width} * other.height);
     EXPECT_EQ(mean_of(resized.kept), 0.0);
@@ -245,7 +231,6 @@ struct MovingHalf {
   private:
     static scene::GBuffer view_with(double depth) {
         scene::GBuffer view = view_of(extent, true, [&](glm::dvec2 at) { return at.x > 0.0 ? depth : 5.0; });
-        view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
         return view;
     }
 };

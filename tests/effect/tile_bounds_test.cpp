@@ -21,6 +21,7 @@
 #include "gpu/resources.hpp"
 #include "numeric/random.hpp"
 #include "on_device.hpp"
+#include "surface_views.hpp"
 
 namespace gloam::effect::tile_bounds_test {
 
@@ -53,15 +54,6 @@ class TileBounds : public OnDevice<testing::Test> {
         return run(view, settings).work.tiles_open;
     }
 };
-
-// A wall that faces the eye.
-scene::GBuffer wall() {
-    scene::GBuffer view{.extent = {83, 45}};
-    view.camera = scene::make_frame({}, 83.0 / 45.0);
-    view.depth.assign(std::size_t{83} * 45, 5.0F);
-    view.normal.assign(view.depth.size(), {0, 0, 1});
-    return view;
-}
 
 // Sides of one pixel beyond whole tiles among them: such a tile has no slope along that side.
 TEST_F(TileBounds, NoSurfaceOfATileIsNearerThanItsBound) {
@@ -109,7 +101,7 @@ TEST_F(TileBounds, ATileWithoutSurfacesSaysSo) {
 // The proof subtracts from the bias what rounding may add to the depth of a sample: of the point, of the
 // radius and of the rays (tiles/open.comp), and the 1e-6 of a bound.
 TEST_F(TileBounds, ABiasBelowTheRoundingProvesNothing) {
-    const scene::GBuffer view = wall();
+    const scene::GBuffer view = wall({83, 45}, 5.0F);
     const float depth = view.depth.front();
     const auto open = [&](float radius, float bias) {
         return open_tiles(view, {.radius = radius, .bias = bias, .skip_open = true});
@@ -125,7 +117,7 @@ TEST_F(TileBounds, ABiasBelowTheRoundingProvesNothing) {
 // No pixel of a tile may see a surface rise above its own plane: one tilted normal is enough.
 TEST_F(TileBounds, EachPixelOfATileHasItsPlaneConsidered) {
     const Settings settings{.radius = 0.5F, .bias = 0.01F, .skip_open = true};
-    scene::GBuffer view = wall();
+    scene::GBuffer view = wall({83, 45}, 5.0F);
     const std::uint64_t all = open_tiles(view, settings);
     EXPECT_EQ(all, 11U * 6U);
     for (const std::size_t pixel : {0U, 7U, 27U, 7U * 83U, 7U * 83U + 7U, 3U * 83U + 4U}) {
@@ -154,7 +146,7 @@ scene::Camera camera_at(double x) {
 
 // A wall at depth 10, and a square of 8 x 8 pixels at depth 5, seen straight on, without perspective.
 // `square`: its left column in world pixels; `camera`: how many pixels the camera stands to the right.
-scene::GBuffer view_of(int square, int camera, int square_before, int camera_before) {
+scene::GBuffer square_view(int square, int camera, int square_before, int camera_before) {
     scene::GBuffer view{.extent = {width, height}};
     view.camera = scene::make_frame(camera_at(camera / camera_scale), 1.0 * width / height,
                                     camera_at(camera_before / camera_scale));
@@ -173,7 +165,7 @@ scene::GBuffer view_of(int square, int camera, int square_before, int camera_bef
 }
 
 TEST(HistoryMap, OfAStillViewIsTheViewItself) {
-    const scene::GBuffer view = view_of(10, 0, 10, 0);
+    const scene::GBuffer view = square_view(10, 0, 10, 0);
     const HistoryMap history(view, view);
     std::vector<float> image(width * height);
     std::iota(image.begin(), image.end(), 0.0F);
@@ -188,8 +180,8 @@ TEST(HistoryMap, OfAStillViewIsTheViewItself) {
 
 // The camera moves three pixels to the right: three columns come in, and three that the square had hidden.
 TEST(HistoryMap, OfAMovingCamera) {
-    const scene::GBuffer before = view_of(10, 0, 10, 0);
-    scene::GBuffer view = view_of(10, 3, 10, 0);
+    const scene::GBuffer before = square_view(10, 0, 10, 0);
+    scene::GBuffer view = square_view(10, 3, 10, 0);
     for (const bool positions : {true, false}) {
         if (!positions) view.previous_position.clear();  // the cameras say the same
         const HistoryMap history(view, before);
@@ -206,8 +198,8 @@ TEST(HistoryMap, OfAMovingCamera) {
 
 // The square moves two pixels to the right: it uncovers two columns of the wall.
 TEST(HistoryMap, OfAMovingObject) {
-    const scene::GBuffer before = view_of(10, 0, 10, 0);
-    const HistoryMap history(view_of(12, 0, 10, 0), before);
+    const scene::GBuffer before = square_view(10, 0, 10, 0);
+    const HistoryMap history(square_view(12, 0, 10, 0), before);
     for (std::size_t i = 0; i < width * height; ++i) {
         const std::size_t x = i % width;
         const std::size_t y = i / width;
@@ -229,8 +221,8 @@ TEST(HistoryMap, OfAMovingObject) {
 
 // Motion vectors alone: dx, dy, valid.
 TEST(HistoryMap, FromMotionVectors) {
-    const scene::GBuffer before = view_of(10, 0, 10, 0);
-    scene::GBuffer view = view_of(12, 0, 10, 0);
+    const scene::GBuffer before = square_view(10, 0, 10, 0);
+    scene::GBuffer view = square_view(12, 0, 10, 0);
     view.previous_position.clear();
     for (std::size_t i = 0; i < width * height; ++i)
         view.motion.emplace_back(view.depth[i] < 7 ? 2.0F : 0.0F, 0.0F, 1.0F);
@@ -243,7 +235,7 @@ TEST(HistoryMap, FromMotionVectors) {
 }
 
 TEST(HistoryMap, BackgroundHasNone) {
-    scene::GBuffer view = view_of(10, 0, 10, 0);
+    scene::GBuffer view = square_view(10, 0, 10, 0);
     view.depth[7] = infinite;
     EXPECT_FALSE(HistoryMap(view, view).seen(7));
     scene::GBuffer small = view;
@@ -270,7 +262,7 @@ TEST(DistanceTransform, IsTheDistanceToTheNearest) {
 }
 
 TEST(PixelClasses, OfAStillViewSettle) {
-    const scene::GBuffer view = view_of(10, 0, 10, 0);
+    const scene::GBuffer view = square_view(10, 0, 10, 0);
     PixelClasses classes({.radius = 1.0, .settled_frames = 3});
     classes.advance(view, std::nullopt);
     EXPECT_EQ(count(classes.disoccluded()), static_cast<int>(width * height));
@@ -286,9 +278,9 @@ TEST(PixelClasses, OfAStillViewSettle) {
 // A square moves by two pixels in one frame, then stands still. World radius 1.5 is 3 pixels.
 TEST(PixelClasses, OfAMovingObject) {
     PixelClasses classes({.radius = 1.5, .settled_frames = 2, .memory = 2});
-    const scene::GBuffer still = view_of(10, 0, 10, 0);
-    const scene::GBuffer moved = view_of(12, 0, 10, 0);
-    const scene::GBuffer rest = view_of(12, 0, 12, 0);
+    const scene::GBuffer still = square_view(10, 0, 10, 0);
+    const scene::GBuffer moved = square_view(12, 0, 10, 0);
+    const scene::GBuffer rest = square_view(12, 0, 12, 0);
     classes.advance(still, std::nullopt);
     for (int i = 0; i < 3; ++i) classes.advance(still, HistoryMap(still, still));
     classes.advance(moved, HistoryMap(moved, still));
@@ -313,7 +305,7 @@ TEST(PixelClasses, OfAMovingObject) {
 }
 
 TEST(PixelClasses, OfAnotherSizeNeedACut) {
-    const scene::GBuffer view = view_of(10, 0, 10, 0);
+    const scene::GBuffer view = square_view(10, 0, 10, 0);
     PixelClasses classes({});
     EXPECT_THROW(classes.advance(view, HistoryMap(view, view)), std::invalid_argument);
 }

@@ -31,9 +31,11 @@ effect::Settings settings_for(const effect::MethodInfo& method) {
 
 std::vector<Size> sizes(const Context& context) {
     const std::uint32_t limit = context.lab.device().info().max_image_size;
-    std::vector<Size> all{{1, 1}, {1, 2}, {2, 1}, {3, 1},   {1, 3},   {5, 7},     {7, 9},
-                          {8, 8}, {9, 8}, {8, 9}, {16, 16}, {17, 13}, {limit, 1}, {1, limit}};
+    std::vector<Size> all{{1, 1}, {1, 2},  {2, 1},   {5, 7},   {7, 9},     {9, 7},
+                          {8, 8}, {8, 16}, {16, 16}, {17, 13}, {limit, 1}, {1, limit}};
     if (context.extent == Extent::full) {
+        // One side a power of two and the other none: a pass more for a driver that compiles it for each.
+        all.insert(all.end(), {{3, 1}, {1, 3}, {9, 8}, {8, 9}});
         all.insert(all.end(), {{31, 37}, {61, 67}, {127, 131}, {251, 257}, {509, 521}, {1021, 1031}});
         all.insert(all.end(), {{limit - 1, 3}, {3, limit - 1}, {limit, 8}, {8, limit}});
     }
@@ -136,9 +138,12 @@ void append_radii(const Context& context, effect::AmbientOcclusion& effect, Rows
 
 // A plane loses no sample: each of them must be counted.
 void append_counts(const Context& context, effect::AmbientOcclusion& effect, Rows& rows) {
-    constexpr Size size{3, 1};
+    constexpr Size size{3, 5};
     effect.advance(plane(size));
-    for (const std::uint32_t samples : {1U, 2U, 31U, 33U, 1024U, effect::most_samples}) {
+    // tests/glsl/method_gathers_test.cpp has more counts of each method, without a pass to compile for each.
+    std::vector<std::uint32_t> counts{1, 33, effect::most_samples};
+    if (context.extent == Extent::full) counts.insert(counts.end(), {2, 31, 1024});
+    for (const std::uint32_t samples : counts) {
         double missing = 0.0;
         for (const effect::MethodInfo& method : methods_of(context)) {
             if (method.takes_fewer) continue;  // of a few pixels all samples share some
