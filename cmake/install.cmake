@@ -2,7 +2,7 @@
 # The package: find_package(gloam) gives gloam::shader_test (the generic test framework) and gloam::glsl (the shaders).
 include(CMakePackageConfigHelpers)
 
-set(package_rooms base numeric backend gpu gl shader interpreter check)
+set(package_rooms base numeric backend shader interpreter check)
 set(package_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/gloam)
 
 add_library(gloam_shader_test INTERFACE)
@@ -18,7 +18,7 @@ install(TARGETS gloam_shader_test gloam_glsl ${package_targets} EXPORT gloam-tar
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT gloam-targets NAMESPACE gloam:: DESTINATION ${package_cmake_dir})
 
-# Public headers, as <gloam/ROOM/FILE.hpp>: what lies in a room itself. Its folder internal/ stays at home.
+# Public headers, as <gloam/ROOM/FILE.hpp>: those of a room but for its folders internal/.
 set(header_stage ${PROJECT_BINARY_DIR}/package/include)
 if(NOT PROJECT_IS_TOP_LEVEL)
   # A project that takes gloam in includes them by the same names, without an installation.
@@ -27,7 +27,7 @@ if(NOT PROJECT_IS_TOP_LEVEL)
   set(stage ${header_stage})
   include(cmake/stage_headers.cmake)
   foreach(room ${package_rooms})
-    file(GLOB headers CONFIGURE_DEPENDS ${source}/${room}/*.hpp)
+    file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${source}/${room}/*.hpp)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${headers})
   endforeach()
   target_include_directories(gloam_shader_test INTERFACE $<BUILD_INTERFACE:${header_stage}>)

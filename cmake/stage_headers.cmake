@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
 # Copies the headers of `rooms` from `source` to stage/gloam/ROOM, each #include "ROOM/FILE" turned into
-# #include "gloam/ROOM/FILE": rooms have short names, and an installed header must not meet another project's "gpu/".
+# #include "gloam/ROOM/FILE": rooms have short names, and an installed header must not meet another project's "base/".
 file(REMOVE_RECURSE "${stage}")
 list(JOIN rooms "|" any_room)
 foreach(room ${rooms})
-  file(GLOB headers RELATIVE "${source}" "${source}/${room}/*.hpp")
+  file(GLOB_RECURSE headers RELATIVE "${source}" "${source}/${room}/*.hpp")
+  list(FILTER headers EXCLUDE REGEX "/internal/")
   foreach(header ${headers})
     file(READ "${source}/${header}" text)
     string(REGEX REPLACE "#include \"((${any_room})/[^\"]+)\"" "#include \"gloam/\\1\"" text "${text}")

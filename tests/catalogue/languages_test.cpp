@@ -9,9 +9,9 @@
 #include <set>
 #include <tuple>
 
+#include "backend/gl/program.hpp"
 #include "catalogue/catalogue.hpp"
 #include "check/run.hpp"
-#include "gl/program.hpp"
 #include "shader/compile.hpp"
 #include "shader/pack.hpp"
 #include "support/entries.hpp"

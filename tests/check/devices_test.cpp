@@ -3,10 +3,10 @@
 #include <cmath>
 #include <optional>
 
+#include "backend/gl/device.hpp"
 #include "check/internal/kernel_text.hpp"
 #include "check/lab.hpp"
 #include "check/reproduction.hpp"
-#include "gl/device.hpp"
 #include "support/lab.hpp"
 #include "support/matchers.hpp"
 #include "support/test_name.hpp"

@@ -10,10 +10,10 @@
 #include <tuple>
 #include <utility>
 
+#include "backend/gl/device.hpp"
 #include "check/internal/trial.hpp"
 #include "check/prepared_check.hpp"
 #include "check/run.hpp"
-#include "gl/device.hpp"
 #include "support/entries.hpp"
 #include "support/lab.hpp"
 #include "support/test_name.hpp"

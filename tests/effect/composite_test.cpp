@@ -9,11 +9,11 @@
 #include <stdexcept>
 #include <vector>
 
+#include "backend/vulkan/commands.hpp"
+#include "backend/vulkan/resources.hpp"
 #include "effect/composite.hpp"
 #include "effect/internal/passes.hpp"
 #include "effect/internal/steps.hpp"
-#include "gpu/commands.hpp"
-#include "gpu/resources.hpp"
 #include "on_device.hpp"
 #include "reference/geometry_camera.hpp"
 #include "reference/temporal.hpp"

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "gpu/commands.hpp"
+#include "backend/vulkan/commands.hpp"
 
 namespace gloam::effect {
 namespace copy_clock_test {

@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
+#include "backend/vulkan/commands.hpp"
 #include "effect/errors.hpp"
 #include "effect/internal/frame_images.hpp"
 #include "effect/internal/steps.hpp"
 #include "effect/methods.hpp"
-#include "gpu/commands.hpp"
 #include "on_device.hpp"
 #include "scene/camera.hpp"
 #include "scene/rasterize.hpp"

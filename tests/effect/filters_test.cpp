@@ -13,12 +13,12 @@
 #include <tuple>
 #include <vector>
 
+#include "backend/vulkan/commands.hpp"
 #include "effect/ambient_occlusion.hpp"
 #include "effect/errors.hpp"
 #include "effect/internal/passes.hpp"
 #include "effect/internal/steps.hpp"
 #include "effect/settings.hpp"
-#include "gpu/commands.hpp"
 #include "numeric/random.hpp"
 #include "on_device.hpp"
 #include "shader/compile.hpp"

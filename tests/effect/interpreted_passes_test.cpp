@@ -10,12 +10,12 @@
 #include <glm/gtc/packing.hpp>
 #include <map>
 
+#include "backend/vulkan/commands.hpp"
 #include "effect/composite.hpp"
 #include "effect/directional.hpp"
 #include "effect/further_views.hpp"
 #include "effect/internal/steps.hpp"
 #include "effect/methods.hpp"
-#include "gpu/commands.hpp"
 #include "interpreter/machine.hpp"
 #include "on_device.hpp"
 #include "scene/rasterize.hpp"

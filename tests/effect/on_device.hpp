@@ -11,9 +11,9 @@
 #include <tuple>
 #include <vector>
 
+#include "backend/vulkan/device.hpp"
 #include "comparisons.hpp"
 #include "effect/ambient_occlusion.hpp"
-#include "gpu/device.hpp"
 #include "scene/gbuffer.hpp"
 #include "scene/pass_library.hpp"
 #include "scene/rasterize.hpp"

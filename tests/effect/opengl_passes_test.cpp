@@ -14,11 +14,11 @@
 #include <set>
 #include <string>
 
+#include "backend/gl/opened.hpp"
+#include "backend/gl/program.hpp"
 #include "effect/ambient_occlusion.hpp"
 #include "effect/methods.hpp"
 #include "effect/plan.hpp"
-#include "gl/opened.hpp"
-#include "gl/program.hpp"
 #include "numeric/numbers.hpp"
 #include "on_device.hpp"
 #include "scene/pass_library.hpp"

@@ -10,12 +10,12 @@
 #include <span>
 #include <vector>
 
+#include "backend/vulkan/commands.hpp"
+#include "backend/vulkan/resources.hpp"
 #include "effect/internal/passes.hpp"
 #include "effect/internal/steps.hpp"
 #include "effect/internal/tiles.hpp"
 #include "effect/methods.hpp"
-#include "gpu/commands.hpp"
-#include "gpu/resources.hpp"
 #include "on_device.hpp"
 #include "reference/temporal.hpp"
 

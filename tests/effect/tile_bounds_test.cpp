@@ -12,13 +12,13 @@
 #include <stdexcept>
 #include <vector>
 
+#include "backend/vulkan/commands.hpp"
+#include "backend/vulkan/resources.hpp"
 #include "effect/ambient_occlusion.hpp"
 #include "effect/internal/passes.hpp"
 #include "effect/internal/steps.hpp"
 #include "effect/internal/tiles.hpp"
 #include "effect/pixel_classes.hpp"
-#include "gpu/commands.hpp"
-#include "gpu/resources.hpp"
 #include "numeric/random.hpp"
 #include "on_device.hpp"
 #include "surface_views.hpp"

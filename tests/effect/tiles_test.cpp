@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "backend/vulkan/commands.hpp"
+#include "backend/vulkan/resources.hpp"
 #include "effect/internal/progress.hpp"
 #include "effect/internal/tiles.hpp"
-#include "gpu/commands.hpp"
-#include "gpu/resources.hpp"
 #include "on_device.hpp"
 #include "shader/compile.hpp"
 #include "support/matchers.hpp"

@@ -7,8 +7,8 @@
 #include <string>
 #include <tuple>
 
-#include "gl/device.hpp"
-#include "gpu/commands.hpp"
+#include "backend/gl/device.hpp"
+#include "backend/vulkan/commands.hpp"
 #include "shader/pack.hpp"
 #include "support/method_names.hpp"
 #include "wavy_view.hpp"

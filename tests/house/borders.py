@@ -15,31 +15,29 @@ from prose import files_of
 WINGS = {
     "framework": {
         "base": set(),
-        "backend": set(),
-        "gpu": {"base", "backend"},
-        "gl": {"base", "backend"},
+        "backend": {"base"},
         "shader": {"base"},
         "numeric": {"base"},
         "interpreter": {"base", "backend", "shader", "numeric"},
-        "check": {"base", "backend", "gpu", "gl", "shader", "numeric", "interpreter"},
+        "check": {"base", "backend", "shader", "numeric", "interpreter"},
     },
     "occlusion": {
         "reference": {"numeric"},
         "catalogue": {"check", "reference", "numeric"},
-        "scene": {"base", "gpu", "shader", "numeric"},
-        "effect": {"base", "scene", "shader", "gpu", "numeric"},
-        "experiment": {"base", "effect", "scene", "reference", "shader", "gpu", "numeric"},
+        "scene": {"base", "backend", "shader", "numeric"},
+        "effect": {"base", "backend", "scene", "shader", "numeric"},
+        "experiment": {"base", "backend", "effect", "scene", "reference", "shader", "numeric"},
         "report": {"base", "check", "numeric"},
     },
 }
 MAY_INCLUDE = {**WINGS["framework"], **WINGS["occlusion"],
                "tools": {"base", "backend", "report", "experiment", "effect", "scene", "catalogue", "check",
-                         "interpreter", "gpu", "gl", "shader", "numeric"}}
+                         "interpreter", "shader", "numeric"}}
 
-# Libraries that belong to one room, by what their headers are called.
+# Libraries that belong to one room, or one folder of it, by what their headers are called.
 LIBRARY_HOME = {
-    "vulkan": (re.compile(r"(vulkan|vk_\w+\.h)"), "gpu"),
-    "opengl": (re.compile(r"(EGL|GLES\d?|GL|KHR|epoxy)/"), "gl"),
+    "vulkan": (re.compile(r"(vulkan|vk_\w+\.h)"), "backend/vulkan"),
+    "opengl": (re.compile(r"(EGL|GLES\d?|GL|KHR|epoxy)/"), "backend/gl"),
     "glslang": (re.compile(r"(glslang|SPIRV|spirv[-/_]|StandAlone)"), "shader"),
     "assimp": (re.compile(r"assimp/"), "scene"),
     "embree": (re.compile(r"embree"), "scene"),
@@ -165,6 +163,12 @@ def include_style(source):
             yield number, f'{name}: include it as "room/file.hpp", or as <{name}> when it is not ours'
 
 
+def stands_in(source, home):
+    """Whether a source stands in a room, or in a folder of it, as "room/folder": itself, or its tests."""
+    within = "/".join(source.path.parts)
+    return f"/{home}/" in within if source.area in ("harness", "tests") else source.room == home
+
+
 def library_home(source):
     """A library's headers are included in its own room only, and there not in a public header."""
     if source.area == "examples":  # programs of their own
@@ -173,8 +177,8 @@ def library_home(source):
         for library, (pattern, home) in LIBRARY_HOME.items():
             if not pattern.match(name):
                 continue
-            if source.room != home:
-                yield number, f"{name}: {library} headers belong in the room {home}"
+            if not stands_in(source, home):
+                yield number, f"{name}: {library} headers belong in {home}"
             elif source.area == "harness" and source.path.suffix == ".hpp" and not source.internal:
                 yield number, f"{name}: {library} shows in a public header of {home}"
 

@@ -22,21 +22,23 @@ def shader(body, guard="GLOAM_OCCLUSION_SHADE_GLSL"):
 
 CLEAN = {
     "README.md": "See `tools/run`, gloam/occlusion/shade.glsl and harness/WING/ROOM/CMakeLists.txt.\n"
-                 "```cpp\n#include \"gpu/internal/vulkan.hpp\"\n\n    #include <vulkan/vulkan.hpp>\n```\n",
+                 "```cpp\n#include \"backend/vulkan/internal/vulkan.hpp\"\n\n    #include <vulkan/vulkan.hpp>\n```\n",
     "tests/shader/fixtures/odd.glsl": "no licence\n",
     "CMakeLists.txt": "# SPDX-License-Identifier: MIT\nproject(house)\n",
     "tools/run": "#!/usr/bin/env bash\n# SPDX-License-Identifier: MIT\n",
     "tools/main.cpp": SPDX + '#include "report/table.hpp"\n#include "catalogue/catalogue.hpp"\n',
-    "harness/framework/gpu/device.hpp": HPP + "#include <memory>\n",
-    "harness/framework/gpu/device.cpp": SPDX + '#include "gpu/internal/vulkan.hpp"\n#include <vulkan/vulkan.hpp>\n',
-    "harness/framework/gpu/internal/vulkan.hpp": HPP + "#include <vulkan/vulkan_raii.hpp>\n",
+    "harness/framework/backend/vulkan/device.hpp": HPP + "#include <memory>\n",
+    "harness/framework/backend/vulkan/device.cpp":
+        SPDX + '#include "backend/vulkan/internal/vulkan.hpp"\n#include <vulkan/vulkan.hpp>\n',
+    "harness/framework/backend/vulkan/internal/vulkan.hpp": HPP + "#include <vulkan/vulkan_raii.hpp>\n",
     "harness/framework/shader/compile.cpp": SPDX + "#include <glslang/Public/ShaderLang.h>\n",
-    "harness/framework/check/lab.hpp": HPP + '#include "gpu/device.hpp"\n#include "shader/compile.hpp"\n',
+    "harness/framework/check/lab.hpp": HPP + '#include "backend/vulkan/device.hpp"\n#include "shader/compile.hpp"\n',
     "harness/occlusion/scene/mesh.cpp": SPDX + "#include <assimp/Importer.hpp>\n",
     "harness/occlusion/report/png.cpp": SPDX + "#include <stb/stb_image_write.h>\n",
     "harness/occlusion/reference/occlusion.hpp": HPP + "".join(
         f"double gloam_{name}();\n" for name in ("shade", "a", "b", "spare", "copied")),
-    "tests/gpu/device_test.cpp": SPDX + '#include "gpu/internal/vulkan.hpp"\n#include "shader/compile.hpp"\n',
+    "tests/backend/vulkan/device_test.cpp":
+        SPDX + '#include "backend/vulkan/internal/vulkan.hpp"\n#include "shader/compile.hpp"\n',
     "glsl/passes/shade.comp": SPDX + "layout(binding = 0) uniform Block { float x; };  // not gloam_spare(1.0)\n"
                                      "void main() { gloam_shade(1.0, gloam_a() + gloam_b() + gloam_alone()); }\n",
     "glsl/gloam/methods/any.glsl": shader(
@@ -58,33 +60,33 @@ CLEAN = {
 # rule: (file, its whole text, line) for each way to break it
 PLANTED = {
     "room_include": [
-        ("harness/framework/gpu/wrong.cpp", SPDX + '#include "check/lab.hpp"\n', 2),
-        ("harness/framework/numeric/wrong.hpp", HPP + '#include "gpu/device.hpp"\n', 4),
+        ("harness/framework/backend/vulkan/wrong.cpp", SPDX + '#include "check/lab.hpp"\n', 2),
+        ("harness/framework/numeric/wrong.hpp", HPP + '#include "backend/vulkan/device.hpp"\n', 4),
         ("harness/occlusion/report/wrong.cpp", SPDX + '#  include "scene/mesh.hpp"\n', 2),
         ("harness/occlusion/reference/wrong.hpp", HPP + '#include "check/lab.hpp"\n', 4),
         ("tools/wrong.cpp", SPDX + '#include "reference/math.hpp"\n', 2),
     ],
     "wing": [
-        ("harness/gpu/wrong.cpp", SPDX, 1),
-        ("harness/occlusion/gpu/wrong.cpp", SPDX, 1),
+        ("harness/backend/wrong.cpp", SPDX, 1),
+        ("harness/occlusion/backend/wrong.cpp", SPDX, 1),
         ("harness/framework/report/wrong.cpp", SPDX, 1),
         ("harness/framework/wrong.cpp", SPDX, 1),
     ],
     "internal_include": [
-        ("harness/framework/check/wrong.cpp", SPDX + '#include "gpu/internal/vulkan.hpp"\n', 2),
-        ("tests/check/wrong_test.cpp", SPDX + '#include "gpu/internal/vulkan.hpp"\n', 2),
+        ("harness/framework/check/wrong.cpp", SPDX + '#include "backend/vulkan/internal/vulkan.hpp"\n', 2),
+        ("tests/check/wrong_test.cpp", SPDX + '#include "backend/vulkan/internal/vulkan.hpp"\n', 2),
     ],
     "include_style": [
-        ("harness/framework/gpu/wrong.cpp", SPDX + '#include "device.hpp"\n', 2),
-        ("harness/framework/gpu/wrong.cpp", SPDX + '#include "../check/lab.hpp"\n', 2),
-        ("harness/framework/check/wrong.cpp", SPDX + "#include <gpu/device.hpp>\n", 2),
+        ("harness/framework/backend/vulkan/wrong.cpp", SPDX + '#include "device.hpp"\n', 2),
+        ("harness/framework/backend/vulkan/wrong.cpp", SPDX + '#include "../check/lab.hpp"\n', 2),
+        ("harness/framework/check/wrong.cpp", SPDX + "#include <backend/vulkan/device.hpp>\n", 2),
     ],
     "library_home": [
         ("harness/framework/check/wrong.cpp", SPDX + "#include <vulkan/vulkan.h>\n", 2),
-        ("harness/framework/gpu/wrong.hpp", HPP + "#include <vulkan/vulkan.h>\n", 4),
+        ("harness/framework/backend/vulkan/wrong.hpp", HPP + "#include <vulkan/vulkan.h>\n", 4),
         ("tests/effect/wrong_test.cpp", SPDX + "#include <vulkan/vulkan.hpp>\n", 2),
-        ("harness/framework/gpu/wrong.cpp", SPDX + "#include <glslang/Public/ShaderLang.h>\n", 2),
-        ("harness/framework/gpu/wrong.cpp", SPDX + "#include <spirv-tools/libspirv.hpp>\n", 2),
+        ("harness/framework/backend/vulkan/wrong.cpp", SPDX + "#include <glslang/Public/ShaderLang.h>\n", 2),
+        ("harness/framework/backend/vulkan/wrong.cpp", SPDX + "#include <spirv-tools/libspirv.hpp>\n", 2),
         ("harness/occlusion/report/wrong.cpp", SPDX + "#include <assimp/scene.h>\n", 2),
         ("harness/occlusion/effect/wrong.cpp", SPDX + "#include <embree4/rtcore.h>\n", 2),
         ("harness/occlusion/scene/wrong.cpp", SPDX + "#include <stb/stb_image.h>\n", 2),
@@ -123,17 +125,17 @@ PLANTED = {
          shader("// No method.\nfloat gloam_any(float x) { return x; }", guard="GLOAM_METHODS_ANY_GLSL"), 6),
     ],
     "guard": [
-        ("harness/framework/gpu/wrong.hpp", SPDX + "#include <memory>\n", 1),
+        ("harness/framework/backend/vulkan/wrong.hpp", SPDX + "#include <memory>\n", 1),
         ("glsl/gloam/occlusion/shade.glsl", SPDX + "// Shades.\nfloat gloam_shade() { return 1.0; }\n", 1),
         ("glsl/gloam/occlusion/shade.glsl", shader("", guard="GLOAM_OCCLUSION_OTHER_GLSL"), 1),
         ("glsl/gloam/occlusion/shade.glsl", shader("") + "#define GLOAM_AFTER\n", 1),
     ],
     "spdx": [
-        ("harness/framework/gpu/wrong.cpp", "int x = 0;\n", 1),
-        ("harness/framework/gpu/wrong.cpp", "// SPDX-License-Identifier: GPL-3.0-only\n", 1),
-        ("harness/framework/gpu/wrong.cpp", "\n" + SPDX, 1),
+        ("harness/framework/backend/vulkan/wrong.cpp", "int x = 0;\n", 1),
+        ("harness/framework/backend/vulkan/wrong.cpp", "// SPDX-License-Identifier: GPL-3.0-only\n", 1),
+        ("harness/framework/backend/vulkan/wrong.cpp", "\n" + SPDX, 1),
         ("glsl/passes/wrong.comp", "void main() {}\n", 1),
-        ("harness/framework/gpu/CMakeLists.txt", "gloam_room(gpu)\n", 1),
+        ("harness/framework/backend/vulkan/CMakeLists.txt", "gloam_room(gpu)\n", 1),
         ("cmake/wrong.cmake", "", 1),
         ("tests/house/wrong.py", "import sys\n", 1),
         ("tools/wrong", "#!/usr/bin/env bash\nset -e\n", 1),
@@ -146,9 +148,9 @@ PLANTED = {
         ("README.md", "A house.\n\n```cpp\n#include <memory>\n#include <no_such>\n```\n", 3),
         ("docs/page.md", "```glsl\nfloat no_such();\n```\n", 1),
     ],
-    "length": [("harness/framework/gpu/wrong.cpp", SPDX + "\n" * 400, 401)],
+    "length": [("harness/framework/backend/vulkan/wrong.cpp", SPDX + "\n" * 400, 401)],
     "machine_path": [
-        ("harness/framework/gpu/wrong.cpp", f'{SPDX}const char* file = "{FOLDER}/x.obj";\n', 2),
+        ("harness/framework/backend/vulkan/wrong.cpp", f'{SPDX}const char* file = "{FOLDER}/x.obj";\n', 2),
         ("README.md", f"See `{FOLDER}`.\n", 1),
         ("CMakePresets.json", f'{{"binaryDir": "{FOLDER}"}}\n', 1),
     ],
@@ -197,14 +199,15 @@ class Borders(unittest.TestCase):
         path, text, line = PLANTED["room_include"][0]
         with house({path: text}) as folder:
             status, output = run_main(folder)
-        self.assertEqual((status, output), (1, f"{path}:{line}: [room_include] gpu may not include check/lab.hpp\n"))
+        expected = f"{path}:{line}: [room_include] backend may not include check/lab.hpp\n"
+        self.assertEqual((status, output), (1, expected))
 
     def test_a_folder_that_is_no_house_is_an_error(self):
         with tempfile.TemporaryDirectory() as folder:
             self.assertEqual(run_main(folder)[0], 2)
 
     def test_a_file_of_exactly_the_limit_is_short_enough(self):
-        with house({"harness/framework/gpu/long.cpp": SPDX + "\n" * (borders.MAX_LINES - 1)}) as folder:
+        with house({"harness/framework/backend/vulkan/long.cpp": SPDX + "\n" * (borders.MAX_LINES - 1)}) as folder:
             self.assertEqual(borders.violations(folder), [])
 
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "gpu/commands.hpp"
-#include "gpu/resources.hpp"
+#include "backend/vulkan/commands.hpp"
+#include "backend/vulkan/resources.hpp"
 #include "interpreter/machine.hpp"
 #include "numeric/paths.hpp"
 #include "shader/compile.hpp"

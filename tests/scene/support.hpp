@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "gpu/gpu_test.hpp"
+#include "backend/vulkan/gpu_test.hpp"
 #include "scene/pass_library.hpp"
 #include "scene/read_gbuffer.hpp"
 

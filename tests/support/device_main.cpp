@@ -8,7 +8,7 @@
 #include <span>
 #include <string_view>
 
-#include "gpu/device.hpp"
+#include "backend/vulkan/device.hpp"
 #include "support/seen_files.hpp"
 
 // main() of tests that open devices. With --swiftshader they run on a browser's SwiftShader; without one they

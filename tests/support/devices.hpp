@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "gpu/device.hpp"
+#include "backend/vulkan/device.hpp"
 
 namespace gloam::test {
 

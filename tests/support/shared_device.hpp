@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "gpu/device.hpp"
+#include "backend/vulkan/device.hpp"
 #include "support/environment.hpp"
 
 namespace gloam::test {

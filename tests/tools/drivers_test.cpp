@@ -3,8 +3,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "gl/device.hpp"
-#include "gpu/device.hpp"
+#include "backend/gl/device.hpp"
+#include "backend/vulkan/device.hpp"
 #include "tools/expect.hpp"
 #include "tools/installation.hpp"
 

@@ -10,9 +10,9 @@
 #include <cstdlib>
 #include <vector>
 
-#include "gpu/commands.hpp"
-#include "gpu/device.hpp"
-#include "gpu/resources.hpp"
+#include "backend/vulkan/commands.hpp"
+#include "backend/vulkan/device.hpp"
+#include "backend/vulkan/resources.hpp"
 #include "shader/compile.hpp"
 
 namespace gloam {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "gpu/resources.hpp"
+#include "backend/vulkan/resources.hpp"
 
 namespace gloam::cli {
 

@@ -12,6 +12,7 @@
 #include <optional>
 #include <thread>
 
+#include "backend/gl/device.hpp"
 #include "base/threads.hpp"
 #include "catalogue/catalogue.hpp"
 #include "cli/check/checker.hpp"
@@ -22,7 +23,6 @@
 #include "cli/names.hpp"
 #include "cli/open_device.hpp"
 #include "cli/progress.hpp"
-#include "gl/device.hpp"
 #include "report/check_page.hpp"
 #include "report/check_report.hpp"
 #include "report/output.hpp"

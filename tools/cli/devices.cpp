@@ -8,13 +8,13 @@
 #include <stdexcept>
 
 #include "backend/backend.hpp"
+#include "backend/gl/device.hpp"
+#include "backend/vulkan/device.hpp"
 #include "base/process.hpp"
 #include "base/text.hpp"
 #include "check/lab.hpp"
 #include "cli/check/checker.hpp"
 #include "cli/open_device.hpp"
-#include "gl/device.hpp"
-#include "gpu/device.hpp"
 
 namespace gloam::cli {
 namespace {

@@ -16,11 +16,11 @@
 #include <utility>
 #include <vector>
 
+#include "backend/vulkan/device.hpp"
 #include "base/process.hpp"
 #include "base/text.hpp"
 #include "cli/check/checker.hpp"
 #include "cli/check/task.hpp"
-#include "gpu/device.hpp"
 
 namespace gloam::cli {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "backend/vulkan/device.hpp"
 #include "check/answer.hpp"
-#include "gpu/device.hpp"
 #include "report/check_report.hpp"
 
 namespace CLI {
@@ -65,7 +65,7 @@ void ask_for_driver(const std::filesystem::path& manifest);
 // std::runtime_error if every driver is disabled.
 void require_good_drivers();
 
-// The OpenGL and OpenGL ES devices of one executor (gl/device.hpp), or why there are none.
+// The OpenGL and OpenGL ES devices of one executor (backend/gl/device.hpp), or why there are none.
 struct GlExecutor {
     std::string name;
     std::vector<report::DeviceSummary> devices;

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "backend/vulkan/device.hpp"
 #include "cli/render.hpp"
 #include "effect/errors.hpp"
-#include "gpu/device.hpp"
 #include "report/output.hpp"
 #include "scene/gbuffer.hpp"
 #include "scene/image_files.hpp"

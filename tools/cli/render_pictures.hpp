@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "backend/vulkan/device.hpp"
 #include "effect/ambient_occlusion.hpp"
 #include "effect/composite.hpp"
 #include "effect/errors.hpp"
-#include "gpu/device.hpp"
 #include "report/image.hpp"
 #include "report/output.hpp"
 #include "report/page.hpp"

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "backend/vulkan/device.hpp"
 #include "cli/render.hpp"
 #include "cli/render_input.hpp"
 #include "cli/render_pictures.hpp"
 #include "effect/directional.hpp"
 #include "effect/errors.hpp"
 #include "effect/pixel_classes.hpp"
-#include "gpu/device.hpp"
 #include "report/output.hpp"
 #include "scene/gbuffer.hpp"
 #include "scene/lighting.hpp"

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "backend/vulkan/device.hpp"
 #include "check/lab.hpp"
 #include "effect/methods.hpp"
-#include "gpu/device.hpp"
 #include "scene/pass_library.hpp"
 
 namespace gloam::catalogue {
@@ -112,7 +112,7 @@ constexpr const char* poison_name = "poison";
 // A size at the device's limit is tried less often in a brief run.
 [[nodiscard]] Row one_size(const Context& context, gpu::Extent size);
 
-// One way to stress the library. `go` throws what the gpu, check and effect rooms throw.
+// One way to stress the library. `go` throws what the backend, check and effect rooms throw.
 struct Run {
     std::string name;         // one word, "long-run"
     std::string description;  // one line

@@ -5,8 +5,8 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 
+#include "backend/gl/device.hpp"
 #include "check/internal/kernel_text.hpp"
-#include "gl/device.hpp"
 #include "shader/spirv.hpp"
 
 namespace gloam::check {

@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "backend/backend.hpp"
+#include "backend/vulkan/device.hpp"
 #include "check/kernel_code.hpp"
 #include "check/signature.hpp"
-#include "gpu/device.hpp"
 #include "shader/compile.hpp"
 #include "shader/pack.hpp"
 
@@ -77,7 +77,7 @@ inline constexpr std::string_view interpreter_name = "interpreter";
 
 struct LabOptions {
     std::string device;                                // see gpu::DeviceOptions; or interpreter_name;
-                                                       // or an OpenGL device (gl/device.hpp)
+                                                       // or an OpenGL device (backend/gl/device.hpp)
     bool validation = false;                           // Vulkan validation layers on; any message is an error
     std::vector<std::filesystem::path> include_roots;  // folders searched for GLSL files, in order
     std::filesystem::path cache_directory;             // of compiled shaders and pipelines; empty: no cache

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "backend/gl/kernel.hpp"
 #include "check/internal/budget_judge.hpp"
 #include "check/internal/kernel_text.hpp"
 #include "check/internal/trial.hpp"
 #include "check/interpreted_kernel.hpp"
 #include "check/kernel_code.hpp"
-#include "gl/kernel.hpp"
 #include "numeric/numbers.hpp"
 #include "shader/wgsl.hpp"
 

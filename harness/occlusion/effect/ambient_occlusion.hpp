@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "backend/vulkan/device.hpp"
+#include "backend/vulkan/resources.hpp"
 #include "effect/plan.hpp"
 #include "effect/settings.hpp"
-#include "gpu/device.hpp"
-#include "gpu/resources.hpp"
 #include "scene/gbuffer.hpp"
 #include "scene/pass_library.hpp"
 

@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "backend/vulkan/commands.hpp"
+#include "backend/vulkan/device.hpp"
+#include "backend/vulkan/resources.hpp"
 #include "effect/plan.hpp"
-#include "gpu/commands.hpp"
-#include "gpu/device.hpp"
-#include "gpu/resources.hpp"
 #include "scene/lighting.hpp"
 #include "scene/pass_library.hpp"
 

@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
+#include "backend/vulkan/device.hpp"
 #include "effect/plan.hpp"
 #include "effect/settings.hpp"
-#include "gpu/device.hpp"
 #include "scene/gbuffer.hpp"
 #include "scene/image_files.hpp"
 #include "scene/pass_library.hpp"

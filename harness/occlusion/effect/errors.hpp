@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "backend/vulkan/resources.hpp"
 #include "effect/pixel_classes.hpp"
-#include "gpu/resources.hpp"
 #include "scene/gbuffer.hpp"
 
 namespace gloam::effect {

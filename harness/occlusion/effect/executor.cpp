@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include "backend/vulkan/commands.hpp"
 #include "effect/internal/executor.hpp"
 #include "effect/internal/frame_images.hpp"
 #include "effect/internal/passes.hpp"
 #include "effect/internal/work.hpp"
-#include "gpu/commands.hpp"
 #include "scene/gbuffer.hpp"
 #include "shader/reflection.hpp"
 

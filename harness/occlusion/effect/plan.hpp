@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "backend/vulkan/commands.hpp"
+#include "backend/vulkan/resources.hpp"
 #include "effect/settings.hpp"
-#include "gpu/commands.hpp"
-#include "gpu/resources.hpp"
 #include "scene/camera.hpp"
 #include "scene/pass_library.hpp"
 

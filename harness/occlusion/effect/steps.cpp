@@ -3,8 +3,8 @@
 
 #include <map>
 
+#include "backend/vulkan/commands.hpp"
 #include "effect/internal/work.hpp"
-#include "gpu/commands.hpp"
 
 namespace gloam::effect {
 namespace {

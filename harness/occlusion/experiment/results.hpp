@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include "backend/vulkan/device.hpp"
 #include "experiment/configuration_study.hpp"
 #include "experiment/experiment.hpp"
-#include "gpu/device.hpp"
 
 namespace gloam::experiment {
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "backend/vulkan/device.hpp"
 #include "experiment/results.hpp"
-#include "gpu/device.hpp"
 #include "scene/analytic_scene.hpp"
 #include "scene/pass_library.hpp"
 #include "scene/truth.hpp"

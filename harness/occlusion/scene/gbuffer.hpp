@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "gpu/resources.hpp"
+#include "backend/vulkan/resources.hpp"
 #include "scene/camera.hpp"
 
 namespace gloam::scene {

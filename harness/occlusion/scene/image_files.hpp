@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "gpu/resources.hpp"
+#include "backend/vulkan/resources.hpp"
 
 namespace gloam::scene {
 

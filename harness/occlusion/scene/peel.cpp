@@ -6,7 +6,7 @@
 #include <functional>
 #include <limits>
 
-#include "gpu/commands.hpp"
+#include "backend/vulkan/commands.hpp"
 
 namespace gloam::scene {
 namespace {

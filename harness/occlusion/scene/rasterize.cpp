@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "gpu/commands.hpp"
+#include "backend/vulkan/commands.hpp"
 #include "scene/internal/peel.hpp"
 
 namespace gloam::scene {

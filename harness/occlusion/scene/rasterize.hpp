@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "gpu/device.hpp"
+#include "backend/vulkan/device.hpp"
 #include "scene/gbuffer.hpp"
 #include "scene/mesh.hpp"
 #include "scene/pass_library.hpp"

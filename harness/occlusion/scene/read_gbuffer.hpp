@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "gpu/resources.hpp"
+#include "backend/vulkan/resources.hpp"
 #include "scene/camera.hpp"
 #include "scene/gbuffer.hpp"
 

@@ -17,14 +17,14 @@
 #include <string>
 #include <vector>
 
+#include "backend/vulkan/commands.hpp"
+#include "backend/vulkan/resources.hpp"
 #include "catalogue/catalogue.hpp"
 #include "check/lab.hpp"
 #include "cli/environment.hpp"
 #include "cli/names.hpp"
 #include "cli/open_device.hpp"
 #include "cli/progress.hpp"
-#include "gpu/commands.hpp"
-#include "gpu/resources.hpp"
 #include "numeric/numbers.hpp"
 #include "report/output.hpp"
 

@@ -9,10 +9,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "backend/gl/device.hpp"
 #include "base/text.hpp"
 #include "check/answer.hpp"
 #include "check/reproduction.hpp"
-#include "gl/device.hpp"
 #include "numeric/numbers.hpp"
 #include "report/check_report.hpp"
 #include "report/failures.hpp"

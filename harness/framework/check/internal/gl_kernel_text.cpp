@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
+#include "backend/gl/kernel.hpp"
+#include "backend/gl/resources.hpp"
 #include "base/text.hpp"
-#include "gl/kernel.hpp"
-#include "gl/resources.hpp"
 #include "shader/pack.hpp"
 #include "shader/spirv.hpp"
 

@@ -60,9 +60,10 @@ struct Evaluation {
 // The whole main() of a kernel that reads its inputs from a storage buffer.
 [[nodiscard]] std::string main_of(const shader::Function& function);
 
-// The kernel of a function as a device takes it whose kernels are texts in this language (gl/kernel.hpp): a
-// compute shader, else a fragment shader. It includes nothing. Throws backend::Unsupported for a function
-// that is no text of this language, and where there are no compute shaders for one that stores to images.
+// The kernel of a function as a device takes it whose kernels are texts in this language
+// (backend/gl/kernel.hpp): a compute shader, else a fragment shader. It includes nothing. Throws
+// backend::Unsupported for a function that is no text of this language, and where there are no compute
+// shaders for one that stores to images.
 [[nodiscard]] std::string gl_kernel_code(shader::Language language, const KernelSource& source,
                                          const std::vector<std::filesystem::path>& include_roots);
 

@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "backend/vulkan/resources.hpp"
 #include "effect/internal/steps.hpp"
 #include "effect/plan.hpp"
 #include "effect/settings.hpp"
-#include "gpu/resources.hpp"
 #include "scene/gbuffer.hpp"
 #include "scene/pass_library.hpp"
 

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "backend/vulkan/resources.hpp"
 #include "effect/plan.hpp"
 #include "effect/settings.hpp"
-#include "gpu/resources.hpp"
 
 namespace gloam::effect {
 

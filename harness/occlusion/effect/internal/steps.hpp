@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "backend/vulkan/commands.hpp"
 #include "effect/ambient_occlusion.hpp"
 #include "effect/plan.hpp"
-#include "gpu/commands.hpp"
 
 namespace gloam::effect {
 

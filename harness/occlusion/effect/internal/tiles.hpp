@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "backend/vulkan/resources.hpp"
 #include "effect/settings.hpp"
-#include "gpu/resources.hpp"
 
 namespace gloam::effect {
 

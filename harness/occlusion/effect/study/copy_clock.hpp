@@ -3,8 +3,8 @@
 
 #include <deque>
 
-#include "gpu/commands.hpp"
-#include "gpu/resources.hpp"
+#include "backend/vulkan/commands.hpp"
+#include "backend/vulkan/resources.hpp"
 #include "scene/pass_library.hpp"
 
 namespace gloam::effect {

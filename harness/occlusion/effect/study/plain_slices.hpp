@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "gpu/commands.hpp"
-#include "gpu/resources.hpp"
+#include "backend/vulkan/commands.hpp"
+#include "backend/vulkan/resources.hpp"
 #include "scene/gbuffer.hpp"
 #include "scene/pass_library.hpp"
 

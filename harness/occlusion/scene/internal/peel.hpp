@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "gpu/device.hpp"
-#include "gpu/resources.hpp"
+#include "backend/vulkan/device.hpp"
+#include "backend/vulkan/resources.hpp"
 #include "scene/mesh.hpp"
 #include "scene/pass_library.hpp"
 

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: MIT
+#include "backend/gl/program.hpp"
+
+#include <fmt/format.h>
+#include <regex>
+#include <sstream>
+#include <stdexcept>
+
+#include "backend/gl/internal/context.hpp"
+
+namespace gloam::gl {
+namespace {
+
+using internal::Functions;
+
+constexpr const char* covering_triangle = R"(
+void main() {
+    vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
+    gl_Position = vec4(corner, 0.0, 1.0);
+}
+)";
+
+std::string line_of(const std::string& text, std::size_t number) {
+    std::istringstream lines(text);
+    std::string line;
+    for (std::size_t i = 0; i < number; ++i)
+        if (!std::getline(lines, line)) return "";
+    return line;
+}
+
+std::string one_line(std::string log) {
+    while (!log.empty() && (log.back() == '\n' || log.back() == '\0')) log.pop_back();
+    std::string text;
+    for (const char c : log) text += c == '\n' ? std::string(" | ") : std::string(1, c);
+    return text.empty() ? "no message" : text;
+}
+
+// "0:12(5): error: ..." of Mesa, "ERROR: 0:12: ..." of others: the line of the first message.
+std::string with_line(const ShaderText& shader, const std::string& log) {
+    static const std::regex place(R"((?:^|[^\d])\d+:(\d+)(?:\(\d+\))?:)");
+    std::smatch found;
+    if (!std::regex_search(log, found, place)) return fmt::format("{}: {}", shader.name, one_line(log));
+    const std::size_t line = std::stoul(found[1]);
+    return fmt::format("{}: line {}: {} [{}]", shader.name, line, one_line(log), line_of(shader.text, line));
+}
+
+// A shader object, until it is part of a program.
+class Shader {
+  public:
+    Shader(const Functions& gl, GLenum stage, const ShaderText& shader)
+        : gl_(gl), handle_(gl.CreateShader(stage)) {
+        const char* const text = shader.text.c_str();
+        gl_.ShaderSource(handle_, 1, &text, nullptr);
+        gl_.CompileShader(handle_);
+        GLint compiled = GL_FALSE;
+        gl_.GetShaderiv(handle_, GL_COMPILE_STATUS, &compiled);
+        if (compiled == GL_TRUE) return;
+        const std::string message = with_line(shader, log());
+        gl_.DeleteShader(handle_);
+        throw CompileFailed(message);
+    }
+    ~Shader() { gl_.DeleteShader(handle_); }
+    Shader(const Shader&) = delete;
+    Shader& operator=(const Shader&) = delete;
+
+    [[nodiscard]] GLuint handle() const { return handle_; }
+
+  private:
+    [[nodiscard]] std::string log() const {
+        GLint length = 0;
+        gl_.GetShaderiv(handle_, GL_INFO_LOG_LENGTH, &length);
+        std::string text(static_cast<std::size_t>(std::max(length, 1)), '\0');
+        gl_.GetShaderInfoLog(handle_, static_cast<GLsizei>(text.size()), nullptr, text.data());
+        return text;
+    }
+
+    const Functions& gl_;
+    GLuint handle_;
+};
+
+std::string link_log(const Functions& gl, GLuint program) {
+    GLint length = 0;
+    gl.GetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
+    std::string text(static_cast<std::size_t>(std::max(length, 1)), '\0');
+    gl.GetProgramInfoLog(program, static_cast<GLsizei>(text.size()), nullptr, text.data());
+    return one_line(text);
+}
+
+}  // namespace
+
+Program::Program(const Device& device, Stage stage, const ShaderText& shader) : device_(&device) {
+    const Functions& gl = device.context().use();
+    const Shader own(gl, stage == Stage::compute ? GL_COMPUTE_SHADER : GL_FRAGMENT_SHADER, shader);
+    std::unique_ptr<Shader> vertices;
+    if (stage == Stage::fragment) {
+        const std::string version = shader.text.substr(0, shader.text.find('\n'));
+        vertices = std::make_unique<Shader>(
+            gl, GL_VERTEX_SHADER, ShaderText{"vertex shader of " + shader.name, version + covering_triangle});
+    }
+    handle_ = gl.CreateProgram();
+    gl.AttachShader(handle_, own.handle());
+    if (vertices) gl.AttachShader(handle_, vertices->handle());
+    gl.LinkProgram(handle_);
+    GLint linked = GL_FALSE;
+    gl.GetProgramiv(handle_, GL_LINK_STATUS, &linked);
+    if (linked == GL_TRUE) return;
+    const std::string message = fmt::format("{}: does not link: {}", shader.name, link_log(gl, handle_));
+    gl.DeleteProgram(handle_);
+    throw LinkFailed(message);
+}
+
+Program::~Program() {
+    if (handle_ != 0) device_->context().use().DeleteProgram(handle_);
+}
+
+Program::Program(Program&& other) noexcept
+    : device_(other.device_), handle_(std::exchange(other.handle_, 0U)) {}
+
+namespace {
+
+void require_compute(const Device& device) {
+    if (!has_compute(device.info().id.version))
+        throw CallFailed(to_string(device.info().id.version) + " has no compute shaders");
+}
+
+}  // namespace
+
+void dispatch(const Device& device, const Dispatch& work) {
+    const internal::Context& context = device.context();
+    const internal::Functions& gl = context.use();
+    require_compute(device);
+    gl.UseProgram(work.program.handle());
+    for (std::size_t i = 0; i < work.storage.size(); ++i)
+        gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(i), work.storage[i].get().handle());
+    gl.BindBufferBase(GL_UNIFORM_BUFFER, work.uniform_binding, work.uniforms.handle());
+    gl.DispatchCompute(work.groups, 1, 1);
+    gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+    gl.Finish();
+    context.check("a compute shader");
+}
+
+void dispatch(const Device& device, const ImageDispatch& work) {
+    const internal::Context& context = device.context();
+    const internal::Functions& gl = context.use();
+    require_compute(device);
+    gl.UseProgram(work.program.handle());
+    for (const auto& [binding, image] : work.images) {
+        gl.BindImageTexture(binding, image.get().handle(), 0, GL_FALSE, 0, GL_READ_WRITE,
+                            internal::format_of(image.get().format()));
+        gl.ActiveTexture(GL_TEXTURE0 + binding);
+        gl.BindTexture(GL_TEXTURE_2D, image.get().handle());
+    }
+    gl.ActiveTexture(GL_TEXTURE0);
+    for (const auto& [binding, buffer] : work.storage)
+        gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer.get().handle());
+    for (const auto& [binding, buffer] : work.uniforms)
+        gl.BindBufferBase(GL_UNIFORM_BUFFER, binding, buffer.get().handle());
+    gl.DispatchCompute(work.groups[0], work.groups[1], work.groups[2]);
+    gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
+    gl.Finish();
+    context.check("a compute shader over images");
+}
+
+namespace {
+
+using internal::Context;
+using internal::Functions;
+
+// Targets and their framebuffer, bound for drawing and reading while the object lives.
+class Targets {
+  public:
+    Targets(const Context& context, const Draw& work)
+        : gl_(context.functions), work_(work), textures_(work.targets) {
+        gl_.GenTextures(static_cast<GLsizei>(textures_.size()), textures_.data());
+        gl_.GenFramebuffers(1, &framebuffer_);
+        gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+        std::vector<GLenum> places;
+        gl_.ActiveTexture(GL_TEXTURE0);
+        for (std::size_t i = 0; i < textures_.size(); ++i) {
+            gl_.BindTexture(GL_TEXTURE_2D, textures_[i]);
+            gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32UI, width(), height(), 0, GL_RGBA_INTEGER,
+                           GL_UNSIGNED_INT, nullptr);
+            gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+            places.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i));
+            gl_.FramebufferTexture2D(GL_FRAMEBUFFER, places.back(), GL_TEXTURE_2D, textures_[i], 0);
+        }
+        gl_.DrawBuffers(static_cast<GLsizei>(places.size()), places.data());
+    }
+    ~Targets() {
+        gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
+        gl_.DeleteFramebuffers(1, &framebuffer_);
+        gl_.DeleteTextures(static_cast<GLsizei>(textures_.size()), textures_.data());
+    }
+    Targets(const Targets&) = delete;
+    Targets& operator=(const Targets&) = delete;
+
+    [[nodiscard]] bool complete() const {
+        return gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+    }
+
+    [[nodiscard]] std::vector<std::vector<Word>> read() const {
+        std::vector<std::vector<Word>> all;
+        gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
+        for (std::size_t i = 0; i < textures_.size(); ++i) {
+            all.emplace_back(work_.width * work_.height * 4);
+            gl_.ReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i));
+            gl_.ReadPixels(0, 0, width(), height(), GL_RGBA_INTEGER, GL_UNSIGNED_INT, all.back().data());
+        }
+        return all;
+    }
+
+  private:
+    [[nodiscard]] GLsizei width() const { return static_cast<GLsizei>(work_.width); }
+    [[nodiscard]] GLsizei height() const { return static_cast<GLsizei>(work_.height); }
+
+    const Functions& gl_;
+    const Draw& work_;
+    std::vector<GLuint> textures_;
+    GLuint framebuffer_ = 0;
+};
+
+void set_uniforms(const Functions& gl, const Draw& work) {
+    const GLuint program = work.program.handle();
+    gl.UseProgram(program);
+    for (std::size_t i = 0; i < work.textures.size(); ++i) {
+        gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
+        gl.BindTexture(GL_TEXTURE_2D, work.textures[i].second->handle());
+        gl.Uniform1i(gl.GetUniformLocation(program, work.textures[i].first.c_str()), static_cast<GLint>(i));
+    }
+    for (const auto& [name, value] : work.uniforms)
+        gl.Uniform1ui(gl.GetUniformLocation(program, name.c_str()), value);
+}
+
+}  // namespace
+
+std::vector<std::vector<Word>> draw(const Device& device, const Draw& work) {
+    if (work.width == 0 || work.height == 0 || work.targets == 0 ||
+        work.targets > device.info().max_draw_buffers)
+        throw std::invalid_argument("a draw has pixels and 1 to max_draw_buffers targets");
+    const Context& context = device.context();
+    const Functions& gl = context.use();
+    const Targets targets(context, work);
+    context.check("the targets of a fragment shader");
+    if (!targets.complete()) throw CallFailed("OpenGL cannot draw to targets of four words");
+    set_uniforms(gl, work);
+    for (const GLenum test :
+         std::array<GLenum, 5>{GL_BLEND, GL_CULL_FACE, GL_DEPTH_TEST, GL_DITHER, GL_SCISSOR_TEST})
+        gl.Disable(test);
+    gl.Viewport(0, 0, static_cast<GLsizei>(work.width), static_cast<GLsizei>(work.height));
+    gl.BindVertexArray(context.vertex_array);
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    std::vector<std::vector<Word>> words = targets.read();
+    context.check("a fragment shader");
+    return words;
+}
+
+}  // namespace gloam::gl

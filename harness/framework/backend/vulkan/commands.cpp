@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: MIT
+#include "backend/vulkan/commands.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "backend/vulkan/internal/context.hpp"
+#include "backend/vulkan/internal/objects.hpp"
+
+namespace gloam::gpu {
+namespace {
+
+void check_count(const Context& context, const ComputeProgram& program, BindingKind kind,
+                 std::uint32_t limit) {
+    const auto count = std::ranges::count(program.bindings, kind);
+    if (count > limit) {
+        throw std::invalid_argument(
+            fmt::format("compute pipeline with {} {} bindings: device \"{}\" allows {}", count, name_of(kind),
+                        context.physical.info.name, limit));
+    }
+}
+
+vk::raii::DescriptorSetLayout make_set_layout(const Context& context, const ComputeProgram& program) {
+    const auto& limits = context.physical.properties.limits;
+    check_count(context, program, BindingKind::storage_buffer, limits.maxPerStageDescriptorStorageBuffers);
+    check_count(context, program, BindingKind::storage_image, limits.maxPerStageDescriptorStorageImages);
+    check_count(context, program, BindingKind::sampled_image,
+                std::min(limits.maxPerStageDescriptorSampledImages, limits.maxPerStageDescriptorSamplers));
+    std::vector<vk::DescriptorSetLayoutBinding> bindings;
+    for (const auto kind : program.bindings) {
+        bindings.push_back({.binding = static_cast<std::uint32_t>(bindings.size()),
+                            .descriptorType = descriptor_type(kind),
+                            .descriptorCount = 1,
+                            .stageFlags = vk::ShaderStageFlagBits::eCompute});
+    }
+    return {context.device,
+            vk::DescriptorSetLayoutCreateInfo{.bindingCount = static_cast<std::uint32_t>(bindings.size()),
+                                              .pBindings = bindings.data()}};
+}
+
+vk::raii::PipelineLayout make_layout(const Context& context, const vk::raii::DescriptorSetLayout& set_layout,
+                                     std::uint32_t push_constant_bytes) {
+    check_push_constant_size(context, push_constant_bytes);
+    const vk::PushConstantRange range{.stageFlags = vk::ShaderStageFlagBits::eCompute,
+                                      .size = push_constant_bytes};
+    return {context.device,
+            vk::PipelineLayoutCreateInfo{.setLayoutCount = 1,
+                                         .pSetLayouts = &*set_layout,
+                                         .pushConstantRangeCount = push_constant_bytes > 0 ? 1u : 0u,
+                                         .pPushConstantRanges = &range}};
+}
+
+vk::raii::Pipeline make_pipeline(const Context& context, const vk::raii::PipelineLayout& layout,
+                                 const ComputeProgram& program) {
+    const auto module = make_module(context, program.spirv);
+    const auto& constants = program.constants;
+    std::vector<vk::SpecializationMapEntry> entries;
+    for (const auto& constant : constants) {
+        const auto offset = entries.size() * sizeof constant + offsetof(SpecializationConstant, bits);
+        entries.push_back({.constantID = constant.id,
+                           .offset = static_cast<std::uint32_t>(offset),
+                           .size = sizeof constant.bits});
+    }
+    const vk::SpecializationInfo specialization{.mapEntryCount = static_cast<std::uint32_t>(entries.size()),
+                                                .pMapEntries = entries.data(),
+                                                .dataSize = constants.size() * sizeof(SpecializationConstant),
+                                                .pData = constants.data()};
+    const vk::ComputePipelineCreateInfo info{.stage = {.stage = vk::ShaderStageFlagBits::eCompute,
+                                                       .module = *module,
+                                                       .pName = "main",
+                                                       .pSpecializationInfo = &specialization},
+                                             .layout = *layout};
+    return {context.device, context.cache.handle(), info};
+}
+
+ComputeHandles create(const Context& context, const ComputeProgram& program) {
+    auto set_layout = make_set_layout(context, program);
+    auto layout = make_layout(context, set_layout, program.push_constant_bytes);
+    auto pipeline = make_pipeline(context, layout, program);
+    return {std::move(set_layout), std::move(layout), std::move(pipeline)};
+}
+
+}  // namespace
+
+vk::DescriptorType descriptor_type(BindingKind kind) {
+    switch (kind) {
+        case BindingKind::storage_buffer:
+            return vk::DescriptorType::eStorageBuffer;
+        case BindingKind::storage_image:
+            return vk::DescriptorType::eStorageImage;
+        case BindingKind::sampled_image:
+            return vk::DescriptorType::eCombinedImageSampler;
+    }
+    throw std::invalid_argument("unknown kind of binding");
+}
+
+const char* name_of(BindingKind kind) {
+    switch (kind) {
+        case BindingKind::storage_buffer:
+            return "storage buffer";
+        case BindingKind::storage_image:
+            return "storage image";
+        case BindingKind::sampled_image:
+            return "sampled image";
+    }
+    throw std::invalid_argument("unknown kind of binding");
+}
+
+ComputePipeline::Impl::Impl(Context& owner, const ComputeProgram& made_of)
+    : context(owner),
+      bindings(made_of.bindings),
+      push_constant_bytes(made_of.push_constant_bytes),
+      program{{made_of.spirv.begin(), made_of.spirv.end()}, made_of.constants, made_of.bindings},
+      handles(owner, create(owner, made_of)) {}
+
+const PipelineProgram& program_of(const ComputePipeline& pipeline) {
+    return pipeline.impl().program;
+}
+
+ComputePipeline::ComputePipeline(const Device& device, const ComputeProgram& program)
+    : impl_(std::make_unique<Impl>(device.impl(), program)) {}
+ComputePipeline::~ComputePipeline() = default;
+ComputePipeline::ComputePipeline(ComputePipeline&&) noexcept = default;
+ComputePipeline& ComputePipeline::operator=(ComputePipeline&&) noexcept = default;
+
+namespace {
+
+constexpr std::uint32_t sets_per_pool = 64;
+constexpr std::uint32_t descriptors_per_pool = 256;  // of each kind
+
+}  // namespace
+
+const vk::raii::DescriptorSet& DescriptorAllocator::allocate(const ComputePipeline::Impl& pipeline) {
+    return allocate(pipeline.context, pipeline.handles->set_layout, pipeline.bindings);
+}
+
+const vk::raii::DescriptorSet& DescriptorAllocator::allocate(const Context& context,
+                                                             const vk::raii::DescriptorSetLayout& layout,
+                                                             std::span<const BindingKind> bindings) {
+    Counts needed{};
+    for (const BindingKind kind : bindings) ++needed.at(static_cast<std::size_t>(kind));
+    bool fits = sets_left_ > 0;
+    for (std::size_t kind = 0; kind < binding_kinds; ++kind) fits = fits && needed[kind] <= left_[kind];
+    if (!fits) add_pool(context, needed);
+    vk::raii::DescriptorSets sets(
+        context.device,
+        vk::DescriptorSetAllocateInfo{
+            .descriptorPool = *pools_.back(), .descriptorSetCount = 1, .pSetLayouts = &*layout});
+    sets_left_ -= 1;
+    for (std::size_t kind = 0; kind < binding_kinds; ++kind) left_[kind] -= needed[kind];
+    return sets_.emplace_back(std::move(sets.front()));
+}
+
+void DescriptorAllocator::add_pool(const Context& context, const Counts& needed) {
+    sets_left_ = sets_per_pool;
+    std::array<vk::DescriptorPoolSize, binding_kinds> sizes;
+    for (std::size_t kind = 0; kind < binding_kinds; ++kind) {
+        left_[kind] = std::max(needed[kind], descriptors_per_pool);
+        sizes[kind] = {.type = descriptor_type(static_cast<BindingKind>(kind)),
+                       .descriptorCount = left_[kind]};
+    }
+    pools_.emplace_back(context.device, vk::DescriptorPoolCreateInfo{
+                                            .flags = vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet,
+                                            .maxSets = sets_left_,
+                                            .poolSizeCount = sizes.size(),
+                                            .pPoolSizes = sizes.data()});
+}
+
+void write_descriptors(const Context& context, const vk::raii::DescriptorSet& set,
+                       std::span<const BindingKind> bindings, std::span<const Resource> resources) {
+    std::vector<vk::DescriptorBufferInfo> buffers(resources.size());
+    std::vector<vk::DescriptorImageInfo> images(resources.size());
+    std::vector<vk::WriteDescriptorSet> writes;
+    for (std::uint32_t i = 0; i < resources.size(); ++i) {
+        vk::WriteDescriptorSet write{.dstSet = *set,
+                                     .dstBinding = i,
+                                     .descriptorCount = 1,
+                                     .descriptorType = descriptor_type(bindings[i])};
+        if (const auto* buffer = std::get_if<std::reference_wrapper<const Buffer>>(&resources[i])) {
+            buffers[i] = vk::DescriptorBufferInfo{.buffer = *buffer->get().impl().handles->buffer,
+                                                  .range = VK_WHOLE_SIZE};
+            write.pBufferInfo = &buffers[i];
+        } else {
+            const Image& image = std::get<std::reference_wrapper<const Image>>(resources[i]);
+            images[i] = vk::DescriptorImageInfo{.sampler = *context.sampler,
+                                                .imageView = *image.impl().handles->view,
+                                                .imageLayout = vk::ImageLayout::eGeneral};
+            write.pImageInfo = &images[i];
+        }
+        writes.push_back(write);
+    }
+    context.device.updateDescriptorSets(writes, nullptr);
+}
+
+namespace {
+
+Recording create(const Context& context) {
+    vk::raii::CommandBuffers buffers(context.device, {.commandPool = *context.command_pool,
+                                                      .level = vk::CommandBufferLevel::ePrimary,
+                                                      .commandBufferCount = 1});
+    buffers.front().begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    device_barrier(buffers.front());
+    return {.buffers = std::move(buffers), .descriptors = {}, .timestamps = {}, .framebuffers = {}};
+}
+
+bool is_buffer(const Resource& resource) {
+    return std::holds_alternative<std::reference_wrapper<const Buffer>>(resource);
+}
+
+void check_resource(const ComputePipeline::Impl& pipeline, const Resource& resource, std::size_t binding) {
+    const auto wanted = pipeline.bindings[binding];
+    if (is_buffer(resource) != (wanted == BindingKind::storage_buffer)) {
+        throw std::invalid_argument(
+            fmt::format("dispatch: resource {} is {}, the pipeline's binding is a {}", binding,
+                        is_buffer(resource) ? "a storage buffer" : "an image", name_of(wanted)));
+    }
+    if (wanted == BindingKind::storage_buffer) {
+        const Buffer& buffer = std::get<std::reference_wrapper<const Buffer>>(resource);
+        check_same_device(buffer.impl().context, pipeline.context, "dispatch: a buffer");
+        return;
+    }
+    const Image& image = std::get<std::reference_wrapper<const Image>>(resource);
+    check_same_device(image.impl().context, pipeline.context, "dispatch: an image");
+    if (image.format() == Format::depth32f) {
+        throw std::invalid_argument(
+            fmt::format("dispatch: resource {} is a depth32f image, which no shader can store to: expected a "
+                        "colour format",
+                        binding));
+    }
+}
+
+void check_resources(const ComputePipeline::Impl& pipeline, std::span<const Resource> resources) {
+    if (resources.size() != pipeline.bindings.size()) {
+        throw std::invalid_argument(fmt::format("dispatch: {} resources, the pipeline has {} bindings",
+                                                resources.size(), pipeline.bindings.size()));
+    }
+    for (std::size_t i = 0; i < resources.size(); ++i) check_resource(pipeline, resources[i], i);
+}
+
+void check_groups(const DeviceInfo& device, const std::array<std::uint32_t, 3>& groups) {
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        if (groups[i] > device.max_group_count[i]) {
+            throw std::invalid_argument(fmt::format("dispatch: {} work groups in {}, device \"{}\" allows {}",
+                                                    groups[i], "xyz"[i], device.name,
+                                                    device.max_group_count[i]));
+        }
+    }
+}
+
+void check_push_constants(const ComputePipeline::Impl& pipeline, std::span<const std::byte> push_constants) {
+    if (push_constants.size() != pipeline.push_constant_bytes) {
+        throw std::invalid_argument(fmt::format("dispatch: {} bytes of push constants, the pipeline has {}",
+                                                push_constants.size(), pipeline.push_constant_bytes));
+    }
+}
+
+}  // namespace
+
+void check_same_device(const Context& a, const Context& b, const char* what) {
+    if (&a != &b) {
+        throw std::invalid_argument(fmt::format("{} belongs to another device than the one in use, \"{}\"",
+                                                what, b.physical.info.name));
+    }
+}
+
+Commands::Impl::Impl(Context& owner) : context(owner), handles(owner, create(owner)) {}
+
+const vk::raii::CommandBuffer& Commands::Impl::recording() const {
+    if (state != State::recording) throw std::runtime_error("these commands were submitted: record new ones");
+    return handles->buffers.front();
+}
+
+void Commands::Impl::check(const ComputePipeline& pipeline, std::span<const Resource> resources,
+                           std::span<const std::byte> push_constants) const {
+    (void)recording();
+    check_same_device(pipeline.impl().context, context, "dispatch: the pipeline");
+    check_resources(pipeline.impl(), resources);
+    check_push_constants(pipeline.impl(), push_constants);
+}
+
+void Commands::Impl::bind(const ComputePipeline& pipeline, std::span<const Resource> resources,
+                          std::span<const std::byte> push_constants) {
+    constexpr auto point = vk::PipelineBindPoint::eCompute;
+    const auto& program = pipeline.impl();
+    const auto& commands = recording();
+    commands.bindPipeline(point, *program.handles->pipeline);
+    if (!resources.empty()) {
+        const auto& set = handles->descriptors.allocate(program);
+        write_descriptors(context, set, program.bindings, resources);
+        commands.bindDescriptorSets(point, *program.handles->layout, 0, *set, nullptr);
+    }
+    if (!push_constants.empty()) {
+        commands.pushConstants<std::byte>(*program.handles->layout, vk::ShaderStageFlagBits::eCompute, 0,
+                                          push_constants);
+    }
+}
+
+Commands::Commands(const Device& device) : impl_(std::make_unique<Impl>(device.impl())) {}
+Commands::~Commands() = default;
+Commands::Commands(Commands&&) noexcept = default;
+Commands& Commands::operator=(Commands&&) noexcept = default;
+
+void Commands::dispatch(const ComputePipeline& pipeline, std::span<const Resource> resources,
+                        std::array<std::uint32_t, 3> groups, std::span<const std::byte> push_constants) {
+    impl_->check(pipeline, resources, push_constants);
+    check_groups(impl_->context.physical.info, groups);
+    impl_->bind(pipeline, resources, push_constants);
+    const auto& commands = impl_->recording();
+    commands.dispatch(groups[0], groups[1], groups[2]);
+    device_barrier(commands);
+}
+
+void Commands::dispatch_indirect(const ComputePipeline& pipeline, std::span<const Resource> resources,
+                                 const Buffer& groups, std::size_t offset,
+                                 std::span<const std::byte> push_constants) {
+    impl_->check(pipeline, resources, push_constants);
+    check_same_device(groups.impl().context, impl_->context, "dispatch: the buffer of group counts");
+    constexpr std::size_t needed = sizeof(vk::DispatchIndirectCommand);
+    if (offset % 4 != 0 || offset > groups.size() || groups.size() - offset < needed) {
+        throw std::invalid_argument(fmt::format(
+            "dispatch: group counts at byte {} of a buffer of {}: expected a multiple of 4 and {} "
+            "bytes from there on",
+            offset, groups.size(), needed));
+    }
+    impl_->bind(pipeline, resources, push_constants);
+    const auto& commands = impl_->recording();
+    commands.dispatchIndirect(*groups.impl().handles->buffer, offset);
+    device_barrier(commands);
+}
+
+std::size_t Commands::timestamp() {
+    const auto& commands = impl_->recording();
+    const std::size_t position = impl_->handles->timestamps.record(impl_->context, commands);
+    // lavapipe delays a dispatch until something waits for it. Without a barrier, the time of the work before
+    // the reading would count after it.
+    device_barrier(commands);
+    return position;
+}
+
+void Commands::submit() {
+    const auto& commands = impl_->recording();
+    host_barrier(commands);
+    commands.end();
+    impl_->state = Impl::State::submitted;
+    impl_->context.run(commands);
+    impl_->state = Impl::State::finished;
+}
+
+std::vector<double> Commands::times_ms() const {
+    if (impl_->state != Impl::State::finished) {
+        throw std::runtime_error("times of commands that have not been submitted and finished");
+    }
+    return impl_->handles->timestamps.read_ms(impl_->context);
+}
+
+}  // namespace gloam::gpu

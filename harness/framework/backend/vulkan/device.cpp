@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+#include "backend/vulkan/device.hpp"
+
+#include <unistd.h>
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "backend/vulkan/internal/context.hpp"
+#include "backend/vulkan/internal/instance.hpp"
+#include "base/process.hpp"
+
+namespace gloam::gpu {
+namespace {
+
+Physical choose(const vk::raii::Instance& instance, const std::string& selector) {
+    auto devices = physical_devices(instance);
+    std::vector<DeviceInfo> infos;
+    for (const auto& device : devices) infos.push_back(describe(device, infos.size()));
+    const auto chosen = select_device(infos, selector);
+    return {std::move(devices[chosen]), std::move(infos[chosen])};
+}
+
+vk::raii::Device open_device(const Physical& physical, const vk::PhysicalDeviceFeatures& features) {
+    constexpr float priority = 1.0f;
+    const vk::DeviceQueueCreateInfo queue{
+        .queueFamilyIndex = physical.queue_family, .queueCount = 1, .pQueuePriorities = &priority};
+    return {physical.handle,
+            {.queueCreateInfoCount = 1, .pQueueCreateInfos = &queue, .pEnabledFeatures = &features}};
+}
+
+const DeviceOptions& checked(const DeviceOptions& options) {
+    if (options.timeout <= std::chrono::milliseconds::zero()) {
+        throw std::invalid_argument(
+            fmt::format("device timeout of {} ms: must be positive", options.timeout.count()));
+    }
+    return options;
+}
+
+}  // namespace
+
+Physical::Physical(vk::raii::PhysicalDevice device, DeviceInfo description)
+    : handle(std::move(device)),
+      info(std::move(description)),
+      properties(handle.getProperties()),
+      memory(handle.getMemoryProperties()) {
+    const auto family = find_queue_family(handle);
+    if (!family) {
+        throw std::runtime_error(
+            fmt::format("Vulkan device \"{}\" has no queue for both graphics and compute", info.name));
+    }
+    queue_family = *family;
+    const auto bits = handle.getQueueFamilyProperties()[queue_family].timestampValidBits;
+    timestamp_mask = bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
+}
+
+Device::Impl::Impl(const DeviceOptions& options)
+    : log(checked(options).on_validation_message),
+      loader(open_loader()),
+      instance(create_instance(loader, options.validation == Validation::on ? &log : nullptr)),
+      messenger(options.validation == Validation::on ? std::optional(create_messenger(instance, log))
+                                                     : std::nullopt),
+      physical(choose(instance, options.device)),
+      device(open_device(physical, features_of(options, physical.handle.getFeatures()))),
+      queue(device, physical.queue_family, 0),
+      command_pool(device, vk::CommandPoolCreateInfo{.flags = vk::CommandPoolCreateFlagBits::eTransient,
+                                                     .queueFamilyIndex = physical.queue_family}),
+      fence(device, vk::FenceCreateInfo{}),
+      sampler(device, vk::SamplerCreateInfo{}),
+      cache(device, physical.properties, options.cache_directory, physical.info.identity),
+      timeout(options.timeout) {}
+
+Device::Impl::~Impl() {
+    cache.save();
+}
+
+void Device::Impl::run_once(const std::function<void(const vk::raii::CommandBuffer&)>& record) {
+    Guarded<vk::raii::CommandBuffers> buffers(
+        *this, vk::raii::CommandBuffers(device, {.commandPool = *command_pool,
+                                                 .level = vk::CommandBufferLevel::ePrimary,
+                                                 .commandBufferCount = 1}));
+    const auto& commands = buffers->front();
+    commands.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    device_barrier(commands);
+    record(commands);
+    host_barrier(commands);
+    commands.end();
+    run(commands);
+}
+
+void Device::Impl::require_idle() {
+    if (idle()) return;
+    throw backend::Hang(
+        fmt::format("device \"{}\" still runs an earlier submission that timed out", physical.info.name));
+}
+
+void Device::Impl::run(const vk::raii::CommandBuffer& commands) {
+    require_idle();
+    try {
+        device.resetFences(*fence);
+        queue.submit(vk::SubmitInfo{.commandBufferCount = 1, .pCommandBuffers = &*commands}, *fence);
+        busy_ = true;
+        const auto result = wait();
+        if (result == vk::Result::eTimeout) {
+            throw backend::Hang(fmt::format("device \"{}\" did not finish a submission within {} s",
+                                            physical.info.name,
+                                            std::chrono::duration<double>(timeout).count()));
+        }
+        busy_ = false;
+    } catch (const vk::DeviceLostError&) {
+        busy_ = false;  // work of a lost device counts as complete: destruction is allowed
+        throw backend::DeviceLost(
+            fmt::format("device \"{}\" was lost while it ran a submission: the shader crashed it, or its "
+                        "driver's watchdog ended it",
+                        physical.info.name));
+    }
+}
+
+vk::Result Device::Impl::wait() const {
+    // Whether the driver computes on the processor, in this process.
+    constexpr std::chrono::milliseconds longest =
+        std::chrono::years(100);  // in nanoseconds they fit a clock's count
+    base::Patience patience(std::min(timeout, longest), [] { return base::processor_time_of(getpid()); });
+    while (true) {
+        const auto left =
+            std::max(patience.next_look() - base::Patience::Clock::now(), std::chrono::nanoseconds(0));
+        const vk::Result result =
+            device.waitForFences(*fence, VK_TRUE, static_cast<std::uint64_t>(left.count()));
+        if (result != vk::Result::eTimeout || patience.is_over()) return result;
+    }
+}
+
+bool Device::Impl::idle() noexcept {
+    if (!busy_) return true;
+    try {
+        busy_ = fence.getStatus() == vk::Result::eNotReady;
+    } catch (...) {
+        busy_ = false;  // lost
+    }
+    if (!busy_) kept_.clear();
+    return !busy_;
+}
+
+Device::Device(const DeviceOptions& options)
+    : impl_(with_typed_errors([&] { return std::make_unique<Impl>(options); })) {}
+
+Device::~Device() {
+    if (!impl_->idle())
+        static_cast<void>(impl_.release());  // leaked: it may not be destroyed, nor what it keeps
+}
+
+const DeviceInfo& Device::info() const {
+    return impl_->physical.info;
+}
+
+std::vector<std::string> Device::take_validation_messages() {
+    return impl_->log.take();
+}
+
+namespace {
+
+std::optional<std::uint32_t> find_type(const vk::PhysicalDeviceMemoryProperties& memory,
+                                       std::uint32_t allowed, vk::MemoryPropertyFlags wish) {
+    for (std::uint32_t i = 0; i < memory.memoryTypeCount; ++i) {
+        const bool fits = (allowed >> i & 1u) != 0;
+        if (fits && (memory.memoryTypes[i].propertyFlags & wish) == wish) return i;
+    }
+    return std::nullopt;
+}
+
+std::string failure(const Context& context, const vk::MemoryRequirements& needs, const std::string& purpose,
+                    const char* reason) {
+    return fmt::format("{}: device \"{}\" {} for the {} bytes it needs", purpose, context.physical.info.name,
+                       reason, needs.size);
+}
+
+}  // namespace
+
+vk::raii::DeviceMemory allocate(const Context& context, const vk::MemoryRequirements& needs,
+                                std::initializer_list<vk::MemoryPropertyFlags> wishes,
+                                const std::string& purpose) {
+    std::optional<std::uint32_t> type;
+    for (auto wish = wishes.begin(); wish != wishes.end() && !type; ++wish) {
+        type = find_type(context.physical.memory, needs.memoryTypeBits, *wish);
+    }
+    if (!type) throw std::runtime_error(failure(context, needs, purpose, "has no memory type"));
+    try {
+        return {context.device,
+                vk::MemoryAllocateInfo{.allocationSize = needs.size, .memoryTypeIndex = *type}};
+    } catch (const vk::SystemError&) {
+        throw backend::OutOfMemory(failure(context, needs, purpose, "has not enough memory"));
+    }
+}
+
+vk::raii::ShaderModule make_module(const Context& context, std::span<const std::uint32_t> spirv) {
+    constexpr std::size_t header_words = 5;
+    constexpr std::uint32_t magic = 0x07230203;
+    if (spirv.size() <= header_words || spirv[0] != magic) {
+        throw std::invalid_argument(
+            fmt::format("not a SPIR-V module: {} words, the first {:#010x}, expected {:#010x}", spirv.size(),
+                        spirv.empty() ? 0u : spirv[0], magic));
+    }
+    return {context.device,
+            vk::ShaderModuleCreateInfo{.codeSize = spirv.size_bytes(), .pCode = spirv.data()}};
+}
+
+void check_push_constant_size(const Context& context, std::uint32_t bytes) {
+    const auto limit = context.physical.properties.limits.maxPushConstantsSize;
+    if (bytes % 4 != 0 || bytes > limit) {
+        throw std::invalid_argument(
+            fmt::format("{} bytes of push constants: device \"{}\" allows multiples of 4 up to {}", bytes,
+                        context.physical.info.name, limit));
+    }
+}
+
+namespace {
+
+constexpr std::uint32_t pool_size = 64;
+
+}  // namespace
+
+std::size_t Timestamps::record(const Context& context, const vk::raii::CommandBuffer& commands) {
+    if (context.physical.timestamp_mask == 0) return count_++;
+    const auto query = static_cast<std::uint32_t>(count_ % pool_size);
+    if (query == 0) {
+        pools_.emplace_back(context.device, vk::QueryPoolCreateInfo{.queryType = vk::QueryType::eTimestamp,
+                                                                    .queryCount = pool_size});
+        commands.resetQueryPool(*pools_.back(), 0, pool_size);
+    }
+    commands.writeTimestamp(vk::PipelineStageFlagBits::eBottomOfPipe, *pools_.back(), query);
+    return count_++;
+}
+
+std::vector<double> Timestamps::read_ms(const Context& context) const {
+    std::vector<double> times(count_, std::numeric_limits<double>::quiet_NaN());
+    const auto mask = context.physical.timestamp_mask;
+    std::uint64_t start = 0;
+    for (std::size_t first = 0; mask != 0 && first < count_; first += pool_size) {
+        const auto readings = static_cast<std::uint32_t>(std::min<std::size_t>(pool_size, count_ - first));
+        const auto ticks = pools_[first / pool_size]
+                               .getResults<std::uint64_t>(0, readings, readings * sizeof(std::uint64_t),
+                                                          sizeof(std::uint64_t), vk::QueryResultFlagBits::e64)
+                               .second;
+        if (first == 0) start = ticks[0];
+        for (std::size_t i = 0; i < readings; ++i) {
+            const auto elapsed = static_cast<double>((ticks[i] - start) & mask);  // the clock may wrap around
+            times[first + i] = elapsed * context.physical.info.timestamp_period_ns * 1e-6;
+        }
+    }
+    return times;
+}
+
+}  // namespace gloam::gpu

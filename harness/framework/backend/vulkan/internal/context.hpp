@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "backend/vulkan/device.hpp"
+#include "backend/vulkan/internal/instance.hpp"
+#include "backend/vulkan/internal/pipeline_cache.hpp"
+#include "backend/vulkan/internal/vulkan.hpp"
+
+namespace gloam::gpu {
+
+// The physical device of a selector, and its frequently used properties.
+struct Physical {
+    Physical(vk::raii::PhysicalDevice device, DeviceInfo description);
+
+    vk::raii::PhysicalDevice handle;
+    DeviceInfo info;
+    vk::PhysicalDeviceProperties properties;
+    vk::PhysicalDeviceMemoryProperties memory;
+    std::uint32_t queue_family = 0;
+    std::uint64_t timestamp_mask = 0;  // the valid bits of a reading; 0: no timestamps
+};
+
+// The open device, which every other object of this room uses.
+struct Device::Impl {
+    explicit Impl(const DeviceOptions& options);
+    ~Impl();
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+
+    // Records commands, runs them and waits.
+    void run_once(const std::function<void(const vk::raii::CommandBuffer&)>& record);
+
+    // Submits and waits. Throws backend::DeviceLost; backend::Hang after the timeout, and while an earlier
+    // submission that timed out still runs.
+    void run(const vk::raii::CommandBuffer& commands);
+
+    // False while a submission that timed out still runs; nothing may be destroyed then.
+    [[nodiscard]] bool idle() noexcept;
+    // Throws backend::Hang while a submission that timed out still runs.
+    void require_idle();
+
+    // Keeps objects that must not be destroyed until the device is idle.
+    void keep(std::shared_ptr<void> handles) { kept_.push_back(std::move(handles)); }
+
+    // The order of declaration matters: destruction runs from last to first.
+    MessageLog log;
+    vk::raii::Context loader;
+    vk::raii::Instance instance;
+    std::optional<vk::raii::DebugUtilsMessengerEXT> messenger;
+    Physical physical;
+    vk::raii::Device device;
+    vk::raii::Queue queue;
+    vk::raii::CommandPool command_pool;
+    vk::raii::Fence fence;
+    vk::raii::Sampler sampler;  // of all sampled images: no fetch uses it
+    PipelineCache cache;
+    std::chrono::milliseconds timeout;
+
+  private:
+    [[nodiscard]] vk::Result wait() const;
+    bool busy_ = false;
+    std::vector<std::shared_ptr<void>> kept_;
+};
+
+using Context = Device::Impl;
+
+// The result of the work, with Vulkan's errors as errors of backends.
+template <class Work>
+auto with_typed_errors(const Work& work) {
+    try {
+        return work();
+    } catch (const vk::DeviceLostError& error) {
+        throw backend::DeviceLost(error.what());
+    } catch (const vk::OutOfHostMemoryError& error) {
+        throw backend::OutOfMemory(error.what());
+    } catch (const vk::OutOfDeviceMemoryError& error) {
+        throw backend::OutOfMemory(error.what());
+    }
+}
+
+// Owns Vulkan handles that a submission may use. Vulkan forbids destroying them while it runs, and after a
+// timeout its end is unknown. Only in that case they are leaked on purpose.
+template <class Handles>
+class Guarded {
+  public:
+    Guarded(Context& context, Handles handles)
+        : context_(context), handles_(std::make_unique<Handles>(std::move(handles))) {}
+    ~Guarded() {
+        if (!context_.idle()) context_.keep(std::move(handles_));
+    }
+    Guarded(const Guarded&) = delete;
+    Guarded& operator=(const Guarded&) = delete;
+
+    [[nodiscard]] Handles& operator*() const { return *handles_; }
+    [[nodiscard]] Handles* operator->() const { return handles_.get(); }
+
+  private:
+    Context& context_;
+    std::unique_ptr<Handles> handles_;
+};
+
+// Memory with the first properties in `wishes` for which the device has a suitable type. Throws
+// std::runtime_error with the purpose if there is no such type, backend::OutOfMemory.
+[[nodiscard]] vk::raii::DeviceMemory allocate(const Context& context, const vk::MemoryRequirements& needs,
+                                              std::initializer_list<vk::MemoryPropertyFlags> wishes,
+                                              const std::string& purpose);
+
+// Drivers can crash on words that are not a module, so it throws std::invalid_argument unless these at least
+// begin like one.
+[[nodiscard]] vk::raii::ShaderModule make_module(const Context& context,
+                                                 std::span<const std::uint32_t> spirv);
+
+// Throws std::invalid_argument unless the size is a multiple of 4 within the device's limit.
+void check_push_constant_size(const Context& context, std::uint32_t bytes);
+
+// On the device, all later commands see the writes of all earlier ones.
+inline void device_barrier(const vk::raii::CommandBuffer& commands) {
+    using Access = vk::AccessFlagBits;
+    constexpr auto all = vk::PipelineStageFlagBits::eAllCommands;
+    commands.pipelineBarrier(all, all, {},
+                             vk::MemoryBarrier{.srcAccessMask = Access::eMemoryWrite,
+                                               .dstAccessMask = Access::eMemoryRead | Access::eMemoryWrite},
+                             nullptr, nullptr);
+}
+
+// The host, after waiting, sees the writes of all earlier commands.
+inline void host_barrier(const vk::raii::CommandBuffer& commands) {
+    commands.pipelineBarrier(vk::PipelineStageFlagBits::eAllCommands, vk::PipelineStageFlagBits::eHost, {},
+                             vk::MemoryBarrier{.srcAccessMask = vk::AccessFlagBits::eMemoryWrite,
+                                               .dstAccessMask = vk::AccessFlagBits::eHostRead},
+                             nullptr, nullptr);
+}
+
+// Readings of the device's clock in one recording.
+class Timestamps {
+  public:
+    // Records a reading; only outside a render pass. Returns its index.
+    std::size_t record(const Context& context, const vk::raii::CommandBuffer& commands);
+
+    // After the recording has run: milliseconds since the first reading; NaN on a device without timestamps.
+    [[nodiscard]] std::vector<double> read_ms(const Context& context) const;
+
+  private:
+    std::size_t count_ = 0;
+    std::vector<vk::raii::QueryPool> pools_;
+};
+
+}  // namespace gloam::gpu

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "backend/vulkan/commands.hpp"
+#include "backend/vulkan/internal/context.hpp"
+#include "backend/vulkan/internal/vulkan.hpp"
+#include "backend/vulkan/resources.hpp"
+
+namespace gloam::gpu {
+
+// Properties of a Format for Vulkan and for copies.
+struct FormatTraits {
+    const char* name;
+    vk::Format format;
+    int channels;
+    std::size_t texel_bytes;
+    vk::ImageAspectFlagBits aspect;
+    vk::ImageUsageFlags usage;  // besides copies
+};
+
+[[nodiscard]] const FormatTraits& traits(Format format);
+
+struct BufferHandles {
+    vk::raii::Buffer buffer;
+    vk::raii::DeviceMemory memory;
+};
+
+struct Buffer::Impl {
+    Impl(Context& owner, std::size_t bytes);
+
+    Context& context;
+    Guarded<BufferHandles> handles;
+    std::span<std::byte> mapped;
+};
+
+struct ImageHandles {
+    vk::raii::Image image;
+    vk::raii::DeviceMemory memory;
+    vk::raii::ImageView view;
+};
+
+// The image is in VK_IMAGE_LAYOUT_GENERAL whenever no render pass uses it.
+struct Image::Impl {
+    Impl(Context& owner, Extent size, Format kind);
+
+    Context& context;
+    Extent extent;
+    Format format;
+    Guarded<ImageHandles> handles;
+};
+
+struct ComputeHandles {
+    vk::raii::DescriptorSetLayout set_layout;
+    vk::raii::PipelineLayout layout;
+    vk::raii::Pipeline pipeline;
+};
+
+struct ComputePipeline::Impl {
+    Impl(Context& owner, const ComputeProgram& program);
+
+    Context& context;
+    std::vector<BindingKind> bindings;
+    std::uint32_t push_constant_bytes;
+    PipelineProgram program;
+    Guarded<ComputeHandles> handles;
+};
+
+constexpr std::size_t binding_kinds = 3;
+
+[[nodiscard]] vk::DescriptorType descriptor_type(BindingKind kind);
+[[nodiscard]] const char* name_of(BindingKind kind);
+
+// Descriptor sets for one recording, from pools that are added on demand.
+class DescriptorAllocator {
+  public:
+    // A set with this layout, which has the given number of bindings of each kind.
+    [[nodiscard]] const vk::raii::DescriptorSet& allocate(const Context& context,
+                                                          const vk::raii::DescriptorSetLayout& layout,
+                                                          std::span<const BindingKind> bindings);
+    [[nodiscard]] const vk::raii::DescriptorSet& allocate(const ComputePipeline::Impl& pipeline);
+
+  private:
+    using Counts = std::array<std::uint32_t, binding_kinds>;  // of descriptors, by kind
+    void add_pool(const Context& context, const Counts& needed);
+
+    std::uint32_t sets_left_ = 0;
+    Counts left_{};
+    std::vector<vk::raii::DescriptorPool> pools_;
+    std::vector<vk::raii::DescriptorSet> sets_;  // declared after the pools, so that they are destroyed first
+};
+
+// Binds resources[i] to binding i of the set. bindings: the kinds of the set's layout, which the resources
+// fit.
+void write_descriptors(const Context& context, const vk::raii::DescriptorSet& set,
+                       std::span<const BindingKind> bindings, std::span<const Resource> resources);
+
+struct RasterHandles {
+    vk::raii::RenderPass render_pass;
+    vk::raii::DescriptorSetLayout set_layout;
+    vk::raii::PipelineLayout layout;
+    vk::raii::Pipeline pipeline;
+};
+
+struct RasterPipeline::Impl {
+    Impl(Context& owner, const RasterProgram& program);
+
+    Context& context;
+    std::vector<Format> color_formats;
+    std::uint32_t push_constant_bytes;
+    bool reversed_z;
+    std::uint32_t image_count;
+    Guarded<RasterHandles> handles;
+};
+
+inline constexpr auto raster_stages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
+
+// One subpass: colour attachments in order, then depth. All are cleared first and end in
+// VK_IMAGE_LAYOUT_GENERAL.
+[[nodiscard]] vk::raii::RenderPass make_render_pass(const Context& context,
+                                                    std::span<const Format> color_formats);
+
+// The objects that must outlive the execution of a recording.
+struct Recording {
+    vk::raii::CommandBuffers buffers;
+    DescriptorAllocator descriptors;
+    Timestamps timestamps;
+    std::vector<vk::raii::Framebuffer> framebuffers;
+};
+
+struct Commands::Impl {
+    explicit Impl(Context& owner);
+
+    // The command buffer. Throws std::runtime_error after submit().
+    [[nodiscard]] const vk::raii::CommandBuffer& recording() const;
+
+    // Throws like dispatch() if the arguments do not match the pipeline.
+    void check(const ComputePipeline& pipeline, std::span<const Resource> resources,
+               std::span<const std::byte> push_constants) const;
+    // Records the pipeline, its resources and its push constants.
+    void bind(const ComputePipeline& pipeline, std::span<const Resource> resources,
+              std::span<const std::byte> push_constants);
+
+    enum class State { recording, submitted, finished };
+    Context& context;
+    Guarded<Recording> handles;
+    State state = State::recording;
+};
+
+// Throws std::invalid_argument when the object belongs to another device.
+void check_same_device(const Context& a, const Context& b, const char* what);
+
+}  // namespace gloam::gpu

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <bit>
+
+#include "backend/vulkan/commands.hpp"
+#include "backend/vulkan/internal/context.hpp"
+
+namespace gloam::gpu {
+namespace {
+
+using backend::Word;
+
+ComputePipeline pipeline_of(const Device& device, const backend::KernelProgram& program) {
+    return {device,
+            {.spirv = program.spirv,
+             .bindings = std::vector(backend::KernelBinding::first_image + program.stores.size(),
+                                     BindingKind::storage_buffer),
+             .push_constant_bytes = sizeof(backend::KernelRun),
+             .constants = {program.constants.begin(), program.constants.end()}}};
+}
+
+Buffer uploaded(const Device& device, std::span<const Word> words) {
+    Buffer buffer(device, std::max<std::size_t>(words.size(), 1) * sizeof(Word));
+    std::ranges::copy(words, buffer.as<Word>().begin());
+    return buffer;
+}
+
+void download(const Buffer& buffer, std::span<Word> words) {
+    std::ranges::copy(buffer.as<Word>().first(words.size()), words.begin());
+}
+
+class VulkanKernel : public backend::Kernel {
+  public:
+    VulkanKernel(const Device& device, const backend::KernelProgram& program)
+        : device_(device),
+          pipeline_(pipeline_of(device, program)),
+          stores_(program.stores),
+          widest_(program.widest()) {}
+
+    [[nodiscard]] std::size_t most_inputs() const override {
+        return device_.info().max_buffer_bytes / sizeof(Word) / widest_ - backend::guard_words;
+    }
+
+    void run(std::size_t count, Word canary, backend::KernelMemory& memory) const override {
+        with_typed_errors([&] { dispatch(count, canary, memory); });
+    }
+
+  private:
+    void dispatch(std::size_t count, Word canary, backend::KernelMemory& memory) const {
+        auto faults = std::bit_cast<std::array<Word, sizeof memory.faults / sizeof(Word)>>(memory.faults);
+        std::vector<Buffer> buffers;
+        for (const std::span<const Word> words :
+             {memory.inputs, std::span<const Word>(memory.outputs), std::span<const Word>(faults)})
+            buffers.push_back(uploaded(device_, words));
+        for (const std::vector<Word>& image : memory.images) buffers.push_back(uploaded(device_, image));
+
+        const std::size_t groups = (count + backend::kernel_group_size - 1) / backend::kernel_group_size;
+        const std::size_t columns = std::min<std::size_t>(groups, device_.info().max_group_count[0]);
+        const std::size_t rows = (groups + columns - 1) / columns;
+        const backend::KernelRun run{.count = static_cast<Word>(count),
+                                     .row_length = static_cast<Word>(columns * backend::kernel_group_size),
+                                     .canary = canary};
+        const std::vector<Resource> resources(buffers.begin(), buffers.end());
+        Commands commands(device_);
+        commands.dispatch(pipeline_, resources, {static_cast<Word>(columns), static_cast<Word>(rows), 1},
+                          std::as_bytes(std::span(&run, 1)));
+        commands.submit();
+
+        download(buffers[backend::KernelBinding::outputs], memory.outputs);
+        download(buffers[backend::KernelBinding::faults], faults);
+        memory.faults = std::bit_cast<backend::KernelFaults>(faults);
+        for (std::size_t i = 0; i < stores_.size(); ++i)
+            if (stores_[i]) download(buffers[backend::KernelBinding::first_image + i], memory.images[i]);
+    }
+
+    const Device& device_;
+    ComputePipeline pipeline_;
+    std::vector<bool> stores_;
+    std::size_t widest_;
+};
+
+}  // namespace
+
+std::unique_ptr<backend::Kernel> Device::make_kernel(const backend::KernelProgram& program) const {
+    return with_typed_errors([&] { return std::make_unique<VulkanKernel>(*this, program); });
+}
+
+}  // namespace gloam::gpu

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: MIT
+#include "backend/vulkan/resources.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+
+#include "backend/vulkan/internal/context.hpp"
+#include "backend/vulkan/internal/half.hpp"
+#include "backend/vulkan/internal/objects.hpp"
+
+namespace gloam::gpu {
+namespace {
+
+BufferHandles create(const Context& context, std::size_t bytes) {
+    const auto limit = context.physical.info.max_buffer_bytes;
+    if (bytes == 0 || bytes > limit) {
+        throw std::runtime_error(fmt::format("buffer of {} bytes: device \"{}\" allows 1 to {}", bytes,
+                                             context.physical.info.name, limit));
+    }
+    using Usage = vk::BufferUsageFlagBits;
+    vk::raii::Buffer buffer(
+        context.device,
+        vk::BufferCreateInfo{.size = bytes,
+                             .usage = Usage::eStorageBuffer | Usage::eVertexBuffer | Usage::eIndexBuffer |
+                                      Usage::eIndirectBuffer | Usage::eTransferSrc | Usage::eTransferDst});
+    // Cached memory: the host reads results back, which is very slow from write-combined memory.
+    using Property = vk::MemoryPropertyFlagBits;
+    constexpr auto coherent = Property::eHostVisible | Property::eHostCoherent;
+    auto memory =
+        allocate(context, buffer.getMemoryRequirements(), {coherent | Property::eHostCached, coherent},
+                 fmt::format("buffer of {} bytes", bytes));
+    buffer.bindMemory(*memory, 0);
+    return {std::move(buffer), std::move(memory)};
+}
+
+}  // namespace
+
+Buffer::Impl::Impl(Context& owner, std::size_t bytes)
+    : context(owner),
+      handles(owner, create(owner, bytes)),
+      mapped(static_cast<std::byte*>(handles->memory.mapMemory(0, VK_WHOLE_SIZE)), bytes) {}
+
+Buffer::Buffer(const Device& device, std::size_t bytes)
+    : impl_(std::make_unique<Impl>(device.impl(), bytes)) {}
+Buffer::~Buffer() = default;
+Buffer::Buffer(Buffer&&) noexcept = default;
+Buffer& Buffer::operator=(Buffer&&) noexcept = default;
+
+std::size_t Buffer::size() const {
+    return impl_->mapped.size();
+}
+std::span<std::byte> Buffer::bytes() {
+    return impl_->mapped;
+}
+std::span<const std::byte> Buffer::bytes() const {
+    return impl_->mapped;
+}
+
+const FormatTraits& traits(Format format) {
+    using Aspect = vk::ImageAspectFlagBits;
+    using Usage = vk::ImageUsageFlagBits;
+    static constexpr auto color = Usage::eStorage | Usage::eSampled | Usage::eColorAttachment;
+    static constexpr FormatTraits r32f{"r32f", vk::Format::eR32Sfloat, 1, 4, Aspect::eColor, color};
+    static constexpr FormatTraits rgba32f{"rgba32f", vk::Format::eR32G32B32A32Sfloat, 4, 16, Aspect::eColor,
+                                          color};
+    static constexpr FormatTraits rgba16f{"rgba16f", vk::Format::eR16G16B16A16Sfloat, 4, 8, Aspect::eColor,
+                                          color};
+    static constexpr FormatTraits rgba16ui{"rgba16ui",     vk::Format::eR16G16B16A16Uint,    4, 8,
+                                           Aspect::eColor, Usage::eStorage | Usage::eSampled};
+    static constexpr FormatTraits depth32f{"depth32f",     vk::Format::eD32Sfloat,        1, 4,
+                                           Aspect::eDepth, Usage::eDepthStencilAttachment};
+    static constexpr FormatTraits r16f{"r16f", vk::Format::eR16Sfloat, 1, 2, Aspect::eColor, color};
+    static constexpr FormatTraits r8{"r8", vk::Format::eR8Unorm, 1, 1, Aspect::eColor, color};
+    static constexpr FormatTraits r32ui{"r32ui", vk::Format::eR32Uint, 1,
+                                        4,       Aspect::eColor,       Usage::eStorage | Usage::eSampled};
+    switch (format) {
+        case Format::r32f:
+            return r32f;
+        case Format::rgba32f:
+            return rgba32f;
+        case Format::rgba16f:
+            return rgba16f;
+        case Format::rgba16ui:
+            return rgba16ui;
+        case Format::depth32f:
+            return depth32f;
+        case Format::r16f:
+            return r16f;
+        case Format::r8:
+            return r8;
+        case Format::r32ui:
+            return r32ui;
+    }
+    throw std::invalid_argument(fmt::format("unknown image format {}", static_cast<int>(format)));
+}
+
+int channels(Format format) {
+    return traits(format).channels;
+}
+
+namespace {
+
+std::string describe(Extent extent, Format format) {
+    return fmt::format("image of {}x{} {}", extent.width, extent.height, traits(format).name);
+}
+
+vk::ImageCreateInfo create_info(Extent extent, Format format) {
+    constexpr auto copies = vk::ImageUsageFlagBits::eTransferSrc | vk::ImageUsageFlagBits::eTransferDst;
+    return {.imageType = vk::ImageType::e2D,
+            .format = traits(format).format,
+            .extent = {extent.width, extent.height, 1},
+            .mipLevels = 1,
+            .arrayLayers = 1,
+            .samples = vk::SampleCountFlagBits::e1,
+            .tiling = vk::ImageTiling::eOptimal,
+            .usage = traits(format).usage | copies,
+            .initialLayout = vk::ImageLayout::eUndefined};
+}
+
+vk::ImageFormatProperties limits(const Context& context, const vk::ImageCreateInfo& info, Format format) {
+    try {
+        return context.physical.handle.getImageFormatProperties(info.format, info.imageType, info.tiling,
+                                                                info.usage);
+    } catch (const vk::FormatNotSupportedError&) {
+        throw std::runtime_error(
+            fmt::format("device \"{}\" has no {} images", context.physical.info.name, traits(format).name));
+    }
+}
+
+void check_size(const Context& context, Extent extent, Format format) {
+    const auto& device = context.physical.info;
+    const auto fits = [&](std::uint32_t side) { return side >= 1 && side <= device.max_image_size; };
+    if (!fits(extent.width) || !fits(extent.height)) {
+        throw std::runtime_error(fmt::format("{}: device \"{}\" allows sides of 1 to {}",
+                                             describe(extent, format), device.name, device.max_image_size));
+    }
+    const auto bytes = std::uint64_t{extent.width} * extent.height * traits(format).texel_bytes;
+    const auto most = limits(context, create_info(extent, format), format).maxResourceSize;
+    if (bytes > most) {
+        throw std::runtime_error(fmt::format("{}: {} bytes, device \"{}\" allows {}",
+                                             describe(extent, format), bytes, device.name, most));
+    }
+}
+
+ImageHandles create(Context& context, Extent extent, Format format) {
+    context.require_idle();  // a driver may wait for the work before it makes an image
+    check_size(context, extent, format);
+    vk::raii::Image image(context.device, create_info(extent, format));
+    auto memory = allocate(context, image.getMemoryRequirements(),
+                           {vk::MemoryPropertyFlagBits::eDeviceLocal, {}}, describe(extent, format));
+    image.bindMemory(*memory, 0);
+    vk::raii::ImageView view(
+        context.device,
+        vk::ImageViewCreateInfo{
+            .image = *image,
+            .viewType = vk::ImageViewType::e2D,
+            .format = traits(format).format,
+            .subresourceRange = {.aspectMask = traits(format).aspect, .levelCount = 1, .layerCount = 1}});
+    return {std::move(image), std::move(memory), std::move(view)};
+}
+
+}  // namespace
+
+Image::Impl::Impl(Context& owner, Extent size, Format kind)
+    : context(owner), extent(size), format(kind), handles(owner, create(owner, size, kind)) {
+    context.run_once([this](const vk::raii::CommandBuffer& commands) {
+        constexpr auto all = vk::PipelineStageFlagBits::eAllCommands;
+        using Access = vk::AccessFlagBits;
+        const vk::ImageMemoryBarrier barrier{
+            .dstAccessMask = Access::eMemoryRead | Access::eMemoryWrite,
+            .oldLayout = vk::ImageLayout::eUndefined,
+            .newLayout = vk::ImageLayout::eGeneral,
+            .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+            .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+            .image = *handles->image,
+            .subresourceRange = {.aspectMask = traits(format).aspect, .levelCount = 1, .layerCount = 1}};
+        commands.pipelineBarrier(all, all, {}, nullptr, nullptr, barrier);
+    });
+}
+
+Image::Image(const Device& device, Extent extent, Format format)
+    : impl_(std::make_unique<Impl>(device.impl(), extent, format)) {}
+Image::~Image() = default;
+Image::Image(Image&&) noexcept = default;
+Image& Image::operator=(Image&&) noexcept = default;
+
+Extent Image::extent() const {
+    return impl_->extent;
+}
+Format Image::format() const {
+    return impl_->format;
+}
+
+namespace {
+
+// Copies bands of whole rows: an image may exceed the largest buffer, and staging all of it would double its
+// memory.
+constexpr std::size_t band_bytes = std::size_t{32} << 20;
+
+struct Band {
+    std::uint32_t first_row;
+    std::uint32_t rows;
+};
+
+std::size_t row_floats(const Image::Impl& image) {
+    return std::size_t{image.extent.width} * static_cast<std::size_t>(traits(image.format).channels);
+}
+
+std::size_t row_bytes(const Image::Impl& image) {
+    return image.extent.width * traits(image.format).texel_bytes;
+}
+
+std::uint32_t band_rows(const Image::Impl& image) {
+    const auto rows = std::clamp<std::size_t>(band_bytes / row_bytes(image), 1, image.extent.height);
+    return static_cast<std::uint32_t>(rows);
+}
+
+vk::BufferImageCopy copy_region(const Image::Impl& image, Band band) {
+    return {.imageSubresource = {.aspectMask = traits(image.format).aspect, .layerCount = 1},
+            .imageOffset = {0, static_cast<std::int32_t>(band.first_row), 0},
+            .imageExtent = {image.extent.width, band.rows, 1}};
+}
+
+// The nearest integer of 16 bits; 0 for NaN.
+std::uint16_t to_uint16(float value) {
+    return value > 0.0F ? static_cast<std::uint16_t>(std::lround(std::min(value, 65535.0F)))
+                        : std::uint16_t{0};
+}
+
+// The nearest of 0 to 1 in steps of 1/255; 0 for NaN.
+std::uint8_t to_unorm8(float value) {
+    return value > 0.0F ? static_cast<std::uint8_t>(std::lround(std::min(value, 1.0F) * 255.0F))
+                        : std::uint8_t{0};
+}
+
+void encode(Format format, std::span<const float> texels, std::byte* staging) {
+    auto* shorts = reinterpret_cast<std::uint16_t*>(staging);
+    if (format == Format::r8) {
+        std::ranges::transform(texels, reinterpret_cast<std::uint8_t*>(staging), to_unorm8);
+    } else if (format == Format::rgba16f || format == Format::r16f) {
+        std::ranges::transform(texels, shorts, to_half);
+    } else if (format == Format::rgba16ui) {
+        std::ranges::transform(texels, shorts, to_uint16);
+    } else {
+        std::memcpy(staging, texels.data(), texels.size_bytes());
+    }
+}
+
+void decode(Format format, const std::byte* staging, std::span<float> texels) {
+    const auto* shorts = reinterpret_cast<const std::uint16_t*>(staging);
+    if (format == Format::r8) {
+        const auto* bytes = reinterpret_cast<const std::uint8_t*>(staging);
+        std::transform(bytes, bytes + texels.size(), texels.begin(),
+                       [](std::uint8_t byte) { return static_cast<float>(byte) / 255.0F; });
+    } else if (format == Format::rgba16f || format == Format::r16f) {
+        std::transform(shorts, shorts + texels.size(), texels.begin(), from_half);
+    } else if (format == Format::rgba16ui) {
+        std::copy(shorts, shorts + texels.size(), texels.begin());
+    } else {
+        std::memcpy(texels.data(), staging, texels.size_bytes());
+    }
+}
+
+// Calls move(staging, band, floats before the band, floats in it) for each band of the image.
+template <class Move>
+void for_each_band(const Image::Impl& image, Move move) {
+    const auto most = band_rows(image);
+    Buffer::Impl staging(image.context, most * row_bytes(image));
+    for (std::uint32_t row = 0; row < image.extent.height; row += most) {
+        const Band band{row, std::min(most, image.extent.height - row)};
+        move(staging, band, row * row_floats(image), band.rows * row_floats(image));
+    }
+}
+
+}  // namespace
+
+void Image::upload(std::span<const float> texels) {
+    const auto& image = *impl_;
+    const auto expected = row_floats(image) * image.extent.height;
+    if (texels.size() != expected) {
+        throw std::invalid_argument(fmt::format("upload of {} floats to an image of {}x{} {}: expected {}",
+                                                texels.size(), image.extent.width, image.extent.height,
+                                                traits(image.format).name, expected));
+    }
+    for_each_band(image, [&](Buffer::Impl& staging, Band band, std::size_t first, std::size_t count) {
+        encode(image.format, texels.subspan(first, count), staging.mapped.data());
+        image.context.run_once([&](const vk::raii::CommandBuffer& commands) {
+            commands.copyBufferToImage(*staging.handles->buffer, *image.handles->image,
+                                       vk::ImageLayout::eGeneral, copy_region(image, band));
+        });
+    });
+}
+
+std::vector<float> Image::download() const {
+    const auto& image = *impl_;
+    std::vector<float> texels(row_floats(image) * image.extent.height);
+    for_each_band(image, [&](Buffer::Impl& staging, Band band, std::size_t first, std::size_t count) {
+        image.context.run_once([&](const vk::raii::CommandBuffer& commands) {
+            commands.copyImageToBuffer(*image.handles->image, vk::ImageLayout::eGeneral,
+                                       *staging.handles->buffer, copy_region(image, band));
+        });
+        decode(image.format, staging.mapped.data(), std::span(texels).subspan(first, count));
+    });
+    return texels;
+}
+
+}  // namespace gloam::gpu

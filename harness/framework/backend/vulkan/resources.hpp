@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "backend/vulkan/device.hpp"
+
+namespace gloam::gpu {
+
+// A storage buffer in host-visible, coherent memory, mapped during its lifetime. Its contents are undefined
+// at first. Throws std::runtime_error when `bytes` is 0 or exceeds the device's limit, or memory is
+// exhausted.
+class Buffer {
+  public:
+    Buffer(const Device& device, std::size_t bytes);
+    ~Buffer();
+    Buffer(Buffer&&) noexcept;
+    Buffer& operator=(Buffer&&) noexcept;
+
+    [[nodiscard]] std::size_t size() const;
+    [[nodiscard]] std::span<std::byte> bytes();
+    [[nodiscard]] std::span<const std::byte> bytes() const;
+
+    // The mapped memory as elements of the trivially copyable T, without a remainder smaller than T.
+    template <class T>
+    [[nodiscard]] std::span<T> as() {
+        return {reinterpret_cast<T*>(bytes().data()), size() / sizeof(T)};
+    }
+    template <class T>
+    [[nodiscard]] std::span<const T> as() const {
+        return {reinterpret_cast<const T*>(bytes().data()), size() / sizeof(T)};
+    }
+
+    struct Impl;
+    [[nodiscard]] Impl& impl() const { return *impl_; }
+
+  private:
+    std::unique_ptr<Impl> impl_;
+};
+
+// Formats that every Vulkan device can store and render to, the depth attachment's, and two that most devices
+// can store to (shaderStorageImageExtendedFormats).
+enum class Format { r32f, rgba32f, rgba16f, rgba16ui, depth32f, r16f, r8, r32ui };
+
+// Floats for each texel in uploads and downloads.
+[[nodiscard]] int channels(Format format);
+
+struct Extent {
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    friend bool operator==(const Extent&, const Extent&) = default;
+};
+
+// A 2-D image in device memory, row 0 at the top. It is a storage image and colour attachment, or (depth32f)
+// a depth attachment only. Its contents are undefined at first. Throws std::runtime_error when a side is 0 or
+// exceeds the device's limit, the device does not support the format, or memory is exhausted.
+class Image {
+  public:
+    Image(const Device& device, Extent extent, Format format);
+    ~Image();
+    Image(Image&&) noexcept;
+    Image& operator=(Image&&) noexcept;
+
+    [[nodiscard]] Extent extent() const;
+    [[nodiscard]] Format format() const;
+
+    // Replaces or reads all texels: width * height * channels floats, row by row. Waits for the device.
+    // rgba16f and r16f are converted from and to float32 (round to nearest even), rgba16ui from the nearest
+    // integer in 0 to 65535, and r8 from the nearest of 0 to 1 in steps of 1/255. A float of r32ui is the
+    // bits of its integer. Throws std::invalid_argument for another count, std::runtime_error like
+    // Commands::submit().
+    void upload(std::span<const float> texels);
+    [[nodiscard]] std::vector<float> download() const;
+
+    struct Impl;
+    [[nodiscard]] Impl& impl() const { return *impl_; }
+
+  private:
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace gloam::gpu

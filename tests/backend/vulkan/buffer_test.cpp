@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "backend/vulkan/gpu_test.hpp"
+#include "backend/vulkan/internal/half.hpp"
+#include "backend/vulkan/resources.hpp"
+#include "shaders/fill_comp.h"
+#include "shaders/image_comp.h"
+
+namespace gloam::gpu::test::buffer_test {
+
+using BufferTest = GpuTest;
+
+TEST_F(BufferTest, KeepsWhatTheHostWrites) {
+    for (const std::size_t count : {1u, 3u, 1000u, 100'000u}) {
+        Buffer buffer(device(), count * sizeof(std::uint32_t));
+        ASSERT_EQ(buffer.size(), count * sizeof(std::uint32_t));
+        ASSERT_EQ(buffer.as<std::uint32_t>().size(), count);
+        std::iota(buffer.as<std::uint32_t>().begin(), buffer.as<std::uint32_t>().end(), 7u);
+        const Buffer& view = buffer;
+        EXPECT_EQ(view.bytes().size(), buffer.size());
+        EXPECT_EQ(view.as<std::uint32_t>().front(), 7u);
+        EXPECT_EQ(buffer.as<std::uint32_t>().back(), 6u + count);
+    }
+}
+
+TEST_F(BufferTest, OfAnyNumberOfBytes) {
+    for (const std::size_t bytes : {1u, 2u, 5u, 257u}) {
+        Buffer buffer(device(), bytes);
+        std::ranges::fill(buffer.bytes(), std::byte{0xa5});
+        EXPECT_EQ(std::ranges::count(buffer.bytes(), std::byte{0xa5}), static_cast<std::ptrdiff_t>(bytes));
+    }
+}
+
+TEST_F(BufferTest, TheDeviceSeesAllOfIt) {
+    constexpr std::uint32_t count = 1'000'003;
+    const ComputePipeline fill(
+        device(), {.spirv = fill_comp, .bindings = {BindingKind::storage_buffer}, .push_constant_bytes = 8});
+    Buffer buffer(device(), count * sizeof(float));
+    std::ranges::fill(buffer.as<float>(), -1.0f);
+    run(device(), fill, {buffer}, {(count + 63) / 64, 1, 1}, bytes_of(std::array{3.0f, 0.5f}));
+    const auto values = buffer.as<float>();
+    for (std::uint32_t i = 0; i < count; ++i) ASSERT_EQ(values[i], 3.0f + static_cast<float>(i) * 0.5f) << i;
+}
+
+TEST_F(BufferTest, MovesWithItsContent) {
+    Buffer first(device(), 4);
+    first.as<std::uint32_t>()[0] = 42;
+    Buffer second(std::move(first));
+    EXPECT_EQ(second.as<std::uint32_t>()[0], 42u);
+    Buffer third(device(), 8);
+    third = std::move(second);
+    EXPECT_EQ(third.size(), 4u);
+    EXPECT_EQ(third.as<std::uint32_t>()[0], 42u);
+}
+
+TEST_F(BufferTest, SizesThatCannotBe) {
+    const auto most = std::to_string(device().info().max_buffer_bytes);
+    expect_error<std::runtime_error>([&] { Buffer(device(), 0); }, {"buffer of 0 bytes", most.c_str()});
+    const auto too_much = static_cast<std::size_t>(device().info().max_buffer_bytes) + 1;
+    expect_error<std::runtime_error>([&] { Buffer(device(), too_much); },
+                                     {std::to_string(too_much).c_str(), most.c_str()});
+}
+
+// Every texel and channel different, and exact in binary16 too: halves count up to the largest finite one.
+// Depth images hold values from 0 to 1 only.
+std::vector<float> distinct_texels(Extent extent, Format format) {
+    const auto channels_of_format = static_cast<std::size_t>(channels(format));
+    std::vector<float> texels(std::size_t{extent.width} * extent.height * channels_of_format);
+    for (std::size_t i = 0; i < texels.size(); ++i) {
+        switch (format) {
+            case Format::r8:
+                texels[i] = static_cast<float>(i % 256) / 255.0F;
+                break;
+            case Format::r16f:
+            case Format::rgba16f:
+                texels[i] = from_half(static_cast<std::uint16_t>(i % 0x7c00));
+                break;
+            case Format::rgba16ui:
+                texels[i] = static_cast<float>(i % 0x10000);
+                break;
+            default:
+                texels[i] = static_cast<float>(i) / static_cast<float>(texels.size());
+        }
+    }
+    return texels;
+}
+
+class RoundTripTest : public GpuTest, public ::testing::WithParamInterface<std::tuple<Format, Extent>> {};
+
+TEST_P(RoundTripTest, ComesBackAsItWas) {
+    const auto [format, extent] = GetParam();
+    Image image(device(), extent, format);
+    EXPECT_EQ(image.extent(), extent);
+    EXPECT_EQ(image.format(), format);
+    auto texels = distinct_texels(extent, format);
+    for (int pass = 0; pass < 2; ++pass) {
+        image.upload(texels);
+        ASSERT_EQ(image.download(), texels);
+        std::ranges::reverse(texels);
+    }
+}
+
+std::string case_name(const ::testing::TestParamInfo<RoundTripTest::ParamType>& info) {
+    const auto [format, extent] = info.param;
+    constexpr std::array names{"r32f", "rgba32f", "rgba16f", "rgba16ui", "depth32f", "r16f", "r8", "r32ui"};
+    return names[static_cast<std::size_t>(format)] + ("_" + std::to_string(extent.width)) + "x" +
+           std::to_string(extent.height);
+}
+
+constexpr Extent large{1500, 2000};  // as rgba32f more than is staged at once
+
+INSTANTIATE_TEST_SUITE_P(Formats, RoundTripTest,
+                         ::testing::Combine(::testing::Values(Format::r32f, Format::rgba32f, Format::rgba16f,
+                                                              Format::rgba16ui, Format::depth32f,
+                                                              Format::r16f, Format::r8, Format::r32ui),
+                                            ::testing::Values(Extent{1, 1}, Extent{3, 5}, Extent{257, 129})),
+                         case_name);
+INSTANTIATE_TEST_SUITE_P(Bands, RoundTripTest,
+                         ::testing::Combine(::testing::Values(Format::rgba32f), ::testing::Values(large)),
+                         case_name);
+
+using ImageTest = GpuTest;
+
+TEST_F(ImageTest, FloatsKeepTheirBits) {
+    Image image(device(), {4, 2}, Format::r32f);
+    const std::vector<float> texels{0.0f,
+                                    -0.0f,
+                                    std::numeric_limits<float>::denorm_min(),
+                                    std::numeric_limits<float>::max(),
+                                    std::numeric_limits<float>::infinity(),
+                                    -std::numeric_limits<float>::infinity(),
+                                    std::numeric_limits<float>::quiet_NaN(),
+                                    1.0f / 3.0f};
+    image.upload(texels);
+    const auto back = image.download();
+    for (std::size_t i = 0; i < texels.size(); ++i) {
+        EXPECT_EQ(std::bit_cast<std::uint32_t>(back[i]), std::bit_cast<std::uint32_t>(texels[i]))
+            << texels[i];
+    }
+}
+
+TEST_F(ImageTest, HalvesAreRoundedToNearest) {
+    Image image(device(), {1, 2}, Format::rgba16f);
+    image.upload(std::vector{1.0f + 0x1p-11f, 1.0f + 3 * 0x1p-11f, 65519.0f, 65520.0f,  //
+                             0x1p-25f, 3 * 0x1p-25f, -0.0f, -1e10f});
+    const auto infinity = std::numeric_limits<float>::infinity();
+    EXPECT_EQ(image.download(), (std::vector{1.0f, 1.0f + 0x1p-9f, 65504.0f, infinity,  //
+                                             0.0f, 0x1p-23f, -0.0f, -infinity}));
+}
+
+// Row 0 is the row with y = 0 in the shader, and uploads, dispatches and downloads see each other's writes.
+TEST_F(ImageTest, ShadersSeeTheSamePixels) {
+    constexpr Extent extent{13, 9};
+    const ComputePipeline pipeline(
+        device(),
+        {.spirv = image_comp,
+         .bindings = {BindingKind::storage_image, BindingKind::storage_image, BindingKind::storage_buffer}});
+    Image from(device(), extent, Format::r32f);
+    Image to(device(), extent, Format::rgba32f);
+    Buffer buffer(device(), std::size_t{extent.width} * extent.height * 16);
+    const auto texels = distinct_texels(extent, Format::r32f);
+    from.upload(texels);
+    run(device(), pipeline, {from, to, buffer}, {2, 2, 1});
+    std::vector<float> expected;
+    for (std::uint32_t i = 0; i < extent.width * extent.height; ++i) {
+        expected.insert(expected.end(), {texels[i], static_cast<float>(i % extent.width),
+                                         static_cast<float>(i / extent.width), 1.0f});
+    }
+    EXPECT_EQ(to.download(), expected);
+    const auto copied = buffer.as<float>();
+    EXPECT_EQ(std::vector(copied.begin(), copied.end()), expected);
+}
+
+TEST_F(ImageTest, MovesWithItsContent) {
+    Image first(device(), {1, 1}, Format::r32f);
+    first.upload(std::vector{5.0f});
+    Image second(std::move(first));
+    Image third(device(), {2, 2}, Format::rgba16f);
+    third = std::move(second);
+    EXPECT_EQ(third.extent(), (Extent{1, 1}));
+    EXPECT_EQ(third.download(), std::vector{5.0f});
+}
+
+TEST_F(ImageTest, SizesThatCannotBe) {
+    const auto most = device().info().max_image_size;
+    for (const Extent extent : {Extent{0, 4}, Extent{4, 0}, Extent{most + 1, 1}, Extent{1, most + 1}}) {
+        const auto size = std::to_string(extent.width) + "x" + std::to_string(extent.height);
+        expect_error<std::runtime_error>([&] { Image(device(), extent, Format::rgba16f); },
+                                         {size.c_str(), "rgba16f", std::to_string(most).c_str()});
+    }
+}
+
+TEST_F(ImageTest, UploadWantsEveryTexel) {
+    Image image(device(), {3, 2}, Format::rgba32f);
+    for (const std::size_t count : {0u, 23u, 25u, 6u}) {
+        expect_error<std::invalid_argument>([&] { image.upload(std::vector<float>(count)); },
+                                            {std::to_string(count).c_str(), "3x2 rgba32f", "24"});
+    }
+}
+
+TEST(Formats, HaveChannels) {
+    EXPECT_EQ(channels(Format::r32f), 1);
+    EXPECT_EQ(channels(Format::depth32f), 1);
+    EXPECT_EQ(channels(Format::rgba32f), 4);
+    EXPECT_EQ(channels(Format::rgba16f), 4);
+}
+
+constexpr std::uint16_t infinite = 0x7c00;
+
+bool is_nan(std::uint16_t half) {
+    return (half & 0x7fffu) > infinite;
+}
+
+// The value by definition.
+double value(std::uint16_t half) {
+    const int exponent = half >> 10 & 0x1f;
+    const int fraction = half & 0x3ff;
+    const double magnitude =
+        exponent == 0 ? std::ldexp(fraction, -24) : std::ldexp(1024 + fraction, exponent - 25);
+    return (half & 0x8000u) != 0 ? -magnitude : magnitude;
+}
+
+TEST(Half, EveryFiniteHalfIsExactBothWays) {
+    for (std::uint32_t bits = 0; bits < 0x10000; ++bits) {
+        const auto half = static_cast<std::uint16_t>(bits);
+        if ((half & 0x7fffu) >= infinite) continue;
+        ASSERT_EQ(static_cast<double>(from_half(half)), value(half)) << bits;
+        ASSERT_EQ(std::signbit(from_half(half)), (half & 0x8000u) != 0) << bits;
+        ASSERT_EQ(to_half(from_half(half)), half);
+    }
+}
+
+// Between neighbours, with one float32 step either side of the middle; the even one wins the tie. Infinity
+// counts as the neighbour of the largest, at 65536.
+TEST(Half, RoundsToNearestEven) {
+    for (std::uint16_t lower = 0; lower < infinite; ++lower) {
+        const auto upper = static_cast<std::uint16_t>(lower + 1);
+        const auto middle = static_cast<float>((value(lower) + value(upper)) / 2);
+        ASSERT_EQ(static_cast<double>(middle), (value(lower) + value(upper)) / 2);
+        const std::uint16_t even = (lower & 1u) == 0 ? lower : upper;
+        const auto minus = [](std::uint16_t half) { return static_cast<std::uint16_t>(half | 0x8000u); };
+        ASSERT_EQ(to_half(middle), even) << middle;
+        ASSERT_EQ(to_half(-middle), minus(even)) << middle;
+        ASSERT_EQ(to_half(std::nextafter(middle, 0.0f)), lower) << middle;
+        ASSERT_EQ(to_half(-std::nextafter(middle, 0.0f)), minus(lower)) << middle;
+        ASSERT_EQ(to_half(std::nextafter(middle, 1e30f)), upper) << middle;
+    }
+}
+
+TEST(Half, OutOfRange) {
+    EXPECT_EQ(to_half(65504.0f), 0x7bff);
+    EXPECT_EQ(to_half(65519.996f), 0x7bff);
+    EXPECT_EQ(to_half(65520.0f), infinite);
+    EXPECT_EQ(to_half(std::numeric_limits<float>::max()), infinite);
+    EXPECT_EQ(to_half(std::numeric_limits<float>::infinity()), infinite);
+    EXPECT_EQ(to_half(-std::numeric_limits<float>::infinity()), 0xfc00);
+    EXPECT_EQ(from_half(infinite), std::numeric_limits<float>::infinity());
+    EXPECT_EQ(from_half(0xfc00), -std::numeric_limits<float>::infinity());
+    EXPECT_EQ(to_half(0x1p-25f), 0);
+    EXPECT_EQ(to_half(std::numeric_limits<float>::denorm_min()), 0);
+    EXPECT_EQ(to_half(-std::numeric_limits<float>::denorm_min()), 0x8000);
+    EXPECT_EQ(to_half(-0.0f), 0x8000);
+}
+
+TEST(Half, NanStaysNan) {
+    for (const std::uint32_t bits : {0x7f800001u, 0x7fc00000u, 0x7fffffffu, 0xffc00001u, 0xff800001u}) {
+        EXPECT_TRUE(is_nan(to_half(std::bit_cast<float>(bits)))) << bits;
+    }
+    for (std::uint32_t fraction = 1; fraction < 0x400; ++fraction) {
+        EXPECT_TRUE(std::isnan(from_half(static_cast<std::uint16_t>(infinite | fraction))));
+    }
+}
+
+}  // namespace gloam::gpu::test::buffer_test

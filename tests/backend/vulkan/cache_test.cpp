@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+// The pipeline cache on disk: the file format by itself, then a device that finds the file in every state.
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+
+#include "backend/vulkan/gpu_test.hpp"
+#include "backend/vulkan/internal/pipeline_cache.hpp"
+#include "base/cached_file.hpp"
+#include "shaders/fill_comp.h"
+
+namespace gloam::gpu::test::cache_test {
+
+namespace fs = std::filesystem;
+using gloam::test::read_file;
+
+void write_all(const fs::path& file, const std::string& content) {
+    std::ofstream(file, std::ios::binary | std::ios::trunc) << content;
+}
+
+std::string some_bytes(std::size_t count) {
+    std::string bytes(count, '\0');
+    for (std::size_t i = 0; i < count; ++i) bytes[i] = static_cast<char>(i * 7);
+    return bytes;
+}
+
+constexpr base::Hash key{1, 2};
+constexpr base::Hash
+    pipelines{};  // the key of every file of pipelines, which the driver's header tells apart
+
+std::vector<fs::path> files_in(const fs::path& folder) {
+    return {fs::directory_iterator(folder), fs::directory_iterator()};
+}
+
+TEST(CacheFile, ComesBackAsItWas) {
+    const TemporaryDirectory folder;
+    const auto file = folder.path() / "made" / "on the way" / "cache";
+    for (const std::size_t size : {0u, 1u, 1000u}) {
+        ASSERT_TRUE(base::write_cached(file, key, some_bytes(size)));
+        EXPECT_EQ(base::read_cached(file, key), some_bytes(size));
+    }
+    EXPECT_EQ(files_in(file.parent_path()).size(), 1u) << "a temporary file was left behind";
+}
+
+TEST(CacheFile, MissingIsEmpty) {
+    EXPECT_FALSE(base::read_cached("/nonexistent/cache", key));
+}
+
+TEST(CacheFile, AnotherKeyIsMissing) {
+    const TemporaryDirectory folder;
+    const auto file = folder.path() / "cache";
+    ASSERT_TRUE(base::write_cached(file, key, some_bytes(40)));
+    EXPECT_FALSE(base::read_cached(file, {1, 3}));
+}
+
+TEST(CacheFile, AnyFlippedBitShows) {
+    const TemporaryDirectory folder;
+    const auto file = folder.path() / "cache";
+    ASSERT_TRUE(base::write_cached(file, key, some_bytes(40)));
+    const auto good = read_file(file);
+    for (std::size_t bit = 0; bit < good.size() * 8; ++bit) {
+        auto bad = good;
+        bad[bit / 8] = static_cast<char>(bad[bit / 8] ^ (1 << bit % 8));
+        write_all(file, bad);
+        ASSERT_FALSE(base::read_cached(file, key)) << "bit " << bit;
+    }
+}
+
+TEST(CacheFile, AnyOtherLengthShows) {
+    const TemporaryDirectory folder;
+    const auto file = folder.path() / "cache";
+    ASSERT_TRUE(base::write_cached(file, key, some_bytes(40)));
+    const auto good = read_file(file);
+    for (std::size_t length = 0; length < good.size(); ++length) {
+        write_all(file, good.substr(0, length));
+        ASSERT_FALSE(base::read_cached(file, key)) << length << " bytes";
+    }
+    write_all(file, good + '\0');
+    EXPECT_FALSE(base::read_cached(file, key));
+}
+
+TEST(CacheFile, AFolderThatCannotBeWrittenIsNoError) {
+    const TemporaryDirectory folder;
+    folder.write("file", "");
+    EXPECT_FALSE(base::write_cached(folder.path() / "file" / "cache", key, some_bytes(4)));
+    fs::create_directory(folder.path() / "taken");
+    folder.write("taken/x", "");
+    EXPECT_FALSE(base::write_cached(folder.path() / "taken", key, some_bytes(4)));
+    EXPECT_EQ(files_in(folder.path()).size(), 2u) << "a temporary file was left behind";
+}
+
+// Vulkan's header: its length, version 1, vendor, device, UUID; then what is the driver's own.
+std::vector<std::byte> blob_of(const DriverKey& driver, std::size_t own_bytes) {
+    const std::array<std::uint32_t, 4> start{32, 1, driver.vendor, driver.device};
+    std::vector<std::byte> blob;
+    std::ranges::copy(std::as_bytes(std::span(start)), std::back_inserter(blob));
+    std::ranges::copy(std::as_bytes(std::span(driver.uuid)), std::back_inserter(blob));
+    blob.resize(blob.size() + own_bytes);
+    return blob;
+}
+
+TEST(CacheHeader, OnlyTheDriverThatWroteItMayHaveIt) {
+    const DriverKey driver{
+        .vendor = 0x10005, .device = 7, .uuid = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16}};
+    for (const std::size_t own_bytes : {0u, 1u, 100u}) {
+        auto blob = blob_of(driver, own_bytes);
+        ASSERT_TRUE(is_pipeline_cache_of(blob, driver));
+        for (std::size_t i = 1; i < 32; ++i) {  // byte 0: the header itself may grow
+            auto other = blob;
+            other[i] ^= std::byte{0x80};
+            EXPECT_FALSE(is_pipeline_cache_of(other, driver)) << "byte " << i;
+        }
+    }
+}
+
+TEST(CacheHeader, MustBeWhole) {
+    const DriverKey driver{.vendor = 1, .device = 2};
+    auto blob = blob_of(driver, 0);
+    for (std::size_t length = 0; length < blob.size(); ++length) {
+        EXPECT_FALSE(is_pipeline_cache_of(std::span(blob).first(length), driver)) << length;
+    }
+    for (const int length : {0, 31, 33}) {
+        blob[0] = static_cast<std::byte>(length);
+        EXPECT_FALSE(is_pipeline_cache_of(blob, driver)) << length;
+    }
+}
+
+class PipelineCacheTest : public GpuTest {
+  protected:
+    // Opens the device with the folder, computes something, and closes it.
+    void use(const fs::path& folder) {
+        open({.cache_directory = folder});
+        identity_ = device().info().identity;
+        {
+            const ComputePipeline fill(
+                device(),
+                {.spirv = fill_comp, .bindings = {BindingKind::storage_buffer}, .push_constant_bytes = 8});
+            Buffer buffer(device(), 12);
+            run(device(), fill, {buffer}, {1, 1, 1}, bytes_of(std::array{4.0f, 2.0f}));
+            EXPECT_EQ(buffer.as<float>()[2], 8.0f);
+        }
+        close();
+    }
+
+    fs::path file(const fs::path& folder) const { return folder / ("pipelines-" + identity_ + ".bin"); }
+
+    // Spoils a good file, and expects the next use to put it right.
+    void expect_repaired(const std::function<void(const fs::path&)>& spoil) {
+        const TemporaryDirectory folder;
+        use(folder.path());
+        const auto good = base::read_cached(file(folder.path()), pipelines);
+        ASSERT_TRUE(good);
+        spoil(file(folder.path()));
+        ASSERT_NE(base::read_cached(file(folder.path()), pipelines), good);
+        use(folder.path());
+        EXPECT_EQ(base::read_cached(file(folder.path()), pipelines), good);
+        EXPECT_EQ(files_in(folder.path()).size(), 1u);
+    }
+
+  private:
+    std::string identity_;
+};
+
+TEST_F(PipelineCacheTest, IsOneFileNamedAfterTheDevice) {
+    const TemporaryDirectory folder;
+    use(folder.path() / "new");
+    EXPECT_EQ(files_in(folder.path() / "new"), std::vector{file(folder.path() / "new")});
+}
+
+TEST_F(PipelineCacheTest, IsNotWrittenAgainWithoutNeed) {
+    const TemporaryDirectory folder;
+    use(folder.path());
+    const auto written = fs::last_write_time(file(folder.path()));
+    const auto long_ago = written - std::chrono::hours(1);
+    fs::last_write_time(file(folder.path()), long_ago);
+    use(folder.path());
+    EXPECT_EQ(fs::last_write_time(file(folder.path())), long_ago);
+}
+
+TEST_F(PipelineCacheTest, IsRebuiltWhenCutShort) {
+    expect_repaired([](const fs::path& cache) { fs::resize_file(cache, fs::file_size(cache) / 2); });
+    expect_repaired([](const fs::path& cache) { fs::resize_file(cache, 0); });
+}
+
+TEST_F(PipelineCacheTest, IsRebuiltWhenABitFlips) {
+    expect_repaired([](const fs::path& cache) {
+        auto content = read_file(cache);
+        content.back() = static_cast<char>(content.back() ^ 1);
+        write_all(cache, content);
+    });
+}
+
+// Whole and consistent by our own header, yet of another driver by Vulkan's (its UUID is at byte 16).
+TEST_F(PipelineCacheTest, IsRebuiltWhenItIsOfAnotherDriver) {
+    expect_repaired([](const fs::path& cache) {
+        std::string content = base::read_cached(cache, pipelines).value();
+        content.at(16) = static_cast<char>(content.at(16) ^ 0xff);
+        ASSERT_TRUE(base::write_cached(cache, pipelines, content));
+    });
+    expect_repaired(
+        [](const fs::path& cache) { ASSERT_TRUE(base::write_cached(cache, pipelines, some_bytes(10))); });
+}
+
+TEST_F(PipelineCacheTest, CannotBeWrittenIsNoError) {
+    const TemporaryDirectory folder;
+    folder.write("file", "");
+    use(folder.path() / "file" / "below");
+    EXPECT_EQ(files_in(folder.path()).size(), 1u);
+}
+
+}  // namespace gloam::gpu::test::cache_test

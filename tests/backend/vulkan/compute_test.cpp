@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+
+#include "backend/vulkan/commands.hpp"
+#include "backend/vulkan/gpu_test.hpp"
+#include "shaders/chain_comp.h"
+#include "shaders/count_comp.h"
+#include "shaders/fill_comp.h"
+#include "shaders/outside_comp.h"
+#include "shaders/slow_comp.h"
+#include "shaders/specialize_comp.h"
+
+namespace gloam::gpu::test::compute_test {
+
+using ComputeTest = GpuTest;
+
+std::vector<std::uint32_t> specialize(const Device& device, std::vector<SpecializationConstant> constants) {
+    const ComputePipeline pipeline(device, {.spirv = specialize_comp,
+                                            .bindings = {BindingKind::storage_buffer},
+                                            .constants = std::move(constants)});
+    Buffer buffer(device, 6 * sizeof(std::uint32_t));
+    std::ranges::fill(buffer.as<std::uint32_t>(), 0u);
+    run(device, pipeline, {buffer}, {2, 3, 5});
+    const auto values = buffer.as<std::uint32_t>();
+    return {values.begin(), values.end()};
+}
+
+TEST_F(ComputeTest, SpecializationConstantsHaveTheirDefaults) {
+    EXPECT_EQ(specialize(device(), {}),
+              (std::vector<std::uint32_t>{std::bit_cast<std::uint32_t>(1.5f), 2u, 3u, 0u, 1u, 30u}));
+}
+
+TEST_F(ComputeTest, SpecializationConstantsAreSetById) {
+    const std::vector<SpecializationConstant> constants{
+        {5, 1u}, {0, std::bit_cast<std::uint32_t>(-0.25f)}, {7, 16u}, {4, 0xffffffffu}};
+    EXPECT_EQ(
+        specialize(device(), constants),
+        (std::vector<std::uint32_t>{std::bit_cast<std::uint32_t>(-0.25f), 2u, 0xffffffffu, 1u, 16u, 480u}));
+}
+
+TEST_F(ComputeTest, EachDispatchHasItsOwnPushConstants) {
+    const ComputePipeline fill(
+        device(), {.spirv = fill_comp, .bindings = {BindingKind::storage_buffer}, .push_constant_bytes = 8});
+    std::vector<Buffer> buffers;
+    for (int i = 0; i < 3; ++i) buffers.emplace_back(device(), 65 * sizeof(float));
+    Commands commands(device());
+    for (std::size_t i = 0; i < buffers.size(); ++i) {
+        const std::array constants{static_cast<float>(i), 10.0f};  // copied: gone before submit()
+        commands.dispatch(fill, std::vector<Resource>{buffers[i]}, {2, 1, 1}, bytes_of(constants));
+    }
+    commands.submit();
+    for (std::size_t i = 0; i < buffers.size(); ++i) {
+        EXPECT_EQ(buffers[i].as<float>().front(), static_cast<float>(i));
+        EXPECT_EQ(buffers[i].as<float>().back(), static_cast<float>(i) + 640.0f);
+    }
+}
+
+TEST_F(ComputeTest, NoGroupsDoNothing) {
+    const ComputePipeline fill(
+        device(), {.spirv = fill_comp, .bindings = {BindingKind::storage_buffer}, .push_constant_bytes = 8});
+    Buffer buffer(device(), 4);
+    buffer.as<float>()[0] = 7.0f;
+    run(device(), fill, {buffer}, {0, 1, 1}, bytes_of(std::array{1.0f, 1.0f}));
+    EXPECT_EQ(buffer.as<float>()[0], 7.0f);
+}
+
+TEST_F(ComputeTest, NoCommandsSubmit) {
+    Commands commands(device());
+    commands.submit();
+    EXPECT_TRUE(commands.times_ms().empty());
+}
+
+// Each of many dispatches needs the whole result of the one before; also more descriptor sets than one pool
+// has.
+TEST_F(ComputeTest, EachDispatchSeesTheOneBefore) {
+    constexpr std::size_t count = 5000;
+    constexpr int steps = 301;
+    const ComputePipeline chain(
+        device(),
+        {.spirv = chain_comp, .bindings = {BindingKind::storage_buffer, BindingKind::storage_buffer}});
+    std::array buffers{Buffer(device(), count * 4), Buffer(device(), count * 4)};
+    std::vector<std::uint32_t> expected(count);
+    std::iota(expected.begin(), expected.end(), 1u);
+    std::ranges::copy(expected, buffers[0].as<std::uint32_t>().begin());
+
+    Commands commands(device());
+    for (std::size_t step = 0; step < steps; ++step) {
+        commands.dispatch(chain, std::vector<Resource>{buffers[step % 2], buffers[(step + 1) % 2]},
+                          {(count + 63) / 64, 1, 1});
+        std::vector<std::uint32_t> next(count);
+        for (std::size_t i = 0; i < count; ++i)
+            next[i] = 3 * expected[i] + expected[(i + count / 2 + 1) % count];
+        expected = std::move(next);
+    }
+    commands.submit();
+    const auto result = buffers[steps % 2].as<std::uint32_t>();
+    EXPECT_EQ(std::vector(result.begin(), result.end()), expected);
+}
+
+// robustBufferAccess: what a faulty shader writes outside its buffer must hit neither the process nor another
+// buffer.
+TEST_F(ComputeTest, AccessOutsideABufferIsHarmless) {
+    const ComputePipeline outside(
+        device(),
+        {.spirv = outside_comp, .bindings = {BindingKind::storage_buffer}, .push_constant_bytes = 4});
+    std::vector<Buffer> buffers;
+    for (int i = 0; i < 3; ++i) {
+        buffers.emplace_back(device(), 16);
+        std::ranges::fill(buffers.back().as<std::uint32_t>(), 5u);
+    }
+    for (const std::uint32_t index : {4u, 1u << 10, 1u << 20, 0x3ffffff0u, 0x7ffffff0u}) {
+        run(device(), outside, {buffers[1]}, {1, 1, 1}, bytes_of(index));
+        EXPECT_EQ(buffers[1].as<std::uint32_t>()[0], 1u);
+        for (const std::size_t other : {0u, 2u}) {
+            EXPECT_EQ(std::ranges::count(buffers[other].as<std::uint32_t>(), 5u), 4) << index;
+        }
+    }
+}
+
+TEST_F(ComputeTest, CommandsRunOnce) {
+    Commands commands(device());
+    commands.submit();
+    expect_error<std::runtime_error>([&] { commands.submit(); }, {"submitted"});
+    expect_error<std::runtime_error>([&] { commands.timestamp(); }, {"submitted"});
+}
+
+TEST_F(ComputeTest, CommandsMayBeDroppedUnsubmitted) {
+    const ComputePipeline fill(
+        device(), {.spirv = fill_comp, .bindings = {BindingKind::storage_buffer}, .push_constant_bytes = 8});
+    Buffer buffer(device(), 4);
+    Commands commands(device());
+    commands.dispatch(fill, std::vector<Resource>{buffer}, {1, 1, 1}, bytes_of(std::array{1.0f, 1.0f}));
+    commands = Commands(device());
+    commands.submit();
+}
+
+// Dispatches whose size a shader decides.
+
+class IndirectTest : public GpuTest {
+  protected:
+    ComputePipeline fill() {
+        return {device(),
+                {.spirv = fill_comp, .bindings = {BindingKind::storage_buffer}, .push_constant_bytes = 8}};
+    }
+    static constexpr std::array constants{1.0F, 0.0F};
+};
+
+// The counts are written in the same submission: fill.comp writes 64 values a group.
+TEST_F(IndirectTest, RunsAsManyGroupsAsTheShaderBeforeAsked) {
+    const auto pipeline = fill();
+    const ComputePipeline count(device(),
+                                {.spirv = count_comp,
+                                 .bindings = {BindingKind::storage_buffer, BindingKind::storage_buffer},
+                                 .push_constant_bytes = 4});
+    Buffer values(device(), 5 * sizeof(float));
+    std::iota(values.as<float>().begin(), values.as<float>().end(), 0.0F);
+    for (const std::ptrdiff_t wanted : {0, 1, 3, 5}) {
+        Buffer groups(device(), 16);
+        Buffer filled(device(), 320 * sizeof(float));
+        std::ranges::fill(filled.as<float>(), 0.0F);
+        Commands commands(device());
+        commands.dispatch(count, std::vector<Resource>{values, groups}, {1, 1, 1},
+                          bytes_of(4.5F - static_cast<float>(wanted)));
+        commands.dispatch_indirect(pipeline, std::vector<Resource>{filled}, groups, 4, bytes_of(constants));
+        commands.submit();
+        EXPECT_EQ(std::ranges::count(filled.as<float>(), 1.0F), 64 * wanted);
+    }
+}
+
+TEST_F(IndirectTest, RefusesWhatDoesNotFit) {
+    const auto pipeline = fill();
+    Buffer groups(device(), 16);
+    Buffer filled(device(), 64);
+    const std::vector<Resource> resources{filled};
+    Commands commands(device());
+    for (const std::size_t offset : {2U, 8U, 16U, 1000U}) {
+        expect_error<std::invalid_argument>(
+            [&] { commands.dispatch_indirect(pipeline, resources, groups, offset, bytes_of(constants)); },
+            {"group counts", "buffer of 16", "12 bytes"});
+    }
+    expect_error<std::invalid_argument>(
+        [&] { commands.dispatch_indirect(pipeline, {}, groups, 0, bytes_of(constants)); }, {"0 resources"});
+    expect_error<std::invalid_argument>([&] { commands.dispatch_indirect(pipeline, resources, groups, 0); },
+                                        {"push constants"});
+    commands.submit();  // the refused commands have left no trace
+    expect_error<std::runtime_error>(
+        [&] { commands.dispatch_indirect(pipeline, resources, groups, 0, bytes_of(constants)); },
+        {"submitted"});
+}
+
+TEST_F(IndirectTest, RefusesTheBufferOfAnotherDevice) {
+    const auto pipeline = fill();
+    Buffer filled(device(), 64);
+    const Device other({.device = variable("GLOAM_TEST_DEVICE")});
+    Buffer groups(other, 16);
+    Commands commands(device());
+    expect_error<std::invalid_argument>(
+        [&] {
+            commands.dispatch_indirect(pipeline, std::vector<Resource>{filled}, groups, 0,
+                                       bytes_of(constants));
+        },
+        {"group counts", "another device"});
+}
+
+class TimestampTest : public GpuTest {
+  protected:
+    void SetUp() override {
+        if (device().info().timestamp_period_ns == 0.0) GTEST_SKIP() << "no timestamps on this device";
+    }
+};
+
+TEST_F(TimestampTest, ReadTheWorkBetweenThem) {
+    const ComputePipeline slow(
+        device(), {.spirv = slow_comp, .bindings = {BindingKind::storage_buffer}, .push_constant_bytes = 4});
+    Buffer buffer(device(), 4);
+    constexpr std::uint32_t steps = 60'000;
+    Commands commands(device());
+    const std::vector<Resource> resources{buffer};
+    EXPECT_EQ(commands.timestamp(), 0u);
+    commands.dispatch(slow, resources, {10, 1, 1}, bytes_of(steps));
+    EXPECT_EQ(commands.timestamp(), 1u);
+    commands.dispatch(slow, resources, {10, 20, 1}, bytes_of(steps));
+    EXPECT_EQ(commands.timestamp(), 2u);
+
+    const auto start = std::chrono::steady_clock::now();
+    commands.submit();
+    const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - start;
+    const auto times = commands.times_ms();
+    ASSERT_EQ(times.size(), 3u);
+    EXPECT_EQ(times[0], 0.0);
+    EXPECT_GT(times[1], 0.0);
+    EXPECT_GT(times[2], times[1]);
+    // In milliseconds: a part of the wait.
+    EXPECT_LT(times[2], 1.05 * wall.count() + 1.0);
+}
+
+// More readings than one query pool holds, and they never run backwards.
+TEST_F(TimestampTest, AreMonotone) {
+    Commands commands(device());
+    for (std::size_t i = 0; i < 200; ++i) ASSERT_EQ(commands.timestamp(), i);
+    commands.submit();
+    const auto times = commands.times_ms();
+    ASSERT_EQ(times.size(), 200u);
+    EXPECT_EQ(times.front(), 0.0);
+    EXPECT_TRUE(std::ranges::is_sorted(times));
+}
+
+TEST_F(TimestampTest, AreThereOnlyAfterSubmit) {
+    Commands commands(device());
+    commands.timestamp();
+    expect_error<std::runtime_error>([&] { static_cast<void>(commands.times_ms()); }, {"not been submitted"});
+}
+
+}  // namespace gloam::gpu::test::compute_test
