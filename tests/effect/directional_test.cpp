@@ -182,13 +182,16 @@ TEST_F(Directions, ConstantLightIsVisibility) {
 }
 
 TEST_F(Directions, LightComesFromWhereItIs) {
-    scene::Environment sides{.extent = {2, 1}, .radiance = {{1, 0, 0}, {0, 1, 0}}};  // -x red, +x green
+    // On the eye's side -x is red and +x green; what the wall hides is blue.
+    const scene::Environment sides{.extent = {4, 1},
+                                   .radiance = {{1, 0, 0}, {0, 0, 1}, {0, 0, 1}, {0, 1, 0}}};
     const DirectionalLight light = directional_.light(step(3.0F - high, 3.0F, close), many(), sides);
     EXPECT_GT(light.direct[beside].y, 0.45F);
     EXPECT_LT(light.direct[beside].x, 0.1F);
     const DirectionalLight open = directional_.light(step(3.0F, 3.0F), many(), sides);
     EXPECT_NEAR(open.direct[beside].x, 0.5F, 0.02F);
     EXPECT_NEAR(open.direct[beside].y, 0.5F, 0.02F);
+    EXPECT_LT(open.direct[beside].z, 0.02F);
     scene::GBuffer turned = step(3.0F, 3.0F);  // looking down +y: up is the surface's normal
     turned.camera = scene::make_frame({.target = {0, -1, 0},
                                        .up = {0, 0, -1},
