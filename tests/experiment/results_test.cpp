@@ -26,6 +26,8 @@ Record everything() {
     more.shown.value = 3.0;
     more.difference = 0.25;
     more.quality->flicker = 0.001;
+    more.quality->converged = Converged{.similarity = 0.5, .own = effect::Errors{.rmse = 0.25}};
+    more.point = PointQuality{.truth = 0.5, .occlusion = 0.4, .own = 0.3};
     more.quality->bias = std::numeric_limits<double>::quiet_NaN();
     more.work = {.pixels = 64, .samples = std::uint64_t{1} << 40U, .tiles_unfiltered = 7};
     record.add(more);
@@ -54,6 +56,10 @@ TEST(ExperimentRecord, ReadsWhatItWrote) {
     EXPECT_EQ(last.shown.what, "25 %");
     EXPECT_EQ(last.difference, 0.25);
     EXPECT_EQ(last.quality->flicker, 0.001);
+    EXPECT_EQ(last.quality->converged->own->rmse, 0.25);
+    EXPECT_FALSE(last.quality->converged->depth);
+    EXPECT_EQ(last.point->own, 0.3);
+    EXPECT_FALSE(last.point->shown);
     EXPECT_TRUE(std::isnan(last.quality->bias));
     EXPECT_EQ(last.quality->memory_bytes, 3'145'728U);
     EXPECT_EQ(last.work.samples, std::uint64_t{1} << 40U);
@@ -99,6 +105,9 @@ TEST(ExperimentRecord, SaysWhereSomethingElseStands) {
     expect_refused(with(text, R"("width":320)", R"("width":18446744073709551615)"), "line 2: width");
     expect_refused(with(text, R"("rmse":0.05)", R"("rmse":"small")"), "line 2: quality.rmse: expected");
     expect_refused(with(text, R"("pass":"ambient_occlusion")", R"("pass":3)"), "readings[0].passes[0].pass");
+    expect_refused(with(text, R"("own":{"rmse":0.25)", R"("own":{"rmse":[])"),
+                   "line 8: quality.converged.own.rmse: expected a number");
+    expect_refused(with(text, R"("standard_error":0.0,)", ""), "\"standard_error\"");
     const std::string endless = "{\"" + std::string(100'000, 'x');
     try {
         (void)read_record("", endless);

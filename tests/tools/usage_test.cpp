@@ -110,6 +110,12 @@ TEST_F(List, SettingsWithDefaultAndRange) {
     EXPECT_THAT(one.out, HasSubstr("default: 32\n"));
 }
 
+TEST_F(List, AMethodSaysWhatItMeasures) {
+    const std::string result = output_of(gloam("list methods poisson"));
+    EXPECT_THAT(result, HasSubstr("measure: cosine-weighted\nfalloff: none up to the radius\nsamples: "));
+    EXPECT_THAT(result, HasSubstr("file: gloam/methods/poisson.glsl\n"));
+}
+
 // What is printed of a preset makes the same: as text by --method and --set, as JSON by --preset.
 TEST_F(List, APresetSaysWhatItSets) {
     const std::string result = output_of(gloam("list presets sweep-balanced"));

@@ -133,9 +133,10 @@ class Judge {
         if (views_->frames().rays == 0) return std::nullopt;
         const double frames = views_->frames().scores();
         FrameQuality mean = sum_;
-        for (double* value : {&mean.raw_geometry, &mean.raw_depth, &mean.geometry, &mean.depth, &mean.bias,
-                              &mean.percentile_99, &mean.samples})
+        for (double* value :
+             {&mean.raw_geometry, &mean.raw_depth, &mean.geometry, &mean.depth, &mean.bias, &mean.samples})
             *value /= frames;
+        if (mean.percentile_99) *mean.percentile_99 /= frames;
         if (mean.flicker) *mean.flicker /= std::max(1.0, frames - (views_->first_scored() == 0 ? 1.0 : 0.0));
         if (mean.by_class && flickers_ == 0) mean.by_class->flicker.clear();
         if (mean.by_class)
@@ -150,7 +151,7 @@ class Judge {
         const effect::Errors shown = effect::errors_of(frame.filtered, truth.geometry);
         sum_.geometry += shown.rmse;
         sum_.bias += shown.bias;
-        sum_.percentile_99 += shown.percentile_99;
+        sum_.percentile_99 = sum_.percentile_99.value_or(0.0) + shown.percentile_99;
         if (!truth.depth.empty()) {
             sum_.raw_depth += effect::errors_of(frame.occlusion, truth.depth).rmse;
             sum_.depth += effect::errors_of(frame.filtered, truth.depth).rmse;
@@ -212,7 +213,7 @@ void add(FrameQuality& mean, const effect::PlainFrame& frame, const effect::Trut
     const effect::Errors shown = effect::errors_of(frame.blurred, truth);
     mean.geometry += shown.rmse / scored;
     mean.bias += shown.bias / scored;
-    mean.percentile_99 += shown.percentile_99 / scored;
+    mean.percentile_99 = mean.percentile_99.value_or(0.0) + shown.percentile_99 / scored;
 }
 
 }  // namespace

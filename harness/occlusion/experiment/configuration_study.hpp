@@ -120,9 +120,9 @@ struct FrameQuality {
     double raw_depth = 0.0;     // of the estimate against (D); 0 where that is not traced
     double geometry = 0.0;      // of the displayed image against (G)
     double depth = 0.0;
-    double bias = 0.0;           // mean of the displayed image - (G)
-    double percentile_99 = 0.0;  // of the magnitude of its errors
-    double similarity = 0.0;     // SSIM of the displayed image and (G), in the last scored frame
+    double bias = 0.0;                    // mean of the displayed image - (G)
+    double similarity = 0.0;              // SSIM of the displayed image and (G), in the last scored frame
+    std::optional<double> percentile_99;  // of the magnitude of the displayed image's errors
     std::optional<double> flicker;
     std::optional<double> remapped;  // of the estimate in the last scored frame after its best remap
     double samples = 0.0;            // taken for each pixel with geometry, mean

@@ -189,7 +189,7 @@ void add_outputs(CLI::App& command, ExperimentOptions& options) {
 // Where candidates are a query, any scene may be a case. It is shown as the last case of the description is.
 void add_scenes(Experiment& what, const std::vector<std::string>& names) {
     for (const std::string& name : names) {
-        if (std::ranges::find(what.cases, name, &experiment::Case::name) != what.cases.end()) continue;
+        if (what.cases.empty() || std::ranges::count(what.cases, name, &experiment::Case::name) > 0) continue;
         experiment::Case scene = what.cases.back();
         scene.name = scene.scene = name;
         what.cases.push_back(std::move(scene));
