@@ -118,8 +118,9 @@ class Experiment {
         if (place.target == Target::depth_alone) view.normal.clear();
         const effect::Frame clean = robust_.run(view);
         Damage damage;
+        std::size_t number = 0;
         for (const BadValue& bad : bad_values()) {
-            for (const glm::ivec2 source : sources())
+            for (const glm::ivec2 source : sources(number++))
                 one_texel(view, place, bad.value, source, clean, damage);
             everywhere(view, place, bad.value, damage);
         }
@@ -127,9 +128,10 @@ class Experiment {
     }
 
   private:
-    // Both sides of a step's edge, two corners and an edge of the image.
-    [[nodiscard]] std::vector<glm::ivec2> sources() const {
-        if (!full_) return {{18, 12}, {0, 0}};
+    // Both sides of a step's edge, two corners and an edge of the image; briefly, a step's edge and a corner
+    // in turn.
+    [[nodiscard]] std::vector<glm::ivec2> sources(std::size_t number_of_value) const {
+        if (!full_) return {number_of_value % 2 == 0 ? glm::ivec2(18, 12) : glm::ivec2(0, 0)};
         return {{18, 12}, {17, 12}, {0, 0}, {36, 25}, {17, 0}};
     }
 
