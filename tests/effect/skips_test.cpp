@@ -248,6 +248,24 @@ TEST_F(Skips, OfAFloorFewTilesCannotBeProvenOpen) {
     EXPECT_GT(work.tiles_open, (work.tiles - work.tiles_background) / 2);
 }
 
+// Blocks of pixels that begin far behind the floor and end in front of it, along x and along y.
+TEST_F(Skips, ASurfaceThatComesNearWithinATileIsSeen) {
+    scene::GBuffer view = floor_view({160, 90}, 0.0F);
+    const auto ramp = [&](std::size_t left, std::size_t top, bool along_y) {
+        const float near = view.depth[160 * (top + 7) + left + 7] - 0.3F;
+        for (std::size_t y = 0; y < 8; ++y)
+            for (std::size_t x = 0; x < 8; ++x)
+                view.depth[160 * (top + y) + left + x] =
+                    1.0F / std::lerp(1.0F / 40.0F, 1.0F / near, static_cast<float>(along_y ? y : x) / 7.0F);
+    };
+    ramp(80, 56, false);
+    ramp(32, 64, true);
+    const Frame frame = expect_same({{view, 2}}, quick(Settings{})).front();
+    EXPECT_GT(frame.work.tiles_open, 0U);
+    EXPECT_GT(frame.occlusion[160 * 60 + 90], 0.0F);
+    EXPECT_GT(frame.occlusion[160 * 74 + 36], 0.0F);
+}
+
 TEST_F(Skips, APixelThatRisesByMoreThanTheBiasIsSeen) {
     const scene::GBuffer flat = floor_view({160, 90}, 0.0F);
     const Settings settings = quick(Settings{});
