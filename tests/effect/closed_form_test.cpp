@@ -130,9 +130,8 @@ double on_a_plane(const std::string& method) {
     return with_method(Settings{}, method).remap_a > 0.0F ? 0.5 : 0.0;
 }
 
-// With normals and without, and with as many samples as were asked for. Every method in images of one pixel
-// and of one row is a part of `gloam stress` (tests/tools/stress/robust_test.cpp); here those of half a
-// pixel.
+// With normals and without, and with as many samples as were asked for. `gloam stress` tries every method in
+// full-size images of one pixel and of one row (tests/tools/stress/robust_test.cpp).
 TEST_P(Invariants, ABarePlaneIsOpenInImagesOfAnySize) {
     Settings settings = plain(GetParam(), 1.0F);
     settings.least_radius = 0.0F;  // in the smallest a pixel is wider than the radius
