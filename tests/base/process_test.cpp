@@ -80,7 +80,6 @@ TEST(Process, NothingOfTheCommandIsForAShell) {
     EXPECT_EQ(run_process({"echo", "$(id); `id`\n'"}, "", {}).output, "$(id); `id`\n'\n");
 }
 
-using namespace std::chrono_literals;
 using std::chrono::nanoseconds;
 
 void wait_for(const Patience& patience) {

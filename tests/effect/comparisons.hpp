@@ -54,7 +54,8 @@ inline void expect_same_images(const Frame& left, const Frame& right,
         EXPECT_TRUE(same_bits(left.*image, right.*image, left.extent.width)) << name << ' ' << what;
     }
 }
-// The same of sequences of frames.
+
+// Fails unless the images of each frame of two sequences have the same bits.
 inline void expect_same_images(const std::vector<Frame>& left, const std::vector<Frame>& right,
                                std::initializer_list<FrameImage> images = {}) {
     ASSERT_EQ(left.size(), right.size());

@@ -52,7 +52,7 @@ Record scored() {
     Visit visit = visit_of("a", "m");
     visit.quality = FrameQuality{.by_class = scores()};
     record.add(visit);
-    // What is written is read.
+    // Through its text, as a journal holds it.
     std::string text = record.heading() + "\n" + line_of(record.visits().front()) + "\n";
     return read_record("", text);
 }

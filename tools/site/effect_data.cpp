@@ -101,8 +101,6 @@ std::string effect_json(const ShaderFolders& folders) {
 
 namespace {
 
-using nlohmann::ordered_json;
-
 // Vertices with a colour each, where a mesh has one for each triangle.
 class Vertices {
   public:

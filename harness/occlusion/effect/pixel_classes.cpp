@@ -149,8 +149,6 @@ namespace {
 
 constexpr int always = 1 << 20;  // frames
 
-using scene::is_surface;
-
 }  // namespace
 
 void PixelClasses::advance(const scene::GBuffer& view, const std::optional<HistoryMap>& history) {

@@ -9,6 +9,10 @@
 
 namespace gloam::experiment {
 
+effect::Remap remap_of(const effect::Settings& settings) {
+    return {settings.remap_a, settings.remap_b, settings.remap_c};
+}
+
 BenchmarkViews::BenchmarkViews(const gpu::Device& device, const scene::PassLibrary& passes,
                                scene::Scene scene, const BenchmarkFrames& frames,
                                const scene::TruthCache& cache, const std::function<void(double)>& progress)
@@ -188,19 +192,19 @@ class Judge {
     int flickers_ = 0;    // frames in the flicker by class
 };
 
-effect::Remap remap_of(const effect::Settings& settings) {
-    return {settings.remap_a, settings.remap_b, settings.remap_c};
+// Compared with the geometry truth alone.
+Converged converged_of(const effect::Metrics& metrics) {
+    return {.geometry = metrics.raw,
+            .remapped = metrics.after_remap,
+            .similarity = metrics.similarity,
+            .depth = std::nullopt,
+            .own = std::nullopt};
 }
 
 // What the last scored frame would converge to, compared.
 Converged compared(const std::vector<float>& image, BenchmarkViews& views, const effect::Settings& settings) {
     const ScoredView& truth = views.scored(views.last_scored());
-    const effect::Metrics metrics = effect::metrics_of(image, truth.geometry, views.frames().extent);
-    Converged found{.geometry = metrics.raw,
-                    .remapped = metrics.after_remap,
-                    .similarity = metrics.similarity,
-                    .depth = std::nullopt,
-                    .own = std::nullopt};
+    Converged found = converged_of(effect::metrics_of(image, truth.geometry, views.frames().extent));
     if (!truth.depth.empty()) found.depth = effect::errors_of(image, truth.depth);
     if (const effect::Truth* own = views.own_measure(effect::method_named(settings.method)))
         found.own = effect::errors_of(image, *own);
@@ -355,12 +359,7 @@ ConfigurationVisit depth_truth_of(const BenchmarkViews& views, int round) {
     quality.raw_geometry = quality.geometry;
     const ScoredView& last = views.scored(views.last_scored());
     if (frames.converged) {
-        const effect::Metrics metrics = effect::metrics_of(last.depth, last.geometry, frames.extent);
-        quality.converged = Converged{.geometry = metrics.raw,
-                                      .remapped = metrics.after_remap,
-                                      .similarity = metrics.similarity,
-                                      .depth = std::nullopt,
-                                      .own = std::nullopt};
+        quality.converged = converged_of(effect::metrics_of(last.depth, last.geometry, frames.extent));
     }
     return {.quality = quality, .shown = {.filtered = last.depth}};
 }

@@ -21,6 +21,9 @@
 
 namespace gloam::experiment {
 
+// The remap of what is displayed with these settings.
+[[nodiscard]] effect::Remap remap_of(const effect::Settings& settings);
+
 // The frames of a scene that the benchmark uses, and the number of rays of their truth.
 struct BenchmarkFrames {
     gpu::Extent extent;

@@ -280,7 +280,7 @@ class SizeRun {
         constexpr double tolerance = 5e-4;
         const bool of_pixels = effect::own_value_of(settings.method).of_pixels;
         const auto own = effect::own_value(view, settings, of_pixels ? pixels : 0, tolerance);
-        const effect::Remap remap{settings.remap_a, settings.remap_b, settings.remap_c};
+        const effect::Remap remap = remap_of(settings);
         PointQuality point{.truth = view.occlusion,
                            .occlusion = measured.value,
                            .standard_error = measured.error,

@@ -55,8 +55,6 @@ std::vector<MethodInfo> point_methods() {
 
 namespace {
 
-using enum Measure;
-
 std::vector<Preset> volumetric_presets(const MethodInfo& method) {
     return {{"volumetric-performance",
              "the study's: pairs of lines, a blur of one pixel, no history; 6 pairs, because it does not "
