@@ -12,6 +12,8 @@
 
 #include "effect/ambient_occlusion.hpp"
 #include "effect/errors.hpp"
+#include "effect/internal/frame_images.hpp"
+#include "effect/internal/steps.hpp"
 #include "effect/methods.hpp"
 #include "on_device.hpp"
 #include "scene/gbuffer.hpp"
@@ -163,6 +165,32 @@ TEST_F(Guard, ABandThatIsNotSampledCostsNoSamplesAndServesStillViewsAsWell) {
     EXPECT_EQ(frame_only.work.pixels, std::uint64_t{extent.width} * extent.height);
     EXPECT_EQ(all.work.pixels, std::uint64_t{wide.extent.width} * wide.extent.height);
     EXPECT_LT(frame_only.work.samples, all.work.samples);
+}
+
+// What is prepared at half the resolution reaches as far as what reads it: the whole band, or a little of it.
+TEST_F(Guard, TheBandIsPreparedAsFarAsItIsRead) {
+    const scene::Scene scene = scene::make_scene("corner");
+    const scene::GBuffer wide = view(scene, 0.3F);
+    Settings settings = with_method(settings_for(scene, 0.3F), "dual_resolution");
+    settings.filter = Filter::none;
+    AmbientOcclusion effect(device_, passes_, wide.extent);
+    std::size_t prepared = 0;
+    effect.watch([&](const Step& pass, bool after) {
+        if (!after || pass.name != "half_resolution") return;
+        for (const auto& resource : pass.resources) {
+            const auto* image = std::get_if<std::reference_wrapper<const gpu::Image>>(&resource);
+            if (image == nullptr || image->get().extent().width != (wide.extent.width + 1) / 2) continue;
+            const std::vector<glm::vec3> texels = vectors_of(image->get().download());
+            prepared = texels.size() - static_cast<std::size_t>(std::ranges::count(texels, glm::vec3(0)));
+        }
+    });
+    effect.begin(wide, settings);
+    const Frame all = effect.next();
+    EXPECT_EQ(prepared, std::size_t{wide.extent.width} * wide.extent.height / 4);
+    settings.guard_history = false;
+    effect.begin(wide, settings);
+    EXPECT_EQ(effect.next().occlusion, all.occlusion);
+    EXPECT_LT(prepared, std::size_t{wide.extent.width} * wide.extent.height / 6);
 }
 
 TEST_F(Guard, WhatCannotBeIsRefused) {

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Bent normals and light by direction, as their passes make them.
-#include "effect/directional.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
 
-#include "effect/ambient_occlusion.hpp"
+#include "directions.hpp"
 #include "numeric/random.hpp"
-#include "on_device.hpp"
 #include "reference/geometry_camera.hpp"
 #include "reference/occlusion.hpp"
 #include "reference/sampling.hpp"
@@ -25,33 +23,6 @@
 namespace gloam::effect::directional_test {
 
 constexpr double pi = std::numbers::pi;
-
-class Directions : public OnDevice<testing::Test> {
-  protected:
-    Directional directional_{device_, passes_};
-};
-
-Settings many(float radius = 1.0F) {
-    Settings settings = with_radius({}, radius);
-    settings.samples = 1024;
-    return settings;
-}
-
-// A wall parallel to the image, orthographic. Its left part may stand nearer.
-scene::GBuffer step(float left, float right, double view_height = 8.0) {
-    constexpr gpu::Extent extent{48, 32};
-    scene::GBuffer view{
-        .extent = extent, .depth = {}, .normal = std::vector(std::size_t{48} * 32, glm::vec3(0, 0, 1))};
-    for (std::size_t i = 0; i < view.normal.size(); ++i) view.depth.push_back(i % 48 < 24 ? left : right);
-    view.camera =
-        scene::make_frame({.projection = scene::Projection::orthographic, .view_height = view_height}, 1.5);
-    return view;
-}
-
-// The step hides the left half of the hemisphere from the points beside it; it is higher than the radius.
-constexpr std::size_t beside = 16 * 48 + 24;
-constexpr float high = 1.5F;
-constexpr double close = 0.5;  // view: a pixel's centre is a 128th from the step
 
 double degrees_between(const glm::vec3& a, const glm::vec3& b) {
     return std::acos(std::clamp(glm::dot(glm::dvec3(a), glm::dvec3(b)), -1.0, 1.0)) * 180.0 / pi;
@@ -265,116 +236,14 @@ TEST_F(Directions, AWallTintsTheFloorBesideIt) {
     EXPECT_GT(compared, 100);
 }
 
-double rmse(const std::vector<glm::vec3>& found, const std::vector<glm::vec3>& wanted) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < found.size(); ++i)
-        sum += std::pow(double{glm::distance(found[i], wanted[i])}, 2.0);
-    return std::sqrt(sum / static_cast<double>(found.size()));
-}
-
-Settings unfiltered(std::uint32_t samples) {
-    Settings settings = many();
-    settings.samples = samples;
-    settings.weight_max = 512.0F;
-    settings.filter = Filter::none;
-    return settings;
-}
-
-TEST_F(Directions, LightOfAStillViewConverges) {
-    const scene::GBuffer view = rasterized("corner", {64, 36}, {.color = true});
-    const scene::Environment sky = scene::sky_environment();
-    const DirectionalLight wanted = directional_.light(view, many(), sky);
-    const Settings settings = unfiltered(16);
-    const DirectionalLight first = directional_.light(view, settings, sky);
-    DirectionalLight last;
-    for (int i = 1; i < 32; ++i) last = directional_.light(view, settings, sky, LightFollows::same_view);
-    EXPECT_LT(rmse(last.direct, wanted.direct), 0.15 * rmse(first.direct, wanted.direct));
-    EXPECT_LT(rmse(last.bounced, wanted.bounced), 0.15 * rmse(first.bounced, wanted.bounced));
-    EXPECT_EQ(directional_.light(view, settings, sky).direct, first.direct) << "a cut forgets";
-    Settings alone = settings;
-    alone.history = false;
-    const DirectionalLight next = directional_.light(view, alone, sky, LightFollows::same_view);
-    EXPECT_EQ(next.direct, first.direct) << "without a history each frame is the first";
-    alone.filter = Filter::convergence;  // what bounces keeps the walls' colours; it is hardly blurred
-    const DirectionalLight smooth = directional_.light(view, alone, sky);
-    EXPECT_LT(rmse(smooth.bounced, wanted.bounced), 1.3 * rmse(first.bounced, wanted.bounced));
-}
-
-// In the first frame the kernels' rotations repeat along some columns of an image of 1280 pixels.
-TEST_F(Directions, LightHasNoSeamWhereThePatternRepeats) {
-    constexpr std::size_t width = 1280;
-    constexpr std::size_t height = 24;
-    scene::GBuffer view{.extent = {width, height},
-                        .depth = std::vector(width * height, 3.0F),
-                        .normal = std::vector(width * height, glm::vec3(0, 0, 1))};
-    view.camera = scene::make_frame({.projection = scene::Projection::orthographic, .view_height = 2.0},
-                                    double{width} / double{height});
-    scene::Environment sides{.extent = {2, 1}, .radiance = {{1, 0, 0}, {0, 1, 0}}};
-    const auto worst_column = [&](const DirectionalLight& light) {
-        float worst = 0.0F;
-        for (std::size_t x = 0; x < width; ++x) {
-            float mean = 0.0F;
-            for (std::size_t y = 0; y < height; ++y) mean += light.direct[width * y + x].x / float{height};
-            worst = std::max(worst, std::abs(mean - 0.5F));
-        }
-        return worst;
-    };
-    const Settings settings = unfiltered(8);
-    DirectionalLight light = directional_.light(view, settings, sides);
-    const float first = worst_column(light);
-    EXPECT_GT(first, 0.1F);
-    for (int i = 1; i < 16; ++i) light = directional_.light(view, settings, sides, LightFollows::same_view);
-    EXPECT_LT(worst_column(light), 0.1F * first);
-}
-
-// On a plane between two lights all pixels have the same light.
-TEST_F(Directions, TheFilterSmoothsTheFirstFrameOfLight) {
-    const scene::GBuffer plane = step(3.0F, 3.0F);
-    const scene::Environment sides{.extent = {2, 1}, .radiance = {{1, 0, 0}, {0, 1, 0}}};
-    const auto noise = [](const DirectionalLight& light) {
-        glm::vec3 mean(0);
-        for (const glm::vec3& color : light.direct) mean += color / static_cast<float>(light.direct.size());
-        return rmse(light.direct, std::vector(light.direct.size(), mean));
-    };
-    Settings settings = unfiltered(8);
-    const double rough = noise(directional_.light(plane, settings, sides));
-    settings.filter = Filter::convergence;
-    EXPECT_LT(noise(directional_.light(plane, settings, sides)), 0.4 * rough);
-    const auto second = [&] {
-        (void)directional_.light(plane, settings, sides);
-        return directional_.light(plane, settings, sides, LightFollows::same_view).direct;
-    };
-    settings.filter_frames = 1.0F;
-    const std::vector<glm::vec3> later = second();
-    settings.filter = Filter::none;
-    EXPECT_EQ(second(), later) << "the history holds nothing that is filtered";
-}
-
-// A camera and objects that move: the history follows the surfaces, and objects leave no trail of light.
-TEST_F(Directions, LightFollowsWhatMoves) {
-    const scene::Scene scene = scene::make_scene("moving");
-    Settings settings = unfiltered(16);
-    settings.radius = static_cast<float>(scene.ao_radius);
-    const scene::Environment sky = scene::sky_environment();
-    const auto last_of = [&](const Settings& with, bool follows) {
-        DirectionalLight light;
-        for (int i = 0; i < 12; ++i) {
-            const scene::GBuffer view = rasterized(scene, {96, 54}, {.frame = i, .motion = true});
-            light = directional_.light(view, with, sky,
-                                       follows ? LightFollows::last_view : LightFollows::nothing);
-        }
-        return light;
-    };
-    Settings exact = settings;
-    exact.samples = 1024;
-    const DirectionalLight wanted = last_of(exact, false);
-    const double alone = rmse(last_of(settings, false).direct, wanted.direct);
-    const double followed = rmse(last_of(settings, true).direct, wanted.direct);
-    Settings blind = settings;
-    blind.invalidation = Invalidation::none;
-    blind.depth_tolerance = 1e9F;
-    EXPECT_LT(followed, 0.6 * alone);
-    EXPECT_LT(followed, 0.9 * rmse(last_of(blind, true).direct, wanted.direct));
+TEST_F(Directions, BackgroundHasNoBentNormal) {
+    scene::GBuffer view = step(3.0F, 3.0F);
+    view.depth[100] = std::numeric_limits<float>::infinity();
+    for (const int interleave : {1, 4}) {
+        const BentNormals bent = directional_.bent_normals(view, many(), {.interleave = interleave});
+        EXPECT_EQ(bent.direction[100], glm::vec3(0)) << interleave;
+        EXPECT_EQ(bent.half_angle[100], 0.0F) << interleave;
+    }
 }
 
 TEST_F(Directions, WithoutNormalsAndWithLayersAndABand) {

@@ -1,79 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Skips change nothing: over several frames, images are bit-identical with each skip and without.
+#include "skips.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
 
-#include "effect/ambient_occlusion.hpp"
 #include "effect/methods.hpp"
-#include "on_device.hpp"
-#include "scene/gbuffer.hpp"
-#include "scene/rasterize.hpp"
 #include "support/matchers.hpp"
 #include "support/method_names.hpp"
 #include "surface_views.hpp"
 
 namespace gloam::effect::skips_test {
-
-constexpr gpu::Extent odd{83, 45};
-
-// A view, and how many frames of it are made.
-struct Stay {
-    scene::GBuffer view;
-    int frames = 1;
-};
-
-class Skips : public OnDevice<testing::Test> {
-  protected:
-    [[nodiscard]] scene::GBuffer view(const std::string& name, int frame, gpu::Extent extent = odd,
-                                      double guard = 0.0) const {
-        return rasterized(name, extent, {.frame = frame, .motion = true, .guard = guard});
-    }
-
-    [[nodiscard]] Settings settings_for(const std::string& name) const {
-        return with_skips(with_radius(preset_named("paper").settings,
-                                      static_cast<float>(scene::make_scene(name).ao_radius)));
-    }
-
-    // All frames of all stays. Before, the images contained other values.
-    [[nodiscard]] std::vector<Frame> run(const std::vector<Stay>& stays, const Settings& settings) const {
-        AmbientOcclusion& effect = effect_for(stays.front().view.extent);
-        scene::GBuffer dirt = stays.front().view;
-        dirt.depth.assign(dirt.depth.size(), 2.0F);
-        effect.begin(dirt, settings);
-        (void)effect.next();
-        (void)effect.next();
-        std::vector<Frame> frames;
-        for (const Stay& stay : stays) {
-            frames.empty() ? effect.begin(stay.view, settings) : effect.advance(stay.view);
-            for (int i = 0; i < stay.frames; ++i) frames.push_back(effect.next(i % 2 + 1));
-        }
-        return frames;
-    }
-
-    // Returns the frames with the skips.
-    std::vector<Frame> expect_same(const std::vector<Stay>& stays, const Settings& settings) const {
-        std::vector<Frame> with = run(stays, settings);
-        const std::vector<Frame> without = run(stays, without_skips(settings));
-        expect_same_images(with, without);
-        for (std::size_t i = 0; i < with.size(); ++i) {
-            SCOPED_TRACE("frame " + std::to_string(i));
-            EXPECT_EQ(with[i].work.samples, without[i].work.samples);
-            EXPECT_EQ(with[i].work.background, without[i].work.background);
-            EXPECT_EQ(without[i].work.tiles_shaded, without[i].work.tiles);
-        }
-        return with;
-    }
-};
-
-// Converges in three frames.
-Settings quick(Settings settings) {
-    settings.weight_max = 64.0F;
-    settings.freeze = true;
-    return with_skips(settings);
-}
 
 TEST_F(Skips, BackgroundOfAMovingCamera) {
     std::vector<Stay> stays;
@@ -205,90 +145,6 @@ TEST_F(Skips, GuardBands) {
     }
 }
 
-// A floor from the eye's height of two radii, of which a part is raised.
-scene::GBuffer floor_view(gpu::Extent extent, float bump) {
-    const glm::vec3 normal = glm::normalize(glm::vec3(0.0F, 1.0F, 0.7F));
-    const glm::vec2 scale = wall(extent, 1.0F).camera.p00_p11();
-    scene::GBuffer view = wall_of(extent, [&](std::uint32_t x, std::uint32_t y) {
-        const glm::vec2 ndc = (2.0F * glm::vec2(x, y) + 1.0F) / glm::vec2(extent.width, extent.height) - 1.0F;
-        const bool raised = x > extent.width / 2 && x < extent.width / 2 + 9 && y > 20 && y < 30;
-        const float depth =
-            (-2.0F + (raised ? bump : 0.0F)) / glm::dot(normal, glm::vec3(ndc / scale, -1.0F));
-        return depth > 0.0F && depth < 50.0F ? depth : std::numeric_limits<float>::infinity();
-    });
-    view.normal.assign(view.depth.size(), normal);
-    return view;
-}
-
-class OpenFloor : public Skips, public testing::WithParamInterface<std::string> {};
-
-TEST_P(OpenFloor, TakesNoTaps) {
-    const Settings settings = with_method(quick(Settings{}), GetParam());
-    for (const float bump : {0.0F, 0.02F, 0.3F}) {
-        const std::vector<Frame> frames = expect_same({{floor_view({160, 90}, bump), 5}}, settings);
-        const Work& work = frames.front().work;
-        const std::uint64_t with_geometry = work.tiles - work.tiles_background;
-        EXPECT_GT(work.tiles_open, 0U);
-        // Far away the rounding of positions exceeds the bias.
-        if (bump == 0.0F) {
-            EXPECT_GT(work.tiles_open, with_geometry / 4);
-        } else {
-            EXPECT_LT(work.tiles_open, with_geometry);
-        }
-    }
-}
-
-INSTANTIATE_TEST_SUITE_P(All, OpenFloor, testing::ValuesIn(test::method_names([](const MethodInfo& method) {
-                             return method.open_proof != OpenProof::none;
-                         })),
-                         test::parameter_name);
-
-TEST_F(Skips, OfAFloorFewTilesCannotBeProvenOpen) {
-    const Work work = run({{floor_view({160, 90}, 0.0F), 1}}, quick(Settings{})).front().work;
-    EXPECT_GT(work.tiles_open, (work.tiles - work.tiles_background) / 2);
-}
-
-// Blocks of pixels that begin far behind the floor and end in front of it, along x and along y.
-TEST_F(Skips, ASurfaceThatComesNearWithinATileIsSeen) {
-    scene::GBuffer view = floor_view({160, 90}, 0.0F);
-    const auto ramp = [&](std::size_t left, std::size_t top, bool along_y) {
-        const float near = view.depth[160 * (top + 7) + left + 7] - 0.3F;
-        for (std::size_t y = 0; y < 8; ++y)
-            for (std::size_t x = 0; x < 8; ++x)
-                view.depth[160 * (top + y) + left + x] =
-                    1.0F / std::lerp(1.0F / 40.0F, 1.0F / near, static_cast<float>(along_y ? y : x) / 7.0F);
-    };
-    ramp(80, 56, false);
-    ramp(32, 64, true);
-    const Frame frame = expect_same({{view, 2}}, quick(Settings{})).front();
-    EXPECT_GT(frame.work.tiles_open, 0U);
-    EXPECT_GT(frame.occlusion[160 * 60 + 90], 0.0F);
-    EXPECT_GT(frame.occlusion[160 * 74 + 36], 0.0F);
-}
-
-TEST_F(Skips, APixelThatRisesByMoreThanTheBiasIsSeen) {
-    const scene::GBuffer flat = floor_view({160, 90}, 0.0F);
-    const Settings settings = quick(Settings{});
-    const std::uint64_t open = run({{flat, 1}}, settings).front().work.tiles_open;
-    const auto with_spike = [&](float biases) {
-        scene::GBuffer view = flat;
-        view.depth[60 * 160 + 83] -= biases * settings.bias;
-        return expect_same({{view, 3}}, settings).front().work.tiles_open;
-    };
-    EXPECT_EQ(with_spike(0.1F), open) << "no sample is compared so closely";
-    const std::uint64_t with_higher = with_spike(1.05F);
-    EXPECT_LT(with_higher, open);
-    EXPECT_LE(with_spike(20.0F), with_higher);
-}
-
-TEST_F(Skips, SurfacesReadFromTheDepthChainMayLieBeyondTheRadius) {
-    Settings settings = with_method(quick(Settings{}), "alchemy");
-    const std::vector<Stay> stays{{floor_view({160, 90}, 0.0F), 2}};
-    EXPECT_GT(expect_same(stays, settings).front().work.tiles_open, 0U);
-    settings.own.mip_distance = 4.0F;
-    EXPECT_EQ(expect_same(stays, settings).front().work.tiles_open, 0U);
-}
-
 bool ran(const Frame& frame, const std::string& pass) {
     return std::ranges::any_of(frame.times, [&](const PassTime& time) { return time.pass == pass; });
 }
@@ -346,20 +202,6 @@ TEST_F(Skips, ListsComeBackWithSomethingToLeaveOut) {
     EXPECT_FALSE(listed(frames[10]));
     EXPECT_EQ(frames[10].work.tiles_blank, 0U);
     EXPECT_GT(frames.back().work.tiles_blank, frames.back().work.tiles / 3);
-}
-
-TEST_F(Skips, OpenTilesOfScenes) {
-    std::uint64_t open = 0;
-    for (const std::string name : {"columns", "far", "moving"}) {
-        SCOPED_TRACE(name);
-        Settings settings = settings_for(name);
-        settings.samples = settings.samples_converged = 16;
-        settings.invalidation = Invalidation::none;
-        std::vector<Stay> stays;
-        for (int i = 0; i < 2; ++i) stays.push_back({view(name, 3 * i, {320, 180})});
-        for (const Frame& frame : expect_same(stays, settings)) open += frame.work.tiles_open;
-    }
-    EXPECT_GT(open, 30U);
 }
 
 class SkipsOf : public Skips, public testing::WithParamInterface<std::string> {};

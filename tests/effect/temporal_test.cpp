@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -254,6 +255,22 @@ TEST_F(Temporal, ProbesReachAsFarAsWhatBlocks) {
     EXPECT_GT(open.kept[pixel], 0.0F);
     EXPECT_LT(open.occlusion[pixel], 0.1F * blocked.occlusion[pixel]);
     EXPECT_LT(open.convergence[pixel], 0.5F * blocked.convergence[pixel]);
+}
+
+// The edge of a surface before the background keeps its history while something moves elsewhere.
+TEST_F(Temporal, BackgroundUnderASampleIsNoChange) {
+    MovingHalf still(std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity());
+    still.after.previous_position.front().z -= 0.1F;
+    for (const Invalidation invalidation : {Invalidation::confidence, Invalidation::clamp}) {
+        Settings settings = paper();
+        settings.invalidation = invalidation;
+        AmbientOcclusion& effect = effect_for(extent);
+        effect.begin(still.before, settings);
+        for (int i = 0; i < 3; ++i) (void)effect.next();
+        const float before = effect.next().convergence[MovingHalf::left_of_the_edge];
+        effect.advance(still.after);
+        EXPECT_GT(effect.next().convergence[MovingHalf::left_of_the_edge], before);
+    }
 }
 
 // A pixel that takes no samples has no probes, so its history stays unchanged when objects move beside it.

@@ -128,6 +128,23 @@ TEST_F(TileBounds, EachPixelOfATileHasItsPlaneConsidered) {
     }
 }
 
+// Not even where whole blocks of the pyramid's coarser levels have no surface.
+TEST_F(TileBounds, BackgroundDisprovesNothing) {
+    const scene::GBuffer view = wall_of({320, 32}, [](std::uint32_t x, std::uint32_t) {
+        return x < 64 ? 5.0F : std::numeric_limits<float>::infinity();
+    });
+    EXPECT_EQ(open_tiles(view, {.radius = 2.0F, .bias = 0.01F, .skip_open = true}), 8U * 4U);
+}
+
+// The tile of a raised pixel is not open, and no other one is closed but those that reach that tile.
+TEST_F(TileBounds, ARaisedPixelClosesTheTilesAroundIt) {
+    const gpu::Extent extent{96, 96};
+    scene::GBuffer view = wall(extent, 5.0F);
+    view.depth[44 * extent.width + 44] -= 0.5F;
+    const float three_pixels = 30.0F / (96.0F * view.camera.p00_p11().x);
+    EXPECT_EQ(open_tiles(view, {.radius = three_pixels, .bias = 0.01F, .skip_open = true}), 144U - 9U);
+}
+
 constexpr float infinite = std::numeric_limits<float>::infinity();
 constexpr std::uint32_t width = 40;
 constexpr std::uint32_t height = 30;

@@ -45,6 +45,16 @@ TEST_P(Kernels, TheLengthOfTheNormalMakesNoDifference) {
     expect_same_after([](Inputs& point) { std::get<1>(point) *= 4.0F; });
 }
 
+// The points differ from pixel to pixel by that angle alone.
+TEST_P(Kernels, AnotherAngleTakesOtherSamples) {
+    for (const Camera& camera : cameras) {
+        const Surfaces surfaces{rough::surface(0, camera)};
+        std::vector<Inputs> turned = OnRough::points(camera);
+        for (Inputs& point : turned) std::get<test::Samples>(point).angle += 0.7F;
+        EXPECT_NE(method(turned, surfaces), method(camera, surfaces));
+    }
+}
+
 // The settings of a method that are lengths.
 Method scaled(Method method, float scale) {
     const std::vector<std::pair<const char*, float Method::*>> members{
