@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "effect/errors.hpp"
+#include "effect/pixel_classes.hpp"
 #include "numeric/random.hpp"
 #include "support/matchers.hpp"
 
@@ -101,6 +103,72 @@ TEST(Remap, IsNeverWorseThanNoneAndAlwaysTheSame) {
     }
     EXPECT_EQ(best_remap(Image{0.5F}, Image{nan}).b, 1.0);
     EXPECT_THROW((void)best_remap(Image(2), Image(3)), std::invalid_argument);
+}
+
+// Images in parts: the bins of all together give the remap and the error of the whole.
+TEST(Remap, IsFoundFromTheBinsOfSeveralImages) {
+    const Image occlusion = noise(6000, 4);
+    const Remap made{0.1, 0.8, 1.7};
+    const Image truth = remapped(occlusion, made);
+    const auto part = [](const Image& image, bool first) {
+        return first ? Image(image.begin(), image.begin() + 2000) : Image(image.begin() + 2000, image.end());
+    };
+    std::vector<RemapBin> bins = remap_bins(part(occlusion, true), part(truth, true), 128);
+    const std::vector<RemapBin> rest = remap_bins(part(occlusion, false), part(truth, false), 128);
+    bins.insert(bins.end(), rest.begin(), rest.end());
+    EXPECT_NEAR(remapped_rmse(bins, {}), errors_of(occlusion, truth).rmse, 2e-3);
+    const Remap fit = best_remap(bins);
+    EXPECT_LT(errors_of(remapped(occlusion, fit), truth).rmse, 4e-3);
+    EXPECT_NEAR(remapped_rmse(bins, fit), 0.0, 4e-3);
+    EXPECT_EQ(best_remap(std::vector<RemapBin>(128)).b, 1.0);
+    EXPECT_TRUE(std::isnan(remapped_rmse(std::vector<RemapBin>(128), {})));
+}
+
+// Orthographic, 10 pixels a world unit.
+scene::GBuffer places_view(const std::function<float(std::size_t, std::size_t)>& depth) {
+    constexpr gpu::Extent extent{60, 50};
+    scene::GBuffer view{.extent = extent, .normal = std::vector(60 * 50, glm::vec3(0, 0, 1))};
+    view.camera = scene::make_frame({.projection = scene::Projection::orthographic, .view_height = 5.0}, 1.2);
+    for (std::size_t i = 0; i < 60 * 50; ++i) view.depth.push_back(depth(i % 60, i / 60));
+    return view;
+}
+
+TEST(HardPlaces, TheRimIsNearerToTheEdgeThanTheRadius) {
+    const HardPlaces places = hard_places(places_view([](auto, auto) { return 3.0F; }), 0.97);
+    for (std::size_t i = 0; i < places.rim.size(); ++i) {
+        const std::size_t x = i % 60;
+        const std::size_t y = i / 60;
+        EXPECT_EQ(places.rim[i], x < 10 || y < 10 || x >= 50 || y >= 40) << x << ' ' << y;
+        EXPECT_EQ(places.contacts[i] + places.thin[i], 0);
+    }
+}
+
+TEST(HardPlaces, ContactsLieBelowAStep) {
+    // A step of less than a tenth of the radius, so that its upper side is within reach.
+    const auto step = [](std::size_t x, auto) { return x < 30 ? 2.95F : 3.0F; };
+    const HardPlaces near = hard_places(places_view(step), 1.5);
+    for (std::size_t x = 0; x < 60; ++x) EXPECT_EQ(near.contacts[20 * 60 + x], x == 30) << x;
+    const auto far_step = [](std::size_t x, auto) { return x < 30 ? 2.0F : 3.0F; };
+    EXPECT_EQ(hard_places(places_view(far_step), 1.5).contacts, Mask(60 * 50, 0)) << "further than a tenth";
+}
+
+TEST(HardPlaces, ThinIsWhatFallsOffToBothSides) {
+    for (const bool column : {true, false}) {
+        const HardPlaces places =
+            hard_places(places_view([=](std::size_t x, std::size_t y) {
+                            const std::size_t at = column ? x : y;
+                            return at >= 20 && at < 23 ? 2.0F : (at >= 30 && at < 40 ? 2.5F : 3.0F);
+                        }),
+                        1.0);
+        for (std::size_t at = 0; at < 50; ++at) {
+            // A post three pixels wide, and 2.5 pixels to its sides; the wider one is no thin thing.
+            EXPECT_EQ(places.thin[column ? 25 * 60 + at : at * 60 + 25], at >= 18 && at < 25) << at;
+        }
+    }
+    const float none = std::numeric_limits<float>::infinity();
+    const HardPlaces places =
+        hard_places(places_view([=](std::size_t x, auto) { return x == 20 ? 2.0F : none; }), 1.0);
+    for (std::size_t x = 0; x < 60; ++x) EXPECT_EQ(places.thin[25 * 60 + x], x == 20) << "no background";
 }
 
 TEST(Metrics, PutTheirPartsTogether) {

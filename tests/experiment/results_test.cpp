@@ -147,6 +147,38 @@ TEST(ExperimentResults, TimesAreMediansAndCopiesThoseOfTheirMoment) {
     EXPECT_FALSE(mean_value(cases, 0, "rmse", "median", {})) << "nothing was judged";
 }
 
+// One remap for all cases, the best one for those of the tuning half.
+TEST(ExperimentResults, TheRemapOfTheTuningHalfIsApplied) {
+    const effect::Remap made{0.0, 0.9, 1.0};
+    Record record({.experiment = "mine"});
+    const auto add = [&](const char* shown, const char* half, const effect::Remap& truth) {
+        Visit visit = make_visit(shown, "m", 0, 1, 0.1);
+        visit.shown.half = half;
+        std::vector<float> image;
+        for (int i = 0; i < 1000; ++i) image.push_back(static_cast<float>(i) / 1000.0F);
+        add_bins(*visit.quality, image, effect::remapped(image, truth));
+        record.add(visit);
+    };
+    const auto fits = [&] {
+        Experiment what{.name = "mine"};
+        const Record read = read_record("", lines_of(record));
+        const std::vector<SizeResult> results = results_of(what, choose_recorded(what, read), read);
+        std::vector<double> all;
+        for (const CaseResult& one : results.front().cases)
+            all.push_back(one.cells.front()->rmse_fit.value_or(-1.0));
+        return all;
+    };
+    add("unseen, alike", "unseen", made);
+    EXPECT_THAT(fits(), ElementsAre(-1.0)) << "nothing to fit to";
+    add("unseen, another", "unseen", {});
+    add("tuning", "tuning", made);
+    const std::vector<double> all = fits();
+    ASSERT_EQ(all.size(), 3U);
+    EXPECT_NEAR(all[0], 0.0, 4e-3);
+    EXPECT_NEAR(all[1], 0.1 * std::sqrt(1.0 / 3.0), 4e-3);
+    EXPECT_NEAR(all[2], 0.0, 4e-3);
+}
+
 TEST(ExperimentResults, CsvHasALineForEachCandidateOfEachCase) {
     Experiment what;
     const Record record = everything();

@@ -29,6 +29,8 @@ ClassScores scores() {
         if (frame < 3) continue;
         all.frames.back().classes.push_back(
             {.pixels = "settled", .against = "geometry", .count = 1, .squares = 0.01 * frame});
+        all.frames.back().classes.push_back(
+            {.pixels = "all", .against = "geometry", .count = 4, .squares = 0.1});
     }
     return all;
 }
@@ -64,11 +66,14 @@ TEST(ExperimentTable, ClassesAreAddedAsSquares) {
                                   {.value = "rmse_raw", .against = "limit", .frame = 9, .digits = 4},
                                   {.value = "rmse_raw", .against = "limit", .frame = 4, .over_frame = 2},
                                   {.value = "rmse", .pixels = "settled", .digits = 4},
+                                  {.value = "share", .pixels = "settled"},
+                                  {.value = "share", .pixels = "settled", .frame = 4},
                                   {.value = "rmse", .pixels = "young"},
                                   {.value = "flicker", .pixels = "all"},
                                   {.value = "bias_raw", .against = "limit", .frame = 4, .with_sign = true}}};
-    // sqrt(0.04 (1 + 1/4 + 1/9 + 1/16) / 4), 0.2 / 3, 0.4 / 4, and sqrt(0.07 / 2)
-    EXPECT_EQ(rows_of(scored(), table), "| 0.1193 | 0.0667 | 0.1000 | 0.50 | 0.1871 | - | 0.25 | +0.10 |\n");
+    // sqrt(0.04 (1 + 1/4 + 1/9 + 1/16) / 4), 0.2 / 3, 0.4 / 4, sqrt(0.07 / 2), 0.07 / 0.2, and 0.04 / 0.1
+    EXPECT_EQ(rows_of(scored(), table),
+              "| 0.1193 | 0.0667 | 0.1000 | 0.50 | 0.1871 | 0.35 | 0.40 | - | 0.25 | +0.10 |\n");
 }
 
 // The square falls with the square of the samples, as long as all of them count: in frames 1 and 2.

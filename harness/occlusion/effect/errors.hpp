@@ -56,6 +56,26 @@ struct Remap {
     [[nodiscard]] double operator()(double visibility) const;
 };
 
+// Pixels of nearly equal visibility, as sums: those of several images can be added, and the squared error
+// after a remap follows from them.
+struct RemapBin {
+    double count = 0.0;
+    double visibility = 0.0;  // summed
+    double truth = 0.0;       // summed, as visibility
+    double square = 0.0;      // of the truth, summed
+};
+
+// The pixels of an image with a truth, in so many bins from visibility 0 to 1. Throws std::invalid_argument
+// when the sizes disagree.
+[[nodiscard]] std::vector<RemapBin> remap_bins(std::span<const float> occlusion, std::span<const float> truth,
+                                               std::size_t count);
+
+// The remap with the least squared error over the pixels of bins; no remap without a pixel.
+[[nodiscard]] Remap best_remap(std::span<const RemapBin> bins);
+
+// The root mean square error after a remap, all pixels of a bin taken at their mean. NaN without a pixel.
+[[nodiscard]] double remapped_rmse(std::span<const RemapBin> bins, const Remap& remap);
+
 // The remap that minimises the root mean square difference of an occlusion image from the truth. It shows how
 // accurate a method is apart from constant factors. The result is deterministic, and its error is never
 // larger than without a remap. If no truth is known, the result is no remap. Throws std::invalid_argument

@@ -88,6 +88,18 @@ class PixelClasses {
     std::vector<int> calm_;  // frames since something moved near it
 };
 
+// Where a depth buffer tells least about occlusion. The masks may overlap; none holds background.
+struct HardPlaces {
+    Mask contacts;  // a surface within a tenth of the radius rises above the tangent plane by 15 degrees or
+                    // more
+    Mask thin;  // on what is less than half a radius wide with a step of depth to both sides, or near it in
+                // the image, by a quarter of the radius
+    Mask rim;   // nearer to the image's edge than the radius
+};
+
+// radius: of influence, world units. The view needs normals.
+[[nodiscard]] HardPlaces hard_places(const scene::GBuffer& view, double radius);
+
 // Distance of each pixel to the nearest set one, in pixels; +infinity when none is set. Exact (Felzenszwalb
 // and Huttenlocher 2012). Throws std::invalid_argument when the sizes disagree.
 [[nodiscard]] std::vector<float> distance_to(const Mask& mask, gpu::Extent extent);

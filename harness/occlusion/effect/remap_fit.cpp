@@ -10,31 +10,6 @@
 namespace gloam::effect {
 namespace {
 
-// The pixels of nearly equal visibility. These sums suffice for their squared error after a remap.
-struct Bin {
-    double count = 0.0;
-    double visibility = 0.0;  // summed
-    double truth = 0.0;       // summed
-    double square = 0.0;      // of the truth, summed
-};
-
-std::vector<Bin> bins_of(std::span<const float> occlusion, std::span<const float> truth) {
-    constexpr std::size_t count = 4096;
-    std::vector<Bin> bins(count);
-    for (std::size_t i = 0; i < truth.size(); ++i) {
-        if (!std::isfinite(truth[i])) continue;
-        const double x = std::clamp(1.0 - double{occlusion[i]}, 0.0, 1.0);
-        const double y = 1.0 - double{truth[i]};
-        Bin& bin = bins[std::min(count - 1, static_cast<std::size_t>(x * count))];
-        bin.count += 1.0;
-        bin.visibility += x;
-        bin.truth += y;
-        bin.square += y * y;
-    }
-    std::erase_if(bins, [](const Bin& bin) { return bin.count == 0.0; });
-    return bins;
-}
-
 // a, log b and log c of a remap.
 using Parameters = std::array<double, 3>;
 
@@ -48,10 +23,10 @@ struct Vertex {
 };
 
 // The squared error over all pixels. NaN, which occurs far from the minimum, counts as infinite.
-double cost_of(const std::vector<Bin>& bins, const Parameters& at) {
-    const Remap remap = remap_of(at);
+double squares_of(std::span<const RemapBin> bins, const Remap& remap) {
     double sum = 0.0;
-    for (const Bin& bin : bins) {
+    for (const RemapBin& bin : bins) {
+        if (bin.count == 0.0) continue;
         const double y = remap(bin.visibility / bin.count);
         sum += bin.count * y * y - 2.0 * y * bin.truth + bin.square;
     }
@@ -61,7 +36,7 @@ double cost_of(const std::vector<Bin>& bins, const Parameters& at) {
 // The simplex method of Nelder and Mead.
 class Simplex {
   public:
-    Simplex(const std::vector<Bin>& bins, const Parameters& start) : bins_(bins) {
+    Simplex(std::span<const RemapBin> bins, const Parameters& start) : bins_(bins) {
         corners_[0] = at(start);
         for (std::size_t i = 0; i < start.size(); ++i) {
             Parameters moved = start;
@@ -77,7 +52,7 @@ class Simplex {
     }
 
   private:
-    [[nodiscard]] Vertex at(const Parameters& p) const { return {p, cost_of(bins_, p)}; }
+    [[nodiscard]] Vertex at(const Parameters& p) const { return {p, squares_of(bins_, remap_of(p))}; }
 
     void sort() { std::ranges::stable_sort(corners_, {}, &Vertex::cost); }
 
@@ -118,7 +93,7 @@ class Simplex {
         }
     }
 
-    const std::vector<Bin>& bins_;
+    std::span<const RemapBin> bins_;
     std::array<Vertex, 4> corners_{};
 };
 
@@ -130,16 +105,43 @@ double Remap::operator()(double visibility) const {
     return std::min(1.0, std::pow(base, c));
 }
 
-Remap best_remap(std::span<const float> occlusion, std::span<const float> truth) {
+std::vector<RemapBin> remap_bins(std::span<const float> occlusion, std::span<const float> truth,
+                                 std::size_t count) {
     if (occlusion.size() != truth.size())
         throw std::invalid_argument("remap: " + std::to_string(occlusion.size()) + " pixels, truth of " +
                                     std::to_string(truth.size()));
-    const std::vector<Bin> bins = bins_of(occlusion, truth);
-    if (bins.empty()) return {};
+    std::vector<RemapBin> bins(count);
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        if (!std::isfinite(truth[i])) continue;
+        const double x = std::clamp(1.0 - double{occlusion[i]}, 0.0, 1.0);
+        const double y = 1.0 - double{truth[i]};
+        RemapBin& bin = bins[std::min(count - 1, static_cast<std::size_t>(x * static_cast<double>(count)))];
+        bin.count += 1.0;
+        bin.visibility += x;
+        bin.truth += y;
+        bin.square += y * y;
+    }
+    return bins;
+}
+
+Remap best_remap(std::span<const RemapBin> bins) {
+    if (std::ranges::all_of(bins, [](const RemapBin& bin) { return bin.count == 0.0; })) return {};
     // Restarted from its result, because a simplex can collapse beside the minimum.
     Parameters best{0.0, 0.0, 0.0};
     for (int round = 0; round < 3; ++round) best = Simplex(bins, best).best(150);
     const Remap fit = remap_of(best);
+    return squares_of(bins, fit) < squares_of(bins, Remap{}) ? fit : Remap{};
+}
+
+double remapped_rmse(std::span<const RemapBin> bins, const Remap& remap) {
+    double count = 0.0;
+    for (const RemapBin& bin : bins) count += bin.count;
+    return std::sqrt(std::max(squares_of(bins, remap), 0.0) / count);
+}
+
+Remap best_remap(std::span<const float> occlusion, std::span<const float> truth) {
+    constexpr std::size_t bins = 4096;
+    const Remap fit = best_remap(remap_bins(occlusion, truth, bins));
     const bool better = errors_of(remapped(occlusion, fit), truth).rmse < errors_of(occlusion, truth).rmse;
     return better ? fit : Remap{};
 }

@@ -55,7 +55,7 @@ void BenchmarkViews::classify() {
         std::optional<effect::HistoryMap> history;
         if (i > 0) history.emplace(views[i], views[i - 1]);
         classes.advance(views[i], history);
-        classed_.push_back({std::move(history), classes});
+        classed_.push_back({std::move(history), classes, effect::hard_places(views[i], scene_.ao_radius)});
     }
 }
 
@@ -155,6 +155,7 @@ class Judge {
         const effect::Errors shown = effect::errors_of(frame.filtered, truth.geometry);
         sum_.geometry += shown.rmse;
         sum_.bias += shown.bias;
+        if (views_->frames().bins) add_bins(sum_, frame.filtered, truth.geometry);
         sum_.percentile_99 = sum_.percentile_99.value_or(0.0) + shown.percentile_99;
         if (!truth.depth.empty()) {
             sum_.raw_depth += effect::errors_of(frame.occlusion, truth.depth).rmse;
@@ -169,7 +170,7 @@ class Judge {
         sum_.memory_bytes = std::max(sum_.memory_bytes, frame.memory_bytes);
         if (sum_.by_class)
             sum_.by_class->frames.push_back(
-                {number + 1, taken_, scores_of(frame, truth, views_->classed(number).classes)});
+                {number + 1, taken_, scores_of(frame, truth, views_->classed(number))});
         if (number < views_->last_scored()) return;
         sum_.similarity = effect::structural_similarity(frame.filtered, truth.geometry, frame.extent);
         if (!views_->frames().remap) return;
@@ -182,8 +183,7 @@ class Judge {
         if (before.empty() || !view.history || 2 * number < views_->frames().frames) return;
         ++flickers_;
         for (ClassFlicker& flicker : sum_.by_class->flicker)
-            flicker.mean +=
-                effect::mean_change(*view.history, image, before, mask_of(view.classes, flicker.pixels));
+            flicker.mean += effect::mean_change(*view.history, image, before, mask_of(view, flicker.pixels));
     }
 
     const BenchmarkViews* views_;
@@ -221,6 +221,17 @@ void add(FrameQuality& mean, const effect::PlainFrame& frame, const effect::Trut
 }
 
 }  // namespace
+
+void add_bins(FrameQuality& quality, const std::vector<float>& image, const effect::Truth& truth) {
+    const std::vector<effect::RemapBin> bins = effect::remap_bins(image, truth, quality_bins);
+    std::vector<effect::RemapBin>& sums = quality.bins ? *quality.bins : quality.bins.emplace(quality_bins);
+    for (std::size_t i = 0; i < bins.size(); ++i) {
+        sums[i].count += bins[i].count;
+        sums[i].visibility += bins[i].visibility;
+        sums[i].truth += bins[i].truth;
+        sums[i].square += bins[i].square;
+    }
+}
 
 std::vector<float> converged(effect::AmbientOcclusion& effect, const scene::GBuffer& view,
                              const effect::Settings& settings, std::uint32_t samples) {
@@ -341,6 +352,10 @@ ConfigurationVisit PlainRun::visit(BenchmarkViews& views, effect::CopyClock& clo
             continue;
         }
         if (frames.rays > 0) add(sum, frame, views.scored(i).geometry, views.frames().scores());
+        if (frames.rays > 0 && frames.bins) add_bins(sum, frame.blurred, views.scored(i).geometry);
+        if (frames.rays > 0 && i == views.last_scored())
+            sum.similarity =
+                effect::structural_similarity(frame.blurred, views.scored(i).geometry, frames.extent);
         visit.shown.filtered = std::move(frame.blurred);
     }
     if (round == 0 && frames.rays > 0) visit.quality = sum;
@@ -355,9 +370,11 @@ ConfigurationVisit depth_truth_of(const BenchmarkViews& views, int round) {
         const effect::Errors errors = effect::errors_of(views.scored(i).depth, views.scored(i).geometry);
         quality.geometry += errors.rmse / frames.scores();
         quality.bias += errors.bias / frames.scores();
+        if (frames.bins) add_bins(quality, views.scored(i).depth, views.scored(i).geometry);
     }
     quality.raw_geometry = quality.geometry;
     const ScoredView& last = views.scored(views.last_scored());
+    quality.similarity = effect::structural_similarity(last.depth, last.geometry, frames.extent);
     if (frames.converged) {
         quality.converged = converged_of(effect::metrics_of(last.depth, last.geometry, frames.extent));
     }

@@ -39,6 +39,7 @@ struct BenchmarkFrames {
         motion{};            // views know how surfaces moved, not only the camera; nullopt: if objects do
     bool still = false;      // every view is the first frame's
     bool remap = false;      // the best remap of the last frame is looked for
+    bool bins = false;       // FrameQuality::bins are filled
     bool by_class = false;   // errors of each class of pixels in each scored frame
     bool converged = false;  // single frames: what more samples would give
     std::optional<effect::Settings> limit{};  // whose limit is a reference as well
@@ -132,7 +133,15 @@ struct FrameQuality {
     std::uint64_t memory_bytes = 0;
     std::optional<Converged> converged;
     std::optional<ClassScores> by_class;
+    std::optional<std::vector<effect::RemapBin>>
+        bins;  // of the displayed image and (G), over the scored frames
 };
+
+// Bins of the visibility: finer than the eye and the errors of any method.
+constexpr std::size_t quality_bins = 128;
+
+// Adds a frame to FrameQuality::bins.
+void add_bins(FrameQuality& quality, const std::vector<float>& image, const effect::Truth& truth);
 
 struct ConfigurationVisit {
     std::optional<FrameQuality> quality;  // in round 0, of views with a truth

@@ -177,6 +177,14 @@ void members(Io& io, PointQuality& all) {
 }
 
 template <class Io>
+void members(Io& io, effect::RemapBin& all) {
+    io.member("count", all.count);
+    io.member("visibility", all.visibility);
+    io.member("truth", all.truth);
+    io.member("square", all.square);
+}
+
+template <class Io>
 void members(Io& io, FrameQuality& all) {
     io.member("rmse", all.geometry);
     io.member("rmse_raw", all.raw_geometry);
@@ -191,6 +199,7 @@ void members(Io& io, FrameQuality& all) {
     io.member("memory_bytes", all.memory_bytes);
     io.member("converged", all.converged);
     io.member("by_class", all.by_class);
+    io.member("bins", all.bins);
 }
 
 template <class Io>
@@ -258,20 +267,6 @@ T part_in(const Value& value) {
 std::string key_of(const Visit& visit) {
     return fmt::format("{} {} {}\n{}\n{}\n{}\n{}", visit.size.width, visit.size.height, visit.round,
                        visit.shown.name, visit.shown.kind, visit.shown.what, visit.candidate);
-}
-
-// A visit of a later round replaces or extends what those before it gave.
-void add_to(std::optional<Cell>& cell, const Visit& visit) {
-    if (!cell) cell.emplace();
-    if (visit.quality) cell->quality = visit.quality;
-    if (visit.point) cell->point = visit.point;
-    if (visit.round == 0) {
-        cell->difference = visit.difference;
-        cell->own_radius_error = visit.own_radius_error;
-    }
-    cell->samples_asked = visit.samples_asked;
-    cell->work = visit.work;
-    if (visit.round > 0 || !visit.readings.empty()) cell->rounds.push_back(visit.readings);
 }
 
 }  // namespace
@@ -343,46 +338,6 @@ Record joined(std::span<const Record> parts) {
         }
     }
     return whole;
-}
-
-std::vector<gpu::Extent> choose_recorded(Experiment& experiment, const Record& record) {
-    std::vector<gpu::Extent> sizes;
-    experiment.query.reset();
-    experiment.cases.clear();
-    experiment.candidates.clear();
-    for (const Visit& visit : record.visits()) {
-        if (std::ranges::find(sizes, visit.size) == sizes.end()) sizes.push_back(visit.size);
-        const auto same = [&](const Case& one) {
-            return one.name == visit.shown.name && one.kind == visit.shown.kind &&
-                   one.what == visit.shown.what;
-        };
-        if (std::ranges::none_of(experiment.cases, same)) experiment.cases.push_back(visit.shown);
-        if (std::ranges::find(experiment.candidates, visit.candidate, &Candidate::name) ==
-            experiment.candidates.end())
-            experiment.candidates.push_back({.name = visit.candidate, .group = visit.group});
-    }
-    return sizes;
-}
-
-std::vector<SizeResult> results_of(const Experiment& experiment, const std::vector<gpu::Extent>& sizes,
-                                   const Record& record) {
-    int rounds = 0;
-    for (const Visit& visit : record.visits()) rounds = std::max(rounds, visit.round);
-    std::vector<SizeResult> results;
-    for (const gpu::Extent size : sizes) {
-        SizeResult& result = results.emplace_back(SizeResult{.extent = size});
-        for (const Case& one : experiment.cases) {
-            CaseResult& shown = result.cases.emplace_back(CaseResult{.shown = one});
-            for (const Candidate& candidate : experiment.candidates) {
-                std::optional<Cell>& cell = shown.cells.emplace_back();
-                for (int round = 0; round <= rounds; ++round)
-                    if (const Visit* visit = record.find(
-                            {.size = size, .shown = one, .candidate = candidate.name, .round = round}))
-                        add_to(cell, *visit);
-            }
-        }
-    }
-    return results;
 }
 
 }  // namespace gloam::experiment

@@ -97,6 +97,9 @@ struct Cell {
     effect::Work work;
     std::optional<double> own_radius_error;
     int samples_asked = 0;
+    // After one remap for all cases, the best for those of the tuning half. nullopt: the experiment does not
+    // show it, or has no such case.
+    std::optional<double> rmse_fit;
 };
 
 struct CaseResult {

@@ -150,6 +150,7 @@ class SizeRun {
         BenchmarkFrames frames = frames_of(experiment_, one, extent_);
         frames.depth_truth = depth_truth;
         frames.remap = remap_;
+        frames.bins = fit_;
         frames.by_class = by_class_;
         frames.converged = converged_;
         const std::string key = fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {}", one.scene, one.view,
@@ -356,6 +357,7 @@ class SizeRun {
     Shared::Parts& shared_;
     scene::TruthCache cache_;
     bool remap_ = shows(experiment_, "rmse_remapped");
+    bool fit_ = shows(experiment_, "rmse_fit");
     bool own_radius_ = shows(experiment_, "rmse_own_radius");
     bool by_class_ = internal::shows_classes(experiment_);
     bool converged_ = internal::shows_converged(experiment_);

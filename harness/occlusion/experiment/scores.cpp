@@ -42,12 +42,17 @@ const std::vector<std::string>& references() {
 }
 
 const std::vector<std::string>& pixel_classes() {
-    static const std::vector<std::string> names{"all", "settled", "young", "disoccluded", "near_moving"};
+    static const std::vector<std::string> names{"all",         "settled",  "young", "disoccluded",
+                                                "near_moving", "contacts", "thin",  "rim"};
     return names;
 }
 
-effect::Mask mask_of(const effect::PixelClasses& classes, const std::string& name) {
+effect::Mask mask_of(const ClassedView& view, const std::string& name) {
     if (name == "all") return {};
+    if (name == "contacts") return view.places.contacts;
+    if (name == "thin") return view.places.thin;
+    if (name == "rim") return view.places.rim;
+    const effect::PixelClasses& classes = view.classes;
     if (name == "settled") return classes.settled();
     if (name == "disoccluded") return classes.disoccluded();
     if (name == "near_moving") return classes.near_moving();
@@ -58,12 +63,12 @@ effect::Mask mask_of(const effect::PixelClasses& classes, const std::string& nam
 }
 
 std::vector<ClassScore> scores_of(const effect::Frame& frame, const ScoredView& truth,
-                                  const effect::PixelClasses& classes) {
+                                  const ClassedView& view) {
     const std::vector<std::pair<std::string, const effect::Truth*>> known{
         {"limit", &truth.limit}, {"depth", &truth.depth}, {"geometry", &truth.geometry}};
     std::vector<ClassScore> scores;
     for (const std::string& name : pixel_classes()) {
-        const effect::Mask mask = mask_of(classes, name);
+        const effect::Mask mask = mask_of(view, name);
         for (const auto& [against, values] : known) {
             ClassScore score{.pixels = name, .against = against};
             for (std::size_t i = 0; i < values->size(); ++i) {

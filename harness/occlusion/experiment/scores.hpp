@@ -36,18 +36,20 @@ class Limit {
 // What images are compared with: "limit", the depth truth (D) "depth", the geometry truth (G) "geometry".
 [[nodiscard]] const std::vector<std::string>& references();
 
-// The classes of effect::PixelClasses: "all", "settled", "disoccluded", "near_moving", and "young", the
-// pixels in no other class, whose history is still short.
+// "all"; the classes of effect::PixelClasses, "settled", "disoccluded", "near_moving", and "young", the
+// pixels in no other class of these, whose history is still short; and the places of effect::HardPlaces,
+// "contacts", "thin" and "rim".
 [[nodiscard]] const std::vector<std::string>& pixel_classes();
-
-// The mask of a class; of "all" an empty one.
-[[nodiscard]] effect::Mask mask_of(const effect::PixelClasses& classes, const std::string& name);
 
 // A view of a sequence, with how its points came there.
 struct ClassedView {
     std::optional<effect::HistoryMap> history;  // from the view before; none in the first
     effect::PixelClasses classes;
+    effect::HardPlaces places;
 };
+
+// The mask of a class; of "all" an empty one.
+[[nodiscard]] effect::Mask mask_of(const ClassedView& view, const std::string& name);
 
 // The truth of a scored view, and what else its score needs. Empty where it is not asked for.
 struct ScoredView {
@@ -87,7 +89,7 @@ struct ClassScores {
 
 // The scores of a frame against the references that are known.
 [[nodiscard]] std::vector<ClassScore> scores_of(const effect::Frame& frame, const ScoredView& truth,
-                                                const effect::PixelClasses& classes);
+                                                const ClassedView& view);
 
 // Samples of a frame that a pixel takes, mean over the pixels that need samples.
 [[nodiscard]] double samples_of(const effect::Work& work);

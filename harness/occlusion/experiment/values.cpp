@@ -19,7 +19,8 @@ using internal::Quantity;
 using internal::value_of;
 
 // Those of scores by class alone.
-constexpr std::array<std::string_view, 3> class_only{"bias_raw", "samples_so_far", "rmse_independent"};
+constexpr std::array<std::string_view, 4> class_only{"bias_raw", "samples_so_far", "rmse_independent",
+                                                     "share"};
 
 Quantity error(std::string name, double FrameQuality::* member) {
     return {std::move(name), [member](const Cell& cell) {
@@ -82,20 +83,21 @@ std::optional<double> time_of(const Cell& cell, bool copies, std::string_view st
     return statistic == "least" ? *std::ranges::min_element(times) : numeric::spread_of(times).median;
 }
 
-// A quantity of one class against one reference, over the scored frames or in one of them.
-std::optional<double> class_value(const ClassScores& scores, std::string_view quantity, const Part& part) {
-    const std::string pixels = part.pixels.empty() ? "all" : part.pixels;
+// The last frame up to part.frame; all of them with 0.
+std::span<const FrameScore> frames_of(const ClassScores& scores, const Part& part) {
+    const std::span all(scores.frames);
+    if (part.frame == 0) return all;
+    const auto later =
+        std::ranges::find_if(all, [&](const FrameScore& one) { return one.frame > part.frame; });
+    const auto end = static_cast<std::size_t>(later - all.begin());
+    return all.subspan(end == 0 ? 0 : end - 1, end == 0 ? 0 : 1);
+}
+
+// The scores of one class against one reference, over the frames that count.
+ClassScore sum_of(const ClassScores& scores, const std::string& pixels, const Part& part) {
     const std::string against = part.against.empty() ? "geometry" : part.against;
-    if (quantity == "flicker") {
-        const auto found = std::ranges::find(scores.flicker, pixels, &ClassFlicker::pixels);
-        return found == scores.flicker.end() ? std::nullopt : std::optional(found->mean);
-    }
     ClassScore sum;
-    double samples = 0.0;
-    for (const FrameScore& frame : scores.frames) {
-        if (part.frame > 0 && frame.frame > part.frame) break;
-        if (part.frame > 0) sum = {};
-        samples = frame.samples;
+    for (const FrameScore& frame : frames_of(scores, part)) {
         for (const ClassScore& score : frame.classes) {
             if (score.pixels != pixels || score.against != against) continue;
             sum.count += score.count;
@@ -104,7 +106,28 @@ std::optional<double> class_value(const ClassScores& scores, std::string_view qu
             sum.raw_errors += score.raw_errors;
         }
     }
-    if (quantity == "samples_so_far" && !scores.frames.empty()) return samples;
+    return sum;
+}
+
+// Samples that a pixel has taken up to the last frame that counts.
+double samples_in(const ClassScores& scores, const Part& part) {
+    const std::span<const FrameScore> frames = frames_of(scores, part);
+    return frames.empty() ? 0.0 : frames.back().samples;
+}
+
+// A quantity of one class against one reference, over the scored frames or in one of them.
+std::optional<double> class_value(const ClassScores& scores, std::string_view quantity, const Part& part) {
+    const std::string pixels = part.pixels.empty() ? "all" : part.pixels;
+    if (quantity == "flicker") {
+        const auto found = std::ranges::find(scores.flicker, pixels, &ClassFlicker::pixels);
+        return found == scores.flicker.end() ? std::nullopt : std::optional(found->mean);
+    }
+    if (quantity == "samples_so_far" && !scores.frames.empty()) return samples_in(scores, part);
+    const ClassScore sum = sum_of(scores, pixels, part);
+    if (quantity == "share") {
+        const double all = sum_of(scores, "all", part).squares;
+        return all > 0.0 ? std::optional(sum.squares / all) : std::nullopt;
+    }
     if (sum.count == 0) return std::nullopt;
     const auto count = static_cast<double>(sum.count);
     if (quantity == "bias_raw") return sum.raw_errors / count;
@@ -113,7 +136,8 @@ std::optional<double> class_value(const ClassScores& scores, std::string_view qu
     Part first = part;  // what independent samples would have made of its error
     first.frame = scores.frames.front().frame;
     const auto raw = class_value(scores, "rmse_raw", first);
-    return raw ? std::optional(*raw * std::sqrt(scores.frames.front().samples / samples)) : std::nullopt;
+    return raw ? std::optional(*raw * std::sqrt(scores.frames.front().samples / samples_in(scores, part)))
+               : std::nullopt;
 }
 
 std::optional<double> slope_of(const ClassScores& scores, std::string_view quantity, Part part) {
@@ -145,6 +169,7 @@ const std::vector<Quantity>& untimed() {
         error("bias", &FrameQuality::bias),
         {"percentile_99",
          [](const Cell& cell) { return cell.quality ? cell.quality->percentile_99 : std::nullopt; }},
+        {"rmse_fit", [](const Cell& cell) { return cell.rmse_fit; }},
         error("similarity", &FrameQuality::similarity),
         error("samples", &FrameQuality::samples),
         {"memory_mib",
@@ -249,8 +274,8 @@ const std::vector<std::string>& quantities() {
 }
 
 const std::vector<std::string>& class_quantities() {
-    static const std::vector<std::string> names{"rmse",     "rmse_raw",       "flicker",
-                                                "bias_raw", "samples_so_far", "rmse_independent"};
+    static const std::vector<std::string> names{"rmse",           "rmse_raw",         "flicker", "bias_raw",
+                                                "samples_so_far", "rmse_independent", "share"};
     return names;
 }
 
