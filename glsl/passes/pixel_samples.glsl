@@ -9,6 +9,7 @@
 #include "gloam/sampling/count_by_distance.glsl"
 #include "gloam/sampling/count_by_radius.glsl"
 #include "gloam/sampling/hash_rotation.glsl"
+#include "gloam/sampling/hilbert_rotation.glsl"
 #include "gloam/temporal/convergence.glsl"
 #include "gloam/temporal/history.glsl"
 #include "gloam/temporal/rotation_switch.glsl"
@@ -16,9 +17,9 @@
 
 // The samples of a pixel in one frame: their number, their radius and their rotation. ambient_occlusion.comp and the
 // preparation passes include this file, so that they agree.
-// The user defines a block `parameters` with the members that this file reads, this_camera(), method_values, and the
-// constants samples_asked, samples_converged, fewer_samples (which makes it read samples_distance, samples_radius and
-// samples_least), caps_radius (radius_cap), reject_taps, layers and ends_marches.
+// The user defines a block `parameters` with the members that this file reads, this_camera() and method_values. The
+// user's constants are samples_asked, samples_converged, fewer_samples (which makes it read samples_distance,
+// samples_radius and samples_least), caps_radius (radius_cap), along_curve, reject_taps, layers and ends_marches.
 
 // Half-axes of the projected radius, pixels. depth: eye-linear, world units.
 vec2 reach_at(float depth) {
@@ -55,11 +56,16 @@ uint samples_at(GloamHistory before, float depth) {
     return uint(samples);
 }
 
+// Another angle for each pixel, radians.
+float rotation_of(ivec2 pixel) {
+    return along_curve ? gloam_hilbert_rotation(pixel) : gloam_hash_rotation(pixel);
+}
+
 // The kernel of a pixel. samples: as samples_at returns it.
 GloamKernel kernel_of(ivec2 pixel, float depth, GloamHistory before, uint samples) {
     float convergence = gloam_convergence(before.weight, parameters.weight_max);
     float angle =
-        gloam_rotation_enabled(convergence, parameters.c_rot) ? gloam_hash_rotation(pixel - parameters.border) : 0.0;
+        gloam_rotation_enabled(convergence, parameters.c_rot) ? rotation_of(pixel - parameters.border) : 0.0;
     float bias = max(parameters.bias, gloam_depth_bias(parameters.bias_depth, depth, 1.0));
     float farthest = reject_taps ? method_values.range : uintBitsToFloat(0x7F800000u);
     return GloamKernel(radius_at(depth), bias, angle, before.index, samples, farthest, layers, ends_marches);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "effect/ambient_occlusion.hpp"
+#include "effect/internal/steps.hpp"
 #include "effect/methods.hpp"
 #include "on_device.hpp"
 #include "scene/rasterize.hpp"
@@ -202,6 +203,47 @@ TEST_F(SampleSettings, RejectedStepsAreOpen) {
 }
 
 // The mean of two frames with the same number of samples, (a + b) / 2, determines the second one.
+// The slices of neighbouring pixels are spread evenly over all directions and jitters.
+TEST_F(SampleSettings, AlongHilbertsCurveAFilterLeavesLessNoise) {
+    const scene::GBuffer view = groove({96, 64});
+    const auto noise_after_filter = [&](Rotation rotation) {
+        Settings settings = with_radius(preset_named("sweep-balanced").settings, 0.4F);
+        settings.rotation = rotation;
+        const std::vector<float> filtered = run(view, settings).filtered;
+        settings.samples = settings.samples_converged = 1024;
+        const std::vector<float> exact = run(view, settings).occlusion;
+        double sum = 0.0;
+        for (std::size_t i = 0; i < exact.size(); ++i)
+            sum += std::pow(double{filtered[i]} - double{exact[i]}, 2.0);
+        return std::sqrt(sum / static_cast<double>(exact.size()));
+    };
+    EXPECT_LT(noise_after_filter(Rotation::hilbert), 0.8 * noise_after_filter(Rotation::hash));
+}
+
+// What passes prepare is rotated as what reads it.
+TEST_F(SampleSettings, PreparedDirectionsAreRotatedAlike) {
+    Settings settings = plain("separable");
+    settings.c_rot = 2.0F;
+    const auto prepared_and_shown = [&](Rotation rotation) {
+        settings.rotation = rotation;
+        AmbientOcclusion effect(device_, passes_, {96, 64});
+        std::vector<float> prepared;
+        effect.watch([&](const Step& pass, bool after) {
+            if (after && pass.name == "first_direction")
+                prepared =
+                    std::get<std::reference_wrapper<const gpu::Image>>(pass.resources.at(3)).get().download();
+        });
+        effect.begin(rasterized(scene_, {96, 64}), settings);
+        const std::vector<float> shown = effect.next().occlusion;
+        return std::pair(prepared, shown);
+    };
+    const auto hash = prepared_and_shown(Rotation::hash);
+    const auto hilbert = prepared_and_shown(Rotation::hilbert);
+    EXPECT_FALSE(hash.first.empty());
+    EXPECT_NE(hash.first, hilbert.first);
+    EXPECT_NE(hash.second, hilbert.second);
+}
+
 TEST_F(SampleSettings, SmoothingIsAnExponentialMean) {
     scene_ = scene::make_scene("corner");
     Settings settings = plain();

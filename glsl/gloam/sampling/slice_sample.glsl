@@ -13,13 +13,16 @@ struct GloamSliceSample {
     float share;     // [0, 1), for what else a method needs
 };
 
-// what is random of a slice (SLICE-sample): `direction pi fract(x + t), jitter fract(y + t), share z, of the Halton
+// what is random of a slice (SLICE-sample): `direction pi fract(x + t), jitter fract(y + 14 t), share z, of the Halton
 // point (x, y, z)` [GTAO (Jimenez et al. 2016) with the sequence of TSSAO].
 // Slice number `index` of the sequence, 1 for the first.
-// turns: by which the kernel is rotated (gloam_turns of its angle). Error: 5e-7.
+// turns: t, by which the kernel is rotated (gloam_turns of its angle), [0, 1). Its 14-fold shifts the jitter, so that
+// pixels whose directions are alike differ in the jitter. Error: 5e-7.
 GloamSliceSample gloam_slice_sample(uint index, float turns) {
     vec3 point = gloam_halton_point(index);
-    return GloamSliceSample(gloam_sincos_turns(0.5 * fract(point.x + turns)), fract(point.y + turns), point.z);
+    // 14 t without a rounded product.
+    float shift = fract(16.0 * turns) - fract(2.0 * turns);
+    return GloamSliceSample(gloam_sincos_turns(0.5 * fract(point.x + turns)), fract(point.y + shift), point.z);
 }
 
 #endif

@@ -222,7 +222,8 @@ PassSource occlusion_source(const Moment& moment, List list) {
                         {.id = 17, .bits = settings.own.steps},
                         {.id = 18, .bits = unit_of(method, settings.own.steps)},
                         {.id = 19, .bits = flag(method.unit == SampleUnit::pair)},
-                        {.id = 20, .bits = flag(shows_alone(settings))}};
+                        {.id = 20, .bits = flag(shows_alone(settings))},
+                        {.id = 21, .bits = flag(settings.rotation == Rotation::hilbert)}};
     std::ranges::copy(constants_of(list), std::back_inserter(source.constants));
     source.constants.push_back({.id = open_tiles_constant, .bits = moment.open_tiles_each});
     source.unrolls = has_short_loops(settings);
@@ -284,7 +285,8 @@ PassSource preparation_source(const Moment& moment, const std::string& file) {
                           {.id = 2, .bits = flag(settings.history)},
                           {.id = 3, .bits = settings.samples},
                           {.id = 4, .bits = settings.samples_converged},
-                          {.id = 5, .bits = settings.own.steps}}};
+                          {.id = 5, .bits = settings.own.steps},
+                          {.id = 6, .bits = flag(settings.rotation == Rotation::hilbert)}}};
 }
 
 PassSource sample_table_source(const std::string& samples) {

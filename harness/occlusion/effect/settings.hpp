@@ -45,6 +45,12 @@ enum class Filter {
 // Format of the displayed occlusion. The history keeps its own precision.
 enum class OutputFormat { r32f, r16f, r8 };
 
+// What rotates the kernels of neighbouring pixels.
+enum class Rotation {
+    hash,    // McGuire's hash of the pixel (HASH-ROT)
+    hilbert  // its place on Hilbert's curve (HILBERT-ROT): a filter leaves less of the noise
+};
+
 // The size of the images that the passes run over.
 enum class Resolution {
     full,  // the view's
@@ -110,6 +116,7 @@ struct Settings {
     std::uint32_t table_size = 65'536;  // samples after which the sequence starts over, 1 to 2^24
     float weight_max = 500.0F;          // largest number of samples in the mean, 1 to 2^23
     float c_rot = 0.5F;  // kernels are rotated by pixel below this convergence; 0: never, above 1: always
+    Rotation rotation = Rotation::hash;
     float c_adaptive = 0.2F;        // the filter does not change pixels of at least this convergence
     float depth_tolerance = 0.02F;  // relative: another surface beyond it (TSSAO-8), > 0; infinity: no test
     bool history = true;            // off: each frame is independent, with the first samples of the sequence

@@ -120,6 +120,31 @@ inline double gloam_hash_rotation(glm::ivec2 pixel) {
     return within < 0.0 ? within + two_pi : within;
 }
 
+// Walks along the curve, and reports the number of the place where it meets the pixel.
+inline unsigned gloam_hilbert_index(glm::ivec2 pixel) {
+    const glm::uvec2 wanted = glm::uvec2(pixel) % 64U;
+    for (unsigned index = 0; index < 4096; ++index) {
+        glm::uvec2 place(0);
+        unsigned rest = index;
+        for (unsigned side = 1; side < 64; side *= 2, rest /= 4) {
+            const bool right = (rest & 2U) != 0;
+            const bool down = ((rest ^ (rest >> 1U)) & 1U) != 0;
+            if (!down) {
+                if (right) place = (side - 1U) - place;
+                place = {place.y, place.x};
+            }
+            place += side * glm::uvec2(right ? 1 : 0, down ? 1 : 0);
+        }
+        if (place == wanted) return index;
+    }
+    return 0;
+}
+
+// 1 / p with p^3 = p + 1, as a fraction of 32 bits.
+inline double gloam_hilbert_rotation(glm::ivec2 pixel) {
+    return 2.0 * std::numbers::pi * 0x1p-32 * (gloam_hilbert_index(pixel) * 3'242'174'889U);
+}
+
 inline dvec3 gloam_hemisphere_lift(dvec2 disc) {
     if (!is_finite(disc)) return {0.0, 0.0, 1.0};
     const double r = length(disc);
@@ -178,10 +203,10 @@ struct GloamSliceSample {
     double share;
 };
 
-// Directions over half a turn; the kernel's angle shifts them and the jitter.
+// Directions over half a turn; the kernel's angle shifts them and, 14-fold, the jitter.
 inline GloamSliceSample gloam_slice_sample(unsigned index, double turns) {
     const dvec3 point = gloam_halton_3d(index);
-    return {on_circle(pi * fract(point.x + turns)), fract(point.y + turns), point.z};
+    return {on_circle(pi * fract(point.x + turns)), fract(point.y + 14.0 * turns), point.z};
 }
 
 inline dvec3 gloam_eye_march(dvec3 position, dvec3 direction, double radius, unsigned index, unsigned count,

@@ -281,6 +281,7 @@ void main() {
         gl.uniform1ui(occlusion.at("table_size"), settings.table_size);
         gl.uniform1i(occlusion.at("rounds_up"), Number(settings.rounds_up));
         gl.uniform1i(occlusion.at("reject_taps"), Number(settings.reject_taps));
+        gl.uniform1i(occlusion.at("along_curve"), Number(settings.rotation === "hilbert"));
         this.drawTo(images.after.framebuffer);
     }
 

@@ -37,6 +37,7 @@ uniform uint samples_unit;
 uniform bool rounds_up;
 uniform uint table_size;
 uniform bool reject_taps;
+uniform bool along_curve;
 const bool fewer_samples = true;
 const bool caps_radius = true;
 const int layers = 1;

@@ -55,6 +55,7 @@ Settings swept(const MethodInfo& method, std::uint32_t count, std::uint32_t step
     Settings settings = slices(method, count, steps);
     settings.weight_max = 128.0F;
     settings.c_rot = 2.0F;
+    settings.rotation = Rotation::hilbert;
     settings.filter = Filter::convergence;
     settings.c_adaptive = 8.0F * static_cast<float>(2 * steps) / settings.weight_max;
     settings.filter_frames = 8.0F;
