@@ -13,7 +13,6 @@
 #include "effect/ambient_occlusion.hpp"
 #include "effect/errors.hpp"
 #include "effect/internal/frame_images.hpp"
-#include "effect/internal/steps.hpp"
 #include "effect/methods.hpp"
 #include "on_device.hpp"
 #include "scene/gbuffer.hpp"
@@ -177,12 +176,8 @@ TEST_F(Guard, TheBandIsPreparedAsFarAsItIsRead) {
     std::size_t prepared = 0;
     effect.watch([&](const Step& pass, bool after) {
         if (!after || pass.name != "half_resolution") return;
-        for (const auto& resource : pass.resources) {
-            const auto* image = std::get_if<std::reference_wrapper<const gpu::Image>>(&resource);
-            if (image == nullptr || image->get().extent().width != (wide.extent.width + 1) / 2) continue;
-            const std::vector<glm::vec3> texels = vectors_of(image->get().download());
-            prepared = texels.size() - static_cast<std::size_t>(std::ranges::count(texels, glm::vec3(0)));
-        }
+        const std::vector<glm::vec3> texels = vectors_of(image_of(pass, 3).download());
+        prepared = texels.size() - static_cast<std::size_t>(std::ranges::count(texels, glm::vec3(0)));
     });
     effect.begin(wide, settings);
     const Frame all = effect.next();

@@ -81,8 +81,7 @@ class NormalsFromDepth : public OnDevice<testing::Test> {
         std::vector<glm::vec3> written;
         effect.watch([&](const Step& pass, bool after) {
             if (!after || pass.name != "normals_from_depth") return;
-            const auto& image = std::get<std::reference_wrapper<const gpu::Image>>(pass.resources[1]);
-            written = vectors_of(image.get().download());
+            written = vectors_of(image_of(pass, 1).download());
         });
         effect.begin(view, {});
         (void)effect.next();
@@ -151,11 +150,7 @@ class EngineInputs : public OnDevice<testing::TestWithParam<Stored>> {
         AmbientOcclusion effect(device_, passes_, extent);
         effect.watch([&](const Step& pass, bool after) {
             if (!after || pass.name != "take_inputs" || converted == nullptr) return;
-            const auto image = [&](std::size_t binding) {
-                return std::get<std::reference_wrapper<const gpu::Image>>(pass.resources[binding])
-                    .get()
-                    .download();
-            };
+            const auto image = [&](std::size_t binding) { return image_of(pass, binding).download(); };
             converted->depth = image(2);
             converted->normal = vectors_of(image(3));
             converted->stored.reset();

@@ -19,10 +19,6 @@
 
 namespace gloam::effect::half_resolution_test {
 
-const gpu::Image& image_of(const Step& pass, std::size_t binding) {
-    return std::get<std::reference_wrapper<const gpu::Image>>(pass.resources.at(binding)).get();
-}
-
 // The pixels of a view, with (0, 0) the centre of the first one.
 struct Pixels {
     explicit Pixels(const View& view)

@@ -113,9 +113,8 @@ TEST(Remap, IsFoundFromTheBinsOfSeveralImages) {
     const auto part = [](const Image& image, bool first) {
         return first ? Image(image.begin(), image.begin() + 2000) : Image(image.begin() + 2000, image.end());
     };
-    std::vector<RemapBin> bins = remap_bins(part(occlusion, true), part(truth, true), 128);
-    const std::vector<RemapBin> rest = remap_bins(part(occlusion, false), part(truth, false), 128);
-    bins.insert(bins.end(), rest.begin(), rest.end());
+    std::vector<RemapBin> bins(128);
+    for (const bool first : {true, false}) add_to_bins(bins, part(occlusion, first), part(truth, first));
     EXPECT_NEAR(remapped_rmse(bins, {}), errors_of(occlusion, truth).rmse, 2e-3);
     const Remap fit = best_remap(bins);
     EXPECT_LT(errors_of(remapped(occlusion, fit), truth).rmse, 4e-3);

@@ -5,15 +5,18 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
 #include <tuple>
+#include <variant>
 #include <vector>
 
 #include "backend/vulkan/device.hpp"
 #include "comparisons.hpp"
 #include "effect/ambient_occlusion.hpp"
+#include "effect/internal/steps.hpp"
 #include "scene/gbuffer.hpp"
 #include "scene/pass_library.hpp"
 #include "scene/rasterize.hpp"
@@ -23,6 +26,11 @@
 namespace gloam::effect {
 
 using test::variable;
+
+// What a pass binds there.
+inline const gpu::Image& image_of(const Step& pass, std::size_t binding) {
+    return std::get<std::reference_wrapper<const gpu::Image>>(pass.resources.at(binding)).get();
+}
 
 // The settings with every skip on, or off.
 inline Settings with_skips(Settings settings, bool on = true) {

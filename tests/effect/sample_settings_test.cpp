@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "effect/ambient_occlusion.hpp"
-#include "effect/internal/steps.hpp"
+#include "effect/errors.hpp"
 #include "effect/methods.hpp"
 #include "on_device.hpp"
 #include "scene/rasterize.hpp"
@@ -211,11 +211,7 @@ TEST_F(SampleSettings, AlongHilbertsCurveAFilterLeavesLessNoise) {
         settings.rotation = rotation;
         const std::vector<float> filtered = run(view, settings).filtered;
         settings.samples = settings.samples_converged = 1024;
-        const std::vector<float> exact = run(view, settings).occlusion;
-        double sum = 0.0;
-        for (std::size_t i = 0; i < exact.size(); ++i)
-            sum += std::pow(double{filtered[i]} - double{exact[i]}, 2.0);
-        return std::sqrt(sum / static_cast<double>(exact.size()));
+        return errors_of(filtered, run(view, settings).occlusion).rmse;
     };
     EXPECT_LT(noise_after_filter(Rotation::hilbert), 0.8 * noise_after_filter(Rotation::hash));
 }
@@ -229,9 +225,7 @@ TEST_F(SampleSettings, PreparedDirectionsAreRotatedAlike) {
         AmbientOcclusion effect(device_, passes_, {96, 64});
         std::vector<float> prepared;
         effect.watch([&](const Step& pass, bool after) {
-            if (after && pass.name == "first_direction")
-                prepared =
-                    std::get<std::reference_wrapper<const gpu::Image>>(pass.resources.at(3)).get().download();
+            if (after && pass.name == "first_direction") prepared = image_of(pass, 3).download();
         });
         effect.begin(rasterized(scene_, {96, 64}), settings);
         const std::vector<float> shown = effect.next().occlusion;

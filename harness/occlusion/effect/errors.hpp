@@ -65,10 +65,9 @@ struct RemapBin {
     double square = 0.0;      // of the truth, summed
 };
 
-// The pixels of an image with a truth, in so many bins from visibility 0 to 1. Throws std::invalid_argument
-// when the sizes disagree.
-[[nodiscard]] std::vector<RemapBin> remap_bins(std::span<const float> occlusion, std::span<const float> truth,
-                                               std::size_t count);
+// Adds the pixels of an image with a truth to bins, which divide visibility 0 to 1. Throws
+// std::invalid_argument when the sizes disagree.
+void add_to_bins(std::span<RemapBin> bins, std::span<const float> occlusion, std::span<const float> truth);
 
 // The remap with the least squared error over the pixels of bins; no remap without a pixel.
 [[nodiscard]] Remap best_remap(std::span<const RemapBin> bins);

@@ -90,11 +90,13 @@ class PixelClasses {
 
 // Where a depth buffer tells least about occlusion. The masks may overlap; none holds background.
 struct HardPlaces {
-    Mask contacts;  // a surface within a tenth of the radius rises above the tangent plane by 15 degrees or
-                    // more
-    Mask thin;  // on what is less than half a radius wide with a step of depth to both sides, or near it in
-                // the image, by a quarter of the radius
-    Mask rim;   // nearer to the image's edge than the radius
+    // A surface within a tenth of the radius rises above the tangent plane, by 15 degrees or more.
+    Mask contacts;
+    // On what is less than half a radius wide, with a step of depth to both sides; and up to a quarter of the
+    // radius beside it in the image.
+    Mask thin;
+    // Nearer to the image's edge than the radius.
+    Mask rim;
 };
 
 // radius: of influence, world units. The view needs normals.

@@ -105,12 +105,11 @@ double Remap::operator()(double visibility) const {
     return std::min(1.0, std::pow(base, c));
 }
 
-std::vector<RemapBin> remap_bins(std::span<const float> occlusion, std::span<const float> truth,
-                                 std::size_t count) {
+void add_to_bins(std::span<RemapBin> bins, std::span<const float> occlusion, std::span<const float> truth) {
     if (occlusion.size() != truth.size())
         throw std::invalid_argument("remap: " + std::to_string(occlusion.size()) + " pixels, truth of " +
                                     std::to_string(truth.size()));
-    std::vector<RemapBin> bins(count);
+    const std::size_t count = bins.size();
     for (std::size_t i = 0; i < truth.size(); ++i) {
         if (!std::isfinite(truth[i])) continue;
         const double x = std::clamp(1.0 - double{occlusion[i]}, 0.0, 1.0);
@@ -121,7 +120,6 @@ std::vector<RemapBin> remap_bins(std::span<const float> occlusion, std::span<con
         bin.truth += y;
         bin.square += y * y;
     }
-    return bins;
 }
 
 Remap best_remap(std::span<const RemapBin> bins) {
@@ -140,8 +138,9 @@ double remapped_rmse(std::span<const RemapBin> bins, const Remap& remap) {
 }
 
 Remap best_remap(std::span<const float> occlusion, std::span<const float> truth) {
-    constexpr std::size_t bins = 4096;
-    const Remap fit = best_remap(remap_bins(occlusion, truth, bins));
+    std::vector<RemapBin> bins(4096);
+    add_to_bins(bins, occlusion, truth);
+    const Remap fit = best_remap(bins);
     const bool better = errors_of(remapped(occlusion, fit), truth).rmse < errors_of(occlusion, truth).rmse;
     return better ? fit : Remap{};
 }

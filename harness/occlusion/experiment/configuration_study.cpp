@@ -55,7 +55,8 @@ void BenchmarkViews::classify() {
         std::optional<effect::HistoryMap> history;
         if (i > 0) history.emplace(views[i], views[i - 1]);
         classes.advance(views[i], history);
-        classed_.push_back({std::move(history), classes, effect::hard_places(views[i], scene_.ao_radius)});
+        classed_.push_back({std::move(history), classes, {}});
+        if (frames_.places) classed_.back().places = effect::hard_places(views[i], scene_.ao_radius);
     }
 }
 
@@ -121,7 +122,8 @@ class Judge {
     Judge(const BenchmarkViews& views, const effect::Settings& settings) : views_(&views) {
         if (!views.frames().by_class || views.frames().rays == 0) return;
         sum_.by_class = ClassScores{.most_samples = double{settings.weight_max}};
-        for (const std::string& name : pixel_classes()) sum_.by_class->flicker.push_back({name});
+        for (const std::string& name : pixel_classes())
+            if (views.frames().places || !is_place(name)) sum_.by_class->flicker.push_back({name});
     }
 
     // before: the frame's predecessor; empty: there is none.
@@ -223,14 +225,8 @@ void add(FrameQuality& mean, const effect::PlainFrame& frame, const effect::Trut
 }  // namespace
 
 void add_bins(FrameQuality& quality, const std::vector<float>& image, const effect::Truth& truth) {
-    const std::vector<effect::RemapBin> bins = effect::remap_bins(image, truth, quality_bins);
-    std::vector<effect::RemapBin>& sums = quality.bins ? *quality.bins : quality.bins.emplace(quality_bins);
-    for (std::size_t i = 0; i < bins.size(); ++i) {
-        sums[i].count += bins[i].count;
-        sums[i].visibility += bins[i].visibility;
-        sums[i].truth += bins[i].truth;
-        sums[i].square += bins[i].square;
-    }
+    if (!quality.bins) quality.bins.emplace(quality_bins);
+    effect::add_to_bins(*quality.bins, image, truth);
 }
 
 std::vector<float> converged(effect::AmbientOcclusion& effect, const scene::GBuffer& view,

@@ -41,6 +41,7 @@ struct BenchmarkFrames {
     bool remap = false;      // the best remap of the last frame is looked for
     bool bins = false;       // FrameQuality::bins are filled
     bool by_class = false;   // errors of each class of pixels in each scored frame
+    bool places = false;     // with by_class: effect::HardPlaces are classes as well
     bool converged = false;  // single frames: what more samples would give
     std::optional<effect::Settings> limit{};  // whose limit is a reference as well
     std::vector<int> shown{};  // for how many frames each view is shown, in all `frames`; empty: for one each

@@ -152,6 +152,7 @@ class SizeRun {
         frames.remap = remap_;
         frames.bins = fit_;
         frames.by_class = by_class_;
+        frames.places = places_;
         frames.converged = converged_;
         const std::string key = fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {}", one.scene, one.view,
                                             one.motion ? static_cast<int>(*one.motion) : -1,
@@ -360,6 +361,7 @@ class SizeRun {
     bool fit_ = shows(experiment_, "rmse_fit");
     bool own_radius_ = shows(experiment_, "rmse_own_radius");
     bool by_class_ = internal::shows_classes(experiment_);
+    bool places_ = internal::shows_places(experiment_);
     bool converged_ = internal::shows_converged(experiment_);
     bool limit_ = internal::shows_against(experiment_, "limit");
 };

@@ -47,11 +47,15 @@ const std::vector<std::string>& pixel_classes() {
     return names;
 }
 
+bool is_place(const std::string& name) {
+    return name == "contacts" || name == "thin" || name == "rim";
+}
+
 effect::Mask mask_of(const ClassedView& view, const std::string& name) {
     if (name == "all") return {};
-    if (name == "contacts") return view.places.contacts;
-    if (name == "thin") return view.places.thin;
-    if (name == "rim") return view.places.rim;
+    if (name == "contacts") return view.places.value().contacts;
+    if (name == "thin") return view.places.value().thin;
+    if (name == "rim") return view.places.value().rim;
     const effect::PixelClasses& classes = view.classes;
     if (name == "settled") return classes.settled();
     if (name == "disoccluded") return classes.disoccluded();
@@ -68,6 +72,7 @@ std::vector<ClassScore> scores_of(const effect::Frame& frame, const ScoredView& 
         {"limit", &truth.limit}, {"depth", &truth.depth}, {"geometry", &truth.geometry}};
     std::vector<ClassScore> scores;
     for (const std::string& name : pixel_classes()) {
+        if (is_place(name) && !view.places) continue;
         const effect::Mask mask = mask_of(view, name);
         for (const auto& [against, values] : known) {
             ClassScore score{.pixels = name, .against = against};

@@ -45,10 +45,13 @@ class Limit {
 struct ClassedView {
     std::optional<effect::HistoryMap> history;  // from the view before; none in the first
     effect::PixelClasses classes;
-    effect::HardPlaces places;
+    std::optional<effect::HardPlaces> places;  // where BenchmarkFrames ask for them
 };
 
-// The mask of a class; of "all" an empty one.
+// Whether a class is one of effect::HardPlaces.
+[[nodiscard]] bool is_place(const std::string& name);
+
+// The mask of a class; of "all" an empty one. A place needs ClassedView::places.
 [[nodiscard]] effect::Mask mask_of(const ClassedView& view, const std::string& name);
 
 // The truth of a scored view, and what else its score needs. Empty where it is not asked for.

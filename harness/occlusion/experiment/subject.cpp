@@ -103,6 +103,10 @@ bool shows_classes(const Experiment& experiment) {
     });
 }
 
+bool shows_places(const Experiment& experiment) {
+    return any_column(experiment, [](const Table&, const Column& column) { return is_place(column.pixels); });
+}
+
 bool shows_converged(const Experiment& experiment) {
     return any_column(experiment, [](const Table&, const Column& column) {
         return column.value.starts_with("converged_");

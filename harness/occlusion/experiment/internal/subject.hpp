@@ -39,6 +39,7 @@ struct Subject {
 [[nodiscard]] bool shows(const Experiment& experiment, std::string_view quantity);
 [[nodiscard]] bool shows_against(const Experiment& experiment, std::string_view reference);
 [[nodiscard]] bool shows_classes(const Experiment& experiment);
+[[nodiscard]] bool shows_places(const Experiment& experiment);
 [[nodiscard]] bool shows_converged(const Experiment& experiment);
 
 }  // namespace gloam::experiment::internal
