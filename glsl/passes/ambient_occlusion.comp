@@ -239,7 +239,7 @@ GloamHistory sampled(ivec2 pixel, float depth) {
     bool samples_none = frozen(before) || samples == 0u;
     pixel_kinds += samples_none && !gloam_is_background(depth) ? COUNT_FROZEN : 0u;
     // Where nothing is blocked, each sample counts and adds nothing.
-    GloamEstimate fresh = GloamEstimate(0.0, samples_none ? 0.0 : float(samples), 0u);
+    GloamEstimate fresh = GloamEstimate(0.0, samples_none ? 0.0 : float(samples), 0u, 1.0);
     float change = 0.0;  // of a pixel that takes no sample nothing is known
     if (!open_tiles && !samples_none) {
         fresh = estimated(pixel, depth, before, samples);
@@ -248,7 +248,8 @@ GloamHistory sampled(ivec2 pixel, float depth) {
     samples_missed -= uint(fresh.samples);
     marches_ended += fresh.left_out > 0u ? COUNT_ENDED : 0u;
     float weight = weight_after_change(before.weight, change);
-    vec2 blended = gloam_blend(before.occlusion, weight, fresh.occlusion, fresh.samples, parameters.weight_max);
+    vec2 blended =
+        gloam_blend(before.occlusion, weight, fresh.occlusion, fresh.samples * fresh.weight, parameters.weight_max);
     if (smooths && parameters.smoothing > 0.0 && fresh.samples > 0.0) {
         blended.x = gloam_temporal_smooth(before.occlusion, weight > 0.0, fresh.occlusion, parameters.smoothing);
     }

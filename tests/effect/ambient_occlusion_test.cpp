@@ -28,7 +28,7 @@ class Effect : public OnDevice<testing::Test> {
 };
 
 Settings settings_for(float radius) {
-    return with_radius(preset_named("paper").settings, radius);
+    return with_radius(preset_named("tssao-paper").settings, radius);
 }
 
 TEST_F(Effect, OddSizesAndBackground) {

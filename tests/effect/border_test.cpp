@@ -25,7 +25,8 @@ namespace gloam::effect::border_test {
 constexpr gpu::Extent extent{96, 54};
 
 Settings settings_for(const scene::Scene& scene, float guard) {
-    Settings settings = with_radius(preset_named("paper").settings, static_cast<float>(scene.ao_radius));
+    Settings settings =
+        with_radius(preset_named("tssao-paper").settings, static_cast<float>(scene.ao_radius));
     settings.guard = guard;
     return settings;
 }

@@ -21,7 +21,7 @@ constexpr std::size_t filtered_frames = 3;
 class FilterFrames : public OnDevice<testing::Test> {
   protected:
     static Settings settings_of(Filter filter, float frames) {
-        Settings settings = with_radius(preset_named("fast").settings,
+        Settings settings = with_radius(with_method(preset_named("balanced").settings, "alchemy"),
                                         static_cast<float>(scene::make_scene("moving").ao_radius));
         settings.filter = filter;
         settings.filter_frames = frames;
@@ -93,7 +93,7 @@ TEST_F(FilterFrames, AreTheFirstAtHalfTheResolutionAsWell) {
 
 TEST_F(FilterFrames, ArePlanned) {
     for (const bool remapped : {false, true}) {
-        Settings settings = preset_named("fast").settings;
+        Settings settings = preset_named("balanced").settings;
         settings.filter_frames = 2.5F;
         settings.output = remapped ? OutputFormat::r8 : OutputFormat::r32f;
         const Plan plan = plan_of(settings, {.tiles = true});
@@ -107,7 +107,7 @@ TEST_F(FilterFrames, ArePlanned) {
             EXPECT_EQ(pass.turn == Turn::early, of_filter) << pass.name;
         }
     }
-    EXPECT_EQ(plan_of(preset_named("paper").settings, {}).filter_frames, 0U);
+    EXPECT_EQ(plan_of(preset_named("tssao-paper").settings, {}).filter_frames, 0U);
 }
 
 }  // namespace gloam::effect::filter_frames_test

@@ -190,7 +190,7 @@ TEST_F(HalfSize, PixelsAtAnEdgeAreOfTheirSurface) {
 
 // The pixels that the half-size pixels stand for have their values, and so has a constant image.
 TEST_F(HalfSize, SourcesKeepTheirValues) {
-    for (const char* preset : {"paper", "balanced"}) {
+    for (const char* preset : {"tssao-paper", "balanced"}) {
         Settings settings = half(preset_named(preset).settings, 0.3F);
         std::vector<float> of_half;
         AmbientOcclusion effect(device_, passes_, extent);
@@ -211,7 +211,7 @@ TEST_F(HalfSize, SourcesKeepTheirValues) {
 }
 
 TEST_F(HalfSize, SkipsChangeNothing) {
-    for (const char* preset : {"paper", "balanced", "sweep-balanced", "sao-performance"}) {
+    for (const char* preset : {"tssao-paper", "balanced", "sao-paper"}) {
         for (const char* name : {"sky", "moving"}) {
             SCOPED_TRACE(std::string(preset) + " " + name);
             Settings settings = half(preset_named(preset).settings);
@@ -287,7 +287,7 @@ TEST_F(HalfSize, DisplayIsMappedAtFullSize) {
 TEST_F(HalfSize, ImagesOfAnySize) {
     for (const gpu::Extent size : {gpu::Extent{1, 1}, gpu::Extent{2, 1}, gpu::Extent{1, 2}, gpu::Extent{3, 2},
                                    gpu::Extent{16, 16}, gpu::Extent{17, 33}, gpu::Extent{130, 7}}) {
-        for (const char* preset : {"paper", "balanced"}) {
+        for (const char* preset : {"tssao-paper", "balanced"}) {
             std::vector<scene::GBuffer> all;
             for (int i = 0; i < 2; ++i) all.push_back(view("room", i, {.motion = true}, size));
             const std::vector<Frame> frames = run(all, half(preset_named(preset).settings, 0.3F));

@@ -225,10 +225,10 @@ TEST_F(Pictures, NoPixelIsAloneInAStillView) {
         const scene::Scene scene = scene::make_scene(name);
         const scene::GBuffer now = view(scene, 0);
         const Truth traced = truth(scene, 0, now);
-        const Settings settings = settings_of(preset_named("sweep-half"), scene.ao_radius);
+        const Settings settings = settings_of(preset_named("fast"), scene.ao_radius);
         const auto shown = still(now, settings, still_frames.back() + 1);
         for (const unsigned frame : still_frames)
-            expect_none_alone(fmt::format("sweep-half {} frame {}", scene.name, frame), shown[frame], traced,
+            expect_none_alone(fmt::format("fast {} frame {}", scene.name, frame), shown[frame], traced,
                               settings, most_alone);
     }
 }
@@ -242,8 +242,8 @@ TEST_F(Pictures, NoPixelIsAloneAtASilhouette) {
                                                  {.aspect = double{size.width} / double{size.height}});
     const scene::GBuffer now = view(scene, 0, size);
     const Settings settings = settings_of(preset_named("balanced"), scene.ao_radius);
-    expect_none_alone("horse", still(now, settings, 1).back(), truth(scene, 0, now), settings, most_alone,
-                      size);
+    expect_none_alone("horse", still(now, settings, still_frames.back() + 1).back(), truth(scene, 0, now),
+                      settings, most_alone, size);
 }
 
 }  // namespace gloam::effect::pictures_test

@@ -152,7 +152,7 @@ class EndedMarches : public OnDevice<testing::Test> {
     [[nodiscard]] static Settings settings_for(const std::string& scene, const std::string& method) {
         const auto radius = static_cast<float>(scene::make_scene(scene).ao_radius);
         Settings settings =
-            without_skips(with_method(with_radius(preset_named("paper").settings, radius), method));
+            without_skips(with_method(with_radius(preset_named("tssao-paper").settings, radius), method));
         settings.skip_closed = true;
         return settings;
     }
@@ -259,7 +259,8 @@ class HoistedLoops : public OnDevice<testing::TestWithParam<std::string>> {
     [[nodiscard]] std::vector<Frame> frames(AmbientOcclusion& effect, std::uint32_t converged) const {
         const scene::Scene scene = scene::make_scene("moving");
         Settings settings = with_method(
-            with_radius(preset_named("paper").settings, static_cast<float>(scene.ao_radius)), GetParam());
+            with_radius(preset_named("tssao-paper").settings, static_cast<float>(scene.ao_radius)),
+            GetParam());
         settings.samples_converged = converged;
         effect.begin(rasterized("moving", odd, {.frame = 0}), settings);
         std::vector<Frame> frames{effect.next()};

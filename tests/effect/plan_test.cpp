@@ -45,7 +45,7 @@ TEST_F(PlanTest, IsWhatAFrameRuns) {
     const scene::GBuffer second = rasterized("room", extent, {.frame = 1});
     for (const char* method : {"hemisphere", "mssao", "dual_resolution", "sao_chain", "separable"}) {
         for (const char* preset :
-             {"paper", "balanced", "balanced, half", "balanced, frames alone", "paper, half"}) {
+             {"tssao-paper", "balanced", "balanced, half", "balanced, frames alone", "tssao-paper, half"}) {
             const bool alone = std::string_view(preset).ends_with("alone");
             const bool half = std::string_view(preset).ends_with("half");
             const std::string_view named =

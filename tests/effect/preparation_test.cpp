@@ -29,7 +29,7 @@ std::vector<std::string> prepared_methods() {
 }
 
 Settings settings_for(const std::string& method, float radius) {
-    return with_radius(with_method(preset_named("paper").settings, method), radius);
+    return with_radius(with_method(preset_named("tssao-paper").settings, method), radius);
 }
 
 class Prepared : public OnDevice<testing::TestWithParam<std::string>> {};

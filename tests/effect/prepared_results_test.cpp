@@ -152,7 +152,7 @@ TEST_F(PreparedResults, DiscsCountByTheirVisibility) {
 // MSSAO on its real passes: what its coarser resolutions see, and how they are combined.
 
 Settings settings_of(float radius) {
-    return with_radius(with_method(preset_named("paper").settings, "mssao"), radius);
+    return with_radius(with_method(preset_named("tssao-paper").settings, "mssao"), radius);
 }
 
 class MultiResolution : public OnDevice<testing::Test> {};

@@ -46,7 +46,7 @@ TEST(SettingTable, HasEveryMemberOnce) {
 }
 
 TEST(SettingTable, DefaultsAreThePaperPreset) {
-    const Settings paper = preset_named("paper").settings;
+    const Settings paper = preset_named("tssao-paper").settings;
     for (const Setting& setting : setting_table())
         EXPECT_EQ(setting.get(paper), setting.get(Settings{})) << setting.name;
 }
@@ -161,6 +161,7 @@ const std::map<std::string, Case>& cases() {
         {"precision", {"float16", {{"table_size", "2048"}}}},
         {"filter", {"off", {{"c_adaptive", "1"}}}},
         {"filter_half_width", {"1", {{"c_adaptive", "1"}}}},
+        {"filter_sigma", {"1", {{"c_adaptive", "1"}}}},
         {"filter_frames", {"2", {{"c_adaptive", "1"}, {"radius", "0.4"}}}},
         {"filter_depth", {"0.01", {{"filter", "bilateral"}}}},
         {"remap_a", {"0.1"}},

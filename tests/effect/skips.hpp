@@ -28,7 +28,7 @@ class Skips : public OnDevice<testing::Test> {
     }
 
     [[nodiscard]] Settings settings_for(const std::string& name) const {
-        return with_skips(with_radius(preset_named("paper").settings,
+        return with_skips(with_radius(preset_named("tssao-paper").settings,
                                       static_cast<float>(scene::make_scene(name).ao_radius)));
     }
 

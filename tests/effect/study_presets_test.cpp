@@ -14,13 +14,14 @@ struct Printed {
 };
 
 // Samples of its tables and its published shader. A pair has two samples; 8 directions of 6 steps are 48.
-constexpr Printed quality[] = {{"crytek-quality", "crytek", 200},  {"filion-quality", "filion", 80},
-                               {"hbao-quality", "hbao_study", 48}, {"volumetric-quality", "volumetric", 64},
-                               {"alchemy-quality", "alchemy", 64}, {"angle-quality", "angle", 64}};
-constexpr Printed performance[] = {{"crytek-performance", "crytek", 24},
-                                   {"filion-performance", "filion", 15},
-                                   {"hbao-performance", "hbao_study", 48},
-                                   {"angle-performance", "angle", 12}};
+constexpr Printed quality[] = {
+    {"study-crytek-quality", "crytek", 200},  {"study-filion-quality", "filion", 80},
+    {"study-hbao-quality", "hbao_study", 48}, {"study-volumetric-quality", "volumetric", 64},
+    {"study-alchemy-quality", "alchemy", 64}, {"study-angle-quality", "angle", 64}};
+constexpr Printed performance[] = {{"study-crytek-performance", "crytek", 24},
+                                   {"study-filion-performance", "filion", 15},
+                                   {"study-hbao-performance", "hbao_study", 48},
+                                   {"study-angle-performance", "angle", 12}};
 
 void expect_printed(const Printed& printed, Filter filter) {
     const Settings settings = preset_named(printed.preset).settings;
@@ -37,12 +38,12 @@ TEST(StudyPresets, QualityHasNoBlurAndNoHistory) {
 
 TEST(StudyPresets, PerformanceHasItsBlurAndNoHistory) {
     for (const Printed& printed : performance) expect_printed(printed, Filter::geometry);
-    EXPECT_EQ(preset_named("volumetric-performance").settings.filter_half_width, 1);  // pixels
+    EXPECT_EQ(preset_named("study-volumetric-performance").settings.filter_half_width, 1);  // pixels
 }
 
 // 6 steps to each side of 4 slices, a bias of 0.3 radians.
 TEST(StudyPresets, ItsHorizons) {
-    const Settings settings = preset_named("hbao-quality").settings;
+    const Settings settings = preset_named("study-hbao-quality").settings;
     EXPECT_EQ(settings.own.steps, 6U);
     EXPECT_EQ(settings.own.angle_bias, 0.3F);
     EXPECT_EQ(settings.own.intensity, 1.0F);

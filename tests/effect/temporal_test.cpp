@@ -48,7 +48,7 @@ scene::Scene panned(scene::Scene scene, double speed) {
 }
 
 Settings paper() {
-    return with_radius(preset_named("paper").settings, 0.5F);
+    return with_radius(preset_named("tssao-paper").settings, 0.5F);
 }
 
 class Temporal : public OnDevice<testing::Test> {

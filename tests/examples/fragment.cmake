@@ -23,8 +23,8 @@ run("OpenGL 3.3" "${WORK}/build/packed_fragment" gl "${WORK}/occlusion-330.frag"
 run("OpenGL ES 3.0" "${WORK}/build/packed_fragment" es "${WORK}/occlusion-300es.frag" "${WORK}/es.pgm")
 
 # A whole method is what `gloam render` makes of the same frame; with another radius it is not.
-run("render" "${GLOAM}" render room --size 161x99 --frames 1 --preset paper --method sweep --samples 32 --set steps=4
-  --radius 0.5 --no-filter --write-gbuffer "${WORK}/gbuffers" --out "${WORK}/rendered")
+run("render" "${GLOAM}" render room --size 161x99 --frames 1 --preset tssao-paper --method sweep --samples 32
+  --set steps=4 --radius 0.5 --no-filter --write-gbuffer "${WORK}/gbuffers" --out "${WORK}/rendered")
 set(programs gl es)
 set(versions 330 300es)
 foreach(case IN ZIP_LISTS programs versions)

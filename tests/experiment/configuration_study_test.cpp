@@ -32,7 +32,7 @@ class ConfigurationStudyTest : public effect::OnDevice<testing::Test> {
 };
 
 Settings four_samples() {
-    Settings settings = with_method(effect::preset_named("moving").settings, "hemisphere");
+    Settings settings = with_method(effect::preset_named("balanced").settings, "hemisphere");
     settings.samples = settings.samples_converged = 4;
     return settings;
 }
@@ -52,8 +52,9 @@ TEST_F(ConfigurationStudyTest, WhatWentBeforeLeavesNoTrace) {
     half.precision = effect::HistoryPrecision::float16;
     half.table_size = 2'048;
     half.remap_c = 2.0F;
-    const Settings others[] = {all_skips(plain), half,
-                               with_radius(effect::preset_named("volumetric-performance").settings, radius)};
+    const Settings others[] = {
+        all_skips(plain), half,
+        with_radius(effect::preset_named("study-volumetric-performance").settings, radius)};
     ConfigurationStudy fresh(device_, passes_, frames.extent);
     const FrameQuality expected = *fresh.visit(views, plain, true, 0).quality;
     ConfigurationStudy shared(device_, passes_, frames.extent);
@@ -81,19 +82,19 @@ TEST_F(ConfigurationStudyTest, SamplesAreCountedOverPixelsWithGeometry) {
     }
 }
 
-TEST_F(ConfigurationStudyTest, FastErrsLessThanASingleFrameOfNineSlices) {
+TEST_F(ConfigurationStudyTest, BalancedErrsLessThanASingleFrameOfNineSlices) {
     for (const char* name : {"columns", "grass", "knot"}) {
         const BenchmarkFrames shown{.extent = {64, 36}, .frames = 16, .scored = 8, .rays = 64};
         BenchmarkViews views(device_, passes_, scene::make_scene(name), shown, scene::TruthCache(""));
-        const Settings fast =
-            with_radius(effect::preset_named("fast").settings, static_cast<float>(views.scene().ao_radius));
+        const Settings balanced = with_radius(effect::preset_named("balanced").settings,
+                                              static_cast<float>(views.scene().ao_radius));
         ConfigurationStudy study(device_, passes_, shown.extent);
         PlainRun loop(device_, passes_, shown.extent, {.slices = 9, .steps = 3}, 1);
         effect::CopyClock clock(device_, passes_, shown.extent);
-        const FrameQuality run = *study.visit(views, fast, true, 0).quality;
+        const FrameQuality run = *study.visit(views, balanced, true, 0).quality;
         EXPECT_LT(run.geometry, loop.visit(views, clock, 0).quality->geometry) << name;
         EXPECT_EQ(run.raw_geometry, run.geometry) << name << ": its filter has ended";
-        EXPECT_EQ(study.visit(views, fast, true, 1).readings.size(), 8U);
+        EXPECT_EQ(study.visit(views, balanced, true, 1).readings.size(), 8U);
         EXPECT_EQ(loop.visit(views, clock, 1).readings.size(), 8U);
     }
 }

@@ -58,29 +58,28 @@ TEST(ExperimentFile, AQueryStandsForCandidates) {
     EXPECT_THAT(
         names_of({.methods = {"gtao", "sao"}, .presets = {"fast"}, .samples = {4, 8}, .sequence = false}),
         testing::ElementsAre("gtao/4/single", "gtao/8/single", "sao/4/single", "sao/8/single",
-                             "fast/3/single"));
-    EXPECT_THAT(names_of({.presets = {"fast"}, .single = false}), testing::ElementsAre("fast/3/temporal"));
+                             "fast/12/single"));
+    EXPECT_THAT(names_of({.presets = {"fast"}, .single = false}), testing::ElementsAre("fast/12/temporal"));
     EXPECT_EQ(names_of({.samples = {4}}).size(), 2 * effect::methods().size());
     EXPECT_THROW((void)names_of({.presets = {"magic"}}), std::invalid_argument);
     EXPECT_THROW((void)names_of({.methods = {"magic"}}), std::invalid_argument);
     EXPECT_THROW((void)names_of({.single = false, .sequence = false}), std::invalid_argument);
 }
 
-// Without counts each method is as it is, with its preset; those that only take more samples are alike.
+// Without counts each method is as it is, with its preset.
 TEST(ExperimentFile, AQueryWithoutCountsTakesMethodsAsTheyAre) {
     Experiment what = read_experiment("mine.json", with("{\"name\": \"loop\", \"plain\": \"9x3+1\"}",
-                                                        "{\"methods\": [\"gtao\", \"sao\"]}"));
+                                                        "{\"methods\": [\"gtao\", \"crytek\", \"unreal\"]}"));
     choose_candidates(what);
-    ASSERT_EQ(what.candidates.size(), 5U);
+    ASSERT_EQ(what.candidates.size(), 6U);
     EXPECT_EQ(what.candidates[0].name, "run");
     EXPECT_EQ(what.candidates[1].name, "gtao");
     EXPECT_EQ(what.candidates[1].group, "methods");
     EXPECT_EQ(what.candidates[1].layer.method, "gtao");
-    EXPECT_EQ(what.candidates[2].name, "gtao-quality");
-    EXPECT_EQ(what.candidates[2].layer.preset, "gtao-quality");
-    EXPECT_EQ(what.candidates[2].group, "methods");
-    EXPECT_EQ(what.candidates[4].name, "sao-quality");
-    EXPECT_EQ(what.candidates[4].group, "alike");
+    EXPECT_EQ(what.candidates[3].name, "study-crytek-quality");
+    EXPECT_EQ(what.candidates[3].layer.preset, "study-crytek-quality");
+    EXPECT_EQ(what.candidates[5].name, "unreal-quality");
+    EXPECT_EQ(what.candidates[5].group, "methods");
 }
 
 // A mean over at least two frames.
@@ -89,14 +88,14 @@ TEST(ExperimentFile, AMethodTakesTheSamplesAskedFor) {
     what.candidate_query = {.methods = {"hemisphere"}, .samples = {512}};
     choose_candidates(what);
     const Candidate& single = what.candidates.at(0);
-    EXPECT_EQ(single.layer.preset, "paper");
+    EXPECT_EQ(single.layer.preset, "tssao-paper");
     EXPECT_EQ(single.layer.sequence, false);
     using testing::Pair;
     EXPECT_THAT(single.layer.set,
                 testing::ElementsAre(Pair("samples", "512"), Pair("samples_converged", "512")));
     const Candidate& sequence = what.candidates.at(1);
     EXPECT_EQ(sequence.group, "hemisphere, temporal");
-    EXPECT_EQ(sequence.layer.preset, "moving");
+    EXPECT_EQ(sequence.layer.preset, "balanced");
     EXPECT_EQ(sequence.layer.set.back(), (std::pair<std::string, std::string>("weight_max", "1024")));
 }
 

@@ -28,6 +28,7 @@ struct SweepEstimate {
     float occlusion;
     float samples;
     unsigned left_out;
+    float weight;
 };
 struct Sweep {
     unsigned steps;

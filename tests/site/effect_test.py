@@ -87,10 +87,10 @@ class EffectTest(unittest.TestCase):
                 self.assertLess(errors[len(errors) * 95 // 100], 0.003)
 
     def test_samples_accumulate_and_converge(self):
-        weights = self.history("gtao", frames=20, moves=False)[1::4]
-        self.assertEqual(128.0, max(weights))  # 8 samples a frame, 128 in the mean
-        self.assertEqual(160.0, max(self.history("gtao", frames=20, moves=False)[2::4]))
-        self.assertEqual(32.0, sorted(self.history("gtao", frames=4, moves=False)[1::4])[WIDTH * HEIGHT // 2])
+        weights = self.history("hemisphere", frames=20, moves=False)[1::4]
+        self.assertEqual(128.0, max(weights))  # 12 samples a frame, 128 in the mean
+        self.assertEqual(240.0, max(self.history("hemisphere", frames=20, moves=False)[2::4]))
+        self.assertEqual(48.0, sorted(self.history("hemisphere", frames=4, moves=False)[1::4])[WIDTH * HEIGHT // 2])
 
     def test_the_views_and_the_slider_differ(self):
         self.history("gtao")  # ends the page's own loop: from here on nothing else changes
@@ -158,11 +158,11 @@ class EffectTest(unittest.TestCase):
         return self.browser.evaluate(f"gloam.effectPage.state.effect.settings.{name}")
 
     def test_the_controls_choose(self):
-        self.choose(size="320x180", preset="fast")
-        self.assertEqual(("alchemy", 3), (self.setting("method"), self.setting("samples")))
+        self.choose(size="320x180", preset="quality")
+        self.assertEqual(("sweep", 36), (self.setting("method"), self.setting("samples")))
         self.choose(method="sweep", radius=2)
         self.assertEqual(("sweep", 1.0), (self.setting("method"), self.setting("radius")))
-        self.assertAlmostEqual(0.005, self.setting("bias"), 6)
+        self.assertAlmostEqual(0.001, self.setting("bias"), 6)
         self.choose(scene="knot")
         self.assertEqual(("knot", 320), (self.browser.evaluate("gloam.effectPage.state.effect.scene.name"),
                                          self.browser.evaluate("document.getElementById('canvas').width")))

@@ -108,7 +108,7 @@ TEST(Bench, ComparesWithWhatGotWorse) {
     expect_success(run_command({"bench", "--scene", "corner", "--preset", "fast", "--size", "32x18",
                                 "--frames", "2", "--rays", "32", "--repeat", "1", "--single", "--json",
                                 file.string(), "--report", page.string()}));
-    EXPECT_THAT(read_file(page), HasSubstr("| fast/3/single |"));
+    EXPECT_THAT(read_file(page), HasSubstr("| fast/12/single |"));
     EXPECT_THAT(read_file(page), HasSubstr("all scenes, presets"));
     EXPECT_THAT(read_file(page), HasSubstr("](images/samples/corner.svg)"));
     EXPECT_THAT(read_file(folder.path() / "images" / "samples" / "corner.png"), HasSubstr("PNG"));
@@ -121,7 +121,7 @@ TEST(Bench, ComparesWithWhatGotWorse) {
     const CommandResult told = run_command({"bench", "--compare", file.string(), worse.string()});
     expect_success(told);
     EXPECT_THAT(told.out, HasSubstr("warning: other devices"));
-    EXPECT_THAT(told.out, HasSubstr("larger error: 1\n  corner/fast/3/single"));
+    EXPECT_THAT(told.out, HasSubstr("larger error: 1\n  corner/fast/12/single"));
     const CommandResult failed =
         run_command({"bench", "--compare", file.string(), worse.string(), "--fail-if-worse"});
     EXPECT_EQ(failed.status, 1);

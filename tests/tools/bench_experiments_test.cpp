@@ -114,16 +114,16 @@ Arguments with(Arguments arguments, const Arguments& more) {
 
 TEST_F(BenchExperiments, ViewsMeasuresPresetsOnBothHalves) {
     const fs::path page = write("page.md", "before\n<!-- begin views -->\n<!-- end views -->\nafter\n");
-    const json document = measured(
-        with(with({"views"}, tiny), {"--view", "moving", "room", "--single", "gtao-quality", "sweep-quality",
-                                     "--sequence", "sweep-quality", "--page", page.string()}));
+    const json document =
+        measured(with(with({"views"}, tiny), {"--view", "moving", "room", "--single", "xegtao-ultra",
+                                              "quality", "--sequence", "quality", "--page", page.string()}));
     EXPECT_THAT(read_file(page), HasSubstr(out_));
     EXPECT_THAT(out_, HasSubstr("| moving | scene | tuning |"));
     EXPECT_THAT(out_, HasSubstr("| room | scene | unseen |"));
     for (const std::size_t view : {0U, 1U}) {
-        const json first = result_of(document, view, "gtao-quality, single");
-        const json second = result_of(document, view, "sweep-quality, single");
-        const json run = result_of(document, view, "sweep-quality, sequence");
+        const json first = result_of(document, view, "xegtao-ultra, single");
+        const json second = result_of(document, view, "quality, single");
+        const json run = result_of(document, view, "quality, sequence");
         EXPECT_GT(double{result_of(document, view, "the depth buffer's truth (D)").at("rmse")}, 0.0);
         for (const json* cell : {&first, &second, &run}) {
             EXPECT_GT(double{cell->at("copies")}, 0.0);
@@ -135,8 +135,8 @@ TEST_F(BenchExperiments, ViewsMeasuresPresetsOnBothHalves) {
         EXPECT_FALSE(run.at("flicker").is_null());
     }
     // The means' row of a half with one view holds that view's error and its ratio to the first.
-    const double error = result_of(document, 1, "sweep-quality, single").at("rmse");
-    const double base = result_of(document, 1, "gtao-quality, single").at("rmse");
+    const double error = result_of(document, 1, "quality, single").at("rmse");
+    const double base = result_of(document, 1, "xegtao-ultra, single").at("rmse");
     EXPECT_THAT(out_, HasSubstr(fixed(error, 4) + " | "));
     EXPECT_THAT(out_, HasSubstr(fixed(error / base, 2) + " | "));
 }
@@ -177,7 +177,7 @@ TEST_F(BenchExperiments, FrontShowsPresetsBesideThePlainLoopAtEachSize) {
                                     "fast", "balanced,samples=4,filter=none"});
     for (const char* text : {"48 x 27", "64 x 36", "| plain loop, 9 x 3 |", "| scene | 2 |",
                              "| plain loop, 1 x 2 and a blur |", "| plain loop, 3 x 3 and 2 blurs |",
-                             "| sweep-quality, single |", "| balanced,samples=4,filter=none, sequence |"})
+                             "| quality, single |", "| balanced,samples=4,filter=none, sequence |"})
         EXPECT_THAT(out_, HasSubstr(text));
     ASSERT_EQ(document.at("sizes").size(), 2U);
     for (const json& size : document.at("sizes")) {
@@ -268,7 +268,8 @@ TEST_F(BenchExperiments, SourcesRepeatsWhatIsPrinted) {
         EXPECT_EQ(wide.at("samples_asked"), own.at("samples_asked"));
         EXPECT_EQ(double{more.at("samples_asked")}, 2.0 * double{own.at("samples_asked")});
     }
-    EXPECT_THAT(read_file(page), HasSubstr("| relief | volumetric-performance | radius doubled | 12 |"));
+    EXPECT_THAT(read_file(page),
+                HasSubstr("| relief | study-volumetric-performance | radius doubled | 12 |"));
     EXPECT_THAT(read_file(page), Not(HasSubstr("old")));
 }
 
@@ -373,7 +374,7 @@ TEST_F(BenchExperiments, WrongOptionsAreNamed) {
     expect({"sources", "--page", "/no/such.md"}, "/no/such.md");
     expect({"sources", "--rays", "0"}, "enough_samples: expected rays");
     expect({"scaling", "--method", "magic"}, "magic");
-    expect({"plain", "--single", "paper,method=magic"}, "magic");
+    expect({"plain", "--single", "tssao-paper,method=magic"}, "magic");
     expect({"plain", "--case", "magic"}, "case magic: expected 1 x 2, 3 x 3");
     expect({"bar", "--scene", "corner"}, "case corner: expected columns");
     expect({"bar", "--page", write("page.md", "no block\n").string()}, "begin bar");

@@ -23,7 +23,7 @@ std::filesystem::path page_with(const std::filesystem::path& folder, const Argum
 void expect_plausible(const json& point, const std::string& candidate) {
     EXPECT_EQ(double{point.at("truth")}, 0.0);
     if (candidate == "truth") return;
-    const double open = candidate.starts_with("volumetric") ? 0.5 : 0.0;
+    const double open = candidate.find("volumetric") != std::string::npos ? 0.5 : 0.0;
     for (const char* what : {"occlusion", "own"})
         EXPECT_NEAR(double{point.at(what)}, open, 1e-5) << candidate;
 }
@@ -58,10 +58,10 @@ TEST(BenchMethods, WritesTablesPicturesAndNumbers) {
         const json& quality = visit.at("quality").at("converged");
         EXPECT_GT(quality.at("geometry").at("rmse"), 0.0);
         EXPECT_LE(quality.at("remapped").at("rmse"), quality.at("geometry").at("rmse"));
-        EXPECT_EQ(quality.contains("own"), candidate.starts_with("gtao")) << candidate;
+        EXPECT_EQ(quality.contains("own"), candidate == "gtao") << candidate;
         ++converged;
     }
-    EXPECT_EQ(converged, 5U) << "both methods, their presets, and (D)";
+    EXPECT_EQ(converged, 4U) << "both methods, the preset of one, and (D)";
 }
 
 TEST(BenchMethods, BadInputIsOneClearLine) {

@@ -215,7 +215,7 @@ nlohmann::json named(const nlohmann::json& list, const std::string& name) {
 TEST_F(PackEffect, EveryKindOfMethodIsWholeAndCompiles) {
     for (const char* method : {"hemisphere", "gtao", "dual_resolution", "mssao", "sao_chain", "separable"}) {
         SCOPED_TRACE(method);
-        pack(words("--method {} --preset paper --size 640x360", method));
+        pack(words("--method {} --preset tssao-paper --size 640x360", method));
         expect_compiles();
     }
 }
@@ -243,12 +243,12 @@ TEST_F(PackEffect, AnotherLanguageBesideGlsl) {
 // With whatever else there is in the passes.
 TEST_F(PackEffect, EveryOptionCompiles) {
     for (const std::vector<std::string>& options :
-         {std::vector<std::string>{"--tiles", "--preset", "moving"},
+         {std::vector<std::string>{"--tiles", "--preset", "balanced"},
           {"--moving-objects", "--orthographic", "--reconstruct-normals"},
-          {"--set", "layers=3", "--set", "remap_b=2", "--preset", "sao-quality"},
+          {"--set", "layers=3", "--set", "remap_b=2", "--preset", "sao-code"},
           {"--set", "remap_b=2", "--tiles", "--set", "precision=float16", "--set", "table_size=2048"},
           {"--set", "resolution=half", "--moving-objects", "--set", "layers=2", "--depth", "buffer"},
-          {"--set", "resolution=half", "--orthographic", "--reconstruct-normals", "--preset", "moving",
+          {"--set", "resolution=half", "--orthographic", "--reconstruct-normals", "--preset", "balanced",
            "--tiles"}}) {
         pack(options);
         expect_compiles();
@@ -272,7 +272,7 @@ TEST_F(PackEffect, FormatsAreThoseOfThePreset) {
                 EXPECT_EQ(binding["type"], "VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER") << pass["name"];
         }
     }
-    pack(words("--preset paper"));
+    pack(words("--preset tssao-paper"));
     EXPECT_EQ(named(json()["images"], "history_after")["format"], "VK_FORMAT_R32G32B32A32_SFLOAT");
 }
 
@@ -280,7 +280,7 @@ TEST_F(PackEffect, FormatsAreThoseOfThePreset) {
 // reads has a barrier.
 TEST_F(PackEffect, TheTablesAgree) {
     for (const char* method : {"hemisphere", "mssao", "separable"}) {
-        pack(words("--method {} --preset moving --tiles", method));
+        pack(words("--method {} --preset tssao-paper --tiles", method));
         const nlohmann::json all = json();
         std::set<std::string> resources;
         for (const char* kind : {"images", "buffers"})
@@ -317,7 +317,7 @@ TEST_F(PackEffect, PreparationComesWithTheMethod) {
 
 // tests/effect/opengl_passes_test.cpp compiles them with a driver.
 TEST_F(PackEffect, PassesInES) {
-    pack(words("--version 310es --tiles --preset moving"));
+    pack(words("--version 310es --tiles --preset tssao-paper"));
     const std::string shader = read_file(out() / "reproject.comp");
     EXPECT_THAT(shader, StartsWith("#version 310 es\n"));
     EXPECT_THAT(shader, HasSubstr("layout(binding = 0, std140) uniform Parameters {"));
@@ -327,7 +327,7 @@ TEST_F(PackEffect, PassesInES) {
 }
 
 TEST_F(PackEffect, SettingsStandAtTheHead) {
-    pack(words("--preset crytek-quality --radius 0.25 --set weight_max=77"));
+    pack(words("--preset study-crytek-quality --radius 0.25 --set weight_max=77"));
     const std::string page = read_file(out() / "README.md");
     EXPECT_LT(page.find("| samples | 200 |"), page.find("## Order of calls"));
     EXPECT_THAT(page, HasSubstr("| weight_max | 77 |"));

@@ -51,7 +51,7 @@ TEST_F(RenderSequence, AMovingSceneIsFollowed) {
         EXPECT_EQ(kept > 0.95, i > 0) << kept;
         EXPECT_EQ(frames[i].at("times_ms").contains("reproject"), i > 0);
     }
-    EXPECT_GT(frames[3].at("history").at("samples"), 80.0);
+    EXPECT_GT(frames[3].at("history").at("samples"), 32.0);  // of 36 before it
 }
 
 TEST_F(RenderSequence, StillHoldsOneFrame) {
@@ -62,7 +62,8 @@ TEST_F(RenderSequence, StillHoldsOneFrame) {
     EXPECT_FALSE(last.at("times_ms").contains("reproject"));
     expect_success(render("mesh", "corner --frames 3"));  // nothing moves in it
     EXPECT_EQ(report("mesh").at("frames").at(2).at("scene_frame"), 0);
-    EXPECT_EQ(report("mesh").at("frames").at(2).at("history").at("samples"), 64.0);
+    // Of two frames before it, whose slices count by their weight.
+    EXPECT_NEAR(double{report("mesh").at("frames").at(2).at("history").at("samples")}, 24.0, 0.5);
 }
 
 TEST_F(RenderSequence, WrittenAndReadBackItIsTheSame) {
@@ -140,8 +141,9 @@ TEST_F(RenderSequence, SettingsByName) {
         for (const char* key : {"description", "unit", "expected"}) EXPECT_TRUE(setting.at(key).is_string());
         EXPECT_EQ(used.at(setting.at("name")), setting.at("default")) << setting;
     }
-    expect_success(render(
-        "out", "corner --set samples=7 --set taps=nearest --set filter=off --samples 9 --set guard=0.25"));
+    expect_success(render("out",
+                          "corner --method hemisphere --set samples=7 --set taps=nearest --set filter=off "
+                          "--samples 9 --set guard=0.25"));
     const json changed = report("out").at("settings");
     EXPECT_EQ(changed.at("samples"), 7);
     EXPECT_EQ(changed.at("taps"), "nearest");

@@ -25,9 +25,9 @@ TEST(Tune, WritesAPresetAndAReport) {
     const auto preset = folder.path() / "mine.json";
     const auto report = folder.path() / "report.md";
     const CommandResult result =
-        run_command(tiny({"--preset", "fast", "--set", "history=off", "--set", "intensity=0.05",
-                          "--parameter", "intensity=0.05:2:log", "--evaluations", "6", "--out",
-                          preset.string(), "--report", report.string()}));
+        run_command(tiny({"--preset", "balanced", "--method", "alchemy", "--set", "history=off", "--set",
+                          "intensity=0.05", "--parameter", "intensity=0.05:2:log", "--evaluations", "6",
+                          "--out", preset.string(), "--report", report.string()}));
     expect_success(result);
     EXPECT_EQ(read_file(report), result.out);
     EXPECT_THAT(result.out, HasSubstr("| `intensity` | 0.05 | 2 | 0.05 |"));
@@ -47,8 +47,8 @@ TEST(Tune, WritesAPresetAndAReport) {
         return read_file(out / "f0000_ao.pfm");
     };
     const std::string by_file = rendered("file", {"--preset", preset.string()});
-    EXPECT_TRUE(by_file == rendered("set", {"--preset", "fast", "--set", "intensity=" + intensity}));
-    EXPECT_FALSE(by_file == rendered("start", {"--preset", "fast", "--set", "intensity=0.05"}));
+    EXPECT_TRUE(by_file == rendered("set", {"--method", "alchemy", "--set", "intensity=" + intensity}));
+    EXPECT_FALSE(by_file == rendered("start", {"--method", "alchemy", "--set", "intensity=0.05"}));
 }
 
 TEST(Tune, WrongOptionsAreNamed) {

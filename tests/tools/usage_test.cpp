@@ -99,7 +99,7 @@ TEST_F(List, SettingsWithDefaultAndRange) {
     const CommandResult result = gloam("list settings");
     expect_success(result);
     for (const char* line :
-         {"samples            k_1: for each pixel that has not converged, in each frame (32 samples; ",
+         {"samples            k_1: for each pixel that has not converged, in each frame (12 samples; ",
           "skip_open          off: tiles that nothing can block are sampled, to the same result (on; "
           "on or off)"})
         EXPECT_THAT(result.out, HasSubstr(line));
@@ -107,7 +107,7 @@ TEST_F(List, SettingsWithDefaultAndRange) {
     EXPECT_EQ(line_count(result.out), static_cast<int>(settings.size()));
     const CommandResult one = gloam("list settings samples");
     EXPECT_THAT(one.out, HasSubstr("name: samples\n"));
-    EXPECT_THAT(one.out, HasSubstr("default: 32\n"));
+    EXPECT_THAT(one.out, HasSubstr("default: 12\n"));
 }
 
 TEST_F(List, AMethodSaysWhatItMeasures) {
@@ -118,9 +118,9 @@ TEST_F(List, AMethodSaysWhatItMeasures) {
 
 // What is printed of a preset makes the same: as text by --method and --set, as JSON by --preset.
 TEST_F(List, APresetSaysWhatItSets) {
-    const std::string result = output_of(gloam("list presets sweep-balanced"));
-    EXPECT_THAT(result, StartsWith("name: sweep-balanced\ndescription: "));
-    const CommandResult as_json = gloam("list presets sweep-balanced --json");
+    const std::string result = output_of(gloam("list presets balanced"));
+    EXPECT_THAT(result, StartsWith("name: balanced\ndescription: "));
+    const CommandResult as_json = gloam("list presets balanced --json");
     EXPECT_EQ(nlohmann::json::parse(as_json.out).at("settings").at("method"), "sweep");
     const std::string file = write("same.json", as_json.out).string();
     std::vector<std::string> by_settings;
@@ -136,9 +136,9 @@ TEST_F(List, APresetSaysWhatItSets) {
         expect_success(run_command(all));
         return nlohmann::json::parse(read_file(path("out") / "render.json")).at("settings");
     };
-    const auto expected = used(words("--preset sweep-balanced"));
-    EXPECT_NE(used(words("--preset paper")), expected);
-    by_settings.insert(by_settings.end(), {"--preset", "paper"});
+    const auto expected = used(words("--preset balanced"));
+    EXPECT_NE(used(words("--preset tssao-paper")), expected);
+    by_settings.insert(by_settings.end(), {"--preset", "tssao-paper"});
     EXPECT_EQ(used(by_settings), expected);
     EXPECT_EQ(used(words("--preset {}", file)), expected);
     expect_could_not_run(gloam("list presets no-such"), "no-such");

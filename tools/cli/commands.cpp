@@ -148,7 +148,7 @@ const std::map<std::string, std::string>& examples() {
         {"list",
          "  gloam list methods\n"
          "  gloam list settings --json\n"
-         "  gloam list presets sweep-balanced    the settings that it changes\n"},
+         "  gloam list presets balanced          the settings that it changes\n"},
         {"check",
          "  gloam check                                          every equation on the default device\n"
          "  gloam check 'gloam_linear_depth_*' 'TSSAO-*'         some of them\n"
@@ -165,7 +165,7 @@ const std::map<std::string, std::string>& examples() {
          "  gloam render columns --method all --truth\n"
          "  gloam render --gbuffer FOLDER --radius 0.5\n"},
         {"tune",
-         "  gloam tune --preset sweep-quality --parameter feature_thickness=0.1:10:log\n"
+         "  gloam tune --preset quality --parameter feature_thickness=0.1:10:log\n"
          "  gloam tune --sequence --parameter steps=2:12 --copies 20 --out mine.json --report mine.md\n"},
         {"bench",
          "  gloam bench --method gtao hemisphere --samples 4 16 --scene columns\n"

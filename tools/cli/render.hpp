@@ -35,7 +35,7 @@ struct RenderOptions {
     std::string depth = "linear";   // how they store depth and normals: scene::encoding_named()
     std::string normals = "view";
     std::string method;  // of one run; empty: the preset's
-    std::string preset = "paper";
+    std::string preset = "balanced";
     std::optional<std::uint32_t> samples;
     std::optional<int> frames;
     int frame = 0;       // of a scene that moves: the first

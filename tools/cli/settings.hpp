@@ -18,14 +18,14 @@ namespace gloam::cli {
 [[nodiscard]] std::string text_of(const nlohmann::ordered_json& value);
 
 // {"name", "description", "unit", "expected", "least", "most" or "choices", "default"}: the default is the
-// preset `paper`'s, lengths for a radius of 1; "most" is null where there is none.
+// preset `balanced`'s, lengths for a radius of 1; "most" is null where there is none.
 [[nodiscard]] nlohmann::ordered_json json_of(const effect::Setting& setting);
 
 // The value of every setting, by its name.
 [[nodiscard]] nlohmann::ordered_json json_of(const effect::Settings& settings);
 
 // A preset as a file: {"name", "description", "settings": {NAME: value, ...}}, lengths for a radius of 1.
-// Settings that the file does not name have their defaults.
+// Settings that the file does not name are those of `tssao-paper`.
 [[nodiscard]] std::string preset_json(const std::string& name, const std::string& description,
                                       const effect::Settings& settings);
 

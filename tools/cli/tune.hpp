@@ -14,11 +14,11 @@ namespace gloam::cli {
 
 // The options of `gloam tune`.
 struct TuneOptions {
-    std::string preset = "sweep-quality";  // where the search begins: a name or a file
-    std::string method;                    // instead of the preset's
-    std::vector<std::string> set;          // NAME=VALUE, fixed; lengths for a radius of 1
-    std::vector<std::string> parameters;   // NAME=LEAST:MOST[:log]
-    std::string objective = "mean";        // or "relative"
+    std::string preset = "quality";       // where the search begins: a name or a file
+    std::string method;                   // instead of the preset's
+    std::vector<std::string> set;         // NAME=VALUE, fixed; lengths for a radius of 1
+    std::vector<std::string> parameters;  // NAME=LEAST:MOST[:log]
+    std::string objective = "mean";       // or "relative"
     int evaluations = 60;
     std::optional<double> copies;    // largest mean time of a frame
     bool sequence = false;           // frames in sequence, not alone

@@ -25,10 +25,11 @@ bool runs_in_one_pass(const effect::MethodInfo& method) {
     return method.prepare == nullptr;
 }
 
-// The general presets that need no filter once a pixel has some samples: the page has none.
+// gloam's own presets at full resolution: the page has no upsampling. It has no filter either, which they
+// need only until a pixel has some samples.
 bool runs_live(const effect::Preset& preset) {
     return preset.settings.history && preset.settings.precision == effect::HistoryPrecision::packed &&
-           preset.name.find('-') == std::string::npos;
+           preset.settings.resolution == effect::Resolution::full;
 }
 
 std::string packed(const std::string& name, const std::string& text, Stage stage,

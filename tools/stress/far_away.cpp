@@ -66,7 +66,7 @@ constexpr gpu::Extent picture_extent{96, 54};
 std::vector<check::Word> picture(const Context& context, effect::AmbientOcclusion& effect, double distance) {
     const scene::GBuffer view = scene::rasterize(context.lab.device(), context.passes,
                                                  moved_scene("corner", distance), picture_extent);
-    effect.begin(view, effect::with_radius(effect::preset_named("paper").settings, 1.0F));
+    effect.begin(view, effect::with_radius(effect::preset_named("tssao-paper").settings, 1.0F));
     (void)effect.next();
     const effect::Frame frame = effect.next();
     std::vector<check::Word> words;

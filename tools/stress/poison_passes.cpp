@@ -50,8 +50,8 @@ class Passes {
     Passes(const gpu::Device& device, const scene::PassLibrary& library) : effect_(device, library, extent) {}
 
     void choose(const effect::MethodInfo& method) {
-        settings_ =
-            with_radius(with_method(effect::preset_named("paper").settings, method.name), poison_radius);
+        settings_ = with_radius(with_method(effect::preset_named("tssao-paper").settings, method.name),
+                                poison_radius);
         settings_.c_adaptive = 1.0F;  // the filter is at work in every frame
         reads_normals_ = method.reads_normals;
     }

@@ -24,7 +24,7 @@ using Size = gpu::Extent;
 
 effect::Settings settings_for(const effect::MethodInfo& method) {
     effect::Settings settings =
-        with_radius(with_method(effect::preset_named("paper").settings, method.name), shape_radius);
+        with_radius(with_method(effect::preset_named("tssao-paper").settings, method.name), shape_radius);
     settings.least_radius = 0.0F;
     return settings;
 }
@@ -60,9 +60,12 @@ std::size_t wrong_pixels(effect::AmbientOcclusion& effect, const scene::GBuffer&
                 static_cast<std::size_t>(std::ranges::count_if(image, [](float v) { return v != 0.0F; }));
     }
     // Only a pixel that was written in each frame has this convergence. A sample may be lost at most, but
-    // where taps that share a pixel count once.
-    const float expected = static_cast<float>(settings.samples) * frames / settings.weight_max;
-    const float least = effect::method_named(settings.method).takes_fewer ? 0.0F : 0.5F * expected;
+    // where taps that share a pixel count once, and slices count by their weight, up to pi / 2.
+    const effect::MethodInfo& method = effect::method_named(settings.method);
+    const bool slices = method.unit == effect::SampleUnit::slice;
+    const float counted = static_cast<float>(settings.samples) * frames / settings.weight_max;
+    const float expected = slices ? 1.571F * counted : counted;
+    const float least = method.takes_fewer || slices ? 0.0F : 0.5F * expected;
     wrong += static_cast<std::size_t>(
         std::ranges::count_if(frame.convergence, [&](float v) { return !(v > least && v <= expected); }));
     const std::size_t pixels = pixels_of(view.extent);

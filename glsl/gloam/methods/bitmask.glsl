@@ -88,7 +88,7 @@ GloamEstimate gloam_bitmask(vec3 position, vec3 normal, GloamCamera camera, Gloa
         occluded += slice.weight * gloam_slice_whole(slice) * gloam_bitmask_occlusion(sectors);
         whole += slice.weight * gloam_slice_whole(slice);
     }
-    GloamEstimate estimate = gloam_estimate(occluded, whole, slices * 2u * steps);
+    GloamEstimate estimate = gloam_slice_estimate(occluded, whole, slices, steps);
     estimate.left_out = left_out;
     return estimate;
 }

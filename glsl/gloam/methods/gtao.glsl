@@ -30,10 +30,10 @@ GloamEstimate gloam_gtao(vec3 position, vec3 normal, GloamCamera camera, GloamKe
     GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
     float turns = gloam_turns(kernel.angle);
     uint steps = max(settings.steps, 1u);
-    uint samples = gloam_whole_samples(kernel.count, 2u * steps);
+    uint slices = gloam_whole_samples(kernel.count, 2u * steps) / (2u * steps);
     float occluded = 0.0;
     float whole = 0.0;
-    for (uint i = 0u; i < samples / (2u * steps); ++i) {
+    for (uint i = 0u; i < slices; ++i) {
         GloamSliceSample random = gloam_slice_sample(kernel.first / (2u * steps) + i + 1u, turns);
         GloamSlice slice = gloam_slice(random.direction * gloam_upright(camera), view, n);
         GloamSliceAxes axes = gloam_slice_axes(slice, n);
@@ -63,7 +63,7 @@ GloamEstimate gloam_gtao(vec3 position, vec3 normal, GloamCamera camera, GloamKe
         }
         whole += slice.weight * gloam_slice_whole(slice);
     }
-    return gloam_estimate(occluded, whole, samples);
+    return gloam_slice_estimate(occluded, whole, slices, steps);
 }
 
 #endif

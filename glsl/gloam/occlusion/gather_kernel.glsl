@@ -42,6 +42,7 @@ struct GloamEstimate {
     float occlusion;  // mean of the samples, [0, 1]
     float samples;    // taken, an integer up to 2^24; 0 where there is nothing to shade
     uint left_out;    // taps that were counted but skipped, since they could not change the result
+    float weight;     // of each sample, in a mean over frames or pixels, [0, pi / 2]: 1, but for slices
 };
 
 // No depth, position or length of a scene is as large: squares stay finite.
@@ -66,7 +67,7 @@ bool gloam_can_gather(vec3 position, vec3 normal, float radius, GloamCamera came
 }
 
 // Of a pixel with nothing to gather.
-const GloamEstimate GLOAM_NO_ESTIMATE = GloamEstimate(0.0, 0.0, 0u);
+const GloamEstimate GLOAM_NO_ESTIMATE = GloamEstimate(0.0, 0.0, 0u, 1.0);
 
 // estimate of a weighted mean (TSSAO-2-estimate): `min(sum / weight, 1)` [TSSAO (Mattausch et al.), eq 2].
 // occluded: sum of occlusion times weight, >= 0. whole: sum of weights, >= 0. samples: taken.
@@ -74,7 +75,21 @@ const GloamEstimate GLOAM_NO_ESTIMATE = GloamEstimate(0.0, 0.0, 0u);
 GloamEstimate gloam_estimate(float occluded, float whole, uint samples) {
     bool known = whole >= GLOAM_SMALLEST && occluded > 0.0;
     float mean = known ? (occluded < whole ? occluded / whole : 1.0) : 0.0;
-    return GloamEstimate(mean, float(samples), 0u);
+    return GloamEstimate(mean, float(samples), 0u, 1.0);
+}
+
+// estimate of slices with weights (SLICE-estimate): `min(sum / weight, 1), of weight / slices` [the mean of Jimenez et
+// al. 2016, over frames].
+// A slice that hardly contains the normal says little of the point. In a mean with other frames or pixels it counts by
+// its weight, so that the mean is the quotient of all sums and not the mean of quotients.
+// occluded: sum of occlusion times weight, >= 0. whole: sum of weights, in [0, pi / 2] for each slice. slices: their
+// number. steps: taps of a slice to each side, >= 1.
+// Returns occlusion occluded / whole inside [0, 1], 2 slices steps samples, and their mean weight; occlusion and weight
+// 0 where nothing has a weight. Error: 0.5 ULP.
+GloamEstimate gloam_slice_estimate(float occluded, float whole, uint slices, uint steps) {
+    GloamEstimate estimate = gloam_estimate(occluded, whole, slices * 2u * steps);
+    estimate.weight = whole / float(max(slices, 1u));
+    return estimate;
 }
 
 // whether a depth is that of a surface (TSSAO-2-sees): `1e-18 <= d <= 1e18` [definition].

@@ -134,6 +134,12 @@ void append_estimates(Entries& entries) {
         [](double occluded, double whole, unsigned) {
             return !(whole > 8.5e37) && moderate(1e-30, 3e37, occluded);
         });
+    const Values weights = either(uniform(0, 64), log_uniform(1e-37, 64));
+    add(entries, "SLICE-estimate", &reference::gloam_slice_estimate,
+        {.domain = {sum, weights, integers(0, 64), integers(1, 64)},
+         .budget = {.ulp = 0.5},
+         .codomain = {0, 8192}},
+        [](double occluded, double, unsigned, unsigned) { return moderate(1e-30, 3e37, occluded); });
     add(entries, "TSSAO-2-sees", &reference::gloam_tap_sees,
         {.domain = {either(log_uniform(1e-37, 1e38), any_float()).and_special()}});
     add(entries, "PAIR-samples", &reference::gloam_paired_samples, {.domain = {log_integers(100'000)}});

@@ -107,7 +107,7 @@ ReprojectionParameters reprojection_parameters(const Moment& moment) {
 FilterParameters filter_parameters(const View& view, const Settings& settings) {
     return {.p00_p11 = view.camera.p00_p11(),
             .size = vector_of_size(view.extent),
-            .sigma_pixels = 0.25F * static_cast<float>(2 * settings.filter_half_width + 1),
+            .sigma_pixels = settings.filter_sigma * static_cast<float>(2 * settings.filter_half_width + 1),
             .depth_scale = settings.filter_depth,
             .c_adaptive = settings.c_adaptive,
             .weight_max = settings.weight_max,

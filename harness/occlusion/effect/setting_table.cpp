@@ -204,6 +204,9 @@ void add_output(std::vector<Setting>& table) {
     table.push_back(number("filter_half_width", "taps",
                            "on each side: 2 is 5 x 5; bilateral at most 16, sao at most 4",
                            &S::filter_half_width, whole(0, 64)));
+    table.push_back(number("filter_sigma", "of the window's width",
+                           "standard deviation of the Gaussian: convergence, bilateral", &S::filter_sigma,
+                           positive));
     table.push_back(number("filter_frames", "frames",
                            "after a cut in which the filter runs; 1e18: in every frame", &S::filter_frames,
                            {.least = 1.0, .most = largest}));

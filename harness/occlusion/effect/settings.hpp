@@ -89,7 +89,7 @@ struct MethodValues {
 };
 
 // All settings that affect a frame. Unless its comment says otherwise, a default is that of the preset
-// `paper` for a radius of 1. Each setting has a line in setting_table(), with its range.
+// `tssao-paper` for a radius of 1. Each setting has a line in setting_table(), with its range.
 struct Settings {
     std::string method = "hemisphere";  // estimator of the occlusion: a name of methods()
     float radius = 1.0F;                // of influence, world units, > 0
@@ -131,13 +131,15 @@ struct Settings {
     float filter_cap = 1e18F;  // neighbours weigh at most this many times the pixel's own convergence; 1e18:
                                // any number of times, as eq. 10 has it
     float filter_frames = every_frame;  // frames after a cut in which the filter runs, >= 1
-    int filter_half_width = 2;  // taps on each side: 2 is 5 x 5; bilateral at most 16, sao at most 4, 2
-                                // pixels apart
-    float filter_depth = 0.1F;  // geometry, bilateral, sao: difference of depth that sets a neighbour apart,
-                                // world units, > 0
-    float remap_a = 0.0F;       // displayed: (b (v + a))^c of the visibility v (CS-REMAP); -1 to 1
-    float remap_b = 1.0F;       // 0 to 1e18
-    float remap_c = 1.0F;       // 0 to 1e18
+    int filter_half_width = 2;   // taps on each side: 2 is 5 x 5; bilateral at most 16, sao at most 4, 2
+                                 // pixels apart
+    float filter_sigma = 0.25F;  // convergence, bilateral: standard deviation of the Gaussian, of the whole
+                                 // window's width, > 0
+    float filter_depth = 0.1F;   // geometry, bilateral, sao: difference of depth that sets a neighbour apart,
+                                 // world units, > 0
+    float remap_a = 0.0F;        // displayed: (b (v + a))^c of the visibility v (CS-REMAP); -1 to 1
+    float remap_b = 1.0F;        // 0 to 1e18
+    float remap_c = 1.0F;        // 0 to 1e18
     OutputFormat output = OutputFormat::r32f;  // of the displayed occlusion
     Resolution resolution = Resolution::full;  // half: pixels in other settings are those of half the size
     float least_radius =

@@ -131,33 +131,22 @@ std::vector<std::string> presets_of(const CandidateQuery& query) {
     return names;
 }
 
-// Whether two differ in nothing but the number of samples and the filter, so that they converge to the same.
-bool are_alike(const effect::Settings& a, const effect::Settings& b) {
-    return std::ranges::all_of(effect::setting_table(), [&](const effect::Setting& setting) {
-        const bool apart = setting.name.starts_with("samples") || setting.name.starts_with("filter");
-        return apart || setting.get(a) == setting.get(b);
-    });
-}
-
-// The method as it is, and its preset METHOD-quality.
+// The method as it is, and its presets whose names end with "quality".
 void add_as_they_are(std::vector<Candidate>& candidates, const std::string& method) {
-    const effect::Settings settings = with_method(effect::Settings{}, method);
     candidates.push_back({.name = method, .group = "methods", .layer = {.method = method}});
     for (const effect::Preset& preset : effect::presets())
-        if (preset.name == method + "-quality")
-            candidates.push_back({.name = preset.name,
-                                  .group = are_alike(preset.settings, settings) ? "alike" : "methods",
-                                  .layer = {.preset = preset.name}});
+        if (preset.settings.method == method && preset.name.ends_with("quality"))
+            candidates.push_back({.name = preset.name, .group = "methods", .layer = {.preset = preset.name}});
 }
 
 const char* mode_of(bool sequence) {
     return sequence ? "temporal" : "single";
 }
 
-// Single frames use the preset `paper`, sequences use `moving`, with a mean over at least two frames. Every
-// pixel takes so many samples in every frame.
+// Single frames use the preset `tssao-paper`, sequences use `balanced`, with a mean over at least two frames.
+// Every pixel takes so many samples in every frame.
 Candidate method_candidate(const std::string& method, int samples, bool sequence) {
-    const char* preset = sequence ? "moving" : "paper";
+    const char* preset = sequence ? "balanced" : "tssao-paper";
     Candidate made{.name = fmt::format("{}/{}/{}", method, samples, mode_of(sequence)),
                    .group = fmt::format("{}{}", method, sequence ? ", temporal" : "")};
     made.layer = {.kind = Kind::effect, .preset = preset, .method = method, .sequence = sequence};

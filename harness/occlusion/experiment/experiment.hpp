@@ -96,7 +96,7 @@ struct CaseQuery {
 
 // A choice of candidates that a short description stands for: methods, with each count of samples, and
 // presets as they are; frames alone and sequences. Without counts each method as it is, followed by its
-// preset METHOD-quality if there is one; those of group "alike" converge to the same values as their method.
+// presets whose names end with "quality".
 struct CandidateQuery {
     std::vector<std::string> methods;  // empty: all, unless there are presets; "all": all
     std::vector<std::string> presets;  // "all": all

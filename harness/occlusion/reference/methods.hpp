@@ -219,9 +219,9 @@ GloamEstimate gather_slices(dvec3 position, dvec3 normal, const GloamCamera& cam
     const dvec3 view = camera.orthographic ? dvec3(0.0, 0.0, 1.0) : normalize(-position);
     const dvec2 uv = gloam_camera_uv(position, camera);
     const dvec2 axes = gloam_camera_radius(kernel.radius, -position.z, camera);
-    const unsigned samples = gloam_whole_samples(kernel.count, 2U * steps);
+    const unsigned slices = gloam_whole_samples(kernel.count, 2U * steps) / (2U * steps);
     dvec2 sum(0.0);
-    for (unsigned s = 1; s <= samples / (2U * steps); ++s) {
+    for (unsigned s = 1; s <= slices; ++s) {
         const GloamSliceSample sample =
             gloam_slice_sample(kernel.first / (2U * steps) + s, gloam_turns(kernel.angle));
         const dvec2 upright(1.0, camera.p00_p11.y < 0.0 ? -1.0 : 1.0);
@@ -236,7 +236,7 @@ GloamEstimate gather_slices(dvec3 position, dvec3 normal, const GloamCamera& cam
         };
         sum += add(gloam_slice(sample.direction * upright, view, n), n, tap);
     }
-    return gloam_estimate(sum.x, sum.y, samples);
+    return gloam_slice_estimate(sum.x, sum.y, slices, steps);
 }
 
 struct GloamGtao {

@@ -67,6 +67,7 @@ struct GloamEstimate {
     double occlusion;
     double samples;
     unsigned left_out;
+    double weight = 1.0;
 };
 
 inline bool gloam_can_gather(dvec3 position, dvec3 normal, double radius, const GloamCamera& camera) {
@@ -79,6 +80,10 @@ inline bool gloam_can_gather(dvec3 position, dvec3 normal, double radius, const 
 
 inline GloamEstimate gloam_estimate(double occluded, double whole, unsigned samples) {
     return {weighted_ratio({occluded, whole}), static_cast<double>(samples), 0U};
+}
+
+inline GloamEstimate gloam_slice_estimate(double occluded, double whole, unsigned slices, unsigned steps) {
+    return {weighted_ratio({occluded, whole}), double(slices * 2U * steps), 0U, whole / std::max(slices, 1U)};
 }
 
 inline bool gloam_tap_sees(double depth) {

@@ -86,10 +86,10 @@ uint samples_for(GloamHistory before, float depth) {
 GloamHistory sampled(ivec2 pixel, float depth) {
     GloamHistory before = gloam_history_unpack(texelFetch(history_before, pixel, 0));
     uint samples = samples_for(before, depth);
-    GloamEstimate fresh = GloamEstimate(0.0, 0.0, 0u);
+    GloamEstimate fresh = GLOAM_NO_ESTIMATE;
     if (samples > 0u) fresh = estimated(pixel, depth, before, samples);
-    vec2 blended =
-        gloam_blend(before.occlusion, before.weight, fresh.occlusion, fresh.samples, parameters.weight_max);
+    vec2 blended = gloam_blend(before.occlusion, before.weight, fresh.occlusion, fresh.samples * fresh.weight,
+                               parameters.weight_max);
     if (parameters.smoothing > 0.0 && fresh.samples > 0.0) {
         blended.x =
             gloam_temporal_smooth(before.occlusion, before.weight > 0.0, fresh.occlusion, parameters.smoothing);

@@ -7,17 +7,22 @@ namespace {
 
 using enum Measure;
 
+// Table 1 of the paper, with lengths for a radius of 1: the defaults of Settings.
+std::vector<Preset> tssao_presets(const MethodInfo&) {
+    return {{"tssao-paper", "the TSSAO paper's table 1: 32 samples a frame, 500 in the mean", {}}};
+}
+
 std::vector<Preset> crytek_presets(const MethodInfo& method) {
-    return {{"crytek-performance", "the comparative study's: 24 samples, its blur, no history",
+    return {{"study-crytek-performance", "the comparative study's: 24 samples, its blur, no history",
              blurred(configuration(method, 24))},
-            {"crytek-quality", "the study's: 200 samples, no blur, no history",
+            {"study-crytek-quality", "the study's: 200 samples, no blur, no history",
              studied(configuration(method, 200))}};
 }
 
 std::vector<Preset> filion_presets(const MethodInfo& method) {
-    return {{"filion-performance", "the study's: 15 samples, its blur, no history",
+    return {{"study-filion-performance", "the study's: 15 samples, its blur, no history",
              blurred(configuration(method, 15))},
-            {"filion-quality", "the study's: 80 samples, no blur, no history",
+            {"study-filion-quality", "the study's: 80 samples, no blur, no history",
              studied(configuration(method, 80))}};
 }
 
@@ -32,7 +37,8 @@ std::vector<MethodInfo> point_methods() {
          .own_settings = "GloamHemisphere",
          .members = {{"range"}},
          .points = "hemisphere_cosine",
-         .open_proof = OpenProof::points},
+         .open_proof = OpenProof::points,
+         .presets = tssao_presets},
         {.name = "crytek",
          .family = "hemisphere",
          .description = "points of a whole ball (Mittring 2007)",
@@ -56,29 +62,26 @@ std::vector<MethodInfo> point_methods() {
 namespace {
 
 std::vector<Preset> volumetric_presets(const MethodInfo& method) {
-    return {{"volumetric-performance",
+    return {{"study-volumetric-performance",
              "the study's: pairs of lines, a blur of one pixel, no history; 6 pairs, because it does not "
              "print a number",
              blurred(configuration(method, 12), 1)},
-            {"volumetric-quality", "the study's: 32 pairs of lines, no blur, no history",
+            {"study-volumetric-quality", "the study's: 32 pairs of lines, no blur, no history",
              studied(configuration(method, 64))}};
 }
 
-std::vector<Preset> two_balls_presets(const MethodInfo& method) {
-    return {{"volumetric-two", "volumetric-performance at two radii", blurred(configuration(method, 24), 1)}};
-}
-
-// The game's other settings are not published. The number of pairs, 6, is that of volumetric-performance.
+// The game's other settings are not published. The number of pairs, 6, is that of
+// study-volumetric-performance.
 std::vector<Preset> spiral_presets(const MethodInfo& method) {
-    return {{"volumetric-spiral", "Toy Story 3's: pairs on a turned spiral, 6 here; a blur of one pixel",
+    return {{"toy-story-3", "the game's: pairs on a turned spiral, 6 here; a blur of one pixel",
              blurred(configuration(method, 12), 1)}};
 }
 
 std::vector<Preset> angle_presets(const MethodInfo& method) {
-    return {
-        {"angle-performance", "the study's: 6 pairs, its blur, no history",
-         blurred(configuration(method, 12))},
-        {"angle-quality", "the study's: 32 pairs, no blur, no history", studied(configuration(method, 64))}};
+    return {{"study-angle-performance", "the study's: 6 pairs, its blur, no history",
+             blurred(configuration(method, 12))},
+            {"study-angle-quality", "the study's: 32 pairs, no blur, no history",
+             studied(configuration(method, 64))}};
 }
 
 }  // namespace
@@ -102,8 +105,7 @@ std::vector<MethodInfo> pair_methods() {
          .points = "disc",
          .unit = SampleUnit::cross,
          .on_a_plane = 0.5,
-         .adapt = [](Settings& s) { s.remap_a = 0.5F; },
-         .presets = two_balls_presets},
+         .adapt = [](Settings& s) { s.remap_a = 0.5F; }},
         {.name = "volumetric_spiral",
          .family = "volumetric",
          .description = "the same ball, pairs of lines on a turned spiral (Toy Story 3; Ownby et al. 2010)",

@@ -28,8 +28,8 @@ Settings remembered_rays(const MethodInfo& method, std::uint32_t count, std::uin
 }
 
 std::vector<Preset> poisson_presets(const MethodInfo& method) {
-    return {{"poisson-performance", "Sourimant's least: 8 rays of 4 steps", remembered_rays(method, 8, 4)},
-            {"poisson-quality", "Sourimant's most: 24 rays of 8 steps", remembered_rays(method, 24, 8)}};
+    return {{"sourimant-least", "Sourimant's least: 8 rays of 4 steps", remembered_rays(method, 8, 4)},
+            {"sourimant-most", "Sourimant's most: 24 rays of 8 steps", remembered_rays(method, 24, 8)}};
 }
 
 std::vector<Preset> unreal_presets(const MethodInfo& method) {

@@ -29,61 +29,20 @@ Preparation first_direction(const Settings& settings, gpu::Extent view) {
 }
 
 std::vector<Preset> hbao_study_presets(const MethodInfo& method) {
-    return {{"hbao-performance", "the study's: 8 directions of 6 steps, its blur, no history",
-             blurred(slices(method, 4, 6))},
-            {"hbao-quality", "the study's published shader: 8 directions of 6 steps, no blur, no history",
-             studied(slices(method, 4, 6))}};
-}
-
-std::vector<Preset> slice_presets(const MethodInfo& method) {
-    return {{method.name + "-performance", "1 slice of 2 steps to each side", slices(method, 1, 2)},
-            {method.name + "-quality", "9 slices of 3 steps to each side", slices(method, 9, 3)}};
-}
-
-std::vector<Preset> gtao_presets(const MethodInfo& method) {
-    std::vector<Preset> presets = slice_presets(method);
-    presets.push_back({method.name + "-plain",
-                       "9 slices of 3 steps to each side, no filter: what other presets are compared with",
-                       studied(slices(method, 9, 3))});
-    return presets;
-}
-
-// Settings with a history, like those of the general presets: a mean over 128 samples, kernels always
-// rotated, a filter in the first frames. The samples of a slice share one direction, so the noise follows the
-// number of slices: pixels with fewer than eight are filtered.
-Settings swept(const MethodInfo& method, std::uint32_t count, std::uint32_t steps) {
-    Settings settings = slices(method, count, steps);
-    settings.weight_max = 128.0F;
-    settings.c_rot = 2.0F;
-    settings.rotation = Rotation::hilbert;
-    settings.filter = Filter::convergence;
-    settings.c_adaptive = 8.0F * static_cast<float>(2 * steps) / settings.weight_max;
-    settings.filter_frames = 8.0F;
-    settings.precision = HistoryPrecision::packed;
-    return settings;
-}
-
-// A pixel with few samples is a blob of several pixels of the view, so pixels that come into view later are
-// filtered as well.
-Settings at_half_resolution(Settings settings) {
-    settings.resolution = Resolution::half;
-    settings.filter_frames = every_frame;
-    return settings;
-}
-
-std::vector<Preset> sweep_presets(const MethodInfo& method) {
     return {
-        {"sweep-half", "sweep-balanced at half the resolution, always filtered: for the least time",
-         at_half_resolution(swept(method, 1, 6))},
-        {"sweep-performance",
-         "1 slice of 2 steps to each side, a frame; 128 samples in the mean, filtered in the first 8 frames",
-         swept(method, 1, 2)},
-        {"sweep-balanced",
-         "1 slice of 6 steps to each side, a frame; 128 samples in the mean, filtered in the first 8 frames",
-         swept(method, 1, 6)},
-        {"sweep-quality",
-         "4 slices of 6 steps to each side, a frame; 128 samples in the mean, filtered in the first 8 frames",
-         swept(method, 4, 6)}};
+        {"study-hbao-performance", "the study's: 8 directions of 6 steps, its blur, no history",
+         blurred(slices(method, 4, 6))},
+        {"study-hbao-quality", "the study's published shader: 8 directions of 6 steps, no blur, no history",
+         studied(slices(method, 4, 6))}};
+}
+
+// Slices and steps to each side of XeGTAO's levels (Intel 2021), in single frames with a blur.
+std::vector<Preset> gtao_presets(const MethodInfo& method) {
+    return {{"xegtao-low", "XeGTAO's 1 slice of 2 steps to each side, a blur, no history",
+             blurred(slices(method, 1, 2))},
+            {"xegtao-medium", "its 2 slices of 2 steps", blurred(slices(method, 2, 2))},
+            {"xegtao-high", "its 3 slices of 3 steps", blurred(slices(method, 3, 3))},
+            {"xegtao-ultra", "its 9 slices of 3 steps", blurred(slices(method, 9, 3))}};
 }
 
 }  // namespace
@@ -131,8 +90,7 @@ std::vector<MethodInfo> slice_methods() {
                      {"feature_thickness"},
                      {.name = "falloff", .constant = "GLOAM_FALLOFF_LINEAR"}},
          .points = "halton",
-         .unit = SampleUnit::slice,
-         .presets = sweep_presets},
+         .unit = SampleUnit::slice},
         {.name = "dual_resolution",
          .description = "hbao at half the resolution, in full where that disagrees (Bavoil and Sainz 2009)",
          .measure = uniform,
@@ -163,8 +121,7 @@ std::vector<MethodInfo> slice_methods() {
          .members = {{"thickness"}, {"steps"}},
          .points = "halton",
          .unit = SampleUnit::slice,
-         .ends_marches = true,
-         .presets = slice_presets},
+         .ends_marches = true},
     };
 }
 

@@ -67,7 +67,7 @@ Preparation area_moments(const Settings&, gpu::Extent view) {
 }
 
 std::vector<Preset> area_presets(const MethodInfo& method) {
-    return {{"volumetric-area", "a pair of area samples, a blur of one pixel, no history",
+    return {{"loos-sloan-area", "Loos and Sloan's: a pair of area samples, a blur of one pixel, no history",
              blurred(configuration(method, 2), 1)}};
 }
 

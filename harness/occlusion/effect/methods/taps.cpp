@@ -56,8 +56,8 @@ Settings with_sao_blur(Settings settings) {
 }
 
 std::vector<Preset> sao_presets(const MethodInfo& method) {
-    return {{"sao-performance", "the SAO paper's 9 samples", with_sao_blur(configuration(method, 9))},
-            {"sao-quality", "11 samples", with_sao_blur(configuration(method, 11))}};
+    return {{"sao-paper", "the SAO paper's 9 samples and blur", with_sao_blur(configuration(method, 9))},
+            {"sao-code", "the 11 samples of its published shader", with_sao_blur(configuration(method, 11))}};
 }
 
 // The study's values at its radius of 10: sigma 2, bias 1, epsilon^2 1e-5.
@@ -71,11 +71,11 @@ Settings study_alchemy(const MethodInfo& method, std::uint32_t samples) {
 
 std::vector<Preset> alchemy_presets(const MethodInfo& method) {
     return {
-        {"alchemy-performance",
+        {"study-alchemy-performance",
          "the study's lengths and blur, no history; 12 samples as in the Alchemy paper, because the study "
          "does not print a number",
          blurred(study_alchemy(method, 12))},
-        {"alchemy-quality", "the study's: 64 samples, no blur, no history",
+        {"study-alchemy-quality", "the study's: 64 samples, no blur, no history",
          studied(study_alchemy(method, 64))}};
 }
 

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// gloam's own presets, and the names of all.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "effect/internal/method_families.hpp"
+#include "effect/internal/named.hpp"
+#include "effect/methods.hpp"
+
+namespace gloam::effect {
+namespace {
+
+// The samples of a slice share one direction, so noise follows the number of slices: pixels with fewer are
+// filtered.
+constexpr float slices_filtered = 8.0F;
+
+// Later the filter would change little but what has just come into view, and cost as much as several samples
+// everywhere (docs/measurements.md).
+constexpr float frames_filtered = 8.0F;
+
+// The horizon sweep, `count` slices a frame, in a mean over so many samples: a longer one lags behind what
+// the camera uncovers. Kernels are always rotated, along Hilbert's curve, from whose neighbours a filter
+// leaves the least noise. The filter's window is nearly a box (docs/measurements.md).
+Settings swept(std::uint32_t count, std::uint32_t steps, float mean = 128.0F) {
+    Settings settings = slices(method_named("sweep"), count, steps);
+    settings.weight_max = mean;
+    settings.c_rot = 2.0F;
+    settings.rotation = Rotation::hilbert;
+    settings.filter = Filter::convergence;
+    settings.c_adaptive = slices_filtered * static_cast<float>(2 * steps) / settings.weight_max;
+    settings.filter_sigma = 0.4F;
+    settings.filter_frames = frames_filtered;
+    settings.precision = HistoryPrecision::packed;
+    return settings;
+}
+
+// A pixel with few samples is a blob of several pixels of the view, so pixels that come into view later are
+// filtered as well, and all of them until their mean is full.
+Settings fast() {
+    Settings settings = swept(1, 6);
+    settings.resolution = Resolution::half;
+    settings.c_adaptive = 1.0F;
+    settings.filter_frames = every_frame;
+    return settings;
+}
+
+// With so many samples, lag causes more error than noise: a mean over two frames.
+Settings reference() {
+    return swept(4, 12, 192.0F);
+}
+
+std::vector<Preset> own_presets() {
+    return {
+        {"fast", "half the resolution, 1 slice of 6 steps to each side a frame: for the least time", fast()},
+        {"balanced", "1 slice of 6 steps to each side a frame: the default", swept(1, 6)},
+        {"quality", "3 slices of 6 steps to each side a frame", swept(3, 6)},
+        {"reference", "4 slices of 12 steps to each side a frame: for the least error", reference()}};
+}
+
+// Presets that were renamed or, if another took less time with less error, removed: the old name, and the one
+// to use instead.
+constexpr std::pair<std::string_view, std::string_view> replaced[] = {
+    {"paper", "tssao-paper"},
+    {"moving", "balanced"},
+    {"sweep-half", "fast"},
+    {"sweep-performance", "fast"},
+    {"sweep-balanced", "balanced"},
+    {"sweep-quality", "quality"},
+    {"bitmask-performance", "balanced"},
+    {"bitmask-quality", "quality"},
+    {"crytek-performance", "study-crytek-performance"},
+    {"crytek-quality", "study-crytek-quality"},
+    {"filion-performance", "study-filion-performance"},
+    {"filion-quality", "study-filion-quality"},
+    {"hbao-performance", "study-hbao-performance"},
+    {"hbao-quality", "study-hbao-quality"},
+    {"alchemy-performance", "study-alchemy-performance"},
+    {"alchemy-quality", "study-alchemy-quality"},
+    {"angle-performance", "study-angle-performance"},
+    {"angle-quality", "study-angle-quality"},
+    {"volumetric-performance", "study-volumetric-performance"},
+    {"volumetric-quality", "study-volumetric-quality"},
+    {"volumetric-two", "study-volumetric-performance"},
+    {"volumetric-spiral", "toy-story-3"},
+    {"volumetric-area", "loos-sloan-area"},
+    {"gtao-performance", "xegtao-low"},
+    {"gtao-quality", "xegtao-ultra"},
+    {"gtao-plain", "xegtao-ultra"},
+    {"sao-performance", "sao-paper"},
+    {"sao-quality", "sao-code"},
+    {"poisson-performance", "sourimant-least"},
+    {"poisson-quality", "sourimant-most"}};
+
+}  // namespace
+
+std::vector<Preset> presets() {
+    std::vector<Preset> all = own_presets();
+    for (const MethodInfo& method : methods()) {
+        if (method.presets == nullptr) continue;
+        const std::vector<Preset> published = method.presets(method);
+        all.insert(all.end(), published.begin(), published.end());
+    }
+    return all;
+}
+
+Preset preset_named(std::string_view name) {
+    const auto* old =
+        std::ranges::find(replaced, name, &std::pair<std::string_view, std::string_view>::first);
+    if (old != std::end(replaced))
+        throw std::invalid_argument(
+            fmt::format("unknown preset \"{}\": use \"{}\" instead", name, old->second));
+    const std::vector<Preset> all = presets();
+    return named(all, name, "preset");
+}
+
+}  // namespace gloam::effect
