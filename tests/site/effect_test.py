@@ -159,7 +159,7 @@ class EffectTest(unittest.TestCase):
 
     def test_the_controls_choose(self):
         self.choose(size="320x180", preset="quality")
-        self.assertEqual(("sweep", 36), (self.setting("method"), self.setting("samples")))
+        self.assertEqual(("sweep", 48), (self.setting("method"), self.setting("samples")))
         self.choose(method="sweep", radius=2)
         self.assertEqual(("sweep", 1.0), (self.setting("method"), self.setting("radius")))
         self.assertAlmostEqual(0.001, self.setting("bias"), 6)

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -71,12 +72,15 @@ nlohmann::ordered_json equation_json(const catalogue::Entry& entry) {
             {"source", d.source}};
 }
 
-// As `--preset FILE.json` reads it: "settings" has those that differ from the defaults of `gloam list
-// settings`.
+// As `--preset FILE.json` reads it: "settings" has those that differ from `tssao-paper`.
 nlohmann::ordered_json preset_json(const Named& named) {
-    nlohmann::ordered_json json = named_json(named);
-    json["settings"] = nlohmann::ordered_json::object();
     const effect::Preset preset = effect::preset_named(named.name);
+    nlohmann::ordered_json json{{"name", preset.name},
+                                {"description", preset.description},
+                                {"published", preset.published},
+                                {"error", preset.error},
+                                {"copies", preset.copies}};
+    json["settings"] = nlohmann::ordered_json::object();
     for (const effect::Setting& setting : effect::setting_table()) {
         const effect::SettingValue value = setting.get(preset.settings);
         if (value != setting.get(effect::Settings{})) json["settings"][setting.name] = json_of(value);
@@ -157,12 +161,16 @@ std::string equations_page() {
     return page.html();
 }
 
-// One name a line; with its meaning where all kinds are listed, and for settings, which need a value.
+// One name a line; with its meaning where all kinds are listed, and for settings and presets, between which
+// one chooses by value, error and time.
 void print_names(const std::vector<Named>& names, const std::string& kind) {
+    const bool alone = !kind.empty() && kind != "settings" && kind != "presets";
+    std::size_t width = 18;
+    for (const Named& named : names) width = std::max(width, named.name.size());
     for (const Named& named : names) {
-        if (!kind.empty() && kind != "settings") fmt::print("{}\n", named.name);
-        if (kind.empty() || kind == "settings")
-            fmt::print("{}{:<18} {}\n", kind.empty() ? "  " : "", named.name, named.description);
+        if (alone) fmt::print("{}\n", named.name);
+        if (!alone)
+            fmt::print("{}{:<{}} {}\n", kind.empty() ? "  " : "", named.name, width, named.description);
     }
 }
 
@@ -181,6 +189,7 @@ void run_list(const ListOptions& options) {
         if (options.kind.empty() && !options.json) fmt::print("{}\n", kind);
         const std::vector<Named> all = names();
         json[kind] = kind_json(kind, all);
+        if (kind == "presets" && !options.name.empty()) (void)effect::preset_named(options.name);
         if (!options.name.empty()) json[kind] = one_of(kind, json[kind], options.name);
         if (options.json) continue;
         if (!options.name.empty()) print_one(json[kind]);
@@ -201,7 +210,8 @@ void add_list(CLI::App& app) {
     command->add_option(
         "kind", options->kind,
         "equations, methods, presets, scenes, settings, variants or views: one name a line, of "
-        "settings with meaning, default and range; all when not given");
+        "settings with meaning, default and range, of presets with error and time, gloam's own first; all "
+        "when not given");
     command->add_option("name", options->name,
                         "all that is known of this one: of a preset the settings that it changes, of a "
                         "method what it measures");

@@ -27,7 +27,11 @@ std::vector<Named> method_names() {
 }
 
 std::vector<Named> preset_names() {
-    return named(effect::presets());
+    std::vector<Named> names;
+    for (const effect::Preset& preset : effect::presets())
+        names.push_back({preset.name, fmt::format("error {:.3f}, {:.0f} copies: {}", preset.error,
+                                                  preset.copies, preset.description)});
+    return names;
 }
 
 std::vector<Named> setting_names() {

@@ -16,7 +16,7 @@ struct Named {
 
 // Names for `gloam render`.
 [[nodiscard]] std::vector<Named> method_names();
-[[nodiscard]] std::vector<Named> preset_names();
+[[nodiscard]] std::vector<Named> preset_names();   // with error and time
 [[nodiscard]] std::vector<Named> setting_names();  // with value, unit and range
 [[nodiscard]] std::vector<Named> scene_names();
 [[nodiscard]] std::vector<Named> view_names();  // of `gloam bench views` and `gloam tune`, with their halves

@@ -41,8 +41,8 @@ struct Preset {
     std::string description;
     Settings settings;
     bool published = true;  // by its source, which its name or description gives; else gloam's own
-    float error = 0.0F;     // RMSE of sequences on unseen views, against ray-traced truth
-    float copies = 0.0F;    // time of a frame on llvmpipe, in that of a copy of an image of its size
+    double error = 0.0;     // RMSE of sequences on unseen views, against ray-traced truth
+    double copies = 0.0;    // time of a frame on llvmpipe, in that of a copy of an image of its size
 };
 
 // gloam's own, each with less error and more time than the one before, then the published ones.

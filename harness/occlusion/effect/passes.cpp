@@ -81,7 +81,7 @@ bool takes_fewer_samples(const Settings& settings) {
 // Whether the loops over samples have a length that is a constant, and so few rounds that their code stays
 // small. Points that each sample computes itself have loops of their own.
 bool has_short_loops(const Settings& settings) {
-    constexpr std::uint32_t few = 32;
+    constexpr std::uint32_t few = 48;
     return settings.samples == settings.samples_converged && settings.samples <= few &&
            !takes_fewer_samples(settings) && tabulates_samples(settings);
 }
