@@ -87,6 +87,26 @@ TEST_F(SampleSettings, WhatIsCountedWasTaken) {
     }
 }
 
+// A slice counts by its weight, so 16 frames of one slice are one frame of the same 16 slices. As a mean of
+// quotients they differ by up to 0.12.
+TEST_F(SampleSettings, SlicesOfManyFramesAreThoseOfOne) {
+    for (const char* method : {"gtao", "sweep", "bitmask"}) {
+        Settings settings = plain(method);
+        settings.own.steps = 4;
+        settings.filter = Filter::none;
+        settings.weight_max = 1024.0F;
+        settings.c_rot = 2.0F;
+        settings.samples = settings.samples_converged = 8;
+        const std::vector<float> frames = frame_of(settings, 16).occlusion;
+        settings.samples = settings.samples_converged = 128;
+        const std::vector<float> one = frame_of(settings).occlusion;
+        ASSERT_EQ(frames.size(), one.size());
+        float worst = 0.0F;
+        for (std::size_t i = 0; i < one.size(); ++i) worst = std::max(worst, std::abs(frames[i] - one[i]));
+        EXPECT_LT(worst, 1e-5F) << method;
+    }
+}
+
 // Each frame by itself: the fifth is the first again, and has its samples alone.
 TEST_F(SampleSettings, WithoutAHistoryEachFrameStandsByItself) {
     for (const char* method : {"hemisphere", "separable"}) {
