@@ -241,9 +241,14 @@ TEST_F(Pictures, NoPixelIsAloneAtASilhouette) {
     const scene::Scene scene = scene::mesh_scene(scene::load_mesh(file), "horse",
                                                  {.aspect = double{size.width} / double{size.height}});
     const scene::GBuffer now = view(scene, 0, size);
-    const Settings settings = settings_of(preset_named("balanced"), scene.ao_radius);
-    expect_none_alone("horse", still(now, settings, still_frames.back() + 1).back(), truth(scene, 0, now),
-                      settings, most_alone, size);
+    const Truth traced = truth(scene, 0, now);
+    // One slice is noise at a surface seen edge-on, of which the filter finds no neighbours.
+    for (const auto& [preset, frames] :
+         {std::pair{"tssao-paper", 1U}, {"balanced", still_frames.back() + 1}}) {
+        const Settings settings = settings_of(preset_named(preset), scene.ao_radius);
+        expect_none_alone(fmt::format("horse {}", preset), still(now, settings, frames).back(), traced,
+                          settings, most_alone, size);
+    }
 }
 
 }  // namespace gloam::effect::pictures_test

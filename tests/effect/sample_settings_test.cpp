@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "comparisons.hpp"
 #include "effect/ambient_occlusion.hpp"
 #include "effect/errors.hpp"
 #include "effect/methods.hpp"
@@ -101,9 +102,7 @@ TEST_F(SampleSettings, SlicesOfManyFramesAreThoseOfOne) {
         settings.samples = settings.samples_converged = 128;
         const std::vector<float> one = frame_of(settings).occlusion;
         ASSERT_EQ(frames.size(), one.size());
-        float worst = 0.0F;
-        for (std::size_t i = 0; i < one.size(); ++i) worst = std::max(worst, std::abs(frames[i] - one[i]));
-        EXPECT_LT(worst, 1e-5F) << method;
+        EXPECT_LT(largest_difference(frames, one), 1e-5) << method;
     }
 }
 

@@ -119,6 +119,7 @@ nlohmann::ordered_json one_of(const std::string& kind, const nlohmann::ordered_j
                               const std::string& name) {
     for (const auto& each : all)
         if (each.at("name") == name) return each;
+    if (kind == "presets") (void)effect::preset_named(name);  // gives the new name of an old one
     throw std::invalid_argument(
         fmt::format("{} \"{}\": expected a name of `gloam list {}`", kind, name, kind));
 }
@@ -189,7 +190,6 @@ void run_list(const ListOptions& options) {
         if (options.kind.empty() && !options.json) fmt::print("{}\n", kind);
         const std::vector<Named> all = names();
         json[kind] = kind_json(kind, all);
-        if (kind == "presets" && !options.name.empty()) (void)effect::preset_named(options.name);
         if (!options.name.empty()) json[kind] = one_of(kind, json[kind], options.name);
         if (options.json) continue;
         if (!options.name.empty()) print_one(json[kind]);

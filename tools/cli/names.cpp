@@ -37,7 +37,8 @@ std::vector<Named> preset_names() {
 std::vector<Named> setting_names() {
     std::vector<Named> names;
     for (const effect::Setting& setting : effect::setting_table()) {
-        const std::string value = effect::text_of(setting.get(effect::preset_named("balanced").settings));
+        const std::string value =
+            effect::text_of(setting.get(effect::preset_named(effect::default_preset).settings));
         const std::string unit = setting.unit.empty() ? "" : " " + setting.unit;
         names.push_back(
             {setting.name, fmt::format("{} ({}{}; {})", setting.meaning, value, unit, expected_of(setting))});

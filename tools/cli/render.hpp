@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "effect/methods.hpp"
+
 namespace CLI {
 class App;
 }
@@ -35,7 +37,7 @@ struct RenderOptions {
     std::string depth = "linear";   // how they store depth and normals: scene::encoding_named()
     std::string normals = "view";
     std::string method;  // of one run; empty: the preset's
-    std::string preset = "balanced";
+    std::string preset = effect::default_preset;
     std::optional<std::uint32_t> samples;
     std::optional<int> frames;
     int frame = 0;       // of a scene that moves: the first

@@ -28,7 +28,7 @@ std::string text_of(const ordered_json& value) {
 }
 
 ordered_json json_of(const effect::Setting& setting) {
-    const effect::SettingValue value = setting.get(effect::preset_named("balanced").settings);
+    const effect::SettingValue value = setting.get(effect::preset_named(effect::default_preset).settings);
     ordered_json json{{"name", setting.name},
                       {"description", setting.meaning},
                       {"unit", setting.unit},

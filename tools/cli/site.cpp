@@ -58,12 +58,8 @@ class PictureFolder {
 
 ordered_json render_scene(const Shown& shown, const GalleryOptions& options, RenderBench& bench,
                           PictureFolder& folder) {
-    const RenderOptions render_options{.source = shown.name,
-                                       .preset = "balanced",
-                                       .frames = 16,
-                                       .size = "640x360",
-                                       .device = options.device,
-                                       .quiet = true};
+    const RenderOptions render_options{
+        .source = shown.name, .frames = 16, .size = "640x360", .device = options.device, .quiet = true};
     const RenderInput input = open_input(render_options);
     bench.forget_light();
     const Rendered run = render(render_options, input, bench, {});

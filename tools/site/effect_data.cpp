@@ -88,6 +88,7 @@ std::string effect_json(const ShaderFolders& folders) {
                       {"gbuffer", packed_file("gbuffer.frag", Stage::fragment, folders)},
                       {"reproject", packed_file("reproject.frag", Stage::fragment, folders)},
                       {"show", packed_file("show.frag", Stage::fragment, folders)}};
+    json["preset"] = effect::default_preset;
     for (const effect::Preset& preset : effect::presets())
         if (runs_live(preset))
             json["presets"].push_back({{"name", preset.name},

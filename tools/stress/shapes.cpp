@@ -60,12 +60,15 @@ std::size_t wrong_pixels(effect::AmbientOcclusion& effect, const scene::GBuffer&
                 static_cast<std::size_t>(std::ranges::count_if(image, [](float v) { return v != 0.0F; }));
     }
     // Only a pixel that was written in each frame has this convergence. A sample may be lost at most, but
-    // where taps that share a pixel count once, and slices count by their weight, up to pi / 2.
+    // where taps that share a pixel count once. Slices of the cosine count by their weight, which is nearly 0
+    // in a view so wide that it sees everything edge-on.
+    constexpr float most_weight = 1.571F;  // pi / 2, rounded up
     const effect::MethodInfo& method = effect::method_named(settings.method);
-    const bool slices = method.unit == effect::SampleUnit::slice;
+    const bool weighs = method.unit == effect::SampleUnit::slice && method.measure == effect::Measure::cosine;
     const float counted = static_cast<float>(settings.samples) * frames / settings.weight_max;
-    const float expected = slices ? 1.571F * counted : counted;
-    const float least = method.takes_fewer || slices ? 0.0F : 0.5F * expected;
+    const float expected = weighs ? most_weight * counted : counted;
+    const bool edge_on = weighs && view.extent.width > 1'000 * view.extent.height;
+    const float least = method.takes_fewer || edge_on ? 0.0F : 0.5F * counted;
     wrong += static_cast<std::size_t>(
         std::ranges::count_if(frame.convergence, [&](float v) { return !(v > least && v <= expected); }));
     const std::size_t pixels = pixels_of(view.extent);

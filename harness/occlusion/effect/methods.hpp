@@ -46,7 +46,10 @@ struct Preset {
 };
 
 // gloam's own, each with less error and more time than the one before, then the published ones.
-[[nodiscard]] std::vector<Preset> presets();
+[[nodiscard]] const std::vector<Preset>& presets();
+
+// The preset that every command takes if none is named.
+inline constexpr const char* default_preset = "balanced";
 
 // The preset with this name. Throws std::invalid_argument that lists the names, or gives the new name of an
 // old one.

@@ -137,9 +137,7 @@ constexpr std::pair<std::string_view, std::string_view> replaced[] = {
     {"poisson-performance", "sourimant-least"},
     {"poisson-quality", "sourimant-most"}};
 
-}  // namespace
-
-std::vector<Preset> presets() {
+std::vector<Preset> measured_presets() {
     std::vector<Preset> all = own_presets();
     for (Preset& preset : all) preset.published = false;
     for (const MethodInfo& method : methods()) {
@@ -156,14 +154,20 @@ std::vector<Preset> presets() {
     return all;
 }
 
+}  // namespace
+
+const std::vector<Preset>& presets() {
+    static const std::vector<Preset> all = measured_presets();
+    return all;
+}
+
 Preset preset_named(std::string_view name) {
     const auto* old =
         std::ranges::find(replaced, name, &std::pair<std::string_view, std::string_view>::first);
     if (old != std::end(replaced))
         throw std::invalid_argument(
             fmt::format("unknown preset \"{}\": use \"{}\" instead", name, old->second));
-    const std::vector<Preset> all = presets();
-    return named(all, name, "preset");
+    return named(presets(), name, "preset");
 }
 
 }  // namespace gloam::effect

@@ -83,7 +83,9 @@ inline GloamEstimate gloam_estimate(double occluded, double whole, unsigned samp
 }
 
 inline GloamEstimate gloam_slice_estimate(double occluded, double whole, unsigned slices, unsigned steps) {
-    return {weighted_ratio({occluded, whole}), double(slices * 2U * steps), 0U, whole / std::max(slices, 1U)};
+    GloamEstimate estimate = gloam_estimate(occluded, whole, slices * 2U * steps);
+    estimate.weight = whole / std::max(slices, 1U);
+    return estimate;
 }
 
 inline bool gloam_tap_sees(double depth) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "effect/methods.hpp"
 #include "effect/plan.hpp"
 #include "effect/settings.hpp"
 #include "shader/pack.hpp"
@@ -72,7 +73,7 @@ struct Hazard {
 [[nodiscard]] std::string effect_page(const PackedEffect& effect);    // README.md
 
 struct EffectPackOptions {
-    std::string preset = "balanced";
+    std::string preset = effect::default_preset;
     std::string method;            // empty: the preset's
     float radius = 1.0F;           // world units
     std::vector<std::string> set;  // NAME=VALUE

@@ -25,7 +25,7 @@ gloam.effectPage = (() => {
     function fillControls() {
         for (const method of gloam.effectData.methods) at("method").append(option(method.name, method.name, false));
         for (const preset of gloam.effectData.presets) at("preset").append(option(preset.name, preset.name, false));
-        at("preset").value = "balanced";
+        at("preset").value = gloam.effectData.preset;
         at("method").value = "gtao";
         at("moves").checked = !matchMedia("(prefers-reduced-motion: reduce)").matches;
     }
