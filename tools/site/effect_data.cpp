@@ -101,6 +101,13 @@ std::string effect_json(const ShaderFolders& folders) {
     return json.dump(-1, ' ', true);
 }
 
+std::string effect_classes(const std::filesystem::path& folder) {
+    std::string text;
+    for (const char* name : {"passes.js", "views.js", "ambient-occlusion.js"})
+        text += base::read_file(folder / name);
+    return text;
+}
+
 namespace {
 
 // Vertices with a colour each, where a mesh has one for each triangle.

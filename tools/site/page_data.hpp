@@ -53,6 +53,10 @@ struct ShaderFolders {
 // without a filter for each of them, for a radius of 1: as JSON (page/effect.js). Throws like shader::pack().
 [[nodiscard]] std::string effect_json(const ShaderFolders& folders);
 
+// The classes of the effect in WebGL2 (effect/*.js): JavaScript that defines AmbientOcclusion and what it
+// uses. Throws std::runtime_error for a file that cannot be read.
+[[nodiscard]] std::string effect_classes(const std::filesystem::path& folder);
+
 // The triangles of a scene and its camera in each of `frames` frames, as JSON (page/scene.js).
 [[nodiscard]] std::string scene_json(const scene::Scene& scene, int frames);
 

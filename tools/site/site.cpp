@@ -130,11 +130,18 @@ void write_documents(const SiteOptions& options, Files& files) {
     }
 }
 
+// The class of the effect as a script of the pages, whose names are members of `gloam`.
+std::string effect_script(const fs::path& folder) {
+    return "Object.assign(gloam, (() => {\n\"use strict\";\n" + effect_classes(folder) +
+           "return {AmbientOcclusion, Passes};\n})());\n";
+}
+
 // The triangles of the scenes and the shaders, as scripts.
 void write_effect(const check::Lab& lab, const SiteOptions& options, Files& files) {
     constexpr int frames = 240;
     const ShaderFolders folders{lab.options().include_roots.front(), options.files / "shaders"};
     files.write("effect-data.js", "gloam.effectData = " + effect_json(folders) + ";\n");
+    files.write("ambient-occlusion.js", effect_script(options.files / "effect"));
     for (const std::string name : {"columns", "room", "knot"})
         files.write("scene-" + name + ".js", "gloam.scenes.set(\"" + name + "\", " +
                                                  scene_json(scene::make_scene(name), frames) + ");\n");

@@ -15,17 +15,6 @@ gloam.camera = (() => {
     // World to view.
     const view = ({rotation, eye}) => rigid(rotation, turned(rotation, Array.from(eye, (x) => -x)));
 
-    // View space of a camera to that of the one before.
-    function change(before, now) {
-        const r = [];
-        for (let i = 0; i < 9; ++i) {
-            const [row, column] = [3 * Math.floor(i / 3), 3 * (i % 3)];
-            r.push(before.rotation[row] * now.rotation[column] + before.rotation[row + 1] * now.rotation[column + 1] +
-                before.rotation[row + 2] * now.rotation[column + 2]);
-        }
-        return rigid(r, turned(before.rotation, [0, 1, 2].map((k) => now.eye[k] - before.eye[k])));
-    }
-
     // View to clip as Vulkan has it: y down, z in [0, 1]. fovy: radians.
     function projection(fovy, aspect, near, far) {
         const scale = 1 / Math.tan(fovy / 2);
@@ -33,5 +22,5 @@ gloam.camera = (() => {
         return [scale / aspect, 0, 0, 0, 0, -scale, 0, 0, 0, 0, depth, -1, 0, 0, near * depth, 0];
     }
 
-    return {at, view, change, projection};
+    return {at, view, projection};
 })();

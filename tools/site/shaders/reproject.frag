@@ -6,7 +6,8 @@
 
 struct Parameters {
     mat4 previous_from_current;  // view space of this frame to that of the previous one
-    vec2 p00_p11;                // elements [0][0] and [1][1] of the projection, y down, of both frames
+    vec2 p00_p11;                // elements [0][0] and [1][1] of this frame's projection
+    vec2 previous_p00_p11;       // of the previous frame's
     ivec2 size;                  // of all images, pixels
     float tolerance;             // of the depth test, relative
 };
@@ -26,7 +27,8 @@ GloamHistory reprojected(ivec2 pixel) {
     GloamCamera camera = GloamCamera(parameters.p00_p11, parameters.size, false);
     vec3 position = gloam_camera_position(pixel, depth, camera);
     vec3 previous = (parameters.previous_from_current * vec4(position, 1.0)).xyz;
-    vec2 uv = gloam_camera_uv(previous, camera);
+    GloamCamera before = GloamCamera(parameters.previous_p00_p11, parameters.size, false);
+    vec2 uv = gloam_camera_uv(previous, before);
     if (gloam_is_background(-previous.z) || !gloam_inside_unit(uv)) return gloam_history_empty(depth);
     return gloam_reprojected_history(uv, parameters.size, -previous.z, parameters.tolerance);
 }

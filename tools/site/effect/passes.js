@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// Passes over whole images in WebGL2: programs, images, and one triangle that covers an image.
+
+class Passes {
+    // Throws an Error where the context is not WebGL2 or cannot draw floats.
+    constructor(gl) {
+        if (!(gl instanceof WebGL2RenderingContext)) throw new Error("the context is not one of WebGL2");
+        if (gl.getExtension("EXT_color_buffer_float") === null)
+            throw new Error("this GPU cannot draw to textures of floats (EXT_color_buffer_float)");
+        this.gl = gl;
+        this.programs = new Map();
+        this.noVertices = gl.createVertexArray();
+    }
+
+    static wholeImage = `#version 300 es
+void main() {
+    gl_Position = vec4(vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0), 0.0, 1.0);
+}`;
+
+    // A linked program with its uniforms; compiled once for each name.
+    program(name, fragments, vertices = Passes.wholeImage) {
+        if (this.programs.has(name)) return this.programs.get(name);
+        const {gl} = this;
+        const handle = gl.createProgram();
+        const stages = [[gl.VERTEX_SHADER, vertices], [gl.FRAGMENT_SHADER, fragments]].map(([stage, text]) => {
+            const shader = gl.createShader(stage);
+            gl.shaderSource(shader, text);
+            gl.compileShader(shader);
+            gl.attachShader(handle, shader);
+            return shader;
+        });
+        gl.linkProgram(handle);
+        const messages = stages.map((shader) => gl.getShaderInfoLog(shader)).join(" ");
+        for (const shader of stages) gl.deleteShader(shader);
+        if (!gl.getProgramParameter(handle, gl.LINK_STATUS)) throw new Error(`${name} does not compile: ${messages}`);
+        const uniforms = Array.from({length: gl.getProgramParameter(handle, gl.ACTIVE_UNIFORMS)}, (_, i) => {
+            const {name: whole, type} = gl.getActiveUniform(handle, i);
+            return {whole, type, name: whole.slice(whole.lastIndexOf(".") + 1),
+                location: gl.getUniformLocation(handle, whole)};
+        });
+        const program = {handle, uniforms};
+        this.programs.set(name, program);
+        return program;
+    }
+
+    // A texture of this internal format.
+    image(internal, width, height) {
+        const {gl} = this;
+        const texture = gl.createTexture();
+        gl.bindTexture(gl.TEXTURE_2D, texture);
+        gl.texStorage2D(gl.TEXTURE_2D, 1, internal, width, height);
+        for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
+            gl.texParameteri(gl.TEXTURE_2D, filter, gl.NEAREST);
+        return texture;
+    }
+
+    framebuffer(...textures) {
+        const {gl} = this;
+        const framebuffer = gl.createFramebuffer();
+        gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+        textures.forEach((texture, i) =>
+            gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0 + i, gl.TEXTURE_2D, texture, 0));
+        gl.drawBuffers(textures.map((_, i) => gl.COLOR_ATTACHMENT0 + i));
+        return framebuffer;
+    }
+
+    // Images of one size and what draws to all of them.
+    target(width, height, ...formats) {
+        const images = formats.map((internal) => this.image(internal, width, height));
+        return {width, height, images, image: images[0], framebuffer: this.framebuffer(...images)};
+    }
+
+    deleteTarget({images, framebuffer}) {
+        for (const image of images) this.gl.deleteTexture(image);
+        this.gl.deleteFramebuffer(framebuffer);
+    }
+
+    clear(target) {
+        this.gl.bindFramebuffer(this.gl.FRAMEBUFFER, target.framebuffer);
+        this.gl.clearBufferfv(this.gl.COLOR, 0, [0, 0, 0, 0]);
+    }
+
+    // Sets what a pass relies on and an engine may have changed.
+    begin() {
+        const {gl} = this;
+        for (const test of [gl.BLEND, gl.CULL_FACE, gl.DEPTH_TEST, gl.SCISSOR_TEST, gl.STENCIL_TEST,
+            gl.RASTERIZER_DISCARD]) gl.disable(test);
+        gl.colorMask(true, true, true, true);
+    }
+
+    // Makes a program current and sets each of its uniforms, and each member of a uniform structure, to the value of
+    // its name. Numbers, arrays, and a texture for a sampler; null for a float is infinity.
+    use({handle, uniforms}, values) {
+        const {gl} = this;
+        gl.useProgram(handle);
+        let unit = 0;
+        for (const {whole, name, type, location} of uniforms) {
+            const value = values[name];
+            if (value === undefined) throw new Error(`${whole}: there is no value of that name`);
+            if (type === gl.SAMPLER_2D) {
+                gl.activeTexture(gl.TEXTURE0 + unit);
+                gl.bindTexture(gl.TEXTURE_2D, value);
+                gl.uniform1i(location, unit++);
+            } else {
+                this.setUniform(type, location, value);
+            }
+        }
+    }
+
+    setUniform(type, location, value) {
+        const {gl} = this;
+        if (type === gl.FLOAT) gl.uniform1f(location, value ?? Infinity);
+        else if (type === gl.FLOAT_VEC2) gl.uniform2fv(location, value);
+        else if (type === gl.FLOAT_VEC3) gl.uniform3fv(location, value);
+        else if (type === gl.FLOAT_MAT4) gl.uniformMatrix4fv(location, false, value);
+        else if (type === gl.INT_VEC2) gl.uniform2iv(location, value);
+        else if (type === gl.UNSIGNED_INT) gl.uniform1ui(location, value);
+        else gl.uniform1i(location, Number(value));
+    }
+
+    // Draws the whole of a target, or of a canvas with framebuffer null.
+    draw(program, values, {framebuffer, width, height}) {
+        const {gl} = this;
+        this.use(program, values);
+        gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+        gl.viewport(0, 0, width, height);
+        gl.bindVertexArray(this.noVertices);
+        gl.drawArrays(gl.TRIANGLES, 0, 3);
+        gl.bindVertexArray(null);
+    }
+
+    // The first image of a target, four floats for each pixel, row 0 first.
+    read({framebuffer, width, height}) {
+        const {gl} = this;
+        const texels = new Float32Array(4 * width * height);
+        gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+        gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, texels);
+        return texels;
+    }
+
+    // Deletes the programs.
+    dispose() {
+        for (const {handle} of this.programs.values()) this.gl.deleteProgram(handle);
+        this.programs.clear();
+        this.gl.deleteVertexArray(this.noVertices);
+    }
+}
