@@ -17,7 +17,7 @@ from browser import Browser, program
 GLOAM = sys.argv[1]
 WIDTH, HEIGHT, FRAMES = 192, 108, 4
 
-# Renders the first frames of the camera's path, and gives the last history as base64.
+# Renders the first frames of the camera's path, and gives what `read` reads of the last one as base64.
 SHADE = """(() => {{
     const {{effect}} = gloam.effectPage.state;
     gloam.effectPage.state.failed = true;  // ends the page's own loop
@@ -25,7 +25,7 @@ SHADE = """(() => {{
     const method = gloam.effectData.methods.find((one) => one.name === "{method}");
     effect.setMethod(method, "{preset}", effect.scene.radius);
     for (let i = 0; i < {frames}; ++i) effect.frame({moves} ? i : 0);
-    const bytes = new Uint8Array(effect.read().buffer);
+    const bytes = new Uint8Array(effect.{read}().buffer);
     let text = "";
     for (const byte of bytes) text += String.fromCharCode(byte);
     return btoa(text);
@@ -60,31 +60,51 @@ class EffectTest(unittest.TestCase):
         self.browser.open(self.folder / "site" / "effect.html")
         self.browser.wait("gloam.effectPage.state.effect?.frames > 0")
 
-    def history(self, method, preset="balanced", frames=FRAMES, moves=True, size=(WIDTH, HEIGHT)):
+    def rendered(self, read, method, preset="balanced", frames=FRAMES, moves=True, size=(WIDTH, HEIGHT)):
         script = SHADE.format(width=size[0], height=size[1], method=method, preset=preset, frames=frames,
-                              moves="true" if moves else "false")
+                              moves="true" if moves else "false", read=read)
         return array.array("f", base64.b64decode(self.browser.evaluate(script)))
 
-    def native(self, method, preset="balanced"):
-        out = self.folder / f"{method}-{preset}"
-        subprocess.run([GLOAM, "render", "columns", "--size", f"{WIDTH}x{HEIGHT}", "--frames", str(FRAMES), "--method",
-                        method, "--preset", preset, "--set", "precision=float32", "--set", "filter=none", "--out", out,
-                        "--quiet"], check=True)
-        return read_pfm(out / f"f{FRAMES - 1:04}_ao.pfm")
+    def history(self, *arguments, **choices):
+        return self.rendered("read", *arguments, **choices)
 
-    def test_the_occlusion_is_that_of_the_program(self):
+    def native(self, method, *options, preset="balanced", frames=FRAMES, size=(WIDTH, HEIGHT)):
+        with tempfile.TemporaryDirectory(dir=self.folder) as out:
+            subprocess.run([GLOAM, "render", "columns", "--size", "{}x{}".format(*size), "--frames", str(frames),
+                            "--method", method, "--preset", preset, "--set", "precision=float32", *options, "--out",
+                            out, "--quiet"], check=True)
+            return read_pfm(Path(out) / f"f{frames - 1:04}_ao.pfm")
+
+    def compare(self, got, want):
         """The G-buffers are of two rasterizers, so pixels at edges may differ at all: means and percentiles are
         compared."""
+        self.assertEqual(len(want), len(got))
+        self.assertGreater(max(want) - min(want), 0.5)
+        errors = sorted(abs(a - b) for a, b in zip(got, want))
+        self.assertLess(sum(errors) / len(errors), 0.0015)
+        self.assertLess(errors[len(errors) // 2], 2e-5)
+        self.assertLess(errors[len(errors) * 95 // 100], 0.003)
+
+    def test_the_occlusion_is_that_of_the_program(self):
         for method in ("gtao", "sweep", "hemisphere"):
             with self.subTest(method=method):
-                got = self.history(method)[0::4]
-                want = self.native(method)
-                self.assertEqual(len(want), len(got))
-                self.assertGreater(max(want) - min(want), 0.5)
-                errors = sorted(abs(a - b) for a, b in zip(got, want))
-                self.assertLess(sum(errors) / len(errors), 0.0015)
-                self.assertLess(errors[len(errors) // 2], 2e-5)
-                self.assertLess(errors[len(errors) * 95 // 100], 0.003)
+                self.compare(self.history(method)[0::4], self.native(method, "--set", "filter=none"))
+
+    def test_the_filtered_occlusion_is_that_of_the_program(self):
+        unfiltered = self.native("sweep", "--set", "filter=none")
+        for preset, frames, size in (("balanced", FRAMES, (WIDTH, HEIGHT)), ("quality", 2, (WIDTH, HEIGHT)),
+                                     ("fast", FRAMES, (WIDTH, HEIGHT)), ("fast", FRAMES, (161, 99))):
+            with self.subTest(preset=preset, size=size):
+                want = self.native("sweep", preset=preset, frames=frames, size=size)
+                self.compare(self.rendered("readOcclusion", "sweep", preset, frames=frames, size=size), want)
+        filtered = self.rendered("readOcclusion", "sweep")
+        self.assertGreater(sum(abs(a - b) for a, b in zip(filtered, unfiltered)) / len(filtered), 0.01)
+
+    def test_the_filter_ends_after_the_frames_of_the_preset(self):
+        for frames, filters in ((8, True), (9, False)):
+            history = self.history("sweep", frames=frames, size=(64, 36))[0::4]
+            shown = self.rendered("readOcclusion", "sweep", frames=frames, size=(64, 36))
+            self.assertEqual(filters, list(history) != list(shown), frames)
 
     def test_samples_accumulate_and_converge(self):
         weights = self.history("hemisphere", frames=20, moves=False)[1::4]

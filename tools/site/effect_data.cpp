@@ -25,11 +25,10 @@ bool runs_in_one_pass(const effect::MethodInfo& method) {
     return method.prepare == nullptr;
 }
 
-// gloam's own presets at full resolution: the page has no upsampling. It has no filter either, which they
-// need only until a pixel has some samples.
+// gloam's own presets: other filters than theirs do not run in a browser.
 bool runs_live(const effect::Preset& preset) {
-    return preset.settings.history && preset.settings.precision == effect::HistoryPrecision::packed &&
-           preset.settings.resolution == effect::Resolution::full;
+    return !preset.published && preset.settings.history &&
+           preset.settings.filter == effect::Filter::convergence;
 }
 
 std::string packed(const std::string& name, const std::string& text, Stage stage,
@@ -84,10 +83,10 @@ ordered_json method_json(const effect::MethodInfo& method, const ShaderFolders& 
 }  // namespace
 
 std::string effect_json(const ShaderFolders& folders) {
-    ordered_json json{{"gbuffer_vertices", packed_file("gbuffer.vert", Stage::vertex, folders)},
-                      {"gbuffer", packed_file("gbuffer.frag", Stage::fragment, folders)},
-                      {"reproject", packed_file("reproject.frag", Stage::fragment, folders)},
-                      {"show", packed_file("show.frag", Stage::fragment, folders)}};
+    ordered_json json{{"gbuffer_vertices", packed_file("gbuffer.vert", Stage::vertex, folders)}};
+    for (const std::string name : {"gbuffer", "show", "take_inputs", "normals_from_depth", "halve_inputs",
+                                   "reproject", "spatial_filter", "upsample"})
+        json[name] = packed_file(name + ".frag", Stage::fragment, folders);
     json["preset"] = effect::default_preset;
     for (const effect::Preset& preset : effect::presets())
         if (runs_live(preset))

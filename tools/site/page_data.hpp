@@ -50,7 +50,7 @@ struct ShaderFolders {
 };
 
 // The passes of the page in GLSL ES 3.00, packed, the methods that run there, and the settings of the presets
-// without a filter for each of them, for a radius of 1: as JSON (page/effect.js). Throws like shader::pack().
+// for each of them, for a radius of 1: as JSON (effect/ambient-occlusion.js). Throws like shader::pack().
 [[nodiscard]] std::string effect_json(const ShaderFolders& folders);
 
 // The classes of the effect in WebGL2 (effect/*.js): JavaScript that defines AmbientOcclusion and what it

@@ -72,7 +72,8 @@ float filtered_occlusion(int position) {
     // Selected at the end, without a branch around the taps: the row costs most, and it is read for all pixels of the
     // invocation.
     bool filters = reach > 0.0 && own.surface;
-    return gloam_weighted_mean_value(filters ? mean : gloam_weighted_mean_empty(), own.occlusion);
+    if (!filters) mean = gloam_weighted_mean_empty();
+    return gloam_weighted_mean_value(mean, own.occlusion);
 }
 
 #endif

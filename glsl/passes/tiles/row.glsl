@@ -6,6 +6,7 @@
 // row counts from its start.
 // Define before: HOLDS_ROW, PIXELS, REACH and filter_axis(); the type Tap, the data of a pixel; tap_at(pixel), the data
 // of a pixel inside the image; and weightless(tap), the same data without weight.
+// WebGL does not select structures by ?:, so functions here and in the filters return them by branches.
 
 const int ROW_LENGTH = PIXELS + 2 * REACH;
 
@@ -17,7 +18,8 @@ Tap read_tap(int position) {
     bool inside = pixel.x >= 0 && pixel.y >= 0 && pixel.x < parameters.size.x && pixel.y < parameters.size.y;
     // No branch: clamping costs less than a test at every tap.
     Tap tap = tap_at(clamp(pixel, ivec2(0), parameters.size - 1));
-    return inside ? tap : weightless(tap);
+    if (!inside) return weightless(tap);
+    return tap;
 }
 
 // Reads the row. first: the first pixel of the invocation.
@@ -29,7 +31,8 @@ void read_row(ivec2 first) {
 
 // The data of the pixel at a position, 0 to ROW_LENGTH - 1; weightless outside the image.
 Tap row_tap(int position) {
-    return HOLDS_ROW ? row[position] : read_tap(position);
+    if (HOLDS_ROW) return row[position];
+    return read_tap(position);
 }
 
 #endif

@@ -6,40 +6,72 @@
 // the viewport and the textures of the units that it has used.
 
 class AmbientOcclusion {
-    // effect: texts of the shaders, presets and methods, as gloam writes them. Throws an Error where the context is not
-    // WebGL2 or cannot draw floats.
-    constructor(gl, effect) {
+    // effect: texts of the shaders, presets and methods, as gloam writes them. inputs: how the engine stores what
+    // render() gets:
+    //   depth    "linear": eye-linear depth, 0 for background; "buffer": a depth buffer, standard or reversed
+    //   range    of the projection's depth: "negative-one-to-one", or "zero-to-one"
+    //   normals  "none": they are made from depth; "view" or "world" space, and behind it "-octahedral", "-unorm" or
+    //            both, as `gloam pack --normals` has them
+    // Throws an Error for other inputs, and where the context is not WebGL2 or cannot draw floats.
+    constructor(gl, effect, {depth = "buffer", range = "negative-one-to-one", normals = "none"} = {}) {
+        this.inputs = AmbientOcclusion.checkedInputs(depth, range, normals);
         this.gl = gl;
         this.effect = effect;
         this.passes = new Passes(gl);
-        this.reproject = this.passes.program("reproject", effect.reproject);
-        this.images = null;
+        this.targets = new Map();
+        this.size = null;
+        this.settings = null;
+        this.orthographic = false;  // the camera of the last frame
         this.restart();
     }
 
-    // method: of effect.methods. preset: a name. radius: world units; settings that are lengths scale with it. Begins a
-    // new history.
+    static checkedInputs(depth, range, normals) {
+        const check = (name, value, pattern, expected) => {
+            if (!pattern.test(value)) throw new Error(`${name} "${value}": expected ${expected}`);
+        };
+        check("depth", depth, /^(linear|buffer)$/, '"linear" or "buffer"');
+        check("range", range, /^(negative-one|zero)-to-one$/, '"negative-one-to-one" or "zero-to-one"');
+        check("normals", normals, /^(none|(view|world)(-octahedral)?(-unorm)?)$/,
+            '"none", or "view" or "world" and "-octahedral", "-unorm" or both behind it');
+        return {depth, range, normals};
+    }
+
+    // method: of effect.methods, or an object of that form. preset: a name. radius: world units; settings that are
+    // lengths scale with it. Begins a new history. Throws an Error for another preset or radius, and for a method that
+    // does not compile.
     setMethod(method, preset, radius) {
+        if (!(preset in method.settings)) throw new Error(`preset "${preset}": expected ${
+            Object.keys(method.settings).join(", ")}`);
+        if (!(radius > 0 && radius <= 1e18)) throw new Error(`radius ${radius}: expected a number above 0`);
         const settings = {...method.settings[preset]};
         for (const name of this.effect.lengths) settings[name] *= radius;
+        this.method = method;
+        this.occlusionProgram();
         this.settings = settings;
-        this.occlusion = this.passes.program("occlusion by " + method.name, method.text);
-        this.restart();
+        this.deleteImages();
     }
 
-    // Pixels of the images that render() is given. Begins a new history.
+    // Compiled once for each kind of camera.
+    occlusionProgram() {
+        return this.passes.program("occlusion by " + this.method.name, this.method.text,
+            {orthographic: this.orthographic});
+    }
+
+    // Pixels of the images that render() gets. Begins a new history.
     setSize(width, height) {
+        const most = this.gl.getParameter(this.gl.MAX_TEXTURE_SIZE);
+        for (const side of [width, height])
+            if (!Number.isInteger(side) || side < 1 || side > most)
+                throw new Error(`size ${width}x${height}: expected whole numbers from 1 to ${most}`);
+        this.size = [width, height];
         this.deleteImages();
-        const history = () => this.passes.target(width, height, this.gl.RGBA32F);
-        this.images = {width, height, before: history(), moved: history(), after: history()};
-        this.restart();
     }
 
     deleteImages() {
-        if (this.images === null) return;
-        for (const history of [this.images.before, this.images.moved, this.images.after])
-            this.passes.deleteTarget(history);
-        this.images = null;
+        for (const target of this.targets.values()) this.passes.deleteTarget(target);
+        this.targets.clear();
+        this.result = null;
+        this.restart();
     }
 
     // Forgets the history: call it where the picture is cut.
@@ -49,48 +81,122 @@ class AmbientOcclusion {
     }
 
     // Renders a frame: its samples are added to the history of the frame before, which is moved where the view has.
-    // depth: eye-linear depth, 0 for background. normal: in view space. projection: from view to clip space, and view:
-    // from world to view space, column by column. Returns a texture whose first channel is the occlusion.
-    render({depth, normal, projection, view}) {
+    // depth, normal: textures of the size of the view, stored as the constructor was told. projection: from view to
+    // clip space, and view: from world to view space, column by column, as the engine's vertices were drawn with.
+    // Returns a texture whose first channel is the occlusion: 0 open, 1 blocked.
+    render({depth, normal = null, projection, view}) {
+        if (this.size === null || this.settings === null)
+            throw new Error("no size or no method: setSize() and setMethod() must come before render()");
+        const given = viewOf(projection, view, this.size);
         this.passes.begin();
-        const {images} = this;
-        const now = {depth, normal, view: Array.from(view), p00_p11: [projection[0], projection[5]]};
-        [images.before, images.after] = [images.after, images.before];
-        if (this.previous === null) this.passes.clear(images.before);
-        this.drawOcclusion(now, this.hasMoved(now) ? this.moveHistory(now) : images.before);
-        this.previous = {view: now.view, p00_p11: now.p00_p11};
+        const full = this.taken(given, depth, normal);
+        const now = this.settings.resolution === "half" ? this.halved(full) : full;
+        if (this.orthographic !== now.orthographic) this.restart();
+        this.orthographic = now.orthographic;
+        const [name, last] = this.frames % 2 === 0 ? ["even", "odd"] : ["odd", "even"];
+        this.history = this.target(name, now.size, this.gl.RGBA32F);
+        this.drawOcclusion(now, this.historyBefore(now, last));
+        this.result = this.shown(full, now);
+        this.previous = now;
         ++this.frames;
         this.gl.bindFramebuffer(this.gl.FRAMEBUFFER, null);
         this.gl.useProgram(null);
-        return images.after.image;
+        return this.result.image;
     }
 
-    hasMoved(now) {
-        if (this.previous === null) return false;
-        const same = (name) => now[name].every((x, i) => x === this.previous[name][i]);
-        return !same("view") || !same("p00_p11");
+    // Images of this size and these formats; made when they are first asked for.
+    target(name, [width, height], ...formats) {
+        if (!this.targets.has(name)) this.targets.set(name, this.passes.target(width, height, ...formats));
+        return this.targets.get(name);
     }
 
-    moveHistory(now) {
-        const {images, previous} = this;
-        this.passes.draw(this.reproject, {depth_image: now.depth, previous_history: images.before.image,
-            previous_from_current: change(previous.view, now.view), p00_p11: now.p00_p11,
-            previous_p00_p11: previous.p00_p11, size: [images.width, images.height],
-            tolerance: this.settings.depth_tolerance}, images.moved);
-        return images.moved;
+    draw(name, constants, values, target) {
+        this.passes.draw(this.passes.program(name, this.effect[name], constants), values, target);
+        return target;
+    }
+
+    // The view with what the passes read: eye-linear depth and normals in view space.
+    taken(view, depth, normal) {
+        const {depth: stored, range, normals} = this.inputs;
+        if (!depth) throw new Error("depth: expected a texture");
+        if (normals !== "none" && !normal) throw new Error("normal: expected a texture");
+        let images = [depth, normal];
+        if (stored === "buffer" || (normals !== "none" && normals !== "view")) {
+            const m = view.view;
+            images = this.draw("take_inputs", {orthographic: view.orthographic, depth_buffer: stored === "buffer",
+                zero_to_one: range === "zero-to-one", has_normals: normals !== "none",
+                world_normals: normals.startsWith("world"), octahedral_normals: normals.includes("octahedral"),
+                unorm_normals: normals.includes("unorm")}, {stored_depth_image: depth, stored_normal_image: normal,
+                p22_p32: view.p22_p32, view_from_world: [...m.slice(0, 3), ...m.slice(4, 7), ...m.slice(8, 11)]},
+            this.target("taken", view.size, this.gl.R32F, this.gl.RGBA32F)).images;
+        }
+        const taken = {...view, depth: images[0], normal: images[1]};
+        if (normals !== "none") return taken;
+        return {...taken, normal: this.draw("normals_from_depth", {orthographic: view.orthographic},
+            {...view, depth_image: taken.depth}, this.target("normals", view.size, this.gl.RGBA32F)).image};
+    }
+
+    halved(full) {
+        const [depth, normal] = this.draw("halve_inputs", {orthographic: full.orthographic},
+            {depth_image: full.depth, normal_image: full.normal, view_size: full.size, view_p00_p11: full.p00_p11},
+            this.target("halved", halfView(full).size, this.gl.R32F, this.gl.RGBA32F)).images;
+        return {...halfView(full), depth, normal};
+    }
+
+    // The history of the frame before, at the pixels of this one. last: the name of its target.
+    historyBefore(now, last) {
+        const {previous} = this;
+        const history = this.target(last, now.size, this.gl.RGBA32F);
+        if (previous === null) {
+            this.passes.clear(history);
+            return history;
+        }
+        const same = (name) => now[name].every((x, i) => x === previous[name][i]);
+        if (same("view") && same("p00_p11")) return history;
+        return this.draw("reproject", {orthographic: now.orthographic}, {depth_image: now.depth,
+            previous_history: history.image, previous_from_current: change(previous, now), p00_p11: now.p00_p11,
+            previous_p00_p11: previous.p00_p11, size: now.size, tolerance: this.settings.depth_tolerance},
+        this.target("moved", now.size, this.gl.RGBA32F));
     }
 
     drawOcclusion(now, before) {
-        const {images, settings} = this;
-        this.passes.draw(this.occlusion, {...settings, depth_image: now.depth, normal_image: now.normal,
-            history_before: before.image, p00_p11: now.p00_p11, size: [images.width, images.height], border: [0, 0],
-            samples_asked: settings.samples, along_curve: settings.rotation === "hilbert"}, images.after);
+        const {settings} = this;
+        this.passes.draw(this.occlusionProgram(), {...settings, ...now, depth_image: now.depth,
+            normal_image: now.normal, history_before: before.image, border: [0, 0], samples_asked: settings.samples,
+            along_curve: settings.rotation === "hilbert"}, this.history);
     }
 
-    // The history of the last frame, four floats for each pixel, row 0 first: occlusion, samples accumulated, samples
-    // of the sequence used, depth.
+    // What is shown of the history: filtered in the frames that the settings say, at the size of the view.
+    shown(full, now) {
+        const {settings} = this;
+        const filters = settings.filter !== "none" && this.frames < settings.filter_frames;
+        const source = filters ? this.filtered(now) : this.history;
+        if (settings.resolution !== "half") return source;
+        return this.draw("upsample", {orthographic: full.orthographic}, {depth_image: full.depth,
+            half_depth_image: now.depth, source_image: source.image, view_size: full.size},
+        this.target("upsampled", full.size, this.gl.R32F));
+    }
+
+    filtered(now) {
+        const {settings, history} = this;
+        const values = {...now, history_image: history.image, c_adaptive: settings.c_adaptive,
+            weight_max: settings.weight_max, cap: settings.filter_cap,
+            sigma_pixels: settings.filter_sigma * (2 * settings.filter_half_width + 1)};
+        const constants = {orthographic: now.orthographic, HALF_WIDTH: settings.filter_half_width};
+        const along = (along_y, along_x_image, name) => this.draw("spatial_filter", {...constants, along_y},
+            {...values, along_x_image}, this.target(name, now.size, this.gl.R32F));
+        return along(true, along(false, null, "filtered along x").image, "filtered");
+    }
+
+    // The history of the last frame, four floats for each of its pixels, row 0 first: occlusion, samples accumulated,
+    // samples of the sequence used, depth.
     readHistory() {
-        return this.passes.read(this.images.after);
+        return this.passes.read(this.history);
+    }
+
+    // The occlusion that the last frame has given, one float a pixel, row 0 first.
+    readOcclusion() {
+        return this.passes.read(this.result).filter((_, i) => i % 4 === 0);
     }
 
     // Deletes what this object has made in the context.

@@ -17,9 +17,24 @@ void main() {
     gl_Position = vec4(vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0), 0.0, 1.0);
 }`;
 
-    // A linked program with its uniforms; compiled once for each name.
-    program(name, fragments, vertices = Passes.wholeImage) {
-        if (this.programs.has(name)) return this.programs.get(name);
+    // A shader's text with these values in the place of those of its constants.
+    static withConstants(name, text, constants) {
+        return Object.entries(constants).reduce((all, [constant, value]) => {
+            const declared = new RegExp(`(const (?:bool|int) ${constant} = )[^;]+;`);
+            if (!declared.test(all)) throw new Error(`${name} has no constant ${constant}`);
+            return all.replace(declared, (_, start) => `${start}${value};`);
+        }, text);
+    }
+
+    // A linked program with its uniforms; compiled once for each name and its constants.
+    program(name, fragments, constants = {}, vertices = Passes.wholeImage) {
+        const key = `${name} ${JSON.stringify(constants)}`;
+        if (!this.programs.has(key))
+            this.programs.set(key, this.linked(name, vertices, Passes.withConstants(name, fragments, constants)));
+        return this.programs.get(key);
+    }
+
+    linked(name, vertices, fragments) {
         const {gl} = this;
         const handle = gl.createProgram();
         const stages = [[gl.VERTEX_SHADER, vertices], [gl.FRAGMENT_SHADER, fragments]].map(([stage, text]) => {
@@ -38,9 +53,7 @@ void main() {
             return {whole, type, name: whole.slice(whole.lastIndexOf(".") + 1),
                 location: gl.getUniformLocation(handle, whole)};
         });
-        const program = {handle, uniforms};
-        this.programs.set(name, program);
-        return program;
+        return {handle, uniforms};
     }
 
     // A texture of this internal format.
@@ -112,6 +125,7 @@ void main() {
         if (type === gl.FLOAT) gl.uniform1f(location, value ?? Infinity);
         else if (type === gl.FLOAT_VEC2) gl.uniform2fv(location, value);
         else if (type === gl.FLOAT_VEC3) gl.uniform3fv(location, value);
+        else if (type === gl.FLOAT_MAT3) gl.uniformMatrix3fv(location, false, value);
         else if (type === gl.FLOAT_MAT4) gl.uniformMatrix4fv(location, false, value);
         else if (type === gl.INT_VEC2) gl.uniform2iv(location, value);
         else if (type === gl.UNSIGNED_INT) gl.uniform1ui(location, value);

@@ -26,7 +26,42 @@ function inverse(m) {
     return [...columns[0], 0, ...columns[1], 0, ...columns[2], 0, ...moved, 1];
 }
 
-// View space of a view to that of the one before. Both are matrices from world to view.
+// A frame's view. projection: from view to clip space, of OpenGL, or of Vulkan with y down. view: from world to view
+// space. Throws an Error for what cannot be a view.
+function viewOf(projection, view, [width, height]) {
+    for (const [name, matrix] of [["projection", projection], ["view", view]])
+        if (matrix?.length !== 16 || !Array.from(matrix).every(Number.isFinite))
+            throw new Error(`${name}: expected 16 finite numbers, column by column`);
+    const orthographic = projection[11] === 0;
+    // A jitter for antialiasing is left out: histories and samples are those of the middle of a pixel.
+    const offset = orthographic ? [projection[12], projection[13]] : [projection[8], projection[9]];
+    const pixels = Math.max(Math.abs(offset[0]) * width, Math.abs(offset[1]) * height) / 2;
+    if (pixels > 2) throw new Error(`projection: ${pixels.toFixed(1)} pixels off its centre, expected at most 2`);
+    return {orthographic, size: [width, height], p00_p11: [projection[0], projection[5]],
+        p22_p32: [projection[10], projection[14]], view: Array.from(view)};
+}
+
+// The view as an image of half its size shows it, whose pixels are every second one of the view's.
+function halfView(view) {
+    const size = view.size.map((n) => Math.floor((n + 1) / 2));
+    const scale = (p, axis) => p * view.size[axis] / (2 * size[axis]);
+    return {...view, size, p00_p11: view.p00_p11.map(scale), shift: view.p00_p11.map((p, axis) =>
+        view.size[axis] % 2 === 0 ? 1 / (view.size[axis] * p) : 0)};
+}
+
+// View space of a view to that of the one before. The view space of half the size is sheared: x' = x + shift d, or
+// x' = x + shift of an orthographic camera (gloam/filter/half_resolution.glsl).
 function change(before, now) {
-    return product(before, inverse(now));
+    const m = product(before.view, inverse(now.view));
+    if (!now.shift) return m;
+    for (let row = 0; row < 3; ++row)
+        for (const axis of [0, 1]) {
+            if (now.orthographic) m[12 + row] -= now.shift[axis] * m[4 * axis + row];
+            else m[8 + row] += now.shift[axis] * m[4 * axis + row];
+        }
+    for (const axis of [0, 1]) {
+        if (before.orthographic) m[12 + axis] += before.shift[axis];
+        else for (let column = 0; column < 4; ++column) m[4 * column + axis] -= before.shift[axis] * m[4 * column + 2];
+    }
+    return m;
 }

@@ -61,7 +61,7 @@ gloam.effectPage = (() => {
         at("moves").checked = false;
         state.effect.forget();
         applyMethod();
-        state.effect.settings.weight_max = 1e6;
+        Object.assign(state.effect.settings, {weight_max: 1e6, filter: "none"});
         state.keeping = framesKept;
     }
 

@@ -13,9 +13,9 @@ gloam.Effect = class {
         if (this.gl === null) throw new Error("this browser has no WebGL2");
         this.canvas = canvas;
         this.data = gloam.effectData;
-        this.occlusion = new gloam.AmbientOcclusion(this.gl, this.data);
+        this.occlusion = new gloam.AmbientOcclusion(this.gl, this.data, {depth: "linear", normals: "view"});
         this.passes = this.occlusion.passes;
-        this.gbuffer = this.passes.program("gbuffer", this.data.gbuffer, this.data.gbuffer_vertices);
+        this.gbuffer = this.passes.program("gbuffer", this.data.gbuffer, {}, this.data.gbuffer_vertices);
         this.shower = this.passes.program("show", this.data.show);
         this.timer = new gloam.GpuTimer(this.gl);
         this.images = null;
@@ -79,12 +79,12 @@ gloam.Effect = class {
         this.forget();
     }
 
-    // Keeps a copy of the last frame's history, to compare with what follows.
+    // Keeps a copy of the last frame's occlusion, to compare with what follows.
     keep() {
         const {gl} = this;
         const {width, height} = this.images;
-        this.kept ??= this.passes.target(width, height, gl.RGBA32F);
-        gl.bindFramebuffer(gl.READ_FRAMEBUFFER, this.occlusion.images.after.framebuffer);
+        this.kept ??= this.passes.target(width, height, gl.R32F);
+        gl.bindFramebuffer(gl.READ_FRAMEBUFFER, this.occlusion.result.framebuffer);
         gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, this.kept.framebuffer);
         gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
     }
@@ -99,12 +99,11 @@ gloam.Effect = class {
     // that show geometry; null where nothing is kept.
     error() {
         if (this.kept === null) return null;
-        const now = this.read();
-        const kept = this.passes.read(this.kept);
+        const [now, kept, depth] = [this.occlusion.result, this.kept, this.images].map((one) => this.passes.read(one));
         let sum = 0;
         let count = 0;
         for (let i = 0; i < now.length; i += 4) {
-            if (!Number.isFinite(now[i + 3])) continue;
+            if (!(depth[i] > 0)) continue;
             sum += (now[i] - kept[i]) ** 2;
             ++count;
         }
@@ -152,18 +151,24 @@ gloam.Effect = class {
         const {images} = this;
         const {width, height} = images;
         const {rotation} = this.camera;
-        const history = this.occlusion.images.after;
+        const {history, result} = this.occlusion;
         this.passes.begin();
         this.passes.draw(this.shower, {depth_image: images.depth, normal_image: images.normal,
-            albedo_image: images.albedo, history_image: history.image, kept_image: (this.kept ?? history).image,
-            has_kept: this.kept !== null, size: [width, height], shown: view, weight_max: this.settings.weight_max,
+            albedo_image: images.albedo, occlusion_image: result.image, history_image: history.image,
+            kept_image: (this.kept ?? result).image, has_kept: this.kept !== null, size: [width, height],
+            shown: view, weight_max: this.settings.weight_max,
             split: Math.round(split * width), up: [rotation[1], rotation[4], rotation[7]]},
         {framebuffer: null, width, height});
     }
 
-    // The history of the last frame, four floats for each pixel, the top row first: occlusion, samples accumulated,
-    // samples of the sequence used, depth.
+    // The history of the last frame, four floats for each of its pixels, the top row first: occlusion, samples
+    // accumulated, samples of the sequence used, depth.
     read() {
         return this.occlusion.readHistory();
+    }
+
+    // The occlusion that is shown of the last frame, one float for each pixel, the top row first.
+    readOcclusion() {
+        return this.occlusion.readOcclusion();
     }
 };

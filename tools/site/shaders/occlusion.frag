@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// passes/ambient_occlusion.comp as a fragment shader, for surfaces that stand still, one depth layer, without tiles and
-// filter: the samples of one frame, blended into the history. METHOD is the call of a method, whose file is included
-// before this one.
+// passes/ambient_occlusion.comp as a fragment shader, for surfaces that stand still, one depth layer, without tiles:
+// the samples of one frame, blended into the history. METHOD is the call of a method, whose file is included before
+// this one.
 #include "gloam/geometry/camera.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/sampling/whole_samples.glsl"
@@ -38,6 +38,7 @@ uniform bool rounds_up;
 uniform uint table_size;
 uniform bool reject_taps;
 uniform bool along_curve;
+const bool orthographic = false;  // the camera; else perspective
 const bool fewer_samples = true;
 const bool caps_radius = true;
 const int layers = 1;
@@ -50,7 +51,7 @@ uniform sampler2D history_before;  // (occlusion, samples accumulated, samples o
 layout(location = 0) out vec4 history_after;
 
 GloamCamera this_camera() {
-    return GloamCamera(parameters.p00_p11, parameters.size, false);
+    return GloamCamera(parameters.p00_p11, parameters.size, orthographic);
 }
 
 #include "passes/pixel_samples.glsl"

@@ -4,6 +4,8 @@
 #include "gloam/geometry/camera.glsl"
 #include "gloam/temporal/reprojected_history.glsl"
 
+const bool orthographic = false;  // the camera of both frames; else perspective
+
 struct Parameters {
     mat4 previous_from_current;  // view space of this frame to that of the previous one
     vec2 p00_p11;                // elements [0][0] and [1][1] of this frame's projection
@@ -24,10 +26,10 @@ vec4 gloam_fetch_history(ivec2 pixel) {
 GloamHistory reprojected(ivec2 pixel) {
     float depth = texelFetch(depth_image, pixel, 0).x;
     if (gloam_is_background(depth)) return gloam_history_empty(depth);
-    GloamCamera camera = GloamCamera(parameters.p00_p11, parameters.size, false);
+    GloamCamera camera = GloamCamera(parameters.p00_p11, parameters.size, orthographic);
     vec3 position = gloam_camera_position(pixel, depth, camera);
     vec3 previous = (parameters.previous_from_current * vec4(position, 1.0)).xyz;
-    GloamCamera before = GloamCamera(parameters.previous_p00_p11, parameters.size, false);
+    GloamCamera before = GloamCamera(parameters.previous_p00_p11, parameters.size, orthographic);
     vec2 uv = gloam_camera_uv(previous, before);
     if (gloam_is_background(-previous.z) || !gloam_inside_unit(uv)) return gloam_history_empty(depth);
     return gloam_reprojected_history(uv, parameters.size, -previous.z, parameters.tolerance);

@@ -3,8 +3,9 @@
 uniform sampler2D depth_image;    // eye-linear depth; background 0
 uniform sampler2D normal_image;   // view-space normal that faces the eye
 uniform sampler2D albedo_image;   // colour of the surface, linear
-uniform sampler2D history_image;  // (occlusion, samples accumulated, samples of the sequence used, depth)
-uniform sampler2D kept_image;     // an earlier history, read where has_kept is set
+uniform sampler2D occlusion_image;  // of this frame, in x
+uniform sampler2D history_image;  // samples accumulated in y; may be smaller
+uniform sampler2D kept_image;     // an earlier occlusion, read where has_kept is set
 uniform bool has_kept;
 uniform ivec2 size;               // of the images, pixels
 uniform int shown;                // 0 lit, 1 visibility, 2 convergence, 3 samples accumulated, 4 normals, 5 difference
@@ -31,16 +32,16 @@ vec3 heat(float share) {
 }
 
 vec3 picture(ivec2 pixel, bool left) {
-    vec4 kept = has_kept ? texelFetch(kept_image, pixel, 0) : vec4(0.0);
-    vec4 now = texelFetch(history_image, pixel, 0);
-    vec4 history = left && has_kept ? kept : now;
+    float kept = has_kept ? texelFetch(kept_image, pixel, 0).x : 0.0;
+    float now = texelFetch(occlusion_image, pixel, 0).x;
+    float samples = texelFetch(history_image, pixel * textureSize(history_image, 0) / size, 0).y;
     vec3 normal = texelFetch(normal_image, pixel, 0).xyz;
-    float visibility = left ? 1.0 - kept.x : 1.0 - now.x;
+    float visibility = left ? 1.0 - kept : 1.0 - now;
     if (shown == 1) return vec3(visibility);
-    if (shown == 2) return heat(min(history.y / weight_max, 1.0));
-    if (shown == 3) return heat(min(log2(1.0 + history.y) / 10.0, 1.0));
+    if (shown == 2) return heat(min(samples / weight_max, 1.0));
+    if (shown == 3) return heat(min(log2(1.0 + samples) / 10.0, 1.0));
     if (shown == 4) return 0.5 + 0.5 * normal;
-    if (shown == 5) return heat(has_kept ? min(8.0 * abs(now.x - kept.x), 1.0) : 0.0);
+    if (shown == 5) return heat(has_kept ? min(8.0 * abs(now - kept), 1.0) : 0.0);
     return lit(texelFetch(albedo_image, pixel, 0).rgb, normal, visibility);
 }
 
