@@ -42,7 +42,7 @@ install(DIRECTORY ${header_stage}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY glsl/ DESTINATION ${CMAKE_INSTALL_DATADIR}/gloam/glsl)
 install(DIRECTORY experiments/ DESTINATION ${CMAKE_INSTALL_DATADIR}/gloam/experiments)
 install(DIRECTORY tools/stress/shaders/ DESTINATION ${CMAKE_INSTALL_DATADIR}/gloam/stress)
-install(DIRECTORY tools/site/page tools/site/shaders tools/site/third-party
+install(DIRECTORY tools/site/effect tools/site/npm tools/site/page tools/site/shaders tools/site/third-party
   DESTINATION ${CMAKE_INSTALL_DATADIR}/gloam/site)
 install(FILES tools/site/template.html DESTINATION ${CMAKE_INSTALL_DATADIR}/gloam/site)
 install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -80,12 +80,11 @@ ordered_json method_json(const effect::MethodInfo& method, const ShaderFolders& 
             {"settings", std::move(settings)}};
 }
 
-}  // namespace
-
-std::string effect_json(const ShaderFolders& folders) {
-    ordered_json json{{"gbuffer_vertices", packed_file("gbuffer.vert", Stage::vertex, folders)}};
-    for (const std::string name : {"gbuffer", "show", "take_inputs", "normals_from_depth", "halve_inputs",
-                                   "reproject", "spatial_filter", "upsample"})
+// What every user of the class needs, but for the methods.
+ordered_json core_json(const ShaderFolders& folders) {
+    ordered_json json = ordered_json::object();
+    for (const std::string name :
+         {"take_inputs", "normals_from_depth", "halve_inputs", "reproject", "spatial_filter", "upsample"})
         json[name] = packed_file(name + ".frag", Stage::fragment, folders);
     json["preset"] = effect::default_preset;
     for (const effect::Preset& preset : effect::presets())
@@ -95,9 +94,37 @@ std::string effect_json(const ShaderFolders& folders) {
                                        {"method", preset.settings.method}});
     for (const effect::Setting& setting : effect::setting_table())
         if (setting.unit == "world units") json["lengths"].push_back(setting.name);
+    return json;
+}
+
+std::string text_of(const ordered_json& json) {
+    return json.dump(-1, ' ', true);
+}
+
+}  // namespace
+
+std::string effect_json(const ShaderFolders& folders) {
+    ordered_json json = core_json(folders);
+    json["gbuffer_vertices"] = packed_file("gbuffer.vert", Stage::vertex, folders);
+    for (const std::string name : {"gbuffer", "show"})
+        json[name] = packed_file(name + ".frag", Stage::fragment, folders);
     for (const effect::MethodInfo& method : effect::methods())
         if (runs_in_one_pass(method)) json["methods"].push_back(method_json(method, folders));
-    return json.dump(-1, ' ', true);
+    return text_of(json);
+}
+
+EffectParts effect_parts(const ShaderFolders& folders) {
+    ordered_json core = core_json(folders);
+    EffectParts parts;
+    for (const effect::MethodInfo& method : effect::methods()) {
+        if (!runs_in_one_pass(method)) continue;
+        ordered_json json = method_json(method, folders);
+        const auto uses = [&method](const ordered_json& preset) { return preset["method"] == method.name; };
+        parts.methods[method.name] = text_of(json);
+        if (std::ranges::any_of(core["presets"], uses)) core["methods"].push_back(std::move(json));
+    }
+    parts.core = text_of(core);
+    return parts;
 }
 
 std::string effect_classes(const std::filesystem::path& folder) {

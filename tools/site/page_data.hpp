@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,6 +53,13 @@ struct ShaderFolders {
 // The passes of the page in GLSL ES 3.00, packed, the methods that run there, and the settings of the presets
 // for each of them, for a radius of 1: as JSON (effect/ambient-occlusion.js). Throws like shader::pack().
 [[nodiscard]] std::string effect_json(const ShaderFolders& folders);
+
+// The same in parts, each as JSON: what every user needs, with the methods of the presets; and each method.
+struct EffectParts {
+    std::string core;
+    std::map<std::string, std::string> methods;  // by name
+};
+[[nodiscard]] EffectParts effect_parts(const ShaderFolders& folders);
 
 // The classes of the effect in WebGL2 (effect/*.js): JavaScript that defines AmbientOcclusion and what it
 // uses. Throws std::runtime_error for a file that cannot be read.

@@ -20,6 +20,7 @@
 #include "report/output.hpp"
 #include "shader/include.hpp"
 #include "shader/pack.hpp"
+#include "site/npm_package.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -84,6 +85,7 @@ struct PackOptions {
     fs::path out;
     bool lines = false;
     bool effect = false;
+    fs::path npm;  // folder of the package; empty: none
     EffectPackOptions of_effect;
 };
 
@@ -148,7 +150,21 @@ void pack_files(const PackOptions& options) {
     }
 }
 
+void pack_npm(const PackOptions& options) {
+    if (!options.files.empty())
+        throw std::invalid_argument("--npm writes the whole effect: it takes no files");
+    report::OutputFolder folder(options.npm);
+    for (const auto& [name, text] :
+         site::npm_package({.library = glsl_directory(),
+                            .files = site_directory(),
+                            .licence = documents_directory().parent_path() / "LICENSE",
+                            .version = GLOAM_VERSION}))
+        folder.write(name, text);
+    folder.keep();
+}
+
 void run_pack(PackOptions& options) {
+    if (!options.npm.empty()) return pack_npm(options);
     if (options.effect) {
         options.of_effect.out = options.out;
         options.of_effect.target = target_of(options);
@@ -223,6 +239,10 @@ void add_pack(CLI::App& app) {
     command->add_flag(
         "--lines", options->lines,
         "a table of the lines of code of each file as packed, comments not counted (default: all methods)");
+    command->add_option(
+        "--npm", options->npm,
+        "folder for a package of npm: the effect in WebGL2 as a module with types, and a pass for "
+        "three.js");
     add_effect_options(*command, *options);
     command->callback([options] { run_pack(*options); });
 }

@@ -40,8 +40,7 @@ class AmbientOcclusion {
     // lengths scale with it. Begins a new history. Throws an Error for another preset or radius, and for a method that
     // does not compile.
     setMethod(method, preset, radius) {
-        if (!(preset in method.settings)) throw new Error(`preset "${preset}": expected ${
-            Object.keys(method.settings).join(", ")}`);
+        this.presetNamed(preset);
         if (!(radius > 0 && radius <= 1e18)) throw new Error(`radius ${radius}: expected a number above 0`);
         const settings = {...method.settings[preset]};
         for (const name of this.effect.lengths) settings[name] *= radius;
@@ -49,6 +48,19 @@ class AmbientOcclusion {
         this.occlusionProgram();
         this.settings = settings;
         this.deleteImages();
+    }
+
+    // The same by the preset's own method, where none is given.
+    setPreset(preset, radius, method = null) {
+        const own = this.presetNamed(preset).method;
+        this.setMethod(method ?? this.effect.methods.find((one) => one.name === own), preset, radius);
+    }
+
+    presetNamed(name) {
+        const {presets} = this.effect;
+        const found = presets.find((one) => one.name === name);
+        if (!found) throw new Error(`preset "${name}": expected ${presets.map((one) => one.name).join(", ")}`);
+        return found;
     }
 
     // Compiled once for each kind of camera.

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+import type {Camera, Scene, WebGLRenderer, WebGLRenderTarget} from "three";
+import {Pass} from "three/addons/postprocessing/Pass.js";
+import type {Method} from "./index.js";
+
+export interface PassOptions {
+    /** "fast", "balanced" (the default), "quality" or "reference". */
+    preset?: string;
+    /** Another method than the preset's, of `gloam/methods/NAME`. */
+    method?: Method | null;
+    /** How far what blocks light may be, world units; default 1. */
+    radius?: number;
+    /** Share of the occlusion that is shown, 0 to 1; default 1. */
+    intensity?: number;
+    /** "shaded" (the default): the picture, darkened. "visibility": 1 where open, 0 where blocked. */
+    output?: "shaded" | "visibility";
+    /**
+     * "scene" (the default): the pass draws the scene's depth and normals itself. "composer": it reads the
+     * depthTexture of the composer's target, which the pass right before it has drawn, and makes normals from it.
+     */
+    source?: "scene" | "composer";
+}
+
+/** Ambient occlusion behind the RenderPass of an EffectComposer. All options may be set later, too. */
+export class AmbientOcclusionPass extends Pass {
+    constructor(scene: Scene, camera: Camera, options?: PassOptions);
+    scene: Scene;
+    /** Another camera begins a new history. */
+    camera: Camera;
+    preset: string;
+    method: Method | null;
+    radius: number;
+    intensity: number;
+    output: "shaded" | "visibility";
+    source: "scene" | "composer";
+    /** Forgets the history: call it where the camera jumps. */
+    restart(): void;
+    setSize(width: number, height: number): void;
+    /** Throws an Error for a logarithmic depth buffer, and for a camera whose projection is off its centre. */
+    render(renderer: WebGLRenderer, writeBuffer: WebGLRenderTarget, readBuffer: WebGLRenderTarget): void;
+    dispose(): void;
+}
