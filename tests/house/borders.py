@@ -276,12 +276,16 @@ def machine_path(source):
             yield number, f"a path of one machine: {line[match.start():match.start() + 40]}"
 
 
+# What users include or import from the installed packages.
+PACKAGED = ("gloam/shader_test.hpp", "gloam/three")
+
+
 def paper_path(source):
     """A path that a page names is there; gloam/... is meant as in #include. ROOM in a path stands for many."""
     for number, line in enumerate(source.lines if source.path.suffix == ".md" else [], 1):
         for path in NAMED_PATH.findall(line):
             roots = ("", "glsl", "harness") if path.startswith("gloam/") else ("", source.path.parent.as_posix())
-            known = any((source.root / root / path).exists() for root in roots) or path == "gloam/shader_test.hpp"
+            known = any((source.root / root / path).exists() for root in roots) or path in PACKAGED
             if not known and not re.search(r"(^|/)(?!README\.md)[A-Z_]+(\.\w+)?(/|$)", path):
                 yield number, f"there is no {path}"
 

@@ -139,6 +139,8 @@ class Browser:
                 found.append(json.dumps(parameters["exceptionDetails"])[:500])
             if event.get("method") == "Log.entryAdded" and parameters["entry"]["level"] == "error":
                 found.append(parameters["entry"]["text"])
+            if event.get("method") == "Runtime.consoleAPICalled" and parameters["type"] in ("error", "assert"):
+                found.append(json.dumps(parameters["args"])[:500])
         return found
 
     def requests(self):

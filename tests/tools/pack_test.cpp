@@ -110,6 +110,10 @@ TEST_F(Pack, BadInputIsNamed) {
     expect_could_not_run(gloam("pack --method disc"), "--effect");
     expect_could_not_run(gloam("pack {} --version 300es", GLOAM_GLSL_DIR "/passes/reproject.comp"),
                          "reproject.comp");
+    expect_could_not_run(gloam("pack {} --npm {}", halton, path("npm").string()), "file excludes --npm");
+    expect_could_not_run(gloam("pack --effect --npm {}", path("npm").string()), "--effect excludes --npm");
+    expect_could_not_run(gloam("pack --npm /proc/npm"), "/proc/npm");
+    EXPECT_FALSE(std::filesystem::exists(path("npm")));
     expect_could_not_run(gloam("pack gloam/no/such.glsl"), "gloam/no/such.glsl");
     expect_could_not_run(gloam("pack {} --version 110", halton), "110");
     expect_could_not_run(gloam("pack {} --out /no/such/folder/file", halton), "/no/such/folder/file");

@@ -151,8 +151,6 @@ void pack_files(const PackOptions& options) {
 }
 
 void pack_npm(const PackOptions& options) {
-    if (!options.files.empty())
-        throw std::invalid_argument("--npm writes the whole effect: it takes no files");
     report::OutputFolder folder(options.npm);
     for (const auto& [name, text] :
          site::npm_package({.library = glsl_directory(),
@@ -215,6 +213,16 @@ void add_effect_options(CLI::App& command, PackOptions& options) {
                           "run over lists of tiles and skip unchanged tiles; else run over the whole image"));
 }
 
+// The package has its presets and methods all together, so no other option belongs to it.
+void add_npm(CLI::App& command, PackOptions& options) {
+    const std::vector<CLI::Option*> others =
+        command.get_options([](const CLI::Option* option) { return option->get_name() != "--help"; });
+    CLI::Option* npm = command.add_option(
+        "--npm", options.npm,
+        "folder for a package of npm: the effect in WebGL2 as a module with types, and a pass for three.js");
+    for (CLI::Option* other : others) npm->excludes(other);
+}
+
 }  // namespace
 
 void add_pack(CLI::App& app) {
@@ -239,11 +247,8 @@ void add_pack(CLI::App& app) {
     command->add_flag(
         "--lines", options->lines,
         "a table of the lines of code of each file as packed, comments not counted (default: all methods)");
-    command->add_option(
-        "--npm", options->npm,
-        "folder for a package of npm: the effect in WebGL2 as a module with types, and a pass for "
-        "three.js");
     add_effect_options(*command, *options);
+    add_npm(*command, *options);
     command->callback([options] { run_pack(*options); });
 }
 

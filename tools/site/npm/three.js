@@ -98,10 +98,12 @@ export class AmbientOcclusionPass extends Pass {
         this.texture.sourceTexture = this.occlusion.render({depth: raw(inputs.depth),
             normal: inputs.normal === null ? null : raw(inputs.normal),
             projection: camera.projectionMatrix.elements, view: camera.matrixWorldInverse.elements});
-        // resetState() forgets that the depth buffer is reversed.
-        const reversed = renderer.state.buffers.depth.getReversed();
+        // resetState() forgets that the depth buffer is reversed, and to what it is cleared.
+        const {depth} = renderer.state.buffers;
+        const reversed = depth.getReversed();
         renderer.resetState();
-        renderer.state.buffers.depth.setReversed(reversed);
+        depth.setReversed(reversed);
+        depth.setClear(1);
         const {uniforms} = this.mix.material;
         uniforms.color.value = readBuffer.texture;
         uniforms.intensity.value = this.intensity;

@@ -1,0 +1,229 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""npm_test.py GLOAM EXAMPLE: `gloam pack --npm`, installed into a copy of the example with three.js, bundled, and
+opened in headless Chromium.
+
+Left with status 77 where there is no Chromium, no npm, or nothing that npm can install from."""
+import json
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from browser import Browser, program
+
+GLOAM, EXAMPLE = sys.argv[1], Path(sys.argv[2])
+HERE = Path(__file__).resolve().parent
+UNREACHABLE = ("EAI_AGAIN", "ECONNREFUSED", "ECONNRESET", "ENETUNREACH", "ENOTFOUND", "ETIMEDOUT", "EHOSTUNREACH")
+FOR_TYPES = ["typescript@5.9.3", "@types/three@0.180.0"]
+
+
+def skip(reason):
+    print(reason)
+    sys.exit(77)
+
+
+def install(folder):
+    """Installs the example's dependencies; leaves where the registry is out of reach."""
+    command = ["npm", "install", "--no-audit", "--no-fund", "--no-package-lock", "--fetch-retries=0",
+               "--fetch-timeout=20000", *FOR_TYPES]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    if done.returncode != 0 and any(word in done.stderr for word in UNREACHABLE):
+        skip("npm reaches no registry")
+    if done.returncode != 0:
+        raise RuntimeError(done.stderr)
+
+
+class NpmTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.browser = Browser()
+        cls.browser.look(800, 600)
+        cls.browser.open(FOLDER / "test.html")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.__exit__()
+
+    def tearDown(self):
+        self.assertEqual([], self.browser.problems())
+
+    def ask(self, script):
+        """What a function of the page's names returns."""
+        return self.browser.evaluate("(() => { const {AmbientOcclusion, apart, closed, effect, frames, hbao, jitter, "
+                                     "made, measured, occlusion, orthographic, refusal, shown, withComposerDepth} = "
+                                     f"window.page; {script} }})()")
+
+    def check_scene(self, got, frames=24):
+        self.assertEqual((0, frames), (got["error"], got["frames"]))
+        self.assertEqual(0, got["sky"])
+        self.assertLess(got["floor"], 0.02)
+        self.assertGreater(got["edge"], 0.3)
+        self.assertLess(got["edge"], 0.75)
+        self.assertLess(got["depth"], 0.02)  # the middle of a pixel is not the point that it shows
+
+    def test_the_package(self):
+        package = json.loads((FOLDER / "gloam" / "package.json").read_text(encoding="utf-8"))
+        self.assertEqual(("gloam", "module", "MIT"), (package["name"], package["type"], package["license"]))
+        self.assertNotIn("dependencies", package)
+        sizes = {file.name: file.stat().st_size for file in (FOLDER / "gloam").iterdir()}
+        self.assertLess(sizes["index.js"], 100_000)
+        self.assertLess(sum(sizes.values()), 1_500_000)
+        for entry in package["exports"].values():
+            for name in entry.values():
+                self.assertTrue(list((FOLDER / "gloam").glob(name)), name)
+
+    def test_the_types(self):
+        done = subprocess.run(["npx", "tsc", "--noEmit", "--strict", "--module", "nodenext", "--target", "es2022",
+                               "--types", "@webgpu/types", "types.ts"], cwd=FOLDER, capture_output=True, text=True,
+                              check=False)
+        self.assertEqual((0, ""), (done.returncode, done.stdout))
+
+    def test_corners_are_dark_and_the_open_floor_is_not(self):
+        for options in ("{}", "{reversedDepthBuffer: true}"):
+            with self.subTest(options=options):
+                self.check_scene(self.ask(f"const view = frames(made({options}), 24); const got = measured(view);"
+                                          "closed(view); return got;"))
+
+    def test_an_orthographic_camera(self):
+        got = self.ask("const view = frames(orthographic(made()), 24); const got = measured(view); closed(view);"
+                       "return got;")
+        self.check_scene(got)
+
+    def test_a_camera_that_moves_gives_what_one_gives_that_stands_still(self):
+        got = self.ask("""
+            const view = made();
+            const still = occlusion(frames(view, 60));
+            view.occlusion.restart();
+            const moved = occlusion(frames(view, 60, (i) => { view.look(0.001 * (59 - i)); }));
+            const elsewhere = occlusion(frames(view, 1, () => { view.look(0.06); }));
+            closed(view);
+            return {moved: apart(still, moved), other: apart(still, elsewhere)};""")
+        self.assertLess(got["moved"]["mean"], 0.006)
+        self.assertLess(got["moved"]["most"], 0.012)
+        self.assertGreater(got["other"]["mean"], 2 * got["moved"]["mean"])
+
+    def test_a_jitter_for_antialiasing_changes_nothing(self):
+        got = self.ask("""
+            const view = made();
+            const still = occlusion(frames(view, 60));
+            view.occlusion.restart();
+            const got = apart(still, occlusion(frames(view, 60, (i) => { jitter(view, i); })));
+            closed(view);
+            return got;""")
+        self.assertLess(got["mean"], 0.01)
+        self.assertLess(got["most"], 0.02)
+
+    def test_depth_of_the_pass_before_gives_the_same(self):
+        got = self.ask("""
+            const view = made();
+            const drawn = occlusion(frames(view, 24));
+            const read = occlusion(frames(withComposerDepth(view), 24));
+            const scene = measured(view);
+            closed(view);
+            return {apart: apart(drawn, read), scene};""")
+        self.check_scene(got["scene"])
+        self.assertLess(got["apart"]["mean"], 0.005)
+        self.assertLess(got["apart"]["most"], 0.001)
+
+    def test_cuts_and_other_sizes_begin_a_new_history(self):
+        got = self.ask("""
+            const view = made();
+            const counts = [];
+            const samples = [];
+            const then = (change) => {
+                change();
+                view.draw();
+                counts.push(view.occlusion.occlusion.frames);
+                samples.push(view.occlusion.occlusion.readHistory()[1]);
+            };
+            const {occlusion: pass} = view;
+            then(() => {});
+            then(() => {});
+            then(() => { pass.restart(); });
+            then(() => { pass.radius = 0.5; });
+            then(() => {});
+            then(() => { pass.preset = "quality"; });
+            then(() => { pass.method = hbao; });
+            then(() => { pass.camera = view.camera.clone(); view.composer.passes[0].camera = pass.camera; });
+            view.setSize(97, 55, 1);
+            view.draw();
+            const pixels = occlusion(view).length;
+            closed(view);
+            return {counts, samples, pixels};""")
+        self.assertEqual([1, 2, 1, 1, 2, 1, 1, 1], got["counts"])
+        self.assertEqual(got["samples"][0], got["samples"][2])
+        self.assertGreater(got["samples"][1], 1.3 * got["samples"][0])
+        self.assertEqual(97 * 55, got["pixels"])
+
+    def test_what_cannot_be_is_refused(self):
+        messages = self.ask("""
+            const gl = document.createElement("canvas").getContext("webgl2");
+            const plain = new AmbientOcclusion(gl, effect);
+            const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+            const view = made();
+            const got = [
+                () => new AmbientOcclusion(document.createElement("canvas").getContext("2d"), effect),
+                () => new AmbientOcclusion(gl, effect, {depth: "log"}),
+                () => new AmbientOcclusion(gl, effect, {range: "0-1"}),
+                () => new AmbientOcclusion(gl, effect, {normals: "tangent"}),
+                () => plain.render({}),
+                () => plain.setPreset("none", 1),
+                () => plain.setPreset("balanced", -1),
+                () => plain.setSize(0, 5),
+                () => { plain.setPreset("balanced", 1); plain.setSize(8, 8);
+                    plain.render({projection: identity, view: [NaN]}); },
+                () => plain.render({projection: identity, view: identity}),
+                () => { view.occlusion.source = "composer"; view.draw(); },
+                () => { view.occlusion.source = "scene"; view.camera.setViewOffset(320, 180, 80, 0, 160, 90);
+                    view.draw(); },
+                () => made({logarithmicDepthBuffer: true}).draw(),
+                () => new view.occlusion.constructor(view.scene, view.camera, {output: "light"}),
+            ].map(refusal);
+            closed(view);
+            return got;""")
+        expected = ["not one of WebGL2", 'depth "log": expected "linear" or "buffer"', 'range "0-1": expected',
+                    'normals "tangent": expected', "no size or no method", 'preset "none": expected fast, balanced',
+                    "radius -1: expected", "size 0x5: expected whole numbers", "view: expected 16 finite numbers",
+                    "depth: expected a texture", "whose target has a depthTexture",
+                    "off its centre, expected at most 2", "logarithmicDepthBuffer: expected",
+                    'output "light": expected "shaded" or "visibility"']
+        for want, message in zip(expected, messages, strict=True):
+            self.assertIn(want, message or "")
+
+    def test_only_what_is_asked_for_changes_the_picture(self):
+        got = self.ask("""
+            const view = made();
+            view.occlusion.enabled = false;
+            const without = shown(view);
+            Object.assign(view.occlusion, {enabled: true, output: "shaded", intensity: 0});
+            const idle = shown(frames(view, 2));
+            view.occlusion.intensity = 1;
+            const shaded = shown(frames(view, 2));
+            closed(view);
+            const brighter = shaded.filter((x, i) => x > without[i] + 1).length;
+            return {idle: apart(without, idle).mean, shaded: apart(without, shaded).mean, brighter,
+                visible: view.scene.children.every((one) => one.material?.isMeshNormalMaterial !== true)};""")
+        self.assertLess(got["idle"], 0.05)
+        self.assertGreater(got["shaded"], 2)
+        self.assertEqual((0, True), (got["brighter"], got["visible"]))
+
+
+if __name__ == "__main__":
+    if program() is None:
+        skip("no Chromium")
+    if shutil.which("npm") is None:
+        skip("no npm")
+    with tempfile.TemporaryDirectory() as owner:
+        FOLDER = Path(owner, "example")
+        shutil.copytree(EXAMPLE, FOLDER, ignore=shutil.ignore_patterns("node_modules", "gloam", "bundle.js"))
+        for name in ("page.js", "types.ts"):
+            shutil.copy(HERE / "npm" / name, FOLDER)
+        subprocess.run([GLOAM, "pack", "--npm", FOLDER / "gloam"], check=True)
+        install(FOLDER)
+        subprocess.run(["npx", "esbuild", "page.js", "--bundle", "--outfile=page-bundle.js", "--log-level=warning"],
+                       cwd=FOLDER, check=True)
+        (FOLDER / "test.html").write_text('<!DOCTYPE html><script src="page-bundle.js"></script>', encoding="utf-8")
+        unittest.main(argv=sys.argv[:1] + sys.argv[3:])
