@@ -188,7 +188,7 @@ class NpmTest(unittest.TestCase):
                     'normals "tangent": expected', "no size or no method", 'preset "none": expected fast, balanced',
                     "radius -1: expected", "size 0x5: expected whole numbers", "view: expected 16 finite numbers",
                     "depth: expected a texture", "whose target has a depthTexture",
-                    "off its centre, expected at most 2", "logarithmicDepthBuffer: expected",
+                    "off its centre, expected at most 1", "logarithmicDepthBuffer: expected",
                     'output "light": expected "shaded" or "visibility"']
         for want, message in zip(expected, messages, strict=True):
             self.assertIn(want, message or "")

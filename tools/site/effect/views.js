@@ -36,7 +36,7 @@ function viewOf(projection, view, [width, height]) {
     // A jitter for antialiasing is left out: histories and samples are those of the middle of a pixel.
     const offset = orthographic ? [projection[12], projection[13]] : [projection[8], projection[9]];
     const pixels = Math.max(Math.abs(offset[0]) * width, Math.abs(offset[1]) * height) / 2;
-    if (pixels > 2) throw new Error(`projection: ${pixels.toFixed(1)} pixels off its centre, expected at most 2`);
+    if (pixels > 1) throw new Error(`projection: ${pixels.toFixed(1)} pixels off its centre, expected at most 1`);
     return {orthographic, size: [width, height], p00_p11: [projection[0], projection[5]],
         p22_p32: [projection[10], projection[14]], view: Array.from(view)};
 }

@@ -51,7 +51,7 @@ export interface Inputs {
 export interface Frame {
     depth: WebGLTexture;
     normal?: WebGLTexture | null;
-    /** From view to clip space, 16 numbers, column by column. A jitter of up to 2 pixels is left out. */
+    /** From view to clip space, 16 numbers, column by column. A jitter of up to a pixel is left out. */
     projection: ArrayLike<number>;
     /** From world to view space, likewise. */
     view: ArrayLike<number>;

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// Projections that move by a part of a pixel from frame to frame, as temporal antialiasing wants them: TAA,
+// DLSS, FSR.
+#include <algorithm>
+#include <cstdio>
+#include <vector>
+
+#include "effect/errors.hpp"
+#include "effect/methods.hpp"
+#include "on_device.hpp"
+#include "surface_views.hpp"
+
+namespace gloam::effect::jitter_test {
+
+constexpr gpu::Extent extent{240, 150};
+constexpr int frame_count = 48;
+
+double radical_inverse(int index, int base) {
+    double sum = 0.0;
+    for (double place = 1.0 / base; index > 0; index /= base, place /= base) sum += index % base * place;
+    return sum;
+}
+
+// From the middle of a pixel to a point of it, in pixels: Halton's.
+glm::dvec2 point_of(int frame) {
+    return {radical_inverse(frame + 1, 2) - 0.5, radical_inverse(frame + 1, 3) - 0.5};
+}
+
+// Depth of a box on a floor before a wall. ray: of a pixel, at depth 1. eye: how far it has moved to the
+// right.
+double depth_under(glm::dvec2 ray, double eye) {
+    const double wall = 5.0;
+    const double floor = ray.y < 0.0 ? -1.0 / ray.y : wall;
+    double near = 3.2;
+    double far = 4.0;
+    const auto clip = [&near, &far](double slope, double low, double high) {
+        const double a = low / slope;
+        const double b = high / slope;
+        near = std::max(near, std::min(a, b));
+        far = std::min(far, std::max(a, b));
+    };
+    clip(ray.x, -0.5 - eye, 0.5 - eye);
+    clip(ray.y, -1.0, -0.2);
+    return std::min({wall, floor, near <= far ? near : wall});
+}
+
+// What an engine does with its jitter.
+enum class Case { none, left_out, reprojected };
+
+// The jitter of a frame, in view space at depth 1.
+glm::dvec2 jitter_of(int frame) {
+    const glm::dvec2 scale(wall(extent, 1.0F).camera.p00_p11());
+    return 2.0 * point_of(std::max(frame, 0)) / glm::dvec2(extent.width, extent.height) / scale;
+}
+
+// To the view space in which the jittered image has its camera in the middle.
+glm::dmat4 sheared(glm::dvec2 jitter) {
+    glm::dmat4 shear(1.0);
+    shear[2] = glm::dvec4(jitter, 1.0, 0.0);
+    return shear;
+}
+
+// A frame of a camera that moves so far to the right each frame; its normals come from depth.
+scene::GBuffer view_of_frame(int frame, double speed, Case jitters) {
+    const glm::dvec2 jitter = jitters == Case::none ? glm::dvec2(0.0) : jitter_of(frame);
+    scene::GBuffer view =
+        view_of(extent, false, [&](glm::dvec2 ray) { return depth_under(ray + jitter, speed * frame); });
+    view.normal.clear();
+    const glm::dvec2 element = jitter * glm::dvec2(view.camera.p00_p11());
+    view.camera.proj_vk[2][0] = static_cast<float>(element.x);
+    view.camera.proj_vk[2][1] = static_cast<float>(element.y);
+    glm::dmat4 moved(1.0);
+    moved[3][0] = speed;
+    if (jitters == Case::reprojected) moved = sheared(jitter_of(frame - 1)) * moved * sheared(-jitter);
+    view.camera.previous_from_current = glm::mat4(moved);
+    return view;
+}
+
+class Jitter : public OnDevice<testing::Test> {
+  protected:
+    // The last of the frames, with history.
+    [[nodiscard]] Frame last(double speed, Case jitters, const char* preset) const {
+        std::vector<scene::GBuffer> views;
+        for (int i = 0; i < frame_count; ++i) views.push_back(view_of_frame(i, speed, jitters));
+        return run(views, with_radius(preset_named(preset).settings, 0.5F)).back();
+    }
+};
+
+TEST_F(Jitter, LeftOutOfReprojectionChangesLittle) {
+    for (const char* preset : {"balanced", "fast"}) {
+        for (const double speed : {0.0, 0.004}) {
+            SCOPED_TRACE(testing::Message() << preset << ' ' << speed);
+            const Frame plain = last(speed, Case::none, preset);
+            const Frame jittered = last(speed, Case::left_out, preset);
+            const double rmse = errors_of(jittered.filtered, plain.filtered).rmse;
+            const double kept = mean_of(jittered.convergence) / mean_of(plain.convergence);
+            std::printf("%s, %g a frame: RMSE %.4f, share of the convergence %.3f\n", preset, speed, rmse,
+                        kept);
+            EXPECT_LT(rmse, 0.011);
+            EXPECT_GT(kept, 0.93);
+        }
+    }
+}
+
+// A history that is interpolated in every frame blurs.
+TEST_F(Jitter, IsBetterLeftOutThanReprojected) {
+    const Frame plain = last(0.0, Case::none, "balanced");
+    const double left_out = errors_of(last(0.0, Case::left_out, "balanced").filtered, plain.filtered).rmse;
+    const double reprojected =
+        errors_of(last(0.0, Case::reprojected, "balanced").filtered, plain.filtered).rmse;
+    std::printf("RMSE with the jitter left out %.4f, reprojected %.4f\n", left_out, reprojected);
+    EXPECT_LT(1.5 * left_out, reprojected);
+}
+
+}  // namespace gloam::effect::jitter_test
