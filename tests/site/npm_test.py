@@ -52,9 +52,8 @@ class NpmTest(unittest.TestCase):
 
     def ask(self, script):
         """What a function of the page's names returns."""
-        return self.browser.evaluate("(() => { const {AmbientOcclusion, apart, closed, effect, frames, hbao, jitter, "
-                                     "made, measured, occlusion, orthographic, refusal, shown, withComposerDepth} = "
-                                     f"window.page; {script} }})()")
+        names = self.browser.evaluate("Object.keys(window.page).join()")
+        return self.browser.evaluate(f"(() => {{ const {{{names}}} = window.page; {script} }})()")
 
     def check_scene(self, got, frames=24):
         self.assertEqual((0, frames), (got["error"], got["frames"]))
@@ -95,9 +94,9 @@ class NpmTest(unittest.TestCase):
     def test_a_camera_that_moves_gives_what_one_gives_that_stands_still(self):
         got = self.ask("""
             const view = made();
-            const still = occlusion(frames(view, 60));
+            const still = occlusion(frames(view, 40));
             view.occlusion.restart();
-            const moved = occlusion(frames(view, 60, (i) => { view.look(0.001 * (59 - i)); }));
+            const moved = occlusion(frames(view, 40, (i) => { view.look(0.001 * (39 - i)); }));
             const elsewhere = occlusion(frames(view, 1, () => { view.look(0.06); }));
             closed(view);
             return {moved: apart(still, moved), other: apart(still, elsewhere)};""")
@@ -108,9 +107,9 @@ class NpmTest(unittest.TestCase):
     def test_a_jitter_for_antialiasing_changes_nothing(self):
         got = self.ask("""
             const view = made();
-            const still = occlusion(frames(view, 60));
+            const still = occlusion(frames(view, 40));
             view.occlusion.restart();
-            const got = apart(still, occlusion(frames(view, 60, (i) => { jitter(view, i); })));
+            const got = apart(still, occlusion(frames(view, 40, (i) => { jitter(view, i); })));
             closed(view);
             return got;""")
         self.assertLess(got["mean"], 0.01)
@@ -181,6 +180,8 @@ class NpmTest(unittest.TestCase):
                     view.draw(); },
                 () => made({logarithmicDepthBuffer: true}).draw(),
                 () => new view.occlusion.constructor(view.scene, view.camera, {output: "light"}),
+                () => { const depth = new view.occlusion.materials.hidden.constructor();
+                    view.occlusion.darken(depth); depth.onBeforeCompile({uniforms: {}, fragmentShader: ""}); },
             ].map(refusal);
             closed(view);
             return got;""")
@@ -189,9 +190,24 @@ class NpmTest(unittest.TestCase):
                     "radius -1: expected", "size 0x5: expected whole numbers", "view: expected 16 finite numbers",
                     "depth: expected a texture", "whose target has a depthTexture",
                     "off its centre, expected at most 1", "logarithmicDepthBuffer: expected",
-                    'output "light": expected "shaded" or "visibility"']
+                    'output "light": expected "shaded" or "visibility" or "ambient"',
+                    "MeshNormalMaterial: expected a material that three.js lights"]
         for want, message in zip(expected, messages, strict=True):
             self.assertIn(want, message or "")
+
+    def test_ambient_light_alone_is_darkened(self):
+        got = self.ask("""
+            return ["DirectionalLight", "HemisphereLight"].map((lights) => {
+                const view = ambient(made(), lights);
+                const dark = shown(frames(view, 8));
+                view.occlusion.intensity = 0;
+                const plain = shown(view);
+                closed(view);
+                return {mean: apart(dark, plain).mean, brighter: dark.filter((x, i) => x > plain[i]).length};
+            });""")
+        self.assertEqual({"mean": 0, "brighter": 0}, got[0])
+        self.assertGreater(got[1]["mean"], 2)
+        self.assertEqual(0, got[1]["brighter"])
 
     def test_only_what_is_asked_for_changes_the_picture(self):
         got = self.ask("""

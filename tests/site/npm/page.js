@@ -105,6 +105,18 @@ function withComposerDepth(view) {
     return view;
 }
 
+// The pass before the RenderPass, for the ambient light alone, and lights of one kind.
+function ambient(view, lights) {
+    const [render, occlusion, output] = view.composer.passes;
+    view.composer.passes = [occlusion, render, output];
+    occlusion.output = "ambient";
+    view.scene.traverse((object) => {
+        if (object.isLight) object.visible = object.type === lights;
+        if (object.isMesh) occlusion.darken(object.material);
+    });
+    return view;
+}
+
 // The message of the error that a call throws.
 function refusal(call) {
     try {
@@ -115,5 +127,5 @@ function refusal(call) {
     return null;
 }
 
-window.page = {AmbientOcclusion, apart, closed, effect, frames, hbao, jitter, made, measured, occlusion, orthographic,
-    refusal, shown, withComposerDepth};
+window.page = {AmbientOcclusion, ambient, apart, closed, effect, frames, hbao, jitter, made, measured, occlusion,
+    orthographic, refusal, shown, withComposerDepth};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-import type {Camera, Scene, WebGLRenderer, WebGLRenderTarget} from "three";
+import type {Camera, Material, Scene, WebGLRenderer, WebGLRenderTarget} from "three";
 import {Pass} from "three/addons/postprocessing/Pass.js";
 import type {Method} from "./index.js";
 
@@ -12,8 +12,11 @@ export interface PassOptions {
     radius?: number;
     /** Share of the occlusion that is shown, 0 to 1; default 1. */
     intensity?: number;
-    /** "shaded" (the default): the picture, darkened. "visibility": 1 where open, 0 where blocked. */
-    output?: "shaded" | "visibility";
+    /**
+     * "shaded" (the default): the picture, darkened. "visibility": 1 where open, 0 where blocked. "ambient": no picture;
+     * the materials given to darken() read the occlusion.
+     */
+    output?: "shaded" | "visibility" | "ambient";
     /**
      * "scene" (the default): the pass draws the scene's depth and normals itself. "composer": it reads the
      * depthTexture of the composer's target, which the pass right before it has drawn, and makes normals from it.
@@ -21,7 +24,7 @@ export interface PassOptions {
     source?: "scene" | "composer";
 }
 
-/** Ambient occlusion behind the RenderPass of an EffectComposer. All options may be set later, too. */
+/** Ambient occlusion in an EffectComposer, behind its RenderPass; with the output "ambient" before it. All options may be set later, too. */
 export class AmbientOcclusionPass extends Pass {
     constructor(scene: Scene, camera: Camera, options?: PassOptions);
     scene: Scene;
@@ -31,10 +34,15 @@ export class AmbientOcclusionPass extends Pass {
     method: Method | null;
     radius: number;
     intensity: number;
-    output: "shaded" | "visibility";
+    output: "shaded" | "visibility" | "ambient";
     source: "scene" | "composer";
     /** Forgets the history: call it where the camera jumps. */
     restart(): void;
+    /**
+     * Lets the occlusion darken the ambient light alone of a material that three.js lights: for the output "ambient",
+     * with this pass before the RenderPass.
+     */
+    darken(material: Material): void;
     setSize(width: number, height: number): void;
     /** Throws an Error for a logarithmic depth buffer, and for a camera whose projection is off its centre. */
     render(renderer: WebGLRenderer, writeBuffer: WebGLRenderTarget, readBuffer: WebGLRenderTarget): void;

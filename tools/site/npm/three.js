@@ -23,6 +23,13 @@ void main() {
     gl_FragColor = alone ? vec4(vec3(visibility), 1.0) : vec4(shaded.rgb * visibility, shaded.a);
 }`;
 
+// What is put into the shader of a material whose ambient light is darkened.
+const ambientUniforms = `uniform highp sampler2D gloamOcclusion;
+uniform float gloamIntensity;
+`;
+const ambientDarkened = `
+reflectedLight.indirectDiffuse *= 1.0 - gloamIntensity * texelFetch(gloamOcclusion, ivec2(gl_FragCoord.xy), 0).x;`;
+
 // Materials that draw normals in the place of a scene's own ones, and hide what has no surface.
 class NormalMaterials {
     constructor() {
@@ -67,7 +74,7 @@ export class AmbientOcclusionPass extends Pass {
     constructor(scene, camera, {preset = effect.preset, method = null, radius = 1, intensity = 1, output = "shaded",
         source = "scene"} = {}) {
         super();
-        for (const [name, value, expected] of [["output", output, ["shaded", "visibility"]],
+        for (const [name, value, expected] of [["output", output, ["shaded", "visibility", "ambient"]],
             ["source", source, ["scene", "composer"]]])
             if (!expected.includes(value))
                 throw new Error(`${name} "${value}": expected ${expected.map((one) => `"${one}"`).join(" or ")}`);
@@ -75,10 +82,28 @@ export class AmbientOcclusionPass extends Pass {
         this.size = [1, 1];
         this.occlusion = null;
         this.materials = new NormalMaterials();
-        this.texture = new ExternalTexture();
+        this.uniforms = {color: {value: null}, occlusion: {value: new ExternalTexture()}, intensity: {value: 1},
+            alone: {value: false}};
         this.mix = new FullScreenQuad(new ShaderMaterial({vertexShader: mixVertices, fragmentShader: mixFragments,
-            uniforms: {color: {value: null}, occlusion: {value: this.texture}, intensity: {value: 1},
-                alone: {value: false}}, depthTest: false, depthWrite: false, blending: NoBlending, side: DoubleSide}));
+            uniforms: this.uniforms, depthTest: false, depthWrite: false, blending: NoBlending, side: DoubleSide}));
+    }
+
+    // Lets the occlusion darken the ambient light alone of a material that three.js lights: for the output "ambient",
+    // with this pass before the RenderPass.
+    darken(material) {
+        const compile = material.onBeforeCompile;
+        const key = material.customProgramCacheKey;
+        material.onBeforeCompile = (shader, renderer) => {
+            compile.call(material, shader, renderer);
+            const place = "#include <aomap_fragment>";
+            if (!shader.fragmentShader.includes(place))
+                throw new Error(`${material.type}: expected a material that three.js lights`);
+            shader.uniforms.gloamOcclusion = this.uniforms.occlusion;
+            shader.uniforms.gloamIntensity = this.uniforms.intensity;
+            shader.fragmentShader = ambientUniforms + shader.fragmentShader.replace(place, place + ambientDarkened);
+        };
+        material.customProgramCacheKey = () => key.call(material) + " gloam";
+        material.needsUpdate = true;
     }
 
     // Forgets the history: call it where the camera jumps.
@@ -95,7 +120,8 @@ export class AmbientOcclusionPass extends Pass {
         const raw = (texture) => renderer.properties.get(texture).__webglTexture;
         this.prepare(renderer);
         const {camera} = this;
-        this.texture.sourceTexture = this.occlusion.render({depth: raw(inputs.depth),
+        const {uniforms} = this;
+        uniforms.occlusion.value.sourceTexture = this.occlusion.render({depth: raw(inputs.depth),
             normal: inputs.normal === null ? null : raw(inputs.normal),
             projection: camera.projectionMatrix.elements, view: camera.matrixWorldInverse.elements});
         // resetState() forgets that the depth buffer is reversed, and to what it is cleared.
@@ -104,9 +130,10 @@ export class AmbientOcclusionPass extends Pass {
         renderer.resetState();
         depth.setReversed(reversed);
         depth.setClear(1);
-        const {uniforms} = this.mix.material;
-        uniforms.color.value = readBuffer.texture;
         uniforms.intensity.value = this.intensity;
+        this.needsSwap = this.output !== "ambient";
+        if (!this.needsSwap) return;
+        uniforms.color.value = readBuffer.texture;
         uniforms.alone.value = this.output === "visibility";
         renderer.setRenderTarget(this.renderToScreen ? null : writeBuffer);
         this.mix.render(renderer);
