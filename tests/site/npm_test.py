@@ -98,8 +98,16 @@ class NpmTest(unittest.TestCase):
             view.occlusion.restart();
             const moved = occlusion(frames(view, 40, (i) => { view.look(0.001 * (39 - i)); }));
             const elsewhere = occlusion(frames(view, 1, () => { view.look(0.06); }));
+            view.look(0);
+            view.occlusion.restart();
+            const zoomed = occlusion(frames(view, 40, (i) => {
+                view.camera.fov = 40 + 0.2 * (39 - i);
+                view.camera.updateProjectionMatrix();
+            }));
             closed(view);
-            return {moved: apart(still, moved), other: apart(still, elsewhere)};""")
+            return {moved: apart(still, moved), zoomed: apart(still, zoomed), other: apart(still, elsewhere)};""")
+        self.assertLess(got["zoomed"]["mean"], 0.008)
+        self.assertLess(got["zoomed"]["most"], 0.02)
         self.assertLess(got["moved"]["mean"], 0.006)
         self.assertLess(got["moved"]["most"], 0.012)
         self.assertGreater(got["other"]["mean"], 2 * got["moved"]["mean"])
@@ -156,6 +164,17 @@ class NpmTest(unittest.TestCase):
         self.assertEqual(got["samples"][0], got["samples"][2])
         self.assertGreater(got["samples"][1], 1.3 * got["samples"][0])
         self.assertEqual(97 * 55, got["pixels"])
+
+    def test_every_encoding_of_depth_and_normals_gives_the_same(self):
+        got = self.ask("""return encodings().map(([what, occlusion, known]) =>
+            ({what, ...apart(occlusion, known), largest: known.reduce((a, b) => Math.max(a, b))}));""")
+        self.assertEqual(14, len(got))
+        for one in got:
+            with self.subTest(one["what"]):
+                self.assertGreater(one["largest"], 0.2)
+                from_depth = one["what"].endswith("none")  # normals differ where surfaces meet
+                self.assertLess(one["most"], 0.001 if from_depth else 1e-5)
+                self.assertLess(one["mean"], 0.005 if from_depth else 1e-6)
 
     def test_what_cannot_be_is_refused(self):
         messages = self.ask("""
@@ -235,7 +254,7 @@ if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as owner:
         FOLDER = Path(owner, "example")
         shutil.copytree(EXAMPLE, FOLDER, ignore=shutil.ignore_patterns("node_modules", "gloam", "bundle.js"))
-        for name in ("page.js", "types.ts"):
+        for name in ("encodings.js", "page.js", "types.ts"):
             shutil.copy(HERE / "npm" / name, FOLDER)
         subprocess.run([GLOAM, "pack", "--npm", FOLDER / "gloam"], check=True)
         install(FOLDER)

@@ -4,6 +4,7 @@ import {OrthographicCamera, Vector3, WebGLRenderTarget, DepthTexture, FloatType,
 import {EffectComposer} from "three/addons/postprocessing/EffectComposer.js";
 import {AmbientOcclusion, effect} from "gloam";
 import hbao from "gloam/methods/hbao";
+import {encodings} from "./encodings.js";
 import {View} from "./view.js";
 
 const size = [160, 90];
@@ -127,5 +128,5 @@ function refusal(call) {
     return null;
 }
 
-window.page = {AmbientOcclusion, ambient, apart, closed, effect, frames, hbao, jitter, made, measured, occlusion,
-    orthographic, refusal, shown, withComposerDepth};
+window.page = {AmbientOcclusion, ambient, apart, closed, effect, encodings, frames, hbao, jitter, made, measured,
+    occlusion, orthographic, refusal, shown, withComposerDepth};
