@@ -28,6 +28,11 @@ FLAGS = ["--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-
          "--remote-debugging-pipe", "about:blank"]
 
 
+# The code that Windows has for each key, and its text.
+KEYS = {"Tab": (9, None), "Enter": (13, "\r"), "Space": (32, " "), "ArrowRight": (39, None), "ArrowUp": (38, None),
+        "Minus": (189, "-")}
+
+
 class Browser:
     """One browser with one page. Use it in a `with` statement."""
 
@@ -99,9 +104,10 @@ class Browser:
                 raise BrowserError(f"{method}: {answer['error']['message']}")
             return answer["result"]
 
-    def open(self, file):
-        """Opens a file and waits until its scripts have run."""
-        self.call("Page.navigate", url=Path(file).resolve().as_uri())
+    def open(self, file, behind=""):
+        """Opens a file, with that text behind its address, and waits until its scripts have run."""
+        self.call("Page.navigate", url="about:blank")  # what differs behind the # alone would not load the page again
+        self.call("Page.navigate", url=Path(file).resolve().as_uri() + behind)
         self.wait("document.readyState === 'complete' && location.protocol === 'file:'")
 
     def evaluate(self, script):
@@ -121,13 +127,27 @@ class Browser:
             time.sleep(0.05)
 
     def key(self, name, until="true"):
-        """Presses a key until an expression in the page is true: "Tab", "Enter", "Space", "ArrowRight"."""
-        code = {"Tab": 9, "Enter": 13, "Space": 32, "ArrowRight": 39}[name]
-        text = {"Enter": "\r", "Space": " "}.get(name)
-        press = {"key": " " if name == "Space" else name, "code": name, "windowsVirtualKeyCode": code}
+        """Presses a key until an expression in the page is true: one of KEYS."""
+        code, text = KEYS[name]
+        press = {"key": text if text and text != "\r" else name, "code": name, "windowsVirtualKeyCode": code}
         self.call("Input.dispatchKeyEvent", type="keyDown", **press, **({"text": text} if text else {}))
         self.wait(until)
         self.call("Input.dispatchKeyEvent", type="keyUp", **press)
+
+    def mouse(self, *steps, button="left", modifiers=0):
+        """Moves the mouse through points of the window, with a button down from the first on. modifiers: 8 is shift."""
+        kinds = ["mousePressed", *["mouseMoved"] * (len(steps) - 1)]
+        for kind, (x, y) in [*zip(kinds, steps), ("mouseReleased", steps[-1])]:
+            self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button=button, clickCount=1, modifiers=modifiers,
+                      buttons=0 if kind == "mouseReleased" else 1)
+
+    def wheel(self, x, y, delta):
+        self.call("Input.dispatchMouseEvent", type="mouseWheel", x=x, y=y, deltaX=0, deltaY=delta)
+
+    def touch(self, *steps):
+        """Fingers on the screen: each step is the points of all of them."""
+        for kind, points in [("touchStart", steps[0]), *[("touchMove", step) for step in steps[1:]], ("touchEnd", [])]:
+            self.call("Input.dispatchTouchEvent", type=kind, touchPoints=[{"x": x, "y": y} for x, y in points])
 
     def problems(self):
         """Exceptions and errors that the pages have reported so far."""

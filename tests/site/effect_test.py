@@ -18,13 +18,12 @@ GLOAM = sys.argv[1]
 WIDTH, HEIGHT, FRAMES = 192, 108, 4
 
 # Renders the first frames of the camera's path, and gives what `read` reads of the last one as base64.
-SHADE = """(() => {{
-    const {{effect}} = gloam.effectPage.state;
-    gloam.effectPage.state.failed = true;  // ends the page's own loop
+SHADE = """(async () => {{
+    const {{effect}} = gloam.live.state;
+    gloam.live.state.failed = true;  // ends the page's own loop
     effect.setSize({width}, {height});
-    const method = gloam.effectData.methods.find((one) => one.name === "{method}");
-    effect.setMethod(method, "{preset}", effect.scene.radius);
-    for (let i = 0; i < {frames}; ++i) effect.frame({moves} ? i : 0);
+    effect.setMethod(await gloam.method("{method}"), "{preset}", effect.scene.radius);
+    for (let i = 0; i < {frames}; ++i) effect.frame(gloam.camera.at(effect.scene.cameras, {moves} ? i : 0));
     const bytes = new Uint8Array(effect.{read}().buffer);
     let text = "";
     for (const byte of bytes) text += String.fromCharCode(byte);
@@ -57,8 +56,8 @@ class EffectTest(unittest.TestCase):
 
     def setUp(self):
         self.browser.look(1000, 900)
-        self.browser.open(self.folder / "site" / "effect.html")
-        self.browser.wait("gloam.effectPage.state.effect?.frames > 0")
+        self.browser.open(self.folder / "site" / "index.html", "#scene=columns&method=gtao&size=320x180")
+        self.browser.wait("gloam.live.state.effect?.frames > 0")
 
     def rendered(self, read, method, preset="balanced", frames=FRAMES, moves=True, size=(WIDTH, HEIGHT)):
         script = SHADE.format(width=size[0], height=size[1], method=method, preset=preset, frames=frames,
@@ -114,12 +113,12 @@ class EffectTest(unittest.TestCase):
 
     def test_the_views_and_the_slider_differ(self):
         self.history("gtao")  # ends the page's own loop: from here on nothing else changes
-        pictures = [self.browser.evaluate(f"gloam.effectPage.state.effect.show({view}, {split}),"
+        pictures = [self.browser.evaluate(f"gloam.live.state.effect.show({view}, {split}),"
                                           "document.getElementById('canvas').toDataURL()")
                     for view in range(5) for split in (0, 0.5)]
         self.assertEqual(10, len(set(pictures)))
         white = self.browser.evaluate("""(() => {
-            const {effect} = gloam.effectPage.state;
+            const {effect} = gloam.live.state;
             effect.show(1, 1);
             const bytes = new Uint8Array(4 * effect.images.width * effect.images.height);
             effect.gl.readPixels(0, 0, effect.images.width, effect.images.height, effect.gl.RGBA,
@@ -130,8 +129,8 @@ class EffectTest(unittest.TestCase):
 
     def test_a_kept_picture_is_compared_with_what_follows(self):
         self.history("gtao", frames=2, moves=False)
-        state = self.browser.evaluate("""(() => {
-            const {effect} = gloam.effectPage.state;
+        state = self.browser.evaluate("""(async () => {
+            const {effect} = gloam.live.state;
             const shown = (view, split) => {
                 effect.show(view, split);
                 return document.getElementById("canvas").toDataURL();
@@ -140,9 +139,8 @@ class EffectTest(unittest.TestCase):
             effect.keep();
             const same = effect.error();
             const nothing = shown(5, 0);
-            effect.setMethod(gloam.effectData.methods.find((one) => one.name === "hemisphere"), "balanced",
-                effect.scene.radius);
-            effect.frame(0);
+            effect.setMethod(await gloam.method("hemisphere"), "balanced", effect.scene.radius);
+            effect.frame(gloam.camera.at(effect.scene.cameras, 0));
             const left = shown(1, 1) === picture;
             const right = shown(1, 0) === picture;
             const differs = shown(5, 0) !== nothing;
@@ -155,15 +153,15 @@ class EffectTest(unittest.TestCase):
         self.assertGreater(state["error"], 0.01)
 
     def test_a_converged_picture_is_kept(self):
-        self.browser.evaluate("document.getElementById('keep').click(), gloam.effectPage.state.keeping = 3")
+        self.browser.evaluate("document.getElementById('keep').click(), gloam.live.state.keeping = 3")
         self.assertEqual(1e6, self.setting("weight_max"))
-        self.browser.wait("document.getElementById('left').textContent === 'gtao, kept'")
+        self.browser.wait("document.getElementById('left-told').textContent === 'gtao, kept'")
         self.assertEqual(128, self.setting("weight_max"))
-        self.choose(view=5, method="hemisphere")
-        self.browser.wait("document.getElementById('told').textContent.includes('against the kept picture')")
+        self.choose(view="difference", method="hemisphere")
+        self.browser.wait("document.getElementById('timing').textContent.includes('against the kept picture')")
         self.browser.evaluate("document.getElementById('forget').click()")
-        self.assertEqual("without", self.browser.evaluate("document.getElementById('left').textContent"))
-        self.assertIsNone(self.browser.evaluate("gloam.effectPage.state.effect.kept"))
+        self.assertEqual("without", self.browser.evaluate("document.getElementById('left-told').textContent"))
+        self.assertIsNone(self.browser.evaluate("gloam.live.state.effect.kept"))
 
     def choose(self, **choices):
         """Sets controls by their identifiers, as a person does, and lets the page draw."""
@@ -175,7 +173,7 @@ class EffectTest(unittest.TestCase):
                               " requestAnimationFrame(resolve)))).then(() => 0)")
 
     def setting(self, name):
-        return self.browser.evaluate(f"gloam.effectPage.state.effect.settings.{name}")
+        return self.browser.evaluate(f"gloam.live.state.effect.settings.{name}")
 
     def test_the_controls_choose(self):
         self.choose(size="320x180", preset="quality")
@@ -184,19 +182,19 @@ class EffectTest(unittest.TestCase):
         self.assertEqual(("sweep", 1.0), (self.setting("method"), self.setting("radius")))
         self.assertAlmostEqual(0.001, self.setting("bias"), 6)
         self.choose(scene="knot")
-        self.assertEqual(("knot", 320), (self.browser.evaluate("gloam.effectPage.state.effect.scene.name"),
+        self.assertEqual(("knot", 320), (self.browser.evaluate("gloam.live.state.effect.scene.name"),
                                          self.browser.evaluate("document.getElementById('canvas').width")))
         self.browser.evaluate("document.getElementById('moves').click()")
-        before = self.browser.evaluate("gloam.effectPage.state.number")
+        before = self.browser.evaluate("gloam.live.state.number")
         self.choose()
-        self.assertEqual(before, self.browser.evaluate("gloam.effectPage.state.number"))
-        self.assertIn("ms from frame to frame", self.browser.evaluate("document.getElementById('told').textContent"))
+        self.assertEqual(before, self.browser.evaluate("gloam.live.state.number"))
+        self.assertIn("ms from frame to frame", self.browser.evaluate("document.getElementById('timing').textContent"))
         self.assertEqual([], self.browser.problems())
         asked = [url for url in self.browser.requests() if not url.startswith(("file:", "data:", "about:"))]
         self.assertEqual([], asked)
 
     def test_a_shader_that_does_not_compile_is_told(self):
-        self.browser.evaluate("gloam.effectData.methods.find((one) => one.name === 'sweep').text += 'no_such;'")
+        self.browser.evaluate("gloam.method('sweep').then((method) => { method.text += 'no_such;'; })")
         self.choose(method="sweep")
         self.assertIn("occlusion by sweep does not compile",
                       self.browser.evaluate("document.getElementById('told').textContent"))

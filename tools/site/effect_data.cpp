@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <tuple>
 #include <variant>
 
 #include "base/files.hpp"
@@ -19,11 +16,6 @@ namespace {
 
 using nlohmann::ordered_json;
 using shader::Stage;
-
-// Its depth is read by the loops of all methods; other methods read images that further passes prepare.
-bool runs_in_one_pass(const effect::MethodInfo& method) {
-    return method.prepare == nullptr;
-}
 
 // gloam's own presets: other filters than theirs do not run in a browser.
 bool runs_live(const effect::Preset& preset) {
@@ -103,13 +95,18 @@ std::string text_of(const ordered_json& json) {
 
 }  // namespace
 
+bool runs_in_page(const effect::MethodInfo& method) {
+    return method.prepare == nullptr;
+}
+
 std::string effect_json(const ShaderFolders& folders) {
     ordered_json json = core_json(folders);
     json["gbuffer_vertices"] = packed_file("gbuffer.vert", Stage::vertex, folders);
     for (const std::string name : {"gbuffer", "show"})
         json[name] = packed_file(name + ".frag", Stage::fragment, folders);
     for (const effect::MethodInfo& method : effect::methods())
-        if (runs_in_one_pass(method)) json["methods"].push_back(method_json(method, folders));
+        if (runs_in_page(method))
+            json["methods"].push_back({{"name", method.name}, {"description", method.description}});
     return text_of(json);
 }
 
@@ -117,7 +114,7 @@ EffectParts effect_parts(const ShaderFolders& folders) {
     ordered_json core = core_json(folders);
     EffectParts parts;
     for (const effect::MethodInfo& method : effect::methods()) {
-        if (!runs_in_one_pass(method)) continue;
+        if (!runs_in_page(method)) continue;
         ordered_json json = method_json(method, folders);
         const auto uses = [&method](const ordered_json& preset) { return preset["method"] == method.name; };
         parts.methods[method.name] = text_of(json);
@@ -132,73 +129,6 @@ std::string effect_classes(const std::filesystem::path& folder) {
     for (const char* name : {"passes.js", "views.js", "ambient-occlusion.js"})
         text += base::read_file(folder / name);
     return text;
-}
-
-namespace {
-
-// Vertices with a colour each, where a mesh has one for each triangle.
-class Vertices {
-  public:
-    explicit Vertices(const scene::Mesh& mesh) : mesh_(mesh) {
-        for (std::size_t i = 0; i < mesh.indices.size(); ++i) add(mesh.indices[i], color_of(i / 3));
-    }
-    [[nodiscard]] ordered_json json() const {
-        return {{"vertices", known_.size()},      {"triangles", mesh_.triangle_count()},
-                {"positions", positions_.text()}, {"normals", normals_.text()},
-                {"colors", colors_.text()},       {"indices", indices_.text()}};
-    }
-
-  private:
-    using Color = std::tuple<std::uint8_t, std::uint8_t, std::uint8_t>;
-
-    [[nodiscard]] Color color_of(std::size_t triangle) const {
-        const glm::vec3 color = mesh_.colors.empty() ? scene::default_color : mesh_.colors[triangle];
-        const auto byte = [](float x) {
-            return static_cast<std::uint8_t>(std::lround(std::clamp(x, 0.0F, 1.0F) * 255.0F));
-        };
-        return {byte(color.x), byte(color.y), byte(color.z)};
-    }
-
-    void add(std::uint32_t index, const Color& color) {
-        const auto next = static_cast<std::uint32_t>(known_.size());
-        const auto [at, is_new] = known_.try_emplace({index, color}, next);
-        indices_.add(at->second);
-        if (!is_new) return;
-        for (int k = 0; k < 3; ++k) positions_.add(mesh_.positions[index][k]);
-        for (int k = 0; k < 3; ++k) normals_.add(mesh_.normals[index][k]);
-        for (const std::uint8_t byte :
-             {std::get<0>(color), std::get<1>(color), std::get<2>(color), std::uint8_t{255}})
-            colors_.add(byte);
-    }
-
-    const scene::Mesh& mesh_;
-    std::map<std::pair<std::uint32_t, Color>, std::uint32_t> known_;
-    Bytes positions_;
-    Bytes normals_;
-    Bytes colors_;
-    Bytes indices_;
-};
-
-}  // namespace
-
-std::string scene_json(const scene::Scene& scene, int frames) {
-    Bytes cameras;  // of each frame: the rotation of world to view by rows, the eye; doubles
-    for (int frame = 0; frame < frames; ++frame) {
-        const scene::Camera camera = scene::camera_at(scene, frame);
-        const glm::dmat3 rotation = scene::view_rotation(camera);
-        for (int row = 0; row < 3; ++row)
-            for (int column = 0; column < 3; ++column) cameras.add(rotation[column][row]);
-        for (int k = 0; k < 3; ++k) cameras.add(camera.eye[k]);
-    }
-    ordered_json json = Vertices(scene.mesh).json();
-    json["name"] = scene.name;
-    json["radius"] = scene.ao_radius;
-    json["fovy"] = scene.camera.fovy_rad;
-    json["near"] = scene.camera.near;
-    json["far"] = scene.camera.far;
-    json["frames"] = frames;
-    json["cameras"] = cameras.text();
-    return json.dump();
 }
 
 }  // namespace gloam::site

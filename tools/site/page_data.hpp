@@ -12,6 +12,7 @@
 #include "base/text.hpp"
 #include "catalogue/entry.hpp"
 #include "check/prepared_check.hpp"
+#include "effect/methods.hpp"
 #include "scene/scene.hpp"
 
 namespace gloam::site {
@@ -50,11 +51,12 @@ struct ShaderFolders {
     std::filesystem::path page;     // with occlusion.frag
 };
 
-// The passes of the page in GLSL ES 3.00, packed, the methods that run there, and the settings of the presets
-// for each of them, for a radius of 1: as JSON (effect/ambient-occlusion.js). Throws like shader::pack().
+// The passes of the page in GLSL ES 3.00, packed, and the presets and the methods that run there: as JSON
+// (effect/ambient-occlusion.js). Throws like shader::pack().
 [[nodiscard]] std::string effect_json(const ShaderFolders& folders);
 
-// The same in parts, each as JSON: what every user needs, with the methods of the presets; and each method.
+// What another page of WebGL2 needs, each as JSON: what every user does, with the methods of the presets; and each
+// method: the text of its pass, and settings of the presets with that method, for a radius of 1.
 struct EffectParts {
     std::string core;
     std::map<std::string, std::string> methods;  // by name
@@ -64,6 +66,10 @@ struct EffectParts {
 // The classes of the effect in WebGL2 (effect/*.js): JavaScript that defines AmbientOcclusion and what it
 // uses. Throws std::runtime_error for a file that cannot be read.
 [[nodiscard]] std::string effect_classes(const std::filesystem::path& folder);
+
+// Whether the page can run the method: its loops read depths and normals, no image that further passes
+// prepare.
+[[nodiscard]] bool runs_in_page(const effect::MethodInfo& method);
 
 // The triangles of a scene and its camera in each of `frames` frames, as JSON (page/scene.js).
 [[nodiscard]] std::string scene_json(const scene::Scene& scene, int frames);

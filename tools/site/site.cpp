@@ -136,15 +136,19 @@ std::string effect_script(const fs::path& folder) {
            "return {AmbientOcclusion, Passes};\n})());\n";
 }
 
-// The triangles of the scenes and the shaders, as scripts.
+// The triangles of the scenes and the shaders, as scripts. The page loads those of a scene or a method when
+// it is chosen.
 void write_effect(const check::Lab& lab, const SiteOptions& options, Files& files) {
     constexpr int frames = 240;
     const ShaderFolders folders{lab.options().include_roots.front(), options.files / "shaders"};
     files.write("effect-data.js", "gloam.effectData = " + effect_json(folders) + ";\n");
     files.write("ambient-occlusion.js", effect_script(options.files / "effect"));
+    for (const auto& [name, json] : effect_parts(folders).methods)
+        files.write("method-" + name + ".js", "gloam.addMethod(" + json + ");
+");
     for (const std::string name : {"columns", "room", "knot"})
-        files.write("scene-" + name + ".js", "gloam.scenes.set(\"" + name + "\", " +
-                                                 scene_json(scene::make_scene(name), frames) + ");\n");
+        files.write("scene-" + name + ".js",
+                    "gloam.addScene(" + scene_json(scene::make_scene(name), frames) + ");\n");
 }
 
 // One script for each part of the library, and one that lists them.

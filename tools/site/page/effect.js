@@ -3,8 +3,6 @@
 // The shaders and the settings are those of the repository, in gloam.effectData.
 "use strict";
 
-gloam.scenes = new Map();
-
 gloam.Effect = class {
     // Throws an Error where there is no WebGL2 or it cannot draw floats.
     constructor(canvas) {
@@ -20,6 +18,8 @@ gloam.Effect = class {
         this.timer = new gloam.GpuTimer(this.gl);
         this.images = null;
         this.kept = null;
+        this.mesh = null;
+        this.buffers = [];
     }
 
     // Settings of the method, in use until setMethod() is called again.
@@ -32,28 +32,39 @@ gloam.Effect = class {
         return this.occlusion.frames;
     }
 
-    // Uploads a scene of gloam.scenes.
+    // Uploads a scene: {positions, normals, colors, indices, ...}, as gloam.scene() gives one.
     setScene(scene) {
         const {gl} = this;
-        this.scene = {...scene, cameras: gloam.doubles(scene.cameras), count: 3 * scene.triangles};
+        this.deleteScene();
+        this.scene = scene;
         this.mesh = gl.createVertexArray();
         gl.bindVertexArray(this.mesh);
-        const attribute = (index, text, size, type, normalized) => {
-            gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
-            gl.bufferData(gl.ARRAY_BUFFER, gloam.bytes(text), gl.STATIC_DRAW);
+        const filled = (target, data) => {
+            const buffer = gl.createBuffer();
+            gl.bindBuffer(target, buffer);
+            gl.bufferData(target, data, gl.STATIC_DRAW);
+            this.buffers.push(buffer);
+        };
+        const attribute = (index, data, size, type, normalized) => {
+            filled(gl.ARRAY_BUFFER, data);
             gl.enableVertexAttribArray(index);
             gl.vertexAttribPointer(index, size, type, normalized, 0, 0);
         };
         attribute(0, scene.positions, 3, gl.FLOAT, false);
         attribute(1, scene.normals, 3, gl.FLOAT, false);
         attribute(2, scene.colors, 4, gl.UNSIGNED_BYTE, true);
-        gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
-        gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, gloam.bytes(scene.indices), gl.STATIC_DRAW);
+        filled(gl.ELEMENT_ARRAY_BUFFER, scene.indices);
         gl.bindVertexArray(null);
         this.restart();
     }
 
-    // method: of effectData.methods. preset: a name. radius: world units.
+    deleteScene() {
+        for (const buffer of this.buffers) this.gl.deleteBuffer(buffer);
+        this.gl.deleteVertexArray(this.mesh);
+        this.buffers = [];
+    }
+
+    // method: as gloam.method() gives one. preset: a name. radius: world units.
     setMethod(method, preset, radius) {
         this.occlusion.setMethod(method, preset, radius);
     }
@@ -121,10 +132,10 @@ gloam.Effect = class {
     }
 
     // Renders a frame: the samples are added to the history of the frame before, which is moved where the camera has.
-    // at: the number of a frame of the scene's path, or a camera as gloam.camera.at() gives it.
-    frame(at) {
-        this.camera = typeof at === "number" ? gloam.camera.at(this.scene.cameras, at) : at;
-        const view = gloam.camera.view(this.camera);
+    // camera: as gloam.camera.at() gives it.
+    frame(camera) {
+        this.camera = camera;
+        const view = gloam.camera.view(camera);
         const projection = this.projection();
         this.drawGbuffer(view, projection);
         const {depth, normal} = this.images;
@@ -141,7 +152,7 @@ gloam.Effect = class {
         gl.viewport(0, 0, images.width, images.height);
         gl.enable(gl.DEPTH_TEST);
         gl.bindVertexArray(this.mesh);
-        gl.drawElements(gl.TRIANGLES, this.scene.count, gl.UNSIGNED_INT, 0);
+        gl.drawElements(gl.TRIANGLES, this.scene.indices.length, gl.UNSIGNED_INT, 0);
         gl.bindVertexArray(null);
     }
 

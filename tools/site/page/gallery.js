@@ -2,7 +2,7 @@
 // The pictures of gloam.gallery: {device, scenes: [{title, before, after, occlusion, caption}]}, names of files.
 "use strict";
 
-gloam.addScene = (scene) => {
+gloam.addPictures = (scene) => {
     const picture = (file, text, attributes = {}) => gloam.element("img", {src: file, alt: text, ...attributes});
     const slider = gloam.element("img-comparison-slider", {"aria-label": "without and with ambient occlusion"},
         picture(scene.before, "without ambient occlusion", {slot: "first"}),
@@ -15,5 +15,5 @@ gloam.addScene = (scene) => {
 
 document.addEventListener("DOMContentLoaded", () => {
     document.getElementById("device").textContent = gloam.gallery.device;
-    gloam.gallery.scenes.forEach(gloam.addScene);
+    gloam.gallery.scenes.forEach(gloam.addPictures);
 });

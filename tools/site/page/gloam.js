@@ -47,7 +47,7 @@ gloam.pause = () => new Promise((resolve) => setTimeout(resolve, 0));
 gloam.pages = [
     ["index.html", "gloam"],
     ["check.html", "Check this browser"],
-    ["effect.html", "See the effect"],
+    ["methods.html", "Methods"],
     ["gallery.html", "Gallery"],
     ["drivers.html", "Drivers"],
     ["measurements.html", "Measurements"],

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// What the page loads on demand: scenes (scene-NAME.js, tools/site/scene_data.cpp) and methods (method-NAME.js).
+"use strict";
+
+// The methods that were loaded, by their names: the text of their pass, and settings.
+gloam.methods = new Map();
+
+gloam.addMethod = (method) => gloam.methods.set(method.name, method);
+
+gloam.method = async (name) => {
+    if (!gloam.methods.has(name)) await gloam.loadScript(`method-${name}.js`);
+    return gloam.methods.get(name);
+};
+
+// The scenes that were loaded, by their names: triangles in the arrays that WebGL takes, and a camera's path.
+gloam.scenes = new Map();
+
+gloam.scene = async (name) => {
+    if (!gloam.scenes.has(name)) await gloam.loadScript(`scene-${name}.js`);
+    return gloam.scenes.get(name);
+};
+
+// Triples of numbers, each looked up in a table.
+gloam.lookedUp = (triples, table, Kind) => Kind.from(triples, (number) => table[number]);
+
+gloam.addScene = (packed) => {
+    const shorts = (text) => new Uint16Array(gloam.bytes(text).buffer);
+    const floats = new Float32Array(gloam.bytes(packed.floats).buffer);
+    const points = gloam.lookedUp(shorts(packed.points), floats, Float32Array);
+    const directions = gloam.lookedUp(shorts(packed.directions), floats, Float32Array);
+    const palette = gloam.bytes(packed.palette);
+    const vertices = shorts(packed.vertices);
+    const count = vertices.length / 3;
+    const scene = {name: packed.name, radius: packed.radius, fovy: packed.fovy, near: packed.near, far: packed.far,
+        frames: packed.frames, cameras: gloam.doubles(packed.cameras), positions: new Float32Array(3 * count),
+        normals: new Float32Array(3 * count), colors: new Uint8Array(4 * count).fill(255),
+        indices: Uint32Array.from(shorts(packed.indices))};
+    for (let i = 0; i < count; ++i) {
+        const [point, direction, color] = vertices.subarray(3 * i, 3 * i + 3);
+        scene.positions.set(points.subarray(3 * point, 3 * point + 3), 3 * i);
+        scene.normals.set(directions.subarray(3 * direction, 3 * direction + 3), 3 * i);
+        scene.colors.set(palette.subarray(3 * color, 3 * color + 3), 4 * i);
+    }
+    gloam.scenes.set(packed.name, scene);
+};

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+// The effect on the first page: what its controls and its address choose, and its loop of frames.
+"use strict";
+
+gloam.live = (() => {
+    const at = (id) => document.getElementById(id);
+    const state = {effect: null, orbit: null, turned: false, number: 0, forward: true, times: [], failed: false,
+        keeping: 0, error: null};
+    const framesKept = 128;
+    const controls = ["scene", "preset", "method", "radius", "view", "size", "split"];
+    const views = {lit: "", visibility: "White is open, black is occluded.",
+        convergence: "Dark blue: no history. Yellow: the mean holds as many samples as it may.",
+        samples: "Samples in the mean, on a logarithmic scale: dark blue 0, yellow 1024 or more.",
+        normals: "The normal that faces the eye, as a colour.",
+        difference: "Dark blue: as on the left side. Yellow: the occlusion differs by 1/8 or more."};
+    const viewNumber = () => Object.keys(views).indexOf(at("view").value);
+
+    const presetNamed = (name) => gloam.effectData.presets.find((preset) => preset.name === name);
+    const methodNamed = (name) => gloam.effectData.methods.find((method) => method.name === name);
+    const optionsOf = (id) => [...at(id).options].map((option) => option.value);
+
+    function fillControls() {
+        for (const {name} of gloam.effectData.presets) at("preset").append(gloam.element("option", {}, name));
+        for (const {name} of gloam.effectData.methods) at("method").append(gloam.element("option", {}, name));
+        at("preset").value = gloam.effectData.preset;
+        at("method").value = presetNamed(gloam.effectData.preset).method;
+        at("moves").checked = !matchMedia("(prefers-reduced-motion: reduce)").matches;
+    }
+
+    // What the address may hold.
+    function kinds() {
+        const {oneOf, within, list} = gloam.address;
+        const ofRange = (id) => within(Number(at(id).min), Number(at(id).max));
+        return {...Object.fromEntries(["scene", "preset", "method", "view", "size"].map((id) => [id, oneOf(optionsOf(id))])),
+            radius: ofRange("radius"), split: ofRange("split"), camera: list(6)};
+    }
+
+    // Sets the controls to what the address holds.
+    function readAddress() {
+        const {values, problems} = gloam.address.read(location.hash.slice(1), kinds());
+        for (const id of controls) if (id in values) at(id).value = values[id];
+        if ("preset" in values && !("method" in values)) at("method").value = presetNamed(values.preset).method;
+        at("told").textContent = problems.join("; ");
+        return values.camera;
+    }
+
+    function writeAddress() {
+        const values = Object.fromEntries(controls.map((id) => [id, at(id).value]));
+        if (state.turned) values.camera = state.orbit.numbers;
+        const hash = "#" + gloam.address.write(values);
+        if (hash !== location.hash) history.replaceState(null, "", hash);
+    }
+
+    // Applies the choice of method, preset and radius, and says what they are.
+    async function applyMethod() {
+        const name = at("method").value;
+        const method = await gloam.method(name);
+        if (name !== at("method").value) return;  // another was chosen while it was loaded
+        state.keeping = 0;
+        const radius = state.effect.scene.radius * Number(at("radius").value);
+        state.effect.setMethod(method, at("preset").value, radius);
+        at("radius-told").textContent = radius.toPrecision(2);
+        at("method-told").textContent = `${name}: ${methodNamed(name).description}.`;
+        at("preset-told").textContent = `${at("preset").value}: ${presetNamed(at("preset").value).description}.`;
+    }
+
+    async function applyScene() {
+        const name = at("scene").value;
+        const scene = await gloam.scene(name);
+        if (name !== at("scene").value) return;
+        state.effect.setScene(scene);
+        state.orbit.setScene(scene);
+        state.turned = false;
+        state.number = 0;
+        await forget();
+    }
+
+    function applySize() {
+        const [width, height] = at("size").value.split("x").map(Number);
+        state.effect.setSize(width, height);
+        tellSides(null);
+        state.keeping = 0;
+    }
+
+    // Starts the frames of a converged picture: the camera stands, and the mean takes every sample.
+    async function beginKeeping() {
+        at("moves").checked = false;
+        state.effect.forget();
+        await applyMethod();
+        state.effect.settings.weight_max = 1e6;
+        state.keeping = framesKept;
+    }
+
+    async function endKeeping() {
+        state.effect.keep();
+        await applyMethod();
+        tellSides(`${at("method").value}, kept`);
+    }
+
+    async function forget() {
+        state.effect.forget();
+        await applyMethod();
+        tellSides(null);
+    }
+
+    // What the sides of the slider show; kept: null where nothing is.
+    function tellSides(kept) {
+        at("left-told").textContent = kept ?? "without";
+        at("right-told").textContent = kept === null ? "with" : "now";
+        at("forget").disabled = kept === null;
+    }
+
+    // The person takes the camera from its path.
+    function take() {
+        at("moves").checked = false;
+        if (state.effect.kept !== null) forgetGuarded();
+        if (!state.turned) state.orbit.take(gloam.camera.at(state.effect.scene.cameras, state.number));
+        state.turned = true;
+    }
+
+    // The camera of the next frame: where the person has turned it, or on its path, to the end and back.
+    function nextCamera() {
+        if (state.turned) return state.orbit.camera;
+        if (at("moves").checked) {
+            const last = state.effect.scene.frames - 1;
+            if (state.number >= last) state.forward = false;
+            if (state.number <= 0) state.forward = true;
+            state.number += state.forward ? 1 : -1;
+        }
+        return gloam.camera.at(state.effect.scene.cameras, state.number);
+    }
+
+    function tellTime(now) {
+        state.times.push(now);
+        if (state.times.length > 31) state.times.shift();
+        const steps = state.times.length - 1;
+        if (steps < 1) return;
+        const ms = (now - state.times[0]) / steps;
+        const gpu = state.effect.timer.ms;
+        at("timing").textContent = [`${ms.toFixed(1)} ms from frame to frame`,
+            ...(gpu === null ? [] : [`${gpu.toFixed(2)} ms of the GPU for the occlusion`]),
+            state.keeping > 0 ? `${state.keeping} frames until the picture is kept`
+                : `${state.effect.frames} frames since the last choice`,
+            ...(state.error === null ? [] : [`error ${state.error.toFixed(4)} against the kept picture (RMSE)`]),
+        ].join(", ");
+    }
+
+    // Reading the images back takes long: twice a second.
+    function measureError(now) {
+        const asked = state.effect.kept !== null && at("view").value === "difference";
+        if (!asked) state.error = null;
+        else if (now - (state.measured ?? -1000) > 500) {
+            state.error = state.effect.error();
+            state.measured = now;
+        }
+    }
+
+    // Browsers refuse changes of the address that follow too fast.
+    function keepAddress(now) {
+        if (now - (state.written ?? 0) < 500) return;
+        state.written = now;
+        writeAddress();
+    }
+
+    async function draw(now) {
+        if (state.failed) return;
+        if (!document.hidden) {
+            state.effect.frame(nextCamera());
+            if (state.keeping > 0 && --state.keeping === 0) await endKeeping();
+            else measureError(now);
+            if (state.effect.frames > 0) state.effect.show(viewNumber(), Number(at("split").value) / 100);
+            tellTime(now);
+            keepAddress(now);
+        }
+        requestAnimationFrame(guarded(draw));
+    }
+
+    function fail(error) {
+        state.failed = true;
+        at("told").textContent = String(error.message);
+        at("told").className = "bad";
+    }
+
+    const guarded = (apply) => async (argument) => {
+        try {
+            await apply(argument);
+        } catch (error) {
+            fail(error);
+        }
+    };
+    const forgetGuarded = guarded(forget);
+
+    function listen() {
+        at("scene").addEventListener("change", guarded(applyScene));
+        at("size").addEventListener("change", guarded(applySize));
+        for (const id of ["method", "preset", "radius"]) at(id).addEventListener("input", guarded(applyMethod));
+        at("preset").addEventListener("change", guarded(async () => {
+            at("method").value = presetNamed(at("preset").value).method;
+            await applyMethod();
+        }));
+        at("keep").addEventListener("click", guarded(beginKeeping));
+        at("forget").addEventListener("click", forgetGuarded);
+        at("moves").addEventListener("change", guarded(async () => {
+            if (at("moves").checked) state.turned = false;
+            if (state.effect.kept !== null) await forget();
+        }));
+        at("view").addEventListener("input", () => { at("legend").textContent = views[at("view").value]; });
+        addEventListener("hashchange", guarded(restore));
+    }
+
+    // Applies all that the address holds.
+    async function restore() {
+        const camera = readAddress();
+        applySize();
+        at("legend").textContent = views[at("view").value];
+        await applyScene();
+        if (camera === undefined) return;
+        take();
+        state.orbit.numbers = camera;
+    }
+
+    async function begin() {
+        fillControls();
+        state.effect = new gloam.Effect(at("canvas"));
+        state.orbit = new gloam.Orbit(at("canvas"), take);
+        at("canvas").addEventListener("webglcontextlost", () => fail(new Error("the context was lost")));
+        await restore();
+        listen();
+        requestAnimationFrame(guarded(draw));
+    }
+
+    document.addEventListener("DOMContentLoaded", guarded(begin));
+    return {state};
+})();
