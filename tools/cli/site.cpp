@@ -3,107 +3,22 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <exception>
 #include <memory>
-#include <nlohmann/json.hpp>
 
-#include "base/text.hpp"
 #include "cli/environment.hpp"
 #include "cli/names.hpp"
 #include "cli/progress.hpp"
-#include "cli/render.hpp"
-#include "cli/render_pictures.hpp"
-#include "cli/renderer.hpp"
-#include "cli/site_gallery.hpp"
+#include "cli/site_pictures.hpp"
 #include "report/output.hpp"
 #include "site/site.hpp"
 
 namespace gloam::cli {
 namespace {
 
-using nlohmann::ordered_json;
-
-struct Shown {
-    const char* name;
-    const char* title;
-};
-
-// Scenes that show much occlusion, each in its own light.
-constexpr Shown scenes[] = {{"columns", "A hall of columns, lit by a lamp"},
-                            {"knot", "A knot on a plane, in the sun"},
-                            {"room", "A room, lit by a lamp"}};
-
-ordered_json empty_gallery(const std::string& reason) {
-    return {{"device", "There are no pictures: " + reason}, {"scenes", ordered_json::array()}};
-}
-
-// Writes pictures and counts their bytes.
-class PictureFolder {
-  public:
-    explicit PictureFolder(report::OutputFolder& folder) : folder_(folder) {}
-
-    // Returns the name.
-    std::string write(const std::string& name, const report::RgbBytes& rgb, gpu::Extent extent) {
-        const std::string png = report::to_rgb_png(rgb, extent.width, extent.height);
-        folder_.write(name, png);
-        bytes_ += png.size();
-        return name;
-    }
-    [[nodiscard]] std::size_t bytes() const { return bytes_; }
-
-  private:
-    report::OutputFolder& folder_;
-    std::size_t bytes_ = 0;
-};
-
-ordered_json render_scene(const Shown& shown, const GalleryOptions& options, RenderBench& bench,
-                          PictureFolder& folder) {
-    const RenderOptions render_options{
-        .source = shown.name, .frames = 16, .size = "640x360", .device = options.device, .quiet = true};
-    const RenderInput input = open_input(render_options);
-    bench.forget_light();
-    const Rendered run = render(render_options, input, bench, {});
-    const Pictures& last = run.pictures.back();
-    const std::string prefix = std::string("gallery-") + shown.name + "-";
-    return {{"title", shown.title},
-            {"before", folder.write(prefix + "plain.png", last.plain, last.extent)},
-            {"after", folder.write(prefix + "shaded.png", last.shaded, last.extent)},
-            {"occlusion", folder.write(prefix + "occlusion.png", last.visibility, last.extent)},
-            {"caption", caption_of(run.report)}};
-}
-
-// The device, or why there is none.
-std::unique_ptr<RenderBench> open_bench(const GalleryOptions& options, std::string& reason) {
-    try {
-        return std::make_unique<RenderBench>(RenderOptions{.device = options.device});
-    } catch (const std::exception& error) {
-        if (!options.device.empty()) throw;  // it was asked for
-        reason = base::one_line(error.what());
-        return nullptr;
-    }
-}
-
-}  // namespace
-
-SiteGallery write_site_gallery(const GalleryOptions& options, report::OutputFolder& folder) {
-    if (!options.pictures) return {empty_gallery("the site was written without them.").dump()};
-    std::string reason;
-    const std::unique_ptr<RenderBench> bench = open_bench(options, reason);
-    if (!bench) return {empty_gallery(reason).dump()};
-    ordered_json json{{"device", "Rendered on " + bench->device.info().name + "."},
-                      {"scenes", ordered_json::array()}};
-    PictureFolder pictures(folder);
-    for (const Shown& shown : scenes)
-        json["scenes"].push_back(render_scene(shown, options, *bench, pictures));
-    return {json.dump(), pictures.bytes()};
-}
-
-namespace {
-
 struct SiteCommand {
     std::filesystem::path folder;
     site::SiteOptions options;
-    GalleryOptions gallery;
+    PictureOptions pictures;
     bool quiet = false;
 };
 
@@ -111,8 +26,9 @@ void run_site(SiteCommand command) {
     report::OutputFolder folder(command.folder);
     command.options.files = site_directory();
     command.options.documents = documents_directory();
-    const SiteGallery gallery = write_site_gallery(command.gallery, folder);
-    command.options.gallery = gallery.json;
+    command.pictures.methods = command.options.methods;
+    const RenderedPictures pictures = write_site_pictures(command.pictures, folder);
+    command.options.pictures = pictures.of_site;
     command.options.versions = versions();
     const check::Lab lab({.device = std::string(check::interpreter_name),
                           .include_roots = {glsl_directory()},
@@ -125,11 +41,22 @@ void run_site(SiteCommand command) {
     folder.keep();
     if (command.quiet) return;
     fmt::print("{}: {} checks, {:.1f} MB\n", (folder.path() / "index.html").string(), written.checks,
-               static_cast<double>(written.bytes + gallery.bytes) / 1e6);
+               static_cast<double>(written.bytes + pictures.bytes) / 1e6);
     if (written.unsupported > 0)
         fmt::print("{} functions are no GLSL ES 3.00 and are only listed\n", written.unsupported);
     if (written.left_out > 0)
         fmt::print("{} entries have no accuracy to judge and are left out\n", written.left_out);
+}
+
+}  // namespace
+
+namespace {
+
+// Empty for an address that a page can be appended to, otherwise what is wrong.
+std::string is_address(const std::string& text) {
+    const bool starts = text.starts_with("https://") || text.starts_with("http://");
+    if (starts && text.ends_with('/') && text.find_first_of(" \t\r\n") == std::string::npos) return "";
+    return "\"" + text + "\": expected an address like https://example.org/gloam/";
 }
 
 }  // namespace
@@ -148,8 +75,12 @@ void add_site(CLI::App& app) {
             "Markdown of gloam bench, gloam report --accuracy or gloam pack --lines, for the page of "
             "measurements")
         ->check(CLI::ExistingFile);
-    site->add_flag("!--no-pictures", command->gallery.pictures, "render no pictures for the gallery");
-    site->add_option("--device", command->gallery.device,
+    site->add_option("--method", command->options.methods, "methods that get a page; none: all");
+    site->add_option("--address", command->options.address,
+                     "address of the published site, ending in /: previews of its pages need it")
+        ->check(is_address);
+    site->add_flag("!--no-pictures", command->pictures.pictures, "render no pictures");
+    site->add_option("--device", command->pictures.device,
                      "name or index of the device that renders the pictures (gloam devices)");
     site->add_flag("--quiet", command->quiet, "print nothing");
     site->callback([command] { run_site(*command); });

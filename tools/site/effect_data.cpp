@@ -99,8 +99,9 @@ bool runs_in_page(const effect::MethodInfo& method) {
     return method.prepare == nullptr;
 }
 
-std::string effect_json(const ShaderFolders& folders) {
+std::string effect_json(const ShaderFolders& folders, const std::vector<std::string>& truths) {
     ordered_json json = core_json(folders);
+    json["truths"] = truths;
     json["gbuffer_vertices"] = packed_file("gbuffer.vert", Stage::vertex, folders);
     for (const std::string name : {"gbuffer", "show"})
         json[name] = packed_file(name + ".frag", Stage::fragment, folders);

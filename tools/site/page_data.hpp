@@ -14,6 +14,7 @@
 #include "check/prepared_check.hpp"
 #include "effect/methods.hpp"
 #include "scene/scene.hpp"
+#include "site/site.hpp"
 
 namespace gloam::site {
 
@@ -52,11 +53,11 @@ struct ShaderFolders {
 };
 
 // The passes of the page in GLSL ES 3.00, packed, and the presets and the methods that run there: as JSON
-// (effect/ambient-occlusion.js). Throws like shader::pack().
-[[nodiscard]] std::string effect_json(const ShaderFolders& folders);
+// (effect/ambient-occlusion.js). truths: the scenes with ray-traced truth. Throws like shader::pack().
+[[nodiscard]] std::string effect_json(const ShaderFolders& folders, const std::vector<std::string>& truths);
 
-// What another page of WebGL2 needs, each as JSON: what every user does, with the methods of the presets; and each
-// method: the text of its pass, and settings of the presets with that method, for a radius of 1.
+// What another page of WebGL2 needs, each as JSON: what every user does, with the methods of the presets; and
+// each method: the text of its pass, and settings of the presets with that method, for a radius of 1.
 struct EffectParts {
     std::string core;
     std::map<std::string, std::string> methods;  // by name
@@ -73,6 +74,32 @@ struct EffectParts {
 
 // The triangles of a scene and its camera in each of `frames` frames, as JSON (page/scene.js).
 [[nodiscard]] std::string scene_json(const scene::Scene& scene, int frames);
+
+// Where a method fails, in words, and by how much.
+struct MethodFailure {
+    std::string words;
+    std::string number;
+};
+
+// Of the methods that the table "method | fails | number" of a page names: docs/methods.md has it. Throws
+// std::runtime_error where there is no such table.
+[[nodiscard]] std::map<std::string, MethodFailure> method_failures(std::string_view markdown);
+
+// The method's function with all that it uses, in every language that gloam pack writes, by the language's
+// name. Throws like shader::pack() and shader::translated().
+[[nodiscard]] std::map<std::string, std::string> method_texts(const effect::MethodInfo& method,
+                                                              const std::filesystem::path& library);
+inline constexpr const char* vulkan_text = "GLSL 4.50";
+
+// The equations of occlusion in the text of a method's function, its own first. equations: of the library.
+[[nodiscard]] std::vector<catalogue::Description> method_equations(
+    const effect::MethodInfo& method, const std::string& text,
+    const std::map<std::string, catalogue::Description>& equations);
+
+// What the pages say of a method, as JSON (page/method.js). equations: those that it uses.
+[[nodiscard]] std::string method_json(const effect::MethodInfo& method,
+                                      const std::vector<catalogue::Description>& equations,
+                                      const MethodFailure& failure, const MethodPicture& picture);
 
 // A line without the blanks at its ends.
 [[nodiscard]] std::string_view without_ends(std::string_view line);

@@ -9,7 +9,10 @@
 
 #include "base/files.hpp"
 #include "catalogue/catalogue.hpp"
+#include "effect/methods.hpp"
+#include "report/page.hpp"
 #include "site/page_data.hpp"
+#include "site/pages.hpp"
 
 namespace gloam::site {
 namespace {
@@ -46,47 +49,12 @@ std::vector<Written> prepare_all(const check::Lab& lab, const SiteOptions& optio
     return all;
 }
 
-class Files {
-  public:
-    explicit Files(report::OutputFolder& folder) : folder_(folder) {}
-    void write(const std::string& name, const std::string& text) {
-        folder_.write(name, text);
-        bytes_ += text.size();
-    }
-    [[nodiscard]] std::size_t bytes() const { return bytes_; }
-
-  private:
-    report::OutputFolder& folder_;
-    std::size_t bytes_ = 0;
-};
-
 void copy_files(const fs::path& from, std::string_view extensions, Files& files) {
     for (const fs::directory_entry& file : fs::directory_iterator(from)) {
         const fs::path& path = file.path();
         if (file.is_regular_file() && extensions.find(path.extension().string()) != std::string_view::npos)
             files.write(path.filename().string(), base::read_file(path));
     }
-}
-
-// A page of the template. Its file has what is its own in the head, then its main element.
-std::string page_of(const std::string& form, const fs::path& file) {
-    const std::string text = base::read_file(file);
-    const std::string begin = "<main>\n";
-    const std::size_t main = text.find(begin);
-    const std::size_t end = text.rfind("</main>");
-    const std::size_t title = text.find("<title>");
-    if (main == std::string::npos || end == std::string::npos || title > main)
-        throw std::runtime_error(file.string() + ": expected a title and a main element");
-    std::string page = form;
-    const auto put = [&page, &file](const std::string& marker, const std::string& part) {
-        const std::size_t at = page.find(marker);
-        if (at == std::string::npos)
-            throw std::runtime_error(file.string() + ": no " + marker + " in the template");
-        page.replace(at, marker.size(), part);
-    };
-    put("<!-- head -->\n", text.substr(title, main - title));
-    put("<!-- main -->\n", text.substr(main + begin.size(), end - main - begin.size()));
-    return page;
 }
 
 // The script of the worker in which the kernels run, as a text: a page of file:// cannot read a file.
@@ -98,14 +66,17 @@ std::string worker_text(const fs::path& folder) {
     return nlohmann::ordered_json(text).dump();
 }
 
+void write_page(const std::string& name, const std::string& text, const SiteOptions& options, Files& files) {
+    files.write(name, page_text(name, text, options));
+}
+
 // The pages, the libraries that they use, and the licences of these as a script.
 void write_pages(const SiteOptions& options, Files& files) {
     const fs::path third_party = options.files / "third-party";
     copy_files(options.files / "page", ".js.css", files);
-    const std::string form = base::read_file(options.files / "template.html");
     for (const fs::directory_entry& file : fs::directory_iterator(options.files / "page"))
         if (file.path().extension() == ".html")
-            files.write(file.path().filename().string(), page_of(form, file.path()));
+            write_page(file.path().filename().string(), base::read_file(file.path()), options, files);
     files.write("worker-text.js",
                 "gloam.workerText = " + worker_text(options.files / "page" / "worker") + ";\n");
     copy_files(third_party, ".js.css", files);
@@ -113,7 +84,44 @@ void write_pages(const SiteOptions& options, Files& files) {
     for (const char* name : {"uplot", "img-comparison-slider"})
         licences.push_back(base::read_file(third_party / (std::string(name) + "-licence.txt")));
     files.write("licences-data.js", "gloam.licences = " + licences.dump() + ";\n");
-    files.write("gallery-data.js", "gloam.gallery = " + options.gallery + ";\n");
+    files.write("gallery-data.js", "gloam.gallery = " + options.pictures.gallery + ";\n");
+}
+
+// The value of a name, or an empty one.
+template <class Value>
+Value known(const std::map<std::string, Value>& values, const std::string& name) {
+    const auto at = values.find(name);
+    return at == values.end() ? Value{} : at->second;
+}
+
+// The methods that get a page, in the order of all.
+std::vector<effect::MethodInfo> methods_of(const SiteOptions& options) {
+    if (options.methods.empty()) return effect::methods();
+    std::vector<effect::MethodInfo> methods;
+    for (const std::string& name : options.methods) methods.push_back(effect::method_named(name));
+    return methods;
+}
+
+// A page for each method, its source text, and what all these pages say as one script.
+void write_methods(const fs::path& library, const SiteOptions& options, Files& files) {
+    const std::string form = base::read_file(options.files / "method.html");
+    const auto failures = method_failures(base::read_file(options.documents / "methods.md"));
+    const auto equations = catalogue::descriptions(library);
+    std::string all;
+    for (const effect::MethodInfo& method : methods_of(options)) {
+        const std::string& name = method.name;
+        const std::map<std::string, std::string> texts = method_texts(method, library);
+        all += (all.empty() ? "" : ",\n") +
+               method_json(method, method_equations(method, texts.at(vulkan_text), equations),
+                           known(failures, name), known(options.pictures.methods, name));
+        files.write("source-" + name + ".js", "gloam.addSource(\"" + name + "\", " +
+                                                  nlohmann::ordered_json(texts).dump(-1, ' ', true) + ");\n");
+        write_page(
+            "method-" + name + ".html",
+            replaced(replaced(form, "NAME", name), "DESCRIPTION", report::escaped_html(method.description)),
+            options, files);
+    }
+    files.write("methods-data.js", "gloam.methodPages = [\n" + all + "\n];\n");
 }
 
 // The pages of drivers and measurements, one script each. The measurements end with the pages of the user.
@@ -141,11 +149,11 @@ std::string effect_script(const fs::path& folder) {
 void write_effect(const check::Lab& lab, const SiteOptions& options, Files& files) {
     constexpr int frames = 240;
     const ShaderFolders folders{lab.options().include_roots.front(), options.files / "shaders"};
-    files.write("effect-data.js", "gloam.effectData = " + effect_json(folders) + ";\n");
+    files.write("effect-data.js",
+                "gloam.effectData = " + effect_json(folders, options.pictures.truths) + ";\n");
     files.write("ambient-occlusion.js", effect_script(options.files / "effect"));
     for (const auto& [name, json] : effect_parts(folders).methods)
-        files.write("method-" + name + ".js", "gloam.addMethod(" + json + ");
-");
+        files.write("method-" + name + ".js", "gloam.addMethod(" + json + ");\n");
     for (const std::string name : {"columns", "room", "knot"})
         files.write("scene-" + name + ".js",
                     "gloam.addScene(" + scene_json(scene::make_scene(name), frames) + ");\n");
@@ -188,6 +196,7 @@ SiteSummary write_site(const check::Lab& lab, const SiteOptions& options, report
     write_pages(options, files);
     write_documents(options, files);
     write_effect(lab, options, files);
+    write_methods(glsl, options, files);
     write_checks(entries, written, options, files);
     summary.bytes = files.bytes();
     return summary;

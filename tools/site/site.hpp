@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,20 @@
 
 namespace gloam::site {
 
+// A picture of a method, for its page.
+struct MethodPicture {
+    std::string file;  // in the site's folder; empty: there is none
+    std::string caption;
+};
+
+// The pictures that were rendered for the site. Files are in its folder.
+struct SitePictures {
+    std::string gallery;              // JSON: page/gallery.js
+    std::vector<std::string> truths;  // scenes of which the file truth-SCENE.js has ray-traced truth
+    std::map<std::string, MethodPicture> methods;
+    std::string preview;  // file that stands for the site elsewhere; empty: there is none
+};
+
 struct SiteOptions {
     std::vector<std::string> equations;  // IDs, functions or globs; empty: all
     std::size_t inputs = 512;            // of each check
@@ -20,8 +35,10 @@ struct SiteOptions {
     std::filesystem::path files;                  // folder of the pages and the shaders
     std::filesystem::path documents;              // folder of the Markdown pages
     std::vector<std::filesystem::path> measured;  // Markdown pages that the page of measurements ends with
-    std::string gallery;                          // JSON of its pictures: page/gallery.js
-    std::string versions;                         // of this program, for the results file
+    std::vector<std::string> methods;             // with a page; empty: all
+    SitePictures pictures;
+    std::string address;   // of the published site, for previews of its pages; can be empty
+    std::string versions;  // of this program, for the results file
 };
 
 // What was written.

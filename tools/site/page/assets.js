@@ -20,6 +20,23 @@ gloam.scene = async (name) => {
     return gloam.scenes.get(name);
 };
 
+// Ray-traced truth of the first views, by their scenes: {picture, width, height, rays}, filled by truth-NAME.js.
+gloam.truths = new Map();
+
+// The truth of a scene's first view at this size, of which visibility is the picture, and what it is.
+gloam.truth = async (name, {width, height}) => {
+    if (!gloam.truths.has(name)) await gloam.loadScript(`truth-${name}.js`);
+    const {picture, rays, ...traced} = gloam.truths.get(name);
+    const image = new Image();
+    image.src = "data:image/png;base64," + picture;
+    await image.decode();
+    const context = new OffscreenCanvas(width, height).getContext("2d");
+    context.drawImage(image, 0, 0, width, height);
+    const bytes = context.getImageData(0, 0, width, height).data;
+    return {occlusion: Float32Array.from({length: width * height}, (_, i) => 1 - bytes[4 * i] / 255),
+        told: `truth: ${rays} rays a pixel of ${traced.width}x${traced.height}`};
+};
+
 // Triples of numbers, each looked up in a table.
 gloam.lookedUp = (triples, table, Kind) => Kind.from(triples, (number) => table[number]);
 

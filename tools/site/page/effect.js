@@ -18,6 +18,7 @@ gloam.Effect = class {
         this.timer = new gloam.GpuTimer(this.gl);
         this.images = null;
         this.kept = null;
+        this.left = null;
         this.mesh = null;
         this.buffers = [];
     }
@@ -69,6 +70,20 @@ gloam.Effect = class {
         this.occlusion.setMethod(method, preset, radius);
     }
 
+    // Another method on the left side, with a history of its own; null: none. The rest as for setMethod().
+    setLeft(method, preset, radius) {
+        if (method === null) {
+            this.left?.dispose();
+            this.left = null;
+            return;
+        }
+        if (this.left === null) {
+            this.left = new gloam.AmbientOcclusion(this.gl, this.data);
+            this.left.setSize(this.images.width, this.images.height);
+        }
+        this.left.setMethod(method, preset, radius);
+    }
+
     setSize(width, height) {
         const {gl} = this;
         if (this.images !== null) this.deleteImages();
@@ -82,6 +97,7 @@ gloam.Effect = class {
         gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER, buffer);
         this.images.buffer = buffer;
         this.occlusion.setSize(width, height);
+        this.left?.setSize(width, height);
     }
 
     deleteImages() {
@@ -90,11 +106,24 @@ gloam.Effect = class {
         this.forget();
     }
 
+    // The image to keep in.
+    keeping() {
+        this.kept ??= this.passes.target(this.images.width, this.images.height, this.gl.R32F);
+        return this.kept;
+    }
+
+    // Keeps occlusion from elsewhere, a float for each pixel, to compare with.
+    keepOcclusion(floats) {
+        const {gl} = this;
+        const {width, height} = this.images;
+        gl.bindTexture(gl.TEXTURE_2D, this.keeping().image);
+        gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RED, gl.FLOAT, floats);
+    }
+
     // Keeps a copy of the last frame's occlusion, to compare with what follows.
     keep() {
         const {gl} = this;
-        const {width, height} = this.images;
-        this.kept ??= this.passes.target(width, height, gl.R32F);
+        const {width, height} = this.keeping();
         gl.bindFramebuffer(gl.READ_FRAMEBUFFER, this.occlusion.result.framebuffer);
         gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, this.kept.framebuffer);
         gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
@@ -106,11 +135,17 @@ gloam.Effect = class {
         this.kept = null;
     }
 
-    // The root of the mean squared difference between the occlusion of the last frame and the kept one, over the pixels
-    // that show geometry; null where nothing is kept.
+    // What stands on the left side: the occlusion of its method, or the kept image; null: no occlusion.
+    get compared() {
+        return this.left?.result ?? this.kept;
+    }
+
+    // The root of the mean squared difference between the occlusion of the last frame and that of the left side, over
+    // the pixels that show geometry; null where the left side has none.
     error() {
-        if (this.kept === null) return null;
-        const [now, kept, depth] = [this.occlusion.result, this.kept, this.images].map((one) => this.passes.read(one));
+        if (this.compared === null) return null;
+        const [now, kept, depth] = [this.occlusion.result, this.compared, this.images]
+            .map((one) => this.passes.read(one));
         let sum = 0;
         let count = 0;
         for (let i = 0; i < now.length; i += 4) {
@@ -124,6 +159,7 @@ gloam.Effect = class {
     // Forgets the history.
     restart() {
         this.occlusion.restart();
+        this.left?.restart();
     }
 
     projection() {
@@ -140,6 +176,7 @@ gloam.Effect = class {
         this.drawGbuffer(view, projection);
         const {depth, normal} = this.images;
         this.timer.measure(() => this.occlusion.render({depth, normal, projection, view}));
+        this.left?.render({depth, normal, projection, view});
     }
 
     drawGbuffer(view, projection) {
@@ -157,7 +194,7 @@ gloam.Effect = class {
     }
 
     // Draws the last frame to the canvas. view: as show.frag numbers them. split: part of the width, from the left,
-    // with the kept occlusion, or without any where none is kept.
+    // with what stands on the left side.
     show(view, split) {
         const {images} = this;
         const {width, height} = images;
@@ -166,7 +203,7 @@ gloam.Effect = class {
         this.passes.begin();
         this.passes.draw(this.shower, {depth_image: images.depth, normal_image: images.normal,
             albedo_image: images.albedo, occlusion_image: result.image, history_image: history.image,
-            kept_image: (this.kept ?? result).image, has_kept: this.kept !== null, size: [width, height],
+            kept_image: (this.compared ?? result).image, has_kept: this.compared !== null, size: [width, height],
             shown: view, weight_max: this.settings.weight_max,
             split: Math.round(split * width), up: [rotation[1], rotation[4], rotation[7]]},
         {framebuffer: null, width, height});

@@ -5,9 +5,10 @@
 gloam.live = (() => {
     const at = (id) => document.getElementById(id);
     const state = {effect: null, orbit: null, turned: false, number: 0, forward: true, times: [], failed: false,
-        keeping: 0, error: null};
+        keeping: 0, error: null, left: "without"};
     const framesKept = 128;
-    const controls = ["scene", "preset", "method", "radius", "view", "size", "split"];
+    const controls = ["scene", "preset", "method", "radius", "view", "size", "left", "split"];
+    const lists = ["scene", "preset", "method", "view", "size", "left"];
     const views = {lit: "", visibility: "White is open, black is occluded.",
         convergence: "Dark blue: no history. Yellow: the mean holds as many samples as it may.",
         samples: "Samples in the mean, on a logarithmic scale: dark blue 0, yellow 1024 or more.",
@@ -17,11 +18,13 @@ gloam.live = (() => {
 
     const presetNamed = (name) => gloam.effectData.presets.find((preset) => preset.name === name);
     const methodNamed = (name) => gloam.effectData.methods.find((method) => method.name === name);
-    const optionsOf = (id) => [...at(id).options].map((option) => option.value);
+    const optionsOf = (id) => [...at(id).options].filter((one) => !one.disabled).map((one) => one.value);
 
     function fillControls() {
         for (const {name} of gloam.effectData.presets) at("preset").append(gloam.element("option", {}, name));
-        for (const {name} of gloam.effectData.methods) at("method").append(gloam.element("option", {}, name));
+        for (const id of ["method", "left"])
+            for (const {name} of gloam.effectData.methods) at(id).append(gloam.element("option", {}, name));
+        at("truth").disabled = gloam.effectData.truths.length === 0;  // the site was written without pictures
         at("preset").value = gloam.effectData.preset;
         at("method").value = presetNamed(gloam.effectData.preset).method;
         at("moves").checked = !matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -31,7 +34,7 @@ gloam.live = (() => {
     function kinds() {
         const {oneOf, within, list} = gloam.address;
         const ofRange = (id) => within(Number(at(id).min), Number(at(id).max));
-        return {...Object.fromEntries(["scene", "preset", "method", "view", "size"].map((id) => [id, oneOf(optionsOf(id))])),
+        return {...Object.fromEntries(lists.map((id) => [id, oneOf(optionsOf(id))])),
             radius: ofRange("radius"), split: ofRange("split"), camera: list(6)};
     }
 
@@ -46,10 +49,13 @@ gloam.live = (() => {
 
     function writeAddress() {
         const values = Object.fromEntries(controls.map((id) => [id, at(id).value]));
+        if (values.left === "kept") delete values.left;  // nobody else has it
         if (state.turned) values.camera = state.orbit.numbers;
         const hash = "#" + gloam.address.write(values);
         if (hash !== location.hash) history.replaceState(null, "", hash);
     }
+
+    const radiusNow = () => state.effect.scene.radius * Number(at("radius").value);
 
     // Applies the choice of method, preset and radius, and says what they are.
     async function applyMethod() {
@@ -57,11 +63,18 @@ gloam.live = (() => {
         const method = await gloam.method(name);
         if (name !== at("method").value) return;  // another was chosen while it was loaded
         state.keeping = 0;
-        const radius = state.effect.scene.radius * Number(at("radius").value);
+        const radius = radiusNow();
         state.effect.setMethod(method, at("preset").value, radius);
         at("radius-told").textContent = radius.toPrecision(2);
         at("method-told").textContent = `${name}: ${methodNamed(name).description}.`;
         at("preset-told").textContent = `${at("preset").value}: ${presetNamed(at("preset").value).description}.`;
+        if (methodNamed(at("left").value)) await applyLeft();
+        await showSource();
+    }
+
+    // The source text of the method, once the person has asked for one.
+    async function showSource() {
+        if (at("source").open) await state.source.open(at("method").value);
     }
 
     async function applyScene() {
@@ -72,48 +85,76 @@ gloam.live = (() => {
         state.orbit.setScene(scene);
         state.turned = false;
         state.number = 0;
-        await forget();
+        await applyMethod();
+        await applyLeft();
     }
 
-    function applySize() {
+    async function applySize() {
         const [width, height] = at("size").value.split("x").map(Number);
         state.effect.setSize(width, height);
-        tellSides(null);
         state.keeping = 0;
+        if (state.effect.scene) await applyLeft();
     }
 
     // Starts the frames of a converged picture: the camera stands, and the mean takes every sample.
     async function beginKeeping() {
         at("moves").checked = false;
-        state.effect.forget();
         await applyMethod();
-        state.effect.settings.weight_max = 1e6;
+        Object.assign(state.effect.settings, {weight_max: 1e6, filter: "none"});
         state.keeping = framesKept;
     }
 
     async function endKeeping() {
+        state.effect.setLeft(null);
         state.effect.keep();
         await applyMethod();
-        tellSides(`${at("method").value}, kept`);
+        at("kept").disabled = false;
+        tellLeft("kept", `${at("method").value}, kept`);
     }
 
-    async function forget() {
+    // Applies the choice of what stands on the left: a kept picture stays, everything else is made here.
+    async function applyLeft() {
+        const name = at("left").value;
+        const method = methodNamed(name) ? await gloam.method(name) : null;
+        const truth = name === "truth" ? await gloam.truth(at("scene").value, state.effect.images) : null;
+        if (name !== at("left").value) return;
+        state.effect.setLeft(method, at("preset").value, radiusNow());
+        if (name === "kept" && state.effect.kept !== null) return;
         state.effect.forget();
-        await applyMethod();
-        tellSides(null);
+        at("kept").disabled = true;
+        if (truth !== null) {
+            standStill();
+            state.effect.keepOcclusion(truth.occlusion);
+        }
+        tellLeft(name === "kept" ? "without" : name, truth === null ? name : truth.told);
     }
 
-    // What the sides of the slider show; kept: null where nothing is.
-    function tellSides(kept) {
-        at("left-told").textContent = kept ?? "without";
-        at("right-told").textContent = kept === null ? "with" : "now";
-        at("forget").disabled = kept === null;
+    function tellLeft(name, told) {
+        at("left").value = name;
+        at("left-told").textContent = told;
+        at("right-told").textContent = name === "without" ? "with" : at("method").value;
+        if (name !== "without" && name !== state.left && Number(at("split").value) === 0) at("split").value = 50;
+        state.left = name;
+    }
+
+    // The view that truth was traced for: the first of the path.
+    function standStill() {
+        at("moves").checked = false;
+        state.turned = false;
+        state.number = 0;
+    }
+
+    // What was made for one view no longer holds.
+    async function leaveView() {
+        if (!["kept", "truth"].includes(at("left").value)) return;
+        at("left").value = "without";
+        await applyLeft();
     }
 
     // The person takes the camera from its path.
     function take() {
         at("moves").checked = false;
-        if (state.effect.kept !== null) forgetGuarded();
+        guarded(leaveView)();
         if (!state.turned) state.orbit.take(gloam.camera.at(state.effect.scene.cameras, state.number));
         state.turned = true;
     }
@@ -141,13 +182,13 @@ gloam.live = (() => {
             ...(gpu === null ? [] : [`${gpu.toFixed(2)} ms of the GPU for the occlusion`]),
             state.keeping > 0 ? `${state.keeping} frames until the picture is kept`
                 : `${state.effect.frames} frames since the last choice`,
-            ...(state.error === null ? [] : [`error ${state.error.toFixed(4)} against the kept picture (RMSE)`]),
+            ...(state.error === null ? [] : [`error ${state.error.toFixed(4)} against ${at("left-told").textContent} (RMSE)`]),
         ].join(", ");
     }
 
     // Reading the images back takes long: twice a second.
     function measureError(now) {
-        const asked = state.effect.kept !== null && at("view").value === "difference";
+        const asked = state.effect.compared !== null && at("view").value === "difference";
         if (!asked) state.error = null;
         else if (now - (state.measured ?? -1000) > 500) {
             state.error = state.effect.error();
@@ -188,7 +229,6 @@ gloam.live = (() => {
             fail(error);
         }
     };
-    const forgetGuarded = guarded(forget);
 
     function listen() {
         at("scene").addEventListener("change", guarded(applyScene));
@@ -199,19 +239,20 @@ gloam.live = (() => {
             await applyMethod();
         }));
         at("keep").addEventListener("click", guarded(beginKeeping));
-        at("forget").addEventListener("click", forgetGuarded);
+        at("left").addEventListener("change", guarded(applyLeft));
         at("moves").addEventListener("change", guarded(async () => {
             if (at("moves").checked) state.turned = false;
-            if (state.effect.kept !== null) await forget();
+            await leaveView();
         }));
         at("view").addEventListener("input", () => { at("legend").textContent = views[at("view").value]; });
+        at("source").addEventListener("toggle", guarded(showSource));
         addEventListener("hashchange", guarded(restore));
     }
 
     // Applies all that the address holds.
     async function restore() {
         const camera = readAddress();
-        applySize();
+        await applySize();
         at("legend").textContent = views[at("view").value];
         await applyScene();
         if (camera === undefined) return;
@@ -222,6 +263,8 @@ gloam.live = (() => {
     async function begin() {
         fillControls();
         state.effect = new gloam.Effect(at("canvas"));
+        state.source = new gloam.Source();
+        at("source").append(state.source.root);
         state.orbit = new gloam.Orbit(at("canvas"), take);
         at("canvas").addEventListener("webglcontextlost", () => fail(new Error("the context was lost")));
         await restore();

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+
+#include "effect/methods.hpp"
+#include "shader/pack.hpp"
+#include "site/page_data.hpp"
+
+namespace gloam::site {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+bool has_name(const std::string& names, const std::string& name) {
+    std::istringstream words(names);
+    for (std::string word; words >> word;)
+        if (word == name || word == name + ",") return true;
+    return false;
+}
+
+// The presets that run the method, with what was measured of them.
+ordered_json presets_of(const effect::MethodInfo& method) {
+    ordered_json rows = ordered_json::array();
+    for (const effect::Preset& preset : effect::presets())
+        if (preset.settings.method == method.name)
+            rows.push_back({{"name", preset.name},
+                            {"description", preset.description},
+                            {"error", preset.error},
+                            {"copies", preset.copies}});
+    return rows;
+}
+
+}  // namespace
+
+std::map<std::string, MethodFailure> method_failures(std::string_view markdown) {
+    std::map<std::string, MethodFailure> failures;
+    for (const ordered_json& block : ordered_json::parse(document_json(markdown))) {
+        if (block.at("kind") != "table" || block.at("head") != ordered_json{"method", "fails", "number"})
+            continue;
+        for (const ordered_json& row : block.at("rows"))
+            for (const effect::MethodInfo& method : effect::methods())
+                if (has_name(row.at(0), method.name)) failures[method.name] = {row.at(1), row.at(2)};
+    }
+    if (failures.empty())
+        throw std::runtime_error("methods.md: expected a table with the columns method, fails and number");
+    return failures;
+}
+
+std::vector<catalogue::Description> method_equations(
+    const effect::MethodInfo& method, const std::string& text,
+    const std::map<std::string, catalogue::Description>& equations) {
+    std::vector<catalogue::Description> used;
+    for (const auto& [id, equation] : equations) {
+        const bool of_occlusion =
+            equation.file.starts_with("gloam/occlusion/") || equation.file.starts_with("gloam/methods/");
+        if (of_occlusion && text.find(" " + equation.function + "(") != std::string::npos)
+            used.push_back(equation);
+    }
+    std::ranges::stable_partition(
+        used, [&method](const auto& equation) { return equation.function == "gloam_" + method.name; });
+    return used;
+}
+
+std::string method_json(const effect::MethodInfo& method,
+                        const std::vector<catalogue::Description>& equations, const MethodFailure& failure,
+                        const MethodPicture& picture) {
+    ordered_json rows = ordered_json::array();
+    for (const catalogue::Description& equation : equations)
+        rows.push_back({{"name", equation.id},
+                        {"title", equation.title},
+                        {"formula", equation.formula},
+                        {"source", equation.source},
+                        {"function", equation.function}});
+    const ordered_json json{{"name", method.name},       {"description", method.description},
+                            {"file", file_of(method)},   {"measure", to_string(method.measure)},
+                            {"falloff", method.falloff}, {"live", runs_in_page(method)},
+                            {"equations", rows},         {"presets", presets_of(method)},
+                            {"fails", failure.words},    {"number", failure.number},
+                            {"picture", picture.file},   {"caption", picture.caption}};
+    return json.dump(-1, ' ', true);
+}
+
+std::map<std::string, std::string> method_texts(const effect::MethodInfo& method,
+                                                const std::filesystem::path& library) {
+    const std::vector<std::filesystem::path> files{library / file_of(method)};
+    const auto packed = [&](shader::Language language) {
+        return shader::pack(files, {.language = language, .functions = {"gloam_" + method.name}}, {library});
+    };
+    const std::string vulkan = packed(shader::Language::vulkan450);
+    std::map<std::string, std::string> texts{{vulkan_text, vulkan},
+                                             {"GLSL 3.30", packed(shader::Language::gl330)},
+                                             {"GLSL ES 3.00", packed(shader::Language::es300)}};
+    for (const auto& [name, target] : {std::pair{"HLSL", shader::Target::hlsl},
+                                       {"MSL", shader::Target::msl},
+                                       {"WGSL", shader::Target::wgsl}})
+        texts[name] = shader::translated({.name = file_of(method), .text = vulkan}, target);
+    return texts;
+}
+
+}  // namespace gloam::site
