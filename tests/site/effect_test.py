@@ -152,16 +152,33 @@ class EffectTest(unittest.TestCase):
                                                              ("same", "left", "right", "differs", "forgotten")))
         self.assertGreater(state["error"], 0.01)
 
+    def told(self, identifier):
+        return self.browser.evaluate(f"document.getElementById('{identifier}').textContent")
+
     def test_a_converged_picture_is_kept(self):
-        self.browser.evaluate("document.getElementById('keep').click(), gloam.live.state.keeping = 3")
+        self.browser.evaluate("document.getElementById('keep').click()")
+        self.browser.wait("gloam.live.state.keeping > 3")
         self.assertEqual(1e6, self.setting("weight_max"))
+        self.browser.evaluate("gloam.live.state.keeping = 3")
         self.browser.wait("document.getElementById('left-told').textContent === 'gtao, kept'")
         self.assertEqual(128, self.setting("weight_max"))
         self.choose(view="difference", method="hemisphere")
-        self.browser.wait("document.getElementById('timing').textContent.includes('against the kept picture')")
-        self.browser.evaluate("document.getElementById('forget').click()")
-        self.assertEqual("without", self.browser.evaluate("document.getElementById('left-told').textContent"))
+        self.browser.wait("document.getElementById('timing').textContent.includes('against gtao, kept')")
+        self.choose(left="without")
+        self.assertEqual("without", self.told("left-told"))
         self.assertIsNone(self.browser.evaluate("gloam.live.state.effect.kept"))
+
+    def test_another_method_stands_on_the_left_with_a_history_of_its_own(self):
+        self.choose(left="hemisphere", view="difference")
+        self.browser.wait("document.getElementById('timing').textContent.includes('against hemisphere')")
+        self.browser.wait("gloam.live.state.effect.left.frames > 5")
+        self.assertGreater(self.browser.evaluate("gloam.live.state.effect.error()"), 0.01)
+        self.choose(left="gtao")
+        self.browser.wait("gloam.live.state.effect.left.frames > 5")
+        self.choose(method="gtao")  # both begin anew
+        self.assertEqual(0, self.browser.evaluate("gloam.live.state.effect.error()"))
+        self.choose(left="without")
+        self.assertIsNone(self.browser.evaluate("gloam.live.state.effect.compared"))
 
     def choose(self, **choices):
         """Sets controls by their identifiers, as a person does, and lets the page draw."""

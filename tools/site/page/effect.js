@@ -11,7 +11,7 @@ gloam.Effect = class {
         if (this.gl === null) throw new Error("this browser has no WebGL2");
         this.canvas = canvas;
         this.data = gloam.effectData;
-        this.occlusion = new gloam.AmbientOcclusion(this.gl, this.data, {depth: "linear", normals: "view"});
+        this.occlusion = this.newOcclusion();
         this.passes = this.occlusion.passes;
         this.gbuffer = this.passes.program("gbuffer", this.data.gbuffer, {}, this.data.gbuffer_vertices);
         this.shower = this.passes.program("show", this.data.show);
@@ -21,6 +21,10 @@ gloam.Effect = class {
         this.left = null;
         this.mesh = null;
         this.buffers = [];
+    }
+
+    newOcclusion() {
+        return new gloam.AmbientOcclusion(this.gl, this.data, {depth: "linear", normals: "view"});
     }
 
     // Settings of the method, in use until setMethod() is called again.
@@ -78,7 +82,7 @@ gloam.Effect = class {
             return;
         }
         if (this.left === null) {
-            this.left = new gloam.AmbientOcclusion(this.gl, this.data);
+            this.left = this.newOcclusion();
             this.left.setSize(this.images.width, this.images.height);
         }
         this.left.setMethod(method, preset, radius);
