@@ -126,10 +126,11 @@ class Browser:
                 raise BrowserError(f"after {self.timeout} s still not: {condition}")
             time.sleep(0.05)
 
-    def key(self, name, until="true"):
+    def key(self, name, until="true", modifiers=0):
         """Presses a key until an expression in the page is true: one of KEYS."""
         code, text = KEYS[name]
-        press = {"key": text if text and text != "\r" else name, "code": name, "windowsVirtualKeyCode": code}
+        press = {"key": text if text and text != "\r" else name, "code": name, "windowsVirtualKeyCode": code,
+                 "modifiers": modifiers}
         self.call("Input.dispatchKeyEvent", type="keyDown", **press, **({"text": text} if text else {}))
         self.wait(until)
         self.call("Input.dispatchKeyEvent", type="keyUp", **press)

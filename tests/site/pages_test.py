@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""pages_test.py GLOAM DOCS: the gallery, the measurements and the licences of the site in headless Chromium.
+"""pages_test.py GLOAM DOCS: the methods, the gallery, the measurements and the licences of the site in headless
+Chromium, and truth on its first page.
 
 Left with status 77 where there is no Chromium."""
+import json
 import subprocess
 import sys
 import tempfile
@@ -12,7 +14,8 @@ from pathlib import Path
 from browser import Browser, program
 
 GLOAM, DOCS = sys.argv[1], Path(sys.argv[2])
-PAGES = ["index", "check", "effect", "gallery", "drivers", "measurements", "licences"]
+PAGES = ["index", "check", "methods", "gallery", "drivers", "measurements", "licences"]
+METHODS = ["gtao", "sweep"]
 MEASURED = """# Of this machine
 
 | run | RMSE (G) | copies |
@@ -35,7 +38,8 @@ class PagesTest(unittest.TestCase):
         cls.site = Path(cls.folder_owner.name, "site")
         measured = cls.site.parent / "measured.md"
         measured.write_text(MEASURED, encoding="utf-8")
-        subprocess.run([GLOAM, "site", cls.site, "TSSAO-5", "--quiet", "--measured", measured], check=True)
+        subprocess.run([GLOAM, "site", cls.site, "TSSAO-5", "--quiet", "--measured", measured, "--method",
+                        *METHODS], check=True)
         cls.browser = Browser()
 
     @classmethod
@@ -51,13 +55,16 @@ class PagesTest(unittest.TestCase):
         return self.browser.evaluate(f"document.querySelectorAll('{selector}').length")
 
     def test_every_page_works_on_a_small_screen_and_asks_no_network(self):
-        for page in PAGES:
+        for page in [*PAGES, *(f"method-{name}" for name in METHODS)]:
             self.open(page, width=390)
             self.assertLessEqual(self.browser.evaluate("document.documentElement.scrollWidth"), 390, page)
             self.assertEqual(len(PAGES), self.count("nav a"), page)
-            self.assertEqual(1, self.count("nav a[aria-current]"), page)
+            self.assertEqual(int(page in PAGES), self.count("nav a[aria-current]"), page)
+            self.assertIn("gloam", self.browser.evaluate("document.title"), page)
+            self.assertEqual(1, self.count('meta[name="description"]'), page)
+            self.assertEqual(1 + (page == "measurements"), self.count("h1"), page)  # a page of the user
             links = self.browser.evaluate("[...document.querySelectorAll('a')].map((a) => a.getAttribute('href'))")
-            self.assertEqual([], [link for link in links if not (self.site / link).is_file()], page)
+            self.assertEqual([], [link for link in links if not (self.site / link.split("#")[0]).is_file()], page)
         self.assertEqual([], self.browser.problems())
         asked = [url for url in self.browser.requests() if not url.startswith(("file:", "data:", "about:", "blob:"))]
         self.assertEqual([], asked)
@@ -108,6 +115,61 @@ class PagesTest(unittest.TestCase):
             return count;
         })()""")
         self.assertGreater(drawn, 50)
+
+    def text(self, selector):
+        return self.browser.evaluate(f"document.querySelector('{selector}').textContent")
+
+    def test_the_methods_have_a_table_and_a_page_each(self):
+        self.open("methods")
+        names = self.browser.evaluate("[...document.querySelectorAll('tbody a')].map((a) => a.textContent)")
+        self.assertEqual(METHODS, names)
+        listed = json.loads(subprocess.run([GLOAM, "list", "presets", "--json"], check=True, capture_output=True,
+                                           text=True).stdout)
+        self.assertIn("reference", self.text("tbody tr:nth-child(2)"))
+        for name, equation in (("gtao", "GTAO-gather"), ("sweep", "SWEEP-gather")):
+            self.open(f"method-{name}")
+            self.browser.wait(f"document.querySelector('.source').textContent.includes('gloam_{name}')")
+            self.assertIn(equation, self.text("tbody td"))
+            rows = self.browser.evaluate("[...document.querySelectorAll('[aria-label=Presets] tbody tr')]"
+                                         ".map((row) => [...row.cells].slice(0, 3).map((cell) => cell.textContent))")
+            want = [[one["name"], f"{one['error']:.4f}", f"{one['copies']:.1f}"] for one in listed
+                    if one["settings"].get("method", "hemisphere") == name]
+            self.assertEqual(want, rows)
+        self.open("method-gtao")
+        table = (DOCS / "methods.md").read_text(encoding="utf-8")
+        row = next(line for line in table.splitlines() if line.startswith("| gtao | "))
+        said = self.browser.evaluate("document.querySelector('main').textContent").lower()
+        for cell in row.strip("| ").split(" | ")[1:]:
+            self.assertIn(cell, said)
+
+    def test_the_methods_have_pictures(self):
+        self.open("method-gtao")
+        if self.count("figure img") == 0:
+            self.skipTest("there is no Vulkan device")
+        self.browser.wait("document.querySelector('figure img').complete")
+        self.assertEqual(480, self.browser.evaluate("document.querySelector('figure img').naturalWidth"))
+        self.assertIn("preset balanced", self.text("figcaption"))
+        pictures = [(self.site / f"method-{name}.png").read_bytes() for name in METHODS]
+        self.assertNotEqual(*pictures)
+        self.assertIn('content="preview.png"', (self.site / "index.html").read_text(encoding="utf-8"))
+        self.assertTrue((self.site / "preview.png").is_file())
+
+    def test_truth_is_that_of_the_program(self):
+        """The page and the program rasterize for themselves, so their pixels at edges differ."""
+        self.browser.look(1000, 900)
+        self.browser.open(self.site / "index.html", "#left=truth&view=difference&method=gtao")
+        if self.browser.evaluate("gloam.effectData.truths.length") == 0:
+            self.skipTest("there is no Vulkan device")
+        self.browser.wait("gloam.live.state.effect?.frames >= 16")
+        got = self.browser.evaluate("gloam.live.state.effect.error()")
+        out = self.site.parent / "truth"
+        subprocess.run([GLOAM, "render", "room", "--still", "--frames", "16", "--size", "480x270", "--method", "gtao",
+                        "--truth", "--truth-rays", "256", "--out", out, "--quiet"], check=True)
+        want = json.loads((out / "render.json").read_text(encoding="utf-8"))["frames"][-1]["errors"]["filtered"]["rmse"]
+        self.assertAlmostEqual(want, got, delta=0.005)
+        self.assertGreater(got, 0.02)
+        self.browser.evaluate("gloam.live.state.orbit.change({yaw: 0.1})")
+        self.browser.wait("document.getElementById('left-told').textContent === 'without'")
 
     def test_the_gallery_has_sliders(self):
         self.open("gallery")

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -34,6 +35,23 @@ class Numbered {
     std::vector<T> values_;
 };
 
+// Numbers that were given in the order of first use, each as its distance below the next new one: 7 bits a
+// byte, the lowest first, with the high bit where more follow. Most are small.
+class Stream {
+  public:
+    void add(std::uint16_t number) {
+        auto distance = static_cast<std::uint32_t>(next_ - number);
+        next_ = std::max(next_, std::uint32_t{number} + 1U);
+        for (; distance > 127U; distance >>= 7U) bytes_.add(static_cast<std::uint8_t>(distance | 128U));
+        bytes_.add(static_cast<std::uint8_t>(distance));
+    }
+    [[nodiscard]] std::string text() const { return bytes_.text(); }
+
+  private:
+    Bytes bytes_;
+    std::uint32_t next_ = 0;
+};
+
 using Triple = std::tuple<std::uint16_t, std::uint16_t, std::uint16_t>;
 using Color = std::tuple<std::uint8_t, std::uint8_t, std::uint8_t>;
 
@@ -56,10 +74,10 @@ class CompactMesh {
         Bytes colors;
         for (const auto& [red, green, blue] : colors_.values()) add(colors, {red, green, blue});
         return {{"floats", floats.text()},
-                {"points", triples_text(points_.values())},
-                {"directions", triples_text(directions_.values())},
+                {"points", streams_of(points_.values())},
+                {"directions", streams_of(directions_.values())},
                 {"palette", colors.text()},
-                {"vertices", triples_text(vertices_.values())},
+                {"vertices", streams_of(vertices_.values())},
                 {"indices", indices_.text()}};
     }
 
@@ -82,10 +100,15 @@ class CompactMesh {
         for (const T value : values) bytes.add(value);
     }
 
-    static std::string triples_text(const std::vector<Triple>& triples) {
-        Bytes bytes;
-        for (const auto& [a, b, c] : triples) add(bytes, {a, b, c});
-        return bytes.text();
+    // The first, the second and the third numbers.
+    static ordered_json streams_of(const std::vector<Triple>& triples) {
+        std::array<Stream, 3> streams;
+        for (const auto& [a, b, c] : triples) {
+            streams[0].add(a);
+            streams[1].add(b);
+            streams[2].add(c);
+        }
+        return {streams[0].text(), streams[1].text(), streams[2].text()};
     }
 
     const scene::Mesh& mesh_;
@@ -94,19 +117,19 @@ class CompactMesh {
     Numbered<Triple> directions_;
     Numbered<Color> colors_;
     Numbered<Triple> vertices_;  // of a point, a direction and a colour
-    Bytes indices_;
+    Stream indices_;
 };
 
 }  // namespace
 
 std::string scene_json(const scene::Scene& scene, int frames) {
-    Bytes cameras;  // of each frame: the rotation of world to view by rows, the eye; doubles
+    Bytes cameras;  // of each frame: the eye and what it looks at; doubles
     for (int frame = 0; frame < frames; ++frame) {
         const scene::Camera camera = scene::camera_at(scene, frame);
-        const glm::dmat3 rotation = scene::view_rotation(camera);
-        for (int row = 0; row < 3; ++row)
-            for (int column = 0; column < 3; ++column) cameras.add(rotation[column][row]);
-        for (int k = 0; k < 3; ++k) cameras.add(camera.eye[k]);
+        if (camera.up != glm::dvec3(0, 1, 0))
+            throw std::runtime_error("the camera of the scene " + scene.name + " does not keep y upright");
+        for (const glm::dvec3& point : {camera.eye, camera.target})
+            for (int k = 0; k < 3; ++k) cameras.add(point[k]);
     }
     ordered_json json = CompactMesh(scene.mesh).json();
     json["name"] = scene.name;

@@ -37,26 +37,40 @@ gloam.truth = async (name, {width, height}) => {
         told: `truth: ${rays} rays a pixel of ${traced.width}x${traced.height}`};
 };
 
-// Triples of numbers, each looked up in a table.
-gloam.lookedUp = (triples, table, Kind) => Kind.from(triples, (number) => table[number]);
+// The numbers of a stream (Stream of tools/site/scene_data.cpp).
+gloam.numbers = (text) => {
+    const numbers = [];
+    let next = 0;
+    let [distance, shift] = [0, 0];
+    for (const byte of gloam.bytes(text)) {
+        distance |= (byte & 127) << shift;
+        shift += 7;
+        if (byte > 127) continue;
+        numbers.push(next - distance);
+        next = Math.max(next, next - distance + 1);
+        [distance, shift] = [0, 0];
+    }
+    return numbers;
+};
 
 gloam.addScene = (packed) => {
-    const shorts = (text) => new Uint16Array(gloam.bytes(text).buffer);
     const floats = new Float32Array(gloam.bytes(packed.floats).buffer);
-    const points = gloam.lookedUp(shorts(packed.points), floats, Float32Array);
-    const directions = gloam.lookedUp(shorts(packed.directions), floats, Float32Array);
+    const triples = (streams) => {
+        const [a, b, c] = streams.map(gloam.numbers);
+        return a.map((first, i) => [first, b[i], c[i]]);
+    };
+    const vectors = (streams) => triples(streams).map((triple) => triple.map((number) => floats[number]));
+    const [points, directions] = [packed.points, packed.directions].map(vectors);
     const palette = gloam.bytes(packed.palette);
-    const vertices = shorts(packed.vertices);
-    const count = vertices.length / 3;
+    const vertices = triples(packed.vertices);
     const scene = {name: packed.name, radius: packed.radius, fovy: packed.fovy, near: packed.near, far: packed.far,
-        frames: packed.frames, cameras: gloam.doubles(packed.cameras), positions: new Float32Array(3 * count),
-        normals: new Float32Array(3 * count), colors: new Uint8Array(4 * count).fill(255),
-        indices: Uint32Array.from(shorts(packed.indices))};
-    for (let i = 0; i < count; ++i) {
-        const [point, direction, color] = vertices.subarray(3 * i, 3 * i + 3);
-        scene.positions.set(points.subarray(3 * point, 3 * point + 3), 3 * i);
-        scene.normals.set(directions.subarray(3 * direction, 3 * direction + 3), 3 * i);
+        frames: packed.frames, cameras: gloam.doubles(packed.cameras),
+        positions: new Float32Array(3 * vertices.length), normals: new Float32Array(3 * vertices.length),
+        colors: new Uint8Array(4 * vertices.length).fill(255), indices: Uint32Array.from(gloam.numbers(packed.indices))};
+    vertices.forEach(([point, direction, color], i) => {
+        scene.positions.set(points[point], 3 * i);
+        scene.normals.set(directions[direction], 3 * i);
         scene.colors.set(palette.subarray(3 * color, 3 * color + 3), 4 * i);
-    }
+    });
     gloam.scenes.set(packed.name, scene);
 };
