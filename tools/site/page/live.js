@@ -24,7 +24,6 @@ gloam.live = (() => {
         for (const {name} of gloam.effectData.presets) at("preset").append(gloam.element("option", {}, name));
         for (const id of ["method", "left"])
             for (const {name} of gloam.effectData.methods) at(id).append(gloam.element("option", {}, name));
-        at("truth").disabled = gloam.effectData.truths.length === 0;  // the site was written without pictures
         at("preset").value = gloam.effectData.preset;
         at("method").value = presetNamed(gloam.effectData.preset).method;
         at("moves").checked = !matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -50,6 +49,7 @@ gloam.live = (() => {
     function writeAddress() {
         const values = Object.fromEntries(controls.map((id) => [id, at(id).value]));
         if (values.left === "kept") delete values.left;  // nobody else has it
+        if (values.scene === "own") delete values.scene;
         if (state.turned) values.camera = state.orbit.numbers;
         const hash = "#" + gloam.address.write(values);
         if (hash !== location.hash) history.replaceState(null, "", hash);
@@ -81,12 +81,32 @@ gloam.live = (() => {
         const name = at("scene").value;
         const scene = await gloam.scene(name);
         if (name !== at("scene").value) return;
+        at("truth").disabled = !gloam.effectData.truths.includes(name);  // a site without pictures has none
+        if (at("left").value === "truth" && at("truth").disabled) at("left").value = "without";
         state.effect.setScene(scene);
         state.orbit.setScene(scene);
         state.turned = false;
         state.number = 0;
         await applyMethod();
         await applyLeft();
+    }
+
+    // Shows a model of the visitor's. What is wrong with it is told, and the scene stays.
+    async function applyFile(file) {
+        if (file === undefined) return;
+        const before = at("told").textContent;
+        try {
+            for (const script of ["model.js", "obj.js", "gltf.js"])
+                if (!gloam.readGltf) await gloam.loadScript(script);
+            gloam.scenes.set("own", await gloam.model.read(file));
+        } catch (error) {
+            at("told").textContent = error.message;
+            return;
+        }
+        at("told").textContent = before.startsWith(file.name) ? "" : before;
+        at("own").disabled = false;
+        at("scene").value = "own";
+        await applyScene();
     }
 
     async function applySize() {
@@ -245,6 +265,12 @@ gloam.live = (() => {
             await leaveView();
         }));
         at("view").addEventListener("input", () => { at("legend").textContent = views[at("view").value]; });
+        at("file").addEventListener("change", guarded(() => applyFile(at("file").files[0])));
+        addEventListener("dragover", (event) => event.preventDefault());
+        addEventListener("drop", (event) => {
+            event.preventDefault();
+            guarded(applyFile)(event.dataTransfer.files[0]);
+        });
         at("source").addEventListener("toggle", guarded(showSource));
         addEventListener("hashchange", guarded(restore));
     }
