@@ -20,7 +20,7 @@ gloam.document = (() => {
     function tableOf(block) {
         const isNumeric = (i) => block.rows.length > 0 &&
             block.rows.every((row) => /^(-|)$/.test(row[i] ?? "") || typeof valueOf(row[i]) === "number");
-        const columns = block.head.map((title, i) => ({title: title.replace(/`/g, "") || "\u00a0",
+        const columns = block.head.map((title, i) => ({title: title.replace(/`/g, ""),
             number: isNumeric(i), value: (row) => valueOf(row[i] ?? ""),
             cell: (row) => gloam.element("span", {}, ...inline(row[i] ?? ""))}));
         const table = new gloam.Table(columns, "");

@@ -18,6 +18,7 @@ gloam.Table = class {
     }
 
     makeHead(column) {
+        if (column.title === "") return gloam.element("td");
         const button = gloam.element("button", {type: "button"}, column.title);
         button.addEventListener("click", () => this.sort(column));
         return gloam.element("th", {scope: "col", class: column.number ? "number" : ""}, button);
