@@ -8,8 +8,11 @@ const float GLOAM_TAU = 6.283185307;  // 2 pi, a whole turn in radians
 
 // Limits that values are tested against.
 const float GLOAM_LARGEST = 3.402823466e38;          // the largest finite float
-const float GLOAM_SMALLEST = 1.175494351e-38;        // 2^-126, the smallest normal float; a device may read less as 0
 const float GLOAM_LARGEST_DIVISOR = 8.507059173e37;  // 2^126: above it, Vulkan bounds no division's error
 const float GLOAM_LEAST_SQUARE = 1e-36;              // of a length: inverse roots and their products stay finite
+
+// 2^-126, the smallest normal float; a device may read less as 0. By divisions, which are exact: Firefox 153 reads the
+// literal 1.175494351e-38 as 0.
+const float GLOAM_SMALLEST = 0.25 / 2147483648.0 / 2147483648.0 / 2147483648.0 / 2147483648.0;
 
 #endif

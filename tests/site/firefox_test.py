@@ -1,0 +1,103 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""firefox_test.py GLOAM: the site in Firefox: its pages work, and the occlusion is that of Chromium.
+
+Left with status 77 where there is no firefox-esr, no Xvfb or no Chromium."""
+import array
+import base64
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import browser
+import firefox
+
+GLOAM = sys.argv[1]
+OCCLUSION = """(async () => {{
+    const {{effect}} = gloam.live.state;
+    gloam.live.state.failed = true;  // ends the page's own loop
+    effect.setSize(192, 108);
+    effect.setMethod(await gloam.method("{method}"), "balanced", effect.scene.radius);
+    for (let i = 0; i < 4; ++i) effect.frame(gloam.camera.at(effect.scene.cameras, i));
+    const bytes = new Uint8Array(effect.readOcclusion().buffer);
+    let text = "";
+    for (const byte of bytes) text += String.fromCharCode(byte);
+    return btoa(text);
+}})()"""
+HASH = "#scene=columns&size=320x180"
+
+
+class FirefoxTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder_owner = tempfile.TemporaryDirectory()
+        cls.site = Path(cls.folder_owner.name, "site")
+        subprocess.run([GLOAM, "site", cls.site, "TSSAO-5", "--method", "sweep", "--quiet", "--no-pictures"], check=True)
+        cls.firefox = firefox.Firefox()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.firefox.close()
+        cls.folder_owner.cleanup()
+
+    def begin(self, page):
+        page.open(self.site / "index.html", HASH)
+        page.wait("gloam.live.state.effect?.frames > 1")
+
+    def occlusion(self, page, method):
+        self.begin(page)
+        return array.array("f", base64.b64decode(page.evaluate(OCCLUSION.format(method=method))))
+
+    def test_the_occlusion_is_that_of_chromium(self):
+        """Their rasterizers differ, so pixels at edges may differ at all: means and percentiles are compared. The bounds
+        are twice those of effect_test.py, which compares either with the program."""
+        for method in ("sweep", "hemisphere"):
+            with browser.Browser() as chromium:
+                want = self.occlusion(chromium, method)
+            got = self.occlusion(self.firefox, method)
+            self.assertEqual(192 * 108, len(got))
+            self.assertGreater(max(got) - min(got), 0.5)
+            errors = sorted(abs(a - b) for a, b in zip(got, want))
+            self.assertLess(sum(errors) / len(errors), 0.003, method)
+            self.assertLess(errors[len(errors) // 2], 4e-5, method)
+            self.assertLess(errors[len(errors) * 95 // 100], 0.006, method)
+
+    def test_every_page_works(self):
+        self.begin(self.firefox)
+        self.assertEqual("", self.firefox.evaluate("document.getElementById('told').textContent"))
+        self.assertIn("ms from frame to frame",
+                      self.firefox.evaluate("document.getElementById('timing').textContent"))
+        for page, ready in (("methods", "document.querySelectorAll('tbody tr').length === 1"),
+                            ("method-sweep", "document.querySelector('.source').textContent.includes('gloam_sweep')"),
+                            ("check", "document.getElementById('gpu').textContent !== 'unknown'"),
+                            ("measurements", "document.querySelectorAll('.chart canvas').length > 0"),
+                            ("drivers", "document.querySelectorAll('table').length > 0"),
+                            ("gallery", "document.getElementById('device').textContent !== ''"),
+                            ("licences", "document.querySelectorAll('pre').length === 2")):
+            self.firefox.open(self.site / f"{page}.html")
+            self.firefox.wait(ready)
+        self.assertEqual([], self.firefox.problems())
+
+    def test_a_check_runs(self):
+        self.firefox.open(self.site / "check.html")
+        self.firefox.wait("!document.getElementById('run').disabled")
+        self.firefox.evaluate("document.getElementById('run').click()")
+        self.firefox.wait("document.querySelectorAll('#results tbody tr').length > 0"
+                          " && !document.getElementById('run').disabled")
+        self.assertIn("ok", self.firefox.evaluate("document.querySelector('#results tbody tr').textContent"))
+
+    def test_an_error_of_a_page_is_found(self):
+        page = self.site.parent / "bad.html"
+        page.write_text("<!DOCTYPE html><script>noSuchFunction()</script>", encoding="utf-8")
+        with firefox.Firefox() as other:
+            other.open(page)
+            self.assertIn("noSuchFunction", " ".join(other.problems()))
+
+
+if __name__ == "__main__":
+    if firefox.program() is None or browser.program() is None:
+        print("no firefox-esr, no Xvfb or no Chromium")
+        sys.exit(77)
+    unittest.main(argv=sys.argv[:1] + sys.argv[2:])
