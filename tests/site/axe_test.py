@@ -39,7 +39,8 @@ class AxeTest(unittest.TestCase):
     def test_no_page_has_a_serious_finding(self):
         with tempfile.TemporaryDirectory() as folder, Browser() as browser:
             site = Path(folder, "site")
-            subprocess.run([GLOAM, "site", site, "TSSAO-5", "--method", "sweep", "--quiet", "--no-pictures"], check=True)
+            subprocess.run([GLOAM, "site", site, "TSSAO-5", "--method", "sweep", "--quiet", "--no-pictures"],
+                           check=True)
             found = []
             for dark in (False, True):
                 for page in PAGES:

@@ -34,7 +34,8 @@ class FirefoxTest(unittest.TestCase):
     def setUpClass(cls):
         cls.folder_owner = tempfile.TemporaryDirectory()
         cls.site = Path(cls.folder_owner.name, "site")
-        subprocess.run([GLOAM, "site", cls.site, "TSSAO-5", "--method", "sweep", "--quiet", "--no-pictures"], check=True)
+        subprocess.run([GLOAM, "site", cls.site, "TSSAO-5", "--method", "sweep", "--quiet", "--no-pictures"],
+                       check=True)
         cls.firefox = firefox.Firefox()
 
     @classmethod
@@ -51,8 +52,8 @@ class FirefoxTest(unittest.TestCase):
         return array.array("f", base64.b64decode(page.evaluate(OCCLUSION.format(method=method))))
 
     def test_the_occlusion_is_that_of_chromium(self):
-        """Their rasterizers differ, so pixels at edges may differ at all: means and percentiles are compared. The bounds
-        are twice those of effect_test.py, which compares either with the program."""
+        """Their rasterizers differ, so pixels at edges may differ at all: means and percentiles are compared. The
+        bounds are twice those of effect_test.py, which compares either with the program."""
         for method in ("sweep", "hemisphere"):
             with browser.Browser() as chromium:
                 want = self.occlusion(chromium, method)

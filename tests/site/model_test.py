@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""model_test.py GLOAM: models of the visitor on the first page, in headless Chromium: what is read, and what is refused.
+"""model_test.py GLOAM: models of the visitor on the first page, in headless Chromium: what is read, what is refused.
 
 Left with status 77 where there is no Chromium."""
 import base64
@@ -164,7 +164,8 @@ class ModelTest(unittest.TestCase):
 
     def test_other_files_are_refused(self):
         self.refused("a.stl", OBJ, "expected a file that ends in")
-        message = self.browser.evaluate("gloam.model.read({name: 'big.obj', size: 1e9}).catch((error) => error.message)")
+        message = self.browser.evaluate("gloam.model.read({name: 'big.obj', size: 1e9})"
+                                        ".catch((error) => error.message)")
         self.assertEqual("big.obj: 1000000000 bytes, expected at most 64000000", message)
         self.refused("many.obj", "v 0 0 0\nf" + " 1" * 500_010, "more than 500000 triangles")
 

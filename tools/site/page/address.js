@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The state of the page in its address, behind the #: "scene=knot&radius=2". What is unknown there is told and left out.
+// The state of the page in its address, behind the #: "scene=knot&radius=2". What it cannot have there is told.
 "use strict";
 
 gloam.address = (() => {

@@ -66,7 +66,8 @@ gloam.addScene = (packed) => {
     const scene = {name: packed.name, radius: packed.radius, fovy: packed.fovy, near: packed.near, far: packed.far,
         frames: packed.frames, cameras: gloam.doubles(packed.cameras),
         positions: new Float32Array(3 * vertices.length), normals: new Float32Array(3 * vertices.length),
-        colors: new Uint8Array(4 * vertices.length).fill(255), indices: Uint32Array.from(gloam.numbers(packed.indices))};
+        colors: new Uint8Array(4 * vertices.length).fill(255),
+        indices: Uint32Array.from(gloam.numbers(packed.indices))};
     vertices.forEach(([point, direction, color], i) => {
         scene.positions.set(points[point], 3 * i);
         scene.normals.set(directions[direction], 3 * i);

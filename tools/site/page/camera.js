@@ -10,7 +10,7 @@ gloam.camera = (() => {
     // The camera of a frame: the rotation from world to view by rows, and the eye. The world's y points up. `points`:
     // of each frame the eye and what it looks at.
     function at(points, frame) {
-        const [eye, target] = [0, 3].map((first) => Array.from(points.subarray(6 * frame + first, 6 * frame + first + 3)));
+        const [eye, target] = [6 * frame, 6 * frame + 3].map((first) => Array.from(points.subarray(first, first + 3)));
         const ahead = scaled(target.map((x, k) => x - eye[k]));
         const right = scaled(cross(ahead, [0, 1, 0]));
         return {rotation: [...right, ...cross(right, ahead), ...ahead.map((x) => -x)], eye};

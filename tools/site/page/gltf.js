@@ -11,7 +11,8 @@ gloam.readGltf = (() => {
     // A whole number from 0 to a limit.
     function whole(value, limit, what) {
         if (!Number.isInteger(value) || value < 0 || value > limit)
-            throw new Error(`${what} is ${JSON.stringify(value)?.slice(0, 30)}, expected a whole number from 0 to ${limit}`);
+            throw new Error(`${what} is ${JSON.stringify(value)?.slice(0, 30)}, expected a whole number from 0 to ` +
+                String(limit));
         return value;
     }
 
@@ -90,7 +91,8 @@ gloam.readGltf = (() => {
             this.spend(count * width);
             if (count > 0 && first + (count - 1) * stride + width * step > length)
                 throw new Error(`accessor ${index} ends behind its buffer`);
-            return this.numbers(new DataView(bytes.buffer, bytes.byteOffset + begin + first), kind, {count, width, stride});
+            const data = new DataView(bytes.buffer, bytes.byteOffset + begin + first);
+            return this.numbers(data, kind, {count, width, stride});
         }
 
         numbers(data, [Kind, get], {count, width, stride}) {
@@ -170,7 +172,7 @@ gloam.readGltf = (() => {
         return [...columns.flatMap((column, k) => [...column.map((c) => c * s[k]), 0]), ...t, 1];
     }
 
-    // What directions across surfaces are multiplied by: the cofactors of the upper 3 x 3, which have no inverse to fail.
+    // What directions across surfaces are multiplied by: the cofactors of the upper 3 x 3. No matrix lacks them.
     function cofactors(m) {
         const minor = (a, b, c, d) => m[a] * m[d] - m[b] * m[c];
         return [minor(5, 6, 9, 10), minor(8, 10, 4, 6), minor(4, 5, 8, 9), 0,

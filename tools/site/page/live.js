@@ -202,7 +202,8 @@ gloam.live = (() => {
             ...(gpu === null ? [] : [`${gpu.toFixed(2)} ms of the GPU for the occlusion`]),
             state.keeping > 0 ? `${state.keeping} frames until the picture is kept`
                 : `${state.effect.frames} frames since the last choice`,
-            ...(state.error === null ? [] : [`error ${state.error.toFixed(4)} against ${at("left-told").textContent} (RMSE)`]),
+            ...(state.error === null ? []
+                : [`error ${state.error.toFixed(4)} against ${at("left-told").textContent} (RMSE)`]),
         ].join(", ");
     }
 

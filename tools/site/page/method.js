@@ -43,8 +43,8 @@ gloam.methodPage = (() => {
     }
 
     function links(method) {
-        const live = method.live ? [gloam.element("a", {href: `index.html#method=${method.name}`}, "See it live"), ". "] : [];
-        return paragraph(...live, "Copy it by ", gloam.element("code", {},
+        const live = gloam.element("a", {href: `index.html#method=${method.name}`}, "See it live");
+        return paragraph(...(method.live ? [live, ". "] : []), "Copy it by ", gloam.element("code", {},
             `gloam pack ${method.file} --function gloam_${method.name}`));
     }
 

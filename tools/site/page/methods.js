@@ -4,7 +4,8 @@
 
 document.addEventListener("DOMContentLoaded", () => {
     const best = ({presets}) => presets.toSorted((a, b) => a.error - b.error)[0];
-    const measured = (title, name, digits) => ({title, number: true, value: (method) => best(method)?.[name] ?? Infinity,
+    const measured = (title, name, digits) => ({title, number: true,
+        value: (method) => best(method)?.[name] ?? Infinity,
         cell: (method) => best(method)?.[name].toFixed(digits) ?? ""});
     const link = (method) => gloam.element("a", {href: `method-${method.name}.html`}, method.name);
     const table = new gloam.Table([

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Models of the visitor: a file becomes a scene. The file is from elsewhere, so what is read of it is bounded and checked.
+// Models of the visitor: a file becomes a scene. The file is from elsewhere: what is read of it is bounded and checked.
 "use strict";
 
 gloam.model = (() => {

@@ -7,7 +7,8 @@ gloam.readObj = (text, triangles) => {
 
     function numbers(words, count, what) {
         const values = words.slice(0, count).map(Number);
-        if (values.length < count || !values.every(Number.isFinite)) throw new Error(`expected ${count} numbers for ${what}`);
+        if (values.length < count || !values.every(Number.isFinite))
+            throw new Error(`expected ${count} numbers for ${what}`);
         return values;
     }
 

@@ -49,7 +49,8 @@ gloam.Orbit = class {
 
     set numbers([yaw, pitch, distance, ...target]) {
         const {steepest} = gloam.Orbit;
-        this.pose = {yaw, pitch: Math.min(Math.max(pitch, -steepest), steepest), distance: this.limited(distance), target};
+        this.pose = {yaw, pitch: Math.min(Math.max(pitch, -steepest), steepest), distance: this.limited(distance),
+            target};
     }
 
     // The camera as gloam.camera has it.

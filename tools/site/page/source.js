@@ -13,8 +13,8 @@ gloam.Source = class {
         this.copy = gloam.element("button", {type: "button"}, "Copy");
         this.told = gloam.element("span", {role: "status", class: "soft"});
         this.text = gloam.element("pre", {class: "source", tabindex: "0", role: "region", "aria-label": "Source text"});
-        this.root = gloam.element("div", {}, gloam.element("p", {class: "controls"}, this.language, this.copy, this.told),
-            this.text);
+        const controls = gloam.element("p", {class: "controls"}, this.language, this.copy, this.told);
+        this.root = gloam.element("div", {}, controls, this.text);
         this.language.addEventListener("change", () => this.show());
         this.copy.addEventListener("click", () => this.copyText());
     }
