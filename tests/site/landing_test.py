@@ -3,6 +3,7 @@
 """landing_test.py GLOAM: the first page of the site in headless Chromium: what it loads, its camera, its address.
 
 Left with status 77 where there is no Chromium."""
+import json
 import subprocess
 import sys
 import tempfile
@@ -131,14 +132,17 @@ class LandingTest(unittest.TestCase):
         self.browser.wait("gloam.live.state.effect.scene.name === 'room' && !gloam.live.state.turned")
 
     def test_what_the_address_cannot_have_is_told_and_left_out(self):
+        self.open()
         for part, words in (("scene=../secret", 'scene the value "../secret"'), ("radius=1e9", "radius the value"),
                             ("left=truth", "left the value"), ("camera=1,2,3", "camera the value"),
                             ("__proto__=1", '"__proto__", which is unknown'), ("camera=NaN,0,1,0,0,0", "camera the"),
                             ("x=" + "9" * 500, "more than 400 characters")):
             with self.subTest(part=part[:30]):
-                self.open(f"{SMALL}&{part}")
-                self.assertIn(words, self.told("told"))
+                self.browser.evaluate(f"location.hash = {json.dumps(SMALL + '&' + part)}")
+                self.browser.wait(f"document.getElementById('told').textContent.includes({json.dumps(words)})")
                 self.assertEqual("room", self.browser.evaluate("gloam.live.state.effect.scene.name"))
+        self.open(f"{SMALL}&radius=7")
+        self.assertIn("radius the value", self.told("told"))
         self.assertEqual([], self.browser.problems())
 
     def test_nothing_moves_for_who_wants_no_motion(self):
@@ -165,15 +169,42 @@ class LandingTest(unittest.TestCase):
         copied = self.browser.evaluate("navigator.clipboard.readText()")
         self.assertEqual(copied, self.browser.evaluate("document.querySelector('.source').textContent"))
 
+    def test_the_size_follows_the_speed_where_none_is_chosen(self):
+        self.open("")
+        width = "document.getElementById('canvas').width"
+        self.assertEqual(480, self.browser.evaluate(width))  # SwiftShader is not smooth
+        self.browser.evaluate("Object.defineProperty(gloam.live.state, 'ms', {get: () => 10, set() {}});"
+                              "gloam.live.state.times = Array(31).fill(performance.now())")
+        self.browser.wait(f"{width} === 960")
+        self.browser.evaluate("document.getElementById('size').value = '320x180';"
+                              "document.getElementById('size').dispatchEvent(new Event('change'))")
+        self.browser.wait(f"{width} === 320")
+
+    def test_the_commands_of_the_doors_run(self):
+        self.open()
+        commands = self.browser.evaluate("[...document.querySelectorAll('pre.command')].map((one) => one.textContent)")
+        self.assertEqual(3, len(commands))
+        with tempfile.TemporaryDirectory() as folder:
+            Path(folder, "luminance.glsl").write_text(self.told("luminance"), encoding="utf-8")
+            for command in commands:
+                name, *words = command.split()
+                self.assertEqual("gloam", name)
+                done = subprocess.run([GLOAM, *words], check=True, capture_output=True, text=True, cwd=folder)
+                self.assertIn("gloam_sweep" if "pack" in words else " 0 failed", done.stdout)
+
     def test_previews_have_the_address_of_the_site(self):
         text = (self.site / "method-gtao.html").read_text(encoding="utf-8")
         self.assertIn('<meta property="og:url" content="https://example.org/gloam/method-gtao.html">', text)
         self.assertIn('<meta property="og:title" content="gtao: ', text)
-        wrong = subprocess.run([GLOAM, "site", self.site.parent / "wrong", "--address", "example.org"], check=False,
-                               capture_output=True, text=True)
-        self.assertNotEqual(0, wrong.returncode)
-        self.assertIn("expected an address like", wrong.stderr)
-        self.assertFalse((self.site.parent / "wrong").exists())
+
+    def test_wrong_options_write_nothing(self):
+        for option, value, words in (("--address", "example.org", '"example.org": expected an address like'),
+                                     ("--method", "no_such", 'no_such')):
+            wrong = subprocess.run([GLOAM, "site", self.site.parent / "wrong", option, value, "--no-pictures"],
+                                   check=False, capture_output=True, text=True)
+            self.assertNotEqual(0, wrong.returncode)
+            self.assertIn(words, wrong.stderr)
+            self.assertFalse((self.site.parent / "wrong").exists())
 
 
 if __name__ == "__main__":

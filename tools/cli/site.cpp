@@ -63,7 +63,8 @@ std::string is_address(const std::string& text) {
 
 void add_site(CLI::App& app) {
     auto command = std::make_shared<SiteCommand>();
-    CLI::App* site = app.add_subcommand("site", "write a static site that checks the browser of its visitor");
+    CLI::App* site = app.add_subcommand(
+        "site", "write a static site: the effect live, its methods, and checks of the visitor's browser");
     site->add_option("folder", command->folder, "folder for the site")->required();
     site->add_option("equation", command->options.equations, "IDs, functions or globs; none: all");
     site->add_option("--inputs", command->options.inputs, "inputs of each check")

@@ -7,6 +7,8 @@ gloam.live = (() => {
     const state = {effect: null, orbit: null, turned: false, number: 0, forward: true, times: [], failed: false,
         keeping: 0, error: null, left: "without"};
     const framesKept = 128;
+    const steps = ["480x270", "960x540", "1920x1080"];  // sizes that the page tries where none is chosen
+    const smooth = 20;  // ms from frame to frame
     const controls = ["scene", "preset", "method", "radius", "view", "size", "left", "split"];
     const lists = ["scene", "preset", "method", "view", "size", "left"];
     const views = {lit: "", visibility: "White is open, black is occluded.",
@@ -18,7 +20,6 @@ gloam.live = (() => {
 
     const presetNamed = (name) => gloam.effectData.presets.find((preset) => preset.name === name);
     const methodNamed = (name) => gloam.effectData.methods.find((method) => method.name === name);
-    const optionsOf = (id) => [...at(id).options].filter((one) => !one.disabled).map((one) => one.value);
 
     function fillControls() {
         for (const {name} of gloam.effectData.presets) at("preset").append(gloam.element("option", {}, name));
@@ -32,6 +33,8 @@ gloam.live = (() => {
     // What the address may hold.
     function kinds() {
         const {oneOf, within, list} = gloam.address;
+        const missing = ["own", "kept", ...(gloam.effectData.truths.length === 0 ? ["truth"] : [])];
+        const optionsOf = (id) => [...at(id).options].map(({value}) => value).filter((one) => !missing.includes(one));
         const ofRange = (id) => within(Number(at(id).min), Number(at(id).max));
         return {...Object.fromEntries(lists.map((id) => [id, oneOf(optionsOf(id))])),
             radius: ofRange("radius"), split: ofRange("split"), camera: list(6)};
@@ -110,8 +113,27 @@ gloam.live = (() => {
     }
 
     async function applySize() {
-        const [width, height] = at("size").value.split("x").map(Number);
+        if (at("size").value !== "auto") return setSize(at("size").value);
+        state.step = 0;
+        await setSize(steps[0]);
+    }
+
+    // Where the size follows the speed: a step up while frames are short and the picture is drawn larger than it is. What
+    // is compared with a picture of its own size stays.
+    async function grow() {
+        if (at("size").value !== "auto" || state.times.length < 31 || state.keeping > 0) return;
+        const next = steps[state.step + 1];
+        const shown = at("canvas").clientWidth * devicePixelRatio;
+        const fixed = ["kept", "truth"].includes(at("left").value);
+        if (next === undefined || fixed || shown < 1.2 * at("canvas").width || state.ms > smooth) return;
+        ++state.step;
+        await setSize(next);
+    }
+
+    async function setSize(size) {
+        const [width, height] = size.split("x").map(Number);
         state.effect.setSize(width, height);
+        state.times = [];
         state.keeping = 0;
         if (state.effect.scene) await applyLeft();
     }
@@ -194,11 +216,11 @@ gloam.live = (() => {
     function tellTime(now) {
         state.times.push(now);
         if (state.times.length > 31) state.times.shift();
-        const steps = state.times.length - 1;
-        if (steps < 1) return;
-        const ms = (now - state.times[0]) / steps;
+        const count = state.times.length - 1;
+        if (count < 1) return;
+        state.ms = (now - state.times[0]) / count;
         const gpu = state.effect.timer.ms;
-        at("timing").textContent = [`${ms.toFixed(1)} ms from frame to frame`,
+        at("timing").textContent = [`${state.ms.toFixed(1)} ms from frame to frame`,
             ...(gpu === null ? [] : [`${gpu.toFixed(2)} ms of the GPU for the occlusion`]),
             state.keeping > 0 ? `${state.keeping} frames until the picture is kept`
                 : `${state.effect.frames} frames since the last choice`,
@@ -233,6 +255,7 @@ gloam.live = (() => {
             if (state.effect.frames > 0) state.effect.show(viewNumber(), Number(at("split").value) / 100);
             tellTime(now);
             keepAddress(now);
+            await grow();
         }
         requestAnimationFrame(guarded(draw));
     }

@@ -15,11 +15,11 @@ uniform vec3 up;                  // of the world, in view space
 
 layout(location = 0) out vec4 color;
 
-// Light of a sky that is brighter above, and of a sun behind the eye.
+// Light of a cool sky that is brighter above, and of a warm sun behind the eye.
 vec3 lit(vec3 albedo, vec3 normal, float visibility) {
     float above = 0.5 + 0.5 * dot(normal, up);
-    vec3 sky = mix(vec3(0.24, 0.22, 0.20), vec3(0.55, 0.60, 0.68), above);
-    float sun = 0.25 * max(dot(normal, normalize(vec3(0.4, 0.5, 0.75))), 0.0);
+    vec3 sky = mix(vec3(0.20, 0.17, 0.16), vec3(0.46, 0.54, 0.66), above);
+    vec3 sun = vec3(0.58, 0.46, 0.32) * max(dot(normal, normalize(vec3(-0.6, 0.3, 0.6))), 0.0);
     return albedo * (sky * visibility + sun);
 }
 
