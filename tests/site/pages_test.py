@@ -161,6 +161,7 @@ class PagesTest(unittest.TestCase):
         if self.browser.evaluate("gloam.effectData.truths.length") == 0:
             self.skipTest("there is no Vulkan device")
         self.browser.wait("gloam.live.state.effect?.frames >= 16")
+        self.assertEqual("truth: 256 rays a pixel of 480x270, radius 0.3", self.text("#left-told"))
         got = self.browser.evaluate("gloam.live.state.effect.error()")
         out = self.site.parent / "truth"
         subprocess.run([GLOAM, "render", "room", "--still", "--frames", "16", "--size", "480x270", "--method", "gtao",

@@ -72,7 +72,7 @@ struct EffectParts {
 // prepare.
 [[nodiscard]] bool runs_in_page(const effect::MethodInfo& method);
 
-// The triangles of a scene and its camera in each of `frames` frames, as JSON (page/scene.js).
+// The triangles of a scene and its camera in each of `frames` frames, as JSON (page/assets.js).
 [[nodiscard]] std::string scene_json(const scene::Scene& scene, int frames);
 
 // Where a method fails, in words, and by how much.

@@ -85,7 +85,8 @@ gloam.live = (() => {
         const scene = await gloam.scene(name);
         if (name !== at("scene").value) return;
         at("truth").disabled = !gloam.effectData.truths.includes(name);  // a site without pictures has none
-        if (at("left").value === "truth" && at("truth").disabled) at("left").value = "without";
+        const lost = at("left").value === "kept" || (at("left").value === "truth" && at("truth").disabled);
+        if (lost) at("left").value = "without";
         state.effect.setScene(scene);
         state.orbit.setScene(scene);
         state.turned = false;
@@ -97,7 +98,6 @@ gloam.live = (() => {
     // Shows a model of the visitor's. What is wrong with it is told, and the scene stays.
     async function applyFile(file) {
         if (file === undefined) return;
-        const before = at("told").textContent;
         try {
             for (const script of ["model.js", "obj.js", "gltf.js"])
                 if (!gloam.readGltf) await gloam.loadScript(script);
@@ -106,7 +106,7 @@ gloam.live = (() => {
             at("told").textContent = error.message;
             return;
         }
-        at("told").textContent = before.startsWith(file.name) ? "" : before;
+        at("told").textContent = "";
         at("own").disabled = false;
         at("scene").value = "own";
         await applyScene();
@@ -118,8 +118,8 @@ gloam.live = (() => {
         await setSize(steps[0]);
     }
 
-    // Where the size follows the speed: a step up while frames are short and the picture is drawn larger than it is. What
-    // is compared with a picture of its own size stays.
+    // Where the size follows the speed: a step up while frames are short and the picture is drawn larger than it is. A
+    // kept picture and truth have their own size, which stays.
     async function grow() {
         if (at("size").value !== "auto" || state.times.length < 31 || state.keeping > 0) return;
         const next = steps[state.step + 1];
@@ -157,9 +157,11 @@ gloam.live = (() => {
     // Applies the choice of what stands on the left: a kept picture stays, everything else is made here.
     async function applyLeft() {
         const name = at("left").value;
+        const {images, scene} = state.effect;
         const method = methodNamed(name) ? await gloam.method(name) : null;
-        const truth = name === "truth" ? await gloam.truth(at("scene").value, state.effect.images) : null;
-        if (name !== at("left").value) return;
+        const truth = name === "truth" ? await gloam.truth(scene.name, images) : null;
+        const stale = name !== at("left").value || images !== state.effect.images || scene !== state.effect.scene;
+        if (stale) return;  // another was chosen while it was loaded
         state.effect.setLeft(method, at("preset").value, radiusNow());
         if (name === "kept" && state.effect.kept !== null) return;
         state.effect.forget();
@@ -168,7 +170,7 @@ gloam.live = (() => {
             standStill();
             state.effect.keepOcclusion(truth.occlusion);
         }
-        tellLeft(name === "kept" ? "without" : name, truth === null ? name : truth.told);
+        tellLeft(name === "kept" ? "without" : name, truth === null ? name : `${truth.told}, radius ${scene.radius}`);
     }
 
     function tellLeft(name, told) {

@@ -47,6 +47,10 @@ vec3 picture(ivec2 pixel, bool left) {
 
 void main() {
     ivec2 pixel = ivec2(int(gl_FragCoord.x), size.y - 1 - int(gl_FragCoord.y));
+    if (abs(pixel.x - split) < 1 && split > 0 && split < size.x) {
+        color = vec4(0.1, 0.45, 0.85, 1.0);
+        return;
+    }
     if (!(texelFetch(depth_image, pixel, 0).x > 0.0)) {
         color = vec4(shown == 0 ? vec3(0.75, 0.80, 0.86) : vec3(1.0), 1.0);
         return;
@@ -54,5 +58,4 @@ void main() {
     vec3 linear = picture(pixel, pixel.x < split);
     bool encodes = shown == 0;
     color = vec4(encodes ? pow(clamp(linear, 0.0, 1.0), vec3(1.0 / 2.2)) : linear, 1.0);
-    if (abs(pixel.x - split) < 1 && split > 0 && split < size.x) color = vec4(0.1, 0.45, 0.85, 1.0);
 }
