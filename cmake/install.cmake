@@ -44,7 +44,7 @@ install(DIRECTORY experiments/ DESTINATION ${CMAKE_INSTALL_DATADIR}/gloam/experi
 install(DIRECTORY tools/stress/shaders/ DESTINATION ${CMAKE_INSTALL_DATADIR}/gloam/stress)
 install(DIRECTORY tools/site/effect tools/site/npm tools/site/page tools/site/shaders tools/site/third-party
   DESTINATION ${CMAKE_INSTALL_DATADIR}/gloam/site)
-install(FILES tools/site/template.html DESTINATION ${CMAKE_INSTALL_DATADIR}/gloam/site)
+install(FILES tools/site/method.html tools/site/template.html DESTINATION ${CMAKE_INSTALL_DATADIR}/gloam/site)
 install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
 
