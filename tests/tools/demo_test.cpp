@@ -72,7 +72,7 @@ TEST_F(Gallery, LitPicturesComeWithTheOcclusion) {
 TEST_F(Gallery, SeveralMethodsAreComparedInATable) {
     const std::string result =
         output_of(render("out", "corner --method gtao,hemisphere --gallery {}", path("page")));
-    for (const char* line : {"method", "gtao", "hemisphere", "closed form"})
+    for (const char* line : {"run", "gtao", "hemisphere", "closed form"})
         EXPECT_THAT(result, HasSubstr(line));
     for (const char* name : {"sheet.png", "gtao_render.json", "hemisphere_f0000_ao.pfm"})
         EXPECT_TRUE(fs::is_regular_file(path("out") / name)) << name;
@@ -81,6 +81,43 @@ TEST_F(Gallery, SeveralMethodsAreComparedInATable) {
         EXPECT_THAT(page, HasSubstr(name));
         EXPECT_TRUE(fs::is_regular_file(path("page") / name)) << name;
     }
+}
+
+// Width and height in a PNG file's header.
+std::pair<int, int> png_size(const std::string& png) {
+    const auto number = [&](std::size_t at) {
+        int value = 0;
+        for (std::size_t i = at; i < at + 4; ++i) value = value * 256 + static_cast<unsigned char>(png.at(i));
+        return value;
+    };
+    return {number(16), number(20)};
+}
+
+TEST_F(Gallery, PresetsAreComparedOnACroppedSheet) {
+    const std::string result = output_of(
+        render("out", "corner --preset fast,tssao-paper --crop 4,4,32x16 --gallery {}", path("page")));
+    for (const char* line : {"fast", "tssao-paper", "closed form"}) EXPECT_THAT(result, HasSubstr(line));
+    // Light without occlusion, two runs and the truth, eight times as large, in two rows with captions.
+    const auto [width, height] = png_size(read_file(path("out") / "sheet.png"));
+    EXPECT_GT(width, 4 * 8 * 32);
+    EXPECT_LT(width, 4 * 8 * 32 + 64);
+    EXPECT_GT(height, 2 * 8 * 16 + 20);
+    const auto preset = [&](const std::string& name) {
+        return nlohmann::json::parse(read_file(path("out") / (name + "_render.json"))).at("preset");
+    };
+    EXPECT_EQ(preset("fast"), "fast");
+    EXPECT_EQ(preset("tssao-paper"), "tssao-paper");
+    EXPECT_TRUE(fs::is_regular_file(path("page") / "tssao-paper_shaded.png"));
+    // A run among others is the run alone.
+    const std::string among = read_file(path("out") / "fast_f0000_ao.pfm");
+    expect_success(render("out", "corner --preset fast"));
+    EXPECT_EQ(among, read_file(path("out") / "f0000_ao.pfm"));
+}
+
+TEST_F(Gallery, AntialiasingSmoothsThePicturesAlone) {
+    for (const char* samples : {"1", "3"}) expect_success(render(samples, "columns --antialias {}", samples));
+    EXPECT_EQ(read_file(path("1") / "f0000_ao.pfm"), read_file(path("3") / "f0000_ao.pfm"));
+    EXPECT_NE(read_file(path("1") / "f0000_plain.png"), read_file(path("3") / "f0000_plain.png"));
 }
 
 TEST_F(Gallery, AMethodAmongOthersIsTheMethodAlone) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <set>
 
 #include "tools/rendering.hpp"
 
@@ -148,6 +149,20 @@ TEST_F(RenderSequence, SettingsByName) {
     EXPECT_EQ(changed.at("taps"), "nearest");
     EXPECT_EQ(changed.at("filter"), "none");
     EXPECT_EQ(report("out").at("frames").at(0).at("samples"), 7 * 96 * 54) << "with the guard band";
+}
+
+TEST_F(RenderSequence, AFilmHasAPictureOfEachView) {
+    const fs::path film = path("film");
+    expect_success(render("out", "moving --frame 20 --frames 4 --film {}", film));
+    std::set<std::string> pictures;
+    for (const char* name : {"f0000.png", "f0001.png", "f0002.png", "f0003.png"})
+        pictures.insert(read_file(film / name));
+    EXPECT_EQ(pictures.size(), 4U);
+    // The bar starts at the left edge: all of the first picture has occlusion.
+    expect_success(render("first", "moving --frame 20 --frames 1"));
+    EXPECT_EQ(read_file(film / "f0000.png"), read_file(path("first") / "f0000_shaded.png"));
+    EXPECT_FALSE(fs::exists(path("out") / "f0000_shaded.png")) << "only the last view is kept as pictures";
+    EXPECT_TRUE(fs::exists(path("out") / "f0003_shaded.png"));
 }
 
 TEST_F(RenderSequence, OptionsThatDoNotGoTogether) {

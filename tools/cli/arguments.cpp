@@ -13,24 +13,23 @@ std::string read_text(const std::filesystem::path& file) {
     return base::read_file(file);
 }
 
-namespace {
-
-// The two integers of "640x360"; nothing for other text.
-std::optional<gpu::Extent> extent_from(std::string_view text) {
-    gpu::Extent extent;
+std::optional<std::pair<std::uint32_t, std::uint32_t>> pair_from(std::string_view text, char between) {
+    std::pair<std::uint32_t, std::uint32_t> pair;
     const char* const end = text.data() + text.size();
-    const auto width = std::from_chars(text.data(), end, extent.width);
-    if (width.ec != std::errc{} || width.ptr == end || *width.ptr != 'x') return std::nullopt;
-    const auto height = std::from_chars(width.ptr + 1, end, extent.height);
-    if (height.ec != std::errc{} || height.ptr != end) return std::nullopt;
-    return extent;
+    const auto first = std::from_chars(text.data(), end, pair.first);
+    if (first.ec != std::errc{} || first.ptr == end || *first.ptr != between) return std::nullopt;
+    const auto second = std::from_chars(first.ptr + 1, end, pair.second);
+    if (second.ec != std::errc{} || second.ptr != end) return std::nullopt;
+    return pair;
 }
+
+namespace {
 
 // sides: the allowed ones, in words.
 gpu::Extent size_within(const std::string& text, std::uint32_t least, std::uint32_t most, const char* sides) {
     const auto fits = [&](std::uint32_t side) { return side >= least && side <= most; };
-    const std::optional<gpu::Extent> extent = extent_from(text);
-    if (extent && fits(extent->width) && fits(extent->height)) return *extent;
+    const auto pair = pair_from(text, 'x');
+    if (pair && fits(pair->first) && fits(pair->second)) return {pair->first, pair->second};
     throw std::invalid_argument(
         fmt::format("--size {}: expected WIDTHxHEIGHT in pixels, each {}, such as 640x360", text, sides));
 }

@@ -6,9 +6,12 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
+#include "cli/arguments.hpp"
 #include "cli/names.hpp"
 #include "cli/open_device.hpp"
 #include "cli/render_input.hpp"
@@ -34,33 +37,53 @@ std::vector<Run> runs_of(const RenderOptions& options) {
         methods.clear();
         for (const Named& method : method_names()) methods.push_back(method.name);
     }
-    if (methods.size() > 1 && !options.write_gbuffer.empty())
-        throw std::invalid_argument("--write-gbuffer goes with one method");
+    std::vector<std::string> presets = options.presets;
+    if (presets.empty()) presets.push_back(options.preset);
+    if (methods.size() > 1 && presets.size() > 1)
+        throw std::invalid_argument("--method and --preset: expected several of one of the two");
+    const bool several = methods.size() * presets.size() > 1;
+    if (several && (!options.write_gbuffer.empty() || !options.film.empty()))
+        throw std::invalid_argument("--write-gbuffer and --film go with one method and one preset");
     std::vector<Run> runs;
-    for (const std::string& method : methods) {
-        Run run{.options = options, .input = {}, .prefix = methods.size() > 1 ? method + "_" : ""};
-        run.options.method = method;
-        (void)settings_for(run.options, 1.0);
-        run.input = open_input(run.options, runs.empty() ? nullptr : &runs.front().input);
-        (void)TruthSource(run.options, run.input);
-        runs.push_back(std::move(run));
+    for (const std::string& preset : presets) {
+        for (const std::string& method : methods) {
+            Run run{.options = options, .input = {}, .prefix = {}};
+            if (several) run.prefix = (presets.size() > 1 ? preset : method) + "_";
+            run.options.method = method;
+            run.options.preset = preset;
+            (void)settings_for(run.options, 1.0);
+            run.input = open_input(run.options, runs.empty() ? nullptr : &runs.front().input);
+            (void)TruthSource(run.options, run.input);
+            runs.push_back(std::move(run));
+        }
     }
     return runs;
 }
 
-const std::string& method_of(const Rendered& run) {
-    return run.report.frames.back().settings.method;
+// The part of the image that --crop names.
+Crop crop_of(const std::string& text, gpu::Extent extent) {
+    const std::size_t comma = std::min(text.rfind(','), text.size());
+    const auto corner = pair_from(std::string_view(text).substr(0, comma), ',');
+    const auto size = pair_from(std::string_view(text).substr(std::min(comma + 1, text.size())), 'x');
+    const auto fits = [](std::uint64_t from, std::uint64_t length, std::uint32_t side) {
+        return length > 0 && from + length <= side;
+    };
+    if (corner && size && fits(corner->first, size->first, extent.width) &&
+        fits(corner->second, size->second, extent.height))
+        return {corner->first, corner->second, {size->first, size->second}};
+    throw std::invalid_argument(fmt::format("--crop {}: expected LEFT,TOP,WIDTHxHEIGHT within {} x {} pixels",
+                                            text, extent.width, extent.height));
 }
 
 void print_comparison(const std::vector<Rendered>& rendered) {
     const RenderReport& first = rendered.front().report;
     std::size_t width = 0;
-    for (const Rendered& run : rendered) width = std::max(width, method_of(run).size());
-    fmt::print("{} on {}\n{:<{}} {:>9} {:>8}\n", first.source, first.device.name, "method", width, "ms/frame",
+    for (const Rendered& run : rendered) width = std::max(width, run.report.name.size());
+    fmt::print("{} on {}\n{:<{}} {:>9} {:>8}\n", first.source, first.device.name, "run", width, "ms/frame",
                "error");
     for (const Rendered& run : rendered) {
         const auto error = frame_error(run.report);
-        fmt::print("{:<{}} {:>9.3f} {:>8}\n", method_of(run), width, frame_ms(run.report),
+        fmt::print("{:<{}} {:>9.3f} {:>8}\n", run.report.name, width, frame_ms(run.report),
                    error ? fmt::format("{:.4f}", *error) : "-");
     }
     if (!first.truth.empty()) fmt::print("error: root mean square, against the {}\n", first.truth);
@@ -95,6 +118,21 @@ void add_view_options(CLI::App& command, RenderOptions& options) {
     command.add_option("--out", options.out, "folder for pictures and render.json")->capture_default_str();
     command.add_option("--gallery", options.gallery,
                        "folder for index.html: the pictures behind before/after sliders, times and errors");
+    command
+        .add_option(
+            "--antialias", options.antialias,
+            "N x N samples of each pixel in lit pictures of scenes and meshes; the occlusion stays that "
+            "of the pixels")
+        ->check(CLI::Range(1, 8))
+        ->capture_default_str();
+    command.add_option(
+        "--crop", options.crop,
+        "LEFT,TOP,WIDTHxHEIGHT: the sheet shows this part, magnified: without occlusion, each run "
+        "and the truth, lit, and below them the occlusion alone");
+    command.add_option(
+        "--film", options.film,
+        "folder for a lit picture of each view of a sequence; a bar moves across them, without "
+        "occlusion to its left");
     command.add_flag("--quiet", options.quiet, "print nothing but errors");
 }
 
@@ -123,7 +161,13 @@ void add_effect_options(CLI::App& command, RenderOptions& options) {
                     "(default: the preset's)")
         ->delimiter(',')
         ->allow_extra_args(false);
-    command.add_option("--preset", options.preset, "gloam list presets")->capture_default_str();
+    command
+        .add_option("--preset", options.presets,
+                    fmt::format("gloam list presets; several, separated by commas, are compared on one sheet "
+                                "(default: {})",
+                                options.preset))
+        ->delimiter(',')
+        ->allow_extra_args(false);
     command
         .add_option("--samples", options.samples,
                     "samples for each pixel in each frame (default: the preset's)")
@@ -199,6 +243,10 @@ void take_scene_from_truth(RenderOptions& options) {
 
 int run_render(const RenderOptions& options) {
     std::vector<Run> runs = runs_of(options);
+    std::optional<Crop> crop;
+    if (!options.crop.empty() && !options.gbuffer.empty())
+        throw std::invalid_argument("--crop goes with a scene or a mesh, not with --gbuffer");
+    if (!options.crop.empty()) crop = crop_of(options.crop, parse_size(options.size));
     report::OutputFolder out(options.out);
     std::optional<report::OutputFolder> gallery;
     if (!options.gallery.empty()) gallery.emplace(options.gallery);
@@ -208,7 +256,7 @@ int run_render(const RenderOptions& options) {
         rendered.push_back(render(run.options, run.input, bench, {&out, run.prefix}));
         if (runs.size() == 1 && !options.quiet) fmt::print("{}", to_text(rendered.front().report));
     }
-    out.write("sheet.png", sheet_of(rendered));
+    out.write("sheet.png", crop ? cropped_sheet_of(rendered, *crop) : sheet_of(rendered));
     if (gallery) write_gallery(*gallery, rendered);
     out.keep();
     if (gallery) gallery->keep();

@@ -36,13 +36,14 @@ struct RenderOptions {
     std::filesystem::path gbuffer;  // folder of an engine's frames
     std::string depth = "linear";   // how they store depth and normals: scene::encoding_named()
     std::string normals = "view";
-    std::string method;  // of one run; empty: the preset's
-    std::string preset = effect::default_preset;
+    std::string method;                           // of one run; empty: the preset's
+    std::string preset = effect::default_preset;  // of one run
     std::optional<std::uint32_t> samples;
     std::optional<int> frames;
     int frame = 0;       // of a scene that moves: the first
     bool still = false;  // it is held there
     std::string size = "640x360";
+    int antialias = 2;            // samples on each side of a pixel, of lit pictures
     std::optional<float> radius;  // world units; otherwise the view's own
     std::optional<float> bias;    // world units; otherwise a part of the radius
     std::optional<float> guard;   // part of the image on each side
@@ -65,7 +66,10 @@ struct RenderOptions {
     std::filesystem::path out = "gloam-out";
     MeshOptions mesh;
     std::vector<std::string> methods;  // several: each is run, and a sheet compares them; "all"
+    std::vector<std::string> presets;  // likewise; several of one of the two
+    std::string crop;                  // "LEFT,TOP,WIDTHxHEIGHT": the sheet shows this part; empty: all
     std::filesystem::path gallery;     // folder for a page of the pictures; empty: none
+    std::filesystem::path film;        // folder for a picture of each view; empty: none
     bool quiet = false;
 };
 

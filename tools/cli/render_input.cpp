@@ -123,6 +123,7 @@ RenderInput from_scene(const RenderOptions& options, const RenderInput* like) {
                       .frames_per_view = follows ? 1 : frames};
     std::iota(input.views.begin(), input.views.end(), 0);
     input.scene = scene;
+    input.picture_samples = options.antialias;
     const effect::Settings settings = settings_for(options, scene->ao_radius);
     const double guard = double{settings.guard};
     const gpu::Extent wide = scene::with_border(extent, scene::guard_border(extent, guard));

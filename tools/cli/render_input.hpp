@@ -25,6 +25,7 @@ struct RenderInput {
     std::vector<int> views;  // their numbers, which are also in the names of written files
     int first_frame = 0;     // of a scene: view 0 shows it
     int frames_per_view = 1;
+    int picture_samples = 1;  // on each side of a pixel, of lit pictures
     std::function<scene::GBuffer(const gpu::Device&, const scene::PassLibrary&, int view)> load;
     std::shared_ptr<const scene::Scene> scene;  // null for G-buffers from elsewhere
     effect::TrueOcclusion truth;                // empty if it is unknown

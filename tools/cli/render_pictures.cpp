@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "report/image.hpp"
 #include "scene/read_gbuffer.hpp"
@@ -72,18 +74,25 @@ std::vector<report::SheetPicture> pictures_of_one(const Rendered& run) {
 
 }  // namespace
 
-Pictures pictures_of(const effect::Composite& composite, std::string name, gpu::Extent extent,
-                     const scene::SplitLight& light, const std::vector<float>& occlusion,
-                     const effect::Truth& truth) {
+Pictures pictures_of(const effect::Composite& composite, std::string name, const scene::PictureLight& light,
+                     const std::vector<float>& occlusion, const effect::Truth& truth) {
+    const auto lit = [&](const std::vector<float>& values) {
+        const std::vector<float> samples = values.empty() ? values : light.spread(values);
+        return report::srgb_of(
+            components_of(light.mean(composite.lit(light.sampled(), light.light, samples))));
+    };
     Pictures pictures{.name = std::move(name),
-                      .extent = extent,
-                      .plain = report::srgb_of(components_of(composite.lit(extent, light, {}))),
-                      .shaded = report::srgb_of(components_of(composite.lit(extent, light, occlusion))),
+                      .extent = light.extent,
+                      .plain = lit({}),
+                      .shaded = lit(occlusion),
                       .visibility = report::visibility_rgb(occlusion),
                       .truth = {},
+                      .truth_lit = {},
                       .error = {}};
     if (truth.empty()) return pictures;
     pictures.truth = report::visibility_rgb(truth);
+    pictures.truth_lit = lit({truth.begin(), truth.end()});
+    pictures.none_error = effect::errors_of(std::vector<float>(truth.size(), 0.0F), truth).rmse;
     std::vector<float> errors;
     for (std::size_t i = 0; i < truth.size(); ++i) errors.push_back(std::abs(occlusion[i] - truth[i]));
     pictures.error = report::heat_rgb(errors, brightest_error);
@@ -109,9 +118,15 @@ std::optional<double> frame_error(const RenderReport& report) {
 }
 
 std::string caption_of(const RenderReport& report) {
-    std::string text = report.frames.back().settings.method;
-    if (const double ms = frame_ms(report); std::isfinite(ms)) text += fmt::format(", {:.3g} ms", ms);
-    if (const auto error = frame_error(report)) text += fmt::format(", error {:.3f}", *error);
+    const std::string measured = time_and_error_of(report);
+    return measured.empty() ? report.name : report.name + ", " + measured;
+}
+
+std::string time_and_error_of(const RenderReport& report) {
+    std::string text;
+    if (const double ms = frame_ms(report); std::isfinite(ms)) text = fmt::format("{:.3g} ms", ms);
+    if (const auto error = frame_error(report))
+        text += fmt::format("{}error {:.3f}", text.empty() ? "" : ", ", *error);
     return text;
 }
 
@@ -132,6 +147,63 @@ std::string sheet_of(const std::vector<Rendered>& runs) {
 
 namespace {
 
+constexpr std::uint32_t least_crop_width = 240;  // pixels on a cropped sheet
+constexpr std::size_t bar_width = 2;             // pixels
+
+report::RgbBytes magnified(const report::RgbBytes& rgb, gpu::Extent extent, const Crop& crop,
+                           std::uint32_t zoom) {
+    report::RgbBytes part;
+    part.reserve(std::size_t{3} * crop.extent.width * zoom * crop.extent.height * zoom);
+    for (std::uint32_t y = 0; y < crop.extent.height * zoom; ++y) {
+        for (std::uint32_t x = 0; x < crop.extent.width * zoom; ++x) {
+            const std::size_t from = std::size_t{crop.top + y / zoom} * extent.width + crop.left + x / zoom;
+            for (std::size_t k = 0; k < 3; ++k) part.push_back(rgb.at(3 * from + k));
+        }
+    }
+    return part;
+}
+
+}  // namespace
+
+std::string cropped_sheet_of(const std::vector<Rendered>& runs, const Crop& crop) {
+    std::vector<report::SheetPicture> lit;
+    std::vector<report::SheetPicture> alone;
+    for (const Rendered& run : runs) {
+        const Pictures& last = run.pictures.back();
+        if (lit.empty()) {
+            lit.push_back({last.plain, "no occlusion"});
+            alone.push_back({report::RgbBytes(last.visibility.size(), 255), ""});
+            if (!last.truth.empty()) alone.back().caption = fmt::format("error {:.3f}", last.none_error);
+        }
+        lit.push_back({last.shaded, run.report.name});
+        alone.push_back({last.visibility, time_and_error_of(run.report)});
+    }
+    const Pictures& first = runs.at(0).pictures.back();
+    if (!first.truth.empty()) {
+        lit.push_back({first.truth_lit, "truth"});
+        alone.push_back({first.truth, runs.front().report.truth});
+    }
+    const std::size_t columns = lit.size();
+    const std::uint32_t zoom = std::max(1U, (least_crop_width + crop.extent.width - 1) / crop.extent.width);
+    lit.insert(lit.end(), alone.begin(), alone.end());
+    for (report::SheetPicture& picture : lit) picture.rgb = magnified(picture.rgb, first.extent, crop, zoom);
+    return report::to_sheet_png(lit, crop.extent.width * zoom, crop.extent.height * zoom, columns);
+}
+
+report::RgbBytes wiped(const Pictures& pictures, double share) {
+    const auto width = static_cast<double>(pictures.extent.width);
+    const auto bar =
+        static_cast<std::size_t>(std::lround(width * (0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * share))));
+    report::RgbBytes rgb = pictures.shaded;
+    for (std::size_t i = 0; i < rgb.size(); ++i) {
+        const std::size_t x = i / 3 % pictures.extent.width;
+        if (x < bar) rgb[i] = x + bar_width < bar ? pictures.plain[i] : 255;
+    }
+    return rgb;
+}
+
+namespace {
+
 // Writes one picture and returns its file name.
 std::string write(report::OutputFolder& folder, const Pictures& pictures, const std::string& name,
                   const report::RgbBytes& rgb) {
@@ -141,7 +213,7 @@ std::string write(report::OutputFolder& folder, const Pictures& pictures, const 
 
 report::PageTable comparison(const std::vector<Rendered>& runs) {
     report::PageTable table{
-        .columns = {{.title = "method"},
+        .columns = {{.title = "run"},
                     {.title = "ms",
                      .meaning = "time of all passes of the last frame on the device",
                      .numeric = true},
@@ -154,7 +226,7 @@ report::PageTable comparison(const std::vector<Rendered>& runs) {
         const effect::Settings& settings = run.report.frames.back().settings;
         const double ms = frame_ms(run.report);
         const auto error = frame_error(run.report);
-        table.rows.push_back({{settings.method},
+        table.rows.push_back({{run.report.name},
                               {std::isfinite(ms) ? fmt::format("{:.3f}", ms) : "-", ms},
                               {error ? fmt::format("{:.4f}", *error) : "-", error},
                               {fmt::format("{}", settings.samples), static_cast<double>(settings.samples)}});
@@ -194,9 +266,8 @@ void write_gallery(report::OutputFolder& folder, const std::vector<Rendered>& ru
                                first.truth.empty() ? "" : " The truth is the " + first.truth + "."));
     if (runs.size() > 1) page.table(comparison(runs));
     for (const Rendered& run : runs) {
-        const std::string method = run.report.frames.back().settings.method;
-        page.heading(method);
-        add_pictures(page, folder, method + "_", run);
+        page.heading(run.report.name);
+        add_pictures(page, folder, run.report.name + "_", run);
     }
     folder.write("index.html", page.html());
 }

@@ -14,7 +14,7 @@
 #include "report/output.hpp"
 #include "report/page.hpp"
 #include "scene/gbuffer.hpp"
-#include "scene/lighting.hpp"
+#include "scene/picture_light.hpp"
 
 namespace gloam::cli {
 
@@ -71,6 +71,7 @@ struct FrameReport {
 
 struct RenderReport {
     std::string source;
+    std::string name;  // of the run, among several: its preset where presets are compared, else its method
     std::string preset;
     std::string truth;  // the truth that the errors refer to
     gpu::DeviceInfo device;
@@ -92,7 +93,9 @@ struct Pictures {
     report::RgbBytes shaded;      // lit, with occlusion
     report::RgbBytes visibility;  // white where open
     report::RgbBytes truth;       // white where open; empty: there is no truth
+    report::RgbBytes truth_lit;   // lit, with the true occlusion; empty: there is no truth
     report::RgbBytes error;       // of the occlusion against the truth; empty: there is no truth
+    double none_error = 0.0;      // root mean square error of no occlusion at all; 0: there is no truth
 };
 
 // One run of one method: its report, and the pictures of its last frame; for a turntable those of all frames.
@@ -104,10 +107,9 @@ struct Rendered {
 // The error at the bright end of the heat map.
 inline constexpr double brightest_error = 0.25;
 
-// Pictures, lit by the pass that engines use. occlusion: a value for each pixel of the light; truth: the
-// same, or empty.
-[[nodiscard]] Pictures pictures_of(const effect::Composite& composite, std::string name, gpu::Extent extent,
-                                   const scene::SplitLight& light, const std::vector<float>& occlusion,
+// Pictures, lit by the pass that engines use. occlusion: a value for each pixel; truth: the same, or empty.
+[[nodiscard]] Pictures pictures_of(const effect::Composite& composite, std::string name,
+                                   const scene::PictureLight& light, const std::vector<float>& occlusion,
                                    const effect::Truth& truth);
 
 // Writes NAME_plain.png, NAME_shaded.png, and NAME_error.png if there is an error.
@@ -119,13 +121,32 @@ void write_pictures(report::OutputFolder& folder, const Pictures& pictures);
 // Root mean square error of the last frame's filtered image; nullopt without a truth.
 [[nodiscard]] std::optional<double> frame_error(const RenderReport& report);
 
-// "gtao, 3.2 ms, error 0.031": for captions.
+// "3.2 ms, error 0.031", as far as they are known.
+[[nodiscard]] std::string time_and_error_of(const RenderReport& report);
+
+// "sweep, 3.2 ms, error 0.031": for captions.
 [[nodiscard]] std::string caption_of(const RenderReport& report);
 
 // A PNG sheet. For one run: lit without and with occlusion, the occlusion alone, and its error if the truth
 // is known. For several runs: the truth if it is known, then the occlusion of each with its name, time and
 // error. Throws std::invalid_argument for no runs.
 [[nodiscard]] std::string sheet_of(const std::vector<Rendered>& runs);
+
+// A part of an image, pixels.
+struct Crop {
+    std::uint32_t left = 0;
+    std::uint32_t top = 0;
+    gpu::Extent extent;
+};
+
+// A PNG sheet of one part of each picture, magnified: lit without occlusion, with that of each run, and with
+// the true one if it is known; below each the occlusion alone with its time and error. Throws
+// std::invalid_argument for no runs and a part that is not in the image.
+[[nodiscard]] std::string cropped_sheet_of(const std::vector<Rendered>& runs, const Crop& crop);
+
+// The picture at a share of a film, [0, 1]: a bar moves from the left edge to the right and back, with the
+// light without occlusion to its left.
+[[nodiscard]] report::RgbBytes wiped(const Pictures& pictures, double share);
 
 // Writes the pictures of a run into a page's folder, under names that begin with `prefix`, and adds them to
 // the page: the light without and with occlusion behind a slider, then the occlusion alone and its error. A

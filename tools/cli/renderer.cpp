@@ -13,6 +13,7 @@
 #include "cli/settings.hpp"
 #include "effect/further_views.hpp"
 #include "report/image.hpp"
+#include "scene/rasterize.hpp"
 #include "scene/read_gbuffer.hpp"
 
 namespace gloam::cli {
@@ -130,7 +131,11 @@ class Renderer {
           progress_(options.quiet ? [](double) {} : progress_bar(input_.name + ": frames")) {
         if (options.light) environment_ = environment_named(*options.light);
         if (!options.write_gbuffer.empty()) gbuffer_out_.emplace(options.write_gbuffer);
+        if (!options.film.empty() && input_.views.size() < 2)
+            throw std::invalid_argument("--film: expected a sequence, with --frames or --turntable");
+        if (!options.film.empty()) film_out_.emplace(options.film);
         report_ = {.source = input_.name,
+                   .name = options.presets.size() > 1 ? options.preset : settings_for(options, 1.0).method,
                    .preset = options.preset,
                    .truth = truth_.name(),
                    .device = bench_.device.info(),
@@ -142,6 +147,7 @@ class Renderer {
         if (output_.folder != nullptr)
             output_.folder->write(output_.prefix + "render.json", to_json(report_));
         if (gbuffer_out_) gbuffer_out_->keep();
+        if (film_out_) film_out_->keep();
         return {std::move(report_), std::move(pictures_)};
     }
 
@@ -169,8 +175,8 @@ class Renderer {
             compare(entry, view, frame, truth, last);
             if (last && options_.further_views > 0)
                 add_further(entry, number, number + i, view, frame, truth);
-            if (last && (options_.mesh.turntable > 0 || number == input_.views.back()))
-                show(number, number + i, view, frame, truth);
+            const bool kept = options_.mesh.turntable > 0 || number == input_.views.back();
+            if (last && (kept || film_out_)) show(number, number + i, view, frame, truth, kept);
             report_.frames.push_back(std::move(entry));
             progress_(static_cast<double>(report_.frames.size()) / static_cast<double>(frame_count()));
         }
@@ -272,13 +278,23 @@ class Renderer {
         entry.errors->metrics = effect::metrics_of(frame.filtered, truth.truth, view.extent);
     }
 
-    // Makes the pictures of a view's last frame.
+    // Makes the pictures of a view's last frame. kept: for the sheet and the gallery; else for the film
+    // alone.
     void show(int view_number, int frame_number, const scene::GBuffer& view, const effect::Frame& frame,
-              const ViewTruth& truth) {
-        const scene::SplitLight& light = bench_.light_of(input_, view_number, view, !options_.quiet);
-        pictures_.push_back(pictures_of(bench_.composite, stem(frame_number), frame.extent, light,
-                                        frame.filtered, truth.truth));
-        if (output_.folder != nullptr) write_pictures(*output_.folder, pictures_.back());
+              const ViewTruth& truth, bool kept) {
+        const scene::PictureLight& light =
+            bench_.light_of(input_, view_number, view, !options_.quiet && !film_out_);
+        Pictures pictures =
+            pictures_of(bench_.composite, stem(frame_number), light, frame.filtered, truth.truth);
+        if (film_out_) {
+            const auto done = static_cast<double>(report_.frames.size());
+            film_out_->write(pictures.name + ".png",
+                             report::to_rgb_png(wiped(pictures, done / static_cast<double>(frame_count())),
+                                                view.extent.width, view.extent.height));
+        }
+        if (!kept) return;
+        if (output_.folder != nullptr) write_pictures(*output_.folder, pictures);
+        pictures_.push_back(std::move(pictures));
     }
 
     [[nodiscard]] std::string stem(int number) const { return output_.prefix + scene::frame_prefix(number); }
@@ -300,6 +316,7 @@ class Renderer {
     const RenderOutput& output_;
     TruthSource truth_;
     std::optional<report::OutputFolder> gbuffer_out_;
+    std::optional<report::OutputFolder> film_out_;
     std::optional<effect::AmbientOcclusion> effect_;
     std::optional<effect::Directional> directional_;
     std::optional<effect::FurtherViews> further_;
@@ -319,12 +336,23 @@ RenderBench::RenderBench(const RenderOptions& options)
       passes(glsl_directory(), cache_directory()),
       composite(device, passes) {}
 
-const scene::SplitLight& RenderBench::light_of(const RenderInput& input, int number,
-                                               const scene::GBuffer& view, bool watched) {
+const scene::PictureLight& RenderBench::light_of(const RenderInput& input, int number,
+                                                 const scene::GBuffer& view, bool watched) {
     if (lit_ == number) return light_;
     scene::LightingOptions options{.frame = input.first_frame + number};
     if (watched) options.progress = progress_bar(input.name + ": light");
-    light_ = scene::light_of(view, input.scene.get(), options);
+    const int samples = input.picture_samples;
+    if (samples == 1) {
+        light_ = scene::picture_light(view, view, samples, input.scene.get(), options);
+    } else {
+        // As many rays as one sample would send, so that smooth edges cost little.
+        options.rays = std::max(1, options.rays / (samples * samples));
+        const auto side = static_cast<std::uint32_t>(samples);
+        const scene::GBuffer fine = scene::rasterize(device, passes, *input.scene,
+                                                     {view.extent.width * side, view.extent.height * side},
+                                                     {.frame = options.frame, .color = true});
+        light_ = scene::picture_light(view, fine, samples, input.scene.get(), options);
+    }
     lit_ = number;
     return light_;
 }

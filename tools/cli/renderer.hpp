@@ -14,8 +14,8 @@
 #include "effect/pixel_classes.hpp"
 #include "report/output.hpp"
 #include "scene/gbuffer.hpp"
-#include "scene/lighting.hpp"
 #include "scene/pass_library.hpp"
+#include "scene/picture_light.hpp"
 
 namespace gloam::cli {
 
@@ -66,8 +66,8 @@ class RenderBench {
     explicit RenderBench(const RenderOptions& options);
 
     // The light of the view with this number.
-    [[nodiscard]] const scene::SplitLight& light_of(const RenderInput& input, int number,
-                                                    const scene::GBuffer& view, bool watched);
+    [[nodiscard]] const scene::PictureLight& light_of(const RenderInput& input, int number,
+                                                      const scene::GBuffer& view, bool watched);
 
     // Call it before a view of another input.
     void forget_light() { lit_.reset(); }
@@ -78,7 +78,7 @@ class RenderBench {
 
   private:
     std::optional<int> lit_;
-    scene::SplitLight light_;
+    scene::PictureLight light_;
 };
 
 // The output of a run: written to `folder`, with names that begin with `prefix`.
