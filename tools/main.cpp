@@ -48,6 +48,16 @@ int finished(int status) {
     return could_not_run;
 }
 
+// What one does first, for a call without a subcommand.
+constexpr const char* first_steps =
+    "gloam: GLSL ambient occlusion, measured, and tests for any GLSL function\n\n"
+    "  gloam demo                         pictures and a check of this device, on one page\n"
+    "  gloam render room --truth          ambient occlusion of a scene, a mesh or a G-buffer\n"
+    "  gloam pack --effect --out FOLDER   copy: the effect, or functions, for an engine\n"
+    "  gloam check FILE.glsl              test: the functions of a file of your own\n"
+    "  gloam check --device all           judge: every equation on every driver here\n\n"
+    "gloam --help lists all commands, gloam COMMAND --help the options of one.\n";
+
 int fail(const std::exception& error) {
     if (std::ferror(stdout) != 0 && dynamic_cast<const std::system_error*>(&error) != nullptr)
         complain(fmt::format("standard output: {}", error.what()));
@@ -59,7 +69,7 @@ int fail(const std::exception& error) {
 int run(int argc, char** argv) {
     int status = 0;
     CLI::App app("gloam: GLSL ambient occlusion, measured", "gloam");
-    app.require_subcommand(0, 1);  // none is said below: an unknown word must be named first
+    app.require_subcommand(0, 1);
     app.failure_message(CLI::FailureMessage::simple);
     app.set_version_flag("--version", [] { return gloam::cli::versions(); });
     gloam::cli::add_demo(app, status);
@@ -83,7 +93,7 @@ int run(int argc, char** argv) {
         std::vector<std::string> arguments = gloam::cli::with_own_experiment({argv + 1, argv + argc});
         std::ranges::reverse(arguments);  // the order in which CLI11 takes them
         app.parse(std::move(arguments));
-        if (app.get_subcommands().empty()) throw CLI::RequiredError("A subcommand");
+        if (app.get_subcommands().empty()) fmt::print("{}", first_steps);
     } catch (const CLI::CallForHelp& help) {
         return app.exit(help);
     } catch (const CLI::CallForVersion& version) {

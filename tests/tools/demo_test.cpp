@@ -35,7 +35,7 @@ TEST_F(Demo, SaysInTenLinesWhatItDidAndWhereToLook) {
     EXPECT_THAT(page, HasSubstr("gloam_radical_inverse_base2"));
     // Every picture of the page is there, and nothing that the page does not show.
     std::vector<std::string> shown{"index.html", "sheet.png"};
-    for (const char* scene : {"columns", "moving"}) {
+    for (const char* scene : {"room", "moving"}) {
         for (const char* picture : {"plain", "shaded", "visibility", "error"}) {
             shown.push_back(std::string(scene) + "_" + picture + ".png");
             EXPECT_THAT(page, HasSubstr("src=\"" + shown.back() + "\""));

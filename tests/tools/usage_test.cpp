@@ -33,8 +33,9 @@ TEST_F(Usage, UnknownCommandIsNamed) {
     expect_could_not_run(gloam("no-such-command"), "no-such-command");
 }
 
-TEST_F(Usage, ACommandIsNeeded) {
-    expect_could_not_run(run_command({}), "subcommand");
+TEST_F(Usage, AloneItSaysWhatToDoFirst) {
+    for (const char* first : {"gloam demo", "gloam pack", "gloam check FILE.glsl", "gloam --help"})
+        EXPECT_THAT(output_of(run_command({})), HasSubstr(first));
 }
 
 TEST(Devices, AreListedWithTheirFloatControls) {

@@ -59,8 +59,8 @@ RenderOptions options_for(const DemoOptions& demo, const std::string& source) {
 
 std::vector<Shown> demo_scenes() {
     std::error_code none;
-    return {{fs::is_regular_file(bunny, none) ? "bunny" : "knot", "a mesh on a plane, in the sun", {}},
-            {"columns", "a hall of columns, lit by a lamp", {}},
+    return {{"room", "a furnished room, seen by a camera that moves", {}},
+            {fs::is_regular_file(bunny, none) ? "bunny" : "knot", "a mesh on a plane, in the sun", {}},
             {"moving", "a rolling ball and a turning box, followed with their history", {}}};
 }
 

@@ -53,7 +53,8 @@ class Surfaces {
     [[nodiscard]] double off_plane(std::uint32_t pixel, const glm::dvec3& point, double depth) const {
         if (!is_surface(view_.depth[pixel])) return std::numeric_limits<double>::infinity();
         const glm::dvec3 from = point - positions_.at(pixel, view_.depth[pixel]);
-        const glm::dvec3 normal = view_.normal.empty() ? glm::dvec3(0, 0, 1) : glm::dvec3(view_.normal[pixel]);
+        const glm::dvec3 normal =
+            view_.normal.empty() ? glm::dvec3(0, 0, 1) : glm::dvec3(view_.normal[pixel]);
         return std::abs(glm::dot(from, normal)) / depth;
     }
 
