@@ -61,7 +61,8 @@ void OpenSearch::advance(bool searched, const SelectedTiles& found) {
         return;
     }
     known_ = true;
-    // Where a view shows many surfaces, the search takes about a third of the time of a frame (gloam bench skips).
+    // Where a view shows many surfaces, the search takes about a third of the time of a frame (gloam bench
+    // skips).
     constexpr std::uint32_t worth_it = 2;
     constexpr std::uint32_t frames_without = 15;
     rest_ = worth_it * found.open < found.shaded ? frames_without : 0;
