@@ -50,6 +50,17 @@ TEST_F(CompositePass, EachPixelHasItsOwnOcclusion) {
     EXPECT_EQ(lit[4], glm::vec3(1.5F, 2, 4));
 }
 
+// GTAO-bounce in the place of ISSAO-2.
+TEST_F(CompositePass, BrightBlockersSendLight) {
+    const scene::SplitLight light{.ambient = std::vector<glm::vec3>(2, glm::vec3(1, 2, 4)),
+                                  .direct = std::vector<glm::vec3>(2, glm::vec3(0.5F, 0, 0))};
+    const auto lit = composite_.lit({2, 1}, light, std::vector<float>{0.5F, 0.0F},
+                                    std::vector<glm::vec3>(2, {0, 0.5F, 1}));
+    const glm::vec3 expected(0.5F + 0.5F, 2 * 0.68096F, 4 * 0.8979F);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(lit[0][c], expected[c], 5e-4F) << c;
+    EXPECT_EQ(lit[1], glm::vec3(1.5F, 2, 4));
+}
+
 TEST_F(CompositePass, RefusesImagesOfAnotherSize) {
     const scene::SplitLight light{.ambient = std::vector<glm::vec3>(6), .direct = std::vector<glm::vec3>(6)};
     const auto with = [&](gpu::Extent extent, std::size_t occlusions) {

@@ -84,15 +84,16 @@ async function firstChannel(device, texture) {
         all[Math.floor(i / texture.width) * bytesPerRow / 4 + i % texture.width * count]);
 }
 
-// The occlusion. `texts`: of the passes by their names; `given`: images; `view`: values of push constants by names.
-async function runEffect(effect, texts, given, view) {
+// The first channel of an image, by default the occlusion. `texts`: of the passes by their names; `given`: images;
+// `view`: values of push constants by names.
+async function runEffect(effect, texts, given, view, image = effect.result.image) {
     const adapter = await navigator.gpu.requestAdapter();
     const device = await adapter.requestDevice();
     device.pushErrorScope("validation");
     const resources = resourcesOf(device, effect, given);
     for (const pass of effect.passes)
         if (pass.turn !== "moved") await runPass(device, effect, pass, texts[pass.name], resources, view);
-    const result = await firstChannel(device, resources.get(effect.result.image));
+    const result = await firstChannel(device, resources.get(image));
     const error = await device.popErrorScope();
     if (error !== null) throw new Error(error.message);
     return result;

@@ -145,16 +145,17 @@ class WgslTest(unittest.TestCase):
             various += len(set(got)) > 50
         self.assertGreater(various, len(pairs) // 2)
 
-    def picture(self, preset, *more):
-        """What the browser and the program make of one G-buffer."""
+    def picture(self, preset, *more, bent=False):
+        """What the browser and the program make of one G-buffer: the occlusion, or x of the mean open directions."""
         buffers = self.folder / f"{preset}-buffers"
         out = self.folder / f"{preset}-native"
         native = run("render", "columns", "--still", "--size", f"{WIDTH}x{HEIGHT}", "--preset", preset, *more,
+                     *(("--bent-normals", "--bent-interleave", "4") if bent else ()),
                      "--write-gbuffer", buffers, "--out", out, "--quiet")
         self.assertEqual(0, native.returncode, native.stderr)
         view = json.loads((buffers / "f0000.json").read_text(encoding="utf-8"))
         folder = self.effect(preset + "-effect", "--preset", preset, *more, "--size", f"{WIDTH}x{HEIGHT}",
-                             "--radius", view["ao_radius"])
+                             "--radius", view["ao_radius"], *(("--bent-normals",) if bent else ()))
         depth, _ = read_pfm(buffers / "f0000_depth.pfm")
         normal, _ = read_pfm(buffers / "f0000_normal.pfm")
         normal = [v for i in range(0, len(normal), 3) for v in (*normal[i:i + 3], 0.0)]
@@ -164,7 +165,11 @@ class WgslTest(unittest.TestCase):
         effect = json.loads((folder / "effect.json").read_text(encoding="utf-8"))
         texts = {name.split("/")[1]: text for name, text in self.passes(folder).items()}
         arguments = [effect, texts, images, {"p00_p11": [projection[0], projection[5]]}]
+        if bent:
+            arguments.append("bent_normal")
         got = self.browser.evaluate(f"runEffect({', '.join(map(json.dumps, arguments))})")
+        if bent:
+            return got, read_pfm(out / "f0000_bent.pfm")[0][::3]
         return got, read_pfm(out / "f0000_ao.pfm")[0]
 
     def test_a_whole_effect_gives_the_picture_of_the_program(self):
@@ -174,6 +179,12 @@ class WgslTest(unittest.TestCase):
                 self.assertEqual(len(want), len(got))
                 self.assertGreater(max(want) - min(want), 0.5)
                 self.assertLess(max(abs(a - b) for a, b in zip(got, want)), 1e-6)  # seen: 6e-8 and 1.2e-7
+
+    def test_the_bent_normals_of_an_effect_are_those_of_the_program(self):
+        got, want = self.picture("balanced", bent=True)
+        self.assertEqual(len(want), len(got))
+        self.assertGreater(max(want) - min(want), 1.0)
+        self.assertLess(max(abs(a - b) for a, b in zip(got, want)), 1e-4)
 
 
 if __name__ == "__main__":

@@ -179,6 +179,8 @@ void add_effect_options(CLI::App& command, RenderOptions& options) {
         "guard band: part of the image that is rendered outside each of its sides, so that pixels at the "
         "edge have neighbours; 0 to 0.5, usually 0.05 to 0.1 (default: none)");
     command.add_flag("--no-filter", options.no_filter, "show the estimate as it is");
+    command.add_flag("--multi-bounce", options.multi_bounce,
+                     "lit pictures with the light that bounces among blockers of the surface's colour");
     CLI::Option* bent =
         command.add_flag("--bent-normals", options.bent_normals,
                          "write the directions in which points are open, and the cones around them, too");

@@ -49,6 +49,7 @@ struct RenderOptions {
     std::optional<float> guard;   // part of the image on each side
     bool no_filter = false;
     std::vector<std::string> set;      // NAME=VALUE
+    bool multi_bounce = false;         // in lit pictures
     bool bent_normals = false;         // and cones
     int bent_interleave = 1;           // side of the blocks that share a pattern
     int further_views = 0;             // other cameras whose depth buffers count too

@@ -75,11 +75,12 @@ std::vector<report::SheetPicture> pictures_of_one(const Rendered& run) {
 }  // namespace
 
 Pictures pictures_of(const effect::Composite& composite, std::string name, const scene::PictureLight& light,
-                     const std::vector<float>& occlusion, const effect::Truth& truth) {
+                     const std::vector<float>& occlusion, const effect::Truth& truth, bool multi_bounce) {
+    const std::vector<glm::vec3> albedo = multi_bounce ? light.albedo : std::vector<glm::vec3>{};
     const auto lit = [&](const std::vector<float>& values) {
         const std::vector<float> samples = values.empty() ? values : light.spread(values);
         return report::srgb_of(
-            components_of(light.mean(composite.lit(light.sampled(), light.light, samples))));
+            components_of(light.mean(composite.lit(light.sampled(), light.light, samples, albedo))));
     };
     Pictures pictures{.name = std::move(name),
                       .extent = light.extent,

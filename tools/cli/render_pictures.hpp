@@ -108,9 +108,10 @@ struct Rendered {
 inline constexpr double brightest_error = 0.25;
 
 // Pictures, lit by the pass that engines use. occlusion: a value for each pixel; truth: the same, or empty.
+// multi_bounce: light bounces among blockers (gloam_multi_bounce).
 [[nodiscard]] Pictures pictures_of(const effect::Composite& composite, std::string name,
                                    const scene::PictureLight& light, const std::vector<float>& occlusion,
-                                   const effect::Truth& truth);
+                                   const effect::Truth& truth, bool multi_bounce);
 
 // Writes NAME_plain.png, NAME_shaded.png, and NAME_error.png if there is an error.
 void write_pictures(report::OutputFolder& folder, const Pictures& pictures);

@@ -284,8 +284,8 @@ class Renderer {
               const ViewTruth& truth, bool kept) {
         const scene::PictureLight& light =
             bench_.light_of(input_, view_number, view, !options_.quiet && !film_out_);
-        Pictures pictures =
-            pictures_of(bench_.composite, stem(frame_number), light, frame.filtered, truth.truth);
+        Pictures pictures = pictures_of(bench_.composite, stem(frame_number), light, frame.filtered,
+                                        truth.truth, options_.multi_bounce);
         if (film_out_) {
             const auto done = static_cast<double>(report_.frames.size());
             film_out_->write(pictures.name + ".png",

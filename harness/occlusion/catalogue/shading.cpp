@@ -166,6 +166,8 @@ void append_shading(Entries& entries) {
         [](double ao, double a, double b, double c) {
             return moderate(1e-18, 1e18, ao, a, b) && moderate(1e-3, 16, c);
         });
+    add(entries, "GTAO-bounce", &reference::gloam_multi_bounce,
+        {.domain = {visibility, vector(3, visibility)}, .budget = {.absolute = 1.5e-6}, .codomain = {0, 1}});
     append_shading_bent(entries);
     append_shading_directional(entries);
 }

@@ -29,11 +29,13 @@ void Composite::watch(PassWatcher watcher) {
 }
 
 std::vector<glm::vec3> Composite::lit(gpu::Extent extent, const scene::SplitLight& light,
-                                      std::span<const float> occlusion) const {
+                                      std::span<const float> occlusion,
+                                      const std::vector<glm::vec3>& albedo) const {
     const std::size_t pixels = std::size_t{extent.width} * extent.height;
     require(light.ambient.size(), pixels, "pixels with ambient light");
     require(light.direct.size(), pixels, "pixels with direct light");
     if (!occlusion.empty()) require(occlusion.size(), pixels, "occlusions");
+    if (!albedo.empty()) require(albedo.size(), pixels, "albedos");
     gpu::Image ambient(*device_, extent, rgba32f);
     gpu::Image direct(*device_, extent, rgba32f);
     gpu::Image shown(*device_, extent, r32f);
@@ -43,8 +45,10 @@ std::vector<glm::vec3> Composite::lit(gpu::Extent extent, const scene::SplitLigh
     std::vector<float> values(occlusion.begin(), occlusion.end());
     values.resize(pixels, 0.0F);
     shown.upload(values);
-    const glm::ivec2 size(extent.width, extent.height);
-    const Step step{"composite", &pipeline_, {ambient, direct, shown, image}, bytes_of(size)};
+    gpu::Image color(*device_, albedo.empty() ? gpu::Extent{1, 1} : extent, rgba32f);
+    if (!albedo.empty()) color.upload(texels_of(albedo));
+    const CompositeParameters parameters{{extent.width, extent.height}, flag(!albedo.empty())};
+    const Step step{"composite", &pipeline_, {ambient, direct, shown, image, color}, bytes_of(parameters)};
     (void)run(*device_, std::span(&step, 1), groups_for(extent), 1, {}, watcher_);
     return vectors_of(image.download());
 }

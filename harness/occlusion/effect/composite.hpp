@@ -21,9 +21,12 @@ class Composite {
     Composite(const gpu::Device& device, const scene::PassLibrary& passes);
 
     // The lit image, linear, rows from the top. `occlusion`: in [0, 1], a value for each pixel of the light;
-    // empty: no occlusion. Throws std::invalid_argument when the sizes disagree with the extent.
+    // empty: no occlusion. `albedo`: linear, for each pixel, with which light bounces among blockers
+    // (gloam_multi_bounce); empty: it does not. Throws std::invalid_argument when the sizes disagree with the
+    // extent.
     [[nodiscard]] std::vector<glm::vec3> lit(gpu::Extent extent, const scene::SplitLight& light,
-                                             std::span<const float> occlusion) const;
+                                             std::span<const float> occlusion,
+                                             const std::vector<glm::vec3>& albedo = {}) const;
 
     // From now on each pass is watched: for tests of the passes alone.
     void watch(PassWatcher watcher);

@@ -72,6 +72,17 @@ OcclusionParameters occlusion_parameters(const View& view, const Settings& setti
             .displacement_unit = displacement_unit(settings)};
 }
 
+DirectionalParameters directional_parameters(const View& view, const Settings& settings) {
+    const glm::mat3 world_from_view = glm::transpose(glm::mat3(view.camera.view));
+    return {.p00_p11 = view.camera.p00_p11(),
+            .size = vector_of_size(view.extent),
+            .radius = settings.radius,
+            .bias = settings.bias,
+            .samples = settings.samples,
+            .orthographic = flag(view.camera.orthographic()),
+            .world_from_view = glm::mat3x4(world_from_view)};
+}
+
 PreparationParameters preparation_parameters(const View& view, const Settings& settings, int level) {
     const OcclusionParameters all = occlusion_parameters(view, settings);
     return {.p00_p11 = all.p00_p11,

@@ -22,17 +22,6 @@ using enum gpu::Format;
 
 constexpr int most_interleave = 8;
 
-DirectionalParameters parameters_of(const scene::GBuffer& view, const Settings& settings) {
-    const glm::mat3 world_from_view = glm::transpose(glm::mat3(view.camera.view));
-    return {.p00_p11 = view.camera.p00_p11(),
-            .size = {static_cast<int>(view.extent.width), static_cast<int>(view.extent.height)},
-            .radius = settings.radius,
-            .bias = settings.bias,
-            .samples = settings.samples,
-            .orthographic = view.camera.orthographic() ? 1U : 0U,
-            .world_from_view = glm::mat3x4(world_from_view)};
-}
-
 // The albedo of each pixel, in [0, 1].
 std::vector<glm::vec3> albedo_of(const scene::GBuffer& view) {
     if (view.color.empty()) return std::vector(view.depth.size(), glm::vec3(1.0F));
@@ -86,13 +75,13 @@ struct Directional::Impl {
     // where the pass does not use it.
     void shade(const std::string& name, const std::string& out, const std::vector<std::string>& read,
                const scene::GBuffer& view, const Settings& settings, std::uint32_t interleave = 0) {
-        PassSource source{.file = name + ".comp", .constants = {{.id = 0, .bits = settings.layers}}};
-        if (interleave > 0) source.constants.push_back({.id = 1, .bits = interleave});
         std::vector<std::string> bound{"depth", "normal", or_nothing(!view.layers.empty(), "layers"),
                                        "method", out};
         bound.insert(bound.end(), read.begin(), read.end());
-        const PlannedPass pass = single_pass(name, std::move(source), std::move(bound),
-                                             parameters_of(view, settings), groups_for(view.extent));
+        const PlannedPass pass =
+            single_pass(name, directional_source(name, settings, interleave), std::move(bound),
+                        directional_parameters({view.camera, view.extent, view.border}, settings),
+                        groups_for(view.extent));
         executor.run(std::span(&pass, 1), resources, watcher);
     }
 

@@ -74,7 +74,12 @@ std::vector<ImageRow> images_of_results(const Moment& m) {
         {"mapped", m.maps_images(), output, Origin::frame, Size::read, "what is shown of the occlusion"},
         {"filtered_mapped", m.maps_images() && filtered && !m.half(), output, Origin::frame, Size::read,
          "what is shown of the filtered occlusion"},
-        {"upsampled", m.half(), output, Origin::frame, Size::view, "what is shown, at the size of the view"}};
+        {"upsampled", m.half(), output, Origin::frame, Size::view, "what is shown, at the size of the view"},
+        {"bent_parts", m.bent_normals, rgba32f, Origin::frame, Size::view,
+         "each pixel's part of the open directions, not normalized"},
+        {"bent_normal", m.bent_normals, rgba32f, Origin::frame, Size::view,
+         "the mean open direction, a unit vector in view space, in xyz; half the angle of its cone in w, "
+         "radians"}};
 }
 
 void add_images(const Moment& m, const std::vector<ImageRow>& rows, Plan& plan) {

@@ -274,6 +274,30 @@ PassRow row_of_upsampling(bool filtered, const char* from, std::function<bool(co
                 }};
 }
 
+// The pixels of a block share one pattern of samples (interleaved sampling): the first pass takes each
+// pixel's part, the second gathers those of the block.
+PassRow row_of_directions(const char* name, std::vector<const char*> images) {
+    std::vector<const char*> resources{"full_depth", "full_normal", "full_layers", "method"};
+    resources.insert(resources.end(), images.begin(), images.end());
+    return {.name = name,
+            .when = [](const Moment& m) { return m.bent_normals; },
+            .source = [name](const Moment& m,
+                             List) { return directional_source(name, m.settings, bent_interleave); },
+            .resources = std::move(resources),
+            .fill =
+                [](const Moment& m) {
+                    using P = DirectionalParameters;
+                    // world_from_view is for the passes of light: these do not read it.
+                    return constants(directional_parameters(m.given, m.settings), &P::p00_p11, &P::size);
+                },
+            .cover = Cover::view};
+}
+
+std::vector<PassRow> rows_of_directions() {
+    return {row_of_directions("bent_normals", {"bent_parts"}),
+            row_of_directions("bent_gather", {"bent_normal", "bent_parts"})};
+}
+
 std::vector<PassRow> rows_of_results() {
     return {row_of_remap("remap", TileLists::shaded, Cover::tiles, Turn::always, "occlusion", "mapped",
                          [](const Moment& m) {
@@ -295,8 +319,8 @@ std::vector<PassRow> rows_of_results() {
 const std::vector<PassRow>& pass_table() {
     static const std::vector<PassRow> table = [] {
         std::vector<PassRow> all;
-        for (const auto& rows :
-             {rows_of_inputs(), rows_of_tiles(), rows_of_samples(), rows_of_filter(), rows_of_results()})
+        for (const auto& rows : {rows_of_inputs(), rows_of_tiles(), rows_of_samples(), rows_of_filter(),
+                                 rows_of_results(), rows_of_directions()})
             all.insert(all.end(), rows.begin(), rows.end());
         return all;
     }();

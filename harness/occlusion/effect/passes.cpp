@@ -266,6 +266,12 @@ PassSource filter_source(const Moment& moment, bool along_y, List list) {
     return source;
 }
 
+PassSource directional_source(const std::string& name, const Settings& settings, std::uint32_t interleave) {
+    PassSource source{.file = name + ".comp", .constants = {{.id = 0, .bits = settings.layers}}};
+    if (interleave > 0) source.constants.push_back({.id = 1, .bits = interleave});
+    return source;
+}
+
 PassSource remap_source(const Settings& settings, bool from_history, List list) {
     return {.file = "remap.comp",
             .defines = defines_for(settings, from_history),

@@ -30,6 +30,7 @@ Moment moment_of(const Settings& settings, const PlanOptions& options) {
     if (options.encoding != scene::Encoding{}) moment.converted = options.encoding;
     moment.has_normals = options.normals;
     moment.has_positions = options.moving_objects;
+    moment.bent_normals = options.bent_normals;
     moment.filtered = filters(settings);
     moment.every_turn = true;
     moment.has_tiles = moment.listed = options.tiles;

@@ -110,7 +110,8 @@ struct PlanOptions {
     bool orthographic = false;
     bool tiles = false;   // passes run over lists of tiles (docs/passes.md); otherwise over the whole image
     bool normals = true;  // the engine has normals; otherwise they are reconstructed from depth
-    scene::Encoding encoding;  // of the engine's depth and normals
+    bool bent_normals = false;  // an image of the mean open directions is written as well
+    scene::Encoding encoding;   // of the engine's depth and normals
 };
 
 // The plan of a frame with these settings. Throws std::invalid_argument like validate().

@@ -18,6 +18,17 @@ inline dvec3 gloam_ambient_light(dvec3 incident, double occlusion) {
     return (1.0 - gloam_unit_interval(occlusion)) * incident;
 }
 
+inline dvec3 gloam_multi_bounce(double occlusion, dvec3 albedo) {
+    const double v = 1.0 - gloam_unit_interval(occlusion);
+    for (int i = 0; i < 3; ++i) {
+        const double p = gloam_unit_interval(albedo[i]);
+        const double fitted =
+            (((2.0404 * p - 0.3324) * v + (0.6417 - 4.7951 * p)) * v + (2.7552 * p + 0.6903)) * v;
+        albedo[i] = std::clamp(fitted, v, 1.0);
+    }
+    return albedo;
+}
+
 inline dvec4 gloam_bent_add(dvec4 bent, dvec3 direction, double visibility) {
     return is_finite(direction) ? bent + gloam_unit_interval(visibility) * dvec4(direction, 1.0) : bent;
 }

@@ -102,11 +102,13 @@ std::vector<glm::vec3> PictureLight::mean(const std::vector<glm::vec3>& of_sampl
 
 PictureLight picture_light(const GBuffer& view, const GBuffer& fine, int samples, const Scene* scene,
                            const LightingOptions& options) {
-    PictureLight picture{.extent = view.extent, .samples = samples, .light = {}, .pixel = {}};
+    PictureLight picture{.extent = view.extent, .samples = samples, .light = {}, .albedo = {}, .pixel = {}};
     require(fine.depth.size(), area(picture.sampled()), "samples of the view");
     require(view.depth.size(), area(view.extent), "depths");
     if (!view.normal.empty()) require(view.normal.size(), area(view.extent), "normals");
     picture.light = light_of(fine, scene, options);
+    picture.albedo =
+        fine.color.empty() ? std::vector(fine.depth.size(), glm::vec3(default_color)) : fine.color;
     picture.pixel = pixels_of(view, fine, samples);
     return picture;
 }

@@ -14,6 +14,7 @@ struct PictureLight {
     gpu::Extent extent;                // in pixels of the view
     int samples = 1;                   // on each side of a pixel
     SplitLight light;                  // of each sample: extent * samples on each side, rows from the top
+    std::vector<glm::vec3> albedo;     // of each sample; 0 at the background
     std::vector<std::uint32_t> pixel;  // of each sample: the pixel whose surface it shows
 
     [[nodiscard]] gpu::Extent sampled() const {

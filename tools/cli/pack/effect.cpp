@@ -149,6 +149,7 @@ void pack_effect(const EffectPackOptions& options) {
                                    .orthographic = options.orthographic,
                                    .tiles = options.tiles,
                                    .normals = !options.reconstruct_normals,
+                                   .bent_normals = options.bent_normals,
                                    .encoding = scene::encoding_named(options.depth, options.normals)};
     const auto language = shader::language_from(options.version);
     if (!language || shader::usual_stage(*language) != shader::Stage::compute)

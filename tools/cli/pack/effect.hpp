@@ -81,6 +81,7 @@ struct EffectPackOptions {
     bool moving_objects = false;
     bool orthographic = false;
     bool reconstruct_normals = false;
+    bool bent_normals = false;
     bool tiles = false;
     std::string depth = "linear";  // how the engine stores depth and normals: scene::encoding_named()
     std::string normals = "view";

@@ -209,6 +209,8 @@ void add_effect_options(CLI::App& command, PackOptions& options) {
              .add_option("--normals", of_effect.normals,
                          "the engine's: view or world space, and behind it -octahedral, -unorm or both")
              ->capture_default_str());
+    only(command.add_flag("--bent-normals", of_effect.bent_normals,
+                          "an image of the mean open directions is written as well"));
     only(command.add_flag("--tiles", of_effect.tiles,
                           "run over lists of tiles and skip unchanged tiles; else run over the whole image"));
 }

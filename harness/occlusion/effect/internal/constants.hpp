@@ -89,6 +89,12 @@ struct FurtherViewParameters {
     float remap_c;
 };
 
+// Of composite.comp.
+struct CompositeParameters {
+    glm::ivec2 size;
+    std::uint32_t multi_bounce;
+};
+
 // Of the passes that include directional/points.glsl.
 struct DirectionalParameters {
     glm::vec2 p00_p11;

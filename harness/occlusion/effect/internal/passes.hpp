@@ -64,6 +64,7 @@ struct Moment {
     std::optional<scene::Encoding> converted;
     bool has_normals = true;        // the engine gives normals; otherwise they are reconstructed
     bool has_positions = false;     // the engine gives previous positions of surface points
+    bool bent_normals = false;      // the frame writes the mean open directions, too
     bool new_view = true;           // the view was not that of the frame before
     bool moved = true;              // the history, if there is one, belongs to another view
     bool settled = false;           // both images of the history show this view
@@ -112,6 +113,7 @@ struct Moment {
 // The push constants.
 [[nodiscard]] NormalParameters normal_parameters(const View& view);
 [[nodiscard]] InputParameters input_parameters(const View& view);
+[[nodiscard]] DirectionalParameters directional_parameters(const View& view, const Settings& settings);
 [[nodiscard]] OcclusionParameters occlusion_parameters(const View& view, const Settings& settings);
 [[nodiscard]] ReprojectionParameters reprojection_parameters(const Moment& moment);
 [[nodiscard]] FilterParameters filter_parameters(const View& view, const Settings& settings);
@@ -133,6 +135,11 @@ using List = std::optional<TileLists>;
 // Throws std::invalid_argument for Filter::none.
 [[nodiscard]] PassSource filter_source(const Moment& moment, bool along_y, List list = {});
 // from_history: it reads the history; otherwise an image of one channel.
+// A pass that includes directional/points.glsl. interleave: side of the blocks whose pixels share a pattern
+// of samples; 0 where the pass does not use it.
+[[nodiscard]] PassSource directional_source(const std::string& name, const Settings& settings,
+                                            std::uint32_t interleave);
+inline constexpr std::uint32_t bent_interleave = 4;  // in a frame's plan
 [[nodiscard]] PassSource remap_source(const Settings& settings, bool from_history, List list = {});
 [[nodiscard]] PassSource selection_source(std::uint32_t open_tiles_each);
 // file: in glsl/passes/preparation.
