@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "effect/ambient_occlusion.hpp"
+#include "effect/methods.hpp"
 #include "on_device.hpp"
 #include "scene/gbuffer.hpp"
 #include "scene/rasterize.hpp"

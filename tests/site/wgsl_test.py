@@ -100,7 +100,9 @@ class WgslTest(unittest.TestCase):
         texts = {}
         for preset in ("balanced", "fast", "reference"):
             texts.update(self.passes(self.effect(preset, "--preset", preset)))
+        texts.update(self.passes(self.effect("moving", "--motion-vectors", "--bent-normals")))
         self.assertIn("balanced/ambient_occlusion", texts)
+        self.assertIn("moving/positions_from_motion", texts)
         self.assertEqual({}, self.compiled(texts))
 
     def test_other_stages_are_refused_in_one_line(self):

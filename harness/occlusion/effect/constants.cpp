@@ -72,6 +72,14 @@ OcclusionParameters occlusion_parameters(const View& view, const Settings& setti
             .displacement_unit = displacement_unit(settings)};
 }
 
+MotionParameters motion_parameters(const View& view, const View& before) {
+    return {.previous_from_current = view.camera.previous_from_current.value_or(glm::mat4(1.0F)),
+            .p00_p11 = view.camera.p00_p11(),
+            .previous_p00_p11 = before.camera.p00_p11(),
+            .size = vector_of_size(view.extent),
+            .motion_unit = {1.0F, 1.0F}};
+}
+
 DirectionalParameters directional_parameters(const View& view, const Settings& settings) {
     const glm::mat3 world_from_view = glm::transpose(glm::mat3(view.camera.view));
     return {.p00_p11 = view.camera.p00_p11(),

@@ -42,8 +42,11 @@ std::vector<ImageRow> images_of_inputs(const Moment& m) {
          Size::view, converts ? "normals as the engine stores them, any format" : normals},
         {"linear_depth", converts, r32f, Origin::frame, Size::view, linear},
         {"view_normal", converts, rgba32f, Origin::frame, Size::view, normals},
-        {"previous_position", m.has_positions, rgba32f, Origin::engine, Size::view,
-         "where each surface point was, in the view space of the frame before, in xyz"},
+        {"motion", m.from_motion, rgba32f, Origin::engine, Size::view,
+         "motion vectors in xy, any format: by how much each point has moved in the image since the frame "
+         "before"},
+        {"previous_position", m.has_positions, rgba32f, m.from_motion ? Origin::frame : Origin::engine,
+         Size::view, "where each surface point was, in the view space of the frame before, in xyz"},
         {"displacement", watched, r32ui, Origin::frame, Size::read,
          "how surface points move otherwise than the camera"},
         {"layers", layers, rgba32f, Origin::engine, Size::view,

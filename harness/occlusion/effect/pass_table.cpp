@@ -77,6 +77,17 @@ std::vector<PassRow> rows_of_inputs() {
                      return constants(normal_parameters(m.given), &P::p00_p11, &P::size);
                  },
              .cover = Cover::view},
+            {.name = "positions_from_motion",
+             .when = [](const Moment& m) { return m.new_view && m.from_motion; },
+             .source = [](const Moment& m, List) { return motion_source(m.given, m.given_before); },
+             .resources = {"full_depth", "motion", "full_positions"},
+             .fill =
+                 [](const Moment& m) {
+                     using P = MotionParameters;
+                     return constants(motion_parameters(m.given, m.given_before), &P::previous_from_current,
+                                      &P::p00_p11, &P::previous_p00_p11, &P::size, &P::motion_unit);
+                 },
+             .cover = Cover::view},
             {.name = "halve_inputs",
              .when = [](const Moment& m) { return m.new_view && m.half(); },
              .source = [](const Moment& m, List) { return halve_source(m); },

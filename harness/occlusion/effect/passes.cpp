@@ -272,6 +272,12 @@ PassSource directional_source(const std::string& name, const Settings& settings,
     return source;
 }
 
+PassSource motion_source(const View& view, const View& before) {
+    return {.file = "positions_from_motion.comp",
+            .constants = {{.id = 0, .bits = flag(view.camera.orthographic())},
+                          {.id = 1, .bits = flag(before.camera.orthographic())}}};
+}
+
 PassSource remap_source(const Settings& settings, bool from_history, List list) {
     return {.file = "remap.comp",
             .defines = defines_for(settings, from_history),

@@ -29,7 +29,8 @@ Moment moment_of(const Settings& settings, const PlanOptions& options) {
     moment.look(view, view);
     if (options.encoding != scene::Encoding{}) moment.converted = options.encoding;
     moment.has_normals = options.normals;
-    moment.has_positions = options.moving_objects;
+    moment.has_positions = options.moving_objects || options.motion_vectors;
+    moment.from_motion = options.motion_vectors;
     moment.bent_normals = options.bent_normals;
     moment.filtered = filters(settings);
     moment.every_turn = true;

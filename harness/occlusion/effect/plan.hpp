@@ -107,6 +107,7 @@ struct Plan {
 struct PlanOptions {
     gpu::Extent view{1920, 1080};
     bool moving_objects = false;  // the engine gives the previous positions of surface points
+    bool motion_vectors = false;  // it gives motion vectors, from which these follow
     bool orthographic = false;
     bool tiles = false;   // passes run over lists of tiles (docs/passes.md); otherwise over the whole image
     bool normals = true;  // the engine has normals; otherwise they are reconstructed from depth

@@ -146,6 +146,7 @@ void pack_effect(const EffectPackOptions& options) {
     const effect::Settings settings = settings_for(as_rendered, {});
     const effect::PlanOptions plan{.view = parse_size(options.size),
                                    .moving_objects = options.moving_objects,
+                                   .motion_vectors = options.motion_vectors,
                                    .orthographic = options.orthographic,
                                    .tiles = options.tiles,
                                    .normals = !options.reconstruct_normals,

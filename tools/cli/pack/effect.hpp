@@ -79,6 +79,7 @@ struct EffectPackOptions {
     std::vector<std::string> set;  // NAME=VALUE
     std::string size = "1920x1080";
     bool moving_objects = false;
+    bool motion_vectors = false;
     bool orthographic = false;
     bool reconstruct_normals = false;
     bool bent_normals = false;

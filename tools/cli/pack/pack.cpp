@@ -195,8 +195,14 @@ void add_effect_options(CLI::App& command, PackOptions& options) {
              .add_option("--size", of_effect.size,
                          "WIDTHxHEIGHT of the view: images that are laid out for it alone get its size")
              ->capture_default_str());
-    only(command.add_flag("--moving-objects", of_effect.moving_objects,
-                          "objects move: an image says where their points were; else only the camera moves"));
+    CLI::Option* moving = command.add_flag(
+        "--moving-objects", of_effect.moving_objects,
+        "objects move: an image says where their points were, in view space; else only the camera moves");
+    only(moving);
+    only(command
+             .add_flag("--motion-vectors", of_effect.motion_vectors,
+                       "objects move: an image has motion vectors, from which a pass makes these positions")
+             ->excludes(moving));
     only(command.add_flag("--orthographic", of_effect.orthographic,
                           "the camera is orthographic; else perspective"));
     only(command.add_flag("--reconstruct-normals", of_effect.reconstruct_normals,

@@ -57,6 +57,15 @@ struct ReprojectionParameters {
     float displacement_unit;
 };
 
+// Of positions_from_motion.comp.
+struct MotionParameters {
+    glm::mat4 previous_from_current;
+    glm::vec2 p00_p11;
+    glm::vec2 previous_p00_p11;
+    glm::ivec2 size;
+    glm::vec2 motion_unit;
+};
+
 struct FilterParameters {
     glm::vec2 p00_p11;
     glm::ivec2 size;

@@ -64,6 +64,7 @@ struct Moment {
     std::optional<scene::Encoding> converted;
     bool has_normals = true;        // the engine gives normals; otherwise they are reconstructed
     bool has_positions = false;     // the engine gives previous positions of surface points
+    bool from_motion = false;       // these follow from its motion vectors
     bool bent_normals = false;      // the frame writes the mean open directions, too
     bool new_view = true;           // the view was not that of the frame before
     bool moved = true;              // the history, if there is one, belongs to another view
@@ -114,6 +115,8 @@ struct Moment {
 [[nodiscard]] NormalParameters normal_parameters(const View& view);
 [[nodiscard]] InputParameters input_parameters(const View& view);
 [[nodiscard]] DirectionalParameters directional_parameters(const View& view, const Settings& settings);
+// Motion vectors in pixels.
+[[nodiscard]] MotionParameters motion_parameters(const View& view, const View& before);
 [[nodiscard]] OcclusionParameters occlusion_parameters(const View& view, const Settings& settings);
 [[nodiscard]] ReprojectionParameters reprojection_parameters(const Moment& moment);
 [[nodiscard]] FilterParameters filter_parameters(const View& view, const Settings& settings);
@@ -140,6 +143,7 @@ using List = std::optional<TileLists>;
 [[nodiscard]] PassSource directional_source(const std::string& name, const Settings& settings,
                                             std::uint32_t interleave);
 inline constexpr std::uint32_t bent_interleave = 4;  // in a frame's plan
+[[nodiscard]] PassSource motion_source(const View& view, const View& before);
 [[nodiscard]] PassSource remap_source(const Settings& settings, bool from_history, List list = {});
 [[nodiscard]] PassSource selection_source(std::uint32_t open_tiles_each);
 // file: in glsl/passes/preparation.
