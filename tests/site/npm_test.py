@@ -219,13 +219,18 @@ class NpmTest(unittest.TestCase):
             return ["DirectionalLight", "HemisphereLight"].map((lights) => {
                 const view = ambient(made(), lights);
                 const dark = shown(frames(view, 8));
+                view.occlusion.bounces = true;
+                const bounced = shown(view);
                 view.occlusion.intensity = 0;
                 const plain = shown(view);
                 closed(view);
-                return {mean: apart(dark, plain).mean, brighter: dark.filter((x, i) => x > plain[i]).length};
+                return {dark: apart(dark, plain).mean, bounced: apart(bounced, plain).mean,
+                    brighter: dark.filter((x, i) => x > plain[i]).length};
             });""")
-        self.assertEqual({"mean": 0, "brighter": 0}, got[0])
-        self.assertGreater(got[1]["mean"], 2)
+        self.assertEqual({"dark": 0, "bounced": 0, "brighter": 0}, got[0])
+        self.assertGreater(got[1]["dark"], 2)
+        self.assertLess(got[1]["bounced"], 0.9 * got[1]["dark"])
+        self.assertGreater(got[1]["bounced"], 0.3 * got[1]["dark"])
         self.assertEqual(0, got[1]["brighter"])
 
     def test_only_what_is_asked_for_changes_the_picture(self):

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <variant>
 
 #include "base/files.hpp"
@@ -72,12 +73,25 @@ ordered_json method_json(const effect::MethodInfo& method, const ShaderFolders& 
             {"settings", std::move(settings)}};
 }
 
+// A function of the library with what it uses, as a text that another shader can contain: without its head.
+std::string function_text(const std::string& file, const std::string& function,
+                          const ShaderFolders& folders) {
+    const shader::PackRequest request{
+        .language = shader::Language::es300, .functions = {function}, .stage = Stage::fragment};
+    std::istringstream lines(condensed(shader::pack({folders.library / file}, request, {folders.library})));
+    std::string text;
+    for (std::string line; std::getline(lines, line);)
+        if (!line.starts_with("#version") && !line.starts_with("precision ")) text += line + "\n";
+    return text;
+}
+
 // What every user of the class needs, but for the methods.
 ordered_json core_json(const ShaderFolders& folders) {
     ordered_json json = ordered_json::object();
     for (const std::string name :
          {"take_inputs", "normals_from_depth", "halve_inputs", "reproject", "spatial_filter", "upsample"})
         json[name] = packed_file(name + ".frag", Stage::fragment, folders);
+    json["multi_bounce"] = function_text("gloam/shading/multi_bounce.glsl", "gloam_multi_bounce", folders);
     json["preset"] = effect::default_preset;
     for (const effect::Preset& preset : effect::presets())
         if (runs_live(preset))

@@ -32,6 +32,8 @@ export interface Effect {
     readonly reproject: string;
     readonly spatial_filter: string;
     readonly upsample: string;
+    /** `vec3 gloam_multi_bounce(float occlusion, vec3 albedo)`: factor of the ambient light, with what surfaces reflect. */
+    readonly multi_bounce: string;
 }
 export const effect: Effect;
 

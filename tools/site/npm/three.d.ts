@@ -22,6 +22,8 @@ export interface PassOptions {
      * depthTexture of the composer's target, which the pass right before it has drawn, and makes normals from it.
      */
     source?: "scene" | "composer";
+    /** With "ambient": light that surfaces of one colour send each other brightens corners; default false. */
+    bounces?: boolean;
 }
 
 /** Ambient occlusion in an EffectComposer, behind its RenderPass; with the output "ambient" before it. All options may be set later, too. */
@@ -36,6 +38,7 @@ export class AmbientOcclusionPass extends Pass {
     intensity: number;
     output: "shaded" | "visibility" | "ambient";
     source: "scene" | "composer";
+    bounces: boolean;
     /** Forgets the history: call it where the camera jumps. */
     restart(): void;
     /**

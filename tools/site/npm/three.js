@@ -26,9 +26,12 @@ void main() {
 // What is put into the shader of a material whose ambient light is darkened.
 const ambientUniforms = `uniform highp sampler2D gloamOcclusion;
 uniform float gloamIntensity;
-`;
+uniform bool gloamBounces;
+${effect.multi_bounce}`;
 const ambientDarkened = `
-reflectedLight.indirectDiffuse *= 1.0 - gloamIntensity * texelFetch(gloamOcclusion, ivec2(gl_FragCoord.xy), 0).x;`;
+float gloamShown = gloamIntensity * texelFetch(gloamOcclusion, ivec2(gl_FragCoord.xy), 0).x;
+reflectedLight.indirectDiffuse *= gloamBounces ? gloam_multi_bounce(gloamShown, diffuseColor.rgb)
+    : vec3(1.0 - gloamShown);`;
 
 // Materials that draw normals in the place of a scene's own ones, and hide what has no surface.
 class NormalMaterials {
@@ -72,18 +75,18 @@ class NormalMaterials {
 
 export class AmbientOcclusionPass extends Pass {
     constructor(scene, camera, {preset = effect.preset, method = null, radius = 1, intensity = 1, output = "shaded",
-        source = "scene"} = {}) {
+        source = "scene", bounces = false} = {}) {
         super();
         for (const [name, value, expected] of [["output", output, ["shaded", "visibility", "ambient"]],
             ["source", source, ["scene", "composer"]]])
             if (!expected.includes(value))
                 throw new Error(`${name} "${value}": expected ${expected.map((one) => `"${one}"`).join(" or ")}`);
-        Object.assign(this, {scene, camera, preset, method, radius, intensity, output, source});
+        Object.assign(this, {scene, camera, preset, method, radius, intensity, output, source, bounces});
         this.size = [1, 1];
         this.occlusion = null;
         this.materials = new NormalMaterials();
         this.uniforms = {color: {value: null}, occlusion: {value: new ExternalTexture()}, intensity: {value: 1},
-            alone: {value: false}};
+            alone: {value: false}, bounces: {value: false}};
         this.mix = new FullScreenQuad(new ShaderMaterial({vertexShader: mixVertices, fragmentShader: mixFragments,
             uniforms: this.uniforms, depthTest: false, depthWrite: false, blending: NoBlending, side: DoubleSide}));
     }
@@ -100,6 +103,7 @@ export class AmbientOcclusionPass extends Pass {
                 throw new Error(`${material.type}: expected a material that three.js lights`);
             shader.uniforms.gloamOcclusion = this.uniforms.occlusion;
             shader.uniforms.gloamIntensity = this.uniforms.intensity;
+            shader.uniforms.gloamBounces = this.uniforms.bounces;
             shader.fragmentShader = ambientUniforms + shader.fragmentShader.replace(place, place + ambientDarkened);
         };
         material.customProgramCacheKey = () => key.call(material) + " gloam";
@@ -131,6 +135,7 @@ export class AmbientOcclusionPass extends Pass {
         depth.setReversed(reversed);
         depth.setClear(1);
         uniforms.intensity.value = this.intensity;
+        uniforms.bounces.value = this.bounces;
         this.needsSwap = this.output !== "ambient";
         if (!this.needsSwap) return;
         uniforms.color.value = readBuffer.texture;
