@@ -219,19 +219,10 @@ void write_frame(const std::string& name, const Camera& camera) {
     out << "}}\n";
 }
 
-void run(const std::string& materials, float radius, const std::string& folder) {
-    Engine* created = Engine::create(Engine::Backend::OPENGL);
-    if (created == nullptr) throw std::runtime_error("Filament found no OpenGL 4.1 (is there a display?)");
-    Engine& engine = *created;
-    SwapChain* swap_chain = engine.createSwapChain(width, height);
-    Renderer& renderer = *engine.createRenderer();
-    renderer.setClearOptions({.clearColor = {0.79F, 0.83F, 0.88F, 1}, .clear = true});
-    Camera* camera = engine.createCamera(utils::EntityManager::get().create());
-    camera->setProjection(40.0, static_cast<double>(width) / height, near_plane, 100.0);
-    camera->lookAt(float3{0, 2.6F, 6.5F}, float3{0.3F, 0.6F, -0.6F});
+const TextureSampler nearest(TextureSampler::MagFilter::NEAREST);
 
-    Scene* scene = engine.createScene();
-    add_boxes(engine, material_of(engine, materials + "/surface.filamat"), *scene);
+// The three views of a frame, in their order: the scene, its occlusion, the picture darkened by it.
+std::vector<View*> views_of(Engine& engine, Camera* camera, const std::string& materials, float radius) {
     using Format = Texture::InternalFormat;
     using Usage = Texture::Usage;
     Texture* color = texture_of(engine, Format::RGBA8, Usage::COLOR_ATTACHMENT);
@@ -239,7 +230,8 @@ void run(const std::string& materials, float radius, const std::string& folder) 
     Texture* occlusion = texture_of(engine, Format::RGBA32F, Usage::COLOR_ATTACHMENT);
     Texture* picture = texture_of(engine, Format::RGBA32F, Usage::COLOR_ATTACHMENT);
 
-    const TextureSampler nearest(TextureSampler::MagFilter::NEAREST);
+    Scene* scene = engine.createScene();
+    add_boxes(engine, material_of(engine, materials + "/surface.filamat"), *scene);
     MaterialInstance* estimate = material_of(engine, materials + "/occlusion.filamat")->createInstance();
     const auto projection = camera->getProjectionMatrix();
     estimate->setParameter("depth", depth, nearest);
@@ -249,24 +241,36 @@ void run(const std::string& materials, float radius, const std::string& folder) 
     MaterialInstance* shade = material_of(engine, materials + "/shade.filamat")->createInstance();
     shade->setParameter("color", color, nearest);
     shade->setParameter("occlusion", occlusion, nearest);
+    return {view_of(engine, scene, camera, color, depth),
+            view_of(engine, whole_image(engine, estimate), camera, occlusion, nullptr),
+            view_of(engine, whole_image(engine, shade), camera, picture, nullptr)};
+}
 
-    View* views[] = {view_of(engine, scene, camera, color, depth),
-                     view_of(engine, whole_image(engine, estimate), camera, occlusion, nullptr),
-                     view_of(engine, whole_image(engine, shade), camera, picture, nullptr)};
+void run(const std::string& materials, float radius, const std::string& folder) {
+    Engine* engine = Engine::create(Engine::Backend::OPENGL);
+    if (engine == nullptr) throw std::runtime_error("Filament found no OpenGL 4.1 (is there a display?)");
+    SwapChain* swap_chain = engine->createSwapChain(width, height);
+    Renderer& renderer = *engine->createRenderer();
+    renderer.setClearOptions({.clearColor = {0.79F, 0.83F, 0.88F, 1}, .clear = true});
+    Camera* camera = engine->createCamera(utils::EntityManager::get().create());
+    camera->setProjection(40.0, static_cast<double>(width) / height, near_plane, 100.0);
+    camera->lookAt(float3{0, 2.6F, 6.5F}, float3{0.3F, 0.6F, -0.6F});
+
+    const std::vector<View*> views = views_of(*engine, camera, materials, radius);
     std::vector<float> texels[3];
     while (!renderer.beginFrame(swap_chain)) {
     }
     for (View* view : views) renderer.render(view);
-    for (int i = 0; i < 3; ++i) read(renderer, *views[i], texels[i]);
+    for (std::size_t i = 0; i < 3; ++i) read(renderer, *views[i], texels[i]);
     renderer.endFrame();
-    engine.flushAndWait();
+    engine->flushAndWait();
 
     write_png(folder + "/without.png", texels[0]);
     write_png(folder + "/with.png", texels[2]);
     write_pfm(folder + "/occlusion.pfm", texels[1], 0);
     write_pfm(folder + "/f0000_depth.pfm", texels[1], 1);
     write_frame(folder + "/f0000.json", *camera);
-    Engine::destroy(created);
+    Engine::destroy(&engine);
 }
 
 float radius_from(const char* text) {
