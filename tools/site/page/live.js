@@ -41,8 +41,8 @@ gloam.live = (() => {
     }
 
     // Sets the controls to what the address holds.
-    function readAddress() {
-        const {values, problems} = gloam.address.read(location.hash.slice(1), kinds());
+    function readAddress(hash) {
+        const {values, problems} = gloam.address.read(hash.slice(1), kinds());
         for (const id of controls) if (id in values) at(id).value = values[id];
         if ("preset" in values && !("method" in values)) at("method").value = presetNamed(values.preset).method;
         at("told").textContent = problems.join("; ");
@@ -298,12 +298,13 @@ gloam.live = (() => {
             guarded(applyFile)(event.dataTransfer.files[0]);
         });
         at("source").addEventListener("toggle", guarded(showSource));
-        addEventListener("hashchange", guarded(restore));
+        // The address may have been written again since the event.
+        addEventListener("hashchange", guarded((event) => restore(new URL(event.newURL).hash)));
     }
 
     // Applies all that the address holds.
-    async function restore() {
-        const camera = readAddress();
+    async function restore(hash) {
+        const camera = readAddress(hash);
         await applySize();
         at("legend").textContent = views[at("view").value];
         await applyScene();
@@ -319,7 +320,7 @@ gloam.live = (() => {
         at("source").append(state.source.root);
         state.orbit = new gloam.Orbit(at("canvas"), take);
         at("canvas").addEventListener("webglcontextlost", () => fail(new Error("the context was lost")));
-        await restore();
+        await restore(location.hash);
         listen();
         requestAnimationFrame(guarded(draw));
     }
