@@ -26,7 +26,8 @@ class Spoiled:
     def __init__(self, gloam, folder):
         self.folder = folder
         self.site = folder / "few"
-        written = gloam("site", self.site, "TSSAO-10", "TSSAO-10-g", "TSSAO-11", "GTAO-arc", "--no-pictures")
+        written = gloam("site", self.site, "TSSAO-10", "TSSAO-10-g", "TSSAO-11", "GTAO-arc", "--method",
+                        "sweep", "--no-pictures")
         assert written.returncode == 0, written.stderr
 
     def __call__(self, old, new):

@@ -46,7 +46,8 @@ class EffectTest(unittest.TestCase):
     def setUpClass(cls):
         cls.folder_owner = tempfile.TemporaryDirectory()
         cls.folder = Path(cls.folder_owner.name)
-        subprocess.run([GLOAM, "site", cls.folder / "site", "TSSAO-5", "--quiet", "--no-pictures"], check=True)
+        subprocess.run([GLOAM, "site", cls.folder / "site", "TSSAO-5", "--method", "sweep", "--quiet",
+                        "--no-pictures"], check=True)
         cls.browser = Browser()
 
     @classmethod

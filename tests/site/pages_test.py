@@ -187,7 +187,7 @@ class PagesTest(unittest.TestCase):
 
     def test_a_site_without_pictures_says_so(self):
         folder = self.site.parent / "plain"
-        subprocess.run([GLOAM, "site", folder, "TSSAO-5", "--quiet", "--no-pictures"], check=True)
+        subprocess.run([GLOAM, "site", folder, "TSSAO-5", "--method", "sweep", "--quiet", "--no-pictures"], check=True)
         self.browser.open(folder / "gallery.html")
         self.assertIn("no pictures", self.browser.evaluate("document.getElementById('device').textContent"))
         self.assertEqual([], list(folder.glob("*.png")))

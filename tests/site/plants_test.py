@@ -50,7 +50,7 @@ PLANT = """(() => {
 class PlantsTest(unittest.TestCase):
     def test_each_planted_result_fails_in_every_check(self):
         with tempfile.TemporaryDirectory() as folder:
-            written = run("site", folder, "--no-pictures")
+            written = run("site", folder, "--method", "sweep", "--no-pictures")
             self.assertEqual(0, written.returncode, written.stderr)
             with Browser(timeout=250) as browser:
                 for interface in ("webgl2", "webgpu"):

@@ -25,7 +25,7 @@ class WebGpuTest(unittest.TestCase):
         cls.folder_owner = tempfile.TemporaryDirectory()
         cls.folder = Path(cls.folder_owner.name)
         cls.site = cls.folder / "site"
-        written = run("site", cls.site, *EQUATIONS, "--no-pictures")
+        written = run("site", cls.site, *EQUATIONS, "--method", "sweep", "--no-pictures")
         assert written.returncode == 0, written.stderr
         cls.spoiled = Spoiled(run, cls.folder)
         cls.browser = Browser()
