@@ -16,7 +16,8 @@ from browser import Browser, program
 
 GLOAM, EXAMPLE = sys.argv[1], Path(sys.argv[2])
 HERE = Path(__file__).resolve().parent
-UNREACHABLE = ("EAI_AGAIN", "ECONNREFUSED", "ECONNRESET", "ENETUNREACH", "ENOTFOUND", "ETIMEDOUT", "EHOSTUNREACH")
+UNREACHABLE = ("EAI_AGAIN", "ECONNREFUSED", "ECONNRESET", "ENETUNREACH", "ENOTFOUND", "ETIMEDOUT", "EHOSTUNREACH",
+               "E429", "E500", "E502", "E503", "E504")  # the last are answers of a registry that is not well
 FOR_TYPES = ["typescript@5.9.3", "@types/three@0.180.0"]
 
 
