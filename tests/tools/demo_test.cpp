@@ -108,6 +108,10 @@ TEST_F(Gallery, PresetsAreComparedOnACroppedSheet) {
     EXPECT_EQ(preset("fast"), "fast");
     EXPECT_EQ(preset("tssao-paper"), "tssao-paper");
     EXPECT_TRUE(fs::is_regular_file(path("page") / "tssao-paper_shaded.png"));
+    // A preset of a file has the file's name.
+    const fs::path file = write("mine.json", R"({"settings": {"samples": 4}})");
+    expect_success(render("files", "corner --preset {}", "fast," + file.string()));
+    EXPECT_TRUE(fs::is_regular_file(path("files") / "mine_render.json"));
     // A run among others is the run alone.
     const std::string among = read_file(path("out") / "fast_f0000_ao.pfm");
     expect_success(render("out", "corner --preset fast"));

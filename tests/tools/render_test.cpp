@@ -49,6 +49,8 @@ TEST_F(RenderErrors, Numbers) {
 TEST_F(RenderErrors, WhatDoesNotGoTogether) {
     expect_refused(words("corner --preset fast,quality --method gtao,hbao"), "several of one of the two");
     expect_refused(words("corner --preset fast,quality --film {}", path("film")), "--film");
+    expect_refused(words("corner --preset fast,fast"), "fast: expected each once");
+    expect_refused(words("corner --method gtao,gtao"), "gtao: expected each once");
     expect_refused(words("corner --film {}", path("film")), "expected a sequence");
     expect_refused(words("--gbuffer {} --crop 0,0,4x4", gbuffer()), "--crop");
     EXPECT_FALSE(fs::exists(path("film")));

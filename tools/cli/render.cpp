@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -45,12 +46,16 @@ std::vector<Run> runs_of(const RenderOptions& options) {
     if (several && (!options.write_gbuffer.empty() || !options.film.empty()))
         throw std::invalid_argument("--write-gbuffer and --film go with one method and one preset");
     std::vector<Run> runs;
+    std::set<std::string> prefixes;
     for (const std::string& preset : presets) {
         for (const std::string& method : methods) {
             Run run{.options = options, .input = {}, .prefix = {}};
-            if (several) run.prefix = (presets.size() > 1 ? preset : method) + "_";
             run.options.method = method;
             run.options.preset = preset;
+            if (several) run.prefix = name_of(run.options) + "_";
+            if (!prefixes.insert(run.prefix).second)
+                throw std::invalid_argument(
+                    fmt::format("{}: expected each once", presets.size() > 1 ? preset : method));
             (void)settings_for(run.options, 1.0);
             run.input = open_input(run.options, runs.empty() ? nullptr : &runs.front().input);
             (void)TruthSource(run.options, run.input);

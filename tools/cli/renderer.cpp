@@ -56,6 +56,11 @@ std::uint8_t byte_of(float value) {
 
 }  // namespace
 
+std::string name_of(const RenderOptions& options) {
+    if (options.presets.size() > 1) return std::filesystem::path(options.preset).stem().string();
+    return settings_for(options, 1.0).method;
+}
+
 scene::Environment environment_named(const std::string& name) {
     if (name == "white") return scene::constant_environment(glm::vec3(1.0F));
     if (name == "sky") return scene::sky_environment();
@@ -135,7 +140,7 @@ class Renderer {
             throw std::invalid_argument("--film: expected a sequence, with --frames or --turntable");
         if (!options.film.empty()) film_out_.emplace(options.film);
         report_ = {.source = input_.name,
-                   .name = options.presets.size() > 1 ? options.preset : settings_for(options, 1.0).method,
+                   .name = name_of(options),
                    .preset = options.preset,
                    .truth = truth_.name(),
                    .device = bench_.device.info(),
@@ -341,7 +346,9 @@ const scene::PictureLight& RenderBench::light_of(const RenderInput& input, int n
     if (lit_ == number) return light_;
     scene::LightingOptions options{.frame = input.first_frame + number};
     if (watched) options.progress = progress_bar(input.name + ": light");
-    const int samples = input.picture_samples;
+    // Fewer where the device has no images of that size.
+    const std::uint32_t most = device.info().max_image_size / std::max(view.extent.width, view.extent.height);
+    const int samples = std::min(input.picture_samples, static_cast<int>(std::max(most, 1U)));
     if (samples == 1) {
         light_ = scene::picture_light(view, view, samples, input.scene.get(), options);
     } else {

@@ -46,6 +46,10 @@ class RenderHistory {
     std::optional<effect::PixelClasses> classes_;
 };
 
+// The name of a run among several: its preset, of a file without folder and suffix, where presets are
+// compared, else its method. Throws like settings_for().
+[[nodiscard]] std::string name_of(const RenderOptions& options);
+
 // The environment of --light: white, sky, or a file. Throws std::runtime_error with the file's name.
 [[nodiscard]] scene::Environment environment_named(const std::string& name);
 

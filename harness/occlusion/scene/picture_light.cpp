@@ -27,7 +27,7 @@ class Surfaces {
   public:
     explicit Surfaces(const GBuffer& view) : view_(view), positions_(view) {}
 
-    // ray: a point of the sample's view ray; depth: of the sample, finite.
+    // x, y: the sample's own pixel. point: what the sample shows, in view space; depth: its depth, finite.
     [[nodiscard]] std::uint32_t pixel_of(std::uint32_t x, std::uint32_t y, const glm::dvec3& point,
                                          double depth) const {
         const std::uint32_t own = y * view_.extent.width + x;
