@@ -118,8 +118,8 @@ TEST_F(NormalsFromDepth, OfAnOrthographicViewFaceItsDirection) {
 
 class EngineInputs : public OnDevice<testing::TestWithParam<Stored>> {
   protected:
-    [[nodiscard]] scene::GBuffer view() const {
-        scene::GBuffer view = rasterized("moving", extent, {});
+    [[nodiscard]] scene::GBuffer view(int frame = 0) const {
+        scene::GBuffer view = rasterized("moving", extent, {.frame = frame});
         set_planes(view.camera, GetParam());
         view.depth[5] = std::numeric_limits<float>::infinity();
         const scene::Encoding encoding = scene::encoding_named(GetParam().depth, GetParam().normals);
@@ -145,25 +145,36 @@ class EngineInputs : public OnDevice<testing::TestWithParam<Stored>> {
         return (half_step + sum) * slope / depth + 4 * 0x1p-23;
     }
 
-    // The frame of this view; `converted`: what the first pass has made of depth and normals.
-    [[nodiscard]] Frame frame_of(const scene::GBuffer& of, scene::GBuffer* converted) const {
+    // The frames of a sequence of views; each view becomes what the first pass has made of its depth and
+    // normals.
+    [[nodiscard]] std::vector<Frame> frames_of(std::vector<scene::GBuffer>& views) const {
         AmbientOcclusion effect(device_, passes_, extent);
+        std::vector<Frame> frames;
         effect.watch([&](const Step& pass, bool after) {
-            if (!after || pass.name != "take_inputs" || converted == nullptr) return;
+            if (!after || pass.name != "take_inputs") return;
             const auto image = [&](std::size_t binding) { return image_of(pass, binding).download(); };
-            converted->depth = image(2);
-            converted->normal = vectors_of(image(3));
-            converted->stored.reset();
+            scene::GBuffer& converted = views[frames.size()];
+            converted.depth = image(2);
+            converted.normal = vectors_of(image(3));
+            converted.stored.reset();
         });
-        effect.begin(of, with_radius(with_method({}, "gtao"), 0.5F));
-        return effect.next();
+        const std::vector<scene::GBuffer> given = views;
+        for (const scene::GBuffer& one : given) {
+            if (frames.empty())
+                effect.begin(one, with_radius(with_method({}, "gtao"), 0.5F));
+            else
+                effect.advance(one);
+            frames.push_back(effect.next());
+        }
+        return frames;
     }
 };
 
 TEST_P(EngineInputs, AreThePassesInputsWithinWhatTheFormatLoses) {
     const scene::GBuffer given = view();
-    scene::GBuffer converted = given;
-    const Frame of_stored = frame_of(given, &converted);
+    std::vector<scene::GBuffer> views{given};
+    const Frame of_stored = frames_of(views).front();
+    const scene::GBuffer& converted = views.front();
     ASSERT_FALSE(converted.stored.has_value());
     double worst = 0.0;
     for (std::size_t i = 0; i < given.depth.size(); ++i) {
@@ -189,10 +200,19 @@ TEST_P(EngineInputs, AreThePassesInputsWithinWhatTheFormatLoses) {
     const double most = most_apart(GetParam(), given.stored->encoding);
     EXPECT_LE(worst, most);
     EXPECT_GE(worst, GetParam().bits == 0 ? 0.0 : most / 4) << "the normals are rounded";
-    // And the frame is that of an engine that has them linear and in view space.
-    const Frame of_linear = frame_of(converted, nullptr);
-    expect_same_images(of_stored, of_linear);
     EXPECT_GT(*std::ranges::max_element(of_stored.occlusion), 0.2F);
+}
+
+// The frames are those of an engine that has depth linear and normals in view space: the history follows
+// them.
+TEST_P(EngineInputs, OfASequenceGiveTheFramesOfWhatTheyStandFor) {
+    std::vector<scene::GBuffer> views{view(20), view(21), view(22)};
+    const std::vector<Frame> of_stored = frames_of(views);
+    for (const scene::GBuffer& one : views) ASSERT_FALSE(one.stored.has_value());
+    const std::vector<Frame> of_linear = frames_of(views);
+    for (std::size_t i = 0; i < of_stored.size(); ++i) expect_same_images(of_stored[i], of_linear[i]);
+    const auto kept = std::ranges::count_if(of_stored[2].kept, [](float samples) { return samples > 0.0F; });
+    EXPECT_GT(kept, static_cast<long>(of_stored[2].kept.size()) * 8 / 10);
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, EngineInputs, testing::ValuesIn(variants),
