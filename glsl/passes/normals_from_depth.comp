@@ -17,31 +17,15 @@ layout(push_constant) uniform Parameters {
     uint orthographic;  // 1, or 0 for perspective
 } parameters;
 
-#include "gloam/geometry/normal_from_depth.glsl"
+#include "normal_at.glsl"
 
 float gloam_fetch_depth(ivec2 pixel) {
     return GLOAM_FETCH(depth_image, pixel).x;
 }
 
-// Of an orthographic camera; the zero vector for background and outside the image.
-vec3 position_at(ivec2 pixel) {
-    ivec2 size = parameters.size;
-    if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.x || pixel.y >= size.y) return vec3(0.0);
-    return gloam_view_position_orthographic(gloam_ndc_from_pixel(pixel, size), gloam_fetch_depth(pixel),
-                                            parameters.p00_p11);
-}
-
-vec3 orthographic_normal(ivec2 pixel) {
-    return gloam_normal_from_neighbors_orthographic(position_at(pixel), position_at(pixel - ivec2(1, 0)),
-                                                    position_at(pixel + ivec2(1, 0)), position_at(pixel - ivec2(0, 1)),
-                                                    position_at(pixel + ivec2(0, 1)));
-}
-
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
-    vec3 normal = parameters.orthographic != 0u
-                      ? orthographic_normal(pixel)
-                      : gloam_normal_from_depth(pixel, parameters.size, parameters.p00_p11);
+    vec3 normal = normal_at(pixel, parameters.size, parameters.p00_p11, parameters.orthographic != 0u);
     imageStore(normal_image, pixel, vec4(normal, 0.0));
 }

@@ -44,7 +44,7 @@ vec3 earlier(ivec2 pixel, float depth) {
     vec2 motion = parameters.motion_unit * GLOAM_FETCH(motion_image, pixel).xy;
     if (abs(motion.x) < 1e9 && abs(motion.y) < 1e9)
         return position_at(vec2(pixel) + 0.5 - motion, -still.z, parameters.previous_p00_p11, previous_orthographic);
-    // The camera alone may have carried the point in from outside. Else nobody knows where it was.
+    // The camera alone may have carried the point in from outside. Otherwise its earlier position is unknown.
     GloamCamera camera = GloamCamera(parameters.previous_p00_p11, parameters.size, previous_orthographic);
     return gloam_inside_unit(gloam_camera_uv(still, camera)) ? vec3(0.0) : still;
 }

@@ -4,7 +4,6 @@
 
 Left with status 77 where there is no Chromium, no npm, or no registry within reach of npm."""
 import json
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -12,6 +11,7 @@ import unittest
 from pathlib import Path
 
 from browser import Browser, program
+from npm_packages import NoPackages, install
 
 GLOAM = sys.argv[1]
 PAGES = ["index", "check", "methods", "method-sweep", "gallery", "drivers", "measurements", "licences"]
@@ -22,13 +22,9 @@ FIND = """axe.run().then(({violations}) => violations.map(({id, impact, nodes}) 
 
 
 def axe_script(folder):
-    """The text of axe-core, or None where npm cannot install it."""
-    if shutil.which("npm") is None:
-        return None
-    done = subprocess.run(["npm", "install", "--no-audit", "--no-fund", "--no-package-lock", "--fetch-retries=0",
-                           "--fetch-timeout=20000", "--prefix", folder, PACKAGE], capture_output=True, check=False)
-    file = Path(folder, "node_modules", "axe-core", "axe.min.js")
-    return file.read_text(encoding="utf-8") if done.returncode == 0 else None
+    """The text of axe-core."""
+    install(folder, PACKAGE)
+    return Path(folder, "node_modules", "axe-core", "axe.min.js").read_text(encoding="utf-8")
 
 
 class AxeTest(unittest.TestCase):
@@ -66,8 +62,9 @@ if __name__ == "__main__":
         print("no Chromium")
         sys.exit(77)
     with tempfile.TemporaryDirectory() as INSTALLED:
-        AXE = axe_script(INSTALLED)
-    if AXE is None:
-        print("npm cannot install axe-core")
-        sys.exit(77)
+        try:
+            AXE = axe_script(INSTALLED)
+        except NoPackages as reason:
+            print(reason)
+            sys.exit(77)
     unittest.main(argv=sys.argv[:1] + sys.argv[2:])

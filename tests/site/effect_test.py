@@ -12,23 +12,10 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from browser import Browser, program
+from browser import program
+from site_case import GLOAM, SHADE, SiteCase
 
-GLOAM = sys.argv[1]
 WIDTH, HEIGHT, FRAMES = 192, 108, 4
-
-# Renders the first frames of the camera's path, and gives what `read` reads of the last one as base64.
-SHADE = """(async () => {{
-    const {{effect}} = gloam.live.state;
-    gloam.live.state.failed = true;  // ends the page's own loop
-    effect.setSize({width}, {height});
-    effect.setMethod(await gloam.method("{method}"), "{preset}", effect.scene.radius);
-    for (let i = 0; i < {frames}; ++i) effect.frame(gloam.camera.at(effect.scene.cameras, {moves} ? i : 0));
-    const bytes = new Uint8Array(effect.{read}().buffer);
-    let text = "";
-    for (const byte of bytes) text += String.fromCharCode(byte);
-    return btoa(text);
-}})()"""
 
 
 def read_pfm(file):
@@ -41,23 +28,10 @@ def read_pfm(file):
     return [value for row in reversed(rows) for value in row]
 
 
-class EffectTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.folder_owner = tempfile.TemporaryDirectory()
-        cls.folder = Path(cls.folder_owner.name)
-        subprocess.run([GLOAM, "site", cls.folder / "site", "TSSAO-5", "--method", "sweep", "--quiet",
-                        "--no-pictures"], check=True)
-        cls.browser = Browser()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.__exit__()
-        cls.folder_owner.cleanup()
-
+class EffectTest(SiteCase):
     def setUp(self):
         self.browser.look(1000, 900)
-        self.browser.open(self.folder / "site" / "index.html", "#scene=columns&method=gtao&size=320x180")
+        self.browser.open(self.site / "index.html", "#scene=columns&method=gtao&size=320x180")
         self.browser.wait("gloam.live.state.effect?.frames > 0")
 
     def rendered(self, read, method, preset="balanced", frames=FRAMES, moves=True, size=(WIDTH, HEIGHT)):

@@ -5,43 +5,18 @@
 Left with status 77 where there is no firefox-esr, no Xvfb or no Chromium."""
 import array
 import base64
-import subprocess
 import sys
-import tempfile
 import unittest
-from pathlib import Path
 
 import browser
 import firefox
+from site_case import SHADE, SiteCase
 
-GLOAM = sys.argv[1]
-OCCLUSION = """(async () => {{
-    const {{effect}} = gloam.live.state;
-    gloam.live.state.failed = true;  // ends the page's own loop
-    effect.setSize(192, 108);
-    effect.setMethod(await gloam.method("{method}"), "balanced", effect.scene.radius);
-    for (let i = 0; i < 4; ++i) effect.frame(gloam.camera.at(effect.scene.cameras, i));
-    const bytes = new Uint8Array(effect.readOcclusion().buffer);
-    let text = "";
-    for (const byte of bytes) text += String.fromCharCode(byte);
-    return btoa(text);
-}})()"""
 HASH = "#scene=columns&size=320x180"
 
 
-class FirefoxTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.folder_owner = tempfile.TemporaryDirectory()
-        cls.site = Path(cls.folder_owner.name, "site")
-        subprocess.run([GLOAM, "site", cls.site, "TSSAO-5", "--method", "sweep", "--quiet", "--no-pictures"],
-                       check=True)
-        cls.firefox = firefox.Firefox()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.firefox.close()
-        cls.folder_owner.cleanup()
+class FirefoxTest(SiteCase):
+    open_browser = firefox.Firefox
 
     def begin(self, page):
         page.open(self.site / "index.html", HASH)
@@ -49,7 +24,9 @@ class FirefoxTest(unittest.TestCase):
 
     def occlusion(self, page, method):
         self.begin(page)
-        return array.array("f", base64.b64decode(page.evaluate(OCCLUSION.format(method=method))))
+        script = SHADE.format(width=192, height=108, method=method, preset="balanced", frames=4, moves="true",
+                              read="readOcclusion")
+        return array.array("f", base64.b64decode(page.evaluate(script)))
 
     def test_the_occlusion_is_that_of_chromium(self):
         """Their rasterizers differ, so pixels at edges may differ at all: means and percentiles are compared. The
@@ -57,7 +34,7 @@ class FirefoxTest(unittest.TestCase):
         for method in ("sweep", "hemisphere"):
             with browser.Browser() as chromium:
                 want = self.occlusion(chromium, method)
-            got = self.occlusion(self.firefox, method)
+            got = self.occlusion(self.browser, method)
             self.assertEqual(192 * 108, len(got))
             self.assertGreater(max(got) - min(got), 0.5)
             errors = sorted(abs(a - b) for a, b in zip(got, want))
@@ -66,10 +43,10 @@ class FirefoxTest(unittest.TestCase):
             self.assertLess(errors[len(errors) * 95 // 100], 0.006, method)
 
     def test_every_page_works(self):
-        self.begin(self.firefox)
-        self.assertEqual("", self.firefox.evaluate("document.getElementById('told').textContent"))
+        self.begin(self.browser)
+        self.assertEqual("", self.browser.evaluate("document.getElementById('told').textContent"))
         self.assertIn("ms from frame to frame",
-                      self.firefox.evaluate("document.getElementById('timing').textContent"))
+                      self.browser.evaluate("document.getElementById('timing').textContent"))
         for page, ready in (("methods", "document.querySelectorAll('tbody tr').length === 1"),
                             ("method-sweep", "document.querySelector('.source').textContent.includes('gloam_sweep')"),
                             ("check", "document.getElementById('gpu').textContent !== 'unknown'"),
@@ -77,17 +54,17 @@ class FirefoxTest(unittest.TestCase):
                             ("drivers", "document.querySelectorAll('table').length > 0"),
                             ("gallery", "document.getElementById('device').textContent !== ''"),
                             ("licences", "document.querySelectorAll('pre').length === 2")):
-            self.firefox.open(self.site / f"{page}.html")
-            self.firefox.wait(ready)
-        self.assertEqual([], self.firefox.problems())
+            self.browser.open(self.site / f"{page}.html")
+            self.browser.wait(ready)
+        self.assertEqual([], self.browser.problems())
 
     def test_a_check_runs(self):
-        self.firefox.open(self.site / "check.html")
-        self.firefox.wait("!document.getElementById('run').disabled")
-        self.firefox.evaluate("document.getElementById('run').click()")
-        self.firefox.wait("document.querySelectorAll('#results tbody tr').length > 0"
+        self.browser.open(self.site / "check.html")
+        self.browser.wait("!document.getElementById('run').disabled")
+        self.browser.evaluate("document.getElementById('run').click()")
+        self.browser.wait("document.querySelectorAll('#results tbody tr').length > 0"
                           " && !document.getElementById('run').disabled")
-        self.assertIn("ok", self.firefox.evaluate("document.querySelector('#results tbody tr').textContent"))
+        self.assertIn("ok", self.browser.evaluate("document.querySelector('#results tbody tr').textContent"))
 
     def test_an_error_of_a_page_is_found(self):
         page = self.site.parent / "bad.html"

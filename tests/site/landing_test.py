@@ -11,27 +11,18 @@ import unittest
 from pathlib import Path
 from urllib.parse import unquote, urlparse
 
-from browser import Browser, program
+from browser import program
+from site_case import GLOAM, SiteCase
 
-GLOAM = sys.argv[1]
 MOST_BYTES = 300_000  # of files, without compression, before the first interaction
 NUMBERS = "gloam.live.state.orbit.numbers"
 SMALL = "#size=320x180"
 
 
-class LandingTest(unittest.TestCase):
+class LandingTest(SiteCase):
     @classmethod
-    def setUpClass(cls):
-        cls.folder_owner = tempfile.TemporaryDirectory()
-        cls.site = Path(cls.folder_owner.name, "site")
-        subprocess.run([GLOAM, "site", cls.site, "TSSAO-5", "--method", "sweep", "gtao", "--address",
-                        "https://example.org/gloam/", "--quiet", "--no-pictures"], check=True)
-        cls.browser = Browser()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.__exit__()
-        cls.folder_owner.cleanup()
+    def words(cls):
+        return ["--method", "sweep", "gtao", "--address", "https://example.org/gloam/", "--no-pictures"]
 
     def open(self, behind=SMALL):
         self.browser.look(1000, 900)

@@ -7,15 +7,12 @@ import base64
 import copy
 import json
 import struct
-import subprocess
 import sys
-import tempfile
 import unittest
-from pathlib import Path
 
-from browser import Browser, program
+from browser import program
+from site_case import SiteCase
 
-GLOAM = sys.argv[1]
 CORNERS = [(0, 0, 0), (2, 0, 0), (0, 2, 0), (0, 0, 2)]
 FACES = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
 DATA = b"".join(struct.pack("<3f", *p) for p in CORNERS) + b"".join(struct.pack("<3H", *f) for f in FACES)
@@ -55,23 +52,14 @@ def changed(path, value):
     return document
 
 
-class ModelTest(unittest.TestCase):
+class ModelTest(SiteCase):
     @classmethod
     def setUpClass(cls):
-        cls.folder_owner = tempfile.TemporaryDirectory()
-        cls.folder = Path(cls.folder_owner.name)
-        subprocess.run([GLOAM, "site", cls.folder / "site", "TSSAO-5", "--method", "sweep", "--quiet", "--no-pictures"],
-                       check=True)
-        cls.browser = Browser()
+        super().setUpClass()
         cls.browser.look(1000, 900)
-        cls.browser.open(cls.folder / "site" / "index.html", "#size=320x180")
+        cls.browser.open(cls.site / "index.html", "#size=320x180")
         cls.browser.wait("gloam.live.state.effect?.frames > 0")
         cls.browser.evaluate("Promise.all(['model.js', 'obj.js', 'gltf.js'].map(gloam.loadScript)).then(() => 0)")
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.__exit__()
-        cls.folder_owner.cleanup()
 
     def read(self, name, content):
         """The scene of a file, its arrays as lists; or the message of the error."""

@@ -13,28 +13,16 @@ import unittest
 from pathlib import Path
 
 from browser import Browser, program
+from npm_packages import NoPackages, install
 
 GLOAM, EXAMPLE = sys.argv[1], Path(sys.argv[2])
 HERE = Path(__file__).resolve().parent
-UNREACHABLE = ("EAI_AGAIN", "ECONNREFUSED", "ECONNRESET", "ENETUNREACH", "ENOTFOUND", "ETIMEDOUT", "EHOSTUNREACH",
-               "E429", "E500", "E502", "E503", "E504")  # the last are answers of a registry that is not well
 FOR_TYPES = ["typescript@5.9.3", "@types/three@0.180.0"]
 
 
 def skip(reason):
     print(reason)
     sys.exit(77)
-
-
-def install(folder):
-    """Installs the example's dependencies; leaves where the registry is out of reach."""
-    command = ["npm", "install", "--no-audit", "--no-fund", "--no-package-lock", "--fetch-retries=0",
-               "--fetch-timeout=20000", *FOR_TYPES]
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
-    if done.returncode != 0 and any(word in done.stderr for word in UNREACHABLE):
-        skip("npm reaches no registry")
-    if done.returncode != 0:
-        raise RuntimeError(done.stderr)
 
 
 class NpmTest(unittest.TestCase):
@@ -255,15 +243,16 @@ class NpmTest(unittest.TestCase):
 if __name__ == "__main__":
     if program() is None:
         skip("no Chromium")
-    if shutil.which("npm") is None:
-        skip("no npm")
     with tempfile.TemporaryDirectory() as owner:
         FOLDER = Path(owner, "example")
         shutil.copytree(EXAMPLE, FOLDER, ignore=shutil.ignore_patterns("node_modules", "gloam", "bundle.js"))
         for name in ("encodings.js", "page.js", "types.ts"):
             shutil.copy(HERE / "npm" / name, FOLDER)
         subprocess.run([GLOAM, "pack", "--npm", FOLDER / "gloam"], check=True)
-        install(FOLDER)
+        try:
+            install(FOLDER, *FOR_TYPES)
+        except NoPackages as reason:
+            skip(reason)
         subprocess.run(["npx", "esbuild", "page.js", "--bundle", "--outfile=page-bundle.js", "--log-level=warning"],
                        cwd=FOLDER, check=True)
         (FOLDER / "test.html").write_text('<!DOCTYPE html><script src="page-bundle.js"></script>', encoding="utf-8")

@@ -7,13 +7,13 @@ Left with status 77 where there is no Chromium."""
 import json
 import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
-from browser import Browser, program
+from browser import program
+from site_case import GLOAM, SiteCase
 
-GLOAM, DOCS = sys.argv[1], Path(sys.argv[2])
+DOCS = Path(sys.argv[2])
 PAGES = ["index", "check", "methods", "gallery", "drivers", "measurements", "licences"]
 METHODS = ["gtao", "sweep"]
 MEASURED = """# Of this machine
@@ -31,21 +31,12 @@ def tables_in(text):
     return sum("---" in line and set(line) <= set("|-: ") for line in text.splitlines())
 
 
-class PagesTest(unittest.TestCase):
+class PagesTest(SiteCase):
     @classmethod
-    def setUpClass(cls):
-        cls.folder_owner = tempfile.TemporaryDirectory()
-        cls.site = Path(cls.folder_owner.name, "site")
-        measured = cls.site.parent / "measured.md"
+    def words(cls):
+        measured = cls.folder / "measured.md"
         measured.write_text(MEASURED, encoding="utf-8")
-        subprocess.run([GLOAM, "site", cls.site, "TSSAO-5", "--quiet", "--measured", measured, "--method",
-                        *METHODS], check=True)
-        cls.browser = Browser()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.__exit__()
-        cls.folder_owner.cleanup()
+        return ["--measured", measured, "--method", *METHODS]
 
     def open(self, page, dark=False, width=1000):
         self.browser.look(width, 900, dark)

@@ -184,6 +184,9 @@ void add_effect_options(CLI::App& command, RenderOptions& options) {
         "guard band: part of the image that is rendered outside each of its sides, so that pixels at the "
         "edge have neighbours; 0 to 0.5, usually 0.05 to 0.1 (default: none)");
     command.add_flag("--no-filter", options.no_filter, "show the estimate as it is");
+}
+
+void add_light_options(CLI::App& command, RenderOptions& options) {
     command.add_flag("--multi-bounce", options.multi_bounce,
                      "lit pictures with the light that bounces among blockers of the surface's colour");
     CLI::Option* bent =
@@ -205,9 +208,6 @@ void add_effect_options(CLI::App& command, RenderOptions& options) {
         "--light", options.light,
         "white, sky, or an environment as .exr or .pfm: also write the scene in its light, with "
         "directional occlusion and one bounce");
-    command
-        .add_option("--set", options.set, "NAME=VALUE: any setting (gloam list settings); may be repeated")
-        ->allow_extra_args(false);
 }
 
 void add_truth_options(CLI::App& command, RenderOptions& options) {
@@ -282,6 +282,10 @@ void add_render(CLI::App& app, int& status) {
     add_view_options(*command, *options);
     add_mesh_options(*command, options->mesh);
     add_effect_options(*command, *options);
+    add_light_options(*command, *options);
+    command
+        ->add_option("--set", options->set, "NAME=VALUE: any setting (gloam list settings); may be repeated")
+        ->allow_extra_args(false);
     add_truth_options(*command, *options);
     command->add_option("--repeat", options->repeat, "runs of each frame, of which times are the median")
         ->check(CLI::Range(1, 10'000))

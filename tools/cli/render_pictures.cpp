@@ -76,7 +76,8 @@ std::vector<report::SheetPicture> pictures_of_one(const Rendered& run) {
 
 Pictures pictures_of(const effect::Composite& composite, std::string name, const scene::PictureLight& light,
                      const std::vector<float>& occlusion, const effect::Truth& truth, bool multi_bounce) {
-    const std::vector<glm::vec3> albedo = multi_bounce ? light.albedo : std::vector<glm::vec3>{};
+    const std::vector<glm::vec3> black;
+    const std::vector<glm::vec3>& albedo = multi_bounce ? light.albedo : black;
     const auto lit = [&](const std::vector<float>& values) {
         const std::vector<float> samples = values.empty() ? values : light.spread(values);
         return report::srgb_of(

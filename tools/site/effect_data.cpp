@@ -125,18 +125,20 @@ std::string effect_json(const ShaderFolders& folders, const std::vector<std::str
     return text_of(json);
 }
 
-EffectParts effect_parts(const ShaderFolders& folders) {
+std::map<std::string, std::string> effect_methods(const ShaderFolders& folders) {
+    std::map<std::string, std::string> texts;
+    for (const effect::MethodInfo& method : effect::methods())
+        if (runs_in_page(method)) texts[method.name] = text_of(method_json(method, folders));
+    return texts;
+}
+
+std::string effect_core(const ShaderFolders& folders, const std::map<std::string, std::string>& methods) {
     ordered_json core = core_json(folders);
-    EffectParts parts;
-    for (const effect::MethodInfo& method : effect::methods()) {
-        if (!runs_in_page(method)) continue;
-        ordered_json json = method_json(method, folders);
-        const auto uses = [&method](const ordered_json& preset) { return preset["method"] == method.name; };
-        parts.methods[method.name] = text_of(json);
-        if (std::ranges::any_of(core["presets"], uses)) core["methods"].push_back(std::move(json));
+    for (const auto& [name, text] : methods) {
+        const auto uses = [&method = name](const ordered_json& preset) { return preset["method"] == method; };
+        if (std::ranges::any_of(core["presets"], uses)) core["methods"].push_back(ordered_json::parse(text));
     }
-    parts.core = text_of(core);
-    return parts;
+    return text_of(core);
 }
 
 std::string effect_classes(const std::filesystem::path& folder) {

@@ -41,13 +41,14 @@ std::string package_json(const std::string& version) {
 }  // namespace
 
 std::map<std::string, std::string> npm_package(const NpmOptions& options) {
-    const EffectParts parts = effect_parts({options.library, options.files / "shaders"});
+    const ShaderFolders folders{options.library, options.files / "shaders"};
+    const std::map<std::string, std::string> methods = effect_methods(folders);
     std::map<std::string, std::string> files{{"package.json", package_json(options.version)},
-                                             {"index.js", index_text(options, parts.core)},
+                                             {"index.js", index_text(options, effect_core(folders, methods))},
                                              {"LICENSE", base::read_file(options.licence)}};
     for (const char* name : {"index.d.ts", "method.d.ts", "three.js", "three.d.ts", "README.md"})
         files[name] = base::read_file(options.files / "npm" / name);
-    for (const auto& [name, json] : parts.methods)
+    for (const auto& [name, json] : methods)
         files["method-" + name + ".js"] = licence_line + std::string("export default ") + json + ";\n";
     return files;
 }

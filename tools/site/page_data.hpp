@@ -56,13 +56,13 @@ struct ShaderFolders {
 // (effect/ambient-occlusion.js). truths: the scenes with ray-traced truth. Throws like shader::pack().
 [[nodiscard]] std::string effect_json(const ShaderFolders& folders, const std::vector<std::string>& truths);
 
-// What another page of WebGL2 needs, each as JSON: what every user does, with the methods of the presets; and
-// each method: the text of its pass, and settings of the presets with that method, for a radius of 1.
-struct EffectParts {
-    std::string core;
-    std::map<std::string, std::string> methods;  // by name
-};
-[[nodiscard]] EffectParts effect_parts(const ShaderFolders& folders);
+// Each method as JSON, by name: the text of its pass, and settings of the presets with that method, for a
+// radius of 1.
+[[nodiscard]] std::map<std::string, std::string> effect_methods(const ShaderFolders& folders);
+
+// What another page of WebGL2 needs besides, as JSON, with those of effect_methods() that the presets run.
+[[nodiscard]] std::string effect_core(const ShaderFolders& folders,
+                                      const std::map<std::string, std::string>& methods);
 
 // The classes of the effect in WebGL2 (effect/*.js): JavaScript that defines AmbientOcclusion and what it
 // uses. Throws std::runtime_error for a file that cannot be read.

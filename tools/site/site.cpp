@@ -152,7 +152,7 @@ void write_effect(const check::Lab& lab, const SiteOptions& options, Files& file
     files.write("effect-data.js",
                 "gloam.effectData = " + effect_json(folders, options.pictures.truths) + ";\n");
     files.write("ambient-occlusion.js", effect_script(options.files / "effect"));
-    for (const auto& [name, json] : effect_parts(folders).methods)
+    for (const auto& [name, json] : effect_methods(folders))
         files.write("method-" + name + ".js", "gloam.addMethod(" + json + ");\n");
     for (const std::string name : {"columns", "room", "knot"})
         files.write("scene-" + name + ".js",
