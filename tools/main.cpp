@@ -77,6 +77,7 @@ int run(int argc, char** argv) {
     gloam::cli::add_list(app);
     gloam::cli::add_check(app, status);
     gloam::cli::add_check_worker(app);
+    gloam::cli::add_audit(app, status);
     gloam::cli::add_explain(app);
     gloam::cli::add_mesh_reader(app, status);
     gloam::cli::add_report(app, status);

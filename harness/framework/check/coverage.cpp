@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "base/text.hpp"
+#include "check/explain.hpp"
 #include "check/internal/trial.hpp"
 #include "check/interpreted_kernel.hpp"
 #include "check/run.hpp"
@@ -69,7 +70,7 @@ class Measurement {
         : lab_(lab),
           question_(question),
           options_(options),
-          module_(module_of(lab, question)),
+          module_(lined_module(lab, question)),
           program_(module_.spirv),
           seen_(program_) {}
 
@@ -86,17 +87,6 @@ class Measurement {
     }
 
   private:
-    static KernelModule module_of(const Lab& lab, const Question& question) {
-        KernelSource source = lab.source(question.file, question.function, question.signature);
-        shader::CompileOptions options = lab.compile_options();
-        options.variant = {};  // an optimizer removes some branches and copies others
-        options.lines = true;
-        return {.spirv = lab.compile({.name = generated, .text = kernel_code(source)}, options),
-                .input_words = question.signature.input_words(),
-                .output_words = question.signature.output_words(),
-                .images = std::move(source.images)};
-    }
-
     void run(const ImageScenario& scenario, std::size_t share, std::uint64_t steps) {
         const ImageSet images = internal::images_of(scenario, options_.seed);
         const auto words = image_words(module_.images, images, question_.function);
@@ -105,7 +95,12 @@ class Measurement {
             share, internal::input_seed_of(question_, scenario, options_.seed), scenario.size);
         for (std::size_t i = 0; i < inputs.count() && !complete_; ++i) {
             if (i >= first_inputs && kernel.machine().steps() > steps) break;
-            kernel.run(inputs.row(i), seen_);
+            try {
+                kernel.run(inputs.row(i), seen_);
+            } catch (const interpreter::Error& error) {
+                // An input that faults reaches what it ran; a check judges it, not this count.
+                if (error.kind() == interpreter::Error::Kind::missing) throw;
+            }
             if (++run_ < next_look_) continue;
             next_look_ *= 2;
             complete_ = is_complete();

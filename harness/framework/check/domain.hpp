@@ -80,9 +80,10 @@ struct Values {
 // vecN or ivecN with independent components. A fixed value of the component is set in each component alone
 // and in all.
 [[nodiscard]] Values vector(int components, const Values& component);
-// vecN or ivecN with separate values for each component.
+// A vector with separate values for each component, or a structure with values for each member.
 [[nodiscard]] Values vector(const std::vector<Values>& components);
-// Directions, uniform on the unit circle (2) or sphere (3); the axes as fixed values.
+// Directions, uniform on the unit circle (2) or sphere (3), or unit quaternions (4); the axes as fixed
+// values.
 [[nodiscard]] Values unit_vector(int components);
 // A unit vector times a length.
 [[nodiscard]] Values vector_of_length(int components, const Values& length);

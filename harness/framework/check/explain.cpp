@@ -152,17 +152,6 @@ shader::Function function_of(const shader::CompileOptions& options, const std::s
     throw std::invalid_argument(fmt::format("{}: no function {}", file, name));
 }
 
-KernelModule module_of(const shader::CompileOptions& options, const KernelSource& source) {
-    shader::CompileOptions with_lines = options;
-    with_lines.lines = true;
-    const Signature signature{.result = source.function.result, .parameters = source.function.parameters};
-    return {
-        .spirv = shader::SpirvCache().compile({.name = kernel_name, .text = kernel_code(source)}, with_lines),
-        .input_words = signature.input_words(),
-        .output_words = signature.output_words(),
-        .images = source.images};
-}
-
 void append(const interpreter::Step<Explained>& step, std::vector<ExplainedStep>& steps) {
     if (step.place.file.empty() || step.place.file == kernel_name) return;
     for (std::size_t k = 0; k < step.results.size(); ++k) {
@@ -240,16 +229,28 @@ std::string line_of(const ExplainedStep& step, bool is_worst) {
 
 }  // namespace
 
-Explanation explain(const shader::CompileOptions& options, const KernelSource& source,
-                    std::span<const Word> input, const ImageSet& images) {
-    const KernelModule module = module_of(options, source);
-    if (input.size() != module.input_words)
-        throw std::invalid_argument(fmt::format("{} takes {} values, got {}",
-                                                shader::to_glsl(source.function), module.input_words,
-                                                input.size()));
-    const interpreter::Program program(module.spirv);
-    const std::vector<std::vector<Word>> words = image_words(module.images, images, source.function.name);
-    InterpretedKernel<Explained> kernel(program, module, words);
+KernelModule lined_module(const shader::CompileOptions& options, const KernelSource& source,
+                          const shader::SpirvCache& cache) {
+    shader::CompileOptions with_lines = options;
+    with_lines.lines = true;
+    const Signature signature{.result = source.function.result, .parameters = source.function.parameters};
+    return {.spirv = cache.compile({.name = kernel_name, .text = kernel_code(source)}, with_lines),
+            .input_words = signature.input_words(),
+            .output_words = signature.output_words(),
+            .images = source.images};
+}
+
+KernelModule lined_module(const Lab& lab, const KernelSource& source) {
+    shader::CompileOptions options = lab.compile_options();
+    options.variant = {};
+    return lined_module(options, source, shader_cache(lab.options()));
+}
+
+KernelModule lined_module(const Lab& lab, const Question& question) {
+    return lined_module(lab, lab.source(question.file, question.function, question.signature));
+}
+
+Explanation explain(InterpretedKernel<Explained>& kernel, std::span<const Word> input) {
     kernel.machine().set_limit(most_instructions);
     Explanation all;
     // The path is that of float32. Where only intervals leave a branch undecided, the first way is taken.
@@ -259,6 +260,19 @@ Explanation explain(const shader::CompileOptions& options, const KernelSource& s
     });
     all.worst = worst_of(all.steps);
     return all;
+}
+
+Explanation explain(const shader::CompileOptions& options, const KernelSource& source,
+                    std::span<const Word> input, const ImageSet& images) {
+    const KernelModule module = lined_module(options, source);
+    if (input.size() != module.input_words)
+        throw std::invalid_argument(fmt::format("{} takes {} values, got {}",
+                                                shader::to_glsl(source.function), module.input_words,
+                                                input.size()));
+    const interpreter::Program program(module.spirv);
+    const std::vector<std::vector<Word>> words = image_words(module.images, images, source.function.name);
+    InterpretedKernel<Explained> kernel(program, module, words);
+    return explain(kernel, input);
 }
 
 Explanation explain(const shader::CompileOptions& options, const std::string& file,

@@ -5,7 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "check/interpreted_kernel.hpp"
 #include "check/kernel_code.hpp"
+#include "check/lab.hpp"
+#include "check/question.hpp"
 #include "check/signature.hpp"
 #include "numeric/interval.hpp"
 #include "shader/compile.hpp"
@@ -48,6 +51,18 @@ struct Explanation {
 // function reads images.
 [[nodiscard]] Explanation explain(const shader::CompileOptions& options, const std::string& file,
                                   const std::string& function, std::span<const Word> input);
+
+// A kernel with the lines of its source, for explain() and coverage: neither is asked for by a driver.
+[[nodiscard]] KernelModule lined_module(const shader::CompileOptions& options, const KernelSource& source,
+                                        const shader::SpirvCache& cache = shader::SpirvCache());
+// The same with a lab's options and cache, as the front end makes it: an optimizer removes some branches and
+// copies others.
+[[nodiscard]] KernelModule lined_module(const Lab& lab, const KernelSource& source);
+[[nodiscard]] KernelModule lined_module(const Lab& lab, const Question& question);
+
+// The same for a kernel that is ready. Throws interpreter::Error.
+[[nodiscard]] Explanation explain(InterpretedKernel<interpreter::Explained>& kernel,
+                                  std::span<const Word> input);
 
 // A table: titles, then a line for each step; the line with the largest rise of the error is marked. If there
 // are more than `most` steps, the table has those at which the error rises most; among equal rises the later

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -50,14 +49,6 @@ Values values_of(const shader::Type& type, const std::optional<Range>& range) {
 // "vec2", "sampler2D", the name of a structure.
 std::string type_name(const shader::Type& type) {
     return type.scalar == Scalar::structure ? type.name : shader::to_glsl(type);
-}
-
-double number_from(std::string_view text, const std::string& whole) {
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size())
-        throw std::invalid_argument(fmt::format("--range {}: expected NAME=LOW:HIGH", whole));
-    return value;
 }
 
 // Why no kernel can call a function; empty if one can.
@@ -200,19 +191,6 @@ ImageScenario random_images(const std::vector<ImagePrototype>& prototypes) {
 }
 
 }  // namespace
-
-std::pair<std::string, Range> range_from(const std::string& text) {
-    const std::size_t equals = text.find('=');
-    const std::size_t colon = text.find(':', std::min(equals, text.size()));
-    if (equals == 0 || equals == std::string::npos || colon == std::string::npos)
-        throw std::invalid_argument(fmt::format("--range {}: expected NAME=LOW:HIGH", text));
-    const std::string_view view(text);
-    const Range range{number_from(view.substr(equals + 1, colon - equals - 1), text),
-                      number_from(view.substr(colon + 1), text)};
-    if (!(range.low <= range.high))
-        throw std::invalid_argument(fmt::format("--range {}: expected LOW <= HIGH", text));
-    return {text.substr(0, equals), range};
-}
 
 OwnFunctions own_functions(const LabOptions& options, const std::string& file,
                            const std::vector<std::string>& names) {

@@ -1,25 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
 #include "check/lab.hpp"
+#include "check/own_domain.hpp"
 #include "check/question.hpp"
 
 namespace gloam::check {
-
-// The range of values for a float or integer parameter, ends included.
-struct Range {
-    double low = 0.0;
-    double high = 0.0;
-};
-// Ranges by the parameters' names.
-using Ranges = std::map<std::string, Range>;
-
-// Parses "x=0:1" as a name and a range. Throws std::invalid_argument for any other text, or low > high.
-[[nodiscard]] std::pair<std::string, Range> range_from(const std::string& text);
 
 // A function of a file from elsewhere that can be checked.
 struct OwnFunction {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "check/internal/moves.hpp"
 #include "check/internal/trial.hpp"
-#include "numeric/numbers.hpp"
 
 namespace gloam::check {
 namespace {
@@ -95,20 +95,8 @@ Answer run(const Lab& lab, const Question& question, const RunOptions& options) 
 
 namespace {
 
-using shader::Scalar;
-
 constexpr std::size_t drawn_part = 4;     // one of this many inputs is drawn at random
-constexpr std::size_t pool_size = 48;     // the inputs from which the climb starts
 constexpr std::size_t generation = 1024;  // inputs of one dispatch
-constexpr int most_moves = 3;             // of one input at once
-constexpr int tries = 4;                  // attempts to find a move that stays inside the domain
-
-// The words of one parameter in an input.
-struct Slot {
-    const Values* values;
-    std::size_t first;
-    std::size_t count;
-};
 
 struct Candidate {
     std::vector<Word> words;  // as drawn, before adjustment
@@ -117,92 +105,24 @@ struct Candidate {
 
 class Climb {
   public:
-    Climb(const Question& question, const internal::Trial& trial, glm::ivec2 image_size, std::uint64_t seed,
-          SearchResult& found)
-        : domain_(question.domain),
-          trial_(trial),
-          image_size_(image_size),
-          random_(seed),
-          scalars_(question.signature.input_scalars()),
-          found_(found) {
-        std::size_t first = 0;
-        for (std::size_t p = 0, at = 0; p < question.signature.parameters.size(); ++p) {
-            const shader::Parameter& parameter = question.signature.parameters[p];
-            if (parameter.direction == shader::Direction::out) continue;
-            const std::size_t count = scalars_of(parameter.type).size();
-            slots_.push_back({&domain_.parameters().at(at++), first, count});
-            first += count;
-        }
-    }
+    Climb(const Question& question, const internal::Trial& trial, SearchResult& found)
+        : domain_(question.domain), trial_(trial), found_(found) {}
 
-    void run(std::size_t inputs) {
-        if (slots_.empty() || inputs == 0) return;
-        const std::size_t drawn = std::max<std::size_t>(inputs / drawn_part, 1);
-        drawn_ = domain_.draw_unadjusted(drawn, trial_.input_seed(), image_size_);
+    void run(internal::Moves moves, std::size_t inputs) {
         std::vector<Candidate> candidates;
-        for (std::size_t i = 0; i < drawn; ++i)
-            candidates.push_back({{drawn_.row(i).begin(), drawn_.row(i).end()}});
+        const Domain::Inputs& drawn = moves.drawn();
+        for (std::size_t i = 0; i < drawn.count(); ++i)
+            candidates.push_back({{drawn.row(i).begin(), drawn.row(i).end()}});
         evaluate(std::move(candidates));
         found_.drawn_fraction = std::max(found_.drawn_fraction, pool_.empty() ? 0.0 : pool_.front().score);
-        for (std::size_t done = drawn; done < inputs; done += generation) {
+        for (std::size_t done = drawn.count(); done < inputs; done += generation) {
             std::vector<Candidate> next(std::min(generation, inputs - done));
-            for (Candidate& candidate : next) candidate.words = moved();
+            for (Candidate& candidate : next) candidate.words = moves.from_pool(pool_);
             evaluate(std::move(next));
         }
     }
 
   private:
-    // The worst candidates come first in the pool and are chosen more often.
-    std::vector<Word> moved() {
-        if (pool_.empty()) return pick_drawn();
-        const double rank = random_.unit() * random_.unit();
-        std::vector<Word> words =
-            pool_[static_cast<std::size_t>(rank * static_cast<double>(pool_.size()))].words;
-        const auto moves = 1 + static_cast<int>(random_.below(most_moves));
-        for (int i = 0; i < moves; ++i) move(words);
-        return words;
-    }
-
-    std::vector<Word> pick_drawn() {
-        const auto row = drawn_.row(random_.below(drawn_.count()));
-        return {row.begin(), row.end()};
-    }
-
-    void move(std::vector<Word>& words) {
-        const Slot& slot = slots_[random_.below(slots_.size())];
-        const auto at = static_cast<std::ptrdiff_t>(slot.first);
-        const auto count = static_cast<std::ptrdiff_t>(slot.count);
-        for (int i = 0; i < tries; ++i) {
-            std::vector<Word> value(words.begin() + at, words.begin() + at + count);
-            if (random_.below(4) == 0) {
-                const auto other = drawn_.row(random_.below(drawn_.count())).subspan(slot.first, slot.count);
-                value.assign(other.begin(), other.end());
-            } else {
-                const std::size_t word = random_.below(slot.count);
-                value[word] = moved_word(value[word], scalars_[slot.first + word]);
-                if (!slot.values->admits(value)) continue;
-            }
-            std::ranges::copy(value, words.begin() + at);
-            return;
-        }
-    }
-
-    // Moves a float by a power of two of steps, from a neighbour to several binades away, or changes its
-    // sign.
-    Word moved_word(Word word, Scalar scalar) {
-        const bool down = random_.below(2) == 0;
-        const int distance = 1 << random_.below(26);
-        switch (scalar) {
-            case Scalar::float_:
-                if (random_.below(32) == 0) return word ^ 0x80000000U;
-                return to_word(numeric::step(from_word<float>(word), down ? -distance : distance));
-            case Scalar::bool_:
-                return 1U - word;
-            default:
-                return down ? word - static_cast<Word>(distance) : word + static_cast<Word>(distance);
-        }
-    }
-
     void evaluate(std::vector<Candidate> candidates) {
         Domain::Inputs inputs;
         inputs.branch.assign(candidates.size(), false);
@@ -217,27 +137,12 @@ class Climb {
             candidates[i].score = fractions[i];
             if (fractions[i] > 0.0) pool_.push_back(std::move(candidates[i]));
         }
-        keep_the_worst();
-    }
-
-    void keep_the_worst() {
-        std::ranges::stable_sort(pool_,
-                                 [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
-        const auto same = [](const Candidate& a, const Candidate& b) {
-            return a.score == b.score && a.words == b.words;
-        };
-        pool_.erase(std::unique(pool_.begin(), pool_.end(), same), pool_.end());
-        if (pool_.size() > pool_size) pool_.resize(pool_size);
+        internal::Moves::keep_the_worst(pool_);
     }
 
     const Domain& domain_;
     const internal::Trial& trial_;
-    glm::ivec2 image_size_;
-    numeric::Random random_;
-    std::vector<Scalar> scalars_;
     SearchResult& found_;
-    std::vector<Slot> slots_;
-    Domain::Inputs drawn_;
     std::vector<Candidate> pool_;
 };
 
@@ -251,7 +156,10 @@ SearchResult search(const Lab& lab, const Question& question, const SearchOption
     internal::for_each_scenario(
         question, options.inputs, [&](const ImageScenario& scenario, std::size_t share) {
             const internal::Trial trial(lab, question, kernel, scenario, options.seed, verdict);
-            Climb(question, trial, scenario.size, options.seed, found).run(share);
+            if (question.domain.parameters().empty() || share == 0) return;
+            const std::size_t drawn = std::max<std::size_t>(share / drawn_part, 1);
+            Climb(question, trial, found)
+                .run({question, drawn, scenario.size, trial.input_seed(), options.seed}, share);
         });
     internal::tell_story(lab, question, options.seed, found.answer);
     return found;

@@ -192,14 +192,17 @@ Values vector(const std::vector<Values>& components) {
     values.draw = [components](DrawContext& context, Words& words) {
         for (const Values& component : components) component.draw(context, words);
     };
-    values.contains = [components](std::span<const Word> words) {
-        std::size_t next = 0;  // a component is one word
-        return std::ranges::all_of(components,
-                                   [&](const Values& c) { return c.admits(words.subspan(next++, 1)); });
+    std::vector<std::size_t> sizes;
+    for (const Values& component : components) sizes.push_back(words_of(component));
+    values.contains = [components, sizes](std::span<const Word> words) {
+        for (std::size_t i = 0; i < components.size(); words = words.subspan(sizes[i++]))
+            if (!components[i].admits(words.first(sizes[i]))) return false;
+        return true;
     };
     numeric::Random random(2);
     std::size_t first = 0;
-    for (const Values& component : components) {
+    for (std::size_t i = 0; i < components.size(); first += sizes[i++]) {
+        const Values& component = components[i];
         for (const std::size_t size : component.image_sizes) values.image_sizes.push_back(first + size);
         for (const Values::Fixed& fixed : component.fixed) {
             DrawContext context{.random = random};
@@ -208,15 +211,32 @@ Values vector(const std::vector<Values>& components) {
             std::ranges::copy(fixed.words, one.words.begin() + static_cast<std::ptrdiff_t>(first));
             values.fixed.push_back(std::move(one));
         }
-        first += words_of(component);
     }
     return values;
 }
 
+namespace {
+
+// Uniform on the unit sphere of four dimensions: two points on circles, whose squared radii add up to 1.
+void draw_quaternion(numeric::Random& random, Words& words) {
+    const double share = random.unit();
+    for (const double radius : {std::sqrt(1.0 - share), std::sqrt(share)}) {
+        const double angle = random.uniform(0.0, 2.0 * std::numbers::pi);
+        words.push_back(to_word(static_cast<float>(radius * std::cos(angle))));
+        words.push_back(to_word(static_cast<float>(radius * std::sin(angle))));
+    }
+}
+
+}  // namespace
+
 Values unit_vector(int components) {
-    if (components != 2 && components != 3) throw std::invalid_argument("unit_vector has 2 or 3 components");
+    if (components < 2 || components > 4) throw std::invalid_argument("unit_vector has 2, 3 or 4 components");
     Values values;
     values.draw = [components](DrawContext& context, Words& words) {
+        if (components == 4) {
+            draw_quaternion(context.random, words);
+            return;
+        }
         const double angle = context.random.uniform(0.0, 2.0 * std::numbers::pi);
         const double z = components == 3 ? context.random.uniform(-1.0, 1.0) : 0.0;
         const double radius = std::sqrt(1.0 - z * z);

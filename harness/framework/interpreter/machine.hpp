@@ -156,6 +156,9 @@ class Machine {
     // Whether the last run wrote to this buffer or image.
     [[nodiscard]] bool wrote(std::uint32_t set, std::uint32_t binding) const;
 
+    // On Explained: rounds the value of every result to float16, as a device may where all is `mediump`.
+    void set_half(bool half);
+
     // Limit of instructions in one run; a run with more throws Error (too_many_steps).
     void set_limit(std::uint64_t steps) { limit_ = steps; }
     // Instructions of all runs so far.

@@ -15,13 +15,14 @@
 #include "shader/include.hpp"
 
 namespace gloam::cli {
-namespace {
 
 check::Ranges ranges_from(const std::vector<std::string>& texts) {
     check::Ranges ranges;
     for (const std::string& text : texts) ranges.insert(check::range_from(text));
     return ranges;
 }
+
+namespace {
 
 void require_known(const check::Ranges& ranges, const std::vector<check::OwnFunction>& functions) {
     for (const auto& range : ranges) {

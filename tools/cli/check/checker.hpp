@@ -28,6 +28,9 @@ namespace gloam::cli {
 // Whether a word of the command line is a shader file, not an equation.
 [[nodiscard]] bool is_shader_file(const std::string& word);
 
+// The ranges that --range names. Throws std::invalid_argument for an invalid one.
+[[nodiscard]] check::Ranges ranges_from(const std::vector<std::string>& texts);
+
 struct OwnFile {
     std::string version;  // of its #version line; empty: there is none
     check::OwnFunctions functions;

@@ -154,6 +154,11 @@ void Machine<N>::execute(Tell&& tell) {
 }
 
 template <class N>
+void Machine<N>::set_half(bool half) {
+    state_->half = half;
+}
+
+template <class N>
 void Machine<N>::run() {
     execute([](const internal::Instruction&) {});
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fmt/format.h>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <type_traits>
@@ -121,6 +122,7 @@ struct State {
     std::vector<Value<N>> moving;  // sources of an edge's copies, while these are made
     std::uint32_t next = 0;        // instruction
     bool running = false;
+    bool half = false;  // see Machine::set_half()
 
     [[nodiscard]] Word bits(Slot slot) const { return slots[slot].bits(); }
 
@@ -131,7 +133,7 @@ struct State {
         return x;
     }
     void set(const Instruction& i, Slot slot, const N& x) {
-        slots[slot] = Value<N>::of((i.flags & flags::half) != 0 ? halved(x) : x);
+        slots[slot] = Value<N>::of(half || (i.flags & flags::half) != 0 ? halved(x) : x);
     }
     void set(const Instruction&, Slot slot, Word x) { slots[slot] = Value<N>::of_bits(x); }
     void set(const Instruction&, Slot slot, int x) { slots[slot] = Value<N>::of_bits(static_cast<Word>(x)); }
@@ -176,6 +178,7 @@ N State<N>::halved(const N& x) {
     } else if constexpr (std::is_same_v<N, Explained>) {
         N result = x;
         result.value = scalars::quantize_to_half(x.value);
+        if (std::isfinite(result.value)) result.local += static_cast<double>(result.value) - x.value;
         return result;
     } else {
         return x;

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+#include "check/internal/audit_runs.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "check/internal/trial.hpp"
+#include "interpreter/program.hpp"
+#include "numeric/numbers.hpp"
+#include "numeric/paths.hpp"
+
+namespace gloam::check::internal {
+namespace {
+
+using shader::Scalar;
+
+constexpr std::uint64_t most_instructions = 2'000'000;  // of one input; more count as a loop without end
+
+ImageScenario first_scenario(const Question& question) {
+    return question.scenarios.empty() ? ImageScenario{} : question.scenarios.front();
+}
+
+float nearest_half(float x) {
+    if (!std::isfinite(x)) return x;
+    const double low = numeric::float16.round_down(x);
+    const double high = numeric::float16.round_up(x);
+    return static_cast<float>(x - low <= high - x ? low : high);
+}
+
+// Floats are rounded to float16, so that their rounding is no error of the function.
+std::vector<Word> halved(std::span<const Word> input, const std::vector<Scalar>& scalars) {
+    std::vector<Word> words(input.begin(), input.end());
+    for (std::size_t i = 0; i < words.size(); ++i)
+        if (scalars[i] == Scalar::float_) words[i] = to_word(nearest_half(from_word<float>(words[i])));
+    return words;
+}
+
+}  // namespace
+
+AuditRuns::AuditRuns(const Lab& lab, const Question& question, std::uint64_t seed)
+    : AuditRuns(lined_module(lab, question), question, images_of(first_scenario(question), seed)) {}
+
+AuditRuns::AuditRuns(const Lab& lab, const Question& question, const KernelSource& changed,
+                     const AuditRuns& original)
+    : AuditRuns(lined_module(lab, changed), question, original.images_) {
+    least_ = original.least_;
+}
+
+AuditRuns::AuditRuns(KernelModule module, const Question& question, ImageSet images)
+    : question_(question),
+      scalars_(question.signature.output_scalars()),
+      sizes_(question.signature.output_values()),
+      least_(sizes_.size(), std::numeric_limits<float>::min()),
+      image_size_(first_scenario(question).size),
+      images_(std::move(images)),
+      modules_{std::make_shared<const KernelModule>(std::move(module))},
+      decoded_(modules_, images_),
+      interpretation_(decoded_, scalars_),
+      kernel_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images),
+      half_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images),
+      floats_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images) {
+    half_.machine().set_half(true);
+    for (auto* kernel : {&kernel_, &half_}) kernel->machine().set_limit(most_instructions);
+    floats_.machine().set_limit(most_instructions);
+}
+
+Reading AuditRuns::read(InterpretedKernel<interpreter::Explained>& kernel, std::span<const Word> input) {
+    Reading reading;
+    const std::uint64_t before = kernel.machine().steps();
+    (void)numeric::Paths::explore(numeric::float32, 1, [&] {
+        try {
+            kernel.run(input);
+            for (std::size_t w = 0; w < scalars_.size(); ++w) {
+                const auto value = kernel.output(w);
+                if (scalars_[w] == Scalar::float_) {
+                    const interpreter::Explained x = value.number();
+                    reading.outputs.push_back({x.value, x.exact, x.permitted.bounds()});
+                } else {
+                    const double exact = as_number(scalars_[w], value.bits());
+                    reading.outputs.push_back(
+                        {static_cast<float>(exact), exact, numeric::Bounds::point(exact)});
+                }
+            }
+        } catch (const interpreter::Error& error) {
+            reading = {.outputs = {}, .fault = error.what()};
+        }
+        throw numeric::Paths::Enough{};
+    });
+    instructions_ += kernel.machine().steps() - before;
+    return reading;
+}
+
+Reading AuditRuns::read(std::span<const Word> input) {
+    return read(kernel_, input);
+}
+
+Reading AuditRuns::read_half(std::span<const Word> input) {
+    return read(half_, halved(input, question_.signature.input_scalars()));
+}
+
+std::vector<numeric::Bounds> AuditRuns::permitted(std::span<const Word> input) {
+    Permitted all;
+    interpretation_.all_permitted({0, input}, all);
+    return hull_of(all);
+}
+
+std::vector<double> AuditRuns::in_double(std::span<const Word> input) {
+    std::vector<double> outputs;
+    try {
+        instructions_ += interpretation_.calculate({0, input}, outputs);
+    } catch (const interpreter::Error&) {
+        outputs.clear();
+    }
+    return outputs;
+}
+
+std::vector<double> AuditRuns::in_float(std::span<const Word> input) {
+    std::vector<double> outputs;
+    try {
+        floats_.run(input);
+        for (std::size_t w = 0; w < scalars_.size(); ++w)
+            outputs.push_back(as_number(scalars_[w], floats_.output(w).bits()));
+    } catch (const interpreter::Error&) {
+        outputs.clear();
+    }
+    return outputs;
+}
+
+Explanation AuditRuns::steps(std::span<const Word> input, bool half) {
+    try {
+        return half ? explain(half_, halved(input, question_.signature.input_scalars()))
+                    : explain(kernel_, input);
+    } catch (const interpreter::Error&) {
+        return {};
+    }
+}
+
+void AuditRuns::set_usual(const Domain::Inputs& inputs) {
+    constexpr double usual_part = 0x1p-10;
+    std::vector<std::vector<double>> lengths(sizes_.size());
+    for (std::size_t i = 0; i < inputs.count(); ++i) {
+        const std::vector<double> outputs = in_double(inputs.row(i));
+        for (std::size_t v = 0, first = 0; !outputs.empty() && v < sizes_.size(); first += sizes_[v++]) {
+            double length = 0.0;
+            for (std::size_t w = first; w < first + sizes_[v]; ++w)
+                length = std::max(length, std::abs(outputs[w]));
+            if (std::isfinite(length)) lengths[v].push_back(length);
+        }
+    }
+    for (std::size_t v = 0; v < sizes_.size(); ++v) {
+        std::ranges::sort(lengths[v]);
+        const double median = lengths[v].empty() ? 0.0 : lengths[v][lengths[v].size() / 2];
+        least_[v] = std::max(least_[v], usual_part * median);
+    }
+}
+
+namespace {
+
+std::string short_text(Scalar scalar, Word word) {
+    if (scalar == Scalar::bool_) return word != 0 ? "true" : "false";
+    if (scalar == Scalar::int_) return fmt::format("{}", from_word<int>(word));
+    return scalar == Scalar::float_ ? fmt::format("{}", from_word<float>(word)) : fmt::format("{}", word);
+}
+
+}  // namespace
+
+std::string AuditRuns::named(std::span<const Word> input) const {
+    std::vector<std::string> all;
+    const std::function<void(const shader::Type&, const std::string&)> add = [&](const shader::Type& type,
+                                                                                 const std::string& name) {
+        if (type.scalar == Scalar::structure) {
+            for (const shader::Member& member : type.members) add(member.type, name + "." + member.name);
+            return;
+        }
+        std::vector<std::string> numbers;
+        for (const Scalar scalar : scalars_of(type)) {
+            numbers.push_back(short_text(scalar, input.front()));
+            input = input.subspan(1);
+        }
+        all.push_back(fmt::format(fmt::runtime(numbers.size() == 1 ? "{} = {}" : "{} = ({})"), name,
+                                  fmt::join(numbers, ", ")));
+    };
+    for (const shader::Parameter& parameter : question_.signature.parameters)
+        if (parameter.direction != shader::Direction::out) add(parameter.type, parameter.name);
+    return fmt::format("{}", fmt::join(all, ", "));
+}
+
+// A component is compared with the largest of its vector: the direction of a vector is what counts.
+template <class Measure>
+Loss AuditRuns::largest(const Reading& reading, const Measure& measure) const {
+    Loss worst;
+    std::size_t first = 0;
+    for (std::size_t v = 0; v < sizes_.size(); first += sizes_[v++]) {
+        double length = least_[v];
+        for (std::size_t w = first; w < first + sizes_[v]; ++w)
+            if (std::isfinite(reading.outputs[w].exact))
+                length = std::max(length, std::abs(reading.outputs[w].exact));
+        for (std::size_t w = first; w < first + sizes_[v]; ++w) {
+            const double absolute = measure(reading.outputs[w]);
+            if (absolute / length > worst.relative) worst = {w, absolute / length};
+        }
+    }
+    return worst;
+}
+
+Loss AuditRuns::loss_of(const Reading& reading) const {
+    return largest(reading, [](const OutputReading& output) {
+        const double error = std::abs(static_cast<double>(output.value) - output.exact);
+        return std::isfinite(error) ? error : 0.0;  // not finite: a concern of its own
+    });
+}
+
+Loss AuditRuns::width_of(const Reading& reading) const {
+    return largest(reading, [](const OutputReading& output) {
+        const double width = output.permitted.high - output.permitted.low;
+        return std::isfinite(width) ? std::max(width, 0.0) : 0.0;
+    });
+}
+
+}  // namespace gloam::check::internal

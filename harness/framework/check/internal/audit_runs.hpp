@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "check/explain.hpp"
+#include "check/internal/interpretation.hpp"
+#include "check/internal/moves.hpp"
+#include "check/interpreted_kernel.hpp"
+#include "check/lab.hpp"
+#include "check/question.hpp"
+
+namespace gloam::check::internal {
+
+// One scalar of the result, on every number type at once. An integer or bool is exact.
+struct OutputReading {
+    float value = 0.0F;
+    double exact = 0.0;
+    numeric::Bounds permitted = numeric::Bounds::point(0.0);
+};
+
+// The results of one input.
+struct Reading {
+    std::vector<OutputReading> outputs;  // empty if there is a fault
+    std::string fault;
+};
+
+// How a result of one input is off.
+struct Loss {
+    std::size_t output = 0;  // word where it is largest
+    double relative = 0.0;   // beside the largest component of the same vector, or 2^-10 of its usual size
+};
+
+// A function that is ready to be run by the interpreter in every way that an audit needs. The objects that it
+// is made from must outlive it.
+class AuditRuns {
+  public:
+    AuditRuns(const Lab& lab, const Question& question, std::uint64_t seed);
+    // The same function with another text, measured like `original`, on the same images.
+    AuditRuns(const Lab& lab, const Question& question, const KernelSource& changed,
+              const AuditRuns& original);
+
+    [[nodiscard]] Reading read(std::span<const Word> input);
+    // The same with every operation rounded to float16.
+    [[nodiscard]] Reading read_half(std::span<const Word> input);
+
+    // Bounds of each output on all paths, in any order of sums.
+    [[nodiscard]] std::vector<numeric::Bounds> permitted(std::span<const Word> input);
+    // The outputs in double, on double's own path. Empty if there is a fault.
+    [[nodiscard]] std::vector<double> in_double(std::span<const Word> input);
+    // The outputs of correctly rounded float32, likewise.
+    [[nodiscard]] std::vector<double> in_float(std::span<const Word> input);
+    // The operations of one input. Empty if there is a fault.
+    [[nodiscard]] Explanation steps(std::span<const Word> input, bool half = false);
+
+    // Learns the usual size of the results: the median magnitude over these inputs.
+    void set_usual(const Domain::Inputs& inputs);
+
+    // The largest of the losses of the outputs, and the same for the width of what is permitted.
+    [[nodiscard]] Loss loss_of(const Reading& reading) const;
+    [[nodiscard]] Loss width_of(const Reading& reading) const;
+
+    // "x = 0.5, n = (0, 1, 0)": an input by the names of the parameters, each float with enough digits.
+    [[nodiscard]] std::string named(std::span<const Word> input) const;
+
+    [[nodiscard]] const Question& question() const { return question_; }
+    [[nodiscard]] glm::ivec2 image_size() const { return image_size_; }
+    [[nodiscard]] std::uint64_t instructions() const { return instructions_; }
+
+  private:
+    AuditRuns(KernelModule module, const Question& question, ImageSet images);
+    [[nodiscard]] Reading read(InterpretedKernel<interpreter::Explained>& kernel,
+                               std::span<const Word> input);
+    template <class Measure>
+    [[nodiscard]] Loss largest(const Reading& reading, const Measure& measure) const;
+
+    const Question& question_;
+    std::vector<shader::Scalar> scalars_;
+    std::vector<std::size_t> sizes_;  // of the result's vectors
+    std::vector<double> least_;       // results of these vectors below count as large as this
+    glm::ivec2 image_size_{1};
+    ImageSet images_;
+    KernelModules modules_;
+    Decoded decoded_;
+    Interpretation interpretation_;
+    InterpretedKernel<interpreter::Explained> kernel_;
+    InterpretedKernel<interpreter::Explained> half_;
+    InterpretedKernel<float> floats_;
+    std::uint64_t instructions_ = 0;
+};
+
+}  // namespace gloam::check::internal

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "check/internal/audit_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gloam::check::internal {
+namespace {
+
+constexpr std::size_t drawn_part = 2;   // one of this many inputs is drawn
+constexpr std::size_t random_part = 4;  // one of this many drawn ones has no special value
+constexpr std::size_t most_examples = 128;
+constexpr std::size_t most_traced = 64;
+constexpr std::size_t generation = 64;  // inputs of one round of a climb
+
+struct Candidate {
+    std::vector<Word> words;
+    double score = 0.0;
+};
+
+// The same domain without fixed values.
+Domain without_special(const Domain& domain) {
+    std::vector<Values> parameters = domain.parameters();
+    for (Values& values : parameters) values.fixed.clear();
+    return Domain(std::move(parameters));
+}
+
+// Runs inputs and keeps the worst of each concern.
+class Search {
+  public:
+    Search(AuditRuns& runs, const AuditOptions& options) : runs_(runs), options_(options) {}
+
+    AuditSearch run() {
+        const std::size_t draws = std::max<std::size_t>(options_.inputs / drawn_part, random_part);
+        const std::size_t random = draws / random_part;
+        const Domain::Inputs usual =
+            without_special(runs_.question().domain).draw(random, options_.seed, runs_.image_size());
+        runs_.set_usual(usual);
+        found_.random = draw(usual, true, 0.25);
+        Moves moves(runs_.question(), draws - random, runs_.image_size(), options_.seed, options_.seed);
+        (void)draw(moves.drawn(), false, 0.5);
+        for (const bool digits : {true, false})
+            if (moves.possible()) climb(moves, digits, (options_.inputs - draws) / 2, digits ? 0.75 : 1.0);
+        return std::move(found_);
+    }
+
+  private:
+    [[nodiscard]] bool has_steps(double share) const {
+        return static_cast<double>(runs_.instructions()) < share * static_cast<double>(options_.steps);
+    }
+
+    // Returns how many were run.
+    std::size_t draw(const Domain::Inputs& drawn, bool random, double share) {
+        std::size_t i = 0;
+        for (; i < drawn.count() && has_steps(share); ++i) {
+            const Candidate candidate{{drawn.row(i).begin(), drawn.row(i).end()}};
+            const Reading reading = run(candidate.words, random);
+            if (!reading.fault.empty()) continue;
+            digits_.push_back({candidate.words, runs_.loss_of(reading).relative});
+            drivers_.push_back({candidate.words, runs_.width_of(reading).relative});
+        }
+        for (auto* pool : {&digits_, &drivers_}) Moves::keep_the_worst(*pool);
+        return i;
+    }
+
+    void climb(Moves& moves, bool digits, std::size_t inputs, double share) {
+        std::vector<Candidate>& pool = digits ? digits_ : drivers_;
+        for (std::size_t done = 0; done < inputs && has_steps(share);) {
+            std::vector<Candidate> next;
+            for (std::size_t i = 0; i < generation && done < inputs; ++i, ++done) {
+                Candidate candidate{moves.from_pool(pool)};
+                const Reading reading = run(candidate.words, false);
+                if (!reading.fault.empty()) continue;
+                candidate.score = (digits ? runs_.loss_of(reading) : runs_.width_of(reading)).relative;
+                if (candidate.score > 0.0) next.push_back(std::move(candidate));
+            }
+            std::ranges::move(next, std::back_inserter(pool));
+            Moves::keep_the_worst(pool);
+        }
+    }
+
+    // `drawn`: before adjustment.
+    Reading run(const std::vector<Word>& drawn, bool random) {
+        std::vector<Word> words = drawn;
+        runs_.question().domain.adjust(words);
+        Reading reading = runs_.read(words);
+        ++found_.inputs;
+        if (found_.traced.size() < most_traced) found_.traced.push_back(words);
+        for (const auto& [concern, examples] : {std::pair{Concern::fault, &found_.faults},
+                                                {Concern::not_finite, &found_.not_finite},
+                                                {Concern::undefined, &found_.undefined}}) {
+            if (!shows(concern, reading)) continue;
+            if (random) ++examples->shown;
+            auto& kept = random ? examples->random : examples->others;
+            if (kept.size() < most_examples) kept.push_back(words);
+        }
+        if (!reading.fault.empty()) return reading;
+        note(found_.digits, words, runs_.loss_of(reading).relative);
+        note(found_.drivers, words, runs_.width_of(reading).relative);
+        return reading;
+    }
+
+    static void note(WorstInput& worst, const std::vector<Word>& words, double score) {
+        if (score > worst.score) worst = {score, words};
+    }
+
+    AuditRuns& runs_;
+    const AuditOptions& options_;
+    AuditSearch found_;
+    std::vector<Candidate> digits_;
+    std::vector<Candidate> drivers_;
+};
+
+// The values that a person would try first, then the same number with fewer digits.
+std::vector<Word> simpler(Word word, shader::Scalar scalar) {
+    std::vector<Word> words;
+    if (scalar != shader::Scalar::float_) {
+        for (const Word simple : {0U, 1U, 2U})
+            if (simple < word) words.push_back(simple);
+        return words;
+    }
+    const float x = from_word<float>(word);
+    for (const float simple : {0.0F, 1.0F, 0.5F, 2.0F, -1.0F}) {
+        if (simple == x) return words;  // already simple
+        words.push_back(to_word(simple));
+    }
+    if (!std::isfinite(x) || x == 0.0F) return words;
+    for (int digits = 1; digits <= 6; ++digits) {
+        const auto magnitude = static_cast<double>(std::abs(x));
+        const double unit = std::pow(10.0, std::floor(std::log10(magnitude)) - (digits - 1));
+        const auto rounded = static_cast<float>(std::round(x / unit) * unit);
+        if (rounded == x) return words;
+        words.push_back(to_word(rounded));
+    }
+    return words;
+}
+
+}  // namespace
+
+AuditSearch search(AuditRuns& runs, const AuditOptions& options) {
+    return Search(runs, options).run();
+}
+
+bool shows(Concern concern, const Reading& reading) {
+    switch (concern) {
+        case Concern::fault:
+            return !reading.fault.empty();
+        case Concern::not_finite:
+            return std::ranges::any_of(
+                reading.outputs, [](const OutputReading& output) { return !std::isfinite(output.value); });
+        default:
+            return std::ranges::any_of(reading.outputs, [](const OutputReading& output) {
+                return std::isfinite(output.value) &&
+                       (output.permitted.is_anything() || output.permitted.nan);
+            });
+    }
+}
+
+std::vector<Word> simplified(const AuditRuns& runs, std::vector<Word> words,
+                             const std::function<bool(const std::vector<Word>&)>& still) {
+    const Question& question = runs.question();
+    std::size_t first = 0;
+    std::size_t at = 0;
+    for (const shader::Parameter& parameter : question.signature.parameters) {
+        if (parameter.direction == shader::Direction::out) continue;
+        const std::vector<shader::Scalar> scalars = scalars_of(parameter.type);
+        const Values& values = question.domain.parameters().at(at++);
+        for (std::size_t k = 0; k < scalars.size(); ++k) {
+            for (const Word simple : simpler(words[first + k], scalars[k])) {
+                std::vector<Word> tried = words;
+                tried[first + k] = simple;
+                if (!values.admits(std::span(tried).subspan(first, scalars.size())) || !still(tried))
+                    continue;
+                words = std::move(tried);
+                break;
+            }
+        }
+        first += scalars.size();
+    }
+    return words;
+}
+
+}  // namespace gloam::check::internal

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <array>
+#include <cctype>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "check/internal/rewrites.hpp"
+
+namespace gloam::check::internal {
+namespace {
+
+struct Token {
+    std::string_view text;
+    std::size_t at = 0;
+
+    [[nodiscard]] std::size_t end() const { return at + text.size(); }
+};
+
+bool is_name_part(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
+}
+
+// Names with their members, numbers, and single characters; lines that begin with # are passed over.
+std::vector<Token> scanned(std::string_view text) {
+    std::vector<Token> tokens;
+    bool line_begins = true;
+    for (std::size_t at = 0; at < text.size();) {
+        const char c = text[at];
+        if (c == '#' && line_begins) {
+            at = std::min(text.find('\n', at), text.size());
+            continue;
+        }
+        if (std::isspace(static_cast<unsigned char>(c)) != 0) {
+            line_begins = line_begins || c == '\n';
+            ++at;
+            continue;
+        }
+        line_begins = false;
+        std::size_t end = at + 1;
+        while (is_name_part(c) && end < text.size() && is_name_part(text[end])) ++end;
+        tokens.push_back({text.substr(at, end - at), at});
+        at = end;
+    }
+    return tokens;
+}
+
+// A call "name(a, b)": its tokens and its arguments.
+struct Call {
+    std::size_t first = 0;  // token of the name
+    std::size_t last = 0;   // token of the closing parenthesis
+    std::vector<std::string> arguments;
+};
+
+class Finder {
+  public:
+    explicit Finder(std::string_view text) : text_(text), tokens_(scanned(text)) {}
+
+    std::vector<Candidate> all() {
+        for (std::size_t i = 0; i + 2 < tokens_.size(); ++i) {
+            if (const auto call = call_at(i)) add_call(*call);
+            add_difference(i);
+        }
+        return std::move(found_);
+    }
+
+  private:
+    [[nodiscard]] std::string_view token(std::size_t i) const {
+        return i < tokens_.size() ? tokens_[i].text : std::string_view{};
+    }
+    [[nodiscard]] bool is_name(std::size_t i) const {
+        return !token(i).empty() && is_name_part(token(i)[0]) &&
+               std::isdigit(static_cast<unsigned char>(token(i)[0])) == 0 && token(i)[0] != '.';
+    }
+    [[nodiscard]] bool is_one(std::size_t i) const {
+        return token(i) == "1.0" || token(i) == "1." || token(i) == "1.0f";
+    }
+
+    // Whether an expression from `first` to `last` stands alone as a summand.
+    [[nodiscard]] bool is_summand(std::size_t first, std::size_t last) const {
+        static constexpr std::string_view before = "(,=?:+{;<>&|!";
+        static constexpr std::string_view behind = "),;?:+-<>&|=";
+        const std::string_view left = first > 0 ? token(first - 1) : ";";
+        const std::string_view right = token(last + 1);
+        return (left == "return" || (left.size() == 1 && before.find(left[0]) != std::string_view::npos)) &&
+               right.size() == 1 && behind.find(right[0]) != std::string_view::npos;
+    }
+
+    [[nodiscard]] std::string text_of(std::size_t first, std::size_t last) const {
+        return std::string(text_.substr(tokens_[first].at, tokens_[last].end() - tokens_[first].at));
+    }
+
+    [[nodiscard]] std::optional<Call> call_at(std::size_t i) const {
+        if (!is_name(i) || token(i + 1) != "(") return std::nullopt;
+        if (i > 0 && is_name(i - 1) && token(i - 1) != "return") return std::nullopt;  // a declaration
+        constexpr std::size_t most = 200;                                              // tokens
+        Call call{.first = i, .last = 0, .arguments = {}};
+        int depth = 0;
+        std::size_t begin = i + 2;
+        for (std::size_t k = i + 1; k < std::min(tokens_.size(), i + most); ++k) {
+            const std::string_view t = token(k);
+            depth += t == "(" || t == "[" ? 1 : t == ")" || t == "]" ? -1 : 0;
+            if ((depth == 1 && t == ",") || depth == 0) {
+                if (k > begin) call.arguments.push_back(text_of(begin, k - 1));
+                begin = k + 1;
+            }
+            if (depth == 0) {
+                call.last = k;
+                return call;
+            }
+        }
+        return std::nullopt;
+    }
+
+    void add(std::size_t first, std::size_t last, std::string after, std::string reason,
+             std::string helper = {}) {
+        found_.push_back(
+            {tokens_[first].at, tokens_[last].end(), std::move(after), std::move(helper), std::move(reason)});
+    }
+
+    void add_call(const Call& call) {
+        using Rule = void (Finder::*)(const Call&);
+        static const std::map<std::string_view, Rule> rules{
+            {"acos", &Finder::add_arc},      {"asin", &Finder::add_arc},
+            {"sqrt", &Finder::add_root},     {"inversesqrt", &Finder::add_positive},
+            {"log", &Finder::add_logarithm}, {"log2", &Finder::add_positive},
+            {"pow", &Finder::add_power},     {"normalize", &Finder::add_direction},
+            {"length", &Finder::add_length}, {"sin", &Finder::add_turn},
+            {"cos", &Finder::add_turn},      {"smoothstep", &Finder::add_smoothstep}};
+        const auto rule = rules.find(token(call.first));
+        if (rule != rules.end() && !call.arguments.empty()) (this->*rule->second)(call);
+    }
+
+    void add_arc(const Call& call) {
+        const std::string name(token(call.first));
+        const std::string& x = call.arguments[0];
+        add(call.first, call.last, fmt::format("{}(clamp({}, -1.0, 1.0))", name, x),
+            "rounding takes the argument beyond 1, where the function is undefined");
+        const auto inner = call_at(call.first + 2);
+        if (name == "acos" && inner && token(inner->first) == "dot" && inner->last + 1 == call.last &&
+            inner->arguments.size() == 2)
+            add(call.first, call.last,
+                fmt::format("(2.0 * atan(length(({0}) - ({1})), length(({0}) + ({1}))))", inner->arguments[0],
+                            inner->arguments[1]),
+                "the cosine hardly changes near 0 and pi; half the angle's tangent does");
+    }
+
+    // sqrt(1.0 - x * x)
+    void add_root(const Call& call) {
+        const std::size_t i = call.first + 2;
+        if (is_one(i) && token(i + 1) == "-" && is_name(i + 2) && token(i + 3) == "*" &&
+            token(i + 4) == token(i + 2) && i + 5 == call.last)
+            add(call.first, call.last, fmt::format("sqrt((1.0 - {0}) * (1.0 + {0}))", token(i + 2)),
+                "the square is rounded before the difference cancels");
+        add(call.first, call.last, fmt::format("sqrt(max({}, 0.0))", call.arguments[0]),
+            "rounding takes the argument below 0");
+    }
+
+    void add_positive(const Call& call) {
+        add(call.first, call.last,
+            fmt::format("{}(max({}, 1.17549435e-38))", token(call.first), call.arguments[0]),
+            "the function is undefined at 0 and below");
+    }
+
+    // log(1.0 + x)
+    void add_logarithm(const Call& call) {
+        add_positive(call);
+        const std::size_t i = call.first + 2;
+        if (!is_one(i) || token(i + 1) != "+" || !is_name(i + 2) || i + 3 != call.last) return;
+        add(call.first, call.last, fmt::format("log_of_1_plus({})", token(i + 2)),
+            "1 + x drops the digits of a small x",
+            "float log_of_1_plus(float x) { precise float u = 1.0 + x; precise float v = u - 1.0; "
+            "return v == 0.0 ? x : log(u) * (x / v); }\n");
+    }
+
+    void add_power(const Call& call) {
+        if (call.arguments.size() != 2) return;
+        const std::string& x = call.arguments[0];
+        if (call.arguments[1] == "2.0")
+            add(call.first, call.last, fmt::format("(({0}) * ({0}))", x),
+                "a product is rounded once; pow is a logarithm and an exponential");
+        add(call.first, call.last, fmt::format("pow(max({}, 0.0), {})", x, call.arguments[1]),
+            "pow is undefined below 0");
+        add(call.first, call.last, fmt::format("exp2({1} * log2({0}))", x, call.arguments[1]),
+            "the definition of pow, without its special cases");
+    }
+
+    void add_direction(const Call& call) {
+        const std::string& v = call.arguments[0];
+        add(call.first, call.last,
+            fmt::format("(({0}) * inversesqrt(max(dot({0}, {0}), 1.17549435e-38)))", v),
+            "a zero vector has no direction; this one stays zero");
+    }
+
+    void add_length(const Call& call) {
+        static const std::string helper =
+            "float scaled_length(vec2 v) { float m = max(abs(v.x), abs(v.y)); "
+            "return m > 0.0 ? m * length(v / m) : 0.0; }\n"
+            "float scaled_length(vec3 v) { float m = max(max(abs(v.x), abs(v.y)), abs(v.z)); "
+            "return m > 0.0 ? m * length(v / m) : 0.0; }\n";
+        add(call.first, call.last, fmt::format("scaled_length({})", call.arguments[0]),
+            "the square of a component overflows or underflows", helper);
+    }
+
+    void add_turn(const Call& call) {
+        const std::string& x = call.arguments[0];
+        add(call.first, call.last,
+            fmt::format("{0}({1} - 6.28318531 * round(({1}) / 6.28318531))", token(call.first), x),
+            "Vulkan states a precision between -pi and pi only");
+    }
+
+    void add_smoothstep(const Call& call) {
+        if (call.arguments.size() != 3) return;
+        add(call.first, call.last,
+            fmt::format("(1.0 - smoothstep({1}, {0}, {2}))", call.arguments[0], call.arguments[1],
+                        call.arguments[2]),
+            "smoothstep is undefined unless its first edge is below the second");
+    }
+
+    // 1.0 - cos(x), exp(x) - 1.0, a * a - b * b
+    void add_difference(std::size_t i) {
+        if (is_one(i) && token(i + 1) == "-") {
+            const auto call = call_at(i + 2);
+            if (call && token(i + 2) == "cos" && is_summand(i, call->last))
+                add(i, call->last,
+                    fmt::format("(2.0 * sin(0.5 * ({0})) * sin(0.5 * ({0})))", call->arguments[0]),
+                    "the difference cancels where the cosine is near 1");
+        }
+        const auto call = token(i) == "exp" ? call_at(i) : std::nullopt;
+        if (call && token(call->last + 1) == "-" && is_one(call->last + 2) && is_summand(i, call->last + 2))
+            add(i, call->last + 2, fmt::format("exp_minus_1({})", call->arguments[0]),
+                "the difference cancels near 0",
+                "float exp_minus_1(float x) { precise float u = exp(x); precise float v = u - 1.0; "
+                "return u == 1.0 ? x : abs(x) > 1.0 ? v : v * (x / log(u)); }\n");
+        const bool squares = is_name(i) && token(i + 1) == "*" && token(i + 2) == token(i) &&
+                             token(i + 3) == "-" && is_name(i + 4) && token(i + 5) == "*" &&
+                             token(i + 6) == token(i + 4);
+        if (squares && is_summand(i, i + 6))
+            add(i, i + 6, fmt::format("(({0} - {1}) * ({0} + {1}))", token(i), token(i + 4)),
+                "the squares are rounded before the difference cancels");
+    }
+
+    std::string_view text_;
+    std::vector<Token> tokens_;
+    std::vector<Candidate> found_;
+};
+
+}  // namespace
+
+std::vector<Candidate> candidates_of(std::string_view text) {
+    return Finder(text).all();
+}
+
+}  // namespace gloam::check::internal

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "check/internal/rewrites.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "numeric/numbers.hpp"
+#include "shader/compile.hpp"
+
+namespace gloam::check::internal {
+namespace {
+
+constexpr std::size_t most_tried = 24;
+constexpr double better = 0.25;   // of a loss, that a change must reach
+constexpr double no_worse = 1.5;  // of a loss, that it may reach
+constexpr double few_ulp = 0x1p-21;
+
+// How a text does on some inputs, measured against the exact results of the original.
+struct Score {
+    std::size_t broken = 0;  // NaN, infinite or undefined
+    double loss = 0.0;
+    double width = 0.0;
+};
+
+// Inputs with the original's readings.
+struct Case {
+    std::vector<Word> words;
+    Reading original;
+    bool sound = false;  // the original has a proper result
+};
+
+bool is_broken(const Reading& reading) {
+    return shows(Concern::fault, reading) || shows(Concern::not_finite, reading) ||
+           shows(Concern::undefined, reading);
+}
+
+// Whether double has the result that the function means.
+bool has_truth(const Reading& original) {
+    return !original.outputs.empty() &&
+           std::ranges::all_of(original.outputs,
+                               [](const OutputReading& output) { return std::isfinite(output.exact); });
+}
+
+Score score_on(AuditRuns& runs, const std::vector<Case>& cases) {
+    Score score;
+    for (const Case& one : cases) {
+        Reading reading = runs.read(one.words);
+        if (is_broken(reading)) {
+            ++score.broken;
+            if (one.sound) score.loss = numeric::infinity;  // a sound result must not be lost
+        }
+        if (!reading.fault.empty() || !has_truth(one.original)) continue;
+        for (std::size_t w = 0; w < reading.outputs.size(); ++w)
+            reading.outputs[w].exact = one.original.outputs[w].exact;
+        score.loss = std::max(score.loss, runs.loss_of(reading).relative);
+        if (one.sound) score.width = std::max(score.width, runs.width_of(reading).relative);
+    }
+    return score;
+}
+
+bool helps(const Score& before, const Score& after) {
+    if (after.broken > before.broken || after.loss > no_worse * before.loss + few_ulp ||
+        after.width > no_worse * before.width + few_ulp)
+        return false;
+    return after.broken < before.broken || after.loss < better * before.loss - few_ulp ||
+           after.width < better * before.width - few_ulp;
+}
+
+double digits(double relative) {
+    return relative > 0x1p-24 ? std::min(std::log10(relative * 0x1p24), 7.2) : 0.0;
+}
+
+std::string gain_text(const Score& before, const Score& after, std::size_t inputs) {
+    std::vector<std::string> gains;
+    if (after.broken < before.broken)
+        gains.push_back(
+            fmt::format("no proper result for {} -> {} of {} inputs", before.broken, after.broken, inputs));
+    if (after.loss < better * before.loss)
+        gains.push_back(
+            fmt::format("loses {:.1f} -> {:.1f} digits", digits(before.loss), digits(after.loss)));
+    if (after.width < better * before.width)
+        gains.push_back(fmt::format("drivers differ by {:.1f} -> {:.1f} digits", digits(before.width),
+                                    digits(after.width)));
+    return fmt::format("{}", fmt::join(gains, ", "));
+}
+
+// The file and line of a position: those of the last #line directive, counted on.
+std::pair<std::string, unsigned> place_at(std::string_view text, std::size_t at, const std::string& file) {
+    unsigned line = 1;
+    std::string name = file;
+    for (std::size_t begin = 0; begin <= at;) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        const std::string_view row = text.substr(begin, end - begin);
+        if (end >= at) break;
+        ++line;
+        if (row.starts_with("#line ")) {
+            const char* const first = row.data() + 6;
+            std::from_chars(first, row.data() + row.size(), line);
+            const std::size_t quote = row.find('"');
+            if (quote != std::string_view::npos) name = row.substr(quote + 1, row.rfind('"') - quote - 1);
+        }
+        begin = end + 1;
+    }
+    return {name, line};
+}
+
+std::vector<Case> cases_of(AuditRuns& runs, const AuditSearch& search,
+                           const std::vector<AuditFinding>& findings) {
+    std::vector<std::vector<Word>> all = search.traced;
+    for (const AuditFinding& finding : findings) all.push_back(finding.words);
+    for (const Examples* examples : {&search.not_finite, &search.undefined})
+        for (const auto* some : {&examples->random, &examples->others})
+            all.insert(all.end(), some->begin(),
+                       some->begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(some->size(), 32)));
+    std::vector<Case> cases;
+    for (const std::vector<Word>& words : all) {
+        Reading reading = runs.read(words);
+        const bool sound = !is_broken(reading);
+        cases.push_back({words, std::move(reading), sound});
+    }
+    return cases;
+}
+
+}  // namespace
+
+std::vector<AuditRewrite> rewrites(const Lab& lab, AuditRuns& runs, const AuditSearch& search,
+                                   const std::vector<AuditFinding>& findings) {
+    std::vector<AuditRewrite> all;
+    const Question& question = runs.question();
+    const KernelSource source = lab.source(question.file, question.function, question.signature);
+    if (findings.empty() || source.text.empty()) return all;
+    const std::vector<Case> cases = cases_of(runs, search, findings);
+    const Score before = score_on(runs, cases);
+    std::size_t tried = 0;
+    for (const Candidate& candidate : candidates_of(source.text)) {
+        if (tried++ == most_tried) break;
+        KernelSource changed = source;
+        changed.text = candidate.helper + source.text.substr(0, candidate.begin) + candidate.after +
+                       source.text.substr(candidate.end);
+        try {
+            AuditRuns rewritten(lab, question, changed, runs);
+            const Score after = score_on(rewritten, cases);
+            if (!helps(before, after)) continue;
+            const auto [file, line] = place_at(source.text, candidate.begin, question.file);
+            all.push_back({.file = file,
+                           .line = line,
+                           .before = source.text.substr(candidate.begin, candidate.end - candidate.begin),
+                           .after = candidate.after,
+                           .helper = candidate.helper,
+                           .reason = candidate.reason,
+                           .gain = gain_text(before, after, cases.size())});
+        } catch (const shader::CompileError&) {
+            continue;  // a type for which the change is not meant
+        }
+    }
+    return all;
+}
+
+}  // namespace gloam::check::internal

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: MIT
+#include "check/own_domain.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <set>
+#include <span>
+#include <stdexcept>
+
+#include "check/internal/parameter_meaning.hpp"
+
+namespace gloam::check {
+namespace {
+
+using shader::Scalar;
+using shader::Type;
+
+using internal::find_word;
+using internal::is_word;
+using internal::Kind;
+using internal::Meaning;
+using internal::usual_high;
+using internal::usual_low;
+
+constexpr long usual_index = 7;  // most integer parameters are indices, counts or modes
+
+std::string number_text(double x) {
+    return fmt::format("{:.4g}", x);
+}
+
+struct Described {
+    std::string text;
+    Values values;
+};
+
+// No one means subnormal numbers, though they lie in the range.
+Values without_subnormals(Values values) {
+    const auto is_subnormal = [](std::span<const Word> words) {
+        return std::fpclassify(from_word<float>(words.front())) == FP_SUBNORMAL;
+    };
+    std::erase_if(values.fixed, [&](const Values::Fixed& fixed) { return is_subnormal(fixed.words); });
+    values.contains = [contains = values.contains, is_subnormal](std::span<const Word> words) {
+        return contains(words) && !is_subnormal(words);
+    };
+    return values;
+}
+
+Values in_every_component(int components, const Values& values) {
+    return components == 1 ? values : vector(components, values);
+}
+
+Described floats_with(const Meaning& meaning, int components) {
+    switch (meaning.kind) {
+        case Kind::unit:
+            return {components == 4 ? "unit quaternions" : "unit vectors", unit_vector(components)};
+        case Kind::positive:
+            return {fmt::format("{} to {}", number_text(usual_low), number_text(usual_high)),
+                    in_every_component(components, log_uniform(usual_low, usual_high).and_value(1.0F))};
+        default:
+            return {fmt::format("{} to {}", number_text(meaning.low), number_text(meaning.high)),
+                    in_every_component(components, without_subnormals(uniform(meaning.low, meaning.high)))};
+    }
+}
+
+Described without_meaning(const Type& type, int components) {
+    switch (type.scalar) {
+        case Scalar::float_:
+            return {fmt::format("-{0} to {0}, half of them 0 to 1", number_text(usual_high)),
+                    in_every_component(components, either(without_subnormals(uniform(0, 1)),
+                                                          signed_log_uniform(usual_low, usual_high)))};
+        case Scalar::int_:
+        case Scalar::uint_:
+            return {fmt::format("0 to {}", usual_index),
+                    in_every_component(components, integers(0, usual_index))};
+        default:
+            return {"false, true", in_every_component(components, booleans())};
+    }
+}
+
+double number_from(std::string_view text, const std::string& whole) {
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size())
+        throw std::invalid_argument(fmt::format("--range {}: expected NAME=LOW:HIGH", whole));
+    return value;
+}
+
+}  // namespace
+
+std::pair<std::string, Range> range_from(const std::string& text) {
+    const std::size_t equals = text.find('=');
+    const std::size_t colon = text.find(':', std::min(equals, text.size()));
+    if (equals == 0 || equals == std::string::npos || colon == std::string::npos)
+        throw std::invalid_argument(fmt::format("--range {}: expected NAME=LOW:HIGH", text));
+    const std::string_view view(text);
+    const Range range{number_from(view.substr(equals + 1, colon - equals - 1), text),
+                      number_from(view.substr(colon + 1), text)};
+    if (!(range.low <= range.high))
+        throw std::invalid_argument(fmt::format("--range {}: expected LOW <= HIGH", text));
+    return {text.substr(0, equals), range};
+}
+
+namespace {
+
+// The length of the shortest array that a text indexes with this name alone: "weights[i]" where there is
+// "float weights[4]". nullopt if there is none.
+std::optional<long> indexed_length(std::string_view text, const std::string& name) {
+    std::optional<long> shortest;
+    for (std::size_t at = find_word(text, name, 0); at != std::string_view::npos;
+         at = find_word(text, name, at + 1)) {
+        if (at < 2 || text[at - 1] != '[' || at + name.size() >= text.size() || text[at + name.size()] != ']')
+            continue;
+        std::size_t begin = at - 1;
+        while (begin > 0 && is_word(text[begin - 1])) --begin;
+        const std::string array(text.substr(begin, at - 1 - begin));
+        for (std::size_t d = find_word(text, array, 0); !array.empty() && d != std::string_view::npos;
+             d = find_word(text, array, d + 1)) {
+            long length = 0;
+            const std::size_t digits = d + array.size() + 1;
+            if (digits >= text.size() || text[digits - 1] != '[') continue;
+            const auto [end, error] =
+                std::from_chars(text.data() + digits, text.data() + text.size(), length);
+            const bool declares = d > 0 && is_word(text[text.find_last_not_of(" ", d - 1)]);
+            if (error == std::errc() && *end == ']' && declares && length > 0)
+                shortest = std::min(shortest.value_or(length), length);
+        }
+    }
+    return shortest;
+}
+
+// The values of a parameter, or of a member of one.
+class Ordinary {
+  public:
+    Ordinary(const shader::Function& function, std::string_view text, const Ranges& ranges)
+        : text_(text), comment_(comment_of(text, function)), ranges_(ranges) {
+        for (const shader::Parameter& parameter : function.parameters) names_.insert(parameter.name);
+    }
+
+    // `range`: the parameter that may have a range.
+    void add(const Type& type, const std::string& name, const std::string& parameter,
+             std::vector<OrdinaryValues>& all) const {
+        if (type.scalar == Scalar::structure) {
+            for (const shader::Member& member : type.members)
+                add(member.type, name + "." + member.name, parameter, all);
+            return;
+        }
+        const auto [described, reason] = values_of(type, name, parameter);
+        all.push_back({name, described.text, reason, described.values});
+    }
+
+  private:
+    [[nodiscard]] std::pair<Described, std::string> values_of(const Type& type, const std::string& name,
+                                                              const std::string& parameter) const {
+        const int components = static_cast<int>(scalars_of(type).size());
+        const bool is_float = type.scalar == Scalar::float_;
+        if (const auto range = ranges_.find(parameter); range != ranges_.end())
+            return {in_range(type.scalar, range->second, components), "--range"};
+        const bool is_vector = is_float && type.columns == 1 && components > 1;
+        const std::string last = name.substr(name.rfind('.') + 1);
+        if (type.scalar != Scalar::bool_)
+            if (const auto meaning = internal::meaning_of_comment(comment_, last, names_, is_vector))
+                return {with(*meaning, type.scalar, components), "comment"};
+        if (type.scalar == Scalar::int_ || type.scalar == Scalar::uint_)
+            if (const auto length = indexed_length(text_, last))
+                return {in_range(type.scalar, {0.0, static_cast<double>(*length - 1)}, components), "array"};
+        if (is_float && type.columns > 1) return {floats_with({Kind::range, -2.0, 2.0}, components), "type"};
+        if (is_float)
+            if (const auto meaning = internal::meaning_of_name(last, components))
+                return {floats_with(*meaning, components), "name"};
+        return {without_meaning(type, components), "type"};
+    }
+
+    static Described in_range(Scalar scalar, const Range& range, int components) {
+        return with({Kind::range, range.low, range.high}, scalar, components);
+    }
+
+    static Described with(const Meaning& meaning, Scalar scalar, int components) {
+        if (scalar == Scalar::float_) return floats_with(meaning, components);
+        if (scalar == Scalar::bool_)
+            return without_meaning({.scalar = scalar, .members = {}, .name = {}}, components);
+        const bool any_size = meaning.kind != Kind::range;
+        const long low = any_size ? 1 : std::lround(std::clamp(meaning.low, -0x1p31, 0x1p32 - 1.0));
+        const long high = any_size ? static_cast<long>(usual_high)
+                                   : std::lround(std::clamp(meaning.high, -0x1p31, 0x1p32 - 1.0));
+        return {fmt::format("{} to {}", low, high), in_every_component(components, integers(low, high))};
+    }
+
+    std::string_view text_;
+    std::string comment_;
+    const Ranges& ranges_;
+    std::set<std::string> names_;
+};
+
+}  // namespace
+
+std::vector<OrdinaryValues> ordinary_values(const shader::Function& function, std::string_view text,
+                                            const Ranges& ranges) {
+    const Ordinary ordinary(function, text, ranges);
+    std::vector<OrdinaryValues> all;
+    for (const shader::Parameter& parameter : function.parameters)
+        if (parameter.direction != shader::Direction::out)
+            ordinary.add(parameter.type, parameter.name, parameter.name, all);
+    return all;
+}
+
+Domain ordinary_domain(const shader::Function& function, const std::vector<OrdinaryValues>& ordinary) {
+    std::vector<Values> parameters;
+    std::size_t next = 0;
+    const std::function<std::size_t(const Type&)> entries_of = [&](const Type& type) -> std::size_t {
+        if (type.scalar != Scalar::structure) return 1;
+        std::size_t count = 0;
+        for (const shader::Member& member : type.members) count += entries_of(member.type);
+        return count;
+    };
+    for (const shader::Parameter& parameter : function.parameters) {
+        if (parameter.direction == shader::Direction::out) continue;
+        const std::size_t count = entries_of(parameter.type);
+        std::vector<Values> members;
+        for (std::size_t i = 0; i < count; ++i) members.push_back(ordinary.at(next++).values);
+        parameters.push_back(count == 1 ? members.front() : vector(members));
+    }
+    return Domain(std::move(parameters));
+}
+
+namespace {
+
+// Where the definition's name stands: outside of braces, before a list with these parameters and a body.
+struct Definition {
+    std::size_t name = std::string_view::npos;
+    std::size_t open = 0;
+    std::size_t close = 0;
+};
+
+Definition definition_in(std::string_view text, const shader::Function& function) {
+    constexpr std::size_t most_searched = 1'000;  // occurrences of the name
+    std::size_t tries = 0;
+    for (std::size_t at = find_word(text, function.name, 0);
+         at != std::string_view::npos && ++tries < most_searched;
+         at = find_word(text, function.name, at + 1)) {
+        const std::size_t open = text.find_first_not_of(" \t\r\n", at + function.name.size());
+        if (open == std::string_view::npos || text[open] != '(') continue;
+        const std::size_t close = text.find(')', open);
+        if (close == std::string_view::npos) break;
+        const std::size_t body = text.find_first_not_of(" \t\r\n", close + 1);
+        if (body == std::string_view::npos || text[body] != '{') continue;
+        const std::string_view list = text.substr(open, close - open);
+        std::size_t from = 0;
+        bool all = true;
+        for (const shader::Parameter& p : function.parameters) {
+            from = p.name.empty() ? from : find_word(list, p.name, from);
+            all = all && from != std::string_view::npos;
+            if (!all) break;
+        }
+        if (all) return {at, open, close};
+    }
+    return {};
+}
+
+// The comment lines that end directly above the line of `at`.
+std::string lines_above(std::string_view text, std::size_t at) {
+    constexpr std::size_t most = 4'096;
+    std::size_t begin = text.rfind('\n', at);
+    if (begin == std::string_view::npos) return {};
+    std::string above;
+    bool block = false;  // inside a block comment, read from its end
+    while (begin > 0 && above.size() < most) {
+        const std::size_t before = text.rfind('\n', begin - 1);
+        const std::size_t first = before == std::string_view::npos ? 0 : before + 1;
+        const std::string_view line = text.substr(first, begin - first);
+        const std::size_t start = line.find_first_not_of(" \t\r");
+        const std::string_view shown = start == std::string_view::npos ? "" : line.substr(start);
+        const std::size_t last = shown.find_last_not_of(" \t\r");
+        const bool ends_block = last != std::string_view::npos && shown.substr(0, last + 1).ends_with("*/");
+        if (!block && !shown.starts_with("//") && !ends_block) break;
+        block = (block || ends_block) && shown.find("/*") == std::string_view::npos;
+        above = std::string(shown) + "\n" + above;
+        if (first == 0) break;
+        begin = before;
+    }
+    return above;
+}
+
+}  // namespace
+
+std::string comment_of(std::string_view text, const shader::Function& function) {
+    const Definition found = definition_in(text, function);
+    if (found.name == std::string_view::npos) return {};
+    std::string comment = lines_above(text, found.name);
+    std::string_view list = text.substr(found.open, found.close - found.open);
+    // "float x /* in [0, 1] */": the name before the comment belongs to it.
+    if (list.find("/*") != std::string_view::npos || list.find("//") != std::string_view::npos)
+        comment += std::string(list);
+    return comment;
+}
+
+}  // namespace gloam::check

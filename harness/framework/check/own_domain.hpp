@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "check/domain.hpp"
+#include "shader/compile.hpp"
+
+namespace gloam::check {
+
+// The range of values for a float or integer parameter, ends included.
+struct Range {
+    double low = 0.0;
+    double high = 0.0;
+};
+// Ranges by the parameters' names.
+using Ranges = std::map<std::string, Range>;
+
+// Parses "x=0:1" as a name and a range. Throws std::invalid_argument for any other text, or low > high.
+[[nodiscard]] std::pair<std::string, Range> range_from(const std::string& text);
+
+// The values that a parameter usually has.
+struct OrdinaryValues {
+    std::string parameter;  // "x"; a structure's member: "light.color"
+    std::string text;       // "0 to 1", "unit vectors"
+    std::string reason;     // "--range", "comment", "name", "array", "type"
+    Values values;
+};
+
+// The values of each in and inout parameter of a function that a GLSL text defines, in order; a structure has
+// an entry for each member. The first of these that says something decides:
+//   the range with the name of the parameter;
+//   its comment, where it names the parameter: "x in [0, 1]", "x: 0 to 1", "x >= 0", "n: unit vector";
+//   the name: uv and colours in [0, 1], normals and directions unit vectors, angles in radians, and so on;
+//   the array that an integer indexes in the text;
+//   the type: floats -1000 to 1000, half of them 0 to 1; integers 0 to 7.
+[[nodiscard]] std::vector<OrdinaryValues> ordinary_values(const shader::Function& function,
+                                                          std::string_view text, const Ranges& ranges);
+
+// The same values as the domain of the function: one Values for each in and inout parameter.
+[[nodiscard]] Domain ordinary_domain(const shader::Function& function,
+                                     const std::vector<OrdinaryValues>& ordinary);
+
+// The comments directly above a function of a GLSL text and inside its parameter list; empty if there are
+// none. Of overloads, those of the one whose parameters have the names of `function`.
+[[nodiscard]] std::string comment_of(std::string_view text, const shader::Function& function);
+
+}  // namespace gloam::check
