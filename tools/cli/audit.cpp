@@ -14,6 +14,8 @@
 #include "cli/commands.hpp"
 #include "cli/environment.hpp"
 #include "interpreter/program.hpp"
+#include "report/audit_report.hpp"
+#include "report/output.hpp"
 #include "shader/include.hpp"
 
 namespace gloam::cli {
@@ -24,6 +26,8 @@ struct AuditCommand {
     std::vector<std::string> functions;
     std::vector<std::string> ranges;
     std::vector<std::string> includes;
+    std::string json;
+    std::string html;
     check::AuditOptions options;
 };
 
@@ -52,17 +56,22 @@ int run_audit(const AuditCommand& command) {
          .cache_directory = cache_directory(),
          .excerpts =
              shader::excerpts({std::filesystem::absolute(command.file).string(), text}, roots).functions});
+    const report::OutputFile json(command.json);
+    const report::OutputFile html(command.html);
+    report::AuditReport report{.file = command.file.string(), .source = text, .audits = {}};
     int status = 0;
     for (const check::OwnFunction& function : own.functions.found) {
         try {
-            const check::Audit audit = audit_of(lab, command, text, function, ranges_from(command.ranges));
-            fmt::print("{}\n", to_text(audit));
-            if (audit.is_broken()) status = 1;
+            report.audits.push_back(audit_of(lab, command, text, function, ranges_from(command.ranges)));
+            fmt::print("{}\n", to_text(report.audits.back()));
+            if (report.audits.back().is_broken()) status = 1;
         } catch (const interpreter::Error& error) {
             throw std::runtime_error(
                 fmt::format("{}: {}: {}", command.file.string(), function.name, error.what()));
         }
     }
+    if (!command.json.empty()) json.write(to_audit_json(report));
+    if (!command.html.empty()) html.write(to_audit_page(report));
     return status;
 }
 
@@ -81,6 +90,9 @@ void add_audit(CLI::App& app, int& status) {
         ->check(CLI::Range(std::size_t{2}, std::size_t{10'000'000}))
         ->capture_default_str();
     audit->add_option("--seed", command->options.seed, "seed of the inputs")->capture_default_str();
+    audit->add_option("--json", command->json, "file for all results");
+    audit->add_option("--html", command->html,
+                      "file for a page: the source coloured by what its lines lose, worst inputs, rewrites");
     audit->callback([command, &status] { status = run_audit(*command); });
 }
 

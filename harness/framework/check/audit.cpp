@@ -88,16 +88,8 @@ AuditPlace widest_place(const Explanation& all) {
     return place;
 }
 
-// Whether an operation with an unlimited result has a sound one on every driver, though the rules state no
-// precision for it: sin of a large angle, the root of zero, zero to a power.
-bool is_only_unspecified(const ExplainedStep& step) {
-    const auto is = [&step](const char* name) {
-        return step.operation == std::string("GLSL.std.450 ") + name;
-    };
-    if (!std::isfinite(step.value) || !std::isfinite(step.exact)) return false;
-    if (is("Sin") || is("Cos") || is("Tan")) return true;
-    return step.value == 0.0F && step.exact == 0.0 &&
-           (is("Sqrt") || is("Length") || is("Distance") || is("Pow"));
+AuditRuns::Gaps gaps_of(Concern concern) {
+    return concern == Concern::unspecified ? AuditRuns::Gaps::open : AuditRuns::Gaps::closed;
 }
 
 // The output that shows a concern.
@@ -116,6 +108,7 @@ class Findings {
         add_fault();
         add_places(Concern::not_finite, search_.not_finite);
         add_places(Concern::undefined, search_.undefined);
+        add_places(Concern::unspecified, search_.unspecified);
         add_loss();
         add_width();
         std::ranges::stable_sort(all_, {}, &AuditFinding::concern);
@@ -137,28 +130,24 @@ class Findings {
         finding.message = runs_.read(finding.words).fault;
     }
 
-    // The concern and the place of an input without a proper result.
-    struct Origin {
-        Concern concern;
-        AuditPlace place;
-
-        auto operator<=>(const Origin&) const = default;
-    };
-
-    Origin origin(Concern concern, const std::vector<Word>& words) {
-        const Explanation steps = runs_.steps(words);
+    // The operation at which an input goes wrong.
+    AuditPlace origin(Concern concern, const std::vector<Word>& words) {
+        const Explanation steps = runs_.steps(words, gaps_of(concern));
         const ExplainedStep* const step = first_with(concern, steps);
-        if (step == nullptr) return {concern, {}};
-        const bool mild = concern == Concern::undefined && is_only_unspecified(*step);
-        return {mild ? Concern::unspecified : concern, place_of(*step)};
+        return step == nullptr ? AuditPlace{} : place_of(*step);
+    }
+
+    [[nodiscard]] bool is_so(Concern concern, const std::vector<Word>& words) const {
+        if (concern == Concern::unspecified && shows(Concern::undefined, runs_.read(words))) return false;
+        return internal::shows(concern, runs_.read(words, gaps_of(concern)));
     }
 
     // One finding for each operation at which the examples go wrong.
     void add_places(Concern concern, const internal::Examples& examples) {
-        std::map<Origin, std::size_t> random;
-        std::map<Origin, std::vector<Word>> first;
+        std::map<AuditPlace, std::size_t> random;
+        std::map<AuditPlace, std::vector<Word>> first;
         for (const std::vector<Word>& words : examples.random) {
-            const Origin from = origin(concern, words);
+            const AuditPlace from = origin(concern, words);
             ++random[from];
             first.try_emplace(from, words);
         }
@@ -167,11 +156,10 @@ class Findings {
         std::size_t places = 0;
         for (const auto& [from, words] : first) {
             if (places++ == most_places) break;
-            AuditFinding& finding =
-                add(from.concern, words, [&, from = from](const std::vector<Word>& tried) {
-                    return internal::shows(concern, runs_.read(tried)) && origin(concern, tried) == from;
-                });
-            finding.place = from.place;
+            AuditFinding& finding = add(concern, words, [&, from = from](const std::vector<Word>& tried) {
+                return is_so(concern, tried) && origin(concern, tried) == from;
+            });
+            finding.place = from;
             if (!examples.random.empty())
                 finding.share = share_of(examples.shown) * static_cast<double>(random[from]) /
                                 static_cast<double>(examples.random.size());
@@ -215,7 +203,7 @@ class Findings {
         AuditFinding& finding = all_.emplace_back(AuditFinding{.concern = concern});
         finding.words = simplified(runs_, words, still);
         finding.values = runs_.named(finding.words);
-        const Reading reading = runs_.read(finding.words);
+        const Reading reading = runs_.read(finding.words, gaps_of(concern));
         if (!reading.fault.empty()) return finding;
         finding.output = concern == Concern::digits    ? runs_.loss_of(reading).output
                          : concern == Concern::drivers ? runs_.width_of(reading).output
@@ -290,7 +278,7 @@ std::optional<AuditFinding> worst_half(AuditRuns& runs, const internal::AuditSea
     }
     if (worst.words.empty()) return std::nullopt;
     worst.values = runs.named(worst.words);
-    const Explanation steps = runs.steps(worst.words, true);
+    const Explanation steps = runs.steps_half(worst.words);
     const ExplainedStep* const overflow = first_with(Concern::not_finite, steps);
     if (std::isinf(worst.lost) && overflow != nullptr) worst.place = place_of(*overflow);
     if (std::isfinite(worst.lost) && steps.worst < steps.steps.size())
@@ -321,7 +309,7 @@ Audit audit(const Lab& lab, const Question& question, const std::vector<Ordinary
     Lines lines;
     for (const std::vector<Word>& words : search.traced) {
         lines.add(runs.steps(words), false);
-        lines.add(runs.steps(words, true), true);
+        lines.add(runs.steps_half(words), true);
     }
     for (const AuditFinding& finding : all.findings) lines.add(runs.steps(finding.words), false);
     all.lines = lines.take(all.coverage);

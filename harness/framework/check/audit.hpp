@@ -119,6 +119,18 @@ struct AuditOptions {
 [[nodiscard]] Audit audit(const Lab& lab, const Question& question, const std::vector<OrdinaryValues>& domain,
                           const AuditOptions& options = {});
 
+// What a finding shows: "NaN", "0.25, exactly 0.5", "up to 3.9 of 7.2 digits".
+[[nodiscard]] std::string result_text(const AuditFinding& finding);
+[[nodiscard]] std::string extent_text(const AuditFinding& finding);
+// "tone.glsl:12 (OpFSub)", empty if the place is unknown.
+[[nodiscard]] std::string to_text(const AuditPlace& place);
+// "rises", "jumps at 0.5 from 0.2 to 0.8, at tone.glsl:12".
+[[nodiscard]] std::string to_text(const AuditMotion& motion);
+// The worst result in half precision.
+[[nodiscard]] std::string half_text(const AuditFinding& half);
+// The ways and lines that nothing reached, one each: "tone.glsl:12: never true: if (x > 2.0)".
+[[nodiscard]] std::vector<std::string> missed(const Coverage& coverage);
+
 // The audit in a few lines, for people.
 [[nodiscard]] std::string to_text(const Audit& audit);
 

@@ -39,7 +39,7 @@ double factor_of(numeric::Random& random) {
 
 }  // namespace
 
-Degenerate::Degenerate(const Signature& signature, const std::vector<Values>& parameters)
+Degenerate::Degenerate(const Signature& signature, const std::vector<Values>& parameters, bool only_vectors)
     : parameters_(std::make_shared<const std::vector<Values>>(parameters)) {
     std::size_t first = 0;
     std::size_t next = 0;
@@ -49,9 +49,10 @@ Degenerate::Degenerate(const Signature& signature, const std::vector<Values>& pa
         if (values.only_drawn) {
             add_vectors(parameter.type, first, nullptr);
         } else {
-            if (parameter.type.scalar == Scalar::structure) add_struct(parameter.type, first);
+            if (parameter.type.scalar == Scalar::structure && !only_vectors)
+                add_struct(parameter.type, first);
             add_vectors(parameter.type, first, &values);
-            add_sides(values, first);
+            if (!only_vectors) add_sides(values, first);
         }
         first += scalars_of(parameter.type).size();
     }
@@ -179,6 +180,12 @@ bool Domain::apply_tie(DrawContext& context, std::span<Word> row,
 Domain Domain::and_degenerate(const Signature& signature) const {
     Domain more = *this;
     more.degenerate_ = Degenerate(signature, parameters_);
+    return more;
+}
+
+Domain Domain::and_related(const Signature& signature) const {
+    Domain more = *this;
+    more.degenerate_ = Degenerate(signature, parameters_, true);
     return more;
 }
 

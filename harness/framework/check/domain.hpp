@@ -113,8 +113,8 @@ template <class T>
 class Degenerate {
   public:
     Degenerate() = default;
-    // One Values for each in and inout parameter of the signature.
-    Degenerate(const Signature& signature, const std::vector<Values>& parameters);
+    // One Values for each in and inout parameter of the signature. `only_vectors`: no change of one number.
+    Degenerate(const Signature& signature, const std::vector<Values>& parameters, bool only_vectors = false);
 
     // Changes of one number: how many there are, and applying one of them to an input.
     [[nodiscard]] std::size_t count() const { return changes_.size(); }
@@ -175,6 +175,9 @@ class Domain {
 
     // Adds degenerate inputs (check/domain.hpp) of a function with this signature.
     [[nodiscard]] Domain and_degenerate(const Signature& signature) const;
+
+    // Adds those of them that only relate vectors: equal, opposite or parallel ones, and axes.
+    [[nodiscard]] Domain and_related(const Signature& signature) const;
 
     struct Inputs {
         std::vector<Word> words;   // one input after another

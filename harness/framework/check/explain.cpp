@@ -250,14 +250,16 @@ KernelModule lined_module(const Lab& lab, const Question& question) {
     return lined_module(lab, lab.source(question.file, question.function, question.signature));
 }
 
-Explanation explain(InterpretedKernel<Explained>& kernel, std::span<const Word> input) {
+Explanation explain(InterpretedKernel<Explained>& kernel, std::span<const Word> input,
+                    numeric::Paths::Gaps gaps) {
     kernel.machine().set_limit(most_instructions);
     Explanation all;
-    // The path is that of float32. Where only intervals leave a branch undecided, the first way is taken.
-    (void)numeric::Paths::explore(numeric::float32, 1, [&] {
+    const auto run = [&] {
         kernel.run(input, [&](const interpreter::Step<Explained>& step) { append(step, all.steps); });
         throw numeric::Paths::Enough{};
-    });
+    };
+    // The path is that of float32. Where only intervals leave a branch undecided, the first way is taken.
+    (void)numeric::Paths::explore(numeric::float32, 1, run, gaps);
     all.worst = worst_of(all.steps);
     return all;
 }

@@ -11,6 +11,7 @@
 #include "check/question.hpp"
 #include "check/signature.hpp"
 #include "numeric/interval.hpp"
+#include "numeric/paths.hpp"
 #include "shader/compile.hpp"
 
 namespace gloam::check {
@@ -62,7 +63,8 @@ struct Explanation {
 
 // The same for a kernel that is ready. Throws interpreter::Error.
 [[nodiscard]] Explanation explain(InterpretedKernel<interpreter::Explained>& kernel,
-                                  std::span<const Word> input);
+                                  std::span<const Word> input,
+                                  numeric::Paths::Gaps gaps = numeric::Paths::Gaps::open);
 
 // A table: titles, then a line for each step; the line with the largest rise of the error is marked. If there
 // are more than `most` steps, the table has those at which the error rises most; among equal rises the later

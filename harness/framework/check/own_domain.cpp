@@ -224,7 +224,8 @@ Domain ordinary_domain(const shader::Function& function, const std::vector<Ordin
         for (std::size_t i = 0; i < count; ++i) members.push_back(ordinary.at(next++).values);
         parameters.push_back(count == 1 ? members.front() : vector(members));
     }
-    return Domain(std::move(parameters));
+    return Domain(std::move(parameters))
+        .and_related({.result = function.result, .parameters = function.parameters});
 }
 
 namespace {

@@ -41,7 +41,7 @@ struct OrdinaryValues {
 [[nodiscard]] std::vector<OrdinaryValues> ordinary_values(const shader::Function& function,
                                                           std::string_view text, const Ranges& ranges);
 
-// The same values as the domain of the function: one Values for each in and inout parameter.
+// The same values as the domain of the function, in which vectors are also equal, opposite and parallel.
 [[nodiscard]] Domain ordinary_domain(const shader::Function& function,
                                      const std::vector<OrdinaryValues>& ordinary);
 

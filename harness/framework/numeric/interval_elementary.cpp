@@ -218,13 +218,15 @@ Interval logarithm(const Interval& x, bool exact, F&& f) {
 // Sine and cosine as cos(x - shift); the extrema are at shift + k pi.
 Interval sinusoid(const Interval& x, double shift) {
     const Bounds& b = x.bounds();
-    if (b.nan || b.empty() || b.low < -pi || b.high > pi) return Interval::anything();
+    if (b.nan || b.empty()) return Interval::anything();
+    if (b.low < -pi || b.high > pi) {
+        if (!Paths::closes_gaps() || std::isinf(b.low) || std::isinf(b.high)) return Interval::anything();
+        if (b.high - b.low >= pi) return Interval::within(-1.0, 1.0);
+    }
     const auto f = [&](double v) { return shift == 0.0 ? std::cos(v) : std::sin(v); };
     Bounds range = inflated(monotonic(b, f));
-    for (int k = -2; k <= 2; ++k) {
-        const double turn = shift + k * pi;
-        if (b.low <= turn && turn <= b.high) range = hull(range, Bounds::point(k % 2 == 0 ? 1.0 : -1.0));
-    }
+    for (double k = std::ceil((b.low - shift) / pi); shift + k * pi <= b.high; ++k)
+        range = hull(range, Bounds::point(std::fmod(k, 2.0) == 0.0 ? 1.0 : -1.0));
     const Interval result = within_absolute(range, rules().sine_absolute);
     return Interval::within({std::max(result.low(), -1.0), std::min(result.high(), 1.0), false});
 }
@@ -253,6 +255,11 @@ Interval inversesqrt(const Interval& x) {
 }
 
 Interval sqrt(const Interval& x) {
+    const Bounds& b = x.bounds();
+    if (Paths::closes_gaps() && b.low == 0.0 && !b.nan) {
+        if (b.high == 0.0) return Interval::within(0.0, 0.0);
+        return Interval::within(0.0, sqrt(Interval::within(b.high, b.high)).high());
+    }
     return Interval(1.0) / inversesqrt(x);
 }
 
@@ -277,6 +284,11 @@ Interval log2(const Interval& x) {
 }
 
 Interval pow(const Interval& x, const Interval& y) {
+    const Bounds& b = x.bounds();
+    if (Paths::closes_gaps() && b.low == 0.0 && !b.nan && y.low() > 0.0 && !y.may_be_nan()) {
+        if (b.high == 0.0) return Interval::within(0.0, 0.0);
+        return Interval::within(0.0, pow(Interval::within(b.high, b.high), y).high());
+    }
     return exp2(y * log2(x));
 }
 

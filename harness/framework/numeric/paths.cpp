@@ -37,8 +37,9 @@ bool Paths::advance() {
     return true;
 }
 
-Paths::Outcome Paths::explore(const FloatFormat& format, std::size_t most, const std::function<void()>& run) {
-    Paths paths(format);
+Paths::Outcome Paths::explore(const FloatFormat& format, std::size_t most, const std::function<void()>& run,
+                              Gaps gaps) {
+    Paths paths(format, gaps);
     const Guard guard(current_, &paths);
     for (std::size_t runs = 0; runs < most; ++runs) {
         paths.position_ = 0;
@@ -67,6 +68,10 @@ std::size_t Paths::choose(std::size_t count) {
 
 const FloatFormat& Paths::format() {
     return current_ == nullptr ? float32 : current_->format_;
+}
+
+bool Paths::closes_gaps() {
+    return current_ != nullptr && current_->gaps_ == Gaps::closed;
 }
 
 void Paths::set_format(const FloatFormat& format) {

@@ -23,12 +23,17 @@ class Paths {
     // Thrown by run() if no other path matters.
     struct Enough {};
 
+    // What holds where Vulkan states no precision for a defined result: sine and cosine beyond pi, the root
+    // of zero, zero to a power. `open`: every result is permitted. `closed`: the precision beside the gap.
+    enum class Gaps { open, closed };
+
     enum class Outcome { complete, enough, undetermined, too_many };
 
     // Calls run() for every path, at most `most` times. `undetermined`: some path ended with Undetermined;
     // `too_many`: there are more than `most` paths. In both cases the runs do not cover all permitted
     // results.
-    static Outcome explore(const FloatFormat& format, std::size_t most, const std::function<void()>& run);
+    static Outcome explore(const FloatFormat& format, std::size_t most, const std::function<void()>& run,
+                           Gaps gaps = Gaps::open);
 
     // One of `count` >= 1 possibilities, chosen by the current path. Throws std::logic_error outside
     // explore().
@@ -36,6 +41,9 @@ class Paths {
 
     // The format of the current exploration; float32 outside an exploration.
     static const FloatFormat& format();
+
+    // Whether gaps are closed in the current exploration.
+    static bool closes_gaps();
 
     // Sets the format until it is set again or the exploration ends, for code that mixes several formats.
     static void set_format(const FloatFormat& format);
@@ -46,11 +54,12 @@ class Paths {
         std::size_t count;
     };
 
-    explicit Paths(const FloatFormat& format) : format_(format) {}
+    Paths(const FloatFormat& format, Gaps gaps) : format_(format), gaps_(gaps) {}
     bool advance();
 
     static thread_local Paths* current_;
     FloatFormat format_;
+    Gaps gaps_;
     std::vector<Choice> choices_;
     std::size_t position_ = 0;
 };

@@ -132,6 +132,16 @@ void Page::preformatted(std::string_view text) {
     body_ += fmt::format("<pre>{}</pre>\n", escaped_html(text));
 }
 
+void Page::source(const std::vector<PageLine>& lines) {
+    constexpr unsigned hottest = 4;
+    body_ += "<pre class=\"source\">";
+    for (const PageLine& line : lines)
+        body_ += fmt::format("<span class=\"heat{}\"><b>{:>4}</b> {}<i>{}{}</i></span>\n",
+                             std::min(line.heat, hottest), line.number, escaped_html(line.text),
+                             line.note.empty() ? "" : "  // ", escaped_html(line.note));
+    body_ += "</pre>\n";
+}
+
 void Page::compare(const PagePicture& before, const PagePicture& after, std::string_view caption) {
     body_ += fmt::format(
         "<figure class=\"compare\">\n<div class=\"pair\">{}{}</div>\n"

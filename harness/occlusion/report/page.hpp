@@ -44,6 +44,14 @@ struct PagePicture {
     std::string caption;
 };
 
+// A line of a source text, coloured by a number.
+struct PageLine {
+    unsigned number = 0;
+    std::string text;
+    unsigned heat = 0;   // 0 (plain) to 4 (worst)
+    std::string note{};  // behind the line
+};
+
 // An HTML page in one file, without network or library. It is light or dark like the reader's system, and
 // every control is accessible by keyboard. Texts can be untrusted: they are escaped, and the content security
 // policy permits the page's own script only.
@@ -54,6 +62,7 @@ class Page {
     void heading(std::string_view text);
     void paragraph(std::string_view text);
     void preformatted(std::string_view text);
+    void source(const std::vector<PageLine>& lines);
 
     // Two pictures of one size on top of each other with a slider; `before` is on its left.
     void compare(const PagePicture& before, const PagePicture& after, std::string_view caption);

@@ -69,10 +69,11 @@ AuditRuns::AuditRuns(KernelModule module, const Question& question, ImageSet ima
     floats_.machine().set_limit(most_instructions);
 }
 
-Reading AuditRuns::read(InterpretedKernel<interpreter::Explained>& kernel, std::span<const Word> input) {
+Reading AuditRuns::read(InterpretedKernel<interpreter::Explained>& kernel, std::span<const Word> input,
+                        Gaps gaps) {
     Reading reading;
     const std::uint64_t before = kernel.machine().steps();
-    (void)numeric::Paths::explore(numeric::float32, 1, [&] {
+    const auto run = [&] {
         try {
             kernel.run(input);
             for (std::size_t w = 0; w < scalars_.size(); ++w) {
@@ -90,17 +91,18 @@ Reading AuditRuns::read(InterpretedKernel<interpreter::Explained>& kernel, std::
             reading = {.outputs = {}, .fault = error.what()};
         }
         throw numeric::Paths::Enough{};
-    });
+    };
+    (void)numeric::Paths::explore(numeric::float32, 1, run, gaps);
     instructions_ += kernel.machine().steps() - before;
     return reading;
 }
 
-Reading AuditRuns::read(std::span<const Word> input) {
-    return read(kernel_, input);
+Reading AuditRuns::read(std::span<const Word> input, Gaps gaps) {
+    return read(kernel_, input, gaps);
 }
 
 Reading AuditRuns::read_half(std::span<const Word> input) {
-    return read(half_, halved(input, question_.signature.input_scalars()));
+    return read(half_, halved(input, question_.signature.input_scalars()), Gaps::closed);
 }
 
 std::vector<numeric::Bounds> AuditRuns::permitted(std::span<const Word> input) {
@@ -131,10 +133,17 @@ std::vector<double> AuditRuns::in_float(std::span<const Word> input) {
     return outputs;
 }
 
-Explanation AuditRuns::steps(std::span<const Word> input, bool half) {
+Explanation AuditRuns::steps(std::span<const Word> input, Gaps gaps) {
     try {
-        return half ? explain(half_, halved(input, question_.signature.input_scalars()))
-                    : explain(kernel_, input);
+        return explain(kernel_, input, gaps);
+    } catch (const interpreter::Error&) {
+        return {};
+    }
+}
+
+Explanation AuditRuns::steps_half(std::span<const Word> input) {
+    try {
+        return explain(half_, halved(input, question_.signature.input_scalars()), Gaps::closed);
     } catch (const interpreter::Error&) {
         return {};
     }

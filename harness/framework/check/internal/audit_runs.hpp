@@ -40,12 +40,15 @@ struct Loss {
 // is made from must outlive it.
 class AuditRuns {
   public:
+    using Gaps = numeric::Paths::Gaps;
+
     AuditRuns(const Lab& lab, const Question& question, std::uint64_t seed);
     // The same function with another text, measured like `original`, on the same images.
     AuditRuns(const Lab& lab, const Question& question, const KernelSource& changed,
               const AuditRuns& original);
 
-    [[nodiscard]] Reading read(std::span<const Word> input);
+    // `gaps`: of Vulkan's rules.
+    [[nodiscard]] Reading read(std::span<const Word> input, Gaps gaps = Gaps::closed);
     // The same with every operation rounded to float16.
     [[nodiscard]] Reading read_half(std::span<const Word> input);
 
@@ -55,8 +58,9 @@ class AuditRuns {
     [[nodiscard]] std::vector<double> in_double(std::span<const Word> input);
     // The outputs of correctly rounded float32, likewise.
     [[nodiscard]] std::vector<double> in_float(std::span<const Word> input);
-    // The operations of one input. Empty if there is a fault.
-    [[nodiscard]] Explanation steps(std::span<const Word> input, bool half = false);
+    // The operations of one input, with float32 or with float16. Empty if there is a fault.
+    [[nodiscard]] Explanation steps(std::span<const Word> input, Gaps gaps = Gaps::closed);
+    [[nodiscard]] Explanation steps_half(std::span<const Word> input);
 
     // Learns the usual size of the results: the median magnitude over these inputs.
     void set_usual(const Domain::Inputs& inputs);
@@ -74,8 +78,8 @@ class AuditRuns {
 
   private:
     AuditRuns(KernelModule module, const Question& question, ImageSet images);
-    [[nodiscard]] Reading read(InterpretedKernel<interpreter::Explained>& kernel,
-                               std::span<const Word> input);
+    [[nodiscard]] Reading read(InterpretedKernel<interpreter::Explained>& kernel, std::span<const Word> input,
+                               Gaps gaps);
     template <class Measure>
     [[nodiscard]] Loss largest(const Reading& reading, const Measure& measure) const;
 

@@ -54,7 +54,7 @@ class Search {
         std::size_t i = 0;
         for (; i < drawn.count() && has_steps(share); ++i) {
             const Candidate candidate{{drawn.row(i).begin(), drawn.row(i).end()}};
-            const Reading reading = run(candidate.words, random);
+            const Reading reading = run(candidate.words, true, random);
             if (!reading.fault.empty()) continue;
             digits_.push_back({candidate.words, runs_.loss_of(reading).relative});
             drivers_.push_back({candidate.words, runs_.width_of(reading).relative});
@@ -69,7 +69,7 @@ class Search {
             std::vector<Candidate> next;
             for (std::size_t i = 0; i < generation && done < inputs; ++i, ++done) {
                 Candidate candidate{moves.from_pool(pool)};
-                const Reading reading = run(candidate.words, false);
+                const Reading reading = run(candidate.words, false, false);
                 if (!reading.fault.empty()) continue;
                 candidate.score = (digits ? runs_.loss_of(reading) : runs_.width_of(reading)).relative;
                 if (candidate.score > 0.0) next.push_back(std::move(candidate));
@@ -79,25 +79,29 @@ class Search {
         }
     }
 
-    // `drawn`: before adjustment.
-    Reading run(const std::vector<Word>& drawn, bool random) {
+    // `drawn`: before adjustment. `draws`: it does not come from a climb.
+    Reading run(const std::vector<Word>& drawn, bool draws, bool random) {
         std::vector<Word> words = drawn;
         runs_.question().domain.adjust(words);
         Reading reading = runs_.read(words);
         ++found_.inputs;
         if (found_.traced.size() < most_traced) found_.traced.push_back(words);
-        for (const auto& [concern, examples] : {std::pair{Concern::fault, &found_.faults},
-                                                {Concern::not_finite, &found_.not_finite},
-                                                {Concern::undefined, &found_.undefined}}) {
-            if (!shows(concern, reading)) continue;
-            if (random) ++examples->shown;
-            auto& kept = random ? examples->random : examples->others;
-            if (kept.size() < most_examples) kept.push_back(words);
-        }
+        if (shows(Concern::fault, reading)) keep(found_.faults, words, random);
+        if (shows(Concern::not_finite, reading)) keep(found_.not_finite, words, random);
+        const bool undefined = shows(Concern::undefined, reading);
+        if (undefined) keep(found_.undefined, words, random);
+        if (draws && !undefined && shows(Concern::undefined, runs_.read(words, AuditRuns::Gaps::open)))
+            keep(found_.unspecified, words, random);
         if (!reading.fault.empty()) return reading;
         note(found_.digits, words, runs_.loss_of(reading).relative);
         note(found_.drivers, words, runs_.width_of(reading).relative);
         return reading;
+    }
+
+    static void keep(Examples& examples, const std::vector<Word>& words, bool random) {
+        if (random) ++examples.shown;
+        auto& kept = random ? examples.random : examples.others;
+        if (kept.size() < most_examples) kept.push_back(words);
     }
 
     static void note(WorstInput& worst, const std::vector<Word>& words, double score) {

@@ -30,6 +30,7 @@ struct AuditSearch {
     Examples faults;
     Examples not_finite;
     Examples undefined;
+    Examples unspecified;  // of drawn inputs only
     WorstInput digits;
     WorstInput drivers;
     std::vector<std::vector<Word>> traced;  // some drawn inputs, for the lines of the source
@@ -41,7 +42,7 @@ struct AuditSearch {
 // loses most digits, and to where drivers may differ most. No input that it runs leaves the domain.
 [[nodiscard]] AuditSearch search(AuditRuns& runs, const AuditOptions& options);
 
-// Whether an input shows a concern; of undefined and unspecified results, whether it shows either.
+// Whether a reading shows a concern; an unspecified result is an undefined one of a reading with open gaps.
 [[nodiscard]] bool shows(Concern concern, const Reading& reading);
 
 // The same input with simpler numbers (0, 1, few digits) wherever `still` holds for them.

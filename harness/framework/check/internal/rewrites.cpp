@@ -18,12 +18,14 @@ constexpr std::size_t most_tried = 24;
 constexpr double better = 0.25;   // of a loss, that a change must reach
 constexpr double no_worse = 1.5;  // of a loss, that it may reach
 constexpr double few_ulp = 0x1p-21;
+constexpr double same_meaning = 1e-5;  // of a result
 
 // How a text does on some inputs, measured against the exact results of the original.
 struct Score {
     std::size_t broken = 0;  // NaN, infinite or undefined
     double loss = 0.0;
     double width = 0.0;
+    double change = 0.0;  // of the results in double
 };
 
 // Inputs with the original's readings.
@@ -54,8 +56,12 @@ Score score_on(AuditRuns& runs, const std::vector<Case>& cases) {
             if (one.sound) score.loss = numeric::infinity;  // a sound result must not be lost
         }
         if (!reading.fault.empty() || !has_truth(one.original)) continue;
-        for (std::size_t w = 0; w < reading.outputs.size(); ++w)
-            reading.outputs[w].exact = one.original.outputs[w].exact;
+        Reading meaning = reading;  // in double: the change must leave the result as it is
+        for (std::size_t w = 0; w < reading.outputs.size(); ++w) {
+            meaning.outputs[w].value = static_cast<float>(reading.outputs[w].exact);
+            meaning.outputs[w].exact = reading.outputs[w].exact = one.original.outputs[w].exact;
+        }
+        score.change = std::max(score.change, runs.loss_of(meaning).relative);
         score.loss = std::max(score.loss, runs.loss_of(reading).relative);
         if (one.sound) score.width = std::max(score.width, runs.width_of(reading).relative);
     }
@@ -63,8 +69,8 @@ Score score_on(AuditRuns& runs, const std::vector<Case>& cases) {
 }
 
 bool helps(const Score& before, const Score& after) {
-    if (after.broken > before.broken || after.loss > no_worse * before.loss + few_ulp ||
-        after.width > no_worse * before.width + few_ulp)
+    if (after.change > same_meaning || after.broken > before.broken ||
+        after.loss > no_worse * before.loss + few_ulp || after.width > no_worse * before.width + few_ulp)
         return false;
     return after.broken < before.broken || after.loss < better * before.loss - few_ulp ||
            after.width < better * before.width - few_ulp;

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <sstream>
+
+#include "report/audit_report.hpp"
+#include "report/page.hpp"
+
+namespace gloam::report {
+namespace {
+
+constexpr double visible_loss = 0.5;  // decimal digits
+
+// The lines of the file itself, with the most that any function loses there.
+std::vector<PageLine> coloured_lines(const AuditReport& report) {
+    struct Loss {
+        double lost = 0.0;
+        double lost_half = 0.0;
+    };
+    const std::filesystem::path file = std::filesystem::path(report.file).filename();
+    std::map<unsigned, Loss> losses;
+    std::map<unsigned, std::string> wrong;
+    for (const check::Audit& audit : report.audits) {
+        for (const check::AuditLine& line : audit.lines) {
+            if (std::filesystem::path(line.file).filename() != file) continue;
+            Loss& loss = losses[line.line];
+            loss.lost = std::max(loss.lost, line.lost);
+            loss.lost_half = std::max(loss.lost_half, line.lost_half);
+        }
+        for (const check::AuditFinding& finding : audit.findings)
+            if (finding.concern < check::Concern::unspecified &&
+                std::filesystem::path(finding.place.file).filename() == file)
+                wrong[finding.place.line] = name_of(finding.concern);
+    }
+    std::vector<PageLine> lines;
+    std::istringstream text(report.source);
+    for (std::string row; std::getline(text, row);) {
+        const auto number = static_cast<unsigned>(lines.size() + 1);
+        const Loss loss = losses[number];
+        std::vector<std::string> notes;
+        if (wrong.contains(number)) notes.push_back(wrong[number]);
+        if (loss.lost >= visible_loss) notes.push_back(fmt::format("loses {:.1f} digits", loss.lost));
+        if (loss.lost_half >= visible_loss)
+            notes.push_back(fmt::format("in half precision {:.1f}", loss.lost_half));
+        // A digit and a half more for each step of colour.
+        const auto steps = static_cast<unsigned>(loss.lost / 1.5 + (loss.lost >= visible_loss ? 1.0 : 0.0));
+        lines.push_back(
+            {number, row, wrong.contains(number) ? 4U : steps, fmt::format("{}", fmt::join(notes, ", "))});
+    }
+    return lines;
+}
+
+PageTable domain_table(const check::Audit& audit) {
+    PageTable table{.columns = {{.title = "parameter"}, {.title = "values"}, {.title = "because of"}},
+                    .rows = {}};
+    for (const check::OrdinaryValues& values : audit.domain)
+        table.rows.push_back({{.text = values.parameter}, {.text = values.text}, {.text = values.reason}});
+    return table;
+}
+
+PageTable finding_table(const check::Audit& audit) {
+    PageTable table{.columns = {{.title = "concern"},
+                                {.title = "how much"},
+                                {.title = "at"},
+                                {.title = "input"},
+                                {.title = "result"}},
+                    .rows = {}};
+    for (const check::AuditFinding& finding : audit.findings)
+        table.rows.push_back(
+            {{.text = name_of(finding.concern),
+              .tone = finding.concern < check::Concern::unspecified ? Tone::bad : Tone::plain},
+             {.text = extent_text(finding)},
+             {.text = to_text(finding.place)},
+             {.text = finding.values},
+             {.text = result_text(finding)}});
+    return table;
+}
+
+// Lines for a C++ test of the framework, and for the command line.
+std::string ready_to_paste(const AuditReport& report, const check::Audit& audit) {
+    std::string text;
+    for (const check::AuditFinding& finding : audit.findings) {
+        std::vector<std::string> words;
+        for (const check::Word word : finding.words) words.push_back(fmt::format("0x{:08x}", word));
+        text += fmt::format("// {}: {}\n", name_of(finding.concern), finding.values);
+        text += fmt::format("domain = domain.and_words({{{}}});\n", fmt::join(words, ", "));
+        text += fmt::format("// gloam explain {} '{}' {}\n",
+                            std::filesystem::path(report.file).filename().string(), audit.function,
+                            fmt::join(words, " "));
+    }
+    return text;
+}
+
+void add_rewrites(Page& page, const check::Audit& audit) {
+    for (const check::AuditRewrite& rewrite : audit.rewrites) {
+        page.paragraph(fmt::format("Line {}: {}. Tried on the inputs above: {}.", rewrite.line,
+                                   rewrite.reason, rewrite.gain));
+        page.preformatted(fmt::format("{}- {}\n+ {}", rewrite.helper, rewrite.before, rewrite.after));
+    }
+}
+
+void add_function(Page& page, const AuditReport& report, const check::Audit& audit) {
+    page.heading(audit.declaration);
+    page.table(domain_table(audit));
+    if (audit.findings.empty())
+        page.paragraph(
+            fmt::format("No input of {} gives NaN, infinity or an undefined result, and none loses digits.",
+                        audit.inputs));
+    else
+        page.table(finding_table(audit));
+    std::string lines;
+    for (const check::AuditMotion& motion : audit.motions)
+        lines += fmt::format("{}, result {}: {}\n", motion.parameter, motion.output, to_text(motion));
+    for (const std::string& way : missed(audit.coverage)) lines += "not reached: " + way + "\n";
+    if (audit.half) lines += "half precision: " + half_text(*audit.half) + "\n";
+    if (!lines.empty()) page.preformatted(lines);
+    add_rewrites(page, audit);
+    if (!audit.findings.empty()) page.preformatted(ready_to_paste(report, audit));
+}
+
+}  // namespace
+
+std::string to_audit_page(const AuditReport& report) {
+    Page page("Audit of " + std::filesystem::path(report.file).filename().string());
+    page.paragraph(
+        "Run by an interpreter, correctly rounded, in double and on intervals that hold all that Vulkan "
+        "permits. A "
+        "colour shows how many decimal digits the operations of a line lose at most; a float has 7.2.");
+    page.source(coloured_lines(report));
+    for (const check::Audit& audit : report.audits) add_function(page, report, audit);
+    return page.html();
+}
+
+}  // namespace gloam::report
