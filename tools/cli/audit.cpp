@@ -31,16 +31,6 @@ struct AuditCommand {
     check::AuditOptions options;
 };
 
-// The audit of one function of a file.
-check::Audit audit_of(const check::Lab& lab, const AuditCommand& command, const std::string& text,
-                      const check::OwnFunction& own, const check::Ranges& ranges) {
-    const std::string file = command.file.filename().string();
-    check::Question question = check::question_of(lab, file, own, ranges);
-    const std::vector<check::OrdinaryValues> domain = check::ordinary_values(own.function, text, ranges);
-    question.domain = check::ordinary_domain(own.function, domain);
-    return check::audit(lab, question, domain, command.options);
-}
-
 int run_audit(const AuditCommand& command) {
     const OwnFile own = own_file(command.file.string(), command.functions, command.ranges, command.includes);
     for (const check::LeftOut& function : own.functions.left_out)
@@ -62,7 +52,8 @@ int run_audit(const AuditCommand& command) {
     int status = 0;
     for (const check::OwnFunction& function : own.functions.found) {
         try {
-            report.audits.push_back(audit_of(lab, command, text, function, ranges_from(command.ranges)));
+            report.audits.push_back(check::audit(lab, command.file.filename().string(), function, text,
+                                                 ranges_from(command.ranges), command.options));
             fmt::print("{}\n", to_text(report.audits.back()));
             if (report.audits.back().is_broken()) status = 1;
         } catch (const interpreter::Error& error) {

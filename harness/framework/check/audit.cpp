@@ -230,7 +230,7 @@ class Lines {
             line.reached = true;
             if (std::isfinite(step.ulps) && step.ulps > highest) {
                 const double before = std::max(highest, half ? half_unit_error / unit_error : 1.0);
-                const double lost = step.ulps > before ? std::log10(step.ulps / before) : 0.0;
+                const double lost = std::min(digits_of(step.ulps, before), float_digits);
                 double& most = half ? line.lost_half : line.lost;
                 most = std::max(most, lost);
                 highest = step.ulps;
@@ -301,10 +301,12 @@ Audit audit(const Lab& lab, const Question& question, const std::vector<Ordinary
               .domain = domain,
               .random = search.random,
               .inputs = search.inputs,
-              .findings = Findings(runs, search).all(),
-              .motions = internal::motions(runs, search),
-              .coverage = measure_coverage(lab, question, {.inputs = options.inputs, .seed = options.seed}),
-              .half = worst_half(runs, search)};
+              .findings = Findings(runs, search).all()};
+    // A function that mostly faults has no shape, and each run of an endless loop takes long.
+    if (2 * search.faults.shown > search.random) return all;
+    all.motions = internal::motions(runs, search);
+    all.coverage = measure_coverage(lab, question, {.inputs = options.inputs, .seed = options.seed});
+    all.half = worst_half(runs, search);
     all.rewrites = internal::rewrites(lab, runs, search, all.findings);
     Lines lines;
     for (const std::vector<Word>& words : search.traced) {
@@ -314,6 +316,14 @@ Audit audit(const Lab& lab, const Question& question, const std::vector<Ordinary
     for (const AuditFinding& finding : all.findings) lines.add(runs.steps(finding.words), false);
     all.lines = lines.take(all.coverage);
     return all;
+}
+
+Audit audit(const Lab& lab, const std::string& file, const OwnFunction& own, const std::string& text,
+            const Ranges& ranges, const AuditOptions& options) {
+    Question question = question_of(lab, file, own, ranges);
+    const std::vector<OrdinaryValues> domain = ordinary_values(own.function, text, ranges);
+    question.domain = ordinary_domain(own.function, domain);
+    return audit(lab, question, domain, options);
 }
 
 }  // namespace gloam::check

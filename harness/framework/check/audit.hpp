@@ -9,12 +9,17 @@
 
 #include "check/lab.hpp"
 #include "check/own_domain.hpp"
+#include "check/own_function.hpp"
 #include "check/question.hpp"
 #include "numeric/interval.hpp"
 
 // Where a shader function itself goes wrong, whatever the driver. The interpreter runs it correctly rounded,
 // in double and on intervals, and searches for the worst inputs of its domain. It needs no reference.
 namespace gloam::check {
+
+// Decimal digits of a float32 (24 bits) and of a float16 (11 bits).
+inline constexpr double float_digits = 7.2;
+inline constexpr double half_digits = 3.3;
 
 enum class Concern {
     fault,        // an access outside an array, or a loop that does not end
@@ -118,6 +123,11 @@ struct AuditOptions {
 // instruction that the interpreter does not know.
 [[nodiscard]] Audit audit(const Lab& lab, const Question& question, const std::vector<OrdinaryValues>& domain,
                           const AuditOptions& options = {});
+
+// The same for a function of a file from elsewhere, in its ordinary domain: `text` is that of the file, as
+// ordinary_values() reads it.
+[[nodiscard]] Audit audit(const Lab& lab, const std::string& file, const OwnFunction& own,
+                          const std::string& text, const Ranges& ranges, const AuditOptions& options = {});
 
 // What a finding shows: "NaN", "0.25, exactly 0.5", "up to 3.9 of 7.2 digits".
 [[nodiscard]] std::string result_text(const AuditFinding& finding);

@@ -11,9 +11,7 @@
 namespace gloam::check {
 namespace {
 
-constexpr double float_digits = 7.2;  // 24 bits
-constexpr double half_digits = 3.3;   // 11 bits
-constexpr double half_noise = 0.5;    // digits that any chain of operations loses
+constexpr double half_noise = 0.5;  // digits that any chain of operations loses
 
 std::string at(const std::string& file, unsigned line) {
     if (line == 0) return "in the kernel";
@@ -22,7 +20,7 @@ std::string at(const std::string& file, unsigned line) {
 
 std::string share_text(double share) {
     if (share == 0.0) return "for special values, or found by search";
-    return fmt::format("{:.2g} % of random inputs", 100.0 * share);
+    return fmt::format("{:.3g} % of random inputs", 100.0 * share);
 }
 
 std::string bounds_text(const numeric::Bounds& bounds) {

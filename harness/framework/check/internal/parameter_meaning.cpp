@@ -15,6 +15,17 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
+// Where a sentence ends: at a semicolon, or at a single full stop before a blank.
+std::size_t sentence_end(std::string_view text) {
+    std::size_t end = std::min(text.find(';'), text.size());
+    for (std::size_t at = text.find('.'); at < end; at = text.find('.', at + 1)) {
+        const bool single = at == 0 || text[at - 1] != '.';
+        if (single && (at + 1 == text.size() || std::isspace(static_cast<unsigned char>(text[at + 1])) != 0))
+            end = at;
+    }
+    return end;
+}
+
 std::string lower(std::string_view text) {
     std::string result(text);
     std::ranges::transform(result, result.begin(),
@@ -162,8 +173,7 @@ std::optional<Meaning> meaning_of_comment(std::string_view comment, const std::s
     for (std::size_t at = find_word(comment, name, 0); at != std::string_view::npos;
          at = find_word(comment, name, at + 1)) {
         std::string_view rest = comment.substr(at + name.size(), most);
-        std::size_t end = std::min(rest.find(". "), rest.find(';'));
-        end = std::min({end, rest.find(".\n"), rest.size()});
+        std::size_t end = sentence_end(rest);
         for (const std::string& other : others)
             if (other != name) end = std::min(end, find_word(rest, other, 0));
         if (const auto meaning = meaning_of_words(lower(rest.substr(0, end)), is_vector)) return meaning;

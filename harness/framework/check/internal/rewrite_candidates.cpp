@@ -205,16 +205,16 @@ class Finder {
     }
 
     void add_turn(const Call& call) {
-        const std::string& x = call.arguments[0];
-        add(call.first, call.last,
-            fmt::format("{0}({1} - 6.28318531 * round(({1}) / 6.28318531))", token(call.first), x),
-            "Vulkan states a precision between -pi and pi only");
+        add(call.first, call.last, fmt::format("{}(within_pi({}))", token(call.first), call.arguments[0]),
+            "Vulkan states a precision between -pi and pi only",
+            "float within_pi(float x) { float k = round(x / 6.28318531); "
+            "return (x - 6.28125 * k) - 0.00193530718 * k; }\n");
     }
 
     void add_smoothstep(const Call& call) {
         if (call.arguments.size() != 3) return;
         add(call.first, call.last,
-            fmt::format("(1.0 - smoothstep({1}, {0}, {2}))", call.arguments[0], call.arguments[1],
+            fmt::format("smoothstep(-({}), -({}), -({}))", call.arguments[0], call.arguments[1],
                         call.arguments[2]),
             "smoothstep is undefined unless its first edge is below the second");
     }
@@ -232,8 +232,10 @@ class Finder {
         if (call && token(call->last + 1) == "-" && is_one(call->last + 2) && is_summand(i, call->last + 2))
             add(i, call->last + 2, fmt::format("exp_minus_1({})", call->arguments[0]),
                 "the difference cancels near 0",
-                "float exp_minus_1(float x) { precise float u = exp(x); precise float v = u - 1.0; "
-                "return u == 1.0 ? x : abs(x) > 1.0 ? v : v * (x / log(u)); }\n");
+                "float exp_minus_1(float x) { return abs(x) < 0.5 ? x * (1.0 + x * (0.5 + x * (0.166666667 + "
+                "x * "
+                "(0.0416666667 + x * (0.00833333333 + x * (0.00138888889 + x * 0.000198412698)))))) : "
+                "exp(x) - 1.0; }\n");
         const bool squares = is_name(i) && token(i + 1) == "*" && token(i + 2) == token(i) &&
                              token(i + 3) == "-" && is_name(i + 4) && token(i + 5) == "*" &&
                              token(i + 6) == token(i + 4);

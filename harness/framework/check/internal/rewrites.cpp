@@ -18,21 +18,23 @@ constexpr std::size_t most_tried = 24;
 constexpr double better = 0.25;   // of a loss, that a change must reach
 constexpr double no_worse = 1.5;  // of a loss, that it may reach
 constexpr double few_ulp = 0x1p-21;
-constexpr double same_meaning = 1e-5;  // of a result
+constexpr double little_loss = 100.0 * 0x1p-24;  // less than two digits, which an audit does not report
+constexpr double same_meaning = 1e-5;            // of a result
 
 // How a text does on some inputs, measured against the exact results of the original.
 struct Score {
-    std::size_t broken = 0;  // NaN, infinite or undefined
+    std::size_t broken = 0;       // NaN, infinite or undefined
+    std::size_t unspecified = 0;  // without a stated precision
     double loss = 0.0;
     double width = 0.0;
     double change = 0.0;  // of the results in double
 };
 
-// Inputs with the original's readings.
+// An input with the original's results.
 struct Case {
     std::vector<Word> words;
     Reading original;
-    bool sound = false;  // the original has a proper result
+    bool sound = false;  // they are proper ones
 };
 
 bool is_broken(const Reading& reading) {
@@ -40,40 +42,43 @@ bool is_broken(const Reading& reading) {
            shows(Concern::undefined, reading);
 }
 
-// Whether double has the result that the function means.
-bool has_truth(const Reading& original) {
-    return !original.outputs.empty() &&
-           std::ranges::all_of(original.outputs,
-                               [](const OutputReading& output) { return std::isfinite(output.exact); });
+// A sound result must neither be lost nor mean anything else. One that is finite is compared with the
+// original's exact one; one that is not has no truth to compare with.
+void add(Score& score, AuditRuns& runs, const Case& one) {
+    Reading reading = runs.read(one.words);
+    if (is_broken(reading)) {
+        ++score.broken;
+        if (one.sound) score.loss = numeric::infinity;
+    } else if (shows(Concern::undefined, runs.read(one.words, AuditRuns::Gaps::open))) {
+        ++score.unspecified;
+    }
+    if (!reading.fault.empty() || shows(Concern::fault, one.original) ||
+        shows(Concern::not_finite, one.original))
+        return;
+    Reading meaning = reading;
+    for (std::size_t w = 0; w < reading.outputs.size(); ++w) {
+        meaning.outputs[w].value = static_cast<float>(reading.outputs[w].exact);
+        meaning.outputs[w].exact = reading.outputs[w].exact = one.original.outputs[w].exact;
+    }
+    score.loss = std::max(score.loss, runs.loss_of(reading).relative);
+    if (!one.sound) return;
+    score.width = std::max(score.width, runs.width_of(reading).relative);
+    score.change = std::max(score.change, runs.loss_of(meaning).relative);
 }
 
 Score score_on(AuditRuns& runs, const std::vector<Case>& cases) {
     Score score;
-    for (const Case& one : cases) {
-        Reading reading = runs.read(one.words);
-        if (is_broken(reading)) {
-            ++score.broken;
-            if (one.sound) score.loss = numeric::infinity;  // a sound result must not be lost
-        }
-        if (!reading.fault.empty() || !has_truth(one.original)) continue;
-        Reading meaning = reading;  // in double: the change must leave the result as it is
-        for (std::size_t w = 0; w < reading.outputs.size(); ++w) {
-            meaning.outputs[w].value = static_cast<float>(reading.outputs[w].exact);
-            meaning.outputs[w].exact = reading.outputs[w].exact = one.original.outputs[w].exact;
-        }
-        score.change = std::max(score.change, runs.loss_of(meaning).relative);
-        score.loss = std::max(score.loss, runs.loss_of(reading).relative);
-        if (one.sound) score.width = std::max(score.width, runs.width_of(reading).relative);
-    }
+    for (const Case& one : cases) add(score, runs, one);
     return score;
 }
 
 bool helps(const Score& before, const Score& after) {
     if (after.change > same_meaning || after.broken > before.broken ||
-        after.loss > no_worse * before.loss + few_ulp || after.width > no_worse * before.width + few_ulp)
+        after.loss > std::max(no_worse * before.loss, little_loss) ||
+        after.width > std::max(no_worse * before.width, little_loss))
         return false;
-    return after.broken < before.broken || after.loss < better * before.loss - few_ulp ||
-           after.width < better * before.width - few_ulp;
+    return after.broken < before.broken || after.unspecified < before.unspecified ||
+           after.loss < better * before.loss - few_ulp || after.width < better * before.width - few_ulp;
 }
 
 double digits(double relative) {
@@ -85,6 +90,9 @@ std::string gain_text(const Score& before, const Score& after, std::size_t input
     if (after.broken < before.broken)
         gains.push_back(
             fmt::format("no proper result for {} -> {} of {} inputs", before.broken, after.broken, inputs));
+    if (after.unspecified < before.unspecified)
+        gains.push_back(fmt::format("no stated precision for {} -> {} of {} inputs", before.unspecified,
+                                    after.unspecified, inputs));
     if (after.loss < better * before.loss)
         gains.push_back(
             fmt::format("loses {:.1f} -> {:.1f} digits", digits(before.loss), digits(after.loss)));
@@ -118,7 +126,7 @@ std::vector<Case> cases_of(AuditRuns& runs, const AuditSearch& search,
                            const std::vector<AuditFinding>& findings) {
     std::vector<std::vector<Word>> all = search.traced;
     for (const AuditFinding& finding : findings) all.push_back(finding.words);
-    for (const Examples* examples : {&search.not_finite, &search.undefined})
+    for (const Examples* examples : {&search.not_finite, &search.undefined, &search.unspecified})
         for (const auto* some : {&examples->random, &examples->others})
             all.insert(all.end(), some->begin(),
                        some->begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(some->size(), 32)));
