@@ -94,6 +94,38 @@ TEST(Interval, WhatIsUndefinedIsAnything) {
     }
 }
 
+// The bounds of an expression where the gaps of Vulkan's rules are closed.
+template <class F>
+Bounds closed(const F& expression) {
+    Bounds bounds = Bounds::anything();
+    (void)Paths::explore(float32, 1, [&] { bounds = expression().bounds(); }, Paths::Gaps::closed);
+    return bounds;
+}
+
+TEST(Interval, ClosedGapsHaveThePrecisionBesideThem) {
+    EXPECT_EQ(closed([] { return sqrt(at(0.0)); }), Bounds::point(0.0));
+    EXPECT_EQ(closed([] { return pow(at(0.0), at(0.5)); }), Bounds::point(0.0));
+    const Bounds root = closed([] { return sqrt(Interval::within(0.0, 4.0)); });
+    EXPECT_EQ(root.low, 0.0);
+    EXPECT_NEAR(root.high, 2.0, 1e-6);
+    const Bounds power = closed([] { return pow(Interval::within(0.0, 4.0), at(0.5)); });
+    EXPECT_EQ(power.low, 0.0);
+    EXPECT_NEAR(power.high, 2.0, 1e-5);
+    const Bounds arc = closed([] { return acos(at(1.0)); });
+    EXPECT_LE(arc.low, 0.0);
+    EXPECT_LT(arc.high, 1e-6);
+    const Bounds sine = closed([] { return sin(at(100.0)); });
+    EXPECT_NEAR(sine.low, std::sin(100.0) - 0x1p-11, 1e-7);
+    EXPECT_NEAR(sine.high, std::sin(100.0) + 0x1p-11, 1e-7);
+    EXPECT_EQ(closed([] { return cos(Interval::within(6.0, 6.5)); }).high, 1.0) << "it turns at two pi";
+    EXPECT_EQ(closed([] { return cos(Interval::within(8.0, 12.0)); }), (Bounds{-1.0, 1.0, false}));
+    for (const Bounds& still :
+         {closed([] { return sqrt(at(-1.0)); }), closed([] { return pow(at(0.0), at(-1.0)); }),
+          closed([] { return pow(at(-1.0), at(2.0)); }), closed([] { return log(at(0.0)); }),
+          closed([] { return inversesqrt(at(0.0)); }), closed([] { return sin(at(infinity)); })})
+        EXPECT_TRUE(still.is_anything()) << "undefined";
+}
+
 TEST(Interval, SinesTurnInside) {
     const Bounds sine = sin(Interval::within(1.0, 2.0)).bounds();
     EXPECT_EQ(sine.high, 1.0);

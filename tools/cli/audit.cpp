@@ -26,40 +26,84 @@ struct AuditCommand {
     std::vector<std::string> functions;
     std::vector<std::string> ranges;
     std::vector<std::string> includes;
+    std::vector<std::string> devices;
     std::string json;
     std::string html;
     check::AuditOptions options;
 };
 
-int run_audit(const AuditCommand& command) {
-    const OwnFile own = own_file(command.file.string(), command.functions, command.ranges, command.includes);
-    for (const check::LeftOut& function : own.functions.left_out)
-        fmt::print("{}\n", base::one_line(fmt::format("{}: {} was left out: {}", command.file.string(),
-                                                      function.name, function.why)));
-    if (own.functions.found.empty())
-        throw std::runtime_error(fmt::format("{}: nothing was audited", command.file.string()));
-    const std::string text = shader::read_text(command.file);
-    const auto roots = include_roots_of(std::filesystem::absolute(command.file), command.includes);
-    const check::Lab lab(
-        {.device = std::string(check::interpreter_name),
-         .include_roots = roots,
-         .cache_directory = cache_directory(),
-         .excerpts =
-             shader::excerpts({std::filesystem::absolute(command.file).string(), text}, roots).functions});
-    const report::OutputFile json(command.json);
-    const report::OutputFile html(command.html);
-    report::AuditReport report{.file = command.file.string(), .source = text, .audits = {}};
-    int status = 0;
-    for (const check::OwnFunction& function : own.functions.found) {
+// The functions of the file on one device.
+class AuditedFile {
+  public:
+    explicit AuditedFile(const AuditCommand& command)
+        : command_(command),
+          own_(own_file(command.file.string(), command.functions, command.ranges, command.includes)),
+          text_(shader::read_text(command.file)) {
+        for (const check::LeftOut& function : own_.functions.left_out)
+            fmt::print("{}\n", base::one_line(fmt::format("{}: {} was left out: {}", command.file.string(),
+                                                          function.name, function.why)));
+        if (functions().empty())
+            throw std::runtime_error(fmt::format("{}: nothing was audited", command.file.string()));
+    }
+
+    [[nodiscard]] const std::vector<check::OwnFunction>& functions() const { return own_.functions.found; }
+    [[nodiscard]] const std::string& text() const { return text_; }
+
+    [[nodiscard]] check::Lab lab(const std::string& device) const {
+        const std::filesystem::path path = std::filesystem::absolute(command_.file);
+        const auto roots = include_roots_of(path, command_.includes);
+        return check::Lab({.device = device,
+                           .include_roots = roots,
+                           .cache_directory = cache_directory(),
+                           .excerpts = shader::excerpts({path.string(), text_}, roots).functions});
+    }
+
+    [[nodiscard]] check::Audit audit(const check::Lab& lab, const check::OwnFunction& function) const {
+        return check::audit(lab, name(), function, text_, ranges_from(command_.ranges), command_.options);
+    }
+
+    void add_witness(check::Audit& audit, const check::Lab& lab, const check::OwnFunction& function) const {
+        check::add_witness(audit, lab,
+                           check::question_of(lab, name(), function, ranges_from(command_.ranges)),
+                           command_.options);
+    }
+
+  private:
+    [[nodiscard]] std::string name() const { return command_.file.filename().string(); }
+
+    const AuditCommand& command_;
+    OwnFile own_;
+    std::string text_;
+};
+
+std::vector<check::Audit> audits_of(const AuditCommand& command, const AuditedFile& file) {
+    std::vector<check::Audit> audits;
+    const check::Lab interpreter = file.lab(std::string(check::interpreter_name));
+    for (const check::OwnFunction& function : file.functions()) {
         try {
-            report.audits.push_back(check::audit(lab, command.file.filename().string(), function, text,
-                                                 ranges_from(command.ranges), command.options));
-            fmt::print("{}\n", to_text(report.audits.back()));
-            if (report.audits.back().is_broken()) status = 1;
+            audits.push_back(file.audit(interpreter, function));
         } catch (const interpreter::Error& error) {
             throw std::runtime_error(
                 fmt::format("{}: {}: {}", command.file.string(), function.name, error.what()));
         }
+    }
+    for (const std::string& device : command.devices) {
+        const check::Lab lab = file.lab(device);
+        for (std::size_t i = 0; i < audits.size(); ++i) file.add_witness(audits[i], lab, file.functions()[i]);
+    }
+    return audits;
+}
+
+int run_audit(const AuditCommand& command) {
+    const report::OutputFile json(command.json);
+    const report::OutputFile html(command.html);
+    const AuditedFile file(command);
+    const report::AuditReport report{
+        .file = command.file.string(), .source = file.text(), .audits = audits_of(command, file)};
+    int status = 0;
+    for (const check::Audit& audit : report.audits) {
+        fmt::print("{}\n", to_text(audit));
+        if (audit.is_broken()) status = 1;
     }
     if (!command.json.empty()) json.write(to_audit_json(report));
     if (!command.html.empty()) html.write(to_audit_page(report));
@@ -81,6 +125,8 @@ void add_audit(CLI::App& app, int& status) {
         ->check(CLI::Range(std::size_t{2}, std::size_t{10'000'000}))
         ->capture_default_str();
     audit->add_option("--seed", command->options.seed, "seed of the inputs")->capture_default_str();
+    audit->add_option("--device", command->devices,
+                      "run the worst inputs on these devices as well (names or indices of gloam devices)");
     audit->add_option("--json", command->json, "file for all results");
     audit->add_option("--html", command->html,
                       "file for a page: the source coloured by what its lines lose, worst inputs, rewrites");

@@ -170,6 +170,11 @@ const std::map<std::string, std::string>& examples() {
         {"bench",
          "  gloam bench --method gtao hemisphere --samples 4 16 --scene columns\n"
          "  gloam bench --from results.json --error 0.05\n"},
+        {"audit",
+         "  gloam audit tone.glsl                              every function, in the domain that it prints "
+         "first\n"
+         "  gloam audit tone.glsl curve --range x=0:16 --html audit.html\n"
+         "  gloam audit tone.glsl --device 0 1                 what two drivers give for the worst inputs\n"},
         {"explain", "  gloam explain tone.glsl my_curve 0.5 2         one value for each scalar parameter\n"},
         {"stress",
          "  gloam stress --brief                           seconds instead of minutes\n"

@@ -11,6 +11,7 @@
 #include "check/internal/audit_motion.hpp"
 #include "check/internal/audit_search.hpp"
 #include "check/internal/rewrites.hpp"
+#include "check/internal/trial.hpp"
 #include "check/run.hpp"
 #include "numeric/numbers.hpp"
 
@@ -324,6 +325,21 @@ Audit audit(const Lab& lab, const std::string& file, const OwnFunction& own, con
     const std::vector<OrdinaryValues> domain = ordinary_values(own.function, text, ranges);
     question.domain = ordinary_domain(own.function, domain);
     return audit(lab, question, domain, options);
+}
+
+void add_witness(Audit& audit, const Lab& lab, const Question& question, const AuditOptions& options) {
+    const KernelCore kernel = lab.kernel(question.file, question.function, question.signature);
+    const std::vector<shader::Scalar> scalars = question.signature.output_scalars();
+    const ImageSet images = question.scenarios.empty()
+                                ? ImageSet{}
+                                : internal::images_of(question.scenarios.front(), options.seed);
+    for (AuditFinding& finding : audit.findings) {
+        if (finding.concern == Concern::fault) continue;
+        const KernelCore::Result result = kernel.run(finding.words, 1, images);
+        finding.witnesses.push_back(
+            {lab.info().name,
+             internal::as_number(scalars.at(finding.output), result.outputs.at(finding.output))});
+    }
 }
 
 }  // namespace gloam::check

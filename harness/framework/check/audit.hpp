@@ -41,6 +41,12 @@ struct AuditPlace {
     friend auto operator<=>(const AuditPlace&, const AuditPlace&) = default;
 };
 
+// The result of a finding's input on a device.
+struct AuditWitness {
+    std::string device;
+    double value = 0.0;
+};
+
 // The worst input for one concern, or for one operation where it arises.
 struct AuditFinding {
     Concern concern = Concern::fault;
@@ -54,7 +60,8 @@ struct AuditFinding {
     double lost = 0.0;                                        // decimal digits, of the 7.2 that a float32 has
     bool cancels = false;  // digits: a difference keeps the errors of its operands
     std::string message;   // of a fault
-    AuditPlace place;      // where it arises
+    std::vector<AuditWitness> witnesses;
+    AuditPlace place;  // where it arises
 };
 
 // What a result does while one float parameter moves and the others rest.
@@ -128,6 +135,10 @@ struct AuditOptions {
 // ordinary_values() reads it.
 [[nodiscard]] Audit audit(const Lab& lab, const std::string& file, const OwnFunction& own,
                           const std::string& text, const Ranges& ranges, const AuditOptions& options = {});
+
+// Runs the worst inputs of an audit on the lab's device and adds what it gives. Inputs that fault are not
+// run. `question`: of the same function. Throws like Lab::kernel() and KernelCore::run().
+void add_witness(Audit& audit, const Lab& lab, const Question& question, const AuditOptions& options = {});
 
 // What a finding shows: "NaN", "0.25, exactly 0.5", "up to 3.9 of 7.2 digits".
 [[nodiscard]] std::string result_text(const AuditFinding& finding);

@@ -36,10 +36,14 @@ bool has_several_results(const Audit& audit) {
 
 std::string finding_text(const AuditFinding& finding) {
     const std::string place = to_text(finding.place);
+    std::string witnesses;
+    for (const AuditWitness& witness : finding.witnesses)
+        witnesses += fmt::format("\n      {:.9g} on {}", witness.value, base::one_line(witness.device));
     return fmt::format(
-        "  {:<15} {}\n      for {}: {}{}\n", name_of(finding.concern), extent_text(finding), finding.values,
+        "  {:<15} {}\n      for {}: {}{}{}\n", name_of(finding.concern), extent_text(finding), finding.values,
         result_text(finding),
-        place.empty() ? "" : "\n      arises at " + place + (finding.cancels ? ", cancellation" : ""));
+        place.empty() ? "" : "\n      arises at " + place + (finding.cancels ? ", cancellation" : ""),
+        witnesses);
 }
 
 std::string rewrite_text(const AuditRewrite& rewrite) {

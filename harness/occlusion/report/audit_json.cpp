@@ -29,6 +29,9 @@ ordered_json finding_json(const check::AuditFinding& finding) {
                       {"digits_lost", internal::number_json(finding.lost)},
                       {"place", place_json(finding.place)}};
     if (!finding.message.empty()) json["message"] = finding.message;
+    for (const check::AuditWitness& witness : finding.witnesses)
+        json["devices"].push_back(
+            {{"device", witness.device}, {"value", internal::number_json(witness.value)}});
     return json;
 }
 

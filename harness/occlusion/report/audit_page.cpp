@@ -62,6 +62,14 @@ PageTable domain_table(const check::Audit& audit) {
     return table;
 }
 
+// What the interpreter and the devices give.
+std::string result_of(const check::AuditFinding& finding) {
+    std::string text = result_text(finding);
+    for (const check::AuditWitness& witness : finding.witnesses)
+        text += fmt::format("; {:.9g} on {}", witness.value, witness.device);
+    return text;
+}
+
 PageTable finding_table(const check::Audit& audit) {
     PageTable table{.columns = {{.title = "concern"},
                                 {.title = "how much"},
@@ -76,7 +84,7 @@ PageTable finding_table(const check::Audit& audit) {
              {.text = extent_text(finding)},
              {.text = to_text(finding.place)},
              {.text = finding.values},
-             {.text = result_text(finding)}});
+             {.text = result_of(finding)}});
     return table;
 }
 
