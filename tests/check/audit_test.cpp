@@ -112,6 +112,19 @@ TEST(Audit, TellsUnspecifiedFromUndefined) {
         << "a negative number has no power";
 }
 
+// The bounds of the two factors of a square include both signs; the square has one.
+TEST(Audit, KnowsThatASquareIsNotNegative) {
+    const std::string noise = "vec2 noise(vec2 uv) { return fract(sin(uv * 12.9898) * 43758.5453) - 0.5; }\n";
+    for (const char* root : {"length(n)", "distance(n, vec2(0.1))", "sqrt(n.x * n.x)", "sqrt(dot(n, n))"}) {
+        const Audit audit =
+            Audited(noise + "float f(vec2 uv) { vec2 n = noise(uv); return " + root + "; }").audit("f");
+        EXPECT_EQ(find(audit, Concern::undefined), nullptr) << to_text(audit);
+    }
+    EXPECT_NE(find(Audited(noise + "float f(vec2 uv) { return sqrt(noise(uv).x * noise(uv).y); }").audit("f"),
+                   Concern::not_finite),
+              nullptr);
+}
+
 TEST(Audit, FindsWhereDigitsAreLostAndWhatHelps) {
     const Audit lost = fixture().audit("cancelling", {{"x", {1.0, 1e4}}});
     const AuditFinding* const finding = find(lost, Concern::digits);

@@ -41,39 +41,34 @@ struct NameRule {
     Meaning meaning;
 };
 constexpr int any = 4;
+constexpr std::string_view colours =
+    " color colour col rgb rgba rgbm albedo diffuse specular tint base f0 f90 c srgb hsv hsl ";
+constexpr std::string_view shares =
+    " color colour alpha opacity roughness rough metallic metalness smoothness amount mix factor weight "
+    "saturation hue luma luminance brightness contrast ao occlusion visibility vis coverage fresnel f0 f90 t "
+    "pct percent strength intensity steepness depth ndc ";
+constexpr std::string_view directions =
+    " n normal norm nrm normals dir direction l v h rd ray axis up forward tangent bitangent binormal view "
+    "light half halfway reflection incident wi wo wh ";
+constexpr std::string_view cosines =
+    " nol nov noh loh voh vol ldoth ldotv ndotl ndotv ndoth vdoth hdotv hdotl vdotl nl nv nh lh vh ";
+constexpr std::string_view sizes =
+    " radius size width height thickness scale sigma dist distance length eps epsilon softness falloff gamma "
+    "exponent power exposure shininess frequency freq lacunarity range whitepoint white far period "
+    "wavelength "
+    "aperture shutter speed sensitivity ior ";
 constexpr std::array name_rules{
     NameRule{" uv st texcoord coord coords texcoords ", 2, 2, {}},
-    NameRule{
-        " color colour col rgb rgba rgbm albedo diffuse specular tint base f0 f90 c srgb hsv hsl ", 3, 4, {}},
-    NameRule{
-        " color colour alpha opacity roughness metallic smoothness amount mix factor weight saturation hue "
-        "luma ao "
-        "fresnel f0 t pct percent strength intensity visibility coverage occlusion metalness depth luminance "
-        "brightness contrast rough f90 vis ndc ",
-        1,
-        1,
-        {}},
-    NameRule{
-        " n normal norm nrm dir direction l v h rd ray axis up tangent bitangent binormal view light half "
-        "halfway reflection incident forward wi wo wh normals ",
-        2,
-        3,
-        {Kind::unit, 0.0, 0.0}},
+    NameRule{colours, 3, 4, {}},
+    NameRule{shares, 1, 1, {}},
+    NameRule{directions, 2, 3, {Kind::unit, 0.0, 0.0}},
     NameRule{" q quat quaternion rotation ", any, any, {Kind::unit, 0.0, 0.0}},
-    NameRule{" nol nov noh loh voh vol ldoth ldotv ndotl ndotv ndoth vdoth hdotv hdotl vdotl nl nv nh lh vh ",
-             1,
-             1,
-             {}},
+    NameRule{cosines, 1, 1, {}},
     NameRule{" cos costheta cosine mu cosangle ", 1, 1, {Kind::range, -1.0, 1.0}},
-    NameRule{" angle theta phi rad radians rotation a_angle ", 1, 1, {Kind::range, -2.0 * pi, 2.0 * pi}},
+    NameRule{" angle theta phi rad radians rotation ", 1, 1, {Kind::range, -2.0 * pi, 2.0 * pi}},
     NameRule{" degrees deg ", 1, 1, {Kind::range, -360.0, 360.0}},
     NameRule{" time u_time itime seconds ", 1, 1, {Kind::range, 0.0, 3600.0}},
-    NameRule{
-        " radius size width height thickness scale sigma dist distance length eps epsilon softness falloff "
-        "gamma exponent power exposure shininess frequency freq lacunarity range whitepoint white far ",
-        1,
-        any,
-        {Kind::positive, 0.0, 0.0}},
+    NameRule{sizes, 1, any, {Kind::positive, 0.0, 0.0}},
     NameRule{" near ", 1, 1, {Kind::range, 0.01, 1.0}},
     NameRule{" resolution res dimensions ", 2, 3, {Kind::range, 1.0, 4096.0}},
     NameRule{" p pos position point origin ro center centre o ", 2, 3, {Kind::range, -10.0, 10.0}},
@@ -147,7 +142,7 @@ std::optional<Meaning> meaning_of_name(const std::string& name, int components) 
     const std::vector<std::string> words = words_of(name);
     std::string whole;
     for (const std::string& word : words) whole += word;
-    for (const std::string& word : {whole, words.back()})
+    for (const std::string& word : {whole, words.back(), words.front()})
         for (const NameRule& rule : name_rules)
             if (components >= rule.fewest && components <= rule.most &&
                 rule.names.find(" " + word + " ") != std::string_view::npos)

@@ -3,6 +3,7 @@
 
 #include "interpreter/internal/opcodes.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "interpreter/internal/scalars.hpp"
@@ -38,10 +39,46 @@ template <class F, class N, class... More>
     return apply(F{}, x, more...);
 }
 
+// A square is not negative, though the product of two numbers with the same bounds may be.
+[[nodiscard]] inline numeric::Interval not_negative(const numeric::Interval& x) {
+    const numeric::Bounds& b = x.bounds();
+    return b.empty() || b.low >= 0.0 ? x : numeric::Interval::within({0.0, std::max(b.high, 0.0), b.nan});
+}
+template <class N>
+[[nodiscard]] N as_square(N product) {
+    if constexpr (std::is_same_v<N, numeric::Interval>) {
+        product = not_negative(product);
+    } else if constexpr (std::is_same_v<N, Explained>) {
+        product.permitted = not_negative(product.permitted);
+    }
+    return product;
+}
+
+// Whether two numbers are one: on every type they agree, and so do their bounds.
+[[nodiscard]] inline bool is_one_number(const Explained& x, const Explained& y) {
+    return x.value == y.value && x.exact == y.exact && x.permitted.bounds() == y.permitted.bounds();
+}
+
+// A product; on Explained a square is recognised by its operands, because a module loads a variable twice.
+template <class N>
+[[nodiscard]] N product(const Instruction& i, const N& x, const N& y) {
+    if constexpr (std::is_same_v<N, Explained>) {
+        if (is_one_number(x, y)) return as_square(contracted<Multiply>(i, x, y));
+    }
+    return contracted<Multiply>(i, x, y);
+}
+
 template <class N, class F>
 void arithmetic(State<N>& s, const Instruction& i) {
-    for (std::uint32_t k = 0; k < i.count; ++k)
-        s.set(i, i.result + k, contracted<F>(i, s.number(i, i.a + k), s.number(i, i.b + k * i.stride)));
+    for (std::uint32_t k = 0; k < i.count; ++k) {
+        const N x = s.number(i, i.a + k);
+        const N y = s.number(i, i.b + k * i.stride);
+        if constexpr (std::is_same_v<F, Multiply>) {
+            s.set(i, i.result + k, product(i, x, y));
+        } else {
+            s.set(i, i.result + k, contracted<F>(i, x, y));
+        }
+    }
 }
 
 template <class N>

@@ -50,18 +50,17 @@ template <class N>
     return result;
 }
 
-// A product as a part of such a sum; its own error is a part of the sum's error.
-template <class N>
-[[nodiscard]] N product(const Instruction& i, const N& x, const N& y) {
-    return contracted<Multiply>(i, x, y);
-}
-
 template <class N>
 [[nodiscard]] N dot(State<N>& s, const Instruction& i, Slot a, Slot b, std::uint32_t count,
                     std::uint32_t a_stride = 1, std::uint32_t b_stride = 1) {
     std::array<N, most_components> products{};
-    for (std::uint32_t k = 0; k < count; ++k)
-        products.at(k) = product(i, s.number(i, a + k * a_stride), s.number(i, b + k * b_stride));
+    for (std::uint32_t k = 0; k < count; ++k) {
+        // The error of a product is a part of the sum's.
+        const N x = s.number(i, a + k * a_stride);
+        const N y = s.number(i, b + k * b_stride);
+        products.at(k) = product(i, x, y);
+        if (a == b && a_stride == b_stride) products.at(k) = as_square(products.at(k));
+    }
     if constexpr (std::is_same_v<N, numeric::Rearranged>) {
         if ((i.flags & flags::no_contraction) != 0) {
             std::array<numeric::Interval, most_components> settled_products{};
@@ -110,7 +109,7 @@ void distance(State<N>& s, const Instruction& i) {
     std::array<N, most_components> squares{};
     for (std::uint32_t k = 0; k < i.count; ++k) {
         const N difference = apply(Subtract{}, s.number(i, i.a + k), s.number(i, i.b + k));
-        squares.at(k) = apply(Multiply{}, difference, difference);
+        squares.at(k) = as_square(apply(Multiply{}, difference, difference));
     }
     s.set(i, i.result, apply(Sqrt{}, sum(squares, i.count)));
 }
