@@ -13,6 +13,7 @@
 #include "cli/check/checker.hpp"
 #include "cli/commands.hpp"
 #include "cli/environment.hpp"
+#include "cli/open_device.hpp"
 #include "interpreter/program.hpp"
 #include "report/audit_report.hpp"
 #include "report/output.hpp"
@@ -87,6 +88,7 @@ std::vector<check::Audit> audits_of(const AuditCommand& command, const AuditedFi
                 fmt::format("{}: {}: {}", command.file.string(), function.name, error.what()));
         }
     }
+    if (!command.devices.empty()) require_good_drivers();
     for (const std::string& device : command.devices) {
         const check::Lab lab = file.lab(device);
         for (std::size_t i = 0; i < audits.size(); ++i) file.add_witness(audits[i], lab, file.functions()[i]);
@@ -127,6 +129,7 @@ void add_audit(CLI::App& app, int& status) {
     audit->add_option("--seed", command->options.seed, "seed of the inputs")->capture_default_str();
     audit->add_option("--device", command->devices,
                       "run the worst inputs on these devices as well (names or indices of gloam devices)");
+    add_driver_option(*audit);
     audit->add_option("--json", command->json, "file for all results");
     audit->add_option("--html", command->html,
                       "file for a page: the source coloured by what its lines lose, worst inputs, rewrites");

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <set>
 #include <span>
@@ -38,14 +39,15 @@ struct Described {
     Values values;
 };
 
-// No one means subnormal numbers, though they lie in the range.
-Values without_subnormals(Values values) {
-    const auto is_subnormal = [](std::span<const Word> words) {
-        return std::fpclassify(from_word<float>(words.front())) == FP_SUBNORMAL;
+// No one means subnormal numbers, or the smallest normal ones, though they lie in the range.
+Values without_tiny(Values values) {
+    const auto is_tiny = [](std::span<const Word> words) {
+        const float magnitude = std::abs(from_word<float>(words.front()));
+        return magnitude > 0.0F && magnitude <= std::numeric_limits<float>::min();
     };
-    std::erase_if(values.fixed, [&](const Values::Fixed& fixed) { return is_subnormal(fixed.words); });
-    values.contains = [contains = values.contains, is_subnormal](std::span<const Word> words) {
-        return contains(words) && !is_subnormal(words);
+    std::erase_if(values.fixed, [&](const Values::Fixed& fixed) { return is_tiny(fixed.words); });
+    values.contains = [contains = values.contains, is_tiny](std::span<const Word> words) {
+        return contains(words) && !is_tiny(words);
     };
     return values;
 }
@@ -63,7 +65,7 @@ Described floats_with(const Meaning& meaning, int components) {
                     in_every_component(components, log_uniform(usual_low, usual_high).and_value(1.0F))};
         default:
             return {fmt::format("{} to {}", number_text(meaning.low), number_text(meaning.high)),
-                    in_every_component(components, without_subnormals(uniform(meaning.low, meaning.high)))};
+                    in_every_component(components, without_tiny(uniform(meaning.low, meaning.high)))};
     }
 }
 
@@ -71,7 +73,7 @@ Described without_meaning(const Type& type, int components) {
     switch (type.scalar) {
         case Scalar::float_:
             return {fmt::format("-{0} to {0}, half of them 0 to 1", number_text(usual_high)),
-                    in_every_component(components, either(without_subnormals(uniform(0, 1)),
+                    in_every_component(components, either(without_tiny(uniform(0, 1)),
                                                           signed_log_uniform(usual_low, usual_high)))};
         case Scalar::int_:
         case Scalar::uint_:

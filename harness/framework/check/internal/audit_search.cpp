@@ -125,7 +125,7 @@ std::vector<Word> simpler(Word word, shader::Scalar scalar) {
     }
     const float x = from_word<float>(word);
     for (const float simple : {0.0F, 1.0F, 0.5F, 2.0F, -1.0F}) {
-        if (simple == x) return words;  // already simple
+        if (to_word(simple) == word) return words;  // already simple
         words.push_back(to_word(simple));
     }
     if (!std::isfinite(x) || x == 0.0F) return words;
