@@ -171,8 +171,9 @@ class Finder {
         if (!is_one(i) || token(i + 1) != "+" || !is_name(i + 2) || i + 3 != call.last) return;
         add(call.first, call.last, fmt::format("log_of_1_plus({})", token(i + 2)),
             "1 + x drops the digits of a small x",
-            "float log_of_1_plus(float x) { precise float u = 1.0 + x; precise float v = u - 1.0; "
-            "return v == 0.0 ? x : log(u) * (x / v); }\n");
+            "float log_of_1_plus(float x) { if (abs(x) > 0.3) return log(1.0 + x); float s = x / (2.0 + x); "
+            "float q = s * s; return 2.0 * s * (1.0 + q * (0.333333333 + q * (0.2 + q * (0.142857143 + q * "
+            "0.111111111)))); }\n");
     }
 
     void add_power(const Call& call) {
