@@ -24,7 +24,7 @@ TEST_F(AuditCommand, SaysWhatGoesWrongAndWhere) {
     EXPECT_EQ(all.status, 1) << "some input gives NaN";
     EXPECT_THAT(all.out, testing::StartsWith("lit.glsl: float angle(vec3 n, vec3 l)\n  n  "));
     EXPECT_THAT(all.out, HasSubstr("not finite"));
-    EXPECT_THAT(all.out, HasSubstr("arises at lit.glsl:2 (GLSL.std.450 Acos)"));
+    EXPECT_THAT(all.out, HasSubstr("arises at lit.glsl:2 (acos)"));
     EXPECT_THAT(all.out, HasSubstr("acos(clamp(dot(n, l), -1.0, 1.0))"));
     EXPECT_THAT(all.out, HasSubstr("x               0 to 1 (comment)"));
     EXPECT_THAT(output_of(gloam("audit {} curve", lit())), HasSubstr("well            no input gives NaN"));
@@ -35,7 +35,7 @@ TEST_F(AuditCommand, RunsTheWorstInputsOnADevice) {
     const std::string report = path("audit.json").string();
     const CommandResult all = gloam("audit {} angle --device interpreter --json {}", lit(), report);
     EXPECT_EQ(all.status, 1);
-    EXPECT_THAT(all.out, HasSubstr("nan on interpreter"));
+    EXPECT_THAT(all.out, HasSubstr("NaN on interpreter"));
     const nlohmann::json function = nlohmann::json::parse(read_file(report)).at("functions").at(0);
     EXPECT_EQ(function.at("function"), "angle");
     EXPECT_EQ(function.at("broken"), true);

@@ -143,8 +143,10 @@ void add_witness(Audit& audit, const Lab& lab, const Question& question, const A
 // What a finding shows: "NaN", "0.25, exactly 0.5", "up to 3.9 of 7.2 digits".
 [[nodiscard]] std::string result_text(const AuditFinding& finding);
 [[nodiscard]] std::string extent_text(const AuditFinding& finding);
-// "tone.glsl:12 (OpFSub)", empty if the place is unknown.
+// "tone.glsl:12 (acos)", empty if the place is unknown.
 [[nodiscard]] std::string to_text(const AuditPlace& place);
+// "0.25 on llvmpipe"
+[[nodiscard]] std::string to_text(const AuditWitness& witness);
 // "rises", "jumps at 0.5 from 0.2 to 0.8, at tone.glsl:12".
 [[nodiscard]] std::string to_text(const AuditMotion& motion);
 // The worst result in half precision.

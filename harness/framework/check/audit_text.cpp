@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <string_view>
 
 #include "base/text.hpp"
 #include "check/audit.hpp"
@@ -18,6 +20,24 @@ std::string at(const std::string& file, unsigned line) {
     return fmt::format("{}:{}", base::one_line(std::filesystem::path(file).filename().string()), line);
 }
 
+std::string number(double x) {
+    return std::isnan(x) ? "NaN" : fmt::format("{:.9g}", x);
+}
+
+// "acos", "-": as the source has it, or the name in SPIR-V.
+std::string operation_text(const std::string& operation) {
+    constexpr std::string_view set = "GLSL.std.450 ";
+    if (operation.starts_with(set)) {
+        std::string name = operation.substr(set.size());
+        name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
+        return name;
+    }
+    if (operation == "OpFAdd") return "+";
+    if (operation == "OpFSub") return "-";
+    if (operation == "OpFMul" || operation == "OpVectorTimesScalar") return "*";
+    return operation == "OpFDiv" ? "/" : operation;
+}
+
 std::string share_text(double share) {
     if (share == 0.0) return "for special values, or found by search";
     return fmt::format("{:.3g} % of random inputs", 100.0 * share);
@@ -26,7 +46,7 @@ std::string share_text(double share) {
 std::string bounds_text(const numeric::Bounds& bounds) {
     if (bounds.is_anything()) return "anything";
     if (bounds.empty()) return "NaN";
-    return fmt::format("{:.9g} to {:.9g}{}", bounds.low, bounds.high, bounds.nan ? ", or NaN" : "");
+    return fmt::format("{} to {}{}", number(bounds.low), number(bounds.high), bounds.nan ? ", or NaN" : "");
 }
 
 // Several results are told apart by their position.
@@ -37,8 +57,7 @@ bool has_several_results(const Audit& audit) {
 std::string finding_text(const AuditFinding& finding) {
     const std::string place = to_text(finding.place);
     std::string witnesses;
-    for (const AuditWitness& witness : finding.witnesses)
-        witnesses += fmt::format("\n      {:.9g} on {}", witness.value, base::one_line(witness.device));
+    for (const AuditWitness& witness : finding.witnesses) witnesses += "\n      " + to_text(witness);
     return fmt::format(
         "  {:<15} {}\n      for {}: {}{}{}\n", name_of(finding.concern), extent_text(finding), finding.values,
         result_text(finding),
@@ -55,7 +74,11 @@ std::string rewrite_text(const AuditRewrite& rewrite) {
 
 std::string to_text(const AuditPlace& place) {
     if (place.file.empty()) return {};
-    return fmt::format("{} ({})", at(place.file, place.line), place.operation);
+    return fmt::format("{} ({})", at(place.file, place.line), operation_text(place.operation));
+}
+
+std::string to_text(const AuditWitness& witness) {
+    return fmt::format("{} on {}", number(witness.value), base::one_line(witness.device));
 }
 
 std::string result_text(const AuditFinding& finding) {
@@ -63,15 +86,14 @@ std::string result_text(const AuditFinding& finding) {
         case Concern::fault:
             return base::one_line(finding.message);
         case Concern::not_finite:
-            return fmt::format(
-                "{:.9g}{}", finding.value,
-                std::isfinite(finding.exact) ? fmt::format(", exactly {:.9g}", finding.exact) : "");
+            return fmt::format("{}{}", number(finding.value),
+                               std::isfinite(finding.exact) ? ", exactly " + number(finding.exact) : "");
         case Concern::undefined:
         case Concern::unspecified:
-            return fmt::format("{:.9g} here, Vulkan permits {}", finding.value,
+            return fmt::format("{} here, Vulkan permits {}", number(finding.value),
                                bounds_text(finding.permitted));
         case Concern::digits:
-            return fmt::format("{:.9g}, exactly {:.9g}", finding.value, finding.exact);
+            return fmt::format("{}, exactly {}", number(finding.value), number(finding.exact));
         default:
             return bounds_text(finding.permitted);
     }

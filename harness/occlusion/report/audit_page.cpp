@@ -65,8 +65,7 @@ PageTable domain_table(const check::Audit& audit) {
 // What the interpreter and the devices give.
 std::string result_of(const check::AuditFinding& finding) {
     std::string text = result_text(finding);
-    for (const check::AuditWitness& witness : finding.witnesses)
-        text += fmt::format("; {:.9g} on {}", witness.value, witness.device);
+    for (const check::AuditWitness& witness : finding.witnesses) text += "; " + to_text(witness);
     return text;
 }
 
