@@ -255,6 +255,39 @@ TEST(OrdinaryValues, DrawNoSubnormalNumbers) {
         EXPECT_NE(std::fpclassify(from_word<float>(inputs.row(i)[0])), FP_SUBNORMAL);
 }
 
+TEST(OrdinaryValues, UnitQuaternionsHaveLengthOneAndCoverTheSphere) {
+    const auto inputs = Domain{unit_vector(4)}.draw(20'000, 1);
+    glm::dvec4 sum(0);
+    glm::dvec4 squares(0);
+    for (std::size_t i = 0; i < inputs.count(); ++i) {
+        glm::dvec4 q(0);
+        for (int k = 0; k < 4; ++k) q[k] = from_word<float>(inputs.row(i)[static_cast<std::size_t>(k)]);
+        ASSERT_NEAR(glm::length(q), 1.0, 1e-7);
+        sum += q;
+        squares += q * q;
+    }
+    const auto count = static_cast<double>(inputs.count());
+    EXPECT_LT(glm::length(sum) / count, 0.03);
+    for (int k = 0; k < 4; ++k) EXPECT_NEAR(squares[k] / count, 0.25, 0.02);
+}
+
+TEST(OrdinaryValues, RelatedVectorsAreEqualOppositeAndParallel) {
+    const Signature signature = SignatureOf<float(glm::vec3, glm::vec3)>::describe();
+    const auto inputs = Domain{unit_vector(3), unit_vector(3)}.and_related(signature).draw(4'096, 1);
+    std::size_t equal = 0;
+    std::size_t opposite = 0;
+    for (std::size_t i = 0; i < inputs.count(); ++i) {
+        const auto row = inputs.row(i);
+        double dot = 0.0;
+        for (std::size_t k = 0; k < 3; ++k)
+            dot += static_cast<double>(from_word<float>(row[k])) * from_word<float>(row[k + 3]);
+        equal += dot > 1.0 - 1e-6 ? 1 : 0;
+        opposite += dot < -1.0 + 1e-6 ? 1 : 0;
+    }
+    EXPECT_GT(equal, 20U);
+    EXPECT_GT(opposite, 20U);
+}
+
 // What is tried.
 
 std::vector<std::string> afters(const std::string& text) {

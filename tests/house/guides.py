@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 """guides.py ROOT GLOAM: runs the guides.
 
-Reads the fenced blocks of docs/testing.md, judge-a-driver.md and copy-a-shader.md, in their order. Fails when one of
-them does not do what the page says. A block's first line says what it is:
+Reads the fenced blocks of docs/testing.md, audit.md, judge-a-driver.md and copy-a-shader.md, in their order. Fails when
+one of them does not do what the page says. A block's first line says what it is:
 
     ```sh           commands, run one after the other in a scratch folder; each must exit with 0
     ```sh WHY       commands that another test runs, or that would take too long here; WHY is one of WHY_NOT_RUN
@@ -25,7 +25,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-GUIDES = ("testing.md", "judge-a-driver.md", "copy-a-shader.md")
+GUIDES = ("testing.md", "audit.md", "judge-a-driver.md", "copy-a-shader.md")
 WHY_NOT_RUN = {
     "package": "tests/house/package does the same",
     "long": "takes minutes",

@@ -23,8 +23,8 @@ void add_list(CLI::App& app);
 // Adds `gloam explain FILE FUNCTION VALUE...`: the operations of a shader function on one input.
 void add_explain(CLI::App& app);
 
-// `gloam audit FILE [FUNCTION...]`: where a shader function itself goes wrong. `status` receives 0, or 1 if an
-// input gives NaN, infinity or an undefined result.
+// `gloam audit FILE [FUNCTION...]`: where a shader function itself goes wrong. `status` receives 0, or 1 if
+// an input gives NaN, infinity or an undefined result.
 void add_audit(CLI::App& app, int& status);
 
 // The command line of this program as a mesh reader for another process; the file's path is appended.
