@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <string_view>
 
 #include "base/text.hpp"
@@ -26,16 +27,19 @@ std::string number(double x) {
 
 // "acos", "-": as the source has it, or the name in SPIR-V.
 std::string operation_text(const std::string& operation) {
+    static const std::map<std::string, std::string> operators{
+        {"OpFAdd", "+"}, {"OpFSub", "-"},   {"OpFMul", "*"},  {"OpVectorTimesScalar", "*"},
+        {"OpFDiv", "/"}, {"OpFMod", "mod"}, {"OpDot", "dot"}, {"GLSL.std.450 Atan2", "atan"}};
     constexpr std::string_view set = "GLSL.std.450 ";
-    if (operation.starts_with(set)) {
-        std::string name = operation.substr(set.size());
-        name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
-        return name;
-    }
-    if (operation == "OpFAdd") return "+";
-    if (operation == "OpFSub") return "-";
-    if (operation == "OpFMul" || operation == "OpVectorTimesScalar") return "*";
-    return operation == "OpFDiv" ? "/" : operation;
+    const auto found = operators.find(operation);
+    if (found != operators.end()) return found->second;
+    if (!operation.starts_with(set)) return operation;
+    const auto is_upper = [](char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; };
+    std::string name = operation.substr(set.size());
+    if (name.size() > 1 && name[0] == 'F' && is_upper(name[1])) name.erase(0, 1);  // FMix
+    std::ranges::transform(name, name.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return name;
 }
 
 std::string share_text(double share) {

@@ -15,9 +15,7 @@ namespace gloam::check::internal {
 namespace {
 
 constexpr std::size_t most_tried = 24;
-constexpr double better = 0.25;   // of a loss, that a change must reach
-constexpr double no_worse = 1.5;  // of a loss, that it may reach
-constexpr double few_ulp = 0x1p-21;
+constexpr double no_worse = 1.5;                 // of a loss, that it may reach
 constexpr double little_loss = 100.0 * 0x1p-24;  // less than two digits, which an audit does not report
 constexpr double same_meaning = 1e-5;            // of a result
 
@@ -72,17 +70,23 @@ Score score_on(AuditRuns& runs, const std::vector<Case>& cases) {
     return score;
 }
 
+double digits(double relative) {
+    return relative > 0x1p-24 ? std::min(std::log10(relative * 0x1p24), 7.2) : 0.0;
+}
+
+// Whether a change of a loss shows in the digits that a float has.
+bool saves(double before, double after) {
+    constexpr double least = 0.6;  // a quarter of the error
+    return digits(before) - digits(after) >= least;
+}
+
 bool helps(const Score& before, const Score& after) {
     if (after.change > same_meaning || after.broken > before.broken ||
         after.loss > std::max(no_worse * before.loss, little_loss) ||
         after.width > std::max(no_worse * before.width, little_loss))
         return false;
     return after.broken < before.broken || after.unspecified < before.unspecified ||
-           after.loss < better * before.loss - few_ulp || after.width < better * before.width - few_ulp;
-}
-
-double digits(double relative) {
-    return relative > 0x1p-24 ? std::min(std::log10(relative * 0x1p24), 7.2) : 0.0;
+           saves(before.loss, after.loss) || saves(before.width, after.width);
 }
 
 std::string gain_text(const Score& before, const Score& after, std::size_t inputs) {
@@ -93,10 +97,10 @@ std::string gain_text(const Score& before, const Score& after, std::size_t input
     if (after.unspecified < before.unspecified)
         gains.push_back(fmt::format("no stated precision for {} -> {} of {} inputs", before.unspecified,
                                     after.unspecified, inputs));
-    if (after.loss < better * before.loss)
+    if (saves(before.loss, after.loss))
         gains.push_back(
             fmt::format("loses {:.1f} -> {:.1f} digits", digits(before.loss), digits(after.loss)));
-    if (after.width < better * before.width)
+    if (saves(before.width, after.width))
         gains.push_back(fmt::format("drivers differ by {:.1f} -> {:.1f} digits", digits(before.width),
                                     digits(after.width)));
     return fmt::format("{}", fmt::join(gains, ", "));
