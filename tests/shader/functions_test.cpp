@@ -36,6 +36,15 @@ TEST(Functions, HaveTheTypesNamesAndDirectionsOfTheText) {
             "float fx_overload(vec2 x)"));
 }
 
+Type vector(Scalar scalar, int rows) {
+    return {.scalar = scalar, .rows = rows};
+}
+
+Type array_of(Type element, std::vector<std::uint32_t> sizes) {
+    element.sizes = std::move(sizes);
+    return element;
+}
+
 TEST(Functions, StructuresHaveTheirMembers) {
     const std::vector<Function> found = functions_of("#include \"types.glsl\"\n");
     const Function& function = found.at(4);
@@ -131,15 +140,36 @@ TEST(Functions, MainIsOneOfThemWhereThereIsOne) {
 TEST(Functions, OtherTypesAreListedAsUnsupported) {
     const auto found = functions_of(
         "struct S { float a[3]; dvec2 b; };\n"
-        "float f(float[4] a, float b[2][3], sampler2D c, double d, S s) { return a[0]; }\n"
-        "float[2] g(vec3 v[2]) { return float[2](1.0, 2.0); }\n");
-    EXPECT_THAT(prototypes(found),
-                ElementsAre("float f(float[4] a, float[2][3] b, sampler2D c, double d, S s)",
-                            "float[2] g(vec3[2] v)"));
+        "float f(sampler2D a, double b[2][3], S s, sampler2D d[2]) { return 1.0; }\n");
+    EXPECT_THAT(prototypes(found), ElementsAre("float f(sampler2D a, double[2][3] b, S s, sampler2D[2] d)"));
     for (const Parameter& parameter : found[0].parameters)
         EXPECT_FALSE(is_supported(parameter.type)) << parameter.name;
-    EXPECT_EQ(to_glsl(found[0].parameters[4].type), "S { float[3] a; dvec2 b; }");
-    EXPECT_EQ(found[1].result.scalar, Scalar::unsupported);
+    EXPECT_EQ(to_glsl(found[0].parameters[2].type), "S { float[3] a; dvec2 b; }");
+}
+
+TEST(Functions, ArraysHaveTheirSizes) {
+    const auto found = functions_of(
+        "struct S { float a[3]; };\n"
+        "float[2] f(float[4] a, float b[2][3], S s[5]) { return float[2](1.0, 2.0); }\n");
+    EXPECT_THAT(prototypes(found), ElementsAre("float[2] f(float[4] a, float[2][3] b, S[5] s)"));
+    EXPECT_EQ(found[0].result, array_of(vector(Scalar::float_, 1), {2}));
+    EXPECT_EQ(found[0].parameters[1].type, array_of(vector(Scalar::float_, 1), {2, 3}));
+    EXPECT_EQ(scalar_count(found[0].parameters[2].type), 15U);
+}
+
+// However large a value is, its description is small.
+TEST(Functions, TypesOfTooManyScalarsAreOversized) {
+    const auto found = functions_of(
+        "struct A { float a[4000]; };\nstruct B { A a, b; };\nstruct C { B b[1000]; };\n"
+        "float f(A a, B b, C c, float d[65536][65536]) { return 1.0; }\n");
+    EXPECT_TRUE(is_supported(found[0].parameters[0].type));
+    const std::vector<std::string> names{"A", "B", "C", "float[65536][65536]"};
+    for (std::size_t i = 1; i < names.size(); ++i) {
+        const Type& type = found[0].parameters[i].type;
+        EXPECT_FALSE(is_supported(type)) << names[i];
+        EXPECT_EQ(name_of(type), names[i]);
+    }
+    EXPECT_EQ(found[0].parameters[1].type.scalar, Scalar::oversized);
 }
 
 TEST(Functions, ATextWithoutFunctionsHasNone) {
@@ -160,9 +190,6 @@ TEST(Functions, ErrorsNameTheirPlace) {
     EXPECT_THROW(static_cast<void>(functions({"text", "float f() { return 1.0; }\n"}, {})), CompileError);
 }
 
-Type vector(Scalar scalar, int rows) {
-    return {.scalar = scalar, .rows = rows};
-}
 Type matrix(int columns, int rows) {
     return {.scalar = Scalar::float_, .columns = columns, .rows = rows};
 }
@@ -214,13 +241,28 @@ TEST(Type, EqualityIsOfLayout) {
     EXPECT_NE(vector(Scalar::float_, 3), vector(Scalar::float_, 4));
 }
 
+TEST(Type, ArraysCompareBySizesAndElements) {
+    const Type rows = array_of(vector(Scalar::float_, 2), {2, 3});
+    EXPECT_EQ(to_glsl(rows), "vec2[2][3]");
+    EXPECT_EQ(element_of(rows), array_of(vector(Scalar::float_, 2), {3}));
+    EXPECT_NE(rows, array_of(vector(Scalar::float_, 2), {3, 2}));
+    EXPECT_NE(rows, array_of(vector(Scalar::int_, 2), {2, 3}));
+    EXPECT_NE(rows, vector(Scalar::float_, 2));
+    EXPECT_EQ(scalar_count(rows), 12U);
+    Type lights = structure("Light", {{"at", rows}});
+    lights.sizes = {4};
+    EXPECT_EQ(name_of(lights), "Light[4]");
+    EXPECT_EQ(to_glsl(lights), "Light { vec2[2][3] at; }[4]");
+    EXPECT_EQ(scalar_count(array_of(lights, {65536, 65536})), most_scalars + 1);
+}
+
 TEST(Type, UnsupportedComparesByItsText) {
-    const Type array{.scalar = Scalar::unsupported, .name = "float[4]"};
-    EXPECT_EQ(to_glsl(array), "float[4]");
-    EXPECT_EQ(array, (Type{.scalar = Scalar::unsupported, .name = "float[4]"}));
-    EXPECT_NE(array, (Type{.scalar = Scalar::unsupported, .name = "float[5]"}));
-    EXPECT_FALSE(is_supported(array));
-    EXPECT_FALSE(is_supported(structure("S", {{"inner", structure("T", {{"a", array}})}})));
+    const Type image{.scalar = Scalar::unsupported, .name = "sampler2D"};
+    EXPECT_EQ(to_glsl(array_of(image, {2})), "sampler2D[2]");
+    EXPECT_EQ(image, (Type{.scalar = Scalar::unsupported, .name = "sampler2D"}));
+    EXPECT_NE(image, (Type{.scalar = Scalar::unsupported, .name = "sampler3D"}));
+    EXPECT_FALSE(is_supported(image));
+    EXPECT_FALSE(is_supported(structure("S", {{"inner", structure("T", {{"a", image}})}})));
     EXPECT_TRUE(is_supported(structure("S", {{"v", vector(Scalar::float_, 3)}})));
     EXPECT_TRUE(is_supported(Type{}));
 }

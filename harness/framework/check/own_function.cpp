@@ -47,11 +47,6 @@ Values values_of(const shader::Type& type, const std::optional<Range>& range) {
     return scalars.size() == 1 ? scalars.front() : vector(scalars);
 }
 
-// "vec2", "sampler2D", the name of a structure.
-std::string type_name(const shader::Type& type) {
-    return type.scalar == Scalar::structure ? type.name : shader::to_glsl(type);
-}
-
 double number_from(std::string_view text, const std::string& whole) {
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -60,13 +55,30 @@ double number_from(std::string_view text, const std::string& whole) {
     return value;
 }
 
+// "float[5000] has more than 4096 scalars", "dvec2 in Light is not supported"; empty if a kernel can pass it.
+std::string obstacle(const shader::Type& type) {
+    if (type.scalar == Scalar::oversized)
+        return fmt::format("{} has more than {} scalars", type.name, shader::most_scalars);
+    if (type.scalar == Scalar::unsupported) return shader::name_of(type) + " is not supported";
+    for (const shader::Member& member : type.members)
+        if (const std::string inside = obstacle(member.type); !inside.empty())
+            return fmt::format("in {}, {}", shader::name_of(type), inside);
+    return {};
+}
+
 // Why no kernel can call a function; empty if one can.
 std::string why_not(const shader::Function& function) {
-    for (const shader::Parameter& p : function.parameters)
-        if (!shader::is_supported(p.type))
-            return fmt::format("values of the parameter type {} cannot be drawn", type_name(p.type));
-    if (function.result.scalar != Scalar::void_ && !shader::is_supported(function.result))
-        return fmt::format("a result of type {} cannot be read", type_name(function.result));
+    std::size_t scalars = shader::scalar_count(function.result);
+    for (const shader::Parameter& p : function.parameters) {
+        if (const std::string what = obstacle(p.type); !what.empty())
+            return fmt::format("values of the parameter type {} cannot be drawn: {}", shader::name_of(p.type),
+                               what);
+        scalars += shader::scalar_count(p.type);
+    }
+    if (const std::string what = obstacle(function.result); !what.empty())
+        return fmt::format("a result of type {} cannot be read: {}", shader::name_of(function.result), what);
+    if (scalars > shader::most_scalars)
+        return fmt::format("its parameters and its result have more than {} scalars", shader::most_scalars);
     if (Signature{.result = function.result, .parameters = function.parameters}.output_words() == 0)
         return "it has no result and no out parameter";
     return {};
@@ -110,7 +122,7 @@ bool is_named(const std::string& definition, const std::string& name) {
 std::string definition_of(const shader::Function& function) {
     std::string types;
     for (const shader::Parameter& p : function.parameters)
-        types += (types.empty() ? "" : ", ") + type_name(p.type);
+        types += (types.empty() ? "" : ", ") + shader::name_of(p.type);
     return fmt::format("{}({})", function.name, types);
 }
 

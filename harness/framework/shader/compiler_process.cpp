@@ -20,7 +20,8 @@ static void to_json(Json& json, const Member& member);
 static void from_json(const Json& json, Member& member);
 
 static void to_json(Json& json, const Type& type) {
-    json = Json::array({static_cast<int>(type.scalar), type.columns, type.rows, type.name, type.members});
+    json = Json::array(
+        {static_cast<int>(type.scalar), type.columns, type.rows, type.name, type.members, type.sizes});
 }
 
 static void from_json(const Json& json, Type& type) {
@@ -29,6 +30,7 @@ static void from_json(const Json& json, Type& type) {
     json.at(2).get_to(type.rows);
     json.at(3).get_to(type.name);
     json.at(4).get_to(type.members);
+    json.at(5).get_to(type.sizes);
 }
 
 static void to_json(Json& json, const Member& member) {

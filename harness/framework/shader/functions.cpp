@@ -33,8 +33,16 @@ class TypeReader {
         return found == names_.end() ? "" : found->second;
     }
 
-    // The type of a value, or of what a pointer points to.
+    // The type of a value, or of what a pointer points to. Its description is small, however large a value
+    // is.
     [[nodiscard]] Type type_of(Id id) const {
+        const Type type = whole_type_of(id);
+        if (scalar_count(type) <= most_scalars) return type;
+        return {.scalar = Scalar::oversized, .members = {}, .name = shader::name_of(type)};
+    }
+
+  private:
+    [[nodiscard]] Type whole_type_of(Id id) const {
         const Instruction& type = types_.at(id);
         switch (type.opcode) {
             case SpvOpTypePointer:
@@ -53,7 +61,6 @@ class TypeReader {
         }
     }
 
-  private:
     void read(const Instruction& instruction) {
         if (instruction.opcode == SpvOpName) {
             names_[instruction.word(1)] = literal_string(instruction, 2);
@@ -111,13 +118,9 @@ class TypeReader {
     }
 
     [[nodiscard]] Type array_of(const Instruction& type, Id size) const {
-        const Type element = type_of(type.word(2));
-        const bool plain_name = element.scalar == Scalar::structure || element.scalar == Scalar::unsupported;
-        const std::string text = plain_name ? element.name : to_glsl(element);
-        const std::size_t sizes =
-            std::min(text.find('['), text.size());  // those of an array of arrays follow ours
-        return unsupported(text.substr(0, sizes) + "[" + (size ? std::to_string(size) : "") + "]" +
-                           text.substr(sizes));
+        Type array = type_of(type.word(2));
+        array.sizes.insert(array.sizes.begin(), size);
+        return array;
     }
 
     [[nodiscard]] Type structure(Id id, const Instruction& type) const {
@@ -199,7 +202,7 @@ Function function_of(const Signature& signature, const Declaration& declaration)
         const internal::DeclaredParameter& declared = declaration.parameters.at(i);
         parameter.direction = declared.direction;
         if (parameter.type.scalar == Scalar::unsupported && parameter.type.name.empty())
-            parameter.type.name = declared.type;
+            parameter.type.name = declared.type.substr(0, declared.type.find('['));  // the sizes are known
         if (!declaration.defined) parameter.name.clear();
     }
     return function;
