@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Functions whose inputs are more than vectors: arrays and nested structures.
+// Functions whose inputs are more than vectors: arrays, nested structures, uniforms and buffers.
 #include <array>
 
 #include "check/kernel.hpp"
@@ -12,9 +12,8 @@
 
 namespace gloam::check::own_types_test {
 
-using testing::Each;
-using testing::Field;
-using testing::SizeIs;
+using testing::ElementsAre;
+using testing::UnorderedElementsAre;
 
 // A device whose results are wrong: each output has the words of its neighbour.
 class Shifted : public backend::Backend {
@@ -173,6 +172,105 @@ TEST_F(OwnTypes, LargeArraysAreRefused) {
         reason_of("arrays.glsl", "array_of_doubles"),
         "values of the parameter type ArrayOfDoubles cannot be drawn: in ArrayOfDoubles, dvec2[2] is not "
         "supported");
+}
+
+// An index outside is not judged; the other inputs of the same kernel are.
+TEST_F(OwnTypes, AConstantIndexOutsideIsAnInputsFault) {
+    for (const char* name : {"literals", "specialization"}) {
+        const Lab lab(options_of("undefined.glsl", shader::variant(name)), test::SharedDevice::get());
+        const Answer answer = answer_of(lab, "undefined.glsl", "undefined_table");
+        EXPECT_GT(answer.undefined, 0U) << name;
+        EXPECT_LT(answer.undefined, answer.inputs()) << name;
+        EXPECT_EQ(answer.outside(), 0U) << answer;
+    }
+}
+
+// "float gain", "inout vec2[16] sums": what is drawn and read besides the parameters.
+std::vector<std::string> globals_of(const OwnFunction& own) {
+    std::vector<std::string> texts;
+    for (const shader::Parameter& p : own.function.parameters)
+        if (p.global)
+            texts.push_back((p.direction == shader::Direction::inout ? "inout " : "") +
+                            shader::name_of(p.type) + " " + p.name);
+    return texts;
+}
+
+TEST_F(OwnTypes, UniformsAreFurtherInputs) {
+    const auto inputs_of = [](const char* name) { return globals_of(function_of("uniforms.glsl", name)); };
+    EXPECT_THAT(inputs_of("exposed"), UnorderedElementsAre("float exposure", "float[2] bias"));
+    EXPECT_THAT(inputs_of("graded"),
+                UnorderedElementsAre("float gain", "vec4 tint", "float exposure", "float[2] bias"));
+    EXPECT_THAT(inputs_of("lamp"), ElementsAre("Push pushed"));
+    EXPECT_THAT(inputs_of("value_at"), UnorderedElementsAre("float[16] values", "uint header"));
+    EXPECT_THAT(inputs_of("store"), UnorderedElementsAre("vec2 uv", "inout Sums result"));
+    EXPECT_THAT(inputs_of("shade"), UnorderedElementsAre("vec2 uv", "inout vec4 color"));
+    EXPECT_THAT(inputs_of("timed"), ElementsAre("float iTime"));
+    EXPECT_THAT(inputs_of("sum"), ElementsAre("float exposure"));
+    EXPECT_THAT(inputs_of("shadowed"), ElementsAre());
+    EXPECT_THAT(inputs_of("facing"), ElementsAre("vec3 normal"));
+}
+
+TEST_F(OwnTypes, UniformsHaveTheValuesThatWereDrawn) {
+    const Lab lab(options_of("uniforms.glsl"), test::SharedDevice::get());
+    const auto run_one = [&](const char* name, const std::vector<Word>& inputs) {
+        const OwnFunction own = function_of("uniforms.glsl", name);
+        return lab
+            .kernel("uniforms.glsl", name,
+                    {.result = own.function.result, .parameters = own.function.parameters})
+            .run(inputs, 1)
+            .outputs;
+    };
+    // x; then exposure, bias
+    EXPECT_THAT(run_one("exposed", {to_word(2.0F), to_word(10.0F), to_word(7.0F), to_word(5.0F)}),
+                ElementsAre(to_word(25.0F)));
+    EXPECT_THAT(run_one("timed", {to_word(2.0F), to_word(4.0F)}), ElementsAre(to_word(8.0F)));
+    EXPECT_THAT(run_one("sum", {to_word(2.0F), to_word(4.0F)}), ElementsAre(to_word(24.0F)));
+    const std::vector<Word> shaded = run_one(
+        "shade", {to_word(1.0F), to_word(2.0F), to_word(3.0F), to_word(4.0F), to_word(5.0F), to_word(6.0F)});
+    EXPECT_THAT(shaded, testing::SizeIs(4));
+    EXPECT_THAT(shaded, testing::IsSupersetOf({to_word(1.0F), to_word(2.0F)}));
+}
+
+TEST_F(OwnTypes, UniformsAreJudgedInEveryVariant) {
+    for (const shader::Variant& variant : shader::variants()) {
+        const Lab lab(options_of("uniforms.glsl", variant), test::SharedDevice::get());
+        for (const char* name : {"graded", "lamp", "store", "shade", "sum"}) {
+            const Answer answer = answer_of(lab, "uniforms.glsl", name, {{"i", {0, 15}}});
+            EXPECT_FALSE(answer.failed()) << variant.name << " " << name << "\n" << answer;
+            EXPECT_EQ(answer.undefined, 0U) << variant.name << " " << name;
+        }
+    }
+}
+
+TEST_F(OwnTypes, AWrongUniformIsNoticed) {
+    const Lab lab(options_of("uniforms.glsl"), std::make_shared<Shifted>(test::SharedDevice::get()));
+    for (const char* name : {"graded", "shade"})
+        EXPECT_GT(answer_of(lab, "uniforms.glsl", name).outside(), 0U) << name;
+}
+
+TEST_F(OwnTypes, ARangeOfAUniformIsKept) {
+    const Lab lab(options_of("uniforms.glsl"), test::SharedDevice::get());
+    const Question question = question_of(lab, "uniforms.glsl", function_of("uniforms.glsl", "timed"),
+                                          {{"t", {0, 1}}, {"iTime", {5, 6}}});
+    EXPECT_TRUE(question.defined) << "every input has a range";
+    const Domain::Inputs inputs = question.domain.draw(100, 1);
+    ASSERT_EQ(inputs.width, 2U);
+    for (std::size_t i = 0; i < inputs.count(); ++i) EXPECT_GE(from_word<float>(inputs.row(i)[1]), 5.0F);
+    const std::string text = describe_inputs(question.signature, {to_word(0.5F), to_word(5.0F)});
+    EXPECT_EQ(text.substr(0, 6), "float ");
+    EXPECT_THAT(text, HasSubstr(", float iTime "));
+}
+
+TEST_F(OwnTypes, WhatCannotBeGivenIsNamed) {
+    EXPECT_EQ(reason_of("uniforms.glsl", "nothing"),
+              "it has no result and no out parameter, and it writes no buffer or stage output");
+    EXPECT_EQ(reason_of("uniforms.glsl", "assigns"), "it assigns to \"gain\", which a shader can only read");
+    EXPECT_EQ(reason_of("uniforms.glsl", "reads_large"),
+              "values of \"large\" cannot be drawn: float[5000] has more than 4096 scalars");
+    EXPECT_EQ(reason_of("uniforms.glsl", "reads_double"),
+              "values of \"precise_at\" cannot be drawn: dvec2 is not supported");
+    EXPECT_THAT(reason_of("uniforms.glsl", "increments"),
+                AllOf(HasSubstr("atomicAdd at"), HasSubstr("memory that invocations share")));
 }
 
 }  // namespace gloam::check::own_types_test

@@ -228,13 +228,19 @@ std::string input_of_buffer(Scalar scalar, std::size_t word) {
 Evaluation evaluation(const shader::Function& function, const InputText& input) {
     Evaluation result;
     std::string arguments;
+    const auto variable_of = [&function](std::size_t i) {
+        const shader::Parameter& p = function.parameters[i];
+        return p.global ? p.name : fmt::format("gloam_kernel_argument{}", i);
+    };
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
         const shader::Parameter& p = function.parameters[i];
-        const std::string variable = fmt::format("gloam_kernel_argument{}", i);
-        result.code += fmt::format("    {} {};\n", name_of(p.type), variable);
+        const std::string variable = variable_of(i);
+        if (!p.global) {
+            result.code += fmt::format("    {} {};\n", name_of(p.type), variable);
+            arguments += (i > 0 ? ", " : "") + variable;
+        }
         if (p.direction != Direction::out)
             result.input_words += append_read(result.code, p.type, variable, input, result.input_words);
-        arguments += (i > 0 ? ", " : "") + variable;
     }
     const auto write = [&](const Type& type, const std::string& variable) {
         result.output_words += append_write(result.code, type, variable, "gloam_kernel_outputs",
@@ -249,7 +255,7 @@ Evaluation evaluation(const shader::Function& function, const InputText& input) 
     }
     for (std::size_t i = 0; i < function.parameters.size(); ++i)
         if (function.parameters[i].direction != Direction::in)
-            write(function.parameters[i].type, fmt::format("gloam_kernel_argument{}", i));
+            write(function.parameters[i].type, variable_of(i));
     return result;
 }
 

@@ -108,8 +108,10 @@ KernelSource Lab::source(const std::string& file, const std::string& function,
                          const Signature& signature) const {
     const auto excerpt = std::ranges::find(options_.excerpts, function, &shader::Excerpt::function);
     const std::string text = excerpt == options_.excerpts.end() ? "" : excerpt->text;
-    const std::vector<shader::Function> all =
+    std::vector<shader::Function> all =
         text.empty() ? functions(file) : cache_.functions(probe_of(file, text), compile_options());
+    if (!text.empty())
+        for (shader::Function& one : all) one = with_globals(std::move(one), excerpt->globals);
     std::vector<std::string> named;
     for (const shader::Function& candidate : all) {
         if (candidate.name != function || !candidate.defined) continue;

@@ -67,20 +67,25 @@ std::string obstacle(const shader::Type& type) {
 }
 
 // Why no kernel can call a function; empty if one can.
-std::string why_not(const shader::Function& function) {
+std::string why_not(const shader::Function& function, const shader::Excerpt& excerpt) {
     std::size_t scalars = shader::scalar_count(function.result);
     for (const shader::Parameter& p : function.parameters) {
-        if (const std::string what = obstacle(p.type); !what.empty())
+        if (const std::string what = obstacle(p.type); !what.empty() && p.global)
+            return fmt::format("values of \"{}\" cannot be drawn: {}", p.name, what);
+        else if (!what.empty())
             return fmt::format("values of the parameter type {} cannot be drawn: {}", shader::name_of(p.type),
                                what);
         scalars += shader::scalar_count(p.type);
+        if (p.global && p.direction != shader::Direction::in &&
+            excerpt.globals.at(p.name) == shader::Access::reads)
+            return fmt::format("it assigns to \"{}\", which a shader can only read", p.name);
     }
     if (const std::string what = obstacle(function.result); !what.empty())
         return fmt::format("a result of type {} cannot be read: {}", shader::name_of(function.result), what);
     if (scalars > shader::most_scalars)
         return fmt::format("its parameters and its result have more than {} scalars", shader::most_scalars);
     if (Signature{.result = function.result, .parameters = function.parameters}.output_words() == 0)
-        return "it has no result and no out parameter";
+        return "it has no result and no out parameter, and it writes no buffer or stage output";
     return {};
 }
 
@@ -95,15 +100,19 @@ LeftOut refused(const shader::Excerpt& excerpt, const std::string& definition, c
     place.erase(place.find_last_not_of(": ") + 1);
     const auto is = [&first](const char* text) { return first.find(text) != std::string::npos; };
     if (excerpt.interface.contains(name))
-        return {
-            definition,
-            fmt::format("it uses \"{}\", which is bound or comes from another stage, at {}; expected values "
-                        "from parameters and from prototypes T name(ivec2)",
-                        name, place)};
+        return {definition,
+                fmt::format(
+                    "it uses \"{}\", an image or sampler, at {}; expected values from parameters and from "
+                    "prototypes T name(ivec2)",
+                    name, place)};
     if (is("compute_shader_derivatives"))
         return {definition, fmt::format("{} at {} needs a fragment stage", name, place)};
     if (is("not supported in this stage") || (name.starts_with("gl_") && is("undeclared identifier")))
         return {definition, fmt::format("{} at {} needs another stage than compute", name, place)};
+    if (is("Atomic memory function"))
+        return {definition,
+                fmt::format("{} at {} needs memory that invocations share: each input is run by itself", name,
+                            place)};
     return {definition, "it does not compile: " + first, true};
 }
 
@@ -122,7 +131,7 @@ bool is_named(const std::string& definition, const std::string& name) {
 std::string definition_of(const shader::Function& function) {
     std::string types;
     for (const shader::Parameter& p : function.parameters)
-        types += (types.empty() ? "" : ", ") + shader::name_of(p.type);
+        if (!p.global) types += (types.empty() ? "" : ", ") + shader::name_of(p.type);
     return fmt::format("{}({})", function.name, types);
 }
 
@@ -136,7 +145,8 @@ class Sorting {
         std::size_t k = 0;
         for (const shader::Function& function : compiled) {
             if (function.name != excerpt.function || !function.defined) continue;
-            if (k >= excerpt.definitions.size() || !excerpt.definitions[k].empty()) own.push_back(function);
+            if (k >= excerpt.definitions.size() || !excerpt.definitions[k].empty())
+                own.push_back(with_globals(function, excerpt.globals));
             ++k;
         }
         const auto unserved = std::ranges::find_if(compiled, [](const shader::Function& function) {
@@ -145,7 +155,7 @@ class Sorting {
         for (const shader::Function& function : own) {
             const std::string definition = definition_of(function);
             if (!wants(definition)) continue;
-            std::string why = why_not(function);
+            std::string why = why_not(function, excerpt);
             if (why.empty() && unserved != compiled.end())
                 why = fmt::format(
                     "it calls {}, which has no body; expected T name(ivec2) or void name(ivec2, T)",

@@ -77,6 +77,13 @@ std::vector<std::size_t> Signature::output_values() const {
     return values;
 }
 
+shader::Function with_globals(shader::Function function,
+                              const std::map<std::string, shader::Access>& globals) {
+    for (const shader::Parameter& variable : function.globals)
+        if (globals.contains(variable.name)) function.parameters.push_back(variable);
+    return function;
+}
+
 std::string to_glsl(const Signature& signature, const std::string& name) {
     return to_glsl_with_layouts(
         {.name = name, .result = signature.result, .parameters = signature.parameters, .defined = true});
@@ -97,7 +104,7 @@ std::string to_glsl_with_layouts(shader::Function function) {
 bool matches(const Signature& signature, const shader::Function& function) {
     return signature.result == function.result &&
            std::ranges::equal(signature.parameters, function.parameters, [](const auto& a, const auto& b) {
-               return a.type == b.type && a.direction == b.direction;
+               return a.type == b.type && a.direction == b.direction && a.global == b.global;
            });
 }
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <map>
 #include <span>
 #include <string>
 #include <tuple>
@@ -16,6 +17,7 @@
 
 #include "backend/backend.hpp"
 #include "shader/compile.hpp"
+#include "shader/pack.hpp"
 
 // Visits the members of a small aggregate in order, so that a plain struct needs no description of its own.
 namespace gloam::check {
@@ -283,6 +285,10 @@ struct Signature {
     // Word counts of the output values (scalar, vector, matrix), one entry for each value.
     [[nodiscard]] std::vector<std::size_t> output_values() const;
 };
+
+// The function with variables at file scope as further parameters: those that it uses, of these names.
+[[nodiscard]] shader::Function with_globals(shader::Function function,
+                                            const std::map<std::string, shader::Access>& globals);
 
 // "float f(vec2, out float)"; structures are written in full.
 [[nodiscard]] std::string to_glsl(const Signature& signature, const std::string& name);

@@ -118,7 +118,7 @@ std::string name_of(const Type& type) {
 
 std::string to_glsl(const Function& function) {
     std::string text = name_of(function.result) + " " + function.name + "(";
-    for (std::size_t i = 0; i < function.parameters.size(); ++i)
+    for (std::size_t i = 0; i < function.parameters.size() && !function.parameters[i].global; ++i)
         text += (i == 0 ? "" : ", ") + text_of(function.parameters[i]);
     return text + ")";
 }

@@ -46,6 +46,7 @@ struct Parameter {
     std::string name;
     Type type;
     Direction direction = Direction::in;
+    bool global = false;  // no parameter, but a variable at file scope
 };
 
 // A function as the compiler sees it: defined, or only declared (a prototype for another to define; its
@@ -55,6 +56,8 @@ struct Function {
     Type result;
     std::vector<Parameter> parameters;
     bool defined = false;
+    // Variables at file scope that it uses, itself or by what it calls; inout where it may write them.
+    std::vector<Parameter> globals = {};
 };
 
 // Whether no part of the type is unsupported or oversized.
@@ -71,6 +74,7 @@ struct Function {
 // The same with a structure by its name: "Name", "Name[2]".
 [[nodiscard]] std::string name_of(const Type& type);
 // "float f(vec2 uv, out float depth)"; a structure by its name only, an unnamed parameter by its type only.
+// Without globals.
 [[nodiscard]] std::string to_glsl(const Function& function);
 
 // Optimisation by SPIRV-Tools after the front end.

@@ -43,17 +43,20 @@ static void from_json(const Json& json, Member& member) {
 }
 
 static void to_json(Json& json, const Parameter& parameter) {
-    json = Json::array({parameter.name, parameter.type, static_cast<int>(parameter.direction)});
+    json = Json::array(
+        {parameter.name, parameter.type, static_cast<int>(parameter.direction), parameter.global});
 }
 
 static void from_json(const Json& json, Parameter& parameter) {
     json.at(0).get_to(parameter.name);
     json.at(1).get_to(parameter.type);
     parameter.direction = static_cast<Direction>(json.at(2).get<int>());
+    json.at(3).get_to(parameter.global);
 }
 
 static void to_json(Json& json, const Function& function) {
-    json = Json::array({function.name, function.result, function.parameters, function.defined});
+    json = Json::array(
+        {function.name, function.result, function.parameters, function.defined, function.globals});
 }
 
 static void from_json(const Json& json, Function& function) {
@@ -61,6 +64,7 @@ static void from_json(const Json& json, Function& function) {
     json.at(1).get_to(function.result);
     json.at(2).get_to(function.parameters);
     json.at(3).get_to(function.defined);
+    json.at(4).get_to(function.globals);
 }
 
 namespace internal {
@@ -147,15 +151,19 @@ PackRequest request_from(const Json& json) {
 Json json_of(const Excerpts& excerpts) {
     Json functions = Json::array();
     for (const Excerpt& one : excerpts.functions)
-        functions.push_back(Json::array({one.function, one.text, one.interface, one.definitions}));
+        functions.push_back(
+            Json::array({one.function, one.text, one.interface, one.globals, one.definitions}));
     return Json::array({excerpts.version, functions});
 }
 
 Excerpts excerpts_from(const Json& json) {
     Excerpts excerpts{.version = json.at(0), .functions = {}};
     for (const Json& one : json.at(1))
-        excerpts.functions.push_back(
-            {.function = one.at(0), .text = one.at(1), .interface = one.at(2), .definitions = one.at(3)});
+        excerpts.functions.push_back({.function = one.at(0),
+                                      .text = one.at(1),
+                                      .interface = one.at(2),
+                                      .globals = one.at(3).get<std::map<std::string, Access>>(),
+                                      .definitions = one.at(4)});
     return excerpts;
 }
 

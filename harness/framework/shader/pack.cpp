@@ -14,6 +14,7 @@
 #include "shader/internal/declarations.hpp"
 #include "shader/internal/lines.hpp"
 #include "shader/internal/outline.hpp"
+#include "shader/internal/plain_global.hpp"
 #include "shader/internal/selection.hpp"
 
 namespace gloam::shader {
@@ -191,25 +192,53 @@ bool defines(const Piece& piece, const std::string& function) {
     return piece.kind == Kind::function && piece.names.front() == function;
 }
 
-// Bindings, stage inputs and outputs; a specialization constant is a constant like others.
-bool is_interface(const Piece& piece) {
-    return piece.kind == Kind::interface && piece.text.find("constant_id") == std::string::npos;
+// What the macros stand for.
+using Macros = std::map<std::string, std::set<std::string>>;
+
+Macros macros_of(const Outline& outline) {
+    Macros macros;
+    for (const Piece& piece : outline.pieces)
+        if (piece.kind == Kind::macro)
+            macros[piece.names.front()].insert(piece.mentions.begin(), piece.mentions.end());
+    return macros;
+}
+
+std::set<std::string> opaque_macros(const Macros& macros) {
+    std::set<std::string> names;
+    for (const auto& [name, meant] : macros)
+        if (std::ranges::any_of(meant, internal::is_opaque)) names.insert(name);
+    return names;
+}
+
+// The text of a piece in an excerpt, and its names; a macro may give a variable another one.
+std::string interface_text(const Piece& piece, const Macros& macros, Excerpt& excerpt) {
+    const auto plain = internal::plain_globals(piece, opaque_macros(macros));
+    if (!plain) {
+        excerpt.interface.insert(piece.names.begin(), piece.names.end());
+        return {};
+    }
+    for (const auto& [name, access] : plain->access) {
+        excerpt.globals[name] = access;
+        const auto renamed = macros.find(name);
+        if (renamed == macros.end()) continue;
+        for (const std::string& other : renamed->second) excerpt.globals[other] = access;
+    }
+    return plain->text;
 }
 
 Excerpt excerpt_of(const std::string& function, const ActiveText& active, const Outline& outline) {
     internal::Selection selection(outline, given);
     selection.want({function});
-    Excerpt excerpt{.function = function, .text = {}, .interface = {}, .definitions = {}};
+    const Macros macros = macros_of(outline);
+    Excerpt excerpt{.function = function, .text = {}, .interface = {}, .globals = {}, .definitions = {}};
     for (const std::string& extension : outline.extensions) excerpt.text += extension + "\n";
     for (std::size_t i = 0; i < outline.pieces.size(); ++i) {
         const Piece& piece = outline.pieces[i];
         if (!selection.keeps(i) || piece.kind == Kind::comment || defines(piece, "main")) continue;
-        if (is_interface(piece)) {
-            excerpt.interface.insert(piece.names.begin(), piece.names.end());
-            continue;
-        }
-        excerpt.text +=
-            internal::line_directive(piece.line, active.files[piece.file].name) + piece.text + "\n";
+        const std::string text =
+            piece.kind == Kind::interface ? interface_text(piece, macros, excerpt) : piece.text;
+        if (text.empty()) continue;
+        excerpt.text += internal::line_directive(piece.line, active.files[piece.file].name) + text + "\n";
         if (defines(piece, function))
             excerpt.definitions.push_back(piece.file < given ? definition_of(piece) : "");
     }
