@@ -119,6 +119,11 @@ void gloam_kernel_fault(uint image, ivec2 pixel) {
 )";
 
 std::string image_interface(const ImagePrototype& image, std::size_t index) {
+    if (image.sampler && image.sampler->variable.empty())
+        return fmt::format("#define {} {}\n", image.sampler->macro, KernelBinding::first_image + index);
+    if (image.sampler)
+        return fmt::format("layout(binding = {}) uniform highp {} {};\n", KernelBinding::first_image + index,
+                           image.sampler->type, image.sampler->variable);
     return fmt::format(
         "layout(std430, binding = {}) {}buffer GloamKernelImage{} {{ uint gloam_kernel_image{}[]; "
         "}};\n",
@@ -210,7 +215,7 @@ std::string storage_interface(const KernelSource& source) {
 std::string file_and_rest(const KernelSource& source, const ImageWordText& read, const std::string& rest) {
     std::string ours;
     for (std::size_t i = 0; i < source.images.size(); ++i)
-        ours += image_definition(source.images[i], i, read);
+        if (!source.images[i].sampler) ours += image_definition(source.images[i], i, read);
     ours += rest;
     const std::string file = source.text.empty() ? fmt::format("#include \"{}\"\n", source.file)
                                                  : source.text + "#line 1 \"kernel\"\n";
@@ -225,16 +230,24 @@ std::string input_of_buffer(Scalar scalar, std::size_t word) {
     return from_word(scalar, fmt::format("gloam_kernel_inputs[gloam_kernel_input_at + {}u]", word));
 }
 
+std::string argument_name(std::size_t parameter) {
+    return fmt::format("gloam_kernel_argument{}", parameter);
+}
+
 Evaluation evaluation(const shader::Function& function, const InputText& input) {
     Evaluation result;
     std::string arguments;
     const auto variable_of = [&function](std::size_t i) {
         const shader::Parameter& p = function.parameters[i];
-        return p.global ? p.name : fmt::format("gloam_kernel_argument{}", i);
+        return p.global ? p.name : argument_name(i);
     };
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
         const shader::Parameter& p = function.parameters[i];
         const std::string variable = variable_of(i);
+        if (p.type.scalar == Scalar::sampler) {
+            arguments += (i > 0 ? ", " : "") + variable;
+            continue;
+        }
         if (!p.global) {
             result.code += fmt::format("    {} {};\n", name_of(p.type), variable);
             arguments += (i > 0 ? ", " : "") + variable;

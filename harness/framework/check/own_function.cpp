@@ -161,7 +161,8 @@ class Sorting {
                     "it calls {}, which has no body; expected T name(ivec2) or void name(ivec2, T)",
                     definition_of(*unserved));
             if (why.empty()) {
-                all_.found.push_back({own.size() > 1 ? definition : function.name, function, excerpt.text});
+                all_.found.push_back({own.size() > 1 ? definition : function.name, function, excerpt.text,
+                                      samplers_of(excerpt, function)});
             } else {
                 all_.left_out.push_back({definition, why});
             }
@@ -201,24 +202,53 @@ class Sorting {
     OwnFunctions all_;
 };
 
-// Images for prototypes: positive numbers of usual size. Accesses outside read the border.
-ImageScenario random_images(const std::vector<ImagePrototype>& prototypes) {
-    const auto make = [prototypes](glm::ivec2 size, numeric::Random& random) {
-        ImageSet images;
-        for (const ImagePrototype& prototype : prototypes) {
-            Image image{.element = prototype.element, .size = size, .border = Border::clamp, .words = {}};
-            for (int pixel = 0; pixel < size.x * size.y; ++pixel) {
-                for (const Scalar scalar : scalars_of(prototype.element)) {
-                    const auto value = static_cast<float>(random.uniform(0.1, 10.0));
-                    image.words.push_back(scalar == Scalar::float_ ? to_word(value)
-                                                                   : static_cast<Word>(random.below(2)));
-                }
-            }
-            images.emplace(prototype.name, std::move(image));
+// Pixels of a prototype: positive numbers of usual size. Accesses outside read the border.
+Image random_image(const ImagePrototype& prototype, glm::ivec2 size, numeric::Random& random) {
+    Image image{.element = prototype.element, .size = size, .border = Border::clamp, .words = {}};
+    for (int pixel = 0; pixel < size.x * size.y; ++pixel) {
+        for (const Scalar scalar : scalars_of(prototype.element)) {
+            const auto value = static_cast<float>(random.uniform(0.1, 10.0));
+            image.words.push_back(scalar == Scalar::float_ ? to_word(value)
+                                                           : static_cast<Word>(random.below(2)));
         }
-        return images;
+    }
+    return image;
+}
+
+// Texels of a sampler. Floats are multiples of 1/64, which 16 bits represent.
+Image random_texels(const ImagePrototype& prototype, glm::ivec2 size, Image::Sampling sampling,
+                    numeric::Random& random) {
+    constexpr unsigned layers = 3;
+    constexpr std::uint64_t values = 640;
+    const std::string& type = prototype.sampler->type;
+    const bool is_3d = type.ends_with("3D");
+    if (is_3d || type.ends_with("Array")) sampling.depth = layers;
+    const backend::SampledHeader header{
+        .width = static_cast<Word>(size.x),
+        .height = static_cast<Word>(size.y),
+        .depth = sampling.depth,
+        .levels = sampling.levels,
+        .shape = is_3d ? backend::SampledShape::three : backend::SampledShape::layers};
+    const bool floats = prototype.element.scalar == Scalar::float_;
+    sampling.linear = sampling.linear && floats;
+    Image image{.element = prototype.element, .size = size, .words = {}, .sampling = sampling};
+    for (std::size_t i = 0; i < backend::texels_before(header, header.levels) * backend::texel_words; ++i) {
+        const auto value = static_cast<Word>(random.below(values));
+        image.words.push_back(floats ? to_word(static_cast<float>(value) / 64.0F) : value);
+    }
+    return image;
+}
+
+ImageScenario random_scenario(const std::vector<ImagePrototype>& images, const std::string& name,
+                              glm::ivec2 size, const Image::Sampling& sampling) {
+    const auto make = [images, sampling](glm::ivec2 pixels, numeric::Random& random) {
+        ImageSet set;
+        for (const ImagePrototype& image : images)
+            set.emplace(image.name, image.sampler ? random_texels(image, pixels, sampling, random)
+                                                  : random_image(image, pixels, random));
+        return set;
     };
-    return {.name = "5 x 4, random", .size = {5, 4}, .make = make};
+    return {.name = name, .size = size, .make = make};
 }
 
 }  // namespace
@@ -234,6 +264,18 @@ std::pair<std::string, Range> range_from(const std::string& text) {
     if (!(range.low <= range.high))
         throw std::invalid_argument(fmt::format("--range {}: expected LOW <= HIGH", text));
     return {text.substr(0, equals), range};
+}
+
+std::vector<ImageScenario> random_scenarios(const std::vector<ImagePrototype>& images) {
+    using backend::Wrap;
+    if (images.empty()) return {};
+    if (std::ranges::none_of(images, [](const auto& image) { return image.sampler.has_value(); }))
+        return {random_scenario(images, "5 x 4, random", {5, 4}, {})};
+    return {random_scenario(images, "5 x 4, random, linear, repeat", {5, 4}, {.linear = true}),
+            random_scenario(images, "4 x 4, random, linear, edge, 3 levels", {4, 4},
+                            {.linear = true, .wrap = Wrap::edge, .levels = 3}),
+            random_scenario(images, "5 x 4, random, nearest, mirrored, 2 levels", {5, 4},
+                            {.wrap = Wrap::mirrored, .levels = 2})};
 }
 
 OwnFunctions own_functions(const LabOptions& options, const std::string& file,
@@ -267,14 +309,15 @@ Question question_of(const Lab& lab, const std::string& file, const OwnFunction&
         known.insert(parameter.name);
         if (parameter.direction == shader::Direction::out) continue;
         const auto found = ranges.find(parameter.name);
-        all_given = all_given && found != ranges.end();
+        const bool sampler = parameter.type.scalar == Scalar::sampler;
+        all_given = all_given && (sampler || found != ranges.end());
         parameters.push_back(
             values_of(parameter.type, found == ranges.end() ? std::nullopt : std::optional(found->second)));
     }
     question.domain = Domain(std::move(parameters));
     question.defined = all_given;
     const KernelSource source = lab.source(file, function.name, question.signature);
-    if (!source.images.empty()) question.scenarios = {random_images(source.images)};
+    question.scenarios = random_scenarios(source.images);
     return question;
 }
 

@@ -138,7 +138,8 @@ class Climb {
             const shader::Parameter& parameter = question.signature.parameters[p];
             if (parameter.direction == shader::Direction::out) continue;
             const std::size_t count = scalars_of(parameter.type).size();
-            slots_.push_back({&domain_.parameters().at(at++), first, count});
+            const Values& values = domain_.parameters().at(at++);
+            if (count > 0) slots_.push_back({&values, first, count});
             first += count;
         }
     }

@@ -9,7 +9,7 @@ using shader::Direction;
 using shader::Scalar;
 
 void append_scalars(const shader::Type& type, std::vector<Scalar>& scalars) {
-    if (type.scalar == Scalar::void_) return;
+    if (type.scalar == Scalar::void_ || type.scalar == Scalar::sampler) return;
     if (!type.sizes.empty()) {
         const std::vector<Scalar> element = scalars_of(shader::element_of(type));
         for (std::uint32_t i = 0; i < type.sizes.front(); ++i)

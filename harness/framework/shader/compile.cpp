@@ -28,6 +28,7 @@ std::string scalar_name(Scalar scalar) {
         case Scalar::float_:
             return "float";
         case Scalar::structure:
+        case Scalar::sampler:
         case Scalar::unsupported:
         case Scalar::oversized:
             break;
@@ -46,7 +47,8 @@ std::string sizes_of(const Type& type) {
 }
 
 bool has_text(const Type& type) {
-    return type.scalar == Scalar::unsupported || type.scalar == Scalar::oversized;
+    return type.scalar == Scalar::sampler || type.scalar == Scalar::unsupported ||
+           type.scalar == Scalar::oversized;
 }
 
 // One element of an array.
@@ -86,8 +88,14 @@ bool operator==(const Type& a, const Type& b) {
 }
 
 bool is_supported(const Type& type) {
-    return !has_text(type) && std::all_of(type.members.begin(), type.members.end(),
-                                          [](const Member& member) { return is_supported(member.type); });
+    return type.scalar != Scalar::unsupported && type.scalar != Scalar::oversized &&
+           std::all_of(type.members.begin(), type.members.end(),
+                       [](const Member& member) { return is_supported(member.type); });
+}
+
+bool is_sampler_type(std::string_view name) {
+    if (name.starts_with('i') || name.starts_with('u')) name.remove_prefix(1);
+    return name == "sampler2D" || name == "sampler2DArray" || name == "sampler3D";
 }
 
 Type element_of(const Type& array) {
@@ -98,7 +106,7 @@ Type element_of(const Type& array) {
 
 std::size_t scalar_count(const Type& type) {
     std::size_t count = static_cast<std::size_t>(type.columns) * static_cast<std::size_t>(type.rows);
-    if (type.scalar == Scalar::void_) count = 0;
+    if (type.scalar == Scalar::void_ || type.scalar == Scalar::sampler) count = 0;
     if (type.scalar == Scalar::structure) {
         count = 0;
         for (const Member& member : type.members)

@@ -12,9 +12,9 @@
 
 namespace gloam::shader {
 
-// `unsupported`: a sampler, a double ...; `oversized`: a type of more than most_scalars. Type::name then
-// holds its GLSL text.
-enum class Scalar { void_, bool_, int_, uint_, float_, structure, unsupported, oversized };
+// `sampler`: see is_sampler_type(); it has no scalars. `unsupported`: another sampler, a double ...;
+// `oversized`: a type of more than most_scalars. Type::name then holds its GLSL text.
+enum class Scalar { void_, bool_, int_, uint_, float_, structure, sampler, unsupported, oversized };
 
 inline constexpr std::size_t most_scalars = 4096;
 
@@ -62,6 +62,9 @@ struct Function {
 
 // Whether no part of the type is unsupported or oversized.
 [[nodiscard]] bool is_supported(const Type& type);
+
+// "sampler2D", "sampler2DArray", "sampler3D", and those of integers, "isampler2D" and "usampler2D".
+[[nodiscard]] bool is_sampler_type(std::string_view name);
 
 // An element of an array: that of float[2][3] is float[3].
 [[nodiscard]] Type element_of(const Type& array);

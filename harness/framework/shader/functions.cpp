@@ -281,6 +281,9 @@ Function function_of(const Signature& signature, const Declaration& declaration)
         parameter.direction = declared.direction;
         if (parameter.type.scalar == Scalar::unsupported && parameter.type.name.empty())
             parameter.type.name = declared.type.substr(0, declared.type.find('['));  // the sizes are known
+        const bool sampler = parameter.type.scalar == Scalar::unsupported && parameter.type.sizes.empty() &&
+                             is_sampler_type(parameter.type.name);
+        if (sampler) parameter.type.scalar = Scalar::sampler;
         if (!declaration.defined) parameter.name.clear();
     }
     return function;
@@ -321,6 +324,18 @@ std::vector<Function> listed(const std::vector<Signature>& signatures,
     return functions;
 }
 
+// The front end takes a bias in every stage, and its module is not valid in most.
+void require_no_bias(const Spirv& module, const std::string& name) {
+    for (const Instruction& instruction : instructions(module)) {
+        const bool samples = instruction.opcode >= SpvOpImageSampleImplicitLod &&
+                             instruction.opcode <= SpvOpImageSampleProjDrefExplicitLod;
+        if (!samples) continue;
+        const bool compares = (instruction.opcode - SpvOpImageSampleImplicitLod) % 4 >= 2;
+        if ((instruction.word(compares ? 6 : 5) & SpvImageOperandsBiasMask) != 0)
+            throw CompileError(name + ": 'texture' : a bias of the level is not supported in this stage");
+    }
+}
+
 }  // namespace
 
 std::vector<Function> internal::functions_here(const Source& source, const CompileOptions& options) {
@@ -333,6 +348,7 @@ std::vector<Function> internal::functions_here(const Source& source, const Compi
     const Source whole{source.name, internal::completed(text, declared)};
     const Spirv module =
         internal::to_spirv(whole, options.stage, {}, {.unreached = internal::Unreached::kept});
+    require_no_bias(module, source.name);
     return listed(internal::signatures(module), declared);
 }
 

@@ -160,6 +160,10 @@ std::size_t code_lines(std::string_view text) {
         std::ranges::count_if(lines, [](const internal::Line& line) { return !internal::is_blank(line); }));
 }
 
+std::string sampler_binding(std::size_t sampler) {
+    return "GLOAM_SAMPLER_" + std::to_string(sampler);
+}
+
 namespace {
 
 using internal::ActiveText;
@@ -203,16 +207,32 @@ Macros macros_of(const Outline& outline) {
     return macros;
 }
 
-std::set<std::string> opaque_macros(const Macros& macros) {
-    std::set<std::string> names;
-    for (const auto& [name, meant] : macros)
-        if (std::ranges::any_of(meant, internal::is_opaque)) names.insert(name);
-    return names;
+// The types without values that macros stand for, by the macros' names: SAMPLER_TYPE.
+std::map<std::string, std::string> opaque_macros(const Macros& macros) {
+    std::map<std::string, std::string> types;
+    for (const auto& [name, meant] : macros) {
+        const auto type = std::ranges::find_if(meant, internal::is_opaque);
+        if (type != meant.end()) types[name] = *type;
+    }
+    return types;
+}
+
+// Declarations of samplers, added to those of the excerpt.
+std::string sampler_text(const std::vector<SamplerVariable>& samplers, Excerpt& excerpt) {
+    std::string text;
+    for (const SamplerVariable& sampler : samplers) {
+        text += "layout(binding = " + sampler_binding(excerpt.samplers.size()) + ") uniform highp " +
+                sampler.type + " " + sampler.name + "; ";
+        excerpt.samplers.push_back(sampler);
+    }
+    return text;
 }
 
 // The text of a piece in an excerpt, and its names; a macro may give a variable another one.
 std::string interface_text(const Piece& piece, const Macros& macros, Excerpt& excerpt) {
-    const auto plain = internal::plain_globals(piece, opaque_macros(macros));
+    const std::map<std::string, std::string> opaque = opaque_macros(macros);
+    if (const auto samplers = internal::samplers_of(piece, opaque)) return sampler_text(*samplers, excerpt);
+    const auto plain = internal::plain_globals(piece, opaque);
     if (!plain) {
         excerpt.interface.insert(piece.names.begin(), piece.names.end());
         return {};
@@ -230,7 +250,8 @@ Excerpt excerpt_of(const std::string& function, const ActiveText& active, const 
     internal::Selection selection(outline, given);
     selection.want({function});
     const Macros macros = macros_of(outline);
-    Excerpt excerpt{.function = function, .text = {}, .interface = {}, .globals = {}, .definitions = {}};
+    Excerpt excerpt{
+        .function = function, .text = {}, .interface = {}, .samplers = {}, .globals = {}, .definitions = {}};
     for (const std::string& extension : outline.extensions) excerpt.text += extension + "\n";
     for (std::size_t i = 0; i < outline.pieces.size(); ++i) {
         const Piece& piece = outline.pieces[i];

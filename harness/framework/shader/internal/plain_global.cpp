@@ -91,7 +91,21 @@ bool is_opaque(std::string_view word) {
     return std::ranges::any_of(families, [&](std::string_view family) { return plain.starts_with(family); });
 }
 
-std::optional<PlainGlobals> plain_globals(const Piece& piece, const std::set<std::string>& opaque) {
+std::optional<std::vector<SamplerVariable>> samplers_of(const Piece& piece,
+                                                        const std::map<std::string, std::string>& opaque) {
+    const Words words = without_qualifiers(tokens_of(piece.text));
+    const auto type = std::ranges::find_if_not(words, is_precision);
+    if (type == words.end() || contains(words, "[") || contains(words, "{")) return std::nullopt;
+    const auto macro = opaque.find(*type);
+    const std::string& name = macro == opaque.end() ? *type : macro->second;
+    if (!is_sampler_type(name)) return std::nullopt;
+    std::vector<SamplerVariable> samplers;
+    for (const std::string& variable : piece.names) samplers.push_back({variable, name});
+    return samplers;
+}
+
+std::optional<PlainGlobals> plain_globals(const Piece& piece,
+                                          const std::map<std::string, std::string>& opaque) {
     const Words all = tokens_of(piece.text);
     if (contains(all, "constant_id")) return PlainGlobals{joined(without_qualifiers(all)), {}};
     if (piece.names.empty() || piece.names.front().starts_with("gl_")) return std::nullopt;

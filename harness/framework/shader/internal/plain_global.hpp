@@ -22,10 +22,14 @@ struct PlainGlobals {
 // The plain variables in place of a declaration of kind `interface`: a loose uniform, stage input or output;
 // a block without an instance (each member is one), or with one (a structure of the block's name). Layouts,
 // storage qualifiers and initial values are dropped. A specialization constant becomes a constant. nullopt
-// for samplers, images and other types without values; `opaque`: macros that stand for these. nullopt also
-// where nothing is declared.
+// for samplers, images and other types without values; `opaque`: these, by macros that stand for them.
+// nullopt also where nothing is declared.
 [[nodiscard]] std::optional<PlainGlobals> plain_globals(const Piece& piece,
-                                                        const std::set<std::string>& opaque);
+                                                        const std::map<std::string, std::string>& opaque);
+
+// The samplers that a declaration declares; nullopt for any other declaration, and for arrays of samplers.
+[[nodiscard]] std::optional<std::vector<SamplerVariable>> samplers_of(
+    const Piece& piece, const std::map<std::string, std::string>& opaque);
 
 // Whether the word is a type without values: "sampler2D", "uimageBuffer", "atomic_uint".
 [[nodiscard]] bool is_opaque(std::string_view word);
