@@ -9,7 +9,6 @@ namespace gloam::shader::functions_test {
 
 using test::fixture;
 using test::message_of;
-using test::TemporaryDirectory;
 using test::with_fixtures;
 
 std::vector<Function> functions_of(const std::string& text) {
@@ -34,6 +33,15 @@ TEST(Functions, HaveTheTypesNamesAndDirectionsOfTheText) {
             "FxOuter fx_structures(FxInner inner, float scale, out FxInner result, inout uvec2 state, float)",
             "float fx_overload(float x)",  //
             "float fx_overload(vec2 x)"));
+}
+
+Type vector(Scalar scalar, int rows) {
+    return {.scalar = scalar, .rows = rows};
+}
+
+Type array_of(Type element, std::vector<std::uint32_t> sizes) {
+    element.sizes = std::move(sizes);
+    return element;
 }
 
 TEST(Functions, StructuresHaveTheirMembers) {
@@ -131,15 +139,36 @@ TEST(Functions, MainIsOneOfThemWhereThereIsOne) {
 TEST(Functions, OtherTypesAreListedAsUnsupported) {
     const auto found = functions_of(
         "struct S { float a[3]; dvec2 b; };\n"
-        "float f(float[4] a, float b[2][3], sampler2D c, double d, S s) { return a[0]; }\n"
-        "float[2] g(vec3 v[2]) { return float[2](1.0, 2.0); }\n");
-    EXPECT_THAT(prototypes(found),
-                ElementsAre("float f(float[4] a, float[2][3] b, sampler2D c, double d, S s)",
-                            "float[2] g(vec3[2] v)"));
+        "float f(sampler2D a, double b[2][3], S s, sampler2D d[2]) { return 1.0; }\n");
+    EXPECT_THAT(prototypes(found), ElementsAre("float f(sampler2D a, double[2][3] b, S s, sampler2D[2] d)"));
     for (const Parameter& parameter : found[0].parameters)
         EXPECT_FALSE(is_supported(parameter.type)) << parameter.name;
-    EXPECT_EQ(to_glsl(found[0].parameters[4].type), "S { float[3] a; dvec2 b; }");
-    EXPECT_EQ(found[1].result.scalar, Scalar::unsupported);
+    EXPECT_EQ(to_glsl(found[0].parameters[2].type), "S { float[3] a; dvec2 b; }");
+}
+
+TEST(Functions, ArraysHaveTheirSizes) {
+    const auto found = functions_of(
+        "struct S { float a[3]; };\n"
+        "float[2] f(float[4] a, float b[2][3], S s[5]) { return float[2](1.0, 2.0); }\n");
+    EXPECT_THAT(prototypes(found), ElementsAre("float[2] f(float[4] a, float[2][3] b, S[5] s)"));
+    EXPECT_EQ(found[0].result, array_of(vector(Scalar::float_, 1), {2}));
+    EXPECT_EQ(found[0].parameters[1].type, array_of(vector(Scalar::float_, 1), {2, 3}));
+    EXPECT_EQ(scalar_count(found[0].parameters[2].type), 15U);
+}
+
+// However large a value is, its description is small.
+TEST(Functions, TypesOfTooManyScalarsAreOversized) {
+    const auto found = functions_of(
+        "struct A { float a[4000]; };\nstruct B { A a, b; };\nstruct C { B b[1000]; };\n"
+        "float f(A a, B b, C c, float d[65536][65536]) { return 1.0; }\n");
+    EXPECT_TRUE(is_supported(found[0].parameters[0].type));
+    const std::vector<std::string> names{"A", "B", "C", "float[65536][65536]"};
+    for (std::size_t i = 1; i < names.size(); ++i) {
+        const Type& type = found[0].parameters[i].type;
+        EXPECT_FALSE(is_supported(type)) << names[i];
+        EXPECT_EQ(name_of(type), names[i]);
+    }
+    EXPECT_EQ(found[0].parameters[1].type.scalar, Scalar::oversized);
 }
 
 TEST(Functions, ATextWithoutFunctionsHasNone) {
@@ -160,9 +189,6 @@ TEST(Functions, ErrorsNameTheirPlace) {
     EXPECT_THROW(static_cast<void>(functions({"text", "float f() { return 1.0; }\n"}, {})), CompileError);
 }
 
-Type vector(Scalar scalar, int rows) {
-    return {.scalar = scalar, .rows = rows};
-}
 Type matrix(int columns, int rows) {
     return {.scalar = Scalar::float_, .columns = columns, .rows = rows};
 }
@@ -214,109 +240,30 @@ TEST(Type, EqualityIsOfLayout) {
     EXPECT_NE(vector(Scalar::float_, 3), vector(Scalar::float_, 4));
 }
 
+TEST(Type, ArraysCompareBySizesAndElements) {
+    const Type rows = array_of(vector(Scalar::float_, 2), {2, 3});
+    EXPECT_EQ(to_glsl(rows), "vec2[2][3]");
+    EXPECT_EQ(element_of(rows), array_of(vector(Scalar::float_, 2), {3}));
+    EXPECT_NE(rows, array_of(vector(Scalar::float_, 2), {3, 2}));
+    EXPECT_NE(rows, array_of(vector(Scalar::int_, 2), {2, 3}));
+    EXPECT_NE(rows, vector(Scalar::float_, 2));
+    EXPECT_EQ(scalar_count(rows), 12U);
+    Type lights = structure("Light", {{"at", rows}});
+    lights.sizes = {4};
+    EXPECT_EQ(name_of(lights), "Light[4]");
+    EXPECT_EQ(to_glsl(lights), "Light { vec2[2][3] at; }[4]");
+    EXPECT_EQ(scalar_count(array_of(lights, {65536, 65536})), most_scalars + 1);
+}
+
 TEST(Type, UnsupportedComparesByItsText) {
-    const Type array{.scalar = Scalar::unsupported, .name = "float[4]"};
-    EXPECT_EQ(to_glsl(array), "float[4]");
-    EXPECT_EQ(array, (Type{.scalar = Scalar::unsupported, .name = "float[4]"}));
-    EXPECT_NE(array, (Type{.scalar = Scalar::unsupported, .name = "float[5]"}));
-    EXPECT_FALSE(is_supported(array));
-    EXPECT_FALSE(is_supported(structure("S", {{"inner", structure("T", {{"a", array}})}})));
+    const Type image{.scalar = Scalar::unsupported, .name = "sampler2D"};
+    EXPECT_EQ(to_glsl(array_of(image, {2})), "sampler2D[2]");
+    EXPECT_EQ(image, (Type{.scalar = Scalar::unsupported, .name = "sampler2D"}));
+    EXPECT_NE(image, (Type{.scalar = Scalar::unsupported, .name = "sampler3D"}));
+    EXPECT_FALSE(is_supported(image));
+    EXPECT_FALSE(is_supported(structure("S", {{"inner", structure("T", {{"a", image}})}})));
     EXPECT_TRUE(is_supported(structure("S", {{"v", vector(Scalar::float_, 3)}})));
     EXPECT_TRUE(is_supported(Type{}));
-}
-
-// Functions of a text from elsewhere, each as a text that a compute shader can contain.
-
-Excerpts excerpts_of(const std::string& text) {
-    return excerpts({"own.frag", text}, {});
-}
-
-// The compiled function, in the order of definitions.
-std::vector<std::string> compiled(const Excerpt& excerpt) {
-    std::vector<std::string> texts;
-    for (const Function& function : functions({"own.frag", "#version 450\n" + excerpt.text}, {}))
-        texts.push_back(to_glsl(function));
-    return texts;
-}
-
-constexpr const char* fragment_shader =
-    "// A shader for another API.\n"
-    "#version 330 core\n"
-    "in vec2 uv;\n"
-    "out vec4 color;\n"
-    "uniform sampler2D image;\n"
-    "layout(local_size_x = 8) in;\n"
-    "struct Light { vec3 to; };\n"
-    "float gray(vec3 c) { return dot(c, vec3(0.3, 0.6, 0.1)); }\n"
-    "float lit(Light light, vec3 n) { return gray(light.to * n); }\n"
-    "vec3 seen() { return texture(image, uv).rgb; }\n"
-    "void main() { color = vec4(gray(seen())); }\n";
-
-TEST(Excerpts, LackVersionMainAndInterfaceOfTheText) {
-    const Excerpts all = excerpts_of(fragment_shader);
-    EXPECT_EQ(all.version, "330 core");
-    ASSERT_EQ(all.functions.size(), 3U);
-    EXPECT_THAT(compiled(all.functions[0]), ElementsAre("float gray(vec3 c)"));
-    EXPECT_THAT(compiled(all.functions[1]),
-                ElementsAre("float gray(vec3 c)", "float lit(Light light, vec3 n)"));
-    EXPECT_THAT(all.functions[1].interface, IsEmpty());
-    EXPECT_THAT(all.functions[2].interface, ElementsAre("image", "uv"));
-    EXPECT_THAT(message_of<CompileError>([&] { static_cast<void>(compiled(all.functions[2])); }),
-                HasSubstr("own.frag:10: 'image' : undeclared identifier"));
-}
-
-TEST(Excerpts, NameTheDefinitionsOfTheFileItself) {
-    const TemporaryDirectory folder;
-    (void)folder.write("other.glsl", "float f(float x) { return x; }\nfloat g(float x) { return x; }\n");
-    const Excerpts all = excerpts({"own.glsl",
-                                   "#include \"other.glsl\"\n"
-                                   "float f(const in vec2 x, out float y) { y = 1.0; return x.x; }\n"
-                                   "float f(float x[2], sampler2D) { return f(x[0]); }\n"},
-                                  {folder.path()});
-    EXPECT_EQ(all.version, "");
-    ASSERT_EQ(all.functions.size(), 1U);
-    EXPECT_THAT(all.functions[0].definitions, ElementsAre("", "f(vec2, float)", "f(float[2], sampler2D)"));
-    EXPECT_THAT(compiled(all.functions[0]), ElementsAre("float f(float x)", "float f(vec2 x, out float y)",
-                                                        "float f(float[2] x, sampler2D)"));
-}
-
-TEST(Excerpts, ErrorsNameTheLinesOfTheFile) {
-    const Excerpts all = excerpts_of(
-        "/* a comment\n"
-        "   of two lines */ float f(float x) {\n"
-        "#if 0\n"
-        "    x = 1.0;\n"
-        "#endif\n"
-        "    float y = \\\n"
-        "        2.0;  /* one\n"
-        "    more */ float z = 3.0;\n"
-        "    return x + missing;\n"
-        "}\n");
-    ASSERT_EQ(all.functions.size(), 1U);
-    EXPECT_EQ(message_of<CompileError>([&] { static_cast<void>(compiled(all.functions[0])); }),
-              "own.frag:9: 'missing' : undeclared identifier");
-}
-
-TEST(Excerpts, KeepExtensionsConstantsAndMacros) {
-    const Excerpts all = excerpts_of(
-        "#extension GL_EXT_shader_explicit_arithmetic_types : enable\n"
-        "layout(constant_id = 3) const int count = 4;\n"
-        "#line 700\n"
-        "#define SCALE float(count)\n"
-        "const float half_of = 0.5;\n"
-        "float unused(float x) { return x * undefined_name; }\n"
-        "float f(float x) { return float(float32_t(x)) * SCALE * half_of; }\n");
-    ASSERT_EQ(all.functions.size(), 2U);
-    EXPECT_THAT(compiled(all.functions[1]), ElementsAre("float f(float x)"));
-    EXPECT_THAT(all.functions[1].text, Not(HasSubstr("unused")));
-    EXPECT_THAT(message_of<CompileError>([&] { static_cast<void>(compiled(all.functions[0])); }),
-                HasSubstr("own.frag:6: 'undefined_name'"));
-}
-
-TEST(Excerpts, ATextWithoutFunctionsHasNone) {
-    EXPECT_THAT(excerpts_of("#version 450\nconst float x = 1.0;\nvoid main() { }\n").functions, IsEmpty());
-    EXPECT_THAT(message_of<CompileError>([] { (void)excerpts_of("\n#include \"none.glsl\"\n"); }),
-                HasSubstr("own.frag:2: cannot find include \"none.glsl\""));
 }
 
 }  // namespace gloam::shader::functions_test

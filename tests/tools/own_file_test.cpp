@@ -26,12 +26,12 @@ TEST_F(OwnFile, EveryFunctionIsJudgedByTheRules) {
 TEST_F(OwnFile, AWholeShaderIsCheckedFunctionByFunction) {
     const std::string shader = write("whole.frag",
                                      "#version 330 core\n"
-                                     "in vec2 uv;\nout vec4 color;\nuniform sampler2D image;\n"
+                                     "in vec2 uv;\nout vec4 color;\nuniform samplerCube image;\n"
                                      "float luma(vec3 c) { return dot(c, vec3(0.3, 0.6, 0.1)); }\n"
                                      "float luma(vec4 c) { return luma(c.rgb) * c.a; }\n"
                                      "float table(int i) { return float[2](1.0, 2.0)[i]; }\n"
                                      "float edge(float x) { return fwidth(x); }\n"
-                                     "vec3 seen() { return texture(image, uv).rgb; }\n"
+                                     "vec3 seen() { return texture(image, uv.xyx).rgb; }\n"
                                      "void main() { color = vec4(seen(), edge(luma(color))); }\n")
                                    .string();
     const std::string report = path("own.json").string();
@@ -57,6 +57,31 @@ TEST_F(OwnFile, AWholeShaderIsCheckedFunctionByFunction) {
     expect_could_not_run(gloam("explain {} edge 1", shader), "fwidth");
 }
 
+// What a shader is given besides parameters: ranges, explanations and other devices know it.
+TEST_F(OwnFile, UniformsAndSamplersAreInputs) {
+    const std::string shader =
+        write("given.frag",
+              "#version 300 es\nprecision mediump float;\n"
+              "uniform sampler2D image;\nuniform float exposure;\n"
+              "layout(std140) uniform Grade { vec3 gain; float weights[3]; };\n"
+              "in vec2 uv;\nout vec4 color;\n"
+              "vec3 seen() { return texture(image, uv).rgb * exposure; }\n"
+              "float mean(float a[3]) { return a[0] * weights[0] + a[1] * weights[2]; }\n"
+              "void main() { color = vec4(seen() * gain, 1.0); }\n")
+            .string();
+    EXPECT_THAT(output_of(gloam("check {} --inputs 64 --variant all", shader)),
+                HasSubstr("18 checks, 0 failed"));
+    EXPECT_THAT(output_of(gloam("check {} seen --inputs 64 --range exposure=1:2 --range uv=0:1", shader)),
+                HasSubstr("1 checks, 0 failed"));
+    expect_could_not_run(gloam("check {} seen --range gain=0:1", shader), "gain");
+    EXPECT_THAT(output_of(gloam("explain {} seen 0.5 0.5 2", shader)), HasSubstr("given.frag:8"));
+    const std::string report = path("opengl.json").string();
+    const CommandResult opengl =
+        gloam("check {} seen --inputs 64 --device es:llvmpipe-3.2 --json {}", shader, report);
+    if (opengl.out.find("unsupported") == std::string::npos) return expect_could_not_run(opengl, "OpenGL");
+    EXPECT_THAT(read_file(report), HasSubstr("reads the sampler image, which needs a Vulkan device"));
+}
+
 // Vulkan promises nothing of a sine outside of [-pi, pi].
 TEST_F(OwnFile, ACheckWithoutAVerdictNamesTheRange) {
     const std::string shader = write("wave.glsl", "float wave(float x) { return sin(1e20 + x); }\n").string();
@@ -70,18 +95,18 @@ TEST_F(OwnFile, ACheckWithoutAVerdictNamesTheRange) {
 
 TEST_F(OwnFile, NothingCheckedIsNoSuccess) {
     const std::string shader = path("nothing.glsl").string();
-    const std::string sampled = "vec4 sampled(sampler2D image, vec2 uv) { return texture(image, uv); }\n";
+    const std::string sampled = "vec4 sampled(samplerCube image, vec3 to) { return texture(image, to); }\n";
     std::ofstream(shader) << sampled;
     expect_could_not_run(
         gloam("check {}", shader),
-        "nothing was checked: sampled(sampler2D, vec2): values of the parameter type sampler2D");
+        "nothing was checked: sampled(samplerCube, vec3): values of the parameter type samplerCube");
     std::ofstream(shader) << "const float one = 1.0;\n";
     expect_could_not_run(gloam("check {}", shader), "nothing was checked: it defines no function");
     std::ofstream(shader) << sampled << "void nothing(float x) { }\n";
     const CommandResult several = gloam("check {}", shader);
     EXPECT_EQ(several.status, 2);
     EXPECT_THAT(several.err, HasSubstr("all 2 functions were left out"));
-    EXPECT_THAT(several.out, HasSubstr("sampled(sampler2D, vec2) was left out: values"));
+    EXPECT_THAT(several.out, HasSubstr("sampled(samplerCube, vec3) was left out: values"));
     EXPECT_THAT(several.out, HasSubstr("nothing(float) was left out: it has no result"));
     std::ofstream(shader) << "float sum(float x) { return x + 1.0; }\n\nfloat wrong(float x) { return y; }\n";
     const CommandResult wrong = gloam("check {} --inputs 64", shader);

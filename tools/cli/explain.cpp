@@ -83,12 +83,16 @@ void run_explain(const ExplainOptions& options) {
     for (std::size_t i = 0; i < scalars.size(); ++i)
         input.push_back(word_from(scalars[i], options.values[i]));
     try {
+        numeric::Random random(1);
+        const auto scenarios = check::random_scenarios(own.samplers);
+        const check::ImageSet images =
+            scenarios.empty() ? check::ImageSet{} : scenarios.front().make(scenarios.front().size, random);
         const check::Explanation all = check::explain({.variant = shader::variant(options.variant)},
                                                       {.file = options.file.filename().string(),
                                                        .function = own.function,
-                                                       .images = {},
+                                                       .images = own.samplers,
                                                        .text = own.excerpt},
-                                                      input);
+                                                      input, images);
         fmt::print("{}", to_text(all, all.steps.size()));
     } catch (const interpreter::Error& error) {
         throw std::runtime_error(

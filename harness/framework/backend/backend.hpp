@@ -74,6 +74,10 @@ struct DeviceInfo {
     std::uint32_t subgroup_size = 0;
     double timestamp_period_ns = 0.0;  // 0: the device has no timestamps
     FloatControls float32;
+    // Bits behind the point of a texel's coordinate, and of a level, with which a sampler calculates its
+    // weights.
+    std::uint32_t subtexel_bits = 4;
+    std::uint32_t level_bits = 4;
 };
 
 // The value of a specialization constant: the 32-bit pattern of the bool, int, uint or float.
@@ -119,9 +123,10 @@ struct KernelProgram {
     const std::string& text;  // the same kernel in the language of DeviceInfo::glsl
     std::size_t input_words = 0;
     std::size_t output_words = 0;
-    std::size_t fixed_inputs = 0;   // inputs that are constants of the module; 0: they come from memory
-    std::vector<bool> stores = {};  // for each image, whether the kernel stores to it
-    const std::string& name;        // for messages
+    std::size_t fixed_inputs = 0;    // inputs that are constants of the module; 0: they come from memory
+    std::vector<bool> stores = {};   // for each image, whether the kernel stores to it
+    std::vector<bool> sampled = {};  // for each image, whether a sampler reads it, and not a storage buffer
+    const std::string& name;         // for messages
 
     // Words of an input or of an output row, whichever are more.
     [[nodiscard]] std::size_t widest() const { return std::max(input_words, output_words + 1); }
@@ -132,7 +137,8 @@ struct KernelMemory {
     std::span<const Word> inputs;  // a row of KernelProgram::input_words for each
     std::vector<Word> outputs;     // a row for each: output_words, the canary; behind all rows guard_words
     KernelFaults faults{};
-    std::vector<std::vector<Word>>& images;  // each a width, a height, a border, then its texels
+    // Each a width, a height, a border, then its texels; a sampled one as in backend/sampled.hpp.
+    std::vector<std::vector<Word>>& images;
 };
 
 // A compiled kernel. Its device must outlive it.

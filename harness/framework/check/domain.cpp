@@ -49,8 +49,8 @@ Degenerate::Degenerate(const Signature& signature, const std::vector<Values>& pa
         if (values.only_drawn) {
             add_vectors(parameter.type, first, nullptr);
         } else {
-            if (parameter.type.scalar == Scalar::structure && !only_vectors)
-                add_struct(parameter.type, first);
+            const bool composed = parameter.type.scalar == Scalar::structure || !parameter.type.sizes.empty();
+            if (composed && !only_vectors) add_scalars(parameter.type, first);
             add_vectors(parameter.type, first, &values);
             if (!only_vectors) add_sides(values, first);
         }
@@ -58,7 +58,7 @@ Degenerate::Degenerate(const Signature& signature, const std::vector<Values>& pa
     }
 }
 
-void Degenerate::add_struct(const shader::Type& type, std::size_t first) {
+void Degenerate::add_scalars(const shader::Type& type, std::size_t first) {
     for (const Scalar scalar : scalars_of(type)) {
         if (scalar == Scalar::float_) {
             for (const Kind kind : {Kind::zero, Kind::negative, Kind::infinite, Kind::nan}) {
@@ -69,9 +69,14 @@ void Degenerate::add_struct(const shader::Type& type, std::size_t first) {
     }
 }
 
-// Vectors in a struct are only copied from. They are not changed, because their valid values are unknown.
+// Vectors in a struct or an array are only copied from. They are not changed, because their valid values are
+// unknown.
 void Degenerate::add_vectors(const shader::Type& type, std::size_t first, const Values* values) {
-    if (type.scalar == Scalar::structure) {
+    if (!type.sizes.empty()) {
+        const shader::Type element = shader::element_of(type);
+        for (std::uint32_t i = 0; i < type.sizes.front(); ++i, first += scalars_of(element).size())
+            add_vectors(element, first, nullptr);
+    } else if (type.scalar == Scalar::structure) {
         for (const shader::Member& member : type.members) {
             add_vectors(member.type, first, nullptr);
             first += scalars_of(member.type).size();

@@ -108,8 +108,8 @@ template <class T>
 }
 
 // Inputs that independent draws hardly ever produce: vectors that are equal, opposite or parallel to each
-// other or lie along an axis; numbers of a struct that are zero, negative, infinite or NaN; images whose
-// sides are 0 or 1. Parameters with Values::only_as_drawn are not changed.
+// other or lie along an axis; numbers of a struct or array that are zero, negative, infinite or NaN; images
+// whose sides are 0 or 1. Parameters with Values::only_as_drawn are not changed.
 class Degenerate {
   public:
     Degenerate() = default;
@@ -136,7 +136,7 @@ class Degenerate {
         std::size_t size;
         const Values* values;  // null: it may not be changed
     };
-    void add_struct(const shader::Type& type, std::size_t first);
+    void add_scalars(const shader::Type& type, std::size_t first);
     void add_vectors(const shader::Type& type, std::size_t first, const Values* values);
     void add_sides(const Values& values, std::size_t first);
 

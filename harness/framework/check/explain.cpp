@@ -87,11 +87,12 @@ std::string describe_inputs(const Signature& signature, const std::vector<Word>&
     for (const shader::Parameter& p : signature.parameters) {
         if (p.direction == shader::Direction::out) continue;
         const std::vector<Scalar> scalars = scalars_of(p.type);
+        if (scalars.empty()) continue;  // a sampler
         const std::vector<Word> words(inputs.begin() + static_cast<std::ptrdiff_t>(first),
                                       inputs.begin() + static_cast<std::ptrdiff_t>(first + scalars.size()));
         const std::string values = words_text(scalars, words);
-        texts.push_back(fmt::format(fmt::runtime(scalars.size() > 1 ? "{} ({})" : "{} {}"),
-                                    shader::to_glsl(p.type), values));
+        const std::string what = shader::to_glsl(p.type) + (p.global ? " " + p.name : "");
+        texts.push_back(fmt::format(fmt::runtime(scalars.size() > 1 ? "{} ({})" : "{} {}"), what, values));
         first += scalars.size();
     }
     return fmt::format("{}", fmt::join(texts, ", "));

@@ -2,6 +2,8 @@
 #include "check/interpreted_kernel.hpp"
 
 #include <fmt/format.h>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -33,6 +35,30 @@ double fraction_of_width(double got, double want, const numeric::Bounds& bounds)
 
 namespace {
 
+backend::SampledHeader header_of(const Image& image, const std::string& sampler) {
+    using backend::SampledShape;
+    using backend::SampledTexel;
+    return {.width = static_cast<Word>(image.size.x),
+            .height = static_cast<Word>(image.size.y),
+            .depth = image.sampling->depth,
+            .levels = image.sampling->levels,
+            .shape = sampler.ends_with("Array") ? SampledShape::layers
+                     : sampler.ends_with("3D")  ? SampledShape::three
+                                                : SampledShape::two,
+            .texel = sampler.starts_with('i')   ? SampledTexel::integer
+                     : sampler.starts_with('u') ? SampledTexel::natural
+                                                : SampledTexel::real,
+            .linear = image.sampling->linear ? 1U : 0U,
+            .wrap = image.sampling->wrap};
+}
+
+// Of a sampler's image, sampled_header() counts them.
+std::size_t words_in(const Image& image) {
+    if (image.sampling) return image.words.size();
+    return static_cast<std::size_t>(image.size.x) * static_cast<std::size_t>(image.size.y) *
+           scalars_of(image.element).size();
+}
+
 const Image& find_image(const ImageSet& images, const ImagePrototype& prototype, const std::string& kernel) {
     const auto found = images.find(prototype.name);
     if (found == images.end()) {
@@ -40,15 +66,15 @@ const Image& find_image(const ImageSet& images, const ImagePrototype& prototype,
             fmt::format("{}: no image serves the prototype {}", kernel, prototype.name));
     }
     const Image& image = found->second;
-    const std::size_t pixels =
-        static_cast<std::size_t>(image.size.x) * static_cast<std::size_t>(image.size.y);
     if (!(image.element == prototype.element)) {
         throw std::invalid_argument(fmt::format("{}: the image of {} has {} pixels, the prototype {}", kernel,
                                                 prototype.name, shader::to_glsl(image.element),
                                                 shader::to_glsl(prototype.element)));
     }
-    if (image.size.x < 1 || image.size.y < 1 ||
-        image.words.size() != pixels * scalars_of(image.element).size()) {
+    if (image.sampling.has_value() != prototype.sampler.has_value())
+        throw std::invalid_argument(fmt::format("{}: the image of {} is {}for a sampler", kernel,
+                                                prototype.name, image.sampling ? "" : "not "));
+    if (image.size.x < 1 || image.size.y < 1 || image.words.size() != words_in(image)) {
         throw std::invalid_argument(
             fmt::format("{}: the image of {} is {} x {} with {} words, which disagree", kernel,
                         prototype.name, image.size.x, image.size.y, image.words.size()));
@@ -56,7 +82,15 @@ const Image& find_image(const ImageSet& images, const ImagePrototype& prototype,
     return image;
 }
 
-std::vector<Word> words_of(const Image& image) {
+std::vector<Word> words_of(const Image& image, const ImagePrototype& prototype) {
+    if (prototype.sampler) {
+        const auto header = std::bit_cast<std::array<Word, backend::sampled_header_words>>(
+            header_of(image, prototype.sampler->type));
+        std::vector<Word> words(header.begin(), header.end());
+        words.insert(words.end(), image.words.begin(), image.words.end());
+        (void)backend::sampled_header(words);
+        return words;
+    }
     std::vector<Word> words{static_cast<Word>(image.size.x), static_cast<Word>(image.size.y),
                             image.border == Border::clamp ? 1U : 0U};
     words.insert(words.end(), image.words.begin(), image.words.end());
@@ -69,7 +103,7 @@ std::vector<std::vector<Word>> image_words(const std::vector<ImagePrototype>& pr
                                            const ImageSet& images, const std::string& kernel) {
     std::vector<std::vector<Word>> all;
     for (const ImagePrototype& prototype : prototypes)
-        all.push_back(words_of(find_image(images, prototype, kernel)));
+        all.push_back(words_of(find_image(images, prototype, kernel), prototype));
     return all;
 }
 

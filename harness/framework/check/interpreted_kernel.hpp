@@ -59,8 +59,16 @@ class InterpretedKernel {
         machine_.bind(0, KernelBinding::faults, faults_);
         push_ = {run_.count, run_.row_length, run_.canary};
         machine_.bind_push_constants(push_);
-        for (std::size_t i = 0; i < images.size(); ++i)
-            machine_.bind(0, KernelBinding::first_image + static_cast<unsigned>(i), images[i]);
+        for (std::size_t i = 0; i < images.size(); ++i) {
+            const auto binding = KernelBinding::first_image + static_cast<unsigned>(i);
+            if (module.images[i].sampler) {
+                machine_.bind(
+                    0, binding,
+                    interpreter::sampled_view_of(images[i], module.subtexel_bits, module.level_bits));
+            } else {
+                machine_.bind(0, binding, images[i]);
+            }
+        }
     }
 
     InterpretedKernel(const InterpretedKernel&) = delete;  // the machine is bound to its buffers

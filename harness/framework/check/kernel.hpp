@@ -13,7 +13,7 @@ namespace gloam::check {
 
 // A GLSL function that C++ can call: `Kernel<float(glm::vec2, Out<float>)>`.
 //   by value: GLSL `in`; Out<T>: `out`; T&: `inout`. Types: float, int, unsigned, bool, GLM vectors and
-//   matrices of float, vectors of the others, plain structs of up to 8 of these.
+//   matrices of float, vectors of the others, plain structs of up to 9 of these, std::array of these.
 // Calls take one value for each in and inout parameter. They return the result, followed by every out and
 // inout value: a plain value if there is one, a std::tuple if there are several.
 template <class Function>

@@ -40,10 +40,16 @@ std::string to_word(Scalar scalar, const std::string& value) {
     }
 }
 
-// The GLSL expressions of all scalars of a variable, in order: "a.x", "m[1][2]", "s.depth".
+// The GLSL expressions of all scalars of a variable, in order: "a.x", "m[1][2]", "s.depth", "w[3].x".
 void scalar_paths(const Type& type, const std::string& variable,
                   std::vector<std::pair<Scalar, std::string>>& paths) {
     if (type.scalar == Scalar::void_) return;
+    if (!type.sizes.empty()) {
+        const Type element = shader::element_of(type);
+        for (std::uint32_t i = 0; i < type.sizes.front(); ++i)
+            scalar_paths(element, fmt::format("{}[{}]", variable, i), paths);
+        return;
+    }
     if (type.scalar == Scalar::structure) {
         for (const shader::Member& member : type.members) {
             scalar_paths(member.type, variable + "." + member.name, paths);
@@ -76,10 +82,6 @@ std::size_t append_write(std::string& code, const Type& type, const std::string&
         code += fmt::format("    {}[{} + {}u] = {};\n", buffer, at, offset++, to_word(scalar, path));
     }
     return paths.size();
-}
-
-std::string type_name(const Type& type) {
-    return type.scalar == Scalar::structure ? type.name : shader::to_glsl(type);
 }
 
 constexpr std::string_view header = R"(#version 450
@@ -117,6 +119,11 @@ void gloam_kernel_fault(uint image, ivec2 pixel) {
 )";
 
 std::string image_interface(const ImagePrototype& image, std::size_t index) {
+    if (image.sampler && image.sampler->variable.empty())
+        return fmt::format("#define {} {}\n", image.sampler->macro, KernelBinding::first_image + index);
+    if (image.sampler)
+        return fmt::format("layout(binding = {}) uniform highp {} {};\n", KernelBinding::first_image + index,
+                           image.sampler->type, image.sampler->variable);
     return fmt::format(
         "layout(std430, binding = {}) {}buffer GloamKernelImage{} {{ uint gloam_kernel_image{}[]; "
         "}};\n",
@@ -128,7 +135,7 @@ std::string image_definition(const ImagePrototype& image, std::size_t index, con
     const std::string buffer = fmt::format("gloam_kernel_image{}", index);
     const auto read_word = [&](const std::string& at) { return read(index, at); };
     const std::size_t scalars = scalars_of(image.element).size();
-    const std::string type = type_name(image.element);
+    const std::string type = name_of(image.element);
     std::string code =
         image.stores
             ? fmt::format("void {}(ivec2 gloam_kernel_pixel, {} gloam_kernel_value) {{\n", image.name, type)
@@ -208,7 +215,7 @@ std::string storage_interface(const KernelSource& source) {
 std::string file_and_rest(const KernelSource& source, const ImageWordText& read, const std::string& rest) {
     std::string ours;
     for (std::size_t i = 0; i < source.images.size(); ++i)
-        ours += image_definition(source.images[i], i, read);
+        if (!source.images[i].sampler) ours += image_definition(source.images[i], i, read);
     ours += rest;
     const std::string file = source.text.empty() ? fmt::format("#include \"{}\"\n", source.file)
                                                  : source.text + "#line 1 \"kernel\"\n";
@@ -223,16 +230,30 @@ std::string input_of_buffer(Scalar scalar, std::size_t word) {
     return from_word(scalar, fmt::format("gloam_kernel_inputs[gloam_kernel_input_at + {}u]", word));
 }
 
+std::string argument_name(std::size_t parameter) {
+    return fmt::format("gloam_kernel_argument{}", parameter);
+}
+
 Evaluation evaluation(const shader::Function& function, const InputText& input) {
     Evaluation result;
     std::string arguments;
+    const auto variable_of = [&function](std::size_t i) {
+        const shader::Parameter& p = function.parameters[i];
+        return p.global ? p.name : argument_name(i);
+    };
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
         const shader::Parameter& p = function.parameters[i];
-        const std::string variable = fmt::format("gloam_kernel_argument{}", i);
-        result.code += fmt::format("    {} {};\n", type_name(p.type), variable);
+        const std::string variable = variable_of(i);
+        if (p.type.scalar == Scalar::sampler) {
+            arguments += (i > 0 ? ", " : "") + variable;
+            continue;
+        }
+        if (!p.global) {
+            result.code += fmt::format("    {} {};\n", name_of(p.type), variable);
+            arguments += (i > 0 ? ", " : "") + variable;
+        }
         if (p.direction != Direction::out)
             result.input_words += append_read(result.code, p.type, variable, input, result.input_words);
-        arguments += (i > 0 ? ", " : "") + variable;
     }
     const auto write = [&](const Type& type, const std::string& variable) {
         result.output_words += append_write(result.code, type, variable, "gloam_kernel_outputs",
@@ -242,12 +263,12 @@ Evaluation evaluation(const shader::Function& function, const InputText& input) 
     if (function.result.scalar == Scalar::void_) {
         result.code += "    " + call;
     } else {
-        result.code += fmt::format("    {} gloam_kernel_result = {}", type_name(function.result), call);
+        result.code += fmt::format("    {} gloam_kernel_result = {}", name_of(function.result), call);
         write(function.result, "gloam_kernel_result");
     }
     for (std::size_t i = 0; i < function.parameters.size(); ++i)
         if (function.parameters[i].direction != Direction::in)
-            write(function.parameters[i].type, fmt::format("gloam_kernel_argument{}", i));
+            write(function.parameters[i].type, variable_of(i));
     return result;
 }
 

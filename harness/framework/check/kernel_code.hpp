@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,11 +15,19 @@
 
 namespace gloam::check {
 
-// A prototype with a synthetic image behind it.
+// A prototype or a sampler with a synthetic image behind it.
 struct ImagePrototype {
     std::string name;
     shader::Type element;
     bool stores = false;  // void name(ivec2 pixel, T value), else T name(ivec2 pixel)
+    // Of a sampler, which stands for no prototype.
+    struct Sampler {
+        std::string type;  // shader::is_sampler_type()
+        // The kernel's variable for a parameter. Empty: the file has one, whose binding is `macro`.
+        std::string variable;
+        std::string macro;
+    };
+    std::optional<Sampler> sampler = {};
 };
 
 // What a compute shader is generated from.
@@ -53,6 +62,8 @@ struct KernelModule {
     std::size_t fixed_inputs = 0;  // inputs that are constants in it; 0: they come from memory
     std::string glsl;              // the same kernel as text, for a device with DeviceInfo::glsl; else empty
     bool judged_by_rules = true;   // off where the version of GLSL has no precision rules to ask
+    std::uint32_t subtexel_bits = 4;  // of the device that runs it: backend::DeviceInfo
+    std::uint32_t level_bits = 4;
 };
 
 // The modules that evaluated a run's inputs, one after another. A single module evaluated all inputs;

@@ -32,7 +32,10 @@ std::unique_ptr<const backend::Kernel> made(const backend::Backend& device, cons
                                    .output_words = module.output_words,
                                    .fixed_inputs = module.fixed_inputs,
                                    .name = name};
-    for (const ImagePrototype& image : module.images) program.stores.push_back(image.stores);
+    for (const ImagePrototype& image : module.images) {
+        program.stores.push_back(image.stores);
+        program.sampled.push_back(image.sampler.has_value());
+    }
     return device.make_kernel(program);
 }
 
@@ -123,8 +126,8 @@ KernelCore::Result KernelCore::run(std::span<const Word> inputs, std::size_t cou
         add_faults(part, memory.faults, *module_, images, result.fault);
     }
     for (std::size_t i = 0; i < words.size(); ++i) {
-        const auto& [name, element, stores] = module_->images[i];
-        if (stores) result.stored.emplace(name, stored(images.at(name), words[i]));
+        const ImagePrototype& image = module_->images[i];
+        if (image.stores) result.stored.emplace(image.name, stored(images.at(image.name), words[i]));
     }
     return result;
 }
@@ -139,6 +142,14 @@ interpreter::Program decoded(const backend::KernelProgram& program) {
     }
 }
 
+// All that the interpreter asks of images: whether a sampler reads them.
+std::vector<ImagePrototype> images_of(const backend::KernelProgram& program) {
+    std::vector<ImagePrototype> images(program.sampled.size());
+    for (std::size_t i = 0; i < images.size(); ++i)
+        if (program.sampled[i]) images[i].sampler.emplace();
+    return images;
+}
+
 class InterpreterKernel : public backend::Kernel {
   public:
     explicit InterpreterKernel(const backend::KernelProgram& program)
@@ -146,6 +157,7 @@ class InterpreterKernel : public backend::Kernel {
           module_{.spirv = {},
                   .input_words = program.input_words,
                   .output_words = program.output_words,
+                  .images = images_of(program),
                   .fixed_inputs = program.fixed_inputs},
           stores_(program.stores),
           name_(program.name) {}
@@ -176,7 +188,10 @@ class InterpreterKernel : public backend::Kernel {
             // The interpreter's own canary is 0, xor the invocation.
             memory.outputs[i * row + row - 1] ^=
                 static_cast<Word>(invocation) ^ canary ^ static_cast<Word>(i);
-            if (images.empty()) continue;  // An optimised module has no fault buffer then.
+            // Without prototypes an optimised module has no fault buffer.
+            if (std::ranges::all_of(module_.images,
+                                    [](const auto& image) { return image.sampler.has_value(); }))
+                continue;
             KernelFaults fault = kernel.faults();
             fault.input = static_cast<Word>(i);
             add(fault, faults);

@@ -65,9 +65,47 @@ std::optional<ImagePrototype> image_prototype(const shader::Function& function) 
     return std::nullopt;
 }
 
+namespace {
+
+shader::Type texel_type(const std::string& sampler) {
+    if (sampler.starts_with('i')) return type_of<glm::ivec4>();
+    return sampler.starts_with('u') ? type_of<glm::uvec4>() : type_of<glm::vec4>();
+}
+
+// A translator gives separate samplers other names: "_image_sampler".
+bool is_of(const std::string& resource, const ImagePrototype& image) {
+    if (!image.sampler) return false;
+    const std::string& name = image.sampler->variable.empty() ? image.name : image.sampler->variable;
+    return resource == name || resource == "_" + name + "_sampler";
+}
+
+}  // namespace
+
+std::vector<ImagePrototype> samplers_of(const shader::Excerpt& excerpt, const shader::Function& function) {
+    std::vector<ImagePrototype> samplers;
+    for (const shader::SamplerVariable& one : excerpt.samplers)
+        samplers.push_back(
+            {.name = one.name,
+             .element = texel_type(one.type),
+             .sampler = ImagePrototype::Sampler{
+                 .type = one.type, .variable = {}, .macro = shader::sampler_binding(samplers.size())}});
+    for (std::size_t i = 0; i < function.parameters.size(); ++i) {
+        const shader::Parameter& p = function.parameters[i];
+        if (p.type.scalar != shader::Scalar::sampler) continue;
+        samplers.push_back({.name = p.name,
+                            .element = texel_type(p.type.name),
+                            .sampler = ImagePrototype::Sampler{
+                                .type = p.type.name, .variable = internal::argument_name(i), .macro = {}}});
+    }
+    return samplers;
+}
+
 shader::Source probe_of(const std::string& file, const std::string& excerpt) {
+    std::string text = "#version 450\n";
+    for (std::size_t i = 0; excerpt.find(shader::sampler_binding(i)) != std::string::npos; ++i)
+        text += fmt::format("#define {} {}\n", shader::sampler_binding(i), i);
     return {.name = "signature of " + file,
-            .text = "#version 450\n" + (excerpt.empty() ? fmt::format("#include \"{}\"\n", file) : excerpt)};
+            .text = text + (excerpt.empty() ? fmt::format("#include \"{}\"\n", file) : excerpt)};
 }
 
 shader::SpirvCache shader_cache(const LabOptions& options) {
@@ -90,6 +128,8 @@ std::optional<shader::Language> Lab::language() const {
 }
 
 KernelCore Lab::core(KernelModule module, const std::string& name) const {
+    module.subtexel_bits = info().subtexel_bits;
+    module.level_bits = info().level_bits;
     return {*device_, std::move(module), name};
 }
 
@@ -108,15 +148,20 @@ KernelSource Lab::source(const std::string& file, const std::string& function,
                          const Signature& signature) const {
     const auto excerpt = std::ranges::find(options_.excerpts, function, &shader::Excerpt::function);
     const std::string text = excerpt == options_.excerpts.end() ? "" : excerpt->text;
-    const std::vector<shader::Function> all =
+    std::vector<shader::Function> all =
         text.empty() ? functions(file) : cache_.functions(probe_of(file, text), compile_options());
+    if (!text.empty())
+        for (shader::Function& one : all) one = with_globals(std::move(one), excerpt->globals);
     std::vector<std::string> named;
     for (const shader::Function& candidate : all) {
         if (candidate.name != function || !candidate.defined) continue;
         if (matches(signature, candidate)) {
+            std::vector<ImagePrototype> images;
+            if (!text.empty()) images = samplers_of(*excerpt, candidate);
+            std::ranges::copy(image_prototypes(all, file), std::back_inserter(images));
             return {.file = file,
                     .function = candidate,
-                    .images = image_prototypes(all, file),
+                    .images = std::move(images),
                     .preserve_nan = info().float32.preserves_signed_zero_inf_nan,
                     .text = text};
         }
@@ -144,7 +189,7 @@ KernelCore Lab::kernel(const std::string& file, const std::string& function,
                        const Signature& signature) const {
     const KernelSource made_of = source(file, function, signature);
     const shader::Source text{.name = "kernel of " + function, .text = kernel_code(made_of)};
-    KernelModule module{.spirv = compile_kernel(text),
+    KernelModule module{.spirv = compile_kernel(text, made_of.images),
                         .input_words = signature.input_words(),
                         .output_words = signature.output_words(),
                         .images = made_of.images};
@@ -164,11 +209,14 @@ shader::Spirv Lab::compile(const shader::Source& text, const shader::CompileOpti
     return cache_.compile(text, options);
 }
 
-shader::Spirv Lab::compile_kernel(const shader::Source& text) const {
+shader::Spirv Lab::compile_kernel(const shader::Source& text,
+                                  const std::vector<ImagePrototype>& images) const {
     shader::Spirv module = compile(text);
     for (const shader::Resource& resource : shader::used_resources(module)) {
         constexpr std::string_view ours = "GloamKernel";  // translations keep one of the two names
         if (resource.block.starts_with(ours) || resource.name.starts_with(ours)) continue;
+        const auto bound = [&](const ImagePrototype& image) { return is_of(resource.name, image); };
+        if (std::ranges::any_of(images, bound)) continue;
         throw std::invalid_argument(fmt::format(
             "{}: uses the {} \"{}\", expected no bindings of its own: a function is given what it "
             "reads by parameters and by prototypes T name(ivec2)",
@@ -243,7 +291,7 @@ KernelCore ConstantKernel::module_of(std::span<const Word> inputs, std::size_t c
                                                   literals ? "literals" : "specialization constants"),
                               .text = literals ? literal_kernel_code(source_, inputs, count)
                                                : specialized_kernel_code(source_, count)};
-    KernelModule module{.spirv = lab_->compile_kernel(text),
+    KernelModule module{.spirv = lab_->compile_kernel(text, source_.images),
                         .output_words = output_words_,
                         .images = source_.images,
                         .fixed_inputs = count};

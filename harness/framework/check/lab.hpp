@@ -72,6 +72,10 @@ inline constexpr std::string_view interpreter_name = "interpreter";
 // The image that serves a prototype: T f(ivec2), or void f(ivec2, T). Empty for any other prototype.
 [[nodiscard]] std::optional<ImagePrototype> image_prototype(const shader::Function& function);
 
+// The samplers of an excerpt, then those that are parameters of the function.
+[[nodiscard]] std::vector<ImagePrototype> samplers_of(const shader::Excerpt& excerpt,
+                                                      const shader::Function& function);
+
 // The text whose functions are those of a file, or of an excerpt of the file (shader::Excerpt::text).
 [[nodiscard]] shader::Source probe_of(const std::string& file, const std::string& excerpt = {});
 
@@ -120,9 +124,10 @@ class Lab {
     [[nodiscard]] shader::Spirv compile(const shader::Source& text,
                                         const shader::CompileOptions& options) const;
 
-    // The same for a kernel. Also throws std::invalid_argument if the function uses bindings of its own,
-    // because no resource is bound to them.
-    [[nodiscard]] shader::Spirv compile_kernel(const shader::Source& text) const;
+    // The same for a kernel with these images. Also throws std::invalid_argument if the function uses other
+    // bindings, because no resource is bound to them.
+    [[nodiscard]] shader::Spirv compile_kernel(const shader::Source& text,
+                                               const std::vector<ImagePrototype>& images) const;
 
     // The generated shader of a function's kernel.
     [[nodiscard]] std::string code(const std::string& file, const std::string& function,

@@ -2,6 +2,7 @@
 #include "check/own_domain.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -146,6 +147,11 @@ class Ordinary {
     // `range`: the parameter that may have a range.
     void add(const Type& type, const std::string& name, const std::string& parameter,
              std::vector<OrdinaryValues>& all) const {
+        if (!type.sizes.empty()) return add_array(type, name, parameter, all);
+        if (type.scalar == Scalar::sampler) {
+            all.push_back({name, "random images", "type", vector(std::vector<Values>{})});
+            return;
+        }
         if (type.scalar == Scalar::structure) {
             for (const shader::Member& member : type.members)
                 add(member.type, name + "." + member.name, parameter, all);
@@ -156,6 +162,24 @@ class Ordinary {
     }
 
   private:
+    // Every element has the values of one.
+    void add_array(const Type& type, const std::string& name, const std::string& parameter,
+                   std::vector<OrdinaryValues>& all) const {
+        Type element = type;
+        element.sizes.clear();
+        std::vector<OrdinaryValues> parts;
+        add(element, name, parameter, parts);
+        std::size_t count = 1;
+        for (const std::uint32_t size : type.sizes) count *= size;
+        std::vector<Values> elements;
+        std::vector<std::string> texts;
+        for (std::size_t i = 0; i < count; ++i)
+            for (const OrdinaryValues& part : parts) elements.push_back(part.values);
+        for (const OrdinaryValues& part : parts) texts.push_back(part.text);
+        all.push_back({name, fmt::format("{} of {}", count, fmt::join(texts, "; ")),
+                       parts.empty() ? "type" : parts.front().reason, vector(elements)});
+    }
+
     [[nodiscard]] std::pair<Described, std::string> values_of(const Type& type, const std::string& name,
                                                               const std::string& parameter) const {
         const int components = static_cast<int>(scalars_of(type).size());
@@ -214,7 +238,7 @@ Domain ordinary_domain(const shader::Function& function, const std::vector<Ordin
     std::vector<Values> parameters;
     std::size_t next = 0;
     const std::function<std::size_t(const Type&)> entries_of = [&](const Type& type) -> std::size_t {
-        if (type.scalar != Scalar::structure) return 1;
+        if (type.scalar != Scalar::structure || !type.sizes.empty()) return 1;
         std::size_t count = 0;
         for (const shader::Member& member : type.members) count += entries_of(member.type);
         return count;

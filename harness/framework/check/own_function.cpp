@@ -46,20 +46,37 @@ Values values_of(const shader::Type& type, const std::optional<Range>& range) {
     return scalars.size() == 1 ? scalars.front() : vector(scalars);
 }
 
-// "vec2", "sampler2D", the name of a structure.
-std::string type_name(const shader::Type& type) {
-    return type.scalar == Scalar::structure ? type.name : shader::to_glsl(type);
+// "float[5000] has more than 4096 scalars", "dvec2 in Light is not supported"; empty if a kernel can pass it.
+std::string obstacle(const shader::Type& type) {
+    if (type.scalar == Scalar::oversized)
+        return fmt::format("{} has more than {} scalars", type.name, shader::most_scalars);
+    if (type.scalar == Scalar::unsupported) return shader::name_of(type) + " is not supported";
+    for (const shader::Member& member : type.members)
+        if (const std::string inside = obstacle(member.type); !inside.empty())
+            return fmt::format("in {}, {}", shader::name_of(type), inside);
+    return {};
 }
 
 // Why no kernel can call a function; empty if one can.
-std::string why_not(const shader::Function& function) {
-    for (const shader::Parameter& p : function.parameters)
-        if (!shader::is_supported(p.type))
-            return fmt::format("values of the parameter type {} cannot be drawn", type_name(p.type));
-    if (function.result.scalar != Scalar::void_ && !shader::is_supported(function.result))
-        return fmt::format("a result of type {} cannot be read", type_name(function.result));
+std::string why_not(const shader::Function& function, const shader::Excerpt& excerpt) {
+    std::size_t scalars = shader::scalar_count(function.result);
+    for (const shader::Parameter& p : function.parameters) {
+        if (const std::string what = obstacle(p.type); !what.empty() && p.global)
+            return fmt::format("values of \"{}\" cannot be drawn: {}", p.name, what);
+        else if (!what.empty())
+            return fmt::format("values of the parameter type {} cannot be drawn: {}", shader::name_of(p.type),
+                               what);
+        scalars += shader::scalar_count(p.type);
+        if (p.global && p.direction != shader::Direction::in &&
+            excerpt.globals.at(p.name) == shader::Access::reads)
+            return fmt::format("it assigns to \"{}\", which a shader can only read", p.name);
+    }
+    if (const std::string what = obstacle(function.result); !what.empty())
+        return fmt::format("a result of type {} cannot be read: {}", shader::name_of(function.result), what);
+    if (scalars > shader::most_scalars)
+        return fmt::format("its parameters and its result have more than {} scalars", shader::most_scalars);
     if (Signature{.result = function.result, .parameters = function.parameters}.output_words() == 0)
-        return "it has no result and no out parameter";
+        return "it has no result and no out parameter, and it writes no buffer or stage output";
     return {};
 }
 
@@ -74,15 +91,19 @@ LeftOut refused(const shader::Excerpt& excerpt, const std::string& definition, c
     place.erase(place.find_last_not_of(": ") + 1);
     const auto is = [&first](const char* text) { return first.find(text) != std::string::npos; };
     if (excerpt.interface.contains(name))
-        return {
-            definition,
-            fmt::format("it uses \"{}\", which is bound or comes from another stage, at {}; expected values "
-                        "from parameters and from prototypes T name(ivec2)",
-                        name, place)};
+        return {definition,
+                fmt::format(
+                    "it uses \"{}\", an image or sampler, at {}; expected values from parameters and from "
+                    "prototypes T name(ivec2)",
+                    name, place)};
     if (is("compute_shader_derivatives"))
         return {definition, fmt::format("{} at {} needs a fragment stage", name, place)};
     if (is("not supported in this stage") || (name.starts_with("gl_") && is("undeclared identifier")))
         return {definition, fmt::format("{} at {} needs another stage than compute", name, place)};
+    if (is("Atomic memory function"))
+        return {definition,
+                fmt::format("{} at {} needs memory that invocations share: each input is run by itself", name,
+                            place)};
     return {definition, "it does not compile: " + first, true};
 }
 
@@ -101,7 +122,7 @@ bool is_named(const std::string& definition, const std::string& name) {
 std::string definition_of(const shader::Function& function) {
     std::string types;
     for (const shader::Parameter& p : function.parameters)
-        types += (types.empty() ? "" : ", ") + type_name(p.type);
+        if (!p.global) types += (types.empty() ? "" : ", ") + shader::name_of(p.type);
     return fmt::format("{}({})", function.name, types);
 }
 
@@ -115,7 +136,8 @@ class Sorting {
         std::size_t k = 0;
         for (const shader::Function& function : compiled) {
             if (function.name != excerpt.function || !function.defined) continue;
-            if (k >= excerpt.definitions.size() || !excerpt.definitions[k].empty()) own.push_back(function);
+            if (k >= excerpt.definitions.size() || !excerpt.definitions[k].empty())
+                own.push_back(with_globals(function, excerpt.globals));
             ++k;
         }
         const auto unserved = std::ranges::find_if(compiled, [](const shader::Function& function) {
@@ -124,13 +146,14 @@ class Sorting {
         for (const shader::Function& function : own) {
             const std::string definition = definition_of(function);
             if (!wants(definition)) continue;
-            std::string why = why_not(function);
+            std::string why = why_not(function, excerpt);
             if (why.empty() && unserved != compiled.end())
                 why = fmt::format(
                     "it calls {}, which has no body; expected T name(ivec2) or void name(ivec2, T)",
                     definition_of(*unserved));
             if (why.empty()) {
-                all_.found.push_back({own.size() > 1 ? definition : function.name, function, excerpt.text});
+                all_.found.push_back({own.size() > 1 ? definition : function.name, function, excerpt.text,
+                                      samplers_of(excerpt, function)});
             } else {
                 all_.left_out.push_back({definition, why});
             }
@@ -170,27 +193,68 @@ class Sorting {
     OwnFunctions all_;
 };
 
-// Images for prototypes: positive numbers of usual size. Accesses outside read the border.
-ImageScenario random_images(const std::vector<ImagePrototype>& prototypes) {
-    const auto make = [prototypes](glm::ivec2 size, numeric::Random& random) {
-        ImageSet images;
-        for (const ImagePrototype& prototype : prototypes) {
-            Image image{.element = prototype.element, .size = size, .border = Border::clamp, .words = {}};
-            for (int pixel = 0; pixel < size.x * size.y; ++pixel) {
-                for (const Scalar scalar : scalars_of(prototype.element)) {
-                    const auto value = static_cast<float>(random.uniform(0.1, 10.0));
-                    image.words.push_back(scalar == Scalar::float_ ? to_word(value)
-                                                                   : static_cast<Word>(random.below(2)));
-                }
-            }
-            images.emplace(prototype.name, std::move(image));
+// Pixels of a prototype: positive numbers of usual size. Accesses outside read the border.
+Image random_image(const ImagePrototype& prototype, glm::ivec2 size, numeric::Random& random) {
+    Image image{.element = prototype.element, .size = size, .border = Border::clamp, .words = {}};
+    for (int pixel = 0; pixel < size.x * size.y; ++pixel) {
+        for (const Scalar scalar : scalars_of(prototype.element)) {
+            const auto value = static_cast<float>(random.uniform(0.1, 10.0));
+            image.words.push_back(scalar == Scalar::float_ ? to_word(value)
+                                                           : static_cast<Word>(random.below(2)));
         }
-        return images;
+    }
+    return image;
+}
+
+// Texels of a sampler. Floats are multiples of 1/64, which 16 bits represent.
+Image random_texels(const ImagePrototype& prototype, glm::ivec2 size, Image::Sampling sampling,
+                    numeric::Random& random) {
+    constexpr unsigned layers = 3;
+    constexpr std::uint64_t values = 640;
+    const std::string& type = prototype.sampler->type;
+    const bool is_3d = type.ends_with("3D");
+    if (is_3d || type.ends_with("Array")) sampling.depth = layers;
+    const backend::SampledHeader header{
+        .width = static_cast<Word>(size.x),
+        .height = static_cast<Word>(size.y),
+        .depth = sampling.depth,
+        .levels = sampling.levels,
+        .shape = is_3d ? backend::SampledShape::three : backend::SampledShape::layers};
+    const bool floats = prototype.element.scalar == Scalar::float_;
+    sampling.linear = sampling.linear && floats;
+    Image image{.element = prototype.element, .size = size, .words = {}, .sampling = sampling};
+    for (std::size_t i = 0; i < backend::texels_before(header, header.levels) * backend::texel_words; ++i) {
+        const auto value = static_cast<Word>(random.below(values));
+        image.words.push_back(floats ? to_word(static_cast<float>(value) / 64.0F) : value);
+    }
+    return image;
+}
+
+ImageScenario random_scenario(const std::vector<ImagePrototype>& images, const std::string& name,
+                              glm::ivec2 size, const Image::Sampling& sampling) {
+    const auto make = [images, sampling](glm::ivec2 pixels, numeric::Random& random) {
+        ImageSet set;
+        for (const ImagePrototype& image : images)
+            set.emplace(image.name, image.sampler ? random_texels(image, pixels, sampling, random)
+                                                  : random_image(image, pixels, random));
+        return set;
     };
-    return {.name = "5 x 4, random", .size = {5, 4}, .make = make};
+    return {.name = name, .size = size, .make = make};
 }
 
 }  // namespace
+
+std::vector<ImageScenario> random_scenarios(const std::vector<ImagePrototype>& images) {
+    using backend::Wrap;
+    if (images.empty()) return {};
+    if (std::ranges::none_of(images, [](const auto& image) { return image.sampler.has_value(); }))
+        return {random_scenario(images, "5 x 4, random", {5, 4}, {})};
+    return {random_scenario(images, "5 x 4, random, linear, repeat", {5, 4}, {.linear = true}),
+            random_scenario(images, "4 x 4, random, linear, edge, 3 levels", {4, 4},
+                            {.linear = true, .wrap = Wrap::edge, .levels = 3}),
+            random_scenario(images, "5 x 4, random, nearest, mirrored, 2 levels", {5, 4},
+                            {.wrap = Wrap::mirrored, .levels = 2})};
+}
 
 OwnFunctions own_functions(const LabOptions& options, const std::string& file,
                            const std::vector<std::string>& names) {
@@ -223,14 +287,15 @@ Question question_of(const Lab& lab, const std::string& file, const OwnFunction&
         known.insert(parameter.name);
         if (parameter.direction == shader::Direction::out) continue;
         const auto found = ranges.find(parameter.name);
-        all_given = all_given && found != ranges.end();
+        const bool sampler = parameter.type.scalar == Scalar::sampler;
+        all_given = all_given && (sampler || found != ranges.end());
         parameters.push_back(
             values_of(parameter.type, found == ranges.end() ? std::nullopt : std::optional(found->second)));
     }
     question.domain = Domain(std::move(parameters));
     question.defined = all_given;
     const KernelSource source = lab.source(file, function.name, question.signature);
-    if (!source.images.empty()) question.scenarios = {random_images(source.images)};
+    question.scenarios = random_scenarios(source.images);
     return question;
 }
 

@@ -15,6 +15,7 @@ struct OwnFunction {
     std::string name;  // "f", or "f(vec2, float)" if the file defines others of this name
     shader::Function function;
     std::string excerpt;  // shader::Excerpt::text
+    std::vector<ImagePrototype> samplers = {};
 };
 
 // One that cannot.
@@ -34,6 +35,10 @@ struct OwnFunctions {
 // empty: all. Throws std::invalid_argument for a name that the file does not define.
 [[nodiscard]] OwnFunctions own_functions(const LabOptions& options, const std::string& file,
                                          const std::vector<std::string>& names = {});
+
+// Random content for prototypes and samplers. Where there are samplers, they have different filters, edges
+// and levels.
+[[nodiscard]] std::vector<ImageScenario> random_scenarios(const std::vector<ImagePrototype>& images);
 
 // The check of any function by the rules alone. Its domain follows from its types where no range is given;
 // the images behind its prototypes have random content.

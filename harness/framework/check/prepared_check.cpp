@@ -149,8 +149,8 @@ PreparedScenario prepare_scenario(const Question& question, const KernelSource& 
 void add_wgsl(const Lab& lab, KernelSource source, const std::string& name, PreparedCheck& prepared) {
     source.preserve_nan = false;
     try {
-        prepared.wgsl =
-            shader::to_wgsl(lab.compile_kernel({.name = "kernel of " + name, .text = kernel_code(source)}));
+        prepared.wgsl = shader::to_wgsl(
+            lab.compile_kernel({.name = "kernel of " + name, .text = kernel_code(source)}, source.images));
     } catch (const shader::WgslError& reason) {
         prepared.wgsl_unsupported = reason.what();
     }

@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 #include <limits>
 #include <map>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -15,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "backend/sampled.hpp"
 #include "check/answer.hpp"
 #include "check/domain.hpp"
 #include "check/signature.hpp"
@@ -33,6 +35,15 @@ struct Image {
     glm::ivec2 size{0};
     Border border = Border::fault;
     std::vector<Word> words;  // row by row, each pixel's scalars in order
+    // Of a sampler's image, whose element is vec4, ivec4 or uvec4. The words are those of all layers and
+    // levels, as in backend/sampled.hpp. Floats must be representable in 16 bits.
+    struct Sampling {
+        bool linear = false;
+        backend::Wrap wrap = backend::Wrap::repeat;
+        unsigned levels = 1;
+        unsigned depth = 1;  // or layers
+    };
+    std::optional<Sampling> sampling = {};
 
     // The pixel at (x, y), clamped to the image. T must be the element's type.
     template <class T>

@@ -62,6 +62,13 @@ void judge(const internal::Trial& trial, const Question& question, const Domain:
     answer.merge(judged);
 }
 
+// Inputs of many words are fewer: those of a run take 256 MiB at most.
+std::size_t inputs_of_run(const Question& question, std::size_t wanted) {
+    constexpr std::size_t most_words = std::size_t{1} << 26U;
+    const std::size_t words = question.signature.input_words() + question.signature.output_words();
+    return std::min(wanted, most_words / std::max<std::size_t>(words, 1));
+}
+
 }  // namespace
 
 Verdict verdict_of(const shader::Variant& variant, const Question& question) {
@@ -76,7 +83,8 @@ Answer run(const Lab& lab, const Question& question, const RunOptions& options) 
     answer.variant = lab.options().variant.name;
     const bool constants = lab.options().variant.constants != shader::Variant::Constants::none;
     internal::for_each_scenario(
-        question, options.inputs, [&](const ImageScenario& scenario, std::size_t share) {
+        question, inputs_of_run(question, options.inputs),
+        [&](const ImageScenario& scenario, std::size_t share) {
             const internal::Trial trial(lab, question, kernel, scenario, options.seed, verdict);
             if (constants) {
                 const ConstantKernel folded(lab, question.file, question.function, question.signature);

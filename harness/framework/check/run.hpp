@@ -49,7 +49,7 @@ struct JudgeOptions {
                            std::span<double> fractions = {});
 
 struct RunOptions {
-    std::size_t inputs = 65'536;
+    std::size_t inputs = 65'536;  // fewer are run if those and their outputs have more than 2^26 words
     std::uint64_t seed = 1;
     bool coverage = false;  // also measure what the inputs reach
 };

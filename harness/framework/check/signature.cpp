@@ -9,7 +9,13 @@ using shader::Direction;
 using shader::Scalar;
 
 void append_scalars(const shader::Type& type, std::vector<Scalar>& scalars) {
-    if (type.scalar == Scalar::void_) return;
+    if (type.scalar == Scalar::void_ || type.scalar == Scalar::sampler) return;
+    if (!type.sizes.empty()) {
+        const std::vector<Scalar> element = scalars_of(shader::element_of(type));
+        for (std::uint32_t i = 0; i < type.sizes.front(); ++i)
+            scalars.insert(scalars.end(), element.begin(), element.end());
+        return;
+    }
     if (type.scalar == Scalar::structure) {
         for (const shader::Member& member : type.members) append_scalars(member.type, scalars);
         return;
@@ -50,7 +56,10 @@ std::size_t Signature::output_words() const {
 namespace {
 
 void append_values(const shader::Type& type, std::vector<std::size_t>& values) {
-    if (type.scalar == Scalar::structure) {
+    if (!type.sizes.empty()) {
+        const shader::Type element = shader::element_of(type);
+        for (std::uint32_t i = 0; i < type.sizes.front(); ++i) append_values(element, values);
+    } else if (type.scalar == Scalar::structure) {
         for (const shader::Member& member : type.members) append_values(member.type, values);
     } else if (type.scalar != Scalar::void_) {
         values.push_back(static_cast<std::size_t>(type.columns * type.rows));
@@ -68,6 +77,13 @@ std::vector<std::size_t> Signature::output_values() const {
     return values;
 }
 
+shader::Function with_globals(shader::Function function,
+                              const std::map<std::string, shader::Access>& globals) {
+    for (const shader::Parameter& variable : function.globals)
+        if (globals.contains(variable.name)) function.parameters.push_back(variable);
+    return function;
+}
+
 std::string to_glsl(const Signature& signature, const std::string& name) {
     return to_glsl_with_layouts(
         {.name = name, .result = signature.result, .parameters = signature.parameters, .defined = true});
@@ -75,7 +91,10 @@ std::string to_glsl(const Signature& signature, const std::string& name) {
 
 std::string to_glsl_with_layouts(shader::Function function) {
     const auto spell_out = [](shader::Type& type) {
-        if (type.scalar == Scalar::structure) type.name = shader::to_glsl(type);
+        if (type.scalar != Scalar::structure) return;
+        shader::Type one = type;
+        one.sizes.clear();
+        type.name = shader::to_glsl(one);
     };
     spell_out(function.result);
     for (shader::Parameter& p : function.parameters) spell_out(p.type);
@@ -85,7 +104,7 @@ std::string to_glsl_with_layouts(shader::Function function) {
 bool matches(const Signature& signature, const shader::Function& function) {
     return signature.result == function.result &&
            std::ranges::equal(signature.parameters, function.parameters, [](const auto& a, const auto& b) {
-               return a.type == b.type && a.direction == b.direction;
+               return a.type == b.type && a.direction == b.direction && a.global == b.global;
            });
 }
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <bit>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <map>
 #include <span>
 #include <string>
 #include <tuple>
@@ -15,6 +17,7 @@
 
 #include "backend/backend.hpp"
 #include "shader/compile.hpp"
+#include "shader/pack.hpp"
 
 // Visits the members of a small aggregate in order, so that a plain struct needs no description of its own.
 namespace gloam::check {
@@ -47,8 +50,9 @@ constexpr std::size_t field_count() {
 template <class T, class Visit>
 void for_each_field(T& value, Visit&& visit) {
     using Value = std::remove_const_t<T>;
-    static_assert(std::is_aggregate_v<Value>,
-                  "a parameter must be a scalar, a GLM vector or matrix, or a plain struct of those");
+    static_assert(
+        std::is_aggregate_v<Value>,
+        "a parameter must be a scalar, a GLM vector or matrix, or a std::array or plain struct of those");
     constexpr std::size_t count = detail::field_count<Value>();
     static_assert(count > 0 && !detail::initializable<Value>(std::make_index_sequence<10>{}),
                   "a struct has 1 to 9 members");
@@ -84,7 +88,7 @@ void for_each_field(T& value, Visit&& visit) {
 }
 
 // Conversion of C++ values to the 32-bit words of a kernel and back. A value is the sequence of its scalars:
-// vectors by component, matrices by column, structures by member.
+// vectors by component, matrices by column, arrays by element, structures by member.
 
 using backend::Word;
 
@@ -104,6 +108,10 @@ template <class T>
 inline constexpr bool is_matrix = false;
 template <glm::length_t C, glm::length_t R, class T>
 inline constexpr bool is_matrix<glm::mat<C, R, T>> = true;
+template <class T>
+inline constexpr bool is_array = false;
+template <class T, std::size_t N>
+inline constexpr bool is_array<std::array<T, N>> = true;
 
 // Calls visit(scalar&) for every scalar of the value, in order.
 template <class T, class Visit>
@@ -113,6 +121,8 @@ void visit_scalars(T& value, Visit&& visit) {
         visit(value);
     } else if constexpr (is_vector<Value> || is_matrix<Value>) {
         for (glm::length_t i = 0; i < Value::length(); ++i) visit_scalars(value[i], visit);
+    } else if constexpr (is_array<Value>) {
+        for (auto& element : value) visit_scalars(element, visit);
     } else {
         for_each_field(value, [&visit](auto& field) { visit_scalars(field, visit); });
     }
@@ -150,6 +160,10 @@ template <class T>
         Type type = type_of<typename T::value_type>();
         type.columns = T::length();
         type.rows = T::col_type::length();
+        return type;
+    } else if constexpr (is_array<T>) {
+        Type type = type_of<typename T::value_type>();
+        type.sizes.insert(type.sizes.begin(), static_cast<std::uint32_t>(std::tuple_size_v<T>));
         return type;
     } else {
         Type type{.scalar = Scalar::structure, .name = "struct"};
@@ -230,6 +244,10 @@ template <glm::length_t C, glm::length_t R>
 struct InDoubleOf<glm::mat<C, R, float>> {
     using type = glm::mat<C, R, double>;
 };
+template <class T, std::size_t N>
+struct InDoubleOf<std::array<T, N>> {
+    using type = std::array<typename InDoubleOf<T>::type, N>;
+};
 template <class T>
 using InDouble = typename InDoubleOf<T>::type;
 
@@ -267,6 +285,10 @@ struct Signature {
     // Word counts of the output values (scalar, vector, matrix), one entry for each value.
     [[nodiscard]] std::vector<std::size_t> output_values() const;
 };
+
+// The function with variables at file scope as further parameters: those that it uses, of these names.
+[[nodiscard]] shader::Function with_globals(shader::Function function,
+                                            const std::map<std::string, shader::Access>& globals);
 
 // "float f(vec2, out float)"; structures are written in full.
 [[nodiscard]] std::string to_glsl(const Signature& signature, const std::string& name);

@@ -187,6 +187,18 @@ Values vector(int components, const Values& component) {
     return values;
 }
 
+namespace {
+
+// Fixed values of a vector take words x words: of a large one, each of so many is taken.
+std::size_t fixed_stride(const std::vector<Values>& components) {
+    constexpr std::size_t most_words = std::size_t{1} << 20U;
+    std::size_t fixed = 0;
+    for (const Values& component : components) fixed += component.fixed.size();
+    return fixed * components.size() / most_words + 1;
+}
+
+}  // namespace
+
 Values vector(const std::vector<Values>& components) {
     Values values;
     values.draw = [components](DrawContext& context, Words& words) {
@@ -201,10 +213,13 @@ Values vector(const std::vector<Values>& components) {
     };
     numeric::Random random(2);
     std::size_t first = 0;
+    std::size_t met = 0;
+    const std::size_t one_of = fixed_stride(components);
     for (std::size_t i = 0; i < components.size(); first += sizes[i++]) {
         const Values& component = components[i];
         for (const std::size_t size : component.image_sizes) values.image_sizes.push_back(first + size);
         for (const Values::Fixed& fixed : component.fixed) {
+            if (met++ % one_of != 0) continue;
             DrawContext context{.random = random};
             Values::Fixed one{.words = {}, .branch = fixed.branch};
             values.draw(context, one.words);

@@ -12,6 +12,7 @@
 
 #include "interpreter/number.hpp"
 #include "interpreter/program.hpp"
+#include "interpreter/sampling.hpp"
 
 namespace gloam::interpreter {
 
@@ -137,6 +138,7 @@ class Machine {
     // are visible to itself and to read() until the next run, which starts with the bound contents.
     void bind(std::uint32_t set, std::uint32_t binding, std::span<const Word> words);
     void bind(std::uint32_t set, std::uint32_t binding, const ImageView& image);
+    void bind(std::uint32_t set, std::uint32_t binding, const SampledView& image);
     void bind_push_constants(std::span<const Word> words);
 
     // Selects the invocation. It runs alone, and does not see what others of its group write to shared

@@ -28,7 +28,9 @@ std::string scalar_name(Scalar scalar) {
         case Scalar::float_:
             return "float";
         case Scalar::structure:
+        case Scalar::sampler:
         case Scalar::unsupported:
+        case Scalar::oversized:
             break;
     }
     return {};
@@ -38,41 +40,24 @@ std::string vector_prefix(Scalar scalar) {
     return scalar == Scalar::float_ ? std::string() : scalar_name(scalar).substr(0, 1);
 }
 
-// Structures by name, everything else in full.
-std::string short_name(const Type& type) {
-    return type.scalar == Scalar::structure ? type.name : to_glsl(type);
-}
-
-std::string text_of(const Parameter& parameter) {
+std::string sizes_of(const Type& type) {
     std::string text;
-    if (parameter.direction == Direction::out) text = "out ";
-    if (parameter.direction == Direction::inout) text = "inout ";
-    text += short_name(parameter.type);
-    if (!parameter.name.empty()) text += " " + parameter.name;
+    for (const std::uint32_t size : type.sizes) text += "[" + (size > 0 ? std::to_string(size) : "") + "]";
     return text;
 }
 
-}  // namespace
-
-bool operator==(const Type& a, const Type& b) {
-    if (a.scalar != b.scalar || a.columns != b.columns || a.rows != b.rows) return false;
-    if (a.scalar == Scalar::unsupported) return a.name == b.name;
-    return std::equal(a.members.begin(), a.members.end(), b.members.begin(), b.members.end(),
-                      [](const Member& x, const Member& y) { return x.type == y.type; });
+bool has_text(const Type& type) {
+    return type.scalar == Scalar::sampler || type.scalar == Scalar::unsupported ||
+           type.scalar == Scalar::oversized;
 }
 
-bool is_supported(const Type& type) {
-    return type.scalar != Scalar::unsupported &&
-           std::all_of(type.members.begin(), type.members.end(),
-                       [](const Member& member) { return is_supported(member.type); });
-}
-
-std::string to_glsl(const Type& type) {
-    if (type.scalar == Scalar::unsupported) return type.name;
+// One element of an array.
+std::string element_text(const Type& type) {
+    if (has_text(type)) return type.name;
     if (type.scalar == Scalar::structure) {
         std::string text = type.name + " {";
         for (const Member& member : type.members)
-            text.append(" ").append(short_name(member.type)).append(" ").append(member.name).append(";");
+            text.append(" ").append(name_of(member.type)).append(" ").append(member.name).append(";");
         return text + " }";
     }
     const std::string rows = std::to_string(type.rows);
@@ -83,9 +68,65 @@ std::string to_glsl(const Type& type) {
     return type.rows > 1 ? vector_prefix(type.scalar) + "vec" + rows : scalar_name(type.scalar);
 }
 
+std::string text_of(const Parameter& parameter) {
+    std::string text;
+    if (parameter.direction == Direction::out) text = "out ";
+    if (parameter.direction == Direction::inout) text = "inout ";
+    text += name_of(parameter.type);
+    if (!parameter.name.empty()) text += " " + parameter.name;
+    return text;
+}
+
+}  // namespace
+
+bool operator==(const Type& a, const Type& b) {
+    if (a.scalar != b.scalar || a.columns != b.columns || a.rows != b.rows || a.sizes != b.sizes)
+        return false;
+    if (has_text(a)) return a.name == b.name;
+    return std::equal(a.members.begin(), a.members.end(), b.members.begin(), b.members.end(),
+                      [](const Member& x, const Member& y) { return x.type == y.type; });
+}
+
+bool is_supported(const Type& type) {
+    return type.scalar != Scalar::unsupported && type.scalar != Scalar::oversized &&
+           std::all_of(type.members.begin(), type.members.end(),
+                       [](const Member& member) { return is_supported(member.type); });
+}
+
+bool is_sampler_type(std::string_view name) {
+    if (name.starts_with('i') || name.starts_with('u')) name.remove_prefix(1);
+    return name == "sampler2D" || name == "sampler2DArray" || name == "sampler3D";
+}
+
+Type element_of(const Type& array) {
+    Type element = array;
+    element.sizes.erase(element.sizes.begin());
+    return element;
+}
+
+std::size_t scalar_count(const Type& type) {
+    std::size_t count = static_cast<std::size_t>(type.columns) * static_cast<std::size_t>(type.rows);
+    if (type.scalar == Scalar::void_ || type.scalar == Scalar::sampler) count = 0;
+    if (type.scalar == Scalar::structure) {
+        count = 0;
+        for (const Member& member : type.members)
+            count = std::min(count + scalar_count(member.type), most_scalars + 1);
+    }
+    for (const std::uint32_t size : type.sizes) count = std::min(count * size, most_scalars + 1);
+    return count;
+}
+
+std::string to_glsl(const Type& type) {
+    return element_text(type) + sizes_of(type);
+}
+
+std::string name_of(const Type& type) {
+    return (type.scalar == Scalar::structure ? type.name : element_text(type)) + sizes_of(type);
+}
+
 std::string to_glsl(const Function& function) {
-    std::string text = short_name(function.result) + " " + function.name + "(";
-    for (std::size_t i = 0; i < function.parameters.size(); ++i)
+    std::string text = name_of(function.result) + " " + function.name + "(";
+    for (std::size_t i = 0; i < function.parameters.size() && !function.parameters[i].global; ++i)
         text += (i == 0 ? "" : ", ") + text_of(function.parameters[i]);
     return text + ")";
 }

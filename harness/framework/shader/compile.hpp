@@ -12,19 +12,24 @@
 
 namespace gloam::shader {
 
-// `unsupported`: an array, a sampler, a double ...; Type::name then holds its GLSL text.
-enum class Scalar { void_, bool_, int_, uint_, float_, structure, unsupported };
+// `sampler`: see is_sampler_type(); it has no scalars. `unsupported`: another sampler, a double ...;
+// `oversized`: a type of more than most_scalars. Type::name then holds its GLSL text.
+enum class Scalar { void_, bool_, int_, uint_, float_, structure, sampler, unsupported, oversized };
+
+inline constexpr std::size_t most_scalars = 4096;
 
 struct Member;
 
 // A GLSL type: scalar, vector (columns 1, rows 2..4), matrix (columns and rows 2..4; columns x rows as in
-// matCxR) or structure.
+// matCxR), structure, or an array of one of these.
 struct Type {
     Scalar scalar = Scalar::void_;
     int columns = 1;
     int rows = 1;
     std::vector<Member> members;  // of a structure only
     std::string name;  // of a structure (not compared), or the text of an unsupported type (compared)
+    // Of an array, outermost first: float[2][3] has 2, 3. The rest of the type is one element's.
+    std::vector<std::uint32_t> sizes = {};
 
     // Equal layout: same scalar, columns, rows, and members of equal types; member names are not compared.
     friend bool operator==(const Type& a, const Type& b);
@@ -41,6 +46,7 @@ struct Parameter {
     std::string name;
     Type type;
     Direction direction = Direction::in;
+    bool global = false;  // no parameter, but a variable at file scope
 };
 
 // A function as the compiler sees it: defined, or only declared (a prototype for another to define; its
@@ -50,14 +56,28 @@ struct Function {
     Type result;
     std::vector<Parameter> parameters;
     bool defined = false;
+    // Variables at file scope that it uses, itself or by what it calls; inout where it may write them.
+    std::vector<Parameter> globals = {};
 };
 
-// Whether no part of the type is unsupported.
+// Whether no part of the type is unsupported or oversized.
 [[nodiscard]] bool is_supported(const Type& type);
 
-// "vec3", "mat4x3", "float", "Name { float a; vec2 b; }".
+// "sampler2D", "sampler2DArray", "sampler3D", and those of integers, "isampler2D" and "usampler2D".
+[[nodiscard]] bool is_sampler_type(std::string_view name);
+
+// An element of an array: that of float[2][3] is float[3].
+[[nodiscard]] Type element_of(const Type& array);
+
+// Scalars of a value; what is unsupported counts as one. At most most_scalars + 1.
+[[nodiscard]] std::size_t scalar_count(const Type& type);
+
+// "vec3", "mat4x3", "float[2]", "Name { float a; vec2[3] b; }".
 [[nodiscard]] std::string to_glsl(const Type& type);
+// The same with a structure by its name: "Name", "Name[2]".
+[[nodiscard]] std::string name_of(const Type& type);
 // "float f(vec2 uv, out float depth)"; a structure by its name only, an unnamed parameter by its type only.
+// Without globals.
 [[nodiscard]] std::string to_glsl(const Function& function);
 
 // Optimisation by SPIRV-Tools after the front end.

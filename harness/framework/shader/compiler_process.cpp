@@ -20,7 +20,8 @@ static void to_json(Json& json, const Member& member);
 static void from_json(const Json& json, Member& member);
 
 static void to_json(Json& json, const Type& type) {
-    json = Json::array({static_cast<int>(type.scalar), type.columns, type.rows, type.name, type.members});
+    json = Json::array(
+        {static_cast<int>(type.scalar), type.columns, type.rows, type.name, type.members, type.sizes});
 }
 
 static void from_json(const Json& json, Type& type) {
@@ -29,6 +30,7 @@ static void from_json(const Json& json, Type& type) {
     json.at(2).get_to(type.rows);
     json.at(3).get_to(type.name);
     json.at(4).get_to(type.members);
+    json.at(5).get_to(type.sizes);
 }
 
 static void to_json(Json& json, const Member& member) {
@@ -41,17 +43,20 @@ static void from_json(const Json& json, Member& member) {
 }
 
 static void to_json(Json& json, const Parameter& parameter) {
-    json = Json::array({parameter.name, parameter.type, static_cast<int>(parameter.direction)});
+    json = Json::array(
+        {parameter.name, parameter.type, static_cast<int>(parameter.direction), parameter.global});
 }
 
 static void from_json(const Json& json, Parameter& parameter) {
     json.at(0).get_to(parameter.name);
     json.at(1).get_to(parameter.type);
     parameter.direction = static_cast<Direction>(json.at(2).get<int>());
+    json.at(3).get_to(parameter.global);
 }
 
 static void to_json(Json& json, const Function& function) {
-    json = Json::array({function.name, function.result, function.parameters, function.defined});
+    json = Json::array(
+        {function.name, function.result, function.parameters, function.defined, function.globals});
 }
 
 static void from_json(const Json& json, Function& function) {
@@ -59,6 +64,7 @@ static void from_json(const Json& json, Function& function) {
     json.at(1).get_to(function.result);
     json.at(2).get_to(function.parameters);
     json.at(3).get_to(function.defined);
+    json.at(4).get_to(function.globals);
 }
 
 namespace internal {
@@ -142,18 +148,35 @@ PackRequest request_from(const Json& json) {
     return request;
 }
 
+Json json_of(const std::vector<SamplerVariable>& samplers) {
+    Json json = Json::array();
+    for (const SamplerVariable& sampler : samplers) json.push_back(Json::array({sampler.name, sampler.type}));
+    return json;
+}
+
+std::vector<SamplerVariable> samplers_from(const Json& json) {
+    std::vector<SamplerVariable> samplers;
+    for (const Json& one : json) samplers.push_back({one.at(0), one.at(1)});
+    return samplers;
+}
+
 Json json_of(const Excerpts& excerpts) {
     Json functions = Json::array();
     for (const Excerpt& one : excerpts.functions)
-        functions.push_back(Json::array({one.function, one.text, one.interface, one.definitions}));
+        functions.push_back(Json::array(
+            {one.function, one.text, one.interface, one.globals, one.definitions, json_of(one.samplers)}));
     return Json::array({excerpts.version, functions});
 }
 
 Excerpts excerpts_from(const Json& json) {
     Excerpts excerpts{.version = json.at(0), .functions = {}};
     for (const Json& one : json.at(1))
-        excerpts.functions.push_back(
-            {.function = one.at(0), .text = one.at(1), .interface = one.at(2), .definitions = one.at(3)});
+        excerpts.functions.push_back({.function = one.at(0),
+                                      .text = one.at(1),
+                                      .interface = one.at(2),
+                                      .samplers = samplers_from(one.at(5)),
+                                      .globals = one.at(3).get<std::map<std::string, Access>>(),
+                                      .definitions = one.at(4)});
     return excerpts;
 }
 

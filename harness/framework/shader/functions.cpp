@@ -33,8 +33,16 @@ class TypeReader {
         return found == names_.end() ? "" : found->second;
     }
 
-    // The type of a value, or of what a pointer points to.
+    // The type of a value, or of what a pointer points to. Its description is small, however large a value
+    // is.
     [[nodiscard]] Type type_of(Id id) const {
+        const Type type = whole_type_of(id);
+        if (scalar_count(type) <= most_scalars) return type;
+        return {.scalar = Scalar::oversized, .members = {}, .name = shader::name_of(type)};
+    }
+
+  private:
+    [[nodiscard]] Type whole_type_of(Id id) const {
         const Instruction& type = types_.at(id);
         switch (type.opcode) {
             case SpvOpTypePointer:
@@ -53,7 +61,6 @@ class TypeReader {
         }
     }
 
-  private:
     void read(const Instruction& instruction) {
         if (instruction.opcode == SpvOpName) {
             names_[instruction.word(1)] = literal_string(instruction, 2);
@@ -111,13 +118,9 @@ class TypeReader {
     }
 
     [[nodiscard]] Type array_of(const Instruction& type, Id size) const {
-        const Type element = type_of(type.word(2));
-        const bool plain_name = element.scalar == Scalar::structure || element.scalar == Scalar::unsupported;
-        const std::string text = plain_name ? element.name : to_glsl(element);
-        const std::size_t sizes =
-            std::min(text.find('['), text.size());  // those of an array of arrays follow ours
-        return unsupported(text.substr(0, sizes) + "[" + (size ? std::to_string(size) : "") + "]" +
-                           text.substr(sizes));
+        Type array = type_of(type.word(2));
+        array.sizes.insert(array.sizes.begin(), size);
+        return array;
     }
 
     [[nodiscard]] Type structure(Id id, const Instruction& type) const {
@@ -143,23 +146,100 @@ std::map<Id, std::size_t> function_indices(const std::vector<Instruction>& code)
     return indices;
 }
 
+void merge(std::vector<Parameter>& used, const Parameter& variable, Direction direction) {
+    auto found = std::ranges::find(used, variable.name, &Parameter::name);
+    if (found == used.end()) found = used.insert(used.end(), variable);
+    if (direction == Direction::inout) found->direction = direction;
+}
+
+// Private variables at file scope, and what a function does with them.
+class Globals {
+    using Variable = std::pair<Id, Parameter>;
+
+  public:
+    Globals(const std::vector<Instruction>& code, const TypeReader& types) {
+        for (const Instruction& instruction : code)
+            if (instruction.opcode == SpvOpVariable && instruction.word(3) == SpvStorageClassPrivate)
+                variables_.push_back({instruction.word(2),
+                                      {types.name_of(instruction.word(2)), types.type_of(instruction.word(1)),
+                                       Direction::in, true}});
+    }
+
+    void read(const Instruction& instruction, std::vector<Parameter>& used) {
+        switch (instruction.opcode) {
+            case SpvOpFunction:
+                bases_.clear();
+                for (const auto& variable : variables_) bases_[variable.first] = variable.first;
+                break;
+            case SpvOpAccessChain:
+            case SpvOpInBoundsAccessChain:
+                if (const auto base = bases_.find(instruction.word(3)); base != bases_.end())
+                    bases_[instruction.word(2)] = Id{base->second};
+                break;
+            case SpvOpLoad:
+                return use(instruction.word(3), false, used);
+            case SpvOpStore:
+                return use(instruction.word(1), true, used);
+            case SpvOpCopyMemory:
+                use(instruction.word(1), true, used);
+                return use(instruction.word(2), false, used);
+            case SpvOpFunctionCall:
+                for (std::size_t i = 4; i < instruction.words.size(); ++i)
+                    use(instruction.words[i], true, used);
+                break;
+            case SpvOpExtInst:  // modf, frexp
+                for (std::size_t i = 5; i < instruction.words.size(); ++i)
+                    use(instruction.words[i], true, used);
+                break;
+            default:
+                break;
+        }
+    }
+
+  private:
+    void use(Id pointer, bool writes, std::vector<Parameter>& used) const {
+        const auto base = bases_.find(pointer);
+        if (base == bases_.end()) return;
+        const Parameter& variable = std::ranges::find(variables_, base->second, &Variable::first)->second;
+        merge(used, variable, writes ? Direction::inout : Direction::in);
+    }
+
+    std::vector<Variable> variables_;
+    std::map<Id, Id> bases_;  // of pointers in the current function
+};
+
+// Adds what a function uses by what it calls. There is no recursion.
+void add_globals_of_called(std::vector<Signature>& functions, std::size_t caller, std::vector<bool>& done) {
+    if (done[caller]) return;
+    done[caller] = true;
+    for (const std::size_t called : functions[caller].calls) {
+        add_globals_of_called(functions, called, done);
+        for (const Parameter& variable : functions[called].globals)
+            merge(functions[caller].globals, variable, variable.direction);
+    }
+}
+
 }  // namespace
 
 std::vector<Signature> signatures(const Spirv& module) {
     const std::vector<Instruction> code = instructions(module);
     const TypeReader types(code);
+    Globals globals(code, types);
     const std::map<Id, std::size_t> indices = function_indices(code);
     std::vector<Signature> found;
     for (const Instruction& instruction : code) {
         const Id type = instruction.word(1);
         const Id id = instruction.word(2);
         if (instruction.opcode == SpvOpFunction)
-            found.push_back({name_without_overload_mark(types.name_of(id)), types.type_of(type), {}, {}});
+            found.push_back({name_without_overload_mark(types.name_of(id)), types.type_of(type), {}, {}, {}});
         if (instruction.opcode == SpvOpFunctionParameter)
             found.back().parameters.push_back({types.name_of(id), types.type_of(type), Direction::in});
         if (instruction.opcode == SpvOpFunctionCall)
             found.back().calls.push_back(indices.at(instruction.word(3)));
+        if (!found.empty()) globals.read(instruction, found.back().globals);
     }
+    std::vector<bool> done(found.size(), false);
+    for (std::size_t i = 0; i < found.size(); ++i) add_globals_of_called(found, i, done);
     return found;
 }
 
@@ -193,13 +273,17 @@ std::vector<Declaration> in_order_of_definition(const std::vector<Declaration>& 
 // Combines a function of the module with what only the text contains: directions, and the names of opaque
 // types.
 Function function_of(const Signature& signature, const Declaration& declaration) {
-    Function function{signature.name, signature.result, signature.parameters, declaration.defined};
+    Function function{signature.name, signature.result, signature.parameters, declaration.defined,
+                      signature.globals};
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
         Parameter& parameter = function.parameters[i];
         const internal::DeclaredParameter& declared = declaration.parameters.at(i);
         parameter.direction = declared.direction;
         if (parameter.type.scalar == Scalar::unsupported && parameter.type.name.empty())
-            parameter.type.name = declared.type;
+            parameter.type.name = declared.type.substr(0, declared.type.find('['));  // the sizes are known
+        const bool sampler = parameter.type.scalar == Scalar::unsupported && parameter.type.sizes.empty() &&
+                             is_sampler_type(parameter.type.name);
+        if (sampler) parameter.type.scalar = Scalar::sampler;
         if (!declaration.defined) parameter.name.clear();
     }
     return function;
@@ -240,6 +324,18 @@ std::vector<Function> listed(const std::vector<Signature>& signatures,
     return functions;
 }
 
+// The front end takes a bias in every stage, and its module is not valid in most.
+void require_no_bias(const Spirv& module, const std::string& name) {
+    for (const Instruction& instruction : instructions(module)) {
+        const bool samples = instruction.opcode >= SpvOpImageSampleImplicitLod &&
+                             instruction.opcode <= SpvOpImageSampleProjDrefExplicitLod;
+        if (!samples) continue;
+        const bool compares = (instruction.opcode - SpvOpImageSampleImplicitLod) % 4 >= 2;
+        if ((instruction.word(compares ? 6 : 5) & SpvImageOperandsBiasMask) != 0)
+            throw CompileError(name + ": 'texture' : a bias of the level is not supported in this stage");
+    }
+}
+
 }  // namespace
 
 std::vector<Function> internal::functions_here(const Source& source, const CompileOptions& options) {
@@ -252,6 +348,7 @@ std::vector<Function> internal::functions_here(const Source& source, const Compi
     const Source whole{source.name, internal::completed(text, declared)};
     const Spirv module =
         internal::to_spirv(whole, options.stage, {}, {.unreached = internal::Unreached::kept});
+    require_no_bias(module, source.name);
     return listed(internal::signatures(module), declared);
 }
 

@@ -14,6 +14,7 @@
 #include "shader/internal/declarations.hpp"
 #include "shader/internal/lines.hpp"
 #include "shader/internal/outline.hpp"
+#include "shader/internal/plain_global.hpp"
 #include "shader/internal/selection.hpp"
 
 namespace gloam::shader {
@@ -159,6 +160,10 @@ std::size_t code_lines(std::string_view text) {
         std::ranges::count_if(lines, [](const internal::Line& line) { return !internal::is_blank(line); }));
 }
 
+std::string sampler_binding(std::size_t sampler) {
+    return "GLOAM_SAMPLER_" + std::to_string(sampler);
+}
+
 namespace {
 
 using internal::ActiveText;
@@ -191,25 +196,70 @@ bool defines(const Piece& piece, const std::string& function) {
     return piece.kind == Kind::function && piece.names.front() == function;
 }
 
-// Bindings, stage inputs and outputs; a specialization constant is a constant like others.
-bool is_interface(const Piece& piece) {
-    return piece.kind == Kind::interface && piece.text.find("constant_id") == std::string::npos;
+// What the macros stand for.
+using Macros = std::map<std::string, std::set<std::string>>;
+
+Macros macros_of(const Outline& outline) {
+    Macros macros;
+    for (const Piece& piece : outline.pieces)
+        if (piece.kind == Kind::macro)
+            macros[piece.names.front()].insert(piece.mentions.begin(), piece.mentions.end());
+    return macros;
+}
+
+// The types without values that macros stand for, by the macros' names: SAMPLER_TYPE.
+std::map<std::string, std::string> opaque_macros(const Macros& macros) {
+    std::map<std::string, std::string> types;
+    for (const auto& [name, meant] : macros) {
+        const auto type = std::ranges::find_if(meant, internal::is_opaque);
+        if (type != meant.end()) types[name] = *type;
+    }
+    return types;
+}
+
+// Declarations of samplers, added to those of the excerpt.
+std::string sampler_text(const std::vector<SamplerVariable>& samplers, Excerpt& excerpt) {
+    std::string text;
+    for (const SamplerVariable& sampler : samplers) {
+        text += "layout(binding = " + sampler_binding(excerpt.samplers.size()) + ") uniform highp " +
+                sampler.type + " " + sampler.name + "; ";
+        excerpt.samplers.push_back(sampler);
+    }
+    return text;
+}
+
+// The text of a piece in an excerpt, and its names; a macro may give a variable another one.
+std::string interface_text(const Piece& piece, const Macros& macros, Excerpt& excerpt) {
+    const std::map<std::string, std::string> opaque = opaque_macros(macros);
+    if (const auto samplers = internal::samplers_of(piece, opaque)) return sampler_text(*samplers, excerpt);
+    const auto plain = internal::plain_globals(piece, opaque);
+    if (!plain) {
+        excerpt.interface.insert(piece.names.begin(), piece.names.end());
+        return {};
+    }
+    for (const auto& [name, access] : plain->access) {
+        excerpt.globals[name] = access;
+        const auto renamed = macros.find(name);
+        if (renamed == macros.end()) continue;
+        for (const std::string& other : renamed->second) excerpt.globals[other] = access;
+    }
+    return plain->text;
 }
 
 Excerpt excerpt_of(const std::string& function, const ActiveText& active, const Outline& outline) {
     internal::Selection selection(outline, given);
     selection.want({function});
-    Excerpt excerpt{.function = function, .text = {}, .interface = {}, .definitions = {}};
+    const Macros macros = macros_of(outline);
+    Excerpt excerpt{
+        .function = function, .text = {}, .interface = {}, .samplers = {}, .globals = {}, .definitions = {}};
     for (const std::string& extension : outline.extensions) excerpt.text += extension + "\n";
     for (std::size_t i = 0; i < outline.pieces.size(); ++i) {
         const Piece& piece = outline.pieces[i];
         if (!selection.keeps(i) || piece.kind == Kind::comment || defines(piece, "main")) continue;
-        if (is_interface(piece)) {
-            excerpt.interface.insert(piece.names.begin(), piece.names.end());
-            continue;
-        }
-        excerpt.text +=
-            internal::line_directive(piece.line, active.files[piece.file].name) + piece.text + "\n";
+        const std::string text =
+            piece.kind == Kind::interface ? interface_text(piece, macros, excerpt) : piece.text;
+        if (text.empty()) continue;
+        excerpt.text += internal::line_directive(piece.line, active.files[piece.file].name) + text + "\n";
         if (defines(piece, function))
             excerpt.definitions.push_back(piece.file < given ? definition_of(piece) : "");
     }

@@ -43,13 +43,30 @@ struct PackRequest {
 // Number of lines with more than blanks and comments.
 [[nodiscard]] std::size_t code_lines(std::string_view text);
 
+// What a shader may do with a variable of its interface.
+enum class Access { reads, any };
+
+// A sampler at file scope.
+struct SamplerVariable {
+    std::string name;
+    std::string type;  // is_sampler_type()
+};
+
+// The macro for the binding of an excerpt's sampler, by its position.
+[[nodiscard]] std::string sampler_binding(std::size_t sampler);
+
 // A function of a text from elsewhere, with all that it uses: a text that another shader can contain in the
-// place of an #include. It has no comments, no #version and no main, and none of the text's bindings, stage
-// inputs and stage outputs. #line directives name the lines of the original files.
+// place of an #include. It has no comments, no #version and no main. Its uniforms, buffers, stage inputs and
+// stage outputs are plain variables at file scope, which the other shader sets; its
+// samplers have a macro for their binding, which the other shader defines (sampler_binding()). Images and
+// other types without values are left out. Specialization constants have their default. #line directives name
+// the lines of the original files.
 struct Excerpt {
     std::string function;  // its name; overloads have one excerpt
     std::string text;
-    std::set<std::string> interface;  // names of bindings, stage inputs and outputs that it may use
+    std::set<std::string> interface;             // names that it may use and that are left out
+    std::vector<SamplerVariable> samplers = {};  // that it may use
+    std::map<std::string, Access> globals;       // the plain variables that it may use
     // Each definition of this name in `text`, in order: with its types as the file itself has them, "f(vec2,
     // float[2])"; empty for one of an include.
     std::vector<std::string> definitions;

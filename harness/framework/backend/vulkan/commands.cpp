@@ -180,6 +180,13 @@ void write_descriptors(const Context& context, const vk::raii::DescriptorSet& se
             buffers[i] = vk::DescriptorBufferInfo{.buffer = *buffer->get().impl().handles->buffer,
                                                   .range = VK_WHOLE_SIZE};
             write.pBufferInfo = &buffers[i];
+        } else if (const auto* sampled =
+                       std::get_if<std::reference_wrapper<const SampledImage>>(&resources[i])) {
+            const SampledHandles& handles = *sampled->get().impl().handles;
+            images[i] = vk::DescriptorImageInfo{.sampler = *handles.sampler,
+                                                .imageView = *handles.view,
+                                                .imageLayout = vk::ImageLayout::eGeneral};
+            write.pImageInfo = &images[i];
         } else {
             const Image& image = std::get<std::reference_wrapper<const Image>>(resources[i]);
             images[i] = vk::DescriptorImageInfo{.sampler = *context.sampler,
@@ -218,6 +225,13 @@ void check_resource(const ComputePipeline::Impl& pipeline, const Resource& resou
         const Buffer& buffer = std::get<std::reference_wrapper<const Buffer>>(resource);
         check_same_device(buffer.impl().context, pipeline.context, "dispatch: a buffer");
         return;
+    }
+    if (const auto* sampled = std::get_if<std::reference_wrapper<const SampledImage>>(&resource)) {
+        check_same_device(sampled->get().impl().context, pipeline.context, "dispatch: an image");
+        if (wanted == BindingKind::sampled_image) return;
+        throw std::invalid_argument(
+            fmt::format("dispatch: resource {} is a sampled image, the pipeline's binding is a {}", binding,
+                        name_of(wanted)));
     }
     const Image& image = std::get<std::reference_wrapper<const Image>>(resource);
     check_same_device(image.impl().context, pipeline.context, "dispatch: an image");

@@ -14,7 +14,7 @@
 
 namespace gloam::gpu {
 
-// sampled_image: read by texelFetch; it has a sampler, which no fetch uses.
+// sampled_image: a SampledImage with its own sampler, or an Image for texelFetch, which uses no sampler.
 enum class BindingKind { storage_buffer, storage_image, sampled_image };
 
 using SpecializationConstant = backend::Constant;
@@ -46,7 +46,8 @@ class ComputePipeline {
 
 // The resource of a binding: a whole storage buffer, or an image. Shaders may write to buffers and storage
 // images.
-using Resource = std::variant<std::reference_wrapper<const Buffer>, std::reference_wrapper<const Image>>;
+using Resource = std::variant<std::reference_wrapper<const Buffer>, std::reference_wrapper<const Image>,
+                              std::reference_wrapper<const SampledImage>>;
 
 // Work that is recorded in order and run once. Each command sees the writes of all commands before it.
 // Resources and pipelines passed to it must live until submit() returns. After submit() only times_ms() may

@@ -296,6 +296,8 @@ DeviceInfo describe(const vk::raii::PhysicalDevice& device, std::size_t index) {
         .subgroup_size = chain.get<vk::PhysicalDeviceSubgroupProperties>().subgroupSize,
         .timestamp_period_ns = timestamp_period(device, limits),
         .float32 = float_controls(chain.get<vk::PhysicalDeviceFloatControlsProperties>()),
+        .subtexel_bits = limits.subTexelPrecisionBits,
+        .level_bits = limits.mipmapPrecisionBits,
     };
 }
 

@@ -12,10 +12,12 @@ namespace {
 using backend::Word;
 
 ComputePipeline pipeline_of(const Device& device, const backend::KernelProgram& program) {
+    std::vector<BindingKind> bindings(backend::KernelBinding::first_image, BindingKind::storage_buffer);
+    for (const bool sampled : program.sampled)
+        bindings.push_back(sampled ? BindingKind::sampled_image : BindingKind::storage_buffer);
     return {device,
             {.spirv = program.spirv,
-             .bindings = std::vector(backend::KernelBinding::first_image + program.stores.size(),
-                                     BindingKind::storage_buffer),
+             .bindings = std::move(bindings),
              .push_constant_bytes = sizeof(backend::KernelRun),
              .constants = {program.constants.begin(), program.constants.end()}}};
 }
@@ -36,6 +38,7 @@ class VulkanKernel : public backend::Kernel {
         : device_(device),
           pipeline_(pipeline_of(device, program)),
           stores_(program.stores),
+          sampled_(program.sampled),
           widest_(program.widest()) {}
 
     [[nodiscard]] std::size_t most_inputs() const override {
@@ -53,7 +56,12 @@ class VulkanKernel : public backend::Kernel {
         for (const std::span<const Word> words :
              {memory.inputs, std::span<const Word>(memory.outputs), std::span<const Word>(faults)})
             buffers.push_back(uploaded(device_, words));
-        for (const std::vector<Word>& image : memory.images) buffers.push_back(uploaded(device_, image));
+        std::vector<SampledImage> images;
+        for (std::size_t i = 0; i < sampled_.size(); ++i) {
+            const std::span<const Word> words = memory.images[i];
+            if (sampled_[i]) images.emplace_back(device_, words);
+            buffers.push_back(uploaded(device_, sampled_[i] ? words.first(1) : words));
+        }
 
         const std::size_t groups = (count + backend::kernel_group_size - 1) / backend::kernel_group_size;
         const std::size_t columns = std::min<std::size_t>(groups, device_.info().max_group_count[0]);
@@ -61,7 +69,9 @@ class VulkanKernel : public backend::Kernel {
         const backend::KernelRun run{.count = static_cast<Word>(count),
                                      .row_length = static_cast<Word>(columns * backend::kernel_group_size),
                                      .canary = canary};
-        const std::vector<Resource> resources(buffers.begin(), buffers.end());
+        std::vector<Resource> resources(buffers.begin(), buffers.end());
+        for (std::size_t i = 0, next = 0; i < sampled_.size(); ++i)
+            if (sampled_[i]) resources[backend::KernelBinding::first_image + i] = std::cref(images[next++]);
         Commands commands(device_);
         commands.dispatch(pipeline_, resources, {static_cast<Word>(columns), static_cast<Word>(rows), 1},
                           std::as_bytes(std::span(&run, 1)));
@@ -77,6 +87,7 @@ class VulkanKernel : public backend::Kernel {
     const Device& device_;
     ComputePipeline pipeline_;
     std::vector<bool> stores_;
+    std::vector<bool> sampled_;
     std::size_t widest_;
 };
 

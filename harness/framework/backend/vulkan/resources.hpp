@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "backend/sampled.hpp"
 #include "backend/vulkan/device.hpp"
 
 namespace gloam::gpu {
@@ -75,6 +76,22 @@ class Image {
     // Commands::submit().
     void upload(std::span<const float> texels);
     [[nodiscard]] std::vector<float> download() const;
+
+    struct Impl;
+    [[nodiscard]] Impl& impl() const { return *impl_; }
+
+  private:
+    std::unique_ptr<Impl> impl_;
+};
+
+// An image in device memory with its sampler. The words are those of backend/sampled.hpp. Throws
+// std::invalid_argument where they disagree; std::runtime_error when memory is exhausted.
+class SampledImage {
+  public:
+    SampledImage(const Device& device, std::span<const backend::Word> words);
+    ~SampledImage();
+    SampledImage(SampledImage&&) noexcept;
+    SampledImage& operator=(SampledImage&&) noexcept;
 
     struct Impl;
     [[nodiscard]] Impl& impl() const { return *impl_; }

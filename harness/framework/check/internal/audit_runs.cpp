@@ -184,10 +184,16 @@ std::string AuditRuns::named(std::span<const Word> input) const {
     std::vector<std::string> all;
     const std::function<void(const shader::Type&, const std::string&)> add = [&](const shader::Type& type,
                                                                                  const std::string& name) {
+        if (type.scalar == Scalar::structure && !type.sizes.empty()) {
+            for (std::uint32_t i = 0; i < type.sizes.front(); ++i)
+                add(shader::element_of(type), fmt::format("{}[{}]", name, i));
+            return;
+        }
         if (type.scalar == Scalar::structure) {
             for (const shader::Member& member : type.members) add(member.type, name + "." + member.name);
             return;
         }
+        if (type.scalar == Scalar::sampler) return;
         std::vector<std::string> numbers;
         for (const Scalar scalar : scalars_of(type)) {
             numbers.push_back(short_text(scalar, input.front()));

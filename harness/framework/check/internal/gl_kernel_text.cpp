@@ -83,6 +83,13 @@ std::string fragment_end(std::size_t output_words, std::size_t images, std::size
     return code + "}\n";
 }
 
+void require_no_samplers(const KernelSource& source) {
+    for (const ImagePrototype& image : source.images)
+        if (image.sampler)
+            throw backend::Unsupported(fmt::format("{}: reads the sampler {}, which needs a Vulkan device",
+                                                   source.function.name, image.name));
+}
+
 void require_no_stores(const KernelSource& source) {
     if (std::ranges::none_of(source.images, &ImagePrototype::stores)) return;
     throw backend::Unsupported(source.function.name +
@@ -194,6 +201,7 @@ bool has_compute(shader::Language language) {
 
 std::string gl_kernel_code(shader::Language language, const KernelSource& source,
                            const std::vector<std::filesystem::path>& include_roots) {
+    require_no_samplers(source);
     const std::string text = has_compute(language) ? gl_compute_text(source) : gl_fragment_text(source);
     return packed(language, source, text, include_roots);
 }

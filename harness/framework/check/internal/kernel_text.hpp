@@ -43,6 +43,9 @@ using InputText = std::function<std::string(shader::Scalar scalar, std::size_t w
 // That expression for inputs in a storage buffer, from index gloam_kernel_input_at on.
 [[nodiscard]] std::string input_of_buffer(shader::Scalar scalar, std::size_t word);
 
+// The variable of a kernel for a parameter of the function.
+[[nodiscard]] std::string argument_name(std::size_t parameter);
+
 // Statements that call the function once and write its results to the outputs, from index
 // gloam_kernel_output_at on.
 struct Evaluation {

@@ -23,7 +23,8 @@ Moves::Moves(const Question& question, std::size_t drawn, glm::ivec2 image_size,
     for (const shader::Parameter& parameter : question.signature.parameters) {
         if (parameter.direction == shader::Direction::out) continue;
         const std::size_t count = scalars_of(parameter.type).size();
-        slots_.push_back({&question.domain.parameters().at(at++), first, count});
+        const Values& values = question.domain.parameters().at(at++);
+        if (count > 0) slots_.push_back({&values, first, count});  // a sampler has no words
         first += count;
     }
 }

@@ -40,10 +40,12 @@ enum Operation : std::uint16_t {
     store_memory,     // the same from the slots at b
     array_length,     // number of elements behind pointer a; `extra`: bytes of an element
     load_resource,    // the image to which pointer a points
-    image_load,   // count components of image a at b, which has c components; `extra`: slot of the level + 1
-    image_store,  // the count components at c, to image a at b, which has `extra` components
-    image_size,   // of image a; `extra`: slot of the level + 1
-    atomic,       // c: the SPIR-V opcode; on pointer a with b (and `extra`, for a comparison)
+    image_load,    // count components of image a at b, which has c components; `extra`: slot of the level + 1
+    image_store,   // the count components at c, to image a at b, which has `extra` components
+    image_size,    // of image a; `extra`: slot of the level + 1
+    image_sample,  // count components of image a at b, which has c components; by sampling `extra`
+    image_levels,  // of image a
+    atomic,        // c: the SPIR-V opcode; on pointer a with b (and `extra`, for a comparison)
 };
 
 namespace flags {
@@ -109,6 +111,18 @@ struct ConstantSlot {
     bool is_float;
 };
 
+// How a sampler reads.
+struct Sampling {
+    bool projected = false;  // the last coordinate divides the others
+    std::optional<Slot> level{};
+    std::optional<Slot> dx{};
+    Slot dy = 0;
+    std::uint32_t gradients = 0;  // components of dx and dy
+    std::optional<Slot> offset{};
+    std::uint32_t offsets = 0;        // components
+    std::optional<Slot> component{};  // of a gather
+};
+
 // Something outside the module.
 struct Resource {
     enum class Kind { memory, image };
@@ -133,6 +147,7 @@ struct Code {
     std::vector<Edge> edges;
     std::vector<Switch> switches;
     std::vector<Chain> chains;
+    std::vector<Sampling> samplings;
     std::vector<Pointer> pointers;  // initial values
     std::vector<std::uint32_t> lists;
     std::vector<ConstantSlot> constants;

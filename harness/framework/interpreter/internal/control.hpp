@@ -5,6 +5,7 @@
 
 #include "interpreter/internal/conversions.hpp"
 #include "interpreter/internal/integers.hpp"
+#include "interpreter/internal/samplers.hpp"
 
 // Copies, branches, memory and images.
 namespace gloam::interpreter::internal {
@@ -276,6 +277,7 @@ void require_first_level(State<N>& s, const Instruction& i) {
 
 template <class N>
 void do_image_load(State<N>& s, const Instruction& i) {
+    if (const auto& sampled = s.backings.at(s.bits(i.a)).sampled) return fetch_sampled(s, i, *sampled);
     require_first_level(s, i);
     const Pointer at = texel(s, s.bits(i.a), i.b, i.c);
     for (std::uint32_t k = 0; k < i.count; ++k)
@@ -292,6 +294,7 @@ void do_image_store(State<N>& s, const Instruction& i) {
 
 template <class N>
 void do_image_size(State<N>& s, const Instruction& i) {
+    if (const auto& sampled = s.backings.at(s.bits(i.a)).sampled) return size_of_sampled(s, i, *sampled);
     require_first_level(s, i);
     const Backing<N>& backing = s.backings.at(s.bits(i.a));
     if (!backing.image) throw Fault{Error::Kind::missing, "no image is bound"};
@@ -344,6 +347,10 @@ template <class N>
             return do_image_store<N>;
         case image_size:
             return do_image_size<N>;
+        case image_sample:
+            return do_image_sample<N>;
+        case image_levels:
+            return do_image_levels<N>;
         case atomic:
             return do_atomic<N>;
         default:

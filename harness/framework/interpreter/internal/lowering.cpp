@@ -278,7 +278,7 @@ void Lowering::lower(const shader::Instruction& i, Scope& scope) {
     }
     remember_place(i, scope);
     if (lower_control(i, scope) || lower_memory(i, scope) || lower_composite(i, scope) ||
-        lower_matrix(i, scope) || lower_atomic(i, scope) || lower_image(i, scope))
+        lower_matrix(i, scope) || lower_atomic(i, scope) || lower_image(i, scope) || lower_sampling(i, scope))
         return;
     if (i.opcode == SpvOpExtInst) return lower_extended(i, scope);
     lower_componentwise(i, scope);

@@ -66,6 +66,7 @@ class Lowering {
     bool lower_matrix(const shader::Instruction& i, Scope& scope);
     bool lower_atomic(const shader::Instruction& i, Scope& scope);
     bool lower_image(const shader::Instruction& i, Scope& scope);
+    bool lower_sampling(const shader::Instruction& i, Scope& scope);
     void lower_componentwise(const shader::Instruction& i, Scope& scope);
     void lower_extended(const shader::Instruction& i, Scope& scope);
     void lower_call(const shader::Instruction& i, Scope& scope);

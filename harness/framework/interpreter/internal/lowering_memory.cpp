@@ -117,9 +117,8 @@ void Lowering::lower_access_chain(const shader::Instruction& i, Scope& scope) {
         if (type.element == 0 || type.kind == Type::Kind::pointer || walk.at.space == Space::resource)
             fail(Error::Kind::unknown_instruction, "an access chain into something without elements");
         const auto [stride, length] = walk.element();
-        if (constant) {
-            const bool outside = length != 0 && *constant >= length;
-            if (outside) fail(Error::Kind::out_of_bounds, fmt::format("element {} of {}", *constant, length));
+        // A constant outside is an error of the run that gets there.
+        if (constant && (length == 0 || *constant < length)) {
             const std::uint64_t offset = walk.at.target.offset + std::uint64_t{*constant} * stride;
             if (offset > 0xffffffffU) fail(Error::Kind::out_of_bounds, fmt::format("element {}", *constant));
             walk.at.target.offset = static_cast<std::uint32_t>(offset);

@@ -253,9 +253,49 @@ bool Lowering::lower_image(const shader::Instruction& i, Scope& scope) {
             instruction.extra = i.opcode == SpvOpImageQuerySizeLod ? operand(4) + 1 : 0;
             return true;
         }
+        case SpvOpImageQueryLevels:
+            emit(image_levels, 1, operand(2), operand(3));
+            return true;
         default:
             return false;
     }
+}
+
+bool Lowering::lower_sampling(const shader::Instruction& i, Scope& scope) {
+    const bool gathers = i.opcode == SpvOpImageGather;
+    Sampling how{.projected = i.opcode == SpvOpImageSampleProjExplicitLod};
+    if (!gathers && !how.projected && i.opcode != SpvOpImageSampleExplicitLod) return false;
+    std::size_t word = gathers ? 6 : 5;
+    std::uint32_t operands = i.word(word++);
+    const auto take = [&](std::uint32_t mask) -> std::optional<Slot> {
+        if ((operands & mask) == 0) return std::nullopt;
+        operands &= ~mask;
+        return slot_of(i.word(word++), scope);
+    };
+    const auto components = [&](std::size_t at) { return module_.types.slots(type_of(i.word(at), scope)); };
+    if (gathers) how.component = slot_of(i.word(5), scope);
+    how.level = take(SpvImageOperandsLodMask);
+    how.dx = take(SpvImageOperandsGradMask);
+    if (how.dx) {
+        how.gradients = components(word);
+        how.dy = slot_of(i.word(word++), scope);
+    }
+    for (const auto mask : {SpvImageOperandsConstOffsetMask, SpvImageOperandsOffsetMask}) {
+        const auto offset = take(mask);
+        if (!offset) continue;
+        how.offset = offset;
+        how.offsets = components(word - 1);
+    }
+    operands &= ~static_cast<std::uint32_t>(SpvImageOperandsSignExtendMask | SpvImageOperandsZeroExtendMask);
+    if (operands != 0)
+        fail(Error::Kind::unknown_instruction, "a sampler with several offsets, or a least level");
+    code_.samplings.push_back(how);
+    Instruction& instruction = emit(image_sample, module_.types.slots(i.word(1)), slot_of(i.word(2), scope),
+                                    slot_of(i.word(3), scope), slot_of(i.word(4), scope));
+    instruction.c = components(4);
+    instruction.flags = flags_of(i.word(2), i.word(1));
+    instruction.extra = static_cast<std::uint32_t>(code_.samplings.size() - 1);
+    return true;
 }
 
 }  // namespace gloam::interpreter::internal

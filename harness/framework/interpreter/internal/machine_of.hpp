@@ -81,6 +81,16 @@ void Machine<N>::bind(std::uint32_t set, std::uint32_t binding, const ImageView&
 }
 
 template <class N>
+void Machine<N>::bind(std::uint32_t set, std::uint32_t binding, const SampledView& image) {
+    for (std::size_t r = 0; r < state_->backings.size(); ++r) {
+        const internal::Resource& resource = state_->code.resources[r];
+        if (resource.kind == internal::Resource::Kind::image && resource.set == set &&
+            resource.binding == binding)
+            state_->backings[r].sampled = image;
+    }
+}
+
+template <class N>
 void Machine<N>::bind_push_constants(std::span<const Word> words) {
     for (std::size_t r = 0; r < state_->backings.size(); ++r)
         if (state_->code.resources[r].is_push_constant) state_->backings[r].words = words;

@@ -110,6 +110,7 @@ struct Backing {
     std::vector<Value<N>> values;      // the same, if the shader may write to it
     std::vector<std::uint32_t> dirty;  // indices of written words, restored before the next run
     std::optional<ImageView> image;
+    std::optional<SampledView> sampled;
 };
 
 template <class N>

@@ -54,6 +54,21 @@ struct Image::Impl {
     Guarded<ImageHandles> handles;
 };
 
+struct SampledHandles {
+    vk::raii::Image image;
+    vk::raii::DeviceMemory memory;
+    vk::raii::ImageView view;
+    vk::raii::Sampler sampler;
+};
+
+// In VK_IMAGE_LAYOUT_GENERAL.
+struct SampledImage::Impl {
+    Impl(Context& owner, std::span<const backend::Word> words);
+
+    Context& context;
+    Guarded<SampledHandles> handles;
+};
+
 struct ComputeHandles {
     vk::raii::DescriptorSetLayout set_layout;
     vk::raii::PipelineLayout layout;

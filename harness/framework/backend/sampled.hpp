@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+
+// An image that a sampler reads, as words: a header, then the texels.
+namespace gloam::backend {
+
+enum class SampledShape : std::uint32_t { two, layers, three };      // sampler2D, sampler2DArray, sampler3D
+enum class SampledTexel : std::uint32_t { real, integer, natural };  // floats of 16 bits; int; uint
+enum class Wrap : std::uint32_t { repeat, mirrored, edge, border };  // of every coordinate; border: zeros
+
+struct SampledHeader {
+    std::uint32_t width = 1;
+    std::uint32_t height = 1;
+    std::uint32_t depth = 1;  // or layers
+    std::uint32_t levels = 1;
+    SampledShape shape = SampledShape::two;
+    SampledTexel texel = SampledTexel::real;
+    std::uint32_t linear = 0;  // within a level and between levels; otherwise the nearest
+    Wrap wrap = Wrap::repeat;
+};
+
+inline constexpr std::size_t sampled_header_words = sizeof(SampledHeader) / sizeof(std::uint32_t);
+inline constexpr std::size_t texel_words = 4;
+
+// Width, height and depth of a level; layers stay.
+[[nodiscard]] inline std::array<std::uint32_t, 3> size_of_level(const SampledHeader& image,
+                                                                std::uint32_t level) {
+    const auto side = [level](std::uint32_t size) { return std::max(size >> level, 1U); };
+    return {side(image.width), side(image.height),
+            image.shape == SampledShape::three ? side(image.depth) : image.depth};
+}
+
+// Texels of the levels before this one. Levels stand one after another, the largest first; the texels of a
+// level row by row, layer by layer, four words each: the bits of floats or integers.
+[[nodiscard]] inline std::size_t texels_before(const SampledHeader& image, std::uint32_t level) {
+    std::size_t texels = 0;
+    for (std::uint32_t l = 0; l < level; ++l) {
+        const auto [width, height, depth] = size_of_level(image, l);
+        texels += std::size_t{width} * height * depth;
+    }
+    return texels;
+}
+
+// The header of these words. Throws std::invalid_argument where the texels do not fit to it.
+[[nodiscard]] inline SampledHeader sampled_header(std::span<const std::uint32_t> words) {
+    SampledHeader header;
+    if (words.size() >= sampled_header_words)
+        header = {words[0],
+                  words[1],
+                  words[2],
+                  words[3],
+                  static_cast<SampledShape>(words[4]),
+                  static_cast<SampledTexel>(words[5]),
+                  words[6],
+                  static_cast<Wrap>(words[7])};
+    if (words.size() != sampled_header_words + texels_before(header, header.levels) * texel_words)
+        throw std::invalid_argument("a sampled image whose size and texels disagree");
+    return header;
+}
+
+}  // namespace gloam::backend

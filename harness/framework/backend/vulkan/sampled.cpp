@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+#include "backend/vulkan/internal/context.hpp"
+#include "backend/vulkan/internal/half.hpp"
+#include "backend/vulkan/internal/objects.hpp"
+
+namespace gloam::gpu {
+namespace {
+
+using backend::SampledHeader;
+using backend::SampledShape;
+using backend::SampledTexel;
+
+bool is_3d(const SampledHeader& header) {
+    return header.shape == SampledShape::three;
+}
+
+std::uint32_t layers_of(const SampledHeader& header) {
+    return is_3d(header) ? 1 : header.depth;
+}
+
+vk::Format format_of(SampledTexel texel) {
+    switch (texel) {
+        case SampledTexel::integer:
+            return vk::Format::eR32G32B32A32Sint;
+        case SampledTexel::natural:
+            return vk::Format::eR32G32B32A32Uint;
+        default:
+            return vk::Format::eR16G16B16A16Sfloat;  // every device filters it
+    }
+}
+
+vk::ImageViewType view_type(SampledShape shape) {
+    switch (shape) {
+        case SampledShape::layers:
+            return vk::ImageViewType::e2DArray;
+        case SampledShape::three:
+            return vk::ImageViewType::e3D;
+        default:
+            return vk::ImageViewType::e2D;
+    }
+}
+
+vk::SamplerAddressMode address_mode(backend::Wrap wrap) {
+    switch (wrap) {
+        case backend::Wrap::mirrored:
+            return vk::SamplerAddressMode::eMirroredRepeat;
+        case backend::Wrap::edge:
+            return vk::SamplerAddressMode::eClampToEdge;
+        case backend::Wrap::border:
+            return vk::SamplerAddressMode::eClampToBorder;
+        default:
+            return vk::SamplerAddressMode::eRepeat;
+    }
+}
+
+vk::raii::Sampler sampler_of(const Context& context, const SampledHeader& header) {
+    const bool linear = header.linear != 0;
+    const auto filter = linear ? vk::Filter::eLinear : vk::Filter::eNearest;
+    const auto mode = address_mode(header.wrap);
+    return {context.device,
+            vk::SamplerCreateInfo{
+                .magFilter = filter,
+                .minFilter = filter,
+                .mipmapMode = linear ? vk::SamplerMipmapMode::eLinear : vk::SamplerMipmapMode::eNearest,
+                .addressModeU = mode,
+                .addressModeV = mode,
+                .addressModeW = mode,
+                .maxLod = VK_LOD_CLAMP_NONE,
+                .borderColor = header.texel == SampledTexel::real ? vk::BorderColor::eFloatTransparentBlack
+                                                                  : vk::BorderColor::eIntTransparentBlack}};
+}
+
+vk::raii::Image image_of(const Context& context, const SampledHeader& header) {
+    return {
+        context.device,
+        vk::ImageCreateInfo{.imageType = is_3d(header) ? vk::ImageType::e3D : vk::ImageType::e2D,
+                            .format = format_of(header.texel),
+                            .extent = {header.width, header.height, is_3d(header) ? header.depth : 1},
+                            .mipLevels = header.levels,
+                            .arrayLayers = layers_of(header),
+                            .samples = vk::SampleCountFlagBits::e1,
+                            .tiling = vk::ImageTiling::eOptimal,
+                            .usage = vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst,
+                            .initialLayout = vk::ImageLayout::eUndefined}};
+}
+
+SampledHandles create(Context& context, const SampledHeader& header) {
+    context.require_idle();
+    vk::raii::Image image = image_of(context, header);
+    auto memory = allocate(context, image.getMemoryRequirements(),
+                           {vk::MemoryPropertyFlagBits::eDeviceLocal, {}}, "a sampled image");
+    image.bindMemory(*memory, 0);
+    vk::raii::ImageView view(
+        context.device,
+        vk::ImageViewCreateInfo{.image = *image,
+                                .viewType = view_type(header.shape),
+                                .format = format_of(header.texel),
+                                .subresourceRange = {.aspectMask = vk::ImageAspectFlagBits::eColor,
+                                                     .levelCount = header.levels,
+                                                     .layerCount = layers_of(header)}});
+    return {std::move(image), std::move(memory), std::move(view), sampler_of(context, header)};
+}
+
+std::size_t texel_bytes(SampledTexel texel) {
+    return backend::texel_words *
+           (texel == SampledTexel::real ? sizeof(std::uint16_t) : sizeof(backend::Word));
+}
+
+void encode(SampledTexel texel, std::span<const backend::Word> words, std::span<std::byte> bytes) {
+    if (texel == SampledTexel::real) {
+        std::ranges::transform(words, reinterpret_cast<std::uint16_t*>(bytes.data()),
+                               [](backend::Word word) { return to_half(std::bit_cast<float>(word)); });
+    } else {
+        std::memcpy(bytes.data(), words.data(), words.size_bytes());
+    }
+}
+
+std::vector<vk::BufferImageCopy> copies_of(const SampledHeader& header) {
+    std::vector<vk::BufferImageCopy> copies;
+    for (std::uint32_t level = 0; level < header.levels; ++level) {
+        const auto [width, height, depth] = backend::size_of_level(header, level);
+        copies.push_back({.bufferOffset = backend::texels_before(header, level) * texel_bytes(header.texel),
+                          .imageSubresource = {.aspectMask = vk::ImageAspectFlagBits::eColor,
+                                               .mipLevel = level,
+                                               .layerCount = layers_of(header)},
+                          .imageExtent = {width, height, is_3d(header) ? depth : 1}});
+    }
+    return copies;
+}
+
+}  // namespace
+
+SampledImage::Impl::Impl(Context& owner, std::span<const backend::Word> words)
+    : context(owner), handles(owner, create(owner, backend::sampled_header(words))) {
+    const SampledHeader header = backend::sampled_header(words);
+    const auto texels = words.subspan(backend::sampled_header_words);
+    Buffer::Impl staging(context, texels.size() / backend::texel_words * texel_bytes(header.texel));
+    encode(header.texel, texels, staging.mapped);
+    context.run_once([&](const vk::raii::CommandBuffer& commands) {
+        constexpr auto all = vk::PipelineStageFlagBits::eAllCommands;
+        using Access = vk::AccessFlagBits;
+        const vk::ImageMemoryBarrier barrier{
+            .dstAccessMask = Access::eMemoryRead | Access::eMemoryWrite,
+            .oldLayout = vk::ImageLayout::eUndefined,
+            .newLayout = vk::ImageLayout::eGeneral,
+            .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+            .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+            .image = *handles->image,
+            .subresourceRange = {.aspectMask = vk::ImageAspectFlagBits::eColor,
+                                 .levelCount = header.levels,
+                                 .layerCount = layers_of(header)}};
+        commands.pipelineBarrier(all, all, {}, nullptr, nullptr, barrier);
+        commands.copyBufferToImage(*staging.handles->buffer, *handles->image, vk::ImageLayout::eGeneral,
+                                   copies_of(header));
+    });
+}
+
+SampledImage::SampledImage(const Device& device, std::span<const backend::Word> words)
+    : impl_(std::make_unique<Impl>(device.impl(), words)) {}
+SampledImage::~SampledImage() = default;
+SampledImage::SampledImage(SampledImage&&) noexcept = default;
+SampledImage& SampledImage::operator=(SampledImage&&) noexcept = default;
+
+}  // namespace gloam::gpu

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "shader/internal/plain_global.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "shader/internal/declarations.hpp"
+#include "shader/internal/lines.hpp"
+
+namespace gloam::shader::internal {
+namespace {
+
+using Words = std::vector<std::string>;
+
+constexpr std::array<std::string_view, 18> dropped{
+    "uniform",  "buffer", "in",    "out",    "attribute", "varying",  "flat",     "smooth",   "noperspective",
+    "centroid", "sample", "patch", "shared", "coherent",  "volatile", "restrict", "readonly", "writeonly"};
+
+bool is_dropped(const std::string& token) {
+    return std::ranges::find(dropped, token) != dropped.end() || token == "invariant";
+}
+
+bool is_precision(const std::string& token) {
+    return token == "highp" || token == "mediump" || token == "lowp";
+}
+
+// The tokens without layouts and storage qualifiers; an array without a size gets one.
+Words without_qualifiers(Tokens tokens) {
+    Words kept;
+    for (std::size_t i = 0; i < tokens.size();) {
+        if (tokens[i] == "layout" && i + 1 < tokens.size() && tokens[i + 1] == "(") {
+            i = behind_bracket(tokens, i + 1);
+            continue;
+        }
+        if (!is_dropped(tokens[i])) kept.push_back(tokens[i]);
+        if (tokens[i] == "[" && i + 1 < tokens.size() && tokens[i + 1] == "]")
+            kept.push_back(std::to_string(runtime_array_length));
+        ++i;
+    }
+    return kept;
+}
+
+// The same list of declarators without their initial values.
+Words without_values(Tokens tokens) {
+    Words kept;
+    bool value = false;
+    for (std::size_t i = 0; i < tokens.size();) {
+        const bool bracket = tokens[i] == "(" || tokens[i] == "[" || tokens[i] == "{";
+        const std::size_t end = bracket ? behind_bracket(tokens, i) : i + 1;
+        if (tokens[i] == "=") value = true;
+        if (tokens[i] == "," || tokens[i] == ";") value = false;
+        if (!value)
+            kept.insert(kept.end(), tokens.begin() + static_cast<std::ptrdiff_t>(i),
+                        tokens.begin() + static_cast<std::ptrdiff_t>(end));
+        i = end;
+    }
+    return kept;
+}
+
+std::string joined(Tokens tokens) {
+    std::string text;
+    for (const std::string& token : tokens) text += (text.empty() ? "" : " ") + token;
+    return text;
+}
+
+// Directives between the lines of a declaration, each on its own line.
+std::string directives_of(const std::string& text) {
+    std::string all;
+    for (const Line& line : split_lines(text)) {
+        const auto directive = directive_of(line);
+        if (directive && directive->keyword != "line") all += std::string(line.text) + "\n";
+    }
+    return all.empty() ? all : "\n" + all;
+}
+
+Access access_of(Tokens head) {
+    const bool writable = contains(head, "out") || contains(head, "varying") ||
+                          (contains(head, "buffer") && !contains(head, "readonly"));
+    return writable ? Access::any : Access::reads;
+}
+
+}  // namespace
+
+bool is_opaque(std::string_view word) {
+    constexpr std::array<std::string_view, 6> families{
+        "sampler", "image", "texture", "subpassInput", "atomic_uint", "accelerationStructure"};
+    const std::string_view plain = word.starts_with('i') && !word.starts_with("image") ? word.substr(1)
+                                   : word.starts_with('u')                             ? word.substr(1)
+                                                                                       : word;
+    return std::ranges::any_of(families, [&](std::string_view family) { return plain.starts_with(family); });
+}
+
+std::optional<std::vector<SamplerVariable>> samplers_of(const Piece& piece,
+                                                        const std::map<std::string, std::string>& opaque) {
+    const Words words = without_qualifiers(tokens_of(piece.text));
+    const auto type = std::ranges::find_if_not(words, is_precision);
+    if (type == words.end() || contains(words, "[") || contains(words, "{")) return std::nullopt;
+    const auto macro = opaque.find(*type);
+    const std::string& name = macro == opaque.end() ? *type : macro->second;
+    if (!is_sampler_type(name)) return std::nullopt;
+    std::vector<SamplerVariable> samplers;
+    for (const std::string& variable : piece.names) samplers.push_back({variable, name});
+    return samplers;
+}
+
+std::optional<PlainGlobals> plain_globals(const Piece& piece,
+                                          const std::map<std::string, std::string>& opaque) {
+    const Words all = tokens_of(piece.text);
+    if (contains(all, "constant_id")) return PlainGlobals{joined(without_qualifiers(all)), {}};
+    if (piece.names.empty() || piece.names.front().starts_with("gl_")) return std::nullopt;
+    const auto open = static_cast<std::size_t>(std::ranges::find(all, "{") - all.begin());
+    const Access access = access_of(Tokens(all).first(open));
+    const Words words = without_values(without_qualifiers(all));
+    PlainGlobals globals{directives_of(piece.text), {}};
+    if (open == all.size()) {
+        const auto type = std::ranges::find_if_not(words, is_precision);
+        if (type == words.end() || is_opaque(*type) || opaque.contains(*type)) return std::nullopt;
+        globals.text += joined(words);
+        for (const std::string& name : piece.names) globals.access[name] = access;
+        return globals;
+    }
+    const Tokens tokens = words;
+    const auto brace = static_cast<std::size_t>(std::ranges::find(words, "{") - words.begin());
+    const std::size_t end = behind_bracket(tokens, brace);
+    const bool structure = contains(tokens.first(brace), "struct");
+    const bool instance = end < tokens.size() && tokens[end] != ";";
+    if (structure || instance) {
+        globals.text += (structure ? "" : "struct ") + joined(tokens);
+        globals.access[tokens[end]] = access;
+    } else {
+        globals.text += joined(tokens.subspan(brace + 1, end - brace - 2));
+        // The name of the block is first among the names.
+        for (std::size_t i = 1; i < piece.names.size(); ++i) globals.access[piece.names[i]] = access;
+    }
+    return globals;
+}
+
+}  // namespace gloam::shader::internal

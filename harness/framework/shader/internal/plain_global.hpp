@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "shader/internal/outline.hpp"
+#include "shader/pack.hpp"
+
+namespace gloam::shader::internal {
+
+// Elements of an array that a buffer has as many of as it holds: "float values[];".
+inline constexpr int runtime_array_length = 16;
+
+// Variables of a text's interface as variables at file scope that any function may set.
+struct PlainGlobals {
+    std::string text;                      // "float gain; vec4 tint;"
+    std::map<std::string, Access> access;  // of each, by its name in the text
+};
+
+// The plain variables in place of a declaration of kind `interface`: a loose uniform, stage input or output;
+// a block without an instance (each member is one), or with one (a structure of the block's name). Layouts,
+// storage qualifiers and initial values are dropped. A specialization constant becomes a constant. nullopt
+// for samplers, images and other types without values; `opaque`: these, by macros that stand for them.
+// nullopt also where nothing is declared.
+[[nodiscard]] std::optional<PlainGlobals> plain_globals(const Piece& piece,
+                                                        const std::map<std::string, std::string>& opaque);
+
+// The samplers that a declaration declares; nullopt for any other declaration, and for arrays of samplers.
+[[nodiscard]] std::optional<std::vector<SamplerVariable>> samplers_of(
+    const Piece& piece, const std::map<std::string, std::string>& opaque);
+
+// Whether the word is a type without values: "sampler2D", "uimageBuffer", "atomic_uint".
+[[nodiscard]] bool is_opaque(std::string_view word);
+
+}  // namespace gloam::shader::internal

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+// Functions that read samplers: of their file, and as parameters.
+#include "backend/sampled.hpp"
+#include "check/explain.hpp"
+#include "check/own_function.hpp"
+#include "check/run.hpp"
+#include "shader/include.hpp"
+#include "support/lab.hpp"
+
+#include "support/matchers.hpp"
+
+namespace gloam::check::own_samplers_test {
+
+using testing::ElementsAre;
+
+constexpr const char* file = "samplers.glsl";
+
+LabOptions options_of(const shader::Variant& variant = {}) {
+    const auto path = std::filesystem::path(FIXTURES) / file;
+    LabOptions options{.device = test::variable("GLOAM_TEST_DEVICE"),
+                       .include_roots = {FIXTURES},
+                       .cache_directory = test::cache_directory(),
+                       .variant = variant};
+    options.excerpts =
+        shader::excerpts({path.string(), shader::read_text(path)}, options.include_roots).functions;
+    return options;
+}
+
+OwnFunction function_of(const std::string& name) {
+    return own_functions(options_of(), file, {name}).found.at(0);
+}
+
+std::string reason_of(const std::string& name) {
+    return own_functions(options_of(), file, {name}).left_out.at(0).why;
+}
+
+Answer answer_of(const Lab& lab, const std::string& name, const Ranges& ranges = {},
+                 std::size_t inputs = 384) {
+    return run(lab, question_of(lab, file, function_of(name), ranges), {.inputs = inputs});
+}
+
+// A device that is given other samplers than it was asked for.
+class Distorted : public backend::Backend {
+  public:
+    using Change = void (*)(backend::SampledHeader&);
+    Distorted(std::shared_ptr<backend::Backend> right, Change change)
+        : right_(std::move(right)), change_(change) {}
+
+    [[nodiscard]] const backend::DeviceInfo& info() const override { return right_->info(); }
+    [[nodiscard]] std::unique_ptr<backend::Kernel> make_kernel(
+        const backend::KernelProgram& program) const override {
+        return std::make_unique<Wrong>(right_->make_kernel(program), change_);
+    }
+
+  private:
+    struct Wrong : backend::Kernel {
+        Wrong(std::unique_ptr<backend::Kernel> made, Change how) : right(std::move(made)), change(how) {}
+        [[nodiscard]] std::size_t most_inputs() const override { return right->most_inputs(); }
+        void run(std::size_t count, Word canary, backend::KernelMemory& memory) const override {
+            std::vector<std::vector<Word>> images = memory.images;
+            for (std::vector<Word>& words : images) {
+                backend::SampledHeader header = backend::sampled_header(words);
+                change(header);
+                const auto as_words = std::bit_cast<std::array<Word, backend::sampled_header_words>>(header);
+                std::ranges::copy(as_words, words.begin());
+            }
+            backend::KernelMemory other{.inputs = memory.inputs,
+                                        .outputs = std::move(memory.outputs),
+                                        .faults = memory.faults,
+                                        .images = images};
+            right->run(count, canary, other);
+            memory.outputs = std::move(other.outputs);
+        }
+        std::unique_ptr<backend::Kernel> right;
+        Change change;
+    };
+    std::shared_ptr<backend::Backend> right_;
+    Change change_;
+};
+
+const std::vector<const char*> all_names{"sampled", "twice",    "two",      "at_level", "graded",
+                                         "moved",   "gathered", "id",       "inside",   "sheet",
+                                         "sized",   "levels",   "projected"};
+
+TEST(OwnSamplers, AreGlobalsAndParameters) {
+    const OwnFunctions all = own_functions(options_of(), file);
+    std::vector<std::string> names;
+    for (const OwnFunction& own : all.found) names.push_back(own.name);
+    EXPECT_THAT(names, testing::IsSupersetOf(std::vector<std::string>(all_names.begin(), all_names.end())));
+    const auto samplers = [](const char* name) {
+        std::vector<std::string> texts;
+        for (const ImagePrototype& one : function_of(name).samplers)
+            texts.push_back(one.sampler->type + " " + one.name);
+        return texts;
+    };
+    EXPECT_THAT(samplers("sampled"), ElementsAre("sampler2D tex"));
+    EXPECT_THAT(samplers("twice"), ElementsAre("sampler2D image", "sampler2D renamed"));
+    EXPECT_THAT(samplers("two"), ElementsAre("sampler2D a", "sampler2D b"));
+    EXPECT_THAT(samplers("offset"), ElementsAre("isampler2D offsets", "isampler2D more_offsets"));
+}
+
+TEST(OwnSamplers, AreJudgedInEveryVariant) {
+    for (const shader::Variant& variant : shader::variants()) {
+        const Lab lab(options_of(variant), test::SharedDevice::get());
+        for (const char* name : {"sampled", "two", "at_level", "gathered", "sheet"}) {
+            const Answer answer = answer_of(lab, name, {}, 96);
+            EXPECT_FALSE(answer.failed()) << variant.name << " " << name << "\n" << answer;
+        }
+    }
+}
+
+TEST(OwnSamplers, EveryFunctionIsWithinTheRules) {
+    const Lab lab(options_of(), test::SharedDevice::get());
+    const Lab interpreted(options_of(), interpreter());
+    for (const char* name : all_names) {
+        for (const Lab* each : {&lab, &interpreted}) {
+            const Answer answer = answer_of(*each, name);
+            EXPECT_TRUE(answer.passed()) << each->info().name << " " << name << "\n" << answer;
+            EXPECT_EQ(answer.undefined, 0U) << name;
+        }
+    }
+    const Answer fetched = answer_of(lab, "fetched", {{"p", {0, 3}}});
+    EXPECT_TRUE(fetched.passed()) << fetched;
+    const Answer outside = answer_of(lab, "fetched");
+    EXPECT_GT(outside.undefined, 0U) << "texels outside are the input's fault";
+    EXPECT_EQ(outside.outside(), 0U) << outside;
+}
+
+TEST(OwnSamplers, AWrongSamplerIsNoticed) {
+    using Header = backend::SampledHeader;
+    const std::vector<std::pair<const char*, Distorted::Change>> plants{
+        {"filter", [](Header& h) { h.linear = 1 - h.linear; }},
+        {"wrap",
+         [](Header& h) {
+             h.wrap = h.wrap == backend::Wrap::edge ? backend::Wrap::repeat : backend::Wrap::edge;
+         }},
+        {"border", [](Header& h) { h.wrap = backend::Wrap::border; }}};
+    for (const auto& [what, change] : plants) {
+        const Lab lab(options_of(), std::make_shared<Distorted>(test::SharedDevice::get(), change));
+        const Answer answer = answer_of(lab, "sampled", {{"uv", {-1, 2}}});
+        EXPECT_GT(answer.outside(), 0U) << what;
+    }
+    // The same device, unchanged, is right.
+    const Lab right(options_of(), std::make_shared<Distorted>(test::SharedDevice::get(), [](Header&) {}));
+    EXPECT_EQ(answer_of(right, "sampled", {{"uv", {-1, 2}}}).outside(), 0U);
+}
+
+TEST(OwnSamplers, ScenariosDifferInFilterEdgesAndLevels) {
+    std::vector<std::string> names;
+    for (const ImageScenario& scenario : random_scenarios(function_of("sampled").samplers)) {
+        names.push_back(scenario.name);
+        numeric::Random random(1);
+        for (const auto& [name, image] : scenario.make(scenario.size, random)) {
+            ASSERT_TRUE(image.sampling) << name;
+            for (const Word word : image.words) {
+                const auto value = from_word<float>(word) * 64.0F;
+                ASSERT_EQ(value, std::floor(value)) << "16 bits represent it";
+            }
+        }
+    }
+    EXPECT_THAT(names, ElementsAre("5 x 4, random, linear, repeat", "4 x 4, random, linear, edge, 3 levels",
+                                   "5 x 4, random, nearest, mirrored, 2 levels"));
+}
+
+TEST(OwnSamplers, OtherOnesAreLeftOutWithTheReason) {
+    EXPECT_EQ(reason_of("of_cube"),
+              "values of the parameter type samplerCube cannot be drawn: samplerCube is not supported");
+    EXPECT_THAT(reason_of("of_shadow"), HasSubstr("sampler2DShadow is not supported"));
+    EXPECT_THAT(reason_of("of_many"), HasSubstr("it uses \"many\", an image or sampler"));
+    EXPECT_THAT(reason_of("of_image"), HasSubstr("it uses \"picture\", an image or sampler"));
+    EXPECT_THAT(reason_of("biased"), AllOf(HasSubstr("texture"), HasSubstr("another stage")));
+}
+
+// What a story of a failure shows.
+TEST(OwnSamplers, AnExplanationHasItsSamplers) {
+    const OwnFunction own = function_of("twice");
+    numeric::Random random(1);
+    const ImageScenario scenario = random_scenarios(own.samplers).front();
+    const Explanation all =
+        explain({}, {.file = file, .function = own.function, .images = own.samplers, .text = own.excerpt},
+                std::vector{to_word(0.25F), to_word(0.5F)}, scenario.make(scenario.size, random));
+    EXPECT_FALSE(all.steps.empty());
+    EXPECT_THROW(
+        (void)explain({},
+                      {.file = file, .function = own.function, .images = own.samplers, .text = own.excerpt},
+                      std::vector{to_word(0.25F), to_word(0.5F)}, {}),
+        std::invalid_argument);
+}
+
+}  // namespace gloam::check::own_samplers_test

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+// Functions whose inputs are more than vectors: arrays, nested structures, uniforms and buffers.
+#include <array>
+
+#include "check/kernel.hpp"
+#include "check/own_function.hpp"
+#include "check/run.hpp"
+#include "shader/include.hpp"
+#include "support/lab.hpp"
+
+#include "support/matchers.hpp"
+
+namespace gloam::check::own_types_test {
+
+using testing::ElementsAre;
+using testing::UnorderedElementsAre;
+
+// A device whose results are wrong: each output has the words of its neighbour.
+class Shifted : public backend::Backend {
+  public:
+    explicit Shifted(std::shared_ptr<backend::Backend> right) : right_(std::move(right)) {}
+
+    [[nodiscard]] const backend::DeviceInfo& info() const override { return right_->info(); }
+    [[nodiscard]] std::unique_ptr<backend::Kernel> make_kernel(
+        const backend::KernelProgram& program) const override {
+        return std::make_unique<Wrong>(right_->make_kernel(program), program.output_words);
+    }
+
+  private:
+    struct Wrong : backend::Kernel {
+        Wrong(std::unique_ptr<backend::Kernel> right, std::size_t words)
+            : right(std::move(right)), words(words) {}
+        [[nodiscard]] std::size_t most_inputs() const override { return right->most_inputs(); }
+        void run(std::size_t count, Word canary, backend::KernelMemory& memory) const override {
+            right->run(count, canary, memory);
+            for (std::size_t i = 0; i < count; ++i) {
+                const auto row = memory.outputs.begin() + static_cast<std::ptrdiff_t>(i * (words + 1));
+                std::rotate(row, row + 1, row + static_cast<std::ptrdiff_t>(words));
+            }
+        }
+        std::unique_ptr<backend::Kernel> right;
+        std::size_t words;
+    };
+    std::shared_ptr<backend::Backend> right_;
+};
+
+class OwnTypes : public testing::Test {
+  protected:
+    static LabOptions options_of(const std::string& name, const shader::Variant& variant = {}) {
+        const auto file = std::filesystem::path(FIXTURES) / name;
+        LabOptions options{.device = test::variable("GLOAM_TEST_DEVICE"),
+                           .include_roots = {FIXTURES},
+                           .cache_directory = test::cache_directory(),
+                           .variant = variant};
+        options.excerpts =
+            shader::excerpts({file.string(), shader::read_text(file)}, options.include_roots).functions;
+        return options;
+    }
+    static OwnFunction function_of(const std::string& file, const std::string& name) {
+        return own_functions(options_of(file), file, {name}).found.at(0);
+    }
+    static std::string reason_of(const std::string& file, const std::string& name) {
+        return own_functions(options_of(file), file, {name}).left_out.at(0).why;
+    }
+    static Answer answer_of(const Lab& lab, const std::string& file, const std::string& name,
+                            const Ranges& ranges = {}) {
+        return run(lab, question_of(lab, file, function_of(file, name), ranges), {.inputs = 256});
+    }
+    static Answer answer_of(const std::string& file, const std::string& name, const Ranges& ranges = {}) {
+        return answer_of(Lab(options_of(file), test::SharedDevice::get()), file, name, ranges);
+    }
+};
+
+using Row = std::array<float, 4>;
+
+TEST_F(OwnTypes, ArraysGoInAndOutOfAKernel) {
+    const Lab lab = test::make_lab(FIXTURES);
+    const Kernel<float(Row, Row)> dot(lab, "arrays.glsl", "array_dot");
+    EXPECT_EQ(dot(Row{1, 2, 3, 4}, Row{1, 10, 100, 1000}), 4321.0F);
+    using Wide = std::array<std::array<float, 3>, 2>;
+    using High = std::array<std::array<float, 2>, 3>;
+    const Kernel<High(Wide)> transposed(lab, "arrays.glsl", "array_transposed");
+    EXPECT_EQ(transposed(Wide{{{1, 2, 3}, {4, 5, 6}}}), (High{{{1, 4}, {2, 5}, {3, 6}}}));
+    using Two = std::array<glm::vec2, 2>;
+    const Kernel<void(Two, Out<std::array<float, 2>>, std::array<int, 3>&)> split(lab, "arrays.glsl",
+                                                                                  "array_split");
+    const auto [x, counts] = split(Two{glm::vec2(1, 2), glm::vec2(3, 4)}, std::array{10, 20, 30});
+    EXPECT_EQ(x, (std::array<float, 2>{1, 3}));
+    EXPECT_EQ(counts, (std::array{10, 21, 32}));
+}
+
+struct Light {
+    glm::vec3 position;
+    std::array<float, 2> weights;
+};
+struct Scene {
+    std::array<Light, 2> lights;
+    glm::mat2 turn;
+};
+
+TEST_F(OwnTypes, StructuresHoldArraysOfStructures) {
+    const Lab lab = test::make_lab(FIXTURES);
+    const Kernel<Scene(Scene, float)> swapped(lab, "arrays.glsl", "array_swapped");
+    const Scene scene{{Light{{1, 2, 3}, {4, 5}}, Light{{6, 7, 8}, {9, 10}}}, glm::mat2(11, 12, 13, 14)};
+    const Scene result = swapped(scene, 2.0F);
+    EXPECT_EQ(result.lights[0].position, glm::vec3(6, 7, 8));
+    EXPECT_EQ(result.lights[1].weights, (std::array<float, 2>{8, 5}));
+    EXPECT_EQ(result.turn, scene.turn);
+    EXPECT_THAT([&] { (void)Kernel<float(std::array<float, 3>, Row)>(lab, "arrays.glsl", "array_dot"); },
+                testing::ThrowsMessage<std::invalid_argument>(
+                    AllOf(HasSubstr("float[3], float[4]"), HasSubstr("float[4] a, float[4] b"))));
+}
+
+TEST_F(OwnTypes, ArraysAreComparedWithAReference) {
+    const Lab lab = test::make_lab(FIXTURES);
+    using DoubleRow = std::array<double, 4>;
+    const auto reference = [](DoubleRow a, DoubleRow b) {
+        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+    };
+    const Values row = vector(4, uniform(0, 1));
+    const Budget budget{.ulp = 8};
+    const Answer right =
+        compare<float(Row, Row)>(lab, "arrays.glsl", "array_dot", reference, {row, row}, budget);
+    EXPECT_TRUE(right.passed()) << right;
+    const Answer wrong =
+        compare<float(Row, Row)>(lab, "arrays.glsl", "array_dot_wrong", reference, {row, row}, budget);
+    EXPECT_TRUE(wrong.failed()) << wrong;
+}
+
+TEST_F(OwnTypes, ArraysAreJudgedInEveryVariant) {
+    for (const shader::Variant& variant : shader::variants()) {
+        const Lab lab(options_of("arrays.glsl", variant), test::SharedDevice::get());
+        for (const char* name : {"array_dot", "array_transposed", "array_swapped", "array_split"}) {
+            const Answer answer = answer_of(lab, "arrays.glsl", name);
+            EXPECT_TRUE(answer.passed()) << variant.name << " " << name << "\n" << answer;
+        }
+    }
+}
+
+TEST_F(OwnTypes, AWrongElementIsNoticed) {
+    const Lab lab(options_of("arrays.glsl"), std::make_shared<Shifted>(test::SharedDevice::get()));
+    for (const char* name : {"array_transposed", "array_swapped", "array_split"}) {
+        const Answer answer = answer_of(lab, "arrays.glsl", name);
+        EXPECT_GT(answer.outside(), 0U) << name;
+        EXPECT_FALSE(answer.passed()) << name;
+    }
+}
+
+TEST_F(OwnTypes, ARangeIsOfEveryElement) {
+    const Lab lab(options_of("arrays.glsl"), test::SharedDevice::get());
+    const Question question = question_of(lab, "arrays.glsl", function_of("arrays.glsl", "array_dot"),
+                                          {{"a", {2, 3}}, {"b", {0, 1}}});
+    const Domain::Inputs inputs = question.domain.draw(100, 1);
+    ASSERT_EQ(inputs.width, 8U);
+    for (std::size_t i = 0; i < inputs.count(); ++i)
+        for (std::size_t word = 0; word < 4; ++word) {
+            EXPECT_GE(from_word<float>(inputs.row(i)[word]), 2.0F);
+            EXPECT_LE(from_word<float>(inputs.row(i)[4 + word]), 1.0F);
+        }
+}
+
+TEST_F(OwnTypes, LargeArraysAreRefused) {
+    EXPECT_TRUE(answer_of("arrays.glsl", "array_large").passed());
+    EXPECT_EQ(
+        reason_of("arrays.glsl", "array_too_large"),
+        "values of the parameter type float[5000] cannot be drawn: float[5000] has more than 4096 scalars");
+    EXPECT_THAT(reason_of("arrays.glsl", "array_of_arrays_too_large"),
+                HasSubstr("float[65536][65536][65536] has more than 4096 scalars"));
+    EXPECT_EQ(reason_of("arrays.glsl", "array_two_are_too_large"),
+              "its parameters and its result have more than 4096 scalars");
+    EXPECT_EQ(
+        reason_of("arrays.glsl", "array_of_doubles"),
+        "values of the parameter type ArrayOfDoubles cannot be drawn: in ArrayOfDoubles, dvec2[2] is not "
+        "supported");
+}
+
+// An index outside is not judged; the other inputs of the same kernel are.
+TEST_F(OwnTypes, AConstantIndexOutsideIsAnInputsFault) {
+    for (const char* name : {"literals", "specialization"}) {
+        const Lab lab(options_of("undefined.glsl", shader::variant(name)), test::SharedDevice::get());
+        const Answer answer = answer_of(lab, "undefined.glsl", "undefined_table");
+        EXPECT_GT(answer.undefined, 0U) << name;
+        EXPECT_LT(answer.undefined, answer.inputs()) << name;
+        EXPECT_EQ(answer.outside(), 0U) << answer;
+    }
+}
+
+// "float gain", "inout vec2[16] sums": what is drawn and read besides the parameters.
+std::vector<std::string> globals_of(const OwnFunction& own) {
+    std::vector<std::string> texts;
+    for (const shader::Parameter& p : own.function.parameters)
+        if (p.global)
+            texts.push_back((p.direction == shader::Direction::inout ? "inout " : "") +
+                            shader::name_of(p.type) + " " + p.name);
+    return texts;
+}
+
+TEST_F(OwnTypes, UniformsAreFurtherInputs) {
+    const auto inputs_of = [](const char* name) { return globals_of(function_of("uniforms.glsl", name)); };
+    EXPECT_THAT(inputs_of("exposed"), UnorderedElementsAre("float exposure", "float[2] bias"));
+    EXPECT_THAT(inputs_of("graded"),
+                UnorderedElementsAre("float gain", "vec4 tint", "float exposure", "float[2] bias"));
+    EXPECT_THAT(inputs_of("lamp"), ElementsAre("Push pushed"));
+    EXPECT_THAT(inputs_of("value_at"), UnorderedElementsAre("float[16] values", "uint header"));
+    EXPECT_THAT(inputs_of("store"), UnorderedElementsAre("vec2 uv", "inout Sums result"));
+    EXPECT_THAT(inputs_of("shade"), UnorderedElementsAre("vec2 uv", "inout vec4 color"));
+    EXPECT_THAT(inputs_of("timed"), ElementsAre("float iTime"));
+    EXPECT_THAT(inputs_of("sum"), ElementsAre("float exposure"));
+    EXPECT_THAT(inputs_of("shadowed"), ElementsAre());
+    EXPECT_THAT(inputs_of("facing"), ElementsAre("vec3 normal"));
+}
+
+TEST_F(OwnTypes, UniformsHaveTheValuesThatWereDrawn) {
+    const Lab lab(options_of("uniforms.glsl"), test::SharedDevice::get());
+    const auto run_one = [&](const char* name, const std::vector<Word>& inputs) {
+        const OwnFunction own = function_of("uniforms.glsl", name);
+        return lab
+            .kernel("uniforms.glsl", name,
+                    {.result = own.function.result, .parameters = own.function.parameters})
+            .run(inputs, 1)
+            .outputs;
+    };
+    // x; then exposure, bias
+    EXPECT_THAT(run_one("exposed", {to_word(2.0F), to_word(10.0F), to_word(7.0F), to_word(5.0F)}),
+                ElementsAre(to_word(25.0F)));
+    EXPECT_THAT(run_one("timed", {to_word(2.0F), to_word(4.0F)}), ElementsAre(to_word(8.0F)));
+    EXPECT_THAT(run_one("sum", {to_word(2.0F), to_word(4.0F)}), ElementsAre(to_word(24.0F)));
+    const std::vector<Word> shaded = run_one(
+        "shade", {to_word(1.0F), to_word(2.0F), to_word(3.0F), to_word(4.0F), to_word(5.0F), to_word(6.0F)});
+    EXPECT_THAT(shaded, testing::SizeIs(4));
+    EXPECT_THAT(shaded, testing::IsSupersetOf({to_word(1.0F), to_word(2.0F)}));
+}
+
+TEST_F(OwnTypes, UniformsAreJudgedInEveryVariant) {
+    for (const shader::Variant& variant : shader::variants()) {
+        const Lab lab(options_of("uniforms.glsl", variant), test::SharedDevice::get());
+        for (const char* name : {"graded", "lamp", "store", "shade", "sum"}) {
+            const Answer answer = answer_of(lab, "uniforms.glsl", name, {{"i", {0, 15}}});
+            EXPECT_FALSE(answer.failed()) << variant.name << " " << name << "\n" << answer;
+            EXPECT_EQ(answer.undefined, 0U) << variant.name << " " << name;
+        }
+    }
+}
+
+TEST_F(OwnTypes, AWrongUniformIsNoticed) {
+    const Lab lab(options_of("uniforms.glsl"), std::make_shared<Shifted>(test::SharedDevice::get()));
+    for (const char* name : {"graded", "shade"})
+        EXPECT_GT(answer_of(lab, "uniforms.glsl", name).outside(), 0U) << name;
+}
+
+TEST_F(OwnTypes, ARangeOfAUniformIsKept) {
+    const Lab lab(options_of("uniforms.glsl"), test::SharedDevice::get());
+    const Question question = question_of(lab, "uniforms.glsl", function_of("uniforms.glsl", "timed"),
+                                          {{"t", {0, 1}}, {"iTime", {5, 6}}});
+    EXPECT_TRUE(question.defined) << "every input has a range";
+    const Domain::Inputs inputs = question.domain.draw(100, 1);
+    ASSERT_EQ(inputs.width, 2U);
+    for (std::size_t i = 0; i < inputs.count(); ++i) EXPECT_GE(from_word<float>(inputs.row(i)[1]), 5.0F);
+    const std::string text = describe_inputs(question.signature, {to_word(0.5F), to_word(5.0F)});
+    EXPECT_EQ(text.substr(0, 6), "float ");
+    EXPECT_THAT(text, HasSubstr(", float iTime "));
+}
+
+TEST_F(OwnTypes, WhatCannotBeGivenIsNamed) {
+    EXPECT_EQ(reason_of("uniforms.glsl", "nothing"),
+              "it has no result and no out parameter, and it writes no buffer or stage output");
+    EXPECT_EQ(reason_of("uniforms.glsl", "assigns"), "it assigns to \"gain\", which a shader can only read");
+    EXPECT_EQ(reason_of("uniforms.glsl", "reads_large"),
+              "values of \"large\" cannot be drawn: float[5000] has more than 4096 scalars");
+    EXPECT_EQ(reason_of("uniforms.glsl", "reads_double"),
+              "values of \"precise_at\" cannot be drawn: dvec2 is not supported");
+    EXPECT_THAT(reason_of("uniforms.glsl", "increments"),
+                AllOf(HasSubstr("atomicAdd at"), HasSubstr("memory that invocations share")));
+}
+
+}  // namespace gloam::check::own_types_test

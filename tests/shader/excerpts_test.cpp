@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "shader/compile.hpp"
+#include "shader/pack.hpp"
+#include "support.hpp"
+
+#include "support/matchers.hpp"
+
+namespace gloam::shader::excerpts_test {
+
+using test::message_of;
+using test::TemporaryDirectory;
+
+// Functions of a text from elsewhere, each as a text that a compute shader can contain.
+
+Excerpts excerpts_of(const std::string& text) {
+    return excerpts({"own.frag", text}, {});
+}
+
+// The compiled function, in the order of definitions.
+std::vector<std::string> compiled(const Excerpt& excerpt) {
+    std::vector<std::string> texts;
+    for (const Function& function : functions({"own.frag", "#version 450\n" + excerpt.text}, {}))
+        texts.push_back(to_glsl(function));
+    return texts;
+}
+
+constexpr const char* fragment_shader =
+    "// A shader for another API.\n"
+    "#version 330 core\n"
+    "in vec2 uv;\n"
+    "out vec4 color;\n"
+    "uniform sampler2D image;\n"
+    "layout(local_size_x = 8) in;\n"
+    "struct Light { vec3 to; };\n"
+    "float gray(vec3 c) { return dot(c, vec3(0.3, 0.6, 0.1)); }\n"
+    "float lit(Light light, vec3 n) { return gray(light.to * n); }\n"
+    "vec3 seen() { return texture(image, uv).rgb; }\n"
+    "void main() { color = vec4(gray(seen())); }\n";
+
+TEST(Excerpts, LackVersionMainAndInterfaceOfTheText) {
+    const Excerpts all = excerpts_of(fragment_shader);
+    EXPECT_EQ(all.version, "330 core");
+    ASSERT_EQ(all.functions.size(), 3U);
+    EXPECT_THAT(compiled(all.functions[0]), ElementsAre("float gray(vec3 c)"));
+    EXPECT_THAT(compiled(all.functions[1]),
+                ElementsAre("float gray(vec3 c)", "float lit(Light light, vec3 n)"));
+    EXPECT_THAT(all.functions[1].interface, IsEmpty());
+    EXPECT_THAT(all.functions[2].interface, ElementsAre("image"));
+    EXPECT_THAT(all.functions[2].globals, ElementsAre(std::pair(std::string("uv"), Access::reads)));
+    EXPECT_THAT(message_of<CompileError>([&] { static_cast<void>(compiled(all.functions[2])); }),
+                HasSubstr("own.frag:10: 'image' : undeclared identifier"));
+}
+
+TEST(Excerpts, NameTheDefinitionsOfTheFileItself) {
+    const TemporaryDirectory folder;
+    (void)folder.write("other.glsl", "float f(float x) { return x; }\nfloat g(float x) { return x; }\n");
+    const Excerpts all = excerpts({"own.glsl",
+                                   "#include \"other.glsl\"\n"
+                                   "float f(const in vec2 x, out float y) { y = 1.0; return x.x; }\n"
+                                   "float f(float x[2], sampler2D) { return f(x[0]); }\n"},
+                                  {folder.path()});
+    EXPECT_EQ(all.version, "");
+    ASSERT_EQ(all.functions.size(), 1U);
+    EXPECT_THAT(all.functions[0].definitions, ElementsAre("", "f(vec2, float)", "f(float[2], sampler2D)"));
+    EXPECT_THAT(compiled(all.functions[0]), ElementsAre("float f(float x)", "float f(vec2 x, out float y)",
+                                                        "float f(float[2] x, sampler2D)"));
+}
+
+TEST(Excerpts, ErrorsNameTheLinesOfTheFile) {
+    const Excerpts all = excerpts_of(
+        "/* a comment\n"
+        "   of two lines */ float f(float x) {\n"
+        "#if 0\n"
+        "    x = 1.0;\n"
+        "#endif\n"
+        "    float y = \\\n"
+        "        2.0;  /* one\n"
+        "    more */ float z = 3.0;\n"
+        "    return x + missing;\n"
+        "}\n");
+    ASSERT_EQ(all.functions.size(), 1U);
+    EXPECT_EQ(message_of<CompileError>([&] { static_cast<void>(compiled(all.functions[0])); }),
+              "own.frag:9: 'missing' : undeclared identifier");
+}
+
+TEST(Excerpts, KeepExtensionsConstantsAndMacros) {
+    const Excerpts all = excerpts_of(
+        "#extension GL_EXT_shader_explicit_arithmetic_types : enable\n"
+        "layout(constant_id = 3) const int count = 4;\n"
+        "#line 700\n"
+        "#define SCALE float(count)\n"
+        "const float half_of = 0.5;\n"
+        "float unused(float x) { return x * undefined_name; }\n"
+        "float f(float x) { return float(float32_t(x)) * SCALE * half_of; }\n");
+    ASSERT_EQ(all.functions.size(), 2U);
+    EXPECT_THAT(compiled(all.functions[1]), ElementsAre("float f(float x)"));
+    EXPECT_THAT(all.functions[1].text, Not(HasSubstr("unused")));
+    EXPECT_THAT(message_of<CompileError>([&] { static_cast<void>(compiled(all.functions[0])); }),
+                HasSubstr("own.frag:6: 'undefined_name'"));
+}
+
+// Its interface as plain variables.
+TEST(Excerpts, UniformsBuffersInputsAndOutputsArePlainVariables) {
+    const Excerpts all = excerpts_of(
+        "layout(std140, binding = 0) uniform Block { layout(offset = 16) vec3 a; float b[2]; };\n"
+        "layout(push_constant) uniform Pushed {\n#define COUNT 3\n    float c[COUNT]; } pushed;\n"
+        "layout(std430) readonly buffer Values { float values[]; } all;\n"
+        "layout(std430) buffer Sums { int sums[]; };\n"
+        "uniform highp float e = float(1), f = max(1.0, 2.0);\n"
+        "flat in int g; out vec4 h; uniform struct S { float x; } i;\n"
+        "uniform usampler2D j;\nuniform writeonly image2D k;\n"
+        "float use() { imageStore(k, ivec2(0), vec4(0)); h.x = float(texture(j, vec2(0)).x);\n"
+        "    sums[0] = g; return a.x + b[0] + pushed.c[2] + all.values[1] + e + f + i.x; }\n");
+    ASSERT_EQ(all.functions.size(), 1U);
+    const Excerpt& excerpt = all.functions[0];
+    EXPECT_THAT(excerpt.interface, ElementsAre("j", "k"));
+    std::string written;
+    std::string read;
+    for (const auto& [name, access] : excerpt.globals)
+        (access == Access::any ? written : read).append(" ").append(name);
+    EXPECT_EQ(written, " h sums");
+    EXPECT_EQ(read, " a all b e f g i pushed");
+    for (const char* line :
+         {"vec3 a ; float b [ 2 ] ;", "struct Pushed { float c [ COUNT ] ; } pushed ;", "#define COUNT 3\n",
+          "struct Values { float values [ 16 ] ; } all ;", "int sums [ 16 ] ;", "highp float e , f ;",
+          "int g ;", "vec4 h ;", "struct S { float x ; } i ;"})
+        EXPECT_THAT(excerpt.text, HasSubstr(line));
+}
+
+TEST(Excerpts, FunctionsSayWhichVariablesTheyUse) {
+    const Excerpts all = excerpts_of(
+        "uniform float a, b, c;\nbuffer B { float d[]; };\n"
+        "float inner(float x) { d[0] = a; return x; }\n"
+        "float outer(float x) { float b = x; return inner(x) + b + c; }\n");
+    const std::vector<Function> found = functions({"own.frag", "#version 450\n" + all.functions[1].text}, {});
+    ASSERT_EQ(found.size(), 2U);
+    std::string used;
+    for (const Parameter& global : found[1].globals)
+        used += (global.direction == Direction::inout ? " inout " : " ") + name_of(global.type) + " " +
+                global.name;
+    EXPECT_THAT(used, AllOf(HasSubstr(" float a"), HasSubstr(" float c"), HasSubstr(" inout float[16] d"),
+                            Not(HasSubstr(" float b"))));
+}
+
+TEST(Excerpts, ATextWithoutFunctionsHasNone) {
+    EXPECT_THAT(excerpts_of("#version 450\nconst float x = 1.0;\nvoid main() { }\n").functions, IsEmpty());
+    EXPECT_THAT(message_of<CompileError>([] { (void)excerpts_of("\n#include \"none.glsl\"\n"); }),
+                HasSubstr("own.frag:2: cannot find include \"none.glsl\""));
+}
+
+}  // namespace gloam::shader::excerpts_test
