@@ -230,6 +230,23 @@ TEST(OrdinaryValues, FollowRangeCommentNameArrayAndType) {
                 ElementsAre("index: 0 to 3 (array)", "second: false, true (type)"));
 }
 
+TEST(OrdinaryValues, DescribeArraysSamplersAndWhatStandsAtFileScope) {
+    const Audited file(
+        "uniform sampler2D image;\nuniform float exposure;\nstruct Lamp { vec3 color; };\n"
+        "float f(float weights[3], Lamp lamps[2], vec2 uv) {\n"
+        "    return texture(image, uv).x * exposure * lamps[0].color.x / (weights[0] + weights[1] + "
+        "weights[2]);\n"
+        "}\n");
+    EXPECT_THAT(described(file.values("f", {{"weights", {0.0, 1.0}}})),
+                ElementsAre("weights: 3 of 0 to 1 (--range)", "lamps: 2 of 0 to 1 (name)",
+                            "uv: 0 to 1 (name)", "exposure: 0.001 to 1000 (name)"));
+    const Audit audit = file.audit("f", {{"weights", {0.0, 1.0}}});
+    const AuditFinding* const finding = find(audit, Concern::not_finite);
+    ASSERT_NE(finding, nullptr) << to_text(audit);
+    EXPECT_THAT(finding->values, testing::StartsWith("weights = (0, 0, 0), lamps[0].color = ("));
+    EXPECT_THAT(finding->values, HasSubstr("exposure = 1"));
+}
+
 TEST(OrdinaryValues, ReadComments) {
     const auto of = [](const std::string& comment) {
         return described(Audited(comment + "float f(float x, vec3 q) { return x + q.x; }").values("f"));

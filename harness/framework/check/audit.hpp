@@ -58,7 +58,7 @@ struct AuditFinding {
     double exact = 0.0;       // in double
     numeric::Bounds permitted = numeric::Bounds::point(0.0);  // by Vulkan's rules
     double lost = 0.0;                                        // decimal digits, of the 7.2 that a float32 has
-    bool cancels = false;  // digits: a difference keeps the errors of its operands
+    bool cancels = false;  // digits: the result keeps the errors of its operands, and is small beside them
     std::string message;   // of a fault
     std::vector<AuditWitness> witnesses;
     AuditPlace place;  // where it arises

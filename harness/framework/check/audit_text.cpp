@@ -58,15 +58,21 @@ bool has_several_results(const Audit& audit) {
     return std::ranges::any_of(audit.motions, [](const AuditMotion& motion) { return motion.output > 0; });
 }
 
+// Why a result has fewer digits than its operands.
+std::string loss_text(const AuditFinding& finding) {
+    if (!finding.cancels) return {};
+    const std::string& operation = finding.place.operation;
+    return operation == "OpFSub" || operation == "OpFAdd" ? ", cancellation"
+                                                          : ", which magnifies the error of its operands";
+}
+
 std::string finding_text(const AuditFinding& finding) {
     const std::string place = to_text(finding.place);
     std::string witnesses;
     for (const AuditWitness& witness : finding.witnesses) witnesses += "\n      " + to_text(witness);
-    return fmt::format(
-        "  {:<15} {}\n      for {}: {}{}{}\n", name_of(finding.concern), extent_text(finding), finding.values,
-        result_text(finding),
-        place.empty() ? "" : "\n      arises at " + place + (finding.cancels ? ", cancellation" : ""),
-        witnesses);
+    return fmt::format("  {:<15} {}\n      for {}: {}{}{}\n", name_of(finding.concern), extent_text(finding),
+                       finding.values, result_text(finding),
+                       place.empty() ? "" : "\n      arises at " + place + loss_text(finding), witnesses);
 }
 
 std::string rewrite_text(const AuditRewrite& rewrite) {

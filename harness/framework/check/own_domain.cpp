@@ -176,8 +176,14 @@ class Ordinary {
         for (std::size_t i = 0; i < count; ++i)
             for (const OrdinaryValues& part : parts) elements.push_back(part.values);
         for (const OrdinaryValues& part : parts) texts.push_back(part.text);
+        Values values = vector(elements);
+        for (std::size_t k = 0; parts.size() == 1 && k < parts[0].values.fixed.size(); ++k) {
+            Values::Fixed& equal = values.fixed.emplace_back();  // all elements alike, for example all zero
+            for (std::size_t i = 0; i < count; ++i)
+                std::ranges::copy(parts[0].values.fixed[k].words, std::back_inserter(equal.words));
+        }
         all.push_back({name, fmt::format("{} of {}", count, fmt::join(texts, "; ")),
-                       parts.empty() ? "type" : parts.front().reason, vector(elements)});
+                       parts.empty() ? "type" : parts.front().reason, std::move(values)});
     }
 
     [[nodiscard]] std::pair<Described, std::string> values_of(const Type& type, const std::string& name,
