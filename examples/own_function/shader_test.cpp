@@ -8,15 +8,15 @@ using namespace gloam::check;
 
 TEST(Tone, MatchesReinhard) {
     const Lab lab({.validation = true, .include_roots = {SHADER_DIR}});
+    const Function<float(float)> tone(lab, "tone.glsl", "tone_reinhard");
     const auto reinhard = [](double x) { return x / (1.0 + x); };
-    const Answer answer = compare<float(float)>(lab, "tone.glsl", "tone_reinhard", reinhard,
-                                                {log_uniform(1e-6, 1e6)}, {.ulp = 4});
+    const Answer answer = tone.compare(reinhard, {log_uniform(1e-6, 1e6)}, {.ulp = 4});
     EXPECT_TRUE(answer.passed()) << answer;
 }
 
 TEST(Fog, CallsTheShaderLibraryOfThePackage) {
     const Lab lab({.validation = true, .include_roots = {SHADER_DIR, GLOAM_GLSL_DIR}});
-    const Kernel<float(float)> fog_weight(lab, "fog.glsl", "fog_weight");
+    const Function<float(float)> fog_weight(lab, "fog.glsl", "fog_weight");
     EXPECT_EQ(fog_weight(1.0F), 0.5F);
     EXPECT_EQ(fog_weight(INFINITY), 1.0F);
 }

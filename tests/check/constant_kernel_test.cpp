@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "check/kernel.hpp"
+#include "check/function.hpp"
 #include "check/kernel_code.hpp"
 #include "check/lab.hpp"
 #include "shader/spirv.hpp"
@@ -47,18 +47,18 @@ class ConstantKernelTest : public testing::TestWithParam<const char*> {
     Lab plain = make_lab("shipped");
     Lab lab = make_lab(GetParam());
 
-    template <class Function>
+    template <class Type>
     ConstantKernel kernel(const std::string& function, const std::string& file = "types.glsl") {
-        return {lab, file, function, SignatureOf<Function>::describe()};
+        return {lab, file, function, SignatureOf<Type>::describe()};
     }
 
     // Expects the outputs that the kernel has with its inputs in memory.
-    template <class Function>
+    template <class Type>
     void expect_same(const std::string& function, std::size_t count = 5) {
-        const Signature signature = SignatureOf<Function>::describe();
+        const Signature signature = SignatureOf<Type>::describe();
         const std::vector<Word> words = some_words(signature.input_scalars(), count);
         const auto expected = plain.kernel("types.glsl", function, signature).run(words, count);
-        const auto constant = kernel<Function>(function).run(words, count);
+        const auto constant = kernel<Type>(function).run(words, count);
         EXPECT_EQ(constant.outputs, expected.outputs) << function;
         EXPECT_EQ(constant.outputs.size(), count * signature.output_words()) << function;
         EXPECT_NO_THROW(lab.require_silent_validation()) << function;

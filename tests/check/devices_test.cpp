@@ -23,7 +23,7 @@ TEST(InterpreterDevice, EvaluatesAFunction) {
     const Lab lab = lab_of();
     EXPECT_EQ(lab.info().name, "interpreter");
     EXPECT_TRUE(lab.info().float32.preserves_signed_zero_inf_nan);
-    const Kernel<float(float, float)> weight(lab, "wrong.glsl", "weight");
+    const Function<float(float, float)> weight(lab, "wrong.glsl", "weight");
     EXPECT_EQ(weight(1.0F, 2.0F), 0.75F);
     EXPECT_THROW((void)lab.device(), std::runtime_error);
 }
@@ -38,15 +38,15 @@ TEST(InterpreterDevice, JudgesRightAndWrongFunctionsInEveryVariant) {
         if (variant.relaxed) continue;  // the interpreter never rounds to half precision
         const Lab lab = lab_of(variant.name);
         const Budget budget{.ulp = 2, .absolute = 4e-7};
-        const Answer right = compare<float(float, float)>(lab, "wrong.glsl", "weight", exact, domain, budget,
-                                                          {.inputs = 1024});
+        const Answer right = Function<float(float, float)>(lab, "wrong.glsl", "weight")
+                                 .compare(exact, domain, budget, {.inputs = 1024});
         EXPECT_TRUE(right.passed()) << variant.name << right;
         EXPECT_EQ(right.differs, 0U) << variant.name;
         if (verdict_of(variant, {.reference = make_reference<float(float)>([](double x) { return x; })}) ==
             Verdict::rules)
             continue;  // a wrong shader is no wrong driver
-        EXPECT_FALSE(compare<float(float, float)>(lab, "wrong.glsl", "weight_wrong_constant", exact, domain,
-                                                  budget, {.inputs = 1024})
+        EXPECT_FALSE(Function<float(float, float)>(lab, "wrong.glsl", "weight_wrong_constant")
+                         .compare(exact, domain, budget, {.inputs = 1024})
                          .passed())
             << variant.name;
     }
@@ -55,8 +55,8 @@ TEST(InterpreterDevice, JudgesRightAndWrongFunctionsInEveryVariant) {
 TEST(InterpreterDevice, GivesTheResultsOfTheDriverWhereThereIsOneResult) {
     const Lab ours = lab_of("strict");
     const Lab driver = test::make_lab(FIXTURES, shader::variant("strict"));
-    const Kernel<float(glm::ivec2)> a(ours, "own.glsl", "own_mean");
-    const Kernel<float(glm::ivec2)> b(driver, "own.glsl", "own_mean");
+    const Function<float(glm::ivec2)> a(ours, "own.glsl", "own_mean");
+    const Function<float(glm::ivec2)> b(driver, "own.glsl", "own_mean");
     const ImageSet images{
         {"own_depth",
          make_image<float>(
@@ -80,7 +80,7 @@ TEST(InterpreterDevice, StoresToImages) {
     const Lab lab = lab_of();
     const Lab driver = test::make_lab(FIXTURES);
     for (const Lab* one : {&lab, &driver}) {
-        const Kernel<float(glm::ivec2, glm::ivec2)> store(*one, "stores.glsl", "store_at");
+        const Function<float(glm::ivec2, glm::ivec2)> store(*one, "stores.glsl", "store_at");
         const ImageSet images{
             {"store_value", make_image<glm::vec2>({3, 2}, [](glm::ivec2) { return glm::vec2(-1); })}};
         const std::vector<std::tuple<glm::ivec2, glm::ivec2>> inputs{{{0, 0}, {1, 0}}, {{2, 1}, {0, 0}}};
@@ -146,12 +146,12 @@ TEST_P(OpenGlDevice, JudgesARightAndAWrongFunction) {
     };
     const Budget budget{.ulp = 2, .absolute = 4e-7};
     // More inputs than a row of the targets holds.
-    const Answer right =
-        compare<float(float, float)>(*lab, "wrong.glsl", "weight", exact, domain, budget, {.inputs = 3000});
+    const Answer right = Function<float(float, float)>(*lab, "wrong.glsl", "weight")
+                             .compare(exact, domain, budget, {.inputs = 3000});
     EXPECT_TRUE(right.passed()) << right;
     EXPECT_GT(right.max_absolute, 0.0);
-    const Answer wrong = compare<float(float, float)>(*lab, "wrong.glsl", "weight_wrong_constant", exact,
-                                                      domain, budget, {.inputs = 3000});
+    const Answer wrong = Function<float(float, float)>(*lab, "wrong.glsl", "weight_wrong_constant")
+                             .compare(exact, domain, budget, {.inputs = 3000});
     EXPECT_FALSE(wrong.passed());
     EXPECT_THAT(wrong.story, HasSubstr("wrong.glsl"));
 }
@@ -159,8 +159,8 @@ TEST_P(OpenGlDevice, JudgesARightAndAWrongFunction) {
 // Of structures, matrices and out parameters: rows that no single draw can write.
 TEST_P(OpenGlDevice, EveryTypeArrivesBitByBit) {
     GLOAM_LAB_OR_SKIP(lab);
-    const Kernel<glm::mat4(glm::mat4, Out<glm::mat3>, Out<glm::ivec4>)> mirrored(*lab, "opengl.glsl",
-                                                                                 "mirrored");
+    const Function<glm::mat4(glm::mat4, Out<glm::mat3>, Out<glm::ivec4>)> mirrored(*lab, "opengl.glsl",
+                                                                                   "mirrored");
     std::vector<std::tuple<glm::mat4>> inputs;
     for (int i = 0; i < 1500; ++i) {
         glm::mat4 m;
@@ -198,7 +198,9 @@ TEST_P(OpenGlDevice, ServesImagesAndReportsAnAccessOutside) {
 
 TEST_P(OpenGlDevice, StoresToImagesWhereThereAreComputeShaders) {
     GLOAM_LAB_OR_SKIP(lab);
-    const auto store = [&] { return Kernel<float(glm::ivec2, glm::ivec2)>(*lab, "stores.glsl", "store_at"); };
+    const auto store = [&] {
+        return Function<float(glm::ivec2, glm::ivec2)>(*lab, "stores.glsl", "store_at");
+    };
     if (!gl::has_compute(gl::device_name_from(GetParam())->version)) {
         EXPECT_THAT(store, ThrowsMessage<backend::Unsupported>(HasSubstr("stores to images")));
         return;
@@ -217,12 +219,12 @@ TEST_P(OpenGlDevice, AsksTheRulesWhereTheLanguageHasThem) {
     GLOAM_LAB_OR_SKIP(lab);
     const gl::Version version = gl::device_name_from(GetParam())->version;
     const bool rules = version == gl::Version{gl::Api::gl, 4, 5} || version == gl::Version{gl::Api::es, 3, 2};
-    const Answer quotient =
-        check_rules<float(float)>(*lab, "rules.glsl", "reciprocal", {uniform(1, 2)}, {.inputs = 600});
+    const Answer quotient = Function<float(float)>(*lab, "rules.glsl", "reciprocal")
+                                .check_rules({uniform(1, 2)}, {.inputs = 600});
     EXPECT_EQ(quotient.by_rules, rules ? quotient.inputs() : 0U);
     EXPECT_EQ(quotient.outcome(), rules ? Outcome::ok : Outcome::not_judged);
     const Answer sine =
-        check_rules<float(float)>(*lab, "opengl.glsl", "sine", {uniform(-3, 3)}, {.inputs = 600});
+        Function<float(float)>(*lab, "opengl.glsl", "sine").check_rules({uniform(-3, 3)}, {.inputs = 600});
     EXPECT_EQ(sine.outcome(), Outcome::not_judged);
     EXPECT_THAT(sine.not_judged_because(), HasSubstr("no precision rules"));
 }
@@ -230,8 +232,8 @@ TEST_P(OpenGlDevice, AsksTheRulesWhereTheLanguageHasThem) {
 TEST_P(OpenGlDevice, SpecialInputsAreRecordedOnly) {
     GLOAM_LAB_OR_SKIP(lab);
     const auto same = [](double x) { return x; };
-    const Answer answer = compare<float(float)>(*lab, "opengl.glsl", "same", same,
-                                                {uniform(1, 2).and_special()}, {}, {.inputs = 600});
+    const Answer answer = Function<float(float)>(*lab, "opengl.glsl", "same")
+                              .compare(same, {uniform(1, 2).and_special()}, {}, {.inputs = 600});
     EXPECT_TRUE(answer.passed()) << answer;
     EXPECT_GT(answer.recorded(), 0U);
     EXPECT_EQ(answer.judged(), answer.inputs() - answer.recorded());
@@ -242,8 +244,8 @@ TEST_P(OpenGlDevice, SpecialInputsAreRecordedOnly) {
 TEST_P(OpenGlDevice, NegativeZeroIsJudgedAsZero) {
     GLOAM_LAB_OR_SKIP(lab);
     const auto check = [&](double result) {
-        return compare<float(float)>(*lab, "opengl.glsl", "same", [=](double) { return result; },
-                                     {constant(-0.0F)}, {}, {.inputs = 8});
+        return Function<float(float)>(*lab, "opengl.glsl", "same")
+            .compare([=](double) { return result; }, {constant(-0.0F)}, {}, {.inputs = 8});
     };
     EXPECT_TRUE(check(0.0).passed()) << check(0.0);
     EXPECT_EQ(check(42.0).outside(), 8U);
@@ -251,7 +253,7 @@ TEST_P(OpenGlDevice, NegativeZeroIsJudgedAsZero) {
 
 TEST_P(OpenGlDevice, WhatTheVersionLacksIsUnsupported) {
     GLOAM_LAB_OR_SKIP(lab);
-    const auto kernel = [&] { return Kernel<unsigned(unsigned)>(*lab, "opengl.glsl", "reversed_bits"); };
+    const auto kernel = [&] { return Function<unsigned(unsigned)>(*lab, "opengl.glsl", "reversed_bits"); };
     if (gl::has_compute(gl::device_name_from(GetParam())->version)) {
         EXPECT_EQ(kernel()(1U), 0x80000000U);
     } else {

@@ -225,12 +225,12 @@ float as_float(Word word) {
 }
 
 // A function that should return its first word; where `fails` is true it returns another one.
-template <class Function>
+template <class Type>
 struct Planted {
     Domain domain;
     std::function<bool(std::span<const Word>)> fails;
     Question question = {
-        .signature = SignatureOf<Function>::describe(),
+        .signature = SignatureOf<Type>::describe(),
         .domain = domain,
         .reference = [](const ImageSet&, std::span<const Word> inputs, std::vector<double>& outputs) {
             outputs = {static_cast<double>(inputs[0])};

@@ -18,9 +18,9 @@ Lab guide_lab() {
 TEST(Guide, ManyInputsAgainstAReference) {
     const Lab lab = guide_lab();
     // Begin: compare
+    const Function<float(float)> tone(lab, "tone.glsl", "tone_reinhard");
     const auto reinhard = [](double x) { return x / (1.0 + x); };
-    const Answer answer = compare<float(float)>(lab, "tone.glsl", "tone_reinhard", reinhard,
-                                                {log_uniform(1e-6, 1e6)}, {.ulp = 4});
+    const Answer answer = tone.compare(reinhard, {log_uniform(1e-6, 1e6)}, {.ulp = 4});
     EXPECT_TRUE(answer.passed()) << answer;
     // End
 }
@@ -28,7 +28,7 @@ TEST(Guide, ManyInputsAgainstAReference) {
 TEST(Guide, OneCall) {
     const Lab lab = guide_lab();
     // Begin: call
-    const Kernel<float(float)> tone(lab, "tone.glsl", "tone_reinhard");
+    const Function<float(float)> tone(lab, "tone.glsl", "tone_reinhard");
     EXPECT_EQ(tone(0.0F), 0.0F);
     EXPECT_EQ(tone(1.0F), 0.5F);
     // End
@@ -36,11 +36,12 @@ TEST(Guide, OneCall) {
 
 TEST(Guide, Domains) {
     const Lab lab = guide_lab();
+    const Function<float(float)> tone(lab, "tone.glsl", "tone_reinhard");
     const auto reinhard = [](double x) { return x / (1.0 + x); };
     // Begin: domain
     const Domain domain{log_uniform(1e-6, 1e6).and_near({1.0}).and_value(0.0F)};
-    const Answer answer = compare<float(float)>(lab, "tone.glsl", "tone_reinhard", reinhard, domain,
-                                                {.ulp = 4, .absolute = 1e-30}, {.inputs = 4096, .seed = 7});
+    const Answer answer =
+        tone.compare(reinhard, domain, {.ulp = 4, .absolute = 1e-30}, {.inputs = 4096, .seed = 7});
     EXPECT_TRUE(answer.passed()) << answer;
     // End
 }
@@ -53,7 +54,7 @@ struct Lamp {
 
 TEST(Guide, StructsAndOutParameters) {
     const Lab lab = guide_lab();
-    const Kernel<glm::vec3(Lamp, float, Out<float>)> radiance(lab, "lamp.glsl", "lamp_radiance");
+    const Function<glm::vec3(Lamp, float, Out<float>)> radiance(lab, "lamp.glsl", "lamp_radiance");
     const auto [color, falloff] = radiance(Lamp{{1, 2, 4}, 8.0F}, 1.0F);
     EXPECT_EQ(color, glm::vec3(4, 8, 16));
     EXPECT_EQ(falloff, 0.5F);
@@ -63,7 +64,7 @@ TEST(Guide, StructsAndOutParameters) {
 TEST(Guide, Images) {
     const Lab lab = guide_lab();
     // Begin: image
-    const Kernel<float(glm::ivec2)> slope(lab, "slope.glsl", "slope_x");
+    const Function<float(glm::ivec2)> slope(lab, "slope.glsl", "slope_x");
     const auto ramp = [](glm::ivec2 pixel) { return 3.0F * static_cast<float>(pixel.x); };
     const ImageSet images{{"fetch_height", make_image<float>({5, 5}, ramp, Border::clamp)}};
     EXPECT_EQ(slope.with_images(images, {glm::ivec2(2, 2)}), 3.0F);
@@ -73,8 +74,13 @@ TEST(Guide, Images) {
 
 TEST(Guide, Properties) {
     const Lab lab = guide_lab();
-    const Kernel<float(float)> tone(lab, "tone.glsl", "tone_reinhard");
+    const Function<float(float)> tone(lab, "tone.glsl", "tone_reinhard");
     // Begin: property
+    const PropertyResult below =
+        tone.property({uniform(0, 1000)}, [](float x, float y) { return y <= x && y < 1.0F; });
+    EXPECT_TRUE(below) << below;
+    // End
+    // Begin: many
     std::vector<std::tuple<float>> inputs;
     for (int i = 0; i < 10'000; ++i) inputs.emplace_back(0.01F * static_cast<float>(i));
     const std::vector<float> values = tone(inputs);  // one dispatch for all
@@ -86,10 +92,10 @@ TEST(Guide, Properties) {
 // The snippets of docs/copy-a-shader.md: near = 1, reversed, infinite far plane, so p22 = 0 and p32 = 1.
 TEST(Guide, AnEnginesDepthAndLight) {
     const Lab lab = guide_lab();
-    const Kernel<float(float, float, float)> depth(lab, "engine.glsl", "engine_depth");
+    const Function<float(float, float, float)> depth(lab, "engine.glsl", "engine_depth");
     EXPECT_EQ(depth(0.25F, 0.0F, 1.0F), 4.0F);
     EXPECT_EQ(depth(0.0F, 0.0F, 1.0F), INFINITY);
-    const Kernel<glm::vec3(glm::vec3, glm::vec3, float)> light(lab, "engine.glsl", "engine_light");
+    const Function<glm::vec3(glm::vec3, glm::vec3, float)> light(lab, "engine.glsl", "engine_light");
     EXPECT_EQ(light(glm::vec3(4), glm::vec3(1), 0.75F), glm::vec3(2));
 }
 
@@ -97,8 +103,8 @@ TEST(Guide, AnEnginesDepthAndLight) {
 TEST(Guide, ANarrowBudgetFailsAndSaysWhere) {
     const Lab lab = guide_lab();
     const auto other = [](double x) { return x / (1.0 + 1.001 * x); };
-    const Answer answer =
-        compare<float(float)>(lab, "tone.glsl", "tone_reinhard", other, {log_uniform(1e-6, 1e6)}, {.ulp = 4});
+    const Answer answer = Function<float(float)>(lab, "tone.glsl", "tone_reinhard")
+                              .compare(other, {log_uniform(1e-6, 1e6)}, {.ulp = 4});
     EXPECT_FALSE(answer.passed());
     std::ostringstream text;
     text << answer;

@@ -24,8 +24,8 @@ class JudgeTest : public testing::Test {
     const Budget budget{.ulp = 2, .absolute = 4e-7};
 
     Answer weight(const std::string& function, const RunOptions& options = {}) {
-        return compare<float(float, float)>(lab, "wrong.glsl", function, exact_weight, domain, budget,
-                                            options);
+        return Function<float(float, float)>(lab, "wrong.glsl", function)
+            .compare(exact_weight, domain, budget, options);
     }
 
     static const ClassCount& count(const Answer& result, InputClass input_class) {
@@ -71,8 +71,8 @@ TEST_F(JudgeTest, AFailureAtABranchIsCountedThere) {
 
 TEST_F(JudgeTest, OneUlpTooMuchFailsAndOneUlpAllowedPasses) {
     const auto check = [&](double ulp) {
-        return compare<float(float)>(lab, "wrong.glsl", "identity_one_up", [](double x) { return x; },
-                                     {uniform(1.1, 1.9)}, {.ulp = ulp});
+        return Function<float(float)>(lab, "wrong.glsl", "identity_one_up")
+            .compare([](double x) { return x; }, {uniform(1.1, 1.9)}, {.ulp = ulp});
     };
     EXPECT_TRUE(check(1.0).passed());
     const Answer strict = check(0.999);
@@ -84,15 +84,15 @@ TEST_F(JudgeTest, DiscreteResultsMustBeEqualOrMeetTheBackwardBudget) {
     const auto above = [](double x, double limit) { return x > limit; };
     const Domain at_limit = Domain{uniform(0.1, 0.9), uniform(0.1, 0.9)}.tied(0, 1);
     const auto check = [&](int backward_ulp) {
-        return compare<bool(float, float)>(lab, "wrong.glsl", "at_least", above, at_limit,
-                                           {.backward_ulp = backward_ulp});
+        return Function<bool(float, float)>(lab, "wrong.glsl", "at_least")
+            .compare(above, at_limit, {.backward_ulp = backward_ulp});
     };
     EXPECT_FALSE(check(0).passed()) << "x >= limit differs from x > limit where they are equal";
     EXPECT_TRUE(check(1).passed()) << "and meets it one ULP beside";
-    EXPECT_FALSE(compare<int(float)>(lab, "wrong.glsl", "off_by_one",
-                                     [](double x) { return int(std::floor(x)); }, {uniform(-5, 5)},
-                                     {.backward_ulp = 4})
-                     .passed());
+    EXPECT_FALSE(
+        Function<int(float)>(lab, "wrong.glsl", "off_by_one")
+            .compare([](double x) { return int(std::floor(x)); }, {uniform(-5, 5)}, {.backward_ulp = 4})
+            .passed());
 }
 
 // A count is meant exactly: the end of a range is not swallowed by the backward budget.
@@ -100,8 +100,8 @@ TEST_F(JudgeTest, SmallWholeNumbersAreNotMoved) {
     const auto above = [](double x, double limit) { return x > limit; };
     for (const float end : {0.0F, 1.0F, -3.0F, 256.0F}) {
         const Domain at_end{constant(end), constant(end)};
-        const Answer result = compare<bool(float, float)>(lab, "wrong.glsl", "at_least", above, at_end,
-                                                          {.backward_ulp = 4}, {.inputs = 8});
+        const Answer result = Function<bool(float, float)>(lab, "wrong.glsl", "at_least")
+                                  .compare(above, at_end, {.backward_ulp = 4}, {.inputs = 8});
         EXPECT_EQ(result.outside(), 8U) << end;
     }
 }
@@ -162,9 +162,8 @@ TEST_F(JudgeTest, TheSameSeedGivesTheSameVerdict) {
 }
 
 TEST_F(JudgeTest, TheWorstInputIsPrintedInDecimalAndHexadecimal) {
-    const Answer result =
-        compare<float(float)>(lab, "wrong.glsl", "identity_one_up", [](double x) { return x; },
-                              {uniform(0.5, 0.5)}, {}, {.inputs = 4});
+    const Answer result = Function<float(float)>(lab, "wrong.glsl", "identity_one_up")
+                              .compare([](double x) { return x; }, {uniform(0.5, 0.5)}, {}, {.inputs = 4});
     EXPECT_THAT(result.story, AllOf(HasSubstr("0.5 (0x3f000000)"), HasSubstr("0.50000006 (0x3f000001)")));
 }
 
@@ -204,9 +203,9 @@ TEST_F(JudgeTest, AnExplanationIsBounded) {
 }
 
 TEST_F(JudgeTest, ADomainThatDoesNotFitTheFunctionIsRefused) {
-    EXPECT_THROW(
-        (void)compare<float(float, float)>(lab, "wrong.glsl", "weight", exact_weight, {uniform(0, 1)}),
-        std::invalid_argument);
+    EXPECT_THROW((void)Function<float(float, float)>(lab, "wrong.glsl", "weight")
+                     .compare(exact_weight, {uniform(0, 1)}),
+                 std::invalid_argument);
 }
 
 // A check says "ok" only if enough inputs were judged: the counts of answers, and what the judge counts.
@@ -318,8 +317,8 @@ class OutcomeByRules : public testing::Test {
   protected:
     template <class Signature>
     Answer judged(const char* function, const Domain& domain) {
-        return check_rules<Signature>(test::make_lab(FIXTURES), "rules.glsl", function, domain,
-                                      {.inputs = 600});
+        return Function<Signature>(test::make_lab(FIXTURES), "rules.glsl", function)
+            .check_rules(domain, {.inputs = 600});
     }
 };
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <limits>
+#include <sstream>
 
-#include "check/kernel.hpp"
+#include "check/function.hpp"
 #include "support/lab.hpp"
 #include "support/matchers.hpp"
 
@@ -19,16 +20,16 @@ class KernelTest : public testing::Test {
   protected:
     Lab lab = test::make_lab(FIXTURES);
 
-    template <class Function>
-    Kernel<Function> kernel(const std::string& function, const std::string& file = "types.glsl") {
+    template <class Type>
+    Function<Type> kernel(const std::string& function, const std::string& file = "types.glsl") {
         return {lab, file, function};
     }
 
     // The message of the exception that making a kernel throws.
-    template <class Function>
+    template <class Type>
     std::string failure(const std::string& function, const std::string& file = "types.glsl") {
         try {
-            (void)kernel<Function>(function, file);
+            (void)kernel<Type>(function, file);
         } catch (const std::exception& error) {
             return error.what();
         }
@@ -146,7 +147,7 @@ TEST_F(KernelTest, SpecialValuesSurviveTheTrip) {
 class KernelImageTest : public testing::Test {
   protected:
     Lab lab = test::make_lab(FIXTURES);
-    Kernel<float(glm::ivec2)> plus{lab, "images.glsl", "plus"};
+    Function<float(glm::ivec2)> plus{lab, "images.glsl", "plus"};
 
     static ImageSet images(glm::ivec2 size, Border border) {
         return {{"fetch_depth", make_image<float>(
@@ -204,7 +205,7 @@ TEST_F(KernelImageTest, EmptyImageIsRefused) {
 }
 
 TEST_F(KernelImageTest, StoresReachTheImage) {
-    const Kernel<float(glm::ivec2, glm::ivec2)> store(lab, "stores.glsl", "store_at");
+    const Function<float(glm::ivec2, glm::ivec2)> store(lab, "stores.glsl", "store_at");
     const ImageSet set{
         {"store_value", make_image<glm::vec2>({4, 3}, [](glm::ivec2) { return glm::vec2(-1); })}};
     std::vector<std::tuple<glm::ivec2, glm::ivec2>> inputs;
@@ -217,7 +218,7 @@ TEST_F(KernelImageTest, StoresReachTheImage) {
 }
 
 TEST_F(KernelImageTest, StoreOutsideIsAFaultAndChangesNothing) {
-    const Kernel<float(glm::ivec2, glm::ivec2)> store(lab, "stores.glsl", "store_at");
+    const Function<float(glm::ivec2, glm::ivec2)> store(lab, "stores.glsl", "store_at");
     const ImageSet set{
         {"store_value", make_image<glm::vec2>({2, 2}, [](glm::ivec2) { return glm::vec2(-1); })}};
     EXPECT_THAT(
@@ -229,6 +230,37 @@ TEST_F(KernelImageTest, StoreOutsideIsAFaultAndChangesNothing) {
     const KernelCore::Result result = store.core().run(words, 1, set);
     EXPECT_TRUE(result.fault.has_value());
     EXPECT_EQ(result.stored.at("store_value").words, set.at("store_value").words);
+}
+
+// What else a function can be asked.
+
+TEST_F(KernelTest, APropertyThatFailsShrinksInsideItsDomain) {
+    const Function<float(float)> reciprocal = kernel<float(float)>("reciprocal", "rules.glsl");
+    const PropertyResult positive =
+        reciprocal.property({uniform(1, 100)}, [](float, float y) { return y > 0.0F; });
+    EXPECT_TRUE(positive) << positive;
+    EXPECT_EQ(positive.inputs, 65'536U);
+    const PropertyResult large = reciprocal.property(
+        {uniform(3, 100)}, [](float x, float y) { return x < 10.0F || y > 0.1F; }, {.inputs = 512});
+    ASSERT_FALSE(large);
+    EXPECT_EQ(large.words, std::vector<Word>{to_word(16.0F)}) << "the simplest float at or above 10";
+    std::ostringstream text;
+    text << large;
+    EXPECT_THAT(text.str(), AllOf(HasSubstr("the property does not hold for float 16"), HasSubstr("0.0625")));
+}
+
+TEST_F(KernelTest, AFunctionIsJudgedAuditedAndExplained) {
+    const Function<float(float)> reciprocal = kernel<float(float)>("reciprocal", "rules.glsl");
+    EXPECT_TRUE(reciprocal.check_rules({uniform(1, 2)}, {.inputs = 512}).passed());
+    EXPECT_TRUE(
+        reciprocal.compare([](double x) { return 1.0 / x; }, {uniform(1, 2)}, {.ulp = 3}, {.inputs = 512})
+            .passed());
+    EXPECT_FALSE(
+        reciprocal.compare([](double x) { return 1.001 / x; }, {uniform(1, 2)}, {.ulp = 3}, {.inputs = 512})
+            .passed());
+    EXPECT_FALSE(reciprocal.audit({uniform(1, 2)}, {.inputs = 512}).is_broken());
+    EXPECT_TRUE(reciprocal.audit({uniform(-1, 1)}, {.inputs = 512}).is_broken()) << "it divides by zero";
+    EXPECT_EQ(reciprocal.explain(4.0F).steps.back().value, 0.25F);
 }
 
 }  // namespace gloam::check::kernel_test

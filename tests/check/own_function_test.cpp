@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Anybody's shader file: no reference, no C++ signature.
 #include "check/own_function.hpp"
-#include "check/kernel.hpp"
+#include "check/function.hpp"
 #include "shader/include.hpp"
 #include "support/lab.hpp"
 
@@ -161,16 +161,15 @@ TEST_F(OwnFunctionTest, RangesAreNamesAndNumbers) {
 
 class ForeignCode : public testing::Test {
   protected:
-    template <class Function>
-    [[nodiscard]] Kernel<Function> kernel(const std::string& function,
-                                          const std::string& file = "names.glsl") {
+    template <class Type>
+    [[nodiscard]] Function<Type> kernel(const std::string& function, const std::string& file = "names.glsl") {
         return {lab_, file, function};
     }
 
-    template <class Function>
+    template <class Type>
     void expect_refused(const std::string& function, const std::string& named,
                         const std::string& file = "bindings.glsl") {
-        EXPECT_THAT([&] { (void)kernel<Function>(function, file); },
+        EXPECT_THAT([&] { (void)kernel<Type>(function, file); },
                     testing::ThrowsMessage<std::invalid_argument>(
                         AllOf(HasSubstr(function), HasSubstr(named), HasSubstr("bindings of its own"))))
             << function;

@@ -2,7 +2,7 @@
 // Functions whose inputs are more than vectors: arrays, nested structures, uniforms and buffers.
 #include <array>
 
-#include "check/kernel.hpp"
+#include "check/function.hpp"
 #include "check/own_function.hpp"
 #include "check/run.hpp"
 #include "shader/include.hpp"
@@ -75,15 +75,15 @@ using Row = std::array<float, 4>;
 
 TEST_F(OwnTypes, ArraysGoInAndOutOfAKernel) {
     const Lab lab = test::make_lab(FIXTURES);
-    const Kernel<float(Row, Row)> dot(lab, "arrays.glsl", "array_dot");
+    const Function<float(Row, Row)> dot(lab, "arrays.glsl", "array_dot");
     EXPECT_EQ(dot(Row{1, 2, 3, 4}, Row{1, 10, 100, 1000}), 4321.0F);
     using Wide = std::array<std::array<float, 3>, 2>;
     using High = std::array<std::array<float, 2>, 3>;
-    const Kernel<High(Wide)> transposed(lab, "arrays.glsl", "array_transposed");
+    const Function<High(Wide)> transposed(lab, "arrays.glsl", "array_transposed");
     EXPECT_EQ(transposed(Wide{{{1, 2, 3}, {4, 5, 6}}}), (High{{{1, 4}, {2, 5}, {3, 6}}}));
     using Two = std::array<glm::vec2, 2>;
-    const Kernel<void(Two, Out<std::array<float, 2>>, std::array<int, 3>&)> split(lab, "arrays.glsl",
-                                                                                  "array_split");
+    const Function<void(Two, Out<std::array<float, 2>>, std::array<int, 3>&)> split(lab, "arrays.glsl",
+                                                                                    "array_split");
     const auto [x, counts] = split(Two{glm::vec2(1, 2), glm::vec2(3, 4)}, std::array{10, 20, 30});
     EXPECT_EQ(x, (std::array<float, 2>{1, 3}));
     EXPECT_EQ(counts, (std::array{10, 21, 32}));
@@ -100,13 +100,13 @@ struct Scene {
 
 TEST_F(OwnTypes, StructuresHoldArraysOfStructures) {
     const Lab lab = test::make_lab(FIXTURES);
-    const Kernel<Scene(Scene, float)> swapped(lab, "arrays.glsl", "array_swapped");
+    const Function<Scene(Scene, float)> swapped(lab, "arrays.glsl", "array_swapped");
     const Scene scene{{Light{{1, 2, 3}, {4, 5}}, Light{{6, 7, 8}, {9, 10}}}, glm::mat2(11, 12, 13, 14)};
     const Scene result = swapped(scene, 2.0F);
     EXPECT_EQ(result.lights[0].position, glm::vec3(6, 7, 8));
     EXPECT_EQ(result.lights[1].weights, (std::array<float, 2>{8, 5}));
     EXPECT_EQ(result.turn, scene.turn);
-    EXPECT_THAT([&] { (void)Kernel<float(std::array<float, 3>, Row)>(lab, "arrays.glsl", "array_dot"); },
+    EXPECT_THAT([&] { (void)Function<float(std::array<float, 3>, Row)>(lab, "arrays.glsl", "array_dot"); },
                 testing::ThrowsMessage<std::invalid_argument>(
                     AllOf(HasSubstr("float[3], float[4]"), HasSubstr("float[4] a, float[4] b"))));
 }
@@ -120,10 +120,10 @@ TEST_F(OwnTypes, ArraysAreComparedWithAReference) {
     const Values row = vector(4, uniform(0, 1));
     const Budget budget{.ulp = 8};
     const Answer right =
-        compare<float(Row, Row)>(lab, "arrays.glsl", "array_dot", reference, {row, row}, budget);
+        Function<float(Row, Row)>(lab, "arrays.glsl", "array_dot").compare(reference, {row, row}, budget);
     EXPECT_TRUE(right.passed()) << right;
-    const Answer wrong =
-        compare<float(Row, Row)>(lab, "arrays.glsl", "array_dot_wrong", reference, {row, row}, budget);
+    const Answer wrong = Function<float(Row, Row)>(lab, "arrays.glsl", "array_dot_wrong")
+                             .compare(reference, {row, row}, budget);
     EXPECT_TRUE(wrong.failed()) << wrong;
 }
 

@@ -96,8 +96,8 @@ TEST(FlushedSubnormals, CreaseShadingOfTouchingPointsIsFinite) {
 }
 
 // The largest error that the rules permit at evenly spaced inputs.
-template <class Function, class Exact>
-double largest_error(Function&& function, Exact&& exact, double low, double high) {
+template <class Rounded, class Exact>
+double largest_error(Rounded&& function, Exact&& exact, double low, double high) {
     constexpr int inputs = 4000;
     double worst = 0.0;
     for (int i = 0; i <= inputs; ++i) {

@@ -23,7 +23,7 @@ class RulesTest : public testing::Test {
   protected:
     template <class Signature>
     Answer judged(const std::string& function, const Domain& domain) {
-        return check_rules<Signature>(lab, "rules.glsl", function, domain, {.inputs = 8192});
+        return Function<Signature>(lab, "rules.glsl", function).check_rules(domain, {.inputs = 8192});
     }
     static Lab in_variant(const Lab& lab, const char* variant) {
         return Lab({.device = lab.options().device,
@@ -173,7 +173,8 @@ TEST_F(RulesTest, WhatIsUndefinedIsCountedNotJudged) {
 
 TEST(Rules, AFunctionOfYourOwn) {
     const Lab lab({.include_roots = {FIXTURES}});
-    const Answer answer = check_rules<float(float)>(lab, "rules.glsl", "reciprocal", {uniform(1, 2)});
+    const Answer answer =
+        Function<float(float)>(lab, "rules.glsl", "reciprocal").check_rules({uniform(1, 2)});
     EXPECT_TRUE(answer.passed()) << answer;
     EXPECT_LE(answer.guarantee.ulp, 4.0);
 }

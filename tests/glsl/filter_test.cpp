@@ -13,7 +13,7 @@
 
 namespace gloam::filter_test {
 
-using check::Kernel;
+using check::Function;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
@@ -42,7 +42,7 @@ class Filter : public testing::Test {
     static constexpr float sigma = 0.0125F;  // 1.25 pixels
 
     check::Lab lab = test::make_lab();
-    Kernel<float(glm::ivec2, glm::ivec2, glm::ivec2, int, float, float)> filter{
+    Function<float(glm::ivec2, glm::ivec2, glm::ivec2, int, float, float)> filter{
         lab, "gloam/filter/convergence_filter.glsl", "gloam_convergence_filter"};
 
     float at(const Pixels& pixels, glm::ivec2 pixel, int half_width = 2, glm::ivec2 axis = {1, 0}) const {
@@ -65,8 +65,8 @@ float noise(glm::ivec2 p) {
 }
 
 TEST_F(Filter, ScaleOfTheGaussianStandsForItsWidth) {
-    const Kernel<float(float)> scale(lab, "gloam/filter/gaussian.glsl", "gloam_gaussian_scale");
-    const Kernel<float(float, float)> g(lab, "gloam/filter/gaussian.glsl", "gloam_gaussian_scaled");
+    const Function<float(float)> scale(lab, "gloam/filter/gaussian.glsl", "gloam_gaussian_scale");
+    const Function<float(float, float)> g(lab, "gloam/filter/gaussian.glsl", "gloam_gaussian_scaled");
     EXPECT_EQ(scale(0.5F), 2.0F * scale(1.0F));
     EXPECT_EQ(scale(0x1p100F), 0x1p-100F * scale(1.0F));
     for (const float none : {0.0F, -1.0F, -infinity, 1e-40F}) EXPECT_EQ(scale(none), scale(0x1p-126F));
@@ -208,9 +208,9 @@ struct Surface {
 class EdgeAware : public testing::Test {
   protected:
     check::Lab lab = test::make_lab();
-    Kernel<float(glm::ivec2, glm::ivec2, glm::ivec2, float, float)> bilateral_filter{
+    Function<float(glm::ivec2, glm::ivec2, glm::ivec2, float, float)> bilateral_filter{
         lab, "gloam/filter/bilateral.glsl", "gloam_bilateral_filter"};
-    Kernel<float(glm::ivec2, glm::ivec2, glm::ivec2, int, glm::vec2)> geometry_blur{
+    Function<float(glm::ivec2, glm::ivec2, glm::ivec2, int, glm::vec2)> geometry_blur{
         lab, "gloam/filter/geometry_blur.glsl", "gloam_geometry_blur"};
 
     float bilateral(const Surface& s, glm::ivec2 pixel, glm::ivec2 half_width = glm::ivec2(2),
@@ -288,8 +288,8 @@ constexpr const char* file = "gloam/filter/upsample.glsl";
 class Upsample : public testing::Test {
   protected:
     check::Lab lab = test::make_lab();
-    const Kernel<float(float, glm::vec4, glm::vec4, bool)> upsample{lab, file, "gloam_upsample"};
-    const Kernel<bool(float, float, float, bool)> continues{lab, file, "gloam_upsample_continues"};
+    const Function<float(float, glm::vec4, glm::vec4, bool)> upsample{lab, file, "gloam_upsample"};
+    const Function<bool(float, float, float, bool)> continues{lab, file, "gloam_upsample_continues"};
 };
 
 // Through any three pixels in a row of a plane, however steep.

@@ -17,7 +17,7 @@ using Camera = effect::GatherCamera;
 using Samples = effect::GatherKernel;
 using Method = effect::MethodValues;
 using Gather = effect::MethodGather;
-using GatherInputs = check::Kernel<Gather>::Inputs;
+using GatherInputs = check::Function<Gather>::Inputs;
 
 // The methods as kernels of one lab. layers, farthest: as effect::MethodFunctions has them.
 class Gathers {
@@ -25,11 +25,11 @@ class Gathers {
     explicit Gathers(int layers = 1, float farthest = std::numeric_limits<float>::infinity())
         : functions_(layers, farthest) {}
 
-    [[nodiscard]] check::Kernel<Gather> operator[](const std::string& method) const {
+    [[nodiscard]] check::Function<Gather> operator[](const std::string& method) const {
         return {lab_, functions_.file(method), effect::method_function};
     }
     // Of a file of that folder.
-    [[nodiscard]] check::Kernel<Gather> in_file(const std::string& file) const {
+    [[nodiscard]] check::Function<Gather> in_file(const std::string& file) const {
         return {lab_, file, effect::method_function};
     }
     [[nodiscard]] const check::Lab& lab() const { return lab_; }

@@ -11,7 +11,7 @@
 
 namespace gloam::geometry_test {
 
-using check::Kernel;
+using check::Function;
 
 class Geometry : public testing::Test {
   protected:
@@ -20,10 +20,10 @@ class Geometry : public testing::Test {
 
 TEST_F(Geometry, PositionsProjectBackOntoTheirPixels) {
     const std::string file = "gloam/geometry/position.glsl";
-    const Kernel<glm::vec2(glm::ivec2, glm::ivec2)> ndc_of(lab, file, "gloam_ndc_from_pixel");
-    const Kernel<glm::vec3(glm::vec2, float, glm::vec2)> position(lab, file,
-                                                                  "gloam_view_position_perspective");
-    const Kernel<glm::vec2(glm::vec3, glm::vec2)> project(lab, file, "gloam_ndc_perspective");
+    const Function<glm::vec2(glm::ivec2, glm::ivec2)> ndc_of(lab, file, "gloam_ndc_from_pixel");
+    const Function<glm::vec3(glm::vec2, float, glm::vec2)> position(lab, file,
+                                                                    "gloam_view_position_perspective");
+    const Function<glm::vec2(glm::vec3, glm::vec2)> project(lab, file, "gloam_ndc_perspective");
     const glm::ivec2 size(33, 7);
     for (const glm::vec2 scale : {glm::vec2(1.5F, -2.0F), glm::vec2(1.5F, 2.0F)}) {
         for (const glm::ivec2 pixel : {glm::ivec2(0, 0), glm::ivec2(32, 6), glm::ivec2(5, 1)}) {
@@ -38,10 +38,10 @@ TEST_F(Geometry, PositionsProjectBackOntoTheirPixels) {
 }
 
 TEST_F(Geometry, ProjectedRadiusIsThatOfAProjectedPoint) {
-    const Kernel<glm::vec2(float, float, glm::vec2)> uv(lab, "gloam/geometry/projected_radius.glsl",
-                                                        "gloam_projected_radius_uv");
-    const Kernel<glm::vec2(glm::vec3, glm::vec2)> project(lab, "gloam/geometry/position.glsl",
-                                                          "gloam_ndc_perspective");
+    const Function<glm::vec2(float, float, glm::vec2)> uv(lab, "gloam/geometry/projected_radius.glsl",
+                                                          "gloam_projected_radius_uv");
+    const Function<glm::vec2(glm::vec3, glm::vec2)> project(lab, "gloam/geometry/position.glsl",
+                                                            "gloam_ndc_perspective");
     const glm::vec2 scale(0.8F, -1.3F);
     const glm::vec2 there = project(glm::vec3(0.6F, 0.6F, -3.0F), scale) * 0.5F;
     const glm::vec2 radius = uv(0.6F, 3.0F, scale);
@@ -50,8 +50,8 @@ TEST_F(Geometry, ProjectedRadiusIsThatOfAProjectedPoint) {
 }
 
 TEST_F(Geometry, PixelCentresAreTheirOwnCentres) {
-    const Kernel<glm::vec2(glm::vec2, glm::ivec2)> center(lab, "gloam/geometry/pixel_center.glsl",
-                                                          "gloam_pixel_center");
+    const Function<glm::vec2(glm::vec2, glm::ivec2)> center(lab, "gloam/geometry/pixel_center.glsl",
+                                                            "gloam_pixel_center");
     numeric::Random random(3);
     std::vector<std::tuple<glm::vec2, glm::ivec2>> inputs;
     for (int i = 0; i < 4096; ++i) {
@@ -64,8 +64,8 @@ TEST_F(Geometry, PixelCentresAreTheirOwnCentres) {
 }
 
 TEST_F(Geometry, CameraCentredPositionsDoNotCareWhereTheWorldIs) {
-    const Kernel<glm::vec3(glm::vec3, glm::vec3)> previous(lab, "gloam/geometry/camera_centered.glsl",
-                                                           "gloam_camera_centered_previous");
+    const Function<glm::vec3(glm::vec3, glm::vec3)> previous(lab, "gloam/geometry/camera_centered.glsl",
+                                                             "gloam_camera_centered_previous");
     const glm::dvec3 x(3.25, -1.5, 7.125);
     const glm::dvec3 eye(1.0, 0.5, 10.0);
     const glm::dvec3 previous_eye(1.0 + 0x1p-10, 0.5, 10.0 - 0x1p-9);
@@ -84,9 +84,9 @@ TEST_F(Geometry, CameraCentredPositionsDoNotCareWhereTheWorldIs) {
 // Changes that do not span a plane have no curvature, and lengths are those of their vectors in any
 // direction.
 TEST_F(Geometry, OfVectorsInAnyDirection) {
-    const Kernel<glm::vec2(glm::vec3, glm::vec3, glm::vec3, glm::vec3)> curvatures(
+    const Function<glm::vec2(glm::vec3, glm::vec3, glm::vec3, glm::vec3)> curvatures(
         lab, "gloam/geometry/curvature.glsl", "gloam_principal_curvatures");
-    const Kernel<float(glm::vec3)> length(lab, "gloam/geometry/length.glsl", "gloam_length");
+    const Function<float(glm::vec3)> length(lab, "gloam/geometry/length.glsl", "gloam_length");
     const glm::vec3 turn(0.01F, 0.002F, 0.0F);
     std::vector<std::tuple<glm::vec3, glm::vec3, glm::vec3, glm::vec3>> parallel;
     std::vector<std::tuple<glm::vec3>> vectors;
@@ -106,10 +106,10 @@ TEST_F(Geometry, OfVectorsInAnyDirection) {
 
 // Whatever the bits of a NaN are.
 TEST_F(Geometry, NoNaNIsFinite) {
-    const Kernel<bool(float)> finite(lab, "gloam/geometry/finite.glsl", "gloam_is_finite");
-    const Kernel<bool(glm::vec2)> finite2(lab, "gloam/geometry/finite.glsl", "gloam_is_finite2");
-    const Kernel<bool(glm::vec3)> finite3(lab, "gloam/geometry/finite.glsl", "gloam_is_finite3");
-    const Kernel<bool(glm::vec4)> finite4(lab, "gloam/geometry/finite.glsl", "gloam_is_finite4");
+    const Function<bool(float)> finite(lab, "gloam/geometry/finite.glsl", "gloam_is_finite");
+    const Function<bool(glm::vec2)> finite2(lab, "gloam/geometry/finite.glsl", "gloam_is_finite2");
+    const Function<bool(glm::vec3)> finite3(lab, "gloam/geometry/finite.glsl", "gloam_is_finite3");
+    const Function<bool(glm::vec4)> finite4(lab, "gloam/geometry/finite.glsl", "gloam_is_finite4");
     for (const std::uint32_t bits : {0x7F800000U, 0x7FC00001U, 0xFFFFFFFFU, 0x7FD5AAAAU}) {
         const float none = std::bit_cast<float>(bits);
         EXPECT_FALSE(finite(none) || finite2(glm::vec2(0, none)) || finite3(glm::vec3(0, none, 0)) ||
@@ -122,9 +122,9 @@ class Borders : public testing::Test {
   protected:
     check::Lab lab = test::make_lab();
     const std::string file = "gloam/geometry/borders.glsl";
-    const Kernel<glm::ivec2(glm::ivec2, float)> border{lab, file, "gloam_guard_band_border"};
-    const Kernel<glm::vec2(glm::ivec2, float)> rendered_guard{lab, file, "gloam_guard_band_guard"};
-    const Kernel<float(float, float)> tangent{lab, file, "gloam_guard_band_tan_half_fov"};
+    const Function<glm::ivec2(glm::ivec2, float)> border{lab, file, "gloam_guard_band_border"};
+    const Function<glm::vec2(glm::ivec2, float)> rendered_guard{lab, file, "gloam_guard_band_guard"};
+    const Function<float(float, float)> tangent{lab, file, "gloam_guard_band_tan_half_fov"};
 };
 
 // Whatever the rounding, a pixel of the crop is the same pixel of the image with the band: same place, same

@@ -11,7 +11,7 @@
 
 namespace gloam::horizons_test {
 
-using check::Kernel;
+using check::Function;
 using glm::vec2;
 using glm::vec3;
 
@@ -23,20 +23,20 @@ class Horizons : public testing::Test {
   protected:
     check::Lab lab = test::make_lab(FIXTURES);
 
-    template <class Function>
-    Kernel<Function> fixture(const std::string& function) const {
+    template <class Type>
+    Function<Type> fixture(const std::string& function) const {
         return {lab, "slices.glsl", function};
     }
-    template <class Function>
-    Kernel<Function> hbao(const std::string& function) const {
+    template <class Type>
+    Function<Type> hbao(const std::string& function) const {
         return {lab, "gloam/occlusion/hbao.glsl", "gloam_" + function};
     }
-    template <class Function>
-    Kernel<Function> gtao(const std::string& function) const {
+    template <class Type>
+    Function<Type> gtao(const std::string& function) const {
         return {lab, "gloam/occlusion/gtao.glsl", "gloam_gtao_" + function};
     }
-    template <class Function>
-    Kernel<Function> bitmask(const std::string& function) const {
+    template <class Type>
+    Function<Type> bitmask(const std::string& function) const {
         return {lab, "gloam/occlusion/visibility_bitmask.glsl", "gloam_" + function};
     }
 };

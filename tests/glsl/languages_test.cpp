@@ -37,8 +37,8 @@ TEST_P(OpenGlMethods, GiveTheResultsOfVulkan) {
     const std::string file = test::MethodFunctions::file(method);
     const view::Inputs points = view::points();
     const check::ImageSet images = view::images(test::packed_method(functions, file));
-    view::expect_alike(check::Kernel<Gather>(*opengl, file, effect::method_function)(points, images),
-                       check::Kernel<Gather>(vulkan, file, effect::method_function)(points, images));
+    view::expect_alike(check::Function<Gather>(*opengl, file, effect::method_function)(points, images),
+                       check::Function<Gather>(vulkan, file, effect::method_function)(points, images));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, OpenGlMethods, testing::ValuesIn(test::method_names()), test::parameter_name);
@@ -109,7 +109,7 @@ TEST_P(HlslMethods, GiveTheResultsOfGlsl) {
     const view::Inputs points = view::points();
     view::expect_alike(
         by_hlsl(*test::SharedDevice::get(), hlsl, points),
-        check::Kernel<Gather>(functions.lab(), file, effect::method_function)(points, view::images(glsl)));
+        check::Function<Gather>(functions.lab(), file, effect::method_function)(points, view::images(glsl)));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, HlslMethods, testing::ValuesIn(test::method_names()), test::parameter_name);

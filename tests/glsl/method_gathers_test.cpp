@@ -66,7 +66,7 @@ TEST(MethodFiles, EachStructHasTheMembersOfItsDescriptor) {
 class Methods : public testing::TestWithParam<std::string> {
   protected:
     test::Gathers gathers;
-    check::Kernel<Gather> gather = gathers[GetParam()];
+    check::Function<Gather> gather = gathers[GetParam()];
     const effect::MethodInfo& info = effect::method_named(GetParam());
 
     // That as many samples count as were asked for; fewer, but some, where several fall into one pixel.
@@ -226,8 +226,8 @@ TEST_P(Methods, ASampleSeesThePixelsOfItsPoint) {
     const bool pairs = info.unit == effect::SampleUnit::pair;
     const bool halves = GetParam() == "aksoy_phaneuf_two" || GetParam() == "volumetric_two";
     if (info.points != "disc" || halves || !(pairs || info.unit == effect::SampleUnit::one)) GTEST_SKIP();
-    const check::Kernel<glm::vec3(unsigned)> disc(gathers.lab(), "gloam/sampling/disc_point.glsl",
-                                                  "gloam_disc_point");
+    const check::Function<glm::vec3(unsigned)> disc(gathers.lab(), "gloam/sampling/disc_point.glsl",
+                                                    "gloam_disc_point");
     const Camera camera{glm::vec2(0.55F, -0.8F), glm::ivec2(29, 47), true};
     const glm::ivec2 middle = camera.size / 2;
     const glm::vec2 reach = 0.5F * glm::abs(camera.p00_p11) * glm::vec2(camera.size);

@@ -231,7 +231,7 @@ template <int layers>
 class Layers : public testing::TestWithParam<std::string> {
   protected:
     test::Gathers gathers{layers};
-    check::Kernel<Gather> gather = gathers[GetParam()];
+    check::Function<Gather> gather = gathers[GetParam()];
 
     // The mean of 256 samples at the middle of a floor at depth 5.
     [[nodiscard]] double mean(const test::Depths& first, const test::Depths& second,

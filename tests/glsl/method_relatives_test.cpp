@@ -48,7 +48,7 @@ class Relatives : public testing::Test {
   protected:
     test::Gathers gathers;
 
-    check::Kernel<Gather> method(const std::string& name) const { return gathers[name]; }
+    check::Function<Gather> method(const std::string& name) const { return gathers[name]; }
     // The mean over that many frames of 256 samples at the middle of the view.
     double mean(const std::string& name, const Surface& surface, float radius, const Method& settings,
                 unsigned frames) const {
@@ -141,8 +141,8 @@ TEST_F(Relatives, ABowlHasTheOcclusionOfItsCurvature) {
 // coordinate of its point of the sequence, as long as the second says, from half the radius to all of it.
 TEST_F(Relatives, ACrossSeesThePixelsOfItsArms) {
     const auto curvature = method("curvature");
-    const check::Kernel<glm::vec3(unsigned)> halton(gathers.lab(), "gloam/sampling/halton.glsl",
-                                                    "gloam_halton_3d");
+    const check::Function<glm::vec3(unsigned)> halton(gathers.lab(), "gloam/sampling/halton.glsl",
+                                                      "gloam_halton_3d");
     const auto at = [&](unsigned n, const auto& turns) {
         const auto view = test::view_of(
             size, [](glm::ivec2) { return 5.0F; },
@@ -226,7 +226,7 @@ class RelativesSettings : public testing::TestWithParam<std::string> {};
 
 TEST_P(RelativesSettings, ThoseItReadsChangeItAndNoOthers) {
     const test::Gathers gathers;
-    const check::Kernel<Gather> gather = gathers[GetParam()];
+    const check::Function<Gather> gather = gathers[GetParam()];
     std::vector<std::string> settings;
     for (const effect::MethodMember& member : effect::method_named(GetParam()).members)
         settings.push_back(setting_of(member));
@@ -273,14 +273,14 @@ INSTANTIATE_TEST_SUITE_P(All, RelativesSettings,
 // Taps in one pixel count once. If the whole disc is in one pixel there is one sample; in a disc a few pixels
 // wide there are at most as many samples as pixels. The mean is that over the pixels that were read.
 TEST_F(Relatives, TapsInOnePixelCountOnce) {
-    const check::Kernel<Gather> every = method("issao");
-    const check::Kernel<Gather> distinct = method("issao_distinct");
+    const check::Function<Gather> every = method("issao");
+    const check::Function<Gather> distinct = method("issao_distinct");
     // One pixel beside the middle is raised: every tap in it counts, all others are 0.
     const Camera square{eye.p00_p11 * glm::vec2(1.0F, static_cast<float>(pixel.y / pixel.x)), size, true};
     const auto view = test::view_of(size, [](glm::ivec2 p) {
         return p == middle + glm::ivec2(1, 0) ? static_cast<float>(5.0 - 0.5 * pixel.x) : 5.0F;
     });
-    const auto at = [&](const check::Kernel<Gather>& kernel, double pixels, unsigned count) {
+    const auto at = [&](const check::Function<Gather>& kernel, double pixels, unsigned count) {
         const Samples samples{.radius = static_cast<float>(pixels * pixel.x),
                               .bias = 0.0F,
                               .angle = 0.3F,

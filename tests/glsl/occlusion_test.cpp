@@ -11,7 +11,7 @@
 
 namespace gloam::occlusion_test {
 
-using check::Kernel;
+using check::Function;
 using glm::vec2;
 using glm::vec3;
 
@@ -25,20 +25,20 @@ class Estimates : public testing::Test {
     static constexpr unsigned batch = 256;
 
     // The two sums that a function of a fixture makes of all samples, in double.
-    template <class Function, class... Arguments>
+    template <class Type, class... Arguments>
     glm::dvec2 sums(const std::string& file, const std::string& function,
                     const Arguments&... arguments) const {
-        const Kernel<Function> kernel(lab, file, function);
-        std::vector<typename Kernel<Function>::Inputs> inputs;
+        const Function<Type> kernel(lab, file, function);
+        std::vector<typename Function<Type>::Inputs> inputs;
         for (unsigned b = 0; b < batches; ++b) inputs.emplace_back(arguments..., b * batch, batch);
         glm::dvec2 sum(0);
         for (const vec2 part : kernel(inputs)) sum += glm::dvec2(part);
         return sum;
     }
     // Of all samples, each of which counts once.
-    template <class Function, class... Arguments>
+    template <class Type, class... Arguments>
     double mean(const std::string& file, const std::string& function, const Arguments&... arguments) const {
-        const glm::dvec2 sum = sums<Function>(file, function, arguments...);
+        const glm::dvec2 sum = sums<Type>(file, function, arguments...);
         EXPECT_EQ(sum.y, double{batches} * batch);
         return sum.x / sum.y;
     }
@@ -122,8 +122,8 @@ TEST_F(Occlusion, PrintedFormsMissTheFactor) {
 
 // Without the clamp the half space below the surface takes away what the one above gives.
 TEST_F(Occlusion, UnclampedCosineOfPrintCancels) {
-    const Kernel<float(vec3, vec3)> clamped(lab, "gloam/occlusion/cosine.glsl", "gloam_sample_cosine");
-    const Kernel<float(vec3, vec3)> printed(lab, "printed.glsl", "printed_cosine");
+    const Function<float(vec3, vec3)> clamped(lab, "gloam/occlusion/cosine.glsl", "gloam_sample_cosine");
+    const Function<float(vec3, vec3)> printed(lab, "printed.glsl", "printed_cosine");
     const vec3 n(0, 0, 1);
     EXPECT_NEAR(printed(vec3(3, 0, -4), n), -0.8, 1e-6);
     double clamped_sum = 0.0;
@@ -142,7 +142,7 @@ TEST_F(Occlusion, LinearFalloffIsAccurateUpToItsRadius) {
     const auto exact = [](double d, double radius) { return d < radius ? 1.0 - d / radius : 0.0; };
     const check::Domain domain{check::uniform(0.99, 1.0), check::uniform(1.0, 1.01)};
     const auto check_function = [&](const std::string& file, const std::string& function) {
-        return check::compare<float(float, float)>(lab, file, function, exact, domain, {.ulp = 1.5});
+        return check::Function<float(float, float)>(lab, file, function).compare(exact, domain, {.ulp = 1.5});
     };
     const check::Answer ours = check_function("gloam/occlusion/falloff.glsl", "gloam_falloff_linear");
     EXPECT_TRUE(ours.passed()) << ours;
@@ -151,7 +151,7 @@ TEST_F(Occlusion, LinearFalloffIsAccurateUpToItsRadius) {
 
 // cos(s, p, n) as printed, read as the cosine of s: moving the scene would change the occlusion.
 TEST_F(Occlusion, FoxComptonDoesNotDependOnTheOrigin) {
-    const Kernel<float(vec3, vec3, vec3, float)> printed(lab, "printed.glsl", "printed_fox_compton");
+    const Function<float(vec3, vec3, vec3, float)> printed(lab, "printed.glsl", "printed_fox_compton");
     const vec3 n(0, 0, 1);
     const vec3 p(0, 0, -5);
     const vec3 s(0.5F, 0, -4.5F);
@@ -163,13 +163,13 @@ TEST_F(Occlusion, FoxComptonDoesNotDependOnTheOrigin) {
 // Methods that count single points: Alchemy, ISSAO, Crytek, Filion and McNaughton.
 class Points : public Estimates {
   protected:
-    Kernel<float(vec3, vec3, float, float, float)> alchemy_of{lab, "gloam/occlusion/alchemy.glsl",
-                                                              "gloam_contribution_alchemy"};
-    Kernel<float(vec3, vec3, float, float, float, float)> issao_of{lab, "gloam/occlusion/issao.glsl",
-                                                                   "gloam_contribution_issao"};
-    template <class Function, class... Arguments>
+    Function<float(vec3, vec3, float, float, float)> alchemy_of{lab, "gloam/occlusion/alchemy.glsl",
+                                                                "gloam_contribution_alchemy"};
+    Function<float(vec3, vec3, float, float, float, float)> issao_of{lab, "gloam/occlusion/issao.glsl",
+                                                                     "gloam_contribution_issao"};
+    template <class Type, class... Arguments>
     double of(const std::string& function, const Arguments&... arguments) const {
-        return mean<Function>("groove.glsl", function, arguments...);
+        return mean<Type>("groove.glsl", function, arguments...);
     }
 };
 
@@ -252,13 +252,13 @@ enum Ground { plane, groove, step_up };
 
 class Pairs : public Estimates {
   protected:
-    template <class Function>
-    Kernel<Function> volume(const std::string& function) const {
+    template <class Type>
+    Function<Type> volume(const std::string& function) const {
         return {lab, "gloam/occlusion/volumetric.glsl", "gloam_" + function};
     }
-    template <class Function, class... Arguments>
+    template <class Type, class... Arguments>
     double quotient(const std::string& function, const Arguments&... arguments) const {
-        const glm::dvec2 sum = sums<Function>("pairs.glsl", function, arguments...);
+        const glm::dvec2 sum = sums<Type>("pairs.glsl", function, arguments...);
         return sum.x / sum.y;
     }
     double lines(Ground ground, float size, bool by_chord = true) const {
@@ -269,7 +269,8 @@ class Pairs : public Estimates {
                                                                     normal);
     }
     float angles(Ground ground, float size, vec3 normal, bool cubic, float bias) const {
-        const Kernel<float(int, float, vec3, bool, float, unsigned)> kernel(lab, "pairs.glsl", "angle_pairs");
+        const Function<float(int, float, vec3, bool, float, unsigned)> kernel(lab, "pairs.glsl",
+                                                                              "angle_pairs");
         return kernel(int{ground}, size, normal, cubic, bias, 1024U);
     }
 };
@@ -348,8 +349,8 @@ std::vector<vec3> directions() {
 
 // A sample straight towards the eye, or straight away from it: a cosine in [-1, 1] whatever was rounded.
 TEST_F(Pairs, CosinesOfEqualAndOppositeVectors) {
-    const Kernel<float(vec3, vec3, vec3)> cosine(lab, "gloam/occlusion/angle_based.glsl",
-                                                 "gloam_lifted_cosine");
+    const Function<float(vec3, vec3, vec3)> cosine(lab, "gloam/occlusion/angle_based.glsl",
+                                                   "gloam_lifted_cosine");
     std::vector<std::tuple<vec3, vec3, vec3>> towards, along_the_normal, away;
     for (const vec3 view : directions()) {
         for (const float length : {0.1F, 1.0F, 3.0F}) {

@@ -162,7 +162,7 @@ class OnRough {
 
   private:
     Gathers gathers_;
-    check::Kernel<Gather> gather_;
+    check::Function<Gather> gather_;
     bool level_;
 };
 

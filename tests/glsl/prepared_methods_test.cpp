@@ -36,13 +36,13 @@ struct Bare {
 class PreparedMethods : public testing::Test {
   protected:
     test::Gathers gathers;
-    check::Kernel<Gather> separable = gathers["separable"];
-    check::Kernel<Gather> dual = gathers["dual_resolution"];
+    check::Function<Gather> separable = gathers["separable"];
+    check::Function<Gather> dual = gathers["dual_resolution"];
 
     // The occlusion of a pixel of the plane. prepared: of `size` pixels. further: from the plane at a pixel.
     template <class Prepared>
     static double occlusion(
-        const check::Kernel<Gather>& gather, const Bare& bare, ivec2 pixel, const Samples& samples,
+        const check::Function<Gather>& gather, const Bare& bare, ivec2 pixel, const Samples& samples,
         const Method& settings, ivec2 size, const Prepared& prepared,
         const test::Depths& further = [](ivec2) { return 0.0F; }) {
         check::ImageSet images =
@@ -191,7 +191,7 @@ int level_of_mean(ivec2 texel, ivec2 size) {
 // A sample reads the block that is as wide as a square of its part of the disc, or up to half as wide: of all
 // levels that one alone. Here a level holds the floor and the others nothing.
 TEST_F(PreparedMethods, ASampleIsABlockOfItsPartOfTheDisc) {
-    const check::Kernel<Gather> area = gathers["volumetric_area"];
+    const check::Function<Gather> area = gathers["volumetric_area"];
     const ivec2 size(256, 128);
     const vec2 pixel(1.0F / 64.0F, 1.0F / 32.0F);
     const Bare floor = floor_of(size, pixel);
@@ -223,8 +223,8 @@ struct Distinct {
 // Of the 8 x 8 pixels around the shaded one each is new once, whatever others were seen before; the others
 // always.
 TEST_F(PreparedMethods, EachOfThePixelsAroundIsNewOnce) {
-    const check::Kernel<bool(Distinct&, ivec2)> add(gathers.lab(), "gloam/gather/distinct_pixels.glsl",
-                                                    "gloam_distinct_add");
+    const check::Function<bool(Distinct&, ivec2)> add(gathers.lab(), "gloam/gather/distinct_pixels.glsl",
+                                                      "gloam_distinct_add");
     const ivec2 center(20, 30);
     std::vector<ivec2> around;
     for (int y = -6; y < 6; ++y)
@@ -264,7 +264,7 @@ vec4 level_one(ivec2 at) {
 class MssaoLevels : public testing::Test {
   protected:
     test::Gathers gathers;
-    check::Kernel<Gather> gather = gathers["mssao"];
+    check::Function<Gather> gather = gathers["mssao"];
 
     // At a pixel of a bare floor, over three levels.
     [[nodiscard]] double occlusion_at(ivec2 pixel, float depth, vec4 (*prepared)(ivec2)) const {

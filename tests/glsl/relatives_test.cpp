@@ -12,7 +12,7 @@
 
 namespace gloam::relatives_test {
 
-using check::Kernel;
+using check::Function;
 using glm::ivec2;
 using glm::vec3;
 
@@ -23,10 +23,10 @@ class Directions : public testing::Test {
   protected:
     check::Lab lab = test::make_lab();
 
-    Kernel<float(float)> cone{lab, "gloam/shading/bent_cone.glsl", "gloam_cone_angle"};
-    Kernel<glm::vec4(glm::vec4, vec3, float)> add{lab, "gloam/shading/bent_normal.glsl", "gloam_bent_add"};
-    Kernel<vec3(glm::vec4, vec3)> bent{lab, "gloam/shading/bent_normal.glsl", "gloam_bent_normal"};
-    Kernel<float(glm::vec4)> agreement{lab, "gloam/shading/bent_normal.glsl", "gloam_bent_length"};
+    Function<float(float)> cone{lab, "gloam/shading/bent_cone.glsl", "gloam_cone_angle"};
+    Function<glm::vec4(glm::vec4, vec3, float)> add{lab, "gloam/shading/bent_normal.glsl", "gloam_bent_add"};
+    Function<vec3(glm::vec4, vec3)> bent{lab, "gloam/shading/bent_normal.glsl", "gloam_bent_normal"};
+    Function<float(glm::vec4)> agreement{lab, "gloam/shading/bent_normal.glsl", "gloam_bent_length"};
 
     // The sums over many directions of the hemisphere, of which some are open.
     template <class Open>
@@ -71,10 +71,10 @@ TEST_F(Directions, CapIsItsOwnCone) {
 class Curvature : public testing::Test {
   protected:
     check::Lab lab = test::make_lab();
-    Kernel<float(float, float, float)> occlusion{lab, "gloam/occlusion/curvature.glsl",
-                                                 "gloam_occlusion_curvature"};
-    Kernel<glm::vec2(vec3, vec3, vec3, vec3)> principal{lab, "gloam/geometry/curvature.glsl",
-                                                        "gloam_principal_curvatures"};
+    Function<float(float, float, float)> occlusion{lab, "gloam/occlusion/curvature.glsl",
+                                                   "gloam_occlusion_curvature"};
+    Function<glm::vec2(vec3, vec3, vec3, vec3)> principal{lab, "gloam/geometry/curvature.glsl",
+                                                          "gloam_principal_curvatures"};
 };
 
 // The mean over directions as it is defined, in double.
@@ -141,8 +141,8 @@ struct PairShare {
 
 // Of the layers tried at a pair of taps one stays that is a surface and does not block less, as a share.
 TEST_F(Layers, ATryStaysThatBlocksAtLeastAsMuch) {
-    const Kernel<bool(glm::vec2, int, int, PairShare, PairShare)> kernel(lab, "gloam/gather/pair.glsl",
-                                                                         "gloam_pair_stays");
+    const Function<bool(glm::vec2, int, int, PairShare, PairShare)> kernel(lab, "gloam/gather/pair.glsl",
+                                                                           "gloam_pair_stays");
     const check::ImageSet unread{
         {"gloam_fetch_depth", check::make_image<float>({1, 1}, [](ivec2) { return 0.0F; })},
         {"gloam_fetch_layers", check::make_image<vec3>({1, 1}, [](ivec2) { return vec3(0); })}};
@@ -167,8 +167,8 @@ TEST_F(Layers, ATryStaysThatBlocksAtLeastAsMuch) {
 
 class DualResolution : public Layers {
   protected:
-    Kernel<bool(ivec2, ivec2, float)> disagrees{lab, "gloam/filter/dual_resolution.glsl",
-                                                "gloam_dual_resolution_disagrees"};
+    Function<bool(ivec2, ivec2, float)> disagrees{lab, "gloam/filter/dual_resolution.glsl",
+                                                  "gloam_dual_resolution_disagrees"};
 
     // An even image with one other value at (3, 2).
     bool at(ivec2 pixel, float other, float tolerance, ivec2 size = {5, 5}) const {
@@ -208,17 +208,17 @@ class Scalable : public testing::Test {
   protected:
     check::Lab lab = test::make_lab();
 
-    const Kernel<float(vec3, vec3, float, float, float, float)> sao{lab, "gloam/occlusion/sao.glsl",
-                                                                    "gloam_contribution_sao"};
+    const Function<float(vec3, vec3, float, float, float, float)> sao{lab, "gloam/occlusion/sao.glsl",
+                                                                      "gloam_contribution_sao"};
 };
 
 // A bare plane, seen at a tilt through the depth chain. Placed where it was aimed (as published), a tap has
 // the depth of another pixel, and the plane blocks itself; placed where its depth is from, it does not.
 TEST_F(Scalable, TapsPlacedWhereTheirDepthIsFromKeepAPlaneOpen) {
     const std::string file = "gloam/sampling/depth_mip.glsl";
-    const Kernel<int(float, float, int)> level(lab, file, "gloam_depth_mip_level");
-    const Kernel<ivec2(ivec2, ivec2, int)> pixel(lab, file, "gloam_depth_mip_pixel");
-    const Kernel<ivec2(ivec2, ivec2, int)> source(lab, file, "gloam_depth_mip_source");
+    const Function<int(float, float, int)> level(lab, file, "gloam_depth_mip_level");
+    const Function<ivec2(ivec2, ivec2, int)> pixel(lab, file, "gloam_depth_mip_pixel");
+    const Function<ivec2(ivec2, ivec2, int)> source(lab, file, "gloam_depth_mip_source");
     const ivec2 size(501, 333);
     const auto ray = [&](ivec2 at) {
         return glm::dvec3((glm::dvec2(at) + 0.5 - glm::dvec2(size) / 2.0) / 300.0, -1.0);
@@ -281,7 +281,7 @@ TEST_F(Scalable, WallConvergesToItsOwnIntegral) {
 }
 
 TEST_F(Scalable, LevelsThatAgreeLessOccludeLess) {
-    const Kernel<float(float, float)> combine(lab, "gloam/occlusion/mssao.glsl", "gloam_mssao_combine");
+    const Function<float(float, float)> combine(lab, "gloam/occlusion/mssao.glsl", "gloam_mssao_combine");
     for (const float x : {0.1F, 0.25F, 0.5F, 0.9F}) {
         EXPECT_NEAR(combine(x, x), 1 - (1 - x) * (1 - x), 1e-6);  // one level
         for (const float mean : {0.0F, x / 3, x}) {
@@ -294,8 +294,8 @@ TEST_F(Scalable, LevelsThatAgreeLessOccludeLess) {
 // The solid angle of a ball over that of the half space, by counting directions.
 TEST(Proxies, SolidAngleOfABall) {
     const check::Lab lab = test::make_lab();
-    const Kernel<float(float, float)> fraction(lab, "gloam/occlusion/sphere_proxy.glsl",
-                                               "gloam_sphere_fraction");
+    const Function<float(float, float)> fraction(lab, "gloam/occlusion/sphere_proxy.glsl",
+                                                 "gloam_sphere_fraction");
     for (const double sine : {0.1, 0.5, 0.9, 0.999999}) {
         constexpr int steps = 1000000;
         int hits = 0;
@@ -313,8 +313,8 @@ TEST(Proxies, SolidAngleOfABall) {
 TEST(DirectionalOcclusion, UniformLightGivesAlbedoTimesVisibility) {
     const check::Lab lab = test::make_lab();
     const std::string file = "gloam/shading/directional_occlusion.glsl";
-    const Kernel<vec3(vec3, vec3, vec3, float)> direct(lab, file, "gloam_ssdo_direct");
-    const Kernel<vec3(vec3, float, vec3)> light(lab, file, "gloam_ssdo_light");
+    const Function<vec3(vec3, vec3, vec3, float)> direct(lab, file, "gloam_ssdo_direct");
+    const Function<vec3(vec3, float, vec3)> light(lab, file, "gloam_ssdo_light");
     const vec3 radiance(1, 0.5F, 0.25F);
     const vec3 albedo(1, 0.8F, 0.6F);
     for (const float horizon : {0.0F, 0.5F, 1.0F}) {  // all around, as a sine

@@ -9,8 +9,8 @@
 
 namespace gloam::reprojection_test {
 
+using check::Function;
 using check::ImageSet;
-using check::Kernel;
 using check::Out;
 
 // 90 degrees, aspect 1, y down, reversed depth range with the far plane at infinity (near 0.1).
@@ -38,13 +38,13 @@ class Reprojection : public testing::Test {
   protected:
     check::Lab lab = test::make_lab();
     const std::string file = "gloam/geometry/reprojection.glsl";
-    const Kernel<bool(glm::vec4, Out<glm::vec2>)> uv_of{lab, file, "gloam_uv_from_clip"};
-    const Kernel<bool(glm::vec4, glm::mat4, Out<glm::vec2>)> reproject{lab, file, "gloam_reproject_clip"};
-    const Kernel<glm::vec4(glm::vec4, glm::mat4, glm::mat4, glm::mat4, glm::mat4)> previous_static{
+    const Function<bool(glm::vec4, Out<glm::vec2>)> uv_of{lab, file, "gloam_uv_from_clip"};
+    const Function<bool(glm::vec4, glm::mat4, Out<glm::vec2>)> reproject{lab, file, "gloam_reproject_clip"};
+    const Function<glm::vec4(glm::vec4, glm::mat4, glm::mat4, glm::mat4, glm::mat4)> previous_static{
         lab, file, "gloam_previous_clip_static"};
-    const Kernel<glm::vec4(glm::vec4, glm::mat4, glm::mat4, glm::mat4, glm::mat4, glm::mat4, glm::mat4)>
+    const Function<glm::vec4(glm::vec4, glm::mat4, glm::mat4, glm::mat4, glm::mat4, glm::mat4, glm::mat4)>
         previous_moving{lab, file, "gloam_previous_clip_moving"};
-    const Kernel<float(glm::vec3, glm::mat4)> previous_depth{lab, file, "gloam_previous_depth"};
+    const Function<float(glm::vec3, glm::mat4)> previous_depth{lab, file, "gloam_previous_depth"};
 
     const glm::dmat4 p = projection();
 
@@ -148,7 +148,7 @@ struct Plane {
 class Normal : public testing::Test {
   protected:
     check::Lab lab = test::make_lab();
-    const Kernel<glm::vec3(glm::ivec2, glm::ivec2, glm::vec2)> from_depth{
+    const Function<glm::vec3(glm::ivec2, glm::ivec2, glm::vec2)> from_depth{
         lab, "gloam/geometry/normal_from_depth.glsl", "gloam_normal_from_depth"};
 
     template <class Depth>
@@ -213,7 +213,7 @@ TEST_F(Normal, DoesNotReachAcrossSilhouettes) {
 }
 
 TEST_F(Normal, TurnsToTheEyeInPerspectiveAndAgainstTheViewInOrthographic) {
-    using Neighbors = Kernel<glm::vec3(glm::vec3, glm::vec3, glm::vec3, glm::vec3, glm::vec3)>;
+    using Neighbors = Function<glm::vec3(glm::vec3, glm::vec3, glm::vec3, glm::vec3, glm::vec3)>;
     const Neighbors perspective(lab, "gloam/geometry/normal.glsl", "gloam_normal_from_neighbors");
     const Neighbors orthographic(lab, "gloam/geometry/normal.glsl",
                                  "gloam_normal_from_neighbors_orthographic");

@@ -13,7 +13,7 @@
 
 namespace gloam::sampling_test {
 
-using check::Kernel;
+using check::Function;
 
 constexpr double pi = std::numbers::pi;
 
@@ -23,7 +23,7 @@ class Numeric : public testing::Test {
 };
 
 TEST_F(Numeric, TurnsAreOddAndEven) {
-    const Kernel<glm::vec2(float)> f(lab, "gloam/numeric/sincos.glsl", "gloam_sincos_turns");
+    const Function<glm::vec2(float)> f(lab, "gloam/numeric/sincos.glsl", "gloam_sincos_turns");
     for (const float t : {0.1F, 0.3F, 0.77F, 12.34F}) {
         EXPECT_EQ(f(-t).x, f(t).x);
         EXPECT_EQ(f(-t).y, -f(t).y);
@@ -31,7 +31,7 @@ TEST_F(Numeric, TurnsAreOddAndEven) {
 }
 
 TEST_F(Numeric, DirectionsOfVectorsOfAnyLength) {
-    const Kernel<float(float, float)> f(lab, "gloam/numeric/inverse_trigonometry.glsl", "gloam_atan2");
+    const Function<float(float, float)> f(lab, "gloam/numeric/inverse_trigonometry.glsl", "gloam_atan2");
     for (const float scale : {1e-37F, 1e-10F, 1.0F, 1e37F}) {
         for (const float a : {0.1F, 0.7F, 1.0F, 2.0F, 3.0F, -0.1F, -1.0F, -2.5F}) {
             EXPECT_NEAR(f(scale * std::sin(a), scale * std::cos(a)), a, 4e-7) << a << " at " << scale;
@@ -41,7 +41,7 @@ TEST_F(Numeric, DirectionsOfVectorsOfAnyLength) {
 
 // T28.
 TEST_F(Numeric, TheCubicOfTheArcCosineIsSoFarOff) {
-    const Kernel<float(float)> f(lab, "gloam/numeric/acos_approximation.glsl", "gloam_acos_cubic");
+    const Function<float(float)> f(lab, "gloam/numeric/acos_approximation.glsl", "gloam_acos_cubic");
     std::vector<std::tuple<float>> inputs;
     for (int i = 0; i <= 20000; ++i) inputs.emplace_back(static_cast<float>(i) / 10000.0F - 1.0F);
     const std::vector<float> results = f(inputs);
@@ -64,16 +64,17 @@ TEST_F(Numeric, WhateverOrderADriverTakesTheErrorIsBounded) {
         return answer.guarantee.absolute;
     };
     const check::Values cosine = check::uniform(-1, 1);
-    EXPECT_LT(error(check::check_rules<glm::vec2(float)>(shipped, forward, "gloam_sincos_turns",
-                                                         {check::uniform(-4, 4)}, options)),
+    EXPECT_LT(error(check::Function<glm::vec2(float)>(shipped, forward, "gloam_sincos_turns")
+                        .check_rules({check::uniform(-4, 4)}, options)),
               4e-6);
-    EXPECT_LT(error(check::check_rules<glm::vec2(float)>(shipped, forward, "gloam_sincos",
-                                                         {check::uniform(-100, 100)}, options)),
+    EXPECT_LT(error(check::Function<glm::vec2(float)>(shipped, forward, "gloam_sincos")
+                        .check_rules({check::uniform(-100, 100)}, options)),
               4e-6);
-    EXPECT_LT(error(check::check_rules<float(float)>(shipped, inverse, "gloam_acos", {cosine}, options)),
-              2e-4);
-    EXPECT_LT(error(check::check_rules<float(float, float)>(shipped, inverse, "gloam_atan2", {cosine, cosine},
-                                                            options)),
+    EXPECT_LT(
+        error(check::Function<float(float)>(shipped, inverse, "gloam_acos").check_rules({cosine}, options)),
+        2e-4);
+    EXPECT_LT(error(check::Function<float(float, float)>(shipped, inverse, "gloam_atan2")
+                        .check_rules({cosine, cosine}, options)),
               2e-4);
 }
 
@@ -83,7 +84,7 @@ class Sampling : public testing::Test {
 
     // The 3-D Halton points 1 ... count, from the device.
     std::vector<glm::vec3> halton(unsigned count) const {
-        const Kernel<glm::vec3(unsigned)> point(lab, "gloam/sampling/halton.glsl", "gloam_halton_3d");
+        const Function<glm::vec3(unsigned)> point(lab, "gloam/sampling/halton.glsl", "gloam_halton_3d");
         std::vector<std::tuple<unsigned>> indices;
         for (unsigned i = 1; i <= count; ++i) indices.emplace_back(i);
         return point(indices);
@@ -93,7 +94,7 @@ class Sampling : public testing::Test {
     template <class Result, class Argument>
     std::vector<Result> map(const std::string& file, const std::string& function,
                             const std::vector<Argument>& arguments) const {
-        const Kernel<Result(Argument)> kernel(lab, "gloam/sampling/" + file, function);
+        const Function<Result(Argument)> kernel(lab, "gloam/sampling/" + file, function);
         return kernel(std::vector<std::tuple<Argument>>(arguments.begin(), arguments.end()));
     }
 };
@@ -132,8 +133,8 @@ TEST_F(Sampling, RadicalInverseHasTheTableValues) {
     const std::array<double, 10> base5{1. / 5,  2. / 5,   3. / 5,   4. / 5,   1. / 25,
                                        6. / 25, 11. / 25, 16. / 25, 21. / 25, 2. / 25};
     const std::vector<glm::vec3> points = halton(10);
-    const Kernel<float(unsigned, unsigned)> inverse(lab, "gloam/sampling/radical_inverse.glsl",
-                                                    "gloam_radical_inverse");
+    const Function<float(unsigned, unsigned)> inverse(lab, "gloam/sampling/radical_inverse.glsl",
+                                                      "gloam_radical_inverse");
     for (unsigned i = 0; i < 10; ++i) {
         EXPECT_EQ(points[i].x, static_cast<float>(base2[i])) << "index " << i + 1;
         EXPECT_LE(numeric::ulp_error(points[i].y, base3[i]), 1.0) << "index " << i + 1;
@@ -143,8 +144,8 @@ TEST_F(Sampling, RadicalInverseHasTheTableValues) {
 }
 
 TEST_F(Sampling, RadicalInverseStaysBelowOne) {
-    const Kernel<float(unsigned, unsigned)> inverse(lab, "gloam/sampling/radical_inverse.glsl",
-                                                    "gloam_radical_inverse");
+    const Function<float(unsigned, unsigned)> inverse(lab, "gloam/sampling/radical_inverse.glsl",
+                                                      "gloam_radical_inverse");
     std::vector<std::tuple<unsigned, unsigned>> inputs;
     for (const unsigned base : {2U, 3U, 5U, 7U, 1625U, 4096U}) {
         // All digits are base - 1: the largest inverse with so many digits.
@@ -212,14 +213,15 @@ TEST_F(Sampling, TangentFramesAreOrthonormalAndRightHanded) {
 }
 
 TEST_F(Sampling, TangentFrameOfNoDirectionHasTheAxesOfTheImage) {
-    const Kernel<glm::mat3(glm::vec3)> frame(lab, "gloam/sampling/tangent_frame.glsl", "gloam_tangent_frame");
+    const Function<glm::mat3(glm::vec3)> frame(lab, "gloam/sampling/tangent_frame.glsl",
+                                               "gloam_tangent_frame");
     EXPECT_EQ(frame(glm::vec3(0.0F)), glm::mat3(glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0)));
     EXPECT_TRUE(std::isnan(frame(glm::vec3(0.0F, NAN, 1.0F))[0][1]));
 }
 
 TEST_F(Sampling, RotationKeepsLengthAndAngleToTheNormal) {
-    const Kernel<glm::vec3(glm::vec3, float)> rotate(lab, "gloam/sampling/rotation.glsl",
-                                                     "gloam_rotate_hemisphere");
+    const Function<glm::vec3(glm::vec3, float)> rotate(lab, "gloam/sampling/rotation.glsl",
+                                                       "gloam_rotate_hemisphere");
     numeric::Random random(11);
     std::vector<std::tuple<glm::vec3, float>> inputs;
     for (const glm::vec3 s : directions(2048)) {
@@ -240,7 +242,8 @@ TEST_F(Sampling, RotationKeepsLengthAndAngleToTheNormal) {
 }
 
 TEST_F(Sampling, HashRotationIsExactForLargePixels) {
-    const Kernel<float(glm::ivec2)> rotation(lab, "gloam/sampling/hash_rotation.glsl", "gloam_hash_rotation");
+    const Function<float(glm::ivec2)> rotation(lab, "gloam/sampling/hash_rotation.glsl",
+                                               "gloam_hash_rotation");
     double worst_in_float = 0.0;
     for (const glm::ivec2 pixel : {glm::ivec2(7, 3), glm::ivec2(1919, 1079), glm::ivec2(8191, 8191)}) {
         const auto hash = static_cast<unsigned>((3 * pixel.x) ^ (pixel.y + pixel.x * pixel.y));
@@ -255,7 +258,7 @@ TEST_F(Sampling, HashRotationIsExactForLargePixels) {
 }
 
 TEST_F(Sampling, SpiralTapsLieOnTheirRadiiAndAngles) {
-    const Kernel<glm::vec2(int, int, int)> tap(lab, "gloam/sampling/spiral.glsl", "gloam_spiral_point");
+    const Function<glm::vec2(int, int, int)> tap(lab, "gloam/sampling/spiral.glsl", "gloam_spiral_point");
     for (int i = 0; i < 9; ++i) {
         const double radius = (i + 0.5) / 9;
         const glm::dvec2 s = tap(i, 9, 7);
@@ -278,8 +281,8 @@ TEST_F(Sampling, LiftedDiscPointsAreCosineWeighted) {
 
 TEST_F(Sampling, IssaoOffsets) {
     const std::string file = "gloam/sampling/issao_offset.glsl";
-    const Kernel<glm::vec2(glm::vec2, float)> polar(lab, file, "gloam_issao_offset_polar");
-    const Kernel<glm::vec2(glm::vec2, float)> printed(lab, file, "gloam_issao_offset_printed");
+    const Function<glm::vec2(glm::vec2, float)> polar(lab, file, "gloam_issao_offset_polar");
+    const Function<glm::vec2(glm::vec2, float)> printed(lab, file, "gloam_issao_offset_printed");
     double longest = 0.0;
     double sum = 0.0;
     int moved = 0;
@@ -306,10 +309,10 @@ TEST_F(Sampling, IssaoOffsets) {
 
 // With the size of the disc, and with the distance.
 TEST_F(Sampling, CountsAreMonotonous) {
-    const Kernel<int(float, float, int, int)> by_radius(lab, "gloam/sampling/count_by_radius.glsl",
-                                                        "gloam_count_by_radius");
-    const Kernel<int(float, float, int, int)> by_distance(lab, "gloam/sampling/count_by_distance.glsl",
-                                                          "gloam_count_by_distance");
+    const Function<int(float, float, int, int)> by_radius(lab, "gloam/sampling/count_by_radius.glsl",
+                                                          "gloam_count_by_radius");
+    const Function<int(float, float, int, int)> by_distance(lab, "gloam/sampling/count_by_distance.glsl",
+                                                            "gloam_count_by_distance");
     int fewer = 0;
     for (int r = 0; r <= 64; ++r) {
         const int now = by_radius(static_cast<float>(r), 64.0F, 2, 12);
@@ -326,8 +329,8 @@ TEST_F(Sampling, CountsAreMonotonous) {
 
 TEST_F(Sampling, ChainOfAnyImageSizeStaysInsideIt) {
     const std::string file = "gloam/sampling/depth_mip.glsl";
-    const Kernel<glm::ivec2(glm::ivec2, glm::ivec2, int)> pixel(lab, file, "gloam_depth_mip_pixel");
-    const Kernel<glm::ivec2(glm::ivec2, glm::ivec2, int)> source(lab, file, "gloam_depth_mip_source");
+    const Function<glm::ivec2(glm::ivec2, glm::ivec2, int)> pixel(lab, file, "gloam_depth_mip_pixel");
+    const Function<glm::ivec2(glm::ivec2, glm::ivec2, int)> source(lab, file, "gloam_depth_mip_source");
     for (const glm::ivec2 size :
          {glm::ivec2(1, 1), glm::ivec2(7, 5), glm::ivec2(8, 1), glm::ivec2(1920, 1081)}) {
         for (const int level : {0, 1, 2, 5}) {

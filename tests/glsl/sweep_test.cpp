@@ -40,7 +40,7 @@ enum Falloff : unsigned { step, linear, quadratic, cubic };
 class SweepOfAWall : public testing::Test {
   protected:
     check::Lab lab = test::make_lab();
-    check::Kernel<SweepEstimate(glm::vec3, glm::vec3, Camera, SweepKernel, Sweep)> sweep{
+    check::Function<SweepEstimate(glm::vec3, glm::vec3, Camera, SweepKernel, Sweep)> sweep{
         lab, "gloam/methods/sweep.glsl", "gloam_sweep"};
 
     // A floor that meets a wall at x = 0, both turned by 45 degrees towards the eye, and a point of the floor

@@ -11,14 +11,14 @@
 
 namespace gloam::temporal_test {
 
-using check::Kernel;
+using check::Function;
 
 class Temporal : public testing::Test {
   protected:
     check::Lab lab = test::make_lab(FIXTURES);
-    Kernel<glm::vec2(float, float, float, float, float)> blend{lab, "gloam/temporal/blend.glsl",
-                                                               "gloam_blend"};
-    Kernel<float(float, float)> convergence{lab, "gloam/temporal/convergence.glsl", "gloam_convergence"};
+    Function<glm::vec2(float, float, float, float, float)> blend{lab, "gloam/temporal/blend.glsl",
+                                                                 "gloam_blend"};
+    Function<float(float, float)> convergence{lab, "gloam/temporal/convergence.glsl", "gloam_convergence"};
 };
 
 TEST_F(Temporal, UnsaturatedBlendIsTheMeanOfAllSamples) {
@@ -53,7 +53,7 @@ TEST_F(Temporal, SaturatedBlendIsAnExponentialAverage) {
 
 // With the weight of this pixel in the denominator, as printed, a constant does not stay constant.
 TEST_F(Temporal, ConstantStaysConstant) {
-    const Kernel<float(float, float, float, float, float)> printed(lab, "printed.glsl", "printed_blend");
+    const Function<float(float, float, float, float, float)> printed(lab, "printed.glsl", "printed_blend");
     for (const float value : {0.0F, 0.1F, 0.5F, 0.99999994F, 1.0F}) {
         for (const float weight : {1.0F, 7.0F, 333.0F, 500.0F}) {
             EXPECT_EQ(blend(value, weight, value, 16.0F, 500.0F).x, value) << weight;
@@ -64,11 +64,11 @@ TEST_F(Temporal, ConstantStaysConstant) {
 
 // w_max = 500, k_1 = 32, k_2 = 16; thresholds 0.2 (filter), 0.3 (samples), 0.5 (rotation).
 TEST_F(Temporal, TimelineOfAStaticPixel) {
-    const Kernel<int(float, float, int, int)> samples(lab, "gloam/temporal/sample_budget.glsl",
-                                                      "gloam_sample_count");
-    const Kernel<bool(float, float)> rotated(lab, "gloam/temporal/rotation_switch.glsl",
-                                             "gloam_rotation_enabled");
-    const Kernel<float(float, float)> shrink(lab, "gloam/filter/shrink.glsl", "gloam_shrink");
+    const Function<int(float, float, int, int)> samples(lab, "gloam/temporal/sample_budget.glsl",
+                                                        "gloam_sample_count");
+    const Function<bool(float, float)> rotated(lab, "gloam/temporal/rotation_switch.glsl",
+                                               "gloam_rotation_enabled");
+    const Function<float(float, float)> shrink(lab, "gloam/filter/shrink.glsl", "gloam_shrink");
     glm::vec2 state(0);
     int unfiltered = 0;
     int fewer = 0;
@@ -94,8 +94,8 @@ TEST_F(Temporal, TimelineOfAStaticPixel) {
 
 // m frames of x after y leave x + (y - x) (1 - rate)^m.
 TEST_F(Temporal, SmoothingIsAnExponentialMean) {
-    const Kernel<float(float, bool, float, float)> smooth(lab, "gloam/temporal/smoothing.glsl",
-                                                          "gloam_temporal_smooth");
+    const Function<float(float, bool, float, float)> smooth(lab, "gloam/temporal/smoothing.glsl",
+                                                            "gloam_temporal_smooth");
     float value = 0.9F;
     for (int m = 1; m <= 12; ++m) {
         value = smooth(value, true, 0.2F, 0.25F);
@@ -113,14 +113,14 @@ struct History {
 
 // Four texels of occlusion 1 and weight 100 are that at every position between them.
 TEST_F(Temporal, AHistoryThatIsAllBlockedIsKeptEverywhere) {
-    const Kernel<History(glm::vec2, glm::ivec2, float, float)> reprojected(
+    const Function<History(glm::vec2, glm::ivec2, float, float)> reprojected(
         lab, "gloam/temporal/reprojected_history.glsl", "gloam_reprojected_history");
     for (const float occlusion : {0.0F, 1.0F}) {
         const check::ImageSet images{
             {"gloam_fetch_history", check::make_image<glm::vec4>(glm::ivec2(40, 30), [&](glm::ivec2) {
                  return glm::vec4(occlusion, 100.0F, 7.0F, 5.0F);
              })}};
-        std::vector<Kernel<History(glm::vec2, glm::ivec2, float, float)>::Inputs> inputs;
+        std::vector<Function<History(glm::vec2, glm::ivec2, float, float)>::Inputs> inputs;
         for (int i = 0; i < 4000; ++i) {
             const double u = std::fmod(0.6180339887 * i, 1.0);
             const double v = std::fmod(0.7548776662 * i, 1.0);
@@ -144,8 +144,8 @@ class Validity : public testing::Test {
     using Change = float(glm::vec3, glm::vec3, glm::vec3, glm::vec3);
 
     check::Lab lab = test::make_lab(FIXTURES);
-    Kernel<bool(float, float, float)> consistent{lab, disocclusion_file, "gloam_depth_consistent"};
-    Kernel<Change> change{lab, neighborhood_file, "gloam_neighborhood_change"};
+    Function<bool(float, float, float)> consistent{lab, disocclusion_file, "gloam_depth_consistent"};
+    Function<Change> change{lab, neighborhood_file, "gloam_neighborhood_change"};
 };
 
 TEST_F(Validity, DepthsWithinEpsilonAreOfOneSurface) {
@@ -162,9 +162,9 @@ TEST_F(Validity, DepthsWithinEpsilonAreOfOneSurface) {
 // The camera has moved forward by 1: a point at depth 5 was at depth 6. Its depth now, as printed, would
 // reject it.
 TEST_F(Validity, DollyOverAStaticSceneKeepsTheHistory) {
-    const Kernel<float(glm::vec3, glm::mat4)> previous_depth(lab, "gloam/geometry/reprojection.glsl",
-                                                             "gloam_previous_depth");
-    const Kernel<bool(float, float, float)> printed(lab, "printed.glsl", "printed_depth_consistent");
+    const Function<float(glm::vec3, glm::mat4)> previous_depth(lab, "gloam/geometry/reprojection.glsl",
+                                                               "gloam_previous_depth");
+    const Function<bool(float, float, float)> printed(lab, "printed.glsl", "printed_depth_consistent");
     const glm::vec3 point(0.3F, -0.2F, -5.0F);  // the camera is at the origin now
     const glm::mat4 previous_view = glm::translate(glm::mat4(1), glm::vec3(0, 0, -1));
     const float expected = previous_depth(point, previous_view);
@@ -223,7 +223,7 @@ TEST_F(Validity, SmallChangesKeepTheirAccuracy) {
             }
         });
     const auto judge = [&](const std::string& file, const std::string& function) {
-        return check::compare<Change>(lab, file, function, exact, domain, {.ulp = 6});
+        return check::Function<Change>(lab, file, function).compare(exact, domain, {.ulp = 6});
     };
     const check::Answer ours = judge(neighborhood_file, "gloam_neighborhood_change");
     EXPECT_TRUE(ours.passed()) << ours;
@@ -233,8 +233,8 @@ TEST_F(Validity, SmallChangesKeepTheirAccuracy) {
 }
 
 TEST_F(Validity, ConfidenceFallsWithTheChange) {
-    const Kernel<float(float, float)> confidence(lab, "gloam/temporal/smooth_invalidation.glsl",
-                                                 "gloam_confidence");
+    const Function<float(float, float)> confidence(lab, "gloam/temporal/smooth_invalidation.glsl",
+                                                   "gloam_confidence");
     float before = 1.0F;
     for (const float d : {0.01F, 0.1F, 1.0F, 10.0F}) {
         EXPECT_LT(confidence(d, 20.0F), before);

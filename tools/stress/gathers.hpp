@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "check/kernel.hpp"
+#include "check/function.hpp"
 #include "effect/method_functions.hpp"
 #include "effect/methods.hpp"
 
@@ -16,7 +16,7 @@ using effect::GatherCamera;
 using effect::GatherKernel;
 
 // Of a method: (sum, count); reads depths by gloam_fetch_depth.
-using Gather = check::Kernel<effect::MethodGather>;
+using Gather = check::Function<effect::MethodGather>;
 
 [[nodiscard]] constexpr effect::MethodValues method_of_length(float length) {
     return {.range = length, .epsilon = length, .thickness = 1.0F, .steps = 1, .disagreement = 0.05F};

@@ -145,7 +145,7 @@ std::vector<HistoryLane> lanes_of(const Accumulation& a, std::uint64_t seed) {
 
 // Half the spacing of float16 below 1, or all of it where the driver does not round to nearest.
 double half_store_error(const check::Lab& lab) {
-    const check::Kernel<glm::vec4(glm::vec4)> to_half(lab, accumulate_file, "stress_half");
+    const check::Function<glm::vec4(glm::vec4)> to_half(lab, accumulate_file, "stress_half");
     const double spacing = std::ldexp(1.0, -11);
     const double above = to_half(glm::vec4(static_cast<float>(0.5 + 0.75 * spacing))).x;
     return above == 0.5 + spacing ? 0.5 * spacing : spacing;
@@ -200,7 +200,7 @@ double radical_inverse(std::uint32_t index, unsigned base) {
 
 // The points of a sequence whose index passes a power of two and begins again.
 Row points_past(const check::Lab& lab, std::uint32_t boundary, const char* text) {
-    const check::Kernel<glm::vec3(unsigned)> halton(lab, "gloam/sampling/halton.glsl", "gloam_halton_3d");
+    const check::Function<glm::vec3(unsigned)> halton(lab, "gloam/sampling/halton.glsl", "gloam_halton_3d");
     constexpr std::uint32_t around = 20'000;
     std::vector<std::tuple<unsigned>> inputs;
     for (std::uint32_t i = 0; i < 2 * around; ++i) inputs.emplace_back(boundary - around + i);
@@ -218,7 +218,7 @@ Row points_past(const check::Lab& lab, std::uint32_t boundary, const char* text)
 
 // Every pair of these, against 64-bit arithmetic.
 Row next_index(const check::Lab& lab) {
-    const check::Kernel<unsigned(unsigned, unsigned, unsigned)> next(lab, "gloam/temporal/history.glsl",
+    const check::Function<unsigned(unsigned, unsigned, unsigned)> next(lab, "gloam/temporal/history.glsl",
                                                                      "gloam_next_index");
     constexpr std::array values{0U, 1U, 6U, 7U, 65'535U, 16'777'215U, 16'777'216U, 0x7FFFFFFFU, 0xFFFFFFFFU};
     double worst = 0.0;

@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "check/kernel.hpp"
+#include "check/function.hpp"
 #include "stress/run.hpp"
 
 namespace gloam::stress {
@@ -25,7 +25,7 @@ struct Sequence {
 enum Pattern : unsigned { third, alternating, jumping, noise, rare, pattern_count };
 
 constexpr const char* accumulate_file = "accumulate.glsl";
-using Accumulate = check::Kernel<glm::vec4(glm::vec4, Sequence, glm::vec2&)>;
+using Accumulate = check::Function<glm::vec4(glm::vec4, Sequence, glm::vec2&)>;
 
 // The contribution of a frame: what stress_contribution returns, to the bit.
 [[nodiscard]] double contribution(const Sequence& sequence, std::uint64_t frame);

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "check/kernel.hpp"
+#include "check/function.hpp"
 #include "stress/gathers.hpp"
 #include "stress/long_run.hpp"
 #include "stress/views.hpp"
@@ -48,7 +48,7 @@ bool safe(const glm::vec4& texel) {
            texel.z >= 0.0F && texel.z < static_cast<float>(sequence.table_size) && depth;
 }
 
-using Frame = check::Kernel<glm::vec4(glm::vec4, float, Sequence)>;
+using Frame = check::Function<glm::vec4(glm::vec4, float, Sequence)>;
 
 // Each channel of a good history made bad; one frame.
 Rows texels(const Frame& frame) {
@@ -238,7 +238,7 @@ Count gathers(const check::Lab& lab, const effect::MethodInfo& method) {
 }
 
 Count normals(const check::Lab& lab) {
-    const check::Kernel<glm::vec3(glm::ivec2, glm::ivec2, glm::vec2)> normal(
+    const check::Function<glm::vec3(glm::ivec2, glm::ivec2, glm::vec2)> normal(
         lab, "gloam/geometry/normal_from_depth.glsl", "gloam_normal_from_depth");
     std::vector<decltype(normal)::Inputs> inputs;
     for_each_pixel([&](glm::ivec2 at) { inputs.emplace_back(at, size, camera.p00_p11); });
@@ -256,7 +256,7 @@ Count normals(const check::Lab& lab) {
 
 // Bad values among occlusion, convergence and positions, and as settings.
 Count filters(const check::Lab& lab) {
-    const check::Kernel<float(glm::ivec2, glm::ivec2, glm::ivec2, int, float, float)> filter(
+    const check::Function<float(glm::ivec2, glm::ivec2, glm::ivec2, int, float, float)> filter(
         lab, "gloam/filter/convergence_filter.glsl", "gloam_convergence_filter");
     const auto in_unit = [](float occlusion) { return occlusion >= 0.0F && occlusion <= 1.0F; };
     Count count;

@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "check/kernel.hpp"
+#include "check/function.hpp"
 #include "scene/camera.hpp"
 #include "scene/scene.hpp"
 
@@ -64,9 +64,9 @@ class CenteredForm {
     [[nodiscard]] static double depth_error(const MovedPoints& all, const CenteredResults& results);
 
   private:
-    check::Kernel<glm::vec3(glm::vec3, glm::vec3)> previous_;
-    check::Kernel<float(glm::vec3, glm::mat4)> previous_depth_;
-    check::Kernel<bool(glm::vec4, glm::mat4, check::Out<glm::vec2>)> reproject_;
+    check::Function<glm::vec3(glm::vec3, glm::vec3)> previous_;
+    check::Function<float(glm::vec3, glm::mat4)> previous_depth_;
+    check::Function<bool(glm::vec4, glm::mat4, check::Out<glm::vec2>)> reproject_;
 };
 
 // Worst over all points, at one distance.
@@ -89,10 +89,10 @@ class WorldForm {
     [[nodiscard]] ReprojectionErrors moving(const MovedPoints& all) const;
 
   private:
-    check::Kernel<glm::vec4(glm::vec4, glm::mat4, glm::mat4, glm::mat4, glm::mat4)> previous_static_;
-    check::Kernel<glm::vec4(glm::vec4, glm::mat4, glm::mat4, glm::mat4, glm::mat4, glm::mat4, glm::mat4)>
+    check::Function<glm::vec4(glm::vec4, glm::mat4, glm::mat4, glm::mat4, glm::mat4)> previous_static_;
+    check::Function<glm::vec4(glm::vec4, glm::mat4, glm::mat4, glm::mat4, glm::mat4, glm::mat4, glm::mat4)>
         previous_moving_;
-    check::Kernel<float(glm::vec3, glm::mat4)> previous_depth_;
+    check::Function<float(glm::vec3, glm::mat4)> previous_depth_;
 };
 
 // Position of a point in a camera's view space, in double.

@@ -217,6 +217,8 @@ struct Answer {
 // The values of a signature's inputs as text, each in decimal and hexadecimal: "vec2 (0.5 (0x3f000000), 1
 // (0x3f800000)), int 3".
 [[nodiscard]] std::string describe_inputs(const Signature& signature, const std::vector<Word>& inputs);
+// The result and the out and inout values, in order: "0.5 (0x3f000000), true".
+[[nodiscard]] std::string describe_outputs(const Signature& signature, const std::vector<Word>& outputs);
 
 // Verdict, counts by class of input, and the worst input with its outputs and the expected ones.
 [[nodiscard]] std::string describe(const Signature& signature, const Answer& answer);

@@ -98,6 +98,10 @@ std::string describe_inputs(const Signature& signature, const std::vector<Word>&
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
+std::string describe_outputs(const Signature& signature, const std::vector<Word>& outputs) {
+    return words_text(signature.output_scalars(), outputs);
+}
+
 std::string describe(const Signature& signature, const Answer& answer) {
     const std::string limit =
         answer.verdict == Verdict::rules ? "what Vulkan's precision rules permit" : to_text(answer.budget);

@@ -95,46 +95,14 @@ class Shrinker {
     Sample run(const Sample& failing) {
         std::optional<Sample> best = first_failing(std::vector<Words>{failing.inputs});
         if (!best) throw std::invalid_argument("shrink: the input does not fail: there is nothing to shrink");
-        while (const auto simpler = first_failing(simpler_than(best->inputs))) best = simpler;
+        while (const auto simpler = first_failing(simpler_inputs(scope_.question, best->inputs)))
+            best = simpler;
         best->scenario = failing.scenario;
         best->index = failing.index;
         return *best;
     }
 
   private:
-    // Inputs of the domain that are simpler, the simplest first.
-    [[nodiscard]] std::vector<Words> simpler_than(const Words& input) const {
-        std::set<Words> found;
-        for (std::size_t i = 0; i < input.size(); ++i) {
-            std::set<Word> candidates;
-            if (scalars_[i] == Scalar::float_) {
-                add_float_candidates(input[i], candidates);
-            } else {
-                add_integer_candidates(input[i], scalars_[i], candidates);
-            }
-            for (const Word candidate : candidates) {
-                Words alone = input;
-                alone[i] = candidate;
-                found.insert(std::move(alone));
-                Words together = input;
-                for (std::size_t j = 0; j < input.size(); ++j) {
-                    if (scalars_[j] == scalars_[i] && input[j] == input[i]) together[j] = candidate;
-                }
-                found.insert(std::move(together));
-            }
-        }
-        const std::size_t now = complexity(input, scalars_);
-        std::vector<Words> simpler;
-        for (const Words& words : found) {
-            if (complexity(words, scalars_) < now && scope_.question.domain.holds(words, input)) {
-                simpler.push_back(words);
-            }
-        }
-        std::ranges::stable_sort(simpler, {},
-                                 [this](const Words& words) { return complexity(words, scalars_); });
-        return simpler;
-    }
-
     // The first input that fails, if any.
     [[nodiscard]] std::optional<Sample> first_failing(const std::vector<Words>& inputs) const {
         for (std::size_t first = 0; first < inputs.size(); first += scope_.at_once) {
@@ -170,6 +138,34 @@ std::size_t complexity(std::span<const Word> input, const std::vector<Scalar>& s
     std::size_t sum = 0;
     for (std::size_t i = 0; i < input.size(); ++i) sum += word_complexity(input[i], scalars[i]);
     return sum;
+}
+
+std::vector<Words> simpler_inputs(const Question& question, const Words& input) {
+    const std::vector<Scalar> scalars = question.signature.input_scalars();
+    std::set<Words> found;
+    for (std::size_t i = 0; i < input.size(); ++i) {
+        std::set<Word> candidates;
+        if (scalars[i] == Scalar::float_) {
+            add_float_candidates(input[i], candidates);
+        } else {
+            add_integer_candidates(input[i], scalars[i], candidates);
+        }
+        for (const Word candidate : candidates) {
+            Words alone = input;
+            alone[i] = candidate;
+            found.insert(std::move(alone));
+            Words together = input;
+            for (std::size_t j = 0; j < input.size(); ++j)
+                if (scalars[j] == scalars[i] && input[j] == input[i]) together[j] = candidate;
+            found.insert(std::move(together));
+        }
+    }
+    const std::size_t now = complexity(input, scalars);
+    std::vector<Words> simpler;
+    for (const Words& words : found)
+        if (complexity(words, scalars) < now && question.domain.holds(words, input)) simpler.push_back(words);
+    std::ranges::stable_sort(simpler, {}, [&](const Words& words) { return complexity(words, scalars); });
+    return simpler;
 }
 
 Sample shrink(const ShrinkScope& scope, const Sample& failing) {

@@ -31,6 +31,11 @@ struct ShrinkScope {
 // cost by their bits.
 [[nodiscard]] std::size_t complexity(std::span<const Word> input, const std::vector<shader::Scalar>& scalars);
 
+// Inputs of a question's domain that are simpler than this one, the simplest first. Values are changed one at
+// a time; equal values are also changed together.
+[[nodiscard]] std::vector<std::vector<Word>> simpler_inputs(const Question& question,
+                                                            const std::vector<Word>& input);
+
 // The simplest input of the domain that is found to fail like `failing`: outside what is allowed. Values are
 // changed one at a time; equal values are also changed together. The simplest change that still fails is
 // kept, until no change does. The result is deterministic. Throws std::invalid_argument if `failing` does not

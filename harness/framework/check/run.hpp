@@ -63,34 +63,6 @@ struct RunOptions {
 // KernelCore::run.
 [[nodiscard]] Answer run(const Lab& lab, const Question& question, const RunOptions& options = {});
 
-// Checks a function against a reference in one call.
-template <class Function, class Callable>
-[[nodiscard]] Answer compare(const Lab& lab, const std::string& file, const std::string& function,
-                             Callable reference, const Domain& domain, const Budget& budget = {},
-                             const RunOptions& options = {}) {
-    return run(lab,
-               Question{.file = file,
-                        .function = function,
-                        .signature = SignatureOf<Function>::describe(),
-                        .domain = domain,
-                        .reference = make_reference<Function>(std::move(reference)),
-                        .budget = budget},
-               options);
-}
-
-// Checks whether Vulkan's precision rules permit the results of a function for the module that the driver was
-// given. It needs neither a reference nor a tolerance.
-template <class Function>
-[[nodiscard]] Answer check_rules(const Lab& lab, const std::string& file, const std::string& function,
-                                 const Domain& domain, const RunOptions& options = {}) {
-    return run(lab,
-               Question{.file = file,
-                        .function = function,
-                        .signature = SignatureOf<Function>::describe(),
-                        .domain = domain},
-               options);
-}
-
 // Measures what the inputs of a run reach, in the function and in all that it calls, with the interpreter in
 // float32. Throws like run(), and interpreter::Error.
 [[nodiscard]] Coverage measure_coverage(const Lab& lab, const Question& question, const RunOptions& options);
