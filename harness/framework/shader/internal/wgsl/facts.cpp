@@ -95,6 +95,9 @@ void Facts::read_use(const Instruction& i, FunctionFacts& facts) {
         case SpvOpEmitVertex:
             facts.changes_memory = true;
             break;
+        case SpvOpImageSampleImplicitLod:
+            facts.changes_memory = true;  // it stays where it stands
+            [[fallthrough]];
         case SpvOpImageSampleExplicitLod:
         case SpvOpImageGather:
             sampled_.insert(image_of(i.word(3)));
@@ -109,7 +112,7 @@ void Facts::read_use(const Instruction& i, FunctionFacts& facts) {
                 facts.changes_memory = facts.reads_memory = true;
                 read_atomic(i);
             }
-            if (is_subgroup_operation(i.opcode)) facts.changes_memory = true;
+            if (is_subgroup_operation(i.opcode) || is_derivative(i.opcode)) facts.changes_memory = true;
             for (const Id id : operands(i))
                 if (uses_.contains(id)) ++uses_[id].parts;
     }
