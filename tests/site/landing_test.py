@@ -42,15 +42,19 @@ class LandingTest(SiteCase):
         return self.browser.evaluate(NUMBERS)
 
     def test_it_loads_little_before_the_first_interaction(self):
-        already = len(self.browser.requests())
-        self.open("")
-        asked = self.browser.requests()[already:]
-        files = {Path(unquote(urlparse(url).path)) for url in asked if url.startswith("file:")}
-        self.assertIn(self.site / "scene-room.js", files)
-        self.assertIn(self.site / "method-sweep.js", files)
-        self.assertEqual([], [url for url in asked if not url.startswith(("file:", "data:", "about:"))])
-        self.assertLessEqual(sum(file.stat().st_size for file in files), MOST_BYTES,
-                             {file.name: file.stat().st_size for file in files})
+        for api in ("webgl2", "webgpu"):
+            already = len(self.browser.requests())
+            self.open(f"#api={api}")
+            asked = self.browser.requests()[already:]
+            files = {Path(unquote(urlparse(url).path)) for url in asked if url.startswith("file:")}
+            self.assertIn(self.site / "scene-room.js", files)
+            self.assertIn(self.site / "method-sweep.js", files)
+            self.assertEqual([], [url for url in asked if not url.startswith(("file:", "data:", "about:"))])
+            self.assertLessEqual(sum(file.stat().st_size for file in files), MOST_BYTES,
+                                 {file.name: file.stat().st_size for file in files})
+            loaded = self.browser.evaluate("gloam.live.state.effect.api")
+            other = {"webgl2": "webgpu", "webgpu": "webgl2"}[loaded]
+            self.assertEqual([], [file.name for file in files if other in file.name])
 
     def test_the_mouse_turns_moves_and_zooms(self):
         self.open()
