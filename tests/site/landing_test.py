@@ -129,7 +129,8 @@ class LandingTest(SiteCase):
     def test_what_the_address_cannot_have_is_told_and_left_out(self):
         self.open()
         for part, words in (("scene=../secret", 'scene the value "../secret"'), ("radius=1e9", "radius the value"),
-                            ("left=truth", "left the value"), ("camera=1,2,3", "camera the value"),
+                            ("left=truth", "left the value"), ("api=vulkan", "api the value"),
+                            ("camera=1,2,3", "camera the value"),
                             ("__proto__=1", '"__proto__", which is unknown'), ("camera=NaN,0,1,0,0,0", "camera the"),
                             ("x=" + "9" * 500, "more than 400 characters")):
             with self.subTest(part=part[:30]):

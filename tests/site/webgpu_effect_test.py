@@ -81,7 +81,7 @@ class WebGpuEffectTest(SiteCase):
         """The values of expressions, each in WebGL2 and in WebGPU."""
         results = []
         for api in ("webgl2", "webgpu"):
-            self.open(f"#scene=columns&size=320x180&api={api}")
+            self.open(f"#scene=columns&size=320x180&preset=fast&api={api}")
             self.assertEqual((api, ""), (self.api(), self.told()))
             results.append([array.array("f", base64.b64decode(self.browser.evaluate(script))) for script in scripts])
             self.assertEqual([], self.browser.problems())
@@ -122,6 +122,17 @@ class WebGpuEffectTest(SiteCase):
             with self.subTest(name):
                 self.compare(want, got, rounding=1 / 255 + ROUNDING)
 
+    def test_all_behind_the_near_plane_is_drawn(self):
+        """The ranges of depth in clip space differ: the wrong one cuts what is nearer than twice the near plane."""
+        script = """rendered("gtao", "fast", [96, 54], 1).then(async (effect) => {
+            const depths = (await effect.passes.read(effect.images, 1)).sort();
+            effect.scene = {...effect.scene, near: 0.7 * depths[depths.length / 2]};
+            effect.frame(effect.camera);
+            return floats(await effect.passes.read(effect.images, 1));
+        })"""
+        [(want, got)] = self.in_both([script])
+        self.compare(want, got)
+
     def test_every_kind_of_input_is_read(self):
         script = ("rendered('sweep', 'balanced', [96, 54], 1)"
                   ".then(async (effect) => floats(await withInputs(effect, {})))")
@@ -132,7 +143,7 @@ class WebGpuEffectTest(SiteCase):
                 self.compare(want, got)
 
     def test_another_picture_is_noticed(self):
-        self.open("#scene=columns&size=320x180&api=webgpu")
+        self.open("#scene=columns&size=320x180&preset=fast&api=webgpu")
         script = ("rendered('gtao', 'balanced', [96, 54], {})"
                   ".then(async (effect) => floats(await effect.readOcclusion()))")
         pictures = [array.array("f", base64.b64decode(self.browser.evaluate(script.format(frames))))
@@ -142,8 +153,29 @@ class WebGpuEffectTest(SiteCase):
         with self.assertRaises(AssertionError):
             self.compare(pictures[0], [value + 2 * ROUNDING for value in pictures[0]])
 
+    def test_pictures_are_kept_and_compared(self):
+        self.open("#scene=columns&size=320x180&preset=fast&api=webgpu")
+        same, with_nothing, occlusion, left = self.browser.evaluate("""(async () => {
+            const effect = await rendered("gtao", "balanced", [61, 35], 2);
+            effect.keep();
+            const same = await effect.error();
+            effect.keepOcclusion(new Float32Array(61 * 35));
+            const withNothing = await effect.error();
+            const depths = await effect.passes.read(effect.images, 1);
+            const squares = (await effect.readOcclusion()).filter((_, i) => depths[i] > 0).map((x) => x * x);
+            effect.forget();
+            effect.setLeft(await gloam.method("hbao", "webgpu"), "balanced", effect.scene.radius);
+            effect.frame(effect.camera);
+            return [same, withNothing, Math.sqrt(squares.reduce((sum, x) => sum + x) / squares.length),
+                await effect.error()];
+        })()""")
+        self.assertEqual(0, same)
+        self.assertAlmostEqual(occlusion, with_nothing, 5)
+        self.assertGreater(with_nothing, 0.05)
+        self.assertGreater(left, 0.01)
+
     def test_every_method_draws(self):
-        self.open("#scene=columns&size=320x180&api=webgpu")
+        self.open("#scene=columns&size=320x180&preset=fast&api=webgpu")
         ranges = self.browser.evaluate("""(async () => {
             const ranges = {};
             for (const {name} of gloam.effectData.methods) {
@@ -157,7 +189,7 @@ class WebGpuEffectTest(SiteCase):
         self.assertEqual(("webgpu", ""), (self.api(), self.told()))
 
     def test_it_is_chosen_where_there_is_one(self):
-        self.open("#scene=columns&size=320x180")
+        self.open("#scene=columns&size=320x180&preset=fast")
         timing = "document.getElementById('timing').textContent"
         self.browser.wait(f"/^WebGPU: [\\d.]+ ms .*, [\\d.]+ ms of the GPU for the occlusion/.test({timing})")
         self.assertLess(0, self.browser.evaluate("gloam.live.state.effect.passes.timer.ms"))
@@ -199,10 +231,10 @@ class WebGpuEffectTest(SiteCase):
 
     def test_without_webgpu_it_is_webgl2(self):
         with Browser(without=WEBGPU_FLAGS) as other:
-            self.open("#scene=columns&size=320x180", other)
+            self.open("#scene=columns&size=320x180&preset=fast", other)
             self.assertEqual(("webgl2", ""), (other.evaluate("gloam.live.state.effect.api"), self.told(other)))
             other.wait("document.getElementById('timing').textContent.startsWith('WebGL2: ')")
-            self.open("#scene=columns&size=320x180&api=webgpu", other)
+            self.open("#scene=columns&size=320x180&preset=fast&api=webgpu", other)
             self.assertEqual("WebGPU: this browser has no WebGPU. The picture runs in WebGL2.", self.told(other))
             self.assertEqual([], other.problems())
 
