@@ -23,6 +23,7 @@ def program():
 
 FLAGS = ["--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
          "--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", "--enable-features=Vulkan,WebGPU",
+         "--use-vulkan=swiftshader",  # without it the first picture of a canvas of WebGPU ends the GPU's process
          "--ignore-gpu-blocklist", "--no-first-run", "--disable-extensions", "--disable-background-networking",
          "--disable-component-update", "--disable-sync", "--host-resolver-rules=MAP * ~NOTFOUND",
          "--remote-debugging-pipe", "about:blank"]
@@ -36,14 +37,16 @@ KEYS = {"Tab": (9, None), "Enter": (13, "\r"), "Space": (32, " "), "ArrowRight":
 class Browser:
     """One browser with one page. Use it in a `with` statement."""
 
-    def __init__(self, timeout=60):
+    def __init__(self, timeout=60, without=()):
+        """without: flags to leave out, or beginnings of flags."""
         self.timeout = timeout
+        flags = [flag for flag in FLAGS if not flag.startswith(tuple(without))]
         self.folder = tempfile.mkdtemp(prefix="gloam-browser-")
         to_read, self.to_browser = os.pipe()
         self.from_browser, to_write = os.pipe()
         self.process = subprocess.Popen(
             ["sh", "-c", f'exec "$0" "$@" 3<&{to_read} 4>&{to_write}', program(),
-             f"--user-data-dir={self.folder}", *FLAGS],
+             f"--user-data-dir={self.folder}", *flags],
             pass_fds=(to_read, to_write), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
             start_new_session=True)
         os.close(to_read)

@@ -31,7 +31,7 @@ def read_pfm(file):
 class EffectTest(SiteCase):
     def setUp(self):
         self.browser.look(1000, 900)
-        self.browser.open(self.site / "index.html", "#scene=columns&method=gtao&size=320x180")
+        self.browser.open(self.site / "index.html", "#scene=columns&method=gtao&size=320x180&api=webgl2")
         self.browser.wait("gloam.live.state.effect?.frames > 0")
 
     def rendered(self, read, method, preset="balanced", frames=FRAMES, moves=True, size=(WIDTH, HEIGHT)):
@@ -96,8 +96,8 @@ class EffectTest(SiteCase):
             const {effect} = gloam.live.state;
             effect.show(1, 1);
             const bytes = new Uint8Array(4 * effect.images.width * effect.images.height);
-            effect.gl.readPixels(0, 0, effect.images.width, effect.images.height, effect.gl.RGBA,
-                effect.gl.UNSIGNED_BYTE, bytes);
+            const {gl} = effect.passes;
+            gl.readPixels(0, 0, effect.images.width, effect.images.height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
             return bytes.every((byte) => byte === 255);
         })()""")
         self.assertTrue(white)  # nothing has occlusion left of the slider
@@ -112,16 +112,16 @@ class EffectTest(SiteCase):
             };
             const picture = shown(1, 0);
             effect.keep();
-            const same = effect.error();
+            const same = await effect.error();
             const nothing = shown(5, 0);
-            effect.setMethod(await gloam.method("hemisphere"), "balanced", effect.scene.radius);
+            effect.setMethod(await gloam.method("hemisphere", effect.api), "balanced", effect.scene.radius);
             effect.frame(gloam.camera.at(effect.scene.cameras, 0));
             const left = shown(1, 1) === picture;
             const right = shown(1, 0) === picture;
             const differs = shown(5, 0) !== nothing;
-            const error = effect.error();
+            const error = await effect.error();
             effect.forget();
-            return {same, left, right, differs, error, forgotten: effect.error()};
+            return {same, left, right, differs, error, forgotten: await effect.error()};
         })()""")
         self.assertEqual((0, True, False, True, None), tuple(state[name] for name in
                                                              ("same", "left", "right", "differs", "forgotten")))
@@ -186,7 +186,8 @@ class EffectTest(SiteCase):
         self.assertEqual([], asked)
 
     def test_a_shader_that_does_not_compile_is_told(self):
-        self.browser.evaluate("gloam.method('sweep').then((method) => { method.text += 'no_such;'; })")
+        self.browser.evaluate("gloam.method('sweep', 'webgl2').then(({text}) =>"
+                              " gloam.addMethodPass('sweep', 'webgl2', text + 'no_such;')).then(() => 0)")
         self.choose(method="sweep")
         self.assertIn("occlusion by sweep does not compile",
                       self.browser.evaluate("document.getElementById('told').textContent"))

@@ -105,9 +105,12 @@ class WgslTest(unittest.TestCase):
         self.assertIn("moving/positions_from_motion", texts)
         self.assertEqual({}, self.compiled(texts))
 
-    def test_other_stages_are_refused_in_one_line(self):
-        _, refused = self.packed({"gbuffer": [GLSL / "passes/gbuffer.frag"]})
-        self.assertRegex(refused["gbuffer"], r"^gloam: .*gbuffer.frag: gloam does not translate to WGSL yet: .*\n$")
+    def test_vertex_and_fragment_shaders_compile(self):
+        files = sorted([*(GLSL / "passes").glob("*.vert"), *(GLSL / "passes").glob("*.frag")])
+        texts, refused = self.packed({file.name: [file] for file in files})
+        self.assertEqual({}, refused)
+        self.assertEqual(["gbuffer.frag", "gbuffer.vert", "peel.frag"], sorted(texts))
+        self.assertEqual({}, self.compiled(texts))
 
     def test_images_exchanges_halves_and_subgroups_compile(self):
         fixtures = sorted((Path(__file__).parent.parent / "shader/fixtures/wgsl").glob("*.comp"))

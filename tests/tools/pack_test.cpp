@@ -68,8 +68,12 @@ TEST_F(Pack, OtherLanguages) {
     expect_success(wgsl);
     EXPECT_THAT(wgsl.out, HasSubstr("fn gloam_radical_inverse_base2(index: u32) -> f32 {\n"));
     EXPECT_THAT(wgsl.out, HasSubstr("// index: number of the sample;"));
-    expect_could_not_run(gloam("pack {} --target wgsl", GLOAM_GLSL_DIR "/passes/gbuffer.frag"),
-                         "gbuffer.frag: gloam does not translate to WGSL yet");
+    EXPECT_THAT(output_of(gloam("pack {} --target wgsl", GLOAM_GLSL_DIR "/passes/gbuffer.frag")),
+                HasSubstr("@fragment\nfn main("));
+    const std::filesystem::path shadow =
+        write("shadow.glsl", "float lit(sampler2DShadow s, vec3 at) { return textureLod(s, at, 0.0); }\n");
+    expect_could_not_run(gloam("pack {} --target wgsl", shadow),
+                         "shadow.glsl: gloam does not translate to WGSL yet");
     expect_could_not_run(gloam("pack {} --target cg", halton), "hlsl, msl or wgsl");
     expect_could_not_run(gloam("pack {} --target hlsl --version 330", halton), "--version");
     expect_could_not_run(gloam("pack {} --lines --target hlsl", halton), "--lines");

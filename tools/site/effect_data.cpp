@@ -10,6 +10,7 @@
 #include "effect/settings.hpp"
 #include "shader/pack.hpp"
 #include "site/page_data.hpp"
+#include "site/pass_data.hpp"
 
 namespace gloam::site {
 
@@ -24,21 +25,23 @@ bool runs_live(const effect::Preset& preset) {
            preset.settings.filter == effect::Filter::convergence;
 }
 
-std::string packed(const std::string& name, const std::string& text, Stage stage,
-                   const ShaderFolders& folders) {
-    return condensed(shader::pack({shader::Source{.name = name, .text = text}},
-                                  {.language = shader::Language::es300, .stage = stage}, {folders.library}));
+PassText file_pass(const std::string& file, const ShaderFolders& folders) {
+    const Stage stage = file.ends_with(".vert") ? Stage::vertex : Stage::fragment;
+    return {file, base::read_file(folders.page / file), stage};
 }
 
-std::string packed_file(const std::string& name, Stage stage, const ShaderFolders& folders) {
-    return packed(name, base::read_file(folders.page / name), stage, folders);
+PassText occlusion_pass(const effect::MethodInfo& method, const ShaderFolders& folders) {
+    return {"occlusion by " + method.name, "#include \"" + file_of(method) + "\"\n" +
+                                               "#define METHOD(position, normal, camera, kernel, values) " +
+                                               call_of(method) + "\n" +
+                                               base::read_file(folders.page / "occlusion.frag")};
 }
 
-std::string occlusion_text(const effect::MethodInfo& method, const ShaderFolders& folders) {
-    const std::string text = "#include \"" + file_of(method) + "\"\n" +
-                             "#define METHOD(position, normal, camera, kernel, values) " + call_of(method) +
-                             "\n" + base::read_file(folders.page / "occlusion.frag");
-    return packed("occlusion by " + method.name, text, Stage::fragment, folders);
+// Adds passes by their names.
+void add_passes(const std::vector<std::string>& files, Api api, const ShaderFolders& folders,
+                ordered_json& json) {
+    for (const std::string& file : files)
+        json[file.substr(0, file.find('.'))] = pass_json(file_pass(file, folders), api, folders);
 }
 
 ordered_json value_json(const effect::SettingValue& value) {
@@ -58,7 +61,7 @@ ordered_json settings_json(const effect::Settings& settings, const effect::Metho
     return json;
 }
 
-ordered_json method_json(const effect::MethodInfo& method, const ShaderFolders& folders) {
+ordered_json method_json(const effect::MethodInfo& method) {
     ordered_json settings = ordered_json::object();
     for (const effect::Preset& preset : effect::presets()) {
         if (!runs_live(preset)) continue;
@@ -67,10 +70,7 @@ ordered_json method_json(const effect::MethodInfo& method, const ShaderFolders& 
                                          : effect::with_method(preset.settings, method.name);
         settings[preset.name] = settings_json(own, method);
     }
-    return {{"name", method.name},
-            {"description", method.description},
-            {"text", occlusion_text(method, folders)},
-            {"settings", std::move(settings)}};
+    return {{"name", method.name}, {"description", method.description}, {"settings", std::move(settings)}};
 }
 
 // A function of the library with what it uses, as a text that another shader can contain: without its head.
@@ -85,14 +85,18 @@ std::string function_text(const std::string& file, const std::string& function,
     return text;
 }
 
-// What every user of the class needs, but for the methods.
-ordered_json core_json(const ShaderFolders& folders) {
-    ordered_json json = ordered_json::object();
-    for (const std::string name :
-         {"take_inputs", "normals_from_depth", "halve_inputs", "reproject", "spatial_filter", "upsample"})
-        json[name] = packed_file(name + ".frag", Stage::fragment, folders);
-    json["multi_bounce"] = function_text("gloam/shading/multi_bounce.glsl", "gloam_multi_bounce", folders);
-    json["preset"] = effect::default_preset;
+// The passes of the class, but for the methods.
+const std::vector<std::string>& class_passes() {
+    static const std::vector<std::string> files{
+        "whole_image.vert",  "take_inputs.frag", "normals_from_depth.frag",
+        "halve_inputs.frag", "reproject.frag",   "spatial_filter.frag",
+        "upsample.frag"};
+    return files;
+}
+
+// What every user of the class needs, but for shaders.
+ordered_json core_json() {
+    ordered_json json{{"preset", effect::default_preset}};
     for (const effect::Preset& preset : effect::presets())
         if (runs_live(preset))
             json["presets"].push_back({{"name", preset.name},
@@ -109,34 +113,57 @@ std::string text_of(const ordered_json& json) {
 
 }  // namespace
 
+std::string to_string(Api api) {
+    return api == Api::webgl2 ? "webgl2" : "webgpu";
+}
+
 bool runs_in_page(const effect::MethodInfo& method) {
     return method.prepare == nullptr;
 }
 
-std::string effect_json(const ShaderFolders& folders, const std::vector<std::string>& truths) {
-    ordered_json json = core_json(folders);
+std::string effect_json(const std::vector<std::string>& truths) {
+    ordered_json json = core_json();
     json["truths"] = truths;
-    json["gbuffer_vertices"] = packed_file("gbuffer.vert", Stage::vertex, folders);
-    for (const std::string name : {"gbuffer", "show"})
-        json[name] = packed_file(name + ".frag", Stage::fragment, folders);
     for (const effect::MethodInfo& method : effect::methods())
         if (runs_in_page(method))
             json["methods"].push_back({{"name", method.name}, {"description", method.description}});
     return text_of(json);
 }
 
-std::map<std::string, std::string> effect_methods(const ShaderFolders& folders) {
-    std::map<std::string, std::string> texts;
-    for (const effect::MethodInfo& method : effect::methods())
-        if (runs_in_page(method)) texts[method.name] = text_of(method_json(method, folders));
-    return texts;
+std::string effect_passes(Api api, const ShaderFolders& folders) {
+    ordered_json json = ordered_json::object();
+    add_passes(class_passes(), api, folders, json);
+    json["gbuffer_vertices"] = pass_json(file_pass("gbuffer.vert", folders), api, folders);
+    add_passes({"gbuffer.frag", "show.frag"}, api, folders, json);
+    return text_of(json);
 }
 
-std::string effect_core(const ShaderFolders& folders, const std::map<std::string, std::string>& methods) {
-    ordered_json core = core_json(folders);
-    for (const auto& [name, text] : methods) {
+std::map<std::string, MethodData> effect_methods(const std::vector<Api>& apis, const ShaderFolders& folders) {
+    std::map<std::string, MethodData> all;
+    for (const effect::MethodInfo& method : effect::methods()) {
+        if (!runs_in_page(method)) continue;
+        MethodData& data = all[method.name];
+        data.settings = text_of(method_json(method));
+        for (const Api api : apis)
+            data.passes[api] = text_of(pass_json(occlusion_pass(method, folders), api, folders));
+    }
+    return all;
+}
+
+std::string npm_method(const MethodData& method) {
+    ordered_json json = ordered_json::parse(method.settings);
+    json["text"] = ordered_json::parse(method.passes.at(Api::webgl2));
+    return text_of(json);
+}
+
+std::string npm_effect(const ShaderFolders& folders, const std::map<std::string, MethodData>& methods) {
+    ordered_json core = core_json();
+    add_passes(class_passes(), Api::webgl2, folders, core);
+    core["multi_bounce"] = function_text("gloam/shading/multi_bounce.glsl", "gloam_multi_bounce", folders);
+    for (const auto& [name, data] : methods) {
         const auto uses = [&method = name](const ordered_json& preset) { return preset["method"] == method; };
-        if (std::ranges::any_of(core["presets"], uses)) core["methods"].push_back(ordered_json::parse(text));
+        if (std::ranges::any_of(core["presets"], uses))
+            core["methods"].push_back(ordered_json::parse(npm_method(data)));
     }
     return text_of(core);
 }

@@ -52,17 +52,34 @@ struct ShaderFolders {
     std::filesystem::path page;     // with occlusion.frag
 };
 
-// The passes of the page in GLSL ES 3.00, packed, and the presets and the methods that run there: as JSON
-// (effect/ambient-occlusion.js). truths: the scenes with ray-traced truth. Throws like shader::pack().
-[[nodiscard]] std::string effect_json(const ShaderFolders& folders, const std::vector<std::string>& truths);
+// The APIs of browsers in which the effect runs.
+enum class Api { webgl2, webgpu };
 
-// Each method as JSON, by name: the text of its pass, and settings of the presets with that method, for a
-// radius of 1.
-[[nodiscard]] std::map<std::string, std::string> effect_methods(const ShaderFolders& folders);
+// "webgl2", "webgpu".
+[[nodiscard]] std::string to_string(Api api);
 
-// What another page of WebGL2 needs besides, as JSON, with those of effect_methods() that the presets run.
-[[nodiscard]] std::string effect_core(const ShaderFolders& folders,
-                                      const std::map<std::string, std::string>& methods);
+// The presets, and the methods that run in the page: as JSON (effect/ambient-occlusion.js). truths: the
+// scenes with ray-traced truth.
+[[nodiscard]] std::string effect_json(const std::vector<std::string>& truths);
+
+// The passes of the page but for the methods, packed for the API: as JSON, an object of them by name
+// (pass_json()). Throws like shader::pack().
+[[nodiscard]] std::string effect_passes(Api api, const ShaderFolders& folders);
+
+// A method as JSON: its settings of the presets, for a radius of 1, and its pass in each API (pass_json()).
+struct MethodData {
+    std::string settings;
+    std::map<Api, std::string> passes;
+};
+
+// Those that run in the page, by name.
+[[nodiscard]] std::map<std::string, MethodData> effect_methods(const std::vector<Api>& apis,
+                                                               const ShaderFolders& folders);
+
+// What another page of WebGL2 needs, as JSON: a method, and the passes with the methods that the presets run.
+[[nodiscard]] std::string npm_method(const MethodData& method);
+[[nodiscard]] std::string npm_effect(const ShaderFolders& folders,
+                                     const std::map<std::string, MethodData>& methods);
 
 // The classes of the effect in WebGL2 (effect/*.js): JavaScript that defines AmbientOcclusion and what it
 // uses. Throws std::runtime_error for a file that cannot be read.

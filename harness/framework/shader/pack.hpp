@@ -100,7 +100,7 @@ enum class Target { hlsl, msl, wgsl };
 //   them.
 // - A text with a main of this stage is one whole shader. A line at its head names its registers (HLSL) or
 //   its indices (MSL). The entry point is main in HLSL and WGSL, NAME_main in MSL: NAME is that of the text,
-//   without folder and suffix. WGSL has compute shaders only.
+//   without folder and suffix.
 // HLSL has been compiled by glslang. Throws CompileError if the text, or the HLSL, does not compile;
 // std::invalid_argument for what cannot be translated.
 [[nodiscard]] std::string translated(const Source& packed, Target target, Stage stage = Stage::compute);

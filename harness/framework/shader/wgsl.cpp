@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "shader/internal/wgsl/function_writer.hpp"
+#include "shader/internal/wgsl/stage_text.hpp"
 
 namespace gloam::shader {
 namespace {
@@ -40,17 +41,18 @@ class Writer {
         : module_(words),
           facts_(module_, options.functions),
           text_(module_, facts_, options.comment_of),
+          stage_(text_, used_),
           options_(options) {
-        const auto entry = module_.entry_points.find(SpvExecutionModelGLCompute);
-        if (entry != module_.entry_points.end()) main_ = entry->second;
-        if (options.entry_point && main_ == 0)
-            throw NotTranslated("a vertex or fragment shader, only compute shaders");
+        if (module_.entry_points.size() == 1) std::tie(model_, main_) = *module_.entry_points.begin();
+        if (options.entry_point && main_ == 0) throw NotTranslated("several entry points, or none");
+        if (is_stage()) text_.rename(main_, "main_body");
     }
 
     std::string run() {
         const std::vector<const wgsl::Function*> functions = functions_to_write();
         std::string bodies;
         for (const wgsl::Function* function : functions) bodies += "\n" + function_text(*function);
+        if (is_stage()) bodies += "\n" + stage_.entry_point(model_, text_.name(main_));
         std::string globals;
         for (const wgsl::Variable& variable : globals_in_order())
             if (used_.contains(variable.id)) globals += comment_of(variable.id) + global_text(variable);
@@ -64,6 +66,11 @@ class Writer {
     }
 
   private:
+    // Whether the whole of a vertex or fragment shader is written.
+    [[nodiscard]] bool is_stage() const {
+        return options_.entry_point && model_ != SpvExecutionModelGLCompute;
+    }
+
     [[nodiscard]] const shader::Function* declared(const wgsl::Function& function) const {
         return wgsl::declaration_of(module_, function, options_.functions);
     }
@@ -88,6 +95,10 @@ class Writer {
             used_.insert(globals.begin(), globals.end());
             if (function->id != main_) used_elsewhere_.insert(globals.begin(), globals.end());
         }
+        // Those that main() leaves as they are, the next stage may still read.
+        if (is_stage())
+            for (const wgsl::Variable& variable : module_.variables)
+                if (variable.storage == SpvStorageClassOutput) used_.insert(variable.id);
         return list;
     }
 
@@ -140,7 +151,7 @@ class Writer {
     }
 
     std::string function_text(const wgsl::Function& function) {
-        if (function.id == main_) return main_text(function);
+        if (function.id == main_ && !is_stage()) return main_text(function);
         wgsl::FunctionBody body = wgsl::FunctionWriter(text_, function).run();
         const std::map<Id, std::string> names = named(function, body);
         return comment_above(function) + wgsl::broken(head(function, names) + " {") + "\n" +
@@ -242,7 +253,7 @@ class Writer {
                     "var<private> {}: {}{};\n", name, text_.variable_type(variable),
                     variable.initial == 0 ? "" : " = " + text_.constant(variable.initial).text);
             default:
-                if (!is_builtin(variable)) throw NotTranslated("an input or output of a stage: " + name);
+                if (is_stage()) return stage_.global(variable);
                 if (!used_elsewhere_.contains(variable.id)) return "";
                 return fmt::format("var<private> {}: {};\n", name, text_.type(variable.type));
         }
@@ -305,9 +316,11 @@ class Writer {
     wgsl::Module module_;
     wgsl::Facts facts_;
     wgsl::ModuleText text_;
-    const WgslOptions& options_;
-    Id main_ = 0;
     std::set<Id> used_;
+    wgsl::StageText stage_;
+    const WgslOptions& options_;
+    std::uint32_t model_ = 0;  // of the entry point
+    Id main_ = 0;
     std::set<Id> used_elsewhere_;  // by other functions than main
     std::vector<const wgsl::Function*> prototypes_;
     std::map<std::uint32_t, std::uint32_t> next_binding_;  // of a group, for samplers

@@ -45,6 +45,9 @@ struct WgslOptions {
 //   then begins with `enable`.
 // - Specialization constants become `override` with the same @id.
 // - An out or inout parameter becomes a pointer.
+// - Inputs and outputs of a vertex or fragment shader become private variables around a function main_body,
+//   which main calls. A vertex shader changes the sign of gl_Position.y, which goes up in WebGPU: the picture
+//   is that of Vulkan.
 //
 // Throws WgslError for what WGSL does not have, NotTranslated for what is not translated, and
 // std::runtime_error for words that are not a SPIR-V module.

@@ -12,12 +12,13 @@ class AmbientOcclusion {
     //   range    of the projection's depth: "negative-one-to-one", or "zero-to-one"
     //   normals  "none": they are made from depth; "view" or "world" space, and behind it "-octahedral", "-unorm" or
     //            both, as `gloam pack --normals` has them
+    // gl: the context, or an object that runs passes as Passes does; it stays whose it is.
     // Throws an Error for other inputs, and where the context is not WebGL2 or cannot draw floats.
     constructor(gl, effect, {depth = "buffer", range = "negative-one-to-one", normals = "none"} = {}) {
         this.inputs = AmbientOcclusion.checkedInputs(depth, range, normals);
-        this.gl = gl;
         this.effect = effect;
-        this.passes = new Passes(gl);
+        this.own = typeof gl?.program !== "function";
+        this.passes = this.own ? new Passes(gl) : gl;
         this.targets = new Map();
         this.size = null;
         this.settings = null;
@@ -65,13 +66,13 @@ class AmbientOcclusion {
 
     // Compiled once for each kind of camera.
     occlusionProgram() {
-        return this.passes.program("occlusion by " + this.method.name, this.method.text,
+        return this.passes.program("occlusion by " + this.method.name, this.effect.whole_image, this.method.text,
             {orthographic: this.orthographic});
     }
 
     // Pixels of the images that render() gets. Begins a new history.
     setSize(width, height) {
-        const most = this.gl.getParameter(this.gl.MAX_TEXTURE_SIZE);
+        const most = this.passes.mostPixels;
         for (const side of [width, height])
             if (!Number.isInteger(side) || side < 1 || side > most)
                 throw new Error(`size ${width}x${height}: expected whole numbers from 1 to ${most}`);
@@ -106,13 +107,12 @@ class AmbientOcclusion {
         if (this.orthographic !== now.orthographic) this.restart();
         this.orthographic = now.orthographic;
         const [name, last] = this.frames % 2 === 0 ? ["even", "odd"] : ["odd", "even"];
-        this.history = this.target(name, now.size, this.gl.RGBA32F);
+        this.history = this.target(name, now.size, "rgba32float");
         this.drawOcclusion(now, this.historyBefore(now, last));
         this.result = this.shown(full, now);
         this.previous = now;
         ++this.frames;
-        this.gl.bindFramebuffer(this.gl.FRAMEBUFFER, null);
-        this.gl.useProgram(null);
+        this.passes.end();
         return this.result.image;
     }
 
@@ -123,7 +123,8 @@ class AmbientOcclusion {
     }
 
     draw(name, constants, values, target) {
-        this.passes.draw(this.passes.program(name, this.effect[name], constants), values, target);
+        this.passes.draw(this.passes.program(name, this.effect.whole_image, this.effect[name], constants), values,
+            target);
         return target;
     }
 
@@ -140,25 +141,25 @@ class AmbientOcclusion {
                 world_normals: normals.startsWith("world"), octahedral_normals: normals.includes("octahedral"),
                 unorm_normals: normals.includes("unorm")}, {stored_depth_image: depth, stored_normal_image: normal,
                 p22_p32: view.p22_p32, view_from_world: [...m.slice(0, 3), ...m.slice(4, 7), ...m.slice(8, 11)]},
-            this.target("taken", view.size, this.gl.R32F, this.gl.RGBA32F)).images;
+            this.target("taken", view.size, "r32float", "rgba32float")).images;
         }
         const taken = {...view, depth: images[0], normal: images[1]};
         if (normals !== "none") return taken;
         return {...taken, normal: this.draw("normals_from_depth", {orthographic: view.orthographic},
-            {...view, depth_image: taken.depth}, this.target("normals", view.size, this.gl.RGBA32F)).image};
+            {...view, depth_image: taken.depth}, this.target("normals", view.size, "rgba32float")).image};
     }
 
     halved(full) {
         const [depth, normal] = this.draw("halve_inputs", {orthographic: full.orthographic},
             {depth_image: full.depth, normal_image: full.normal, view_size: full.size, view_p00_p11: full.p00_p11},
-            this.target("halved", halfView(full).size, this.gl.R32F, this.gl.RGBA32F)).images;
+            this.target("halved", halfView(full).size, "r32float", "rgba32float")).images;
         return {...halfView(full), depth, normal};
     }
 
     // The history of the frame before, at the pixels of this one. last: the name of its target.
     historyBefore(now, last) {
         const {previous} = this;
-        const history = this.target(last, now.size, this.gl.RGBA32F);
+        const history = this.target(last, now.size, "rgba32float");
         if (previous === null) {
             this.passes.clear(history);
             return history;
@@ -168,7 +169,7 @@ class AmbientOcclusion {
         return this.draw("reproject", {orthographic: now.orthographic}, {depth_image: now.depth,
             previous_history: history.image, previous_from_current: change(previous, now), p00_p11: now.p00_p11,
             previous_p00_p11: previous.p00_p11, size: now.size, tolerance: this.settings.depth_tolerance},
-        this.target("moved", now.size, this.gl.RGBA32F));
+        this.target("moved", now.size, "rgba32float"));
     }
 
     drawOcclusion(now, before) {
@@ -186,7 +187,7 @@ class AmbientOcclusion {
         if (settings.resolution !== "half") return source;
         return this.draw("upsample", {orthographic: full.orthographic}, {depth_image: full.depth,
             half_depth_image: now.depth, source_image: source.image, view_size: full.size},
-        this.target("upsampled", full.size, this.gl.R32F));
+        this.target("upsampled", full.size, "r32float"));
     }
 
     filtered(now) {
@@ -196,7 +197,7 @@ class AmbientOcclusion {
             sigma_pixels: settings.filter_sigma * (2 * settings.filter_half_width + 1)};
         const constants = {orthographic: now.orthographic, HALF_WIDTH: settings.filter_half_width};
         const along = (along_y, along_x_image, name) => this.draw("spatial_filter", {...constants, along_y},
-            {...values, along_x_image}, this.target(name, now.size, this.gl.R32F));
+            {...values, along_x_image}, this.target(name, now.size, "r32float"));
         return along(true, along(false, null, "filtered along x").image, "filtered");
     }
 
@@ -208,12 +209,12 @@ class AmbientOcclusion {
 
     // The occlusion that the last frame has given, one float a pixel, row 0 first.
     readOcclusion() {
-        return this.passes.read(this.result).filter((_, i) => i % 4 === 0);
+        return this.passes.read(this.result, 1);
     }
 
     // Deletes what this object has made in the context.
     dispose() {
         this.deleteImages();
-        this.passes.dispose();
+        if (this.own) this.passes.dispose();
     }
 }

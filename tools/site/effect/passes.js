@@ -12,11 +12,6 @@ class Passes {
         this.noVertices = gl.createVertexArray();
     }
 
-    static wholeImage = `#version 300 es
-void main() {
-    gl_Position = vec4(vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0), 0.0, 1.0);
-}`;
-
     // A shader's text with these values in the place of those of its constants.
     static withConstants(name, text, constants) {
         return Object.entries(constants).reduce((all, [constant, value]) => {
@@ -26,8 +21,14 @@ void main() {
         }, text);
     }
 
-    // A linked program with its uniforms; compiled once for each name and its constants.
-    program(name, fragments, constants = {}, vertices = Passes.wholeImage) {
+    // The most pixels of a side of an image.
+    get mostPixels() {
+        return this.gl.getParameter(this.gl.MAX_TEXTURE_SIZE);
+    }
+
+    // A linked program with its uniforms; compiled once for each name and its constants, which are those of the
+    // fragment shader.
+    program(name, vertices, fragments, constants = {}) {
         const key = `${name} ${JSON.stringify(constants)}`;
         if (!this.programs.has(key))
             this.programs.set(key, this.linked(name, vertices, Passes.withConstants(name, fragments, constants)));
@@ -56,16 +57,18 @@ void main() {
         return {handle, uniforms};
     }
 
-    // A texture of this internal format.
-    image(internal, width, height) {
+    // A texture of this format, as WebGPU names it.
+    image(format, width, height) {
         const {gl} = this;
         const texture = gl.createTexture();
         gl.bindTexture(gl.TEXTURE_2D, texture);
-        gl.texStorage2D(gl.TEXTURE_2D, 1, internal, width, height);
+        gl.texStorage2D(gl.TEXTURE_2D, 1, gl[Passes.formats[format]], width, height);
         for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
             gl.texParameteri(gl.TEXTURE_2D, filter, gl.NEAREST);
         return texture;
     }
+
+    static formats = {r32float: "R32F", rgba32float: "RGBA32F", rgba8unorm: "RGBA8"};
 
     framebuffer(...textures) {
         const {gl} = this;
@@ -79,8 +82,8 @@ void main() {
 
     // Images of one size and what draws to all of them.
     target(width, height, ...formats) {
-        const images = formats.map((internal) => this.image(internal, width, height));
-        return {width, height, images, image: images[0], framebuffer: this.framebuffer(...images)};
+        const images = formats.map((format) => this.image(format, width, height));
+        return {width, height, formats, images, image: images[0], framebuffer: this.framebuffer(...images)};
     }
 
     deleteTarget({images, framebuffer}) {
@@ -99,6 +102,12 @@ void main() {
         for (const test of [gl.BLEND, gl.CULL_FACE, gl.DEPTH_TEST, gl.SCISSOR_TEST, gl.STENCIL_TEST,
             gl.RASTERIZER_DISCARD]) gl.disable(test);
         gl.colorMask(true, true, true, true);
+    }
+
+    // Leaves the context as WebGL begins.
+    end() {
+        this.gl.bindFramebuffer(this.gl.FRAMEBUFFER, null);
+        this.gl.useProgram(null);
     }
 
     // Makes a program current and sets each of its uniforms, and each member of a uniform structure, to the value of
@@ -143,13 +152,13 @@ void main() {
         gl.bindVertexArray(null);
     }
 
-    // The first image of a target, four floats for each pixel, row 0 first.
-    read({framebuffer, width, height}) {
+    // The first image of a target, floats of the first channels of each pixel, row 0 first.
+    read({framebuffer, width, height}, channels = 4) {
         const {gl} = this;
         const texels = new Float32Array(4 * width * height);
         gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
         gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, texels);
-        return texels;
+        return channels === 4 ? texels : texels.filter((_, i) => i % 4 < channels);
     }
 
     // Deletes the programs.

@@ -26,6 +26,7 @@ export interface Effect {
     readonly methods: readonly Method[];
     /** Names of the settings that are lengths and scale with the radius. */
     readonly lengths: readonly string[];
+    readonly whole_image: string;
     readonly take_inputs: string;
     readonly normals_from_depth: string;
     readonly halve_inputs: string;

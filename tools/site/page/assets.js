@@ -1,15 +1,26 @@
 // SPDX-License-Identifier: MIT
-// What the page loads on demand: scenes (scene-NAME.js, tools/site/scene_data.cpp) and methods (method-NAME.js).
+// What the page loads on demand: scenes (scene-NAME.js, tools/site/scene_data.cpp) and methods (method-NAME.js),
+// and the passes of an API.
 "use strict";
 
-// The methods that were loaded, by their names: the text of their pass, and settings.
+// The passes that were loaded, but for those of methods, by API and name.
+gloam.passes = new Map();
+
+gloam.addPasses = (api, passes) => gloam.passes.set(api, passes);
+
+// The methods that were loaded, by their names: settings, and in `passes` their passes by API.
 gloam.methods = new Map();
 
-gloam.addMethod = (method) => gloam.methods.set(method.name, method);
+gloam.addMethod = (method) => gloam.methods.set(method.name, {...method, passes: new Map()});
 
-gloam.method = async (name) => {
+gloam.addMethodPass = (name, api, pass) => gloam.methods.get(name).passes.set(api, pass);
+
+// A method as AmbientOcclusion.setMethod() takes it.
+gloam.method = async (name, api) => {
     if (!gloam.methods.has(name)) await gloam.loadScript(`method-${name}.js`);
-    return gloam.methods.get(name);
+    const {passes, ...method} = gloam.methods.get(name);
+    if (!passes.has(api)) await gloam.loadScript(`method-${name}-${api}.js`);
+    return {...method, text: passes.get(api)};
 };
 
 // The scenes that were loaded, by their names: triangles in the arrays that WebGL takes, and a camera's path.

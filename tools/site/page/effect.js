@@ -4,27 +4,26 @@
 "use strict";
 
 gloam.Effect = class {
-    // Throws an Error where there is no WebGL2 or it cannot draw floats.
-    constructor(canvas) {
-        this.gl = canvas.getContext("webgl2", {antialias: false, depth: false, alpha: false,
-            preserveDrawingBuffer: true, powerPreference: "high-performance"});
-        if (this.gl === null) throw new Error("this browser has no WebGL2");
+    // passes: what runs them, a gloam.WebGl2 or a gloam.WebGpu of the canvas. texts: their shaders by name.
+    constructor(canvas, passes, texts) {
         this.canvas = canvas;
-        this.data = gloam.effectData;
+        this.passes = passes;
+        this.data = {...gloam.effectData, ...texts};
         this.occlusion = this.newOcclusion();
-        this.passes = this.occlusion.passes;
-        this.gbuffer = this.passes.program("gbuffer", this.data.gbuffer, {}, this.data.gbuffer_vertices);
-        this.shower = this.passes.program("show", this.data.show);
-        this.timer = new gloam.GpuTimer(this.gl);
+        this.gbuffer = passes.program("gbuffer", texts.gbuffer_vertices, texts.gbuffer);
+        this.shower = passes.program("show", texts.whole_image, texts.show);
         this.images = null;
         this.kept = null;
         this.left = null;
         this.mesh = null;
-        this.buffers = [];
     }
 
     newOcclusion() {
-        return new gloam.AmbientOcclusion(this.gl, this.data, {depth: "linear", normals: "view"});
+        return new gloam.AmbientOcclusion(this.passes, this.data, {depth: "linear", normals: "view"});
+    }
+
+    get api() {
+        return this.passes.api;
     }
 
     // Settings of the method, in use until setMethod() is called again.
@@ -39,34 +38,10 @@ gloam.Effect = class {
 
     // Uploads a scene: {positions, normals, colors, indices, ...}, as gloam.scene() gives one.
     setScene(scene) {
-        const {gl} = this;
-        this.deleteScene();
+        if (this.mesh !== null) this.passes.deleteMesh(this.mesh);
         this.scene = scene;
-        this.mesh = gl.createVertexArray();
-        gl.bindVertexArray(this.mesh);
-        const filled = (target, data) => {
-            const buffer = gl.createBuffer();
-            gl.bindBuffer(target, buffer);
-            gl.bufferData(target, data, gl.STATIC_DRAW);
-            this.buffers.push(buffer);
-        };
-        const attribute = (index, data, size, type, normalized) => {
-            filled(gl.ARRAY_BUFFER, data);
-            gl.enableVertexAttribArray(index);
-            gl.vertexAttribPointer(index, size, type, normalized, 0, 0);
-        };
-        attribute(0, scene.positions, 3, gl.FLOAT, false);
-        attribute(1, scene.normals, 3, gl.FLOAT, false);
-        attribute(2, scene.colors, 4, gl.UNSIGNED_BYTE, true);
-        filled(gl.ELEMENT_ARRAY_BUFFER, scene.indices);
-        gl.bindVertexArray(null);
+        this.mesh = this.passes.mesh(scene);
         this.restart();
-    }
-
-    deleteScene() {
-        for (const buffer of this.buffers) this.gl.deleteBuffer(buffer);
-        this.gl.deleteVertexArray(this.mesh);
-        this.buffers = [];
     }
 
     // method: as gloam.method() gives one. preset: a name. radius: world units.
@@ -89,48 +64,31 @@ gloam.Effect = class {
     }
 
     setSize(width, height) {
-        const {gl} = this;
         if (this.images !== null) this.deleteImages();
         this.canvas.width = width;
         this.canvas.height = height;
-        this.images = this.passes.target(width, height, gl.R32F, gl.RGBA32F, gl.RGBA8);
+        this.images = this.passes.meshTarget(width, height, "r32float", "rgba32float", "rgba8unorm");
         [this.images.depth, this.images.normal, this.images.albedo] = this.images.images;
-        const buffer = gl.createRenderbuffer();
-        gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
-        gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT32F, width, height);
-        gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER, buffer);
-        this.images.buffer = buffer;
         this.occlusion.setSize(width, height);
         this.left?.setSize(width, height);
     }
 
     deleteImages() {
-        this.gl.deleteRenderbuffer(this.images.buffer);
         this.passes.deleteTarget(this.images);
         this.forget();
     }
 
-    // The image to keep in.
-    keeping() {
-        this.kept ??= this.passes.target(this.images.width, this.images.height, this.gl.R32F);
-        return this.kept;
-    }
-
     // Keeps occlusion from elsewhere, a float for each pixel, to compare with.
     keepOcclusion(floats) {
-        const {gl} = this;
-        const {width, height} = this.images;
-        gl.bindTexture(gl.TEXTURE_2D, this.keeping().image);
-        gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RED, gl.FLOAT, floats);
+        this.forget();
+        this.kept = this.passes.target(this.images.width, this.images.height, "r32float");
+        this.passes.fill(this.kept, floats);
     }
 
     // Keeps a copy of the last frame's occlusion, to compare with what follows.
     keep() {
-        const {gl} = this;
-        const {width, height} = this.keeping();
-        gl.bindFramebuffer(gl.READ_FRAMEBUFFER, this.occlusion.result.framebuffer);
-        gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, this.kept.framebuffer);
-        gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
+        this.forget();
+        this.kept = this.passes.copyOf(this.occlusion.result);
     }
 
     forget() {
@@ -146,13 +104,13 @@ gloam.Effect = class {
 
     // The root of the mean squared difference between the occlusion of the last frame and that of the left side, over
     // the pixels that show geometry; null where the left side has none.
-    error() {
+    async error() {
         if (this.compared === null) return null;
-        const [now, kept, depth] = [this.occlusion.result, this.compared, this.images]
-            .map((one) => this.passes.read(one));
+        const [now, kept, depth] = await Promise.all([this.occlusion.result, this.compared, this.images]
+            .map((one) => this.passes.read(one, 1)));
         let sum = 0;
         let count = 0;
-        for (let i = 0; i < now.length; i += 4) {
+        for (let i = 0; i < now.length; ++i) {
             if (!(depth[i] > 0)) continue;
             sum += (now[i] - kept[i]) ** 2;
             ++count;
@@ -179,22 +137,14 @@ gloam.Effect = class {
         const projection = this.projection();
         this.drawGbuffer(view, projection);
         const {depth, normal} = this.images;
-        this.timer.measure(() => this.occlusion.render({depth, normal, projection, view}));
+        this.passes.timer.measure(() => this.occlusion.render({depth, normal, projection, view}));
         this.left?.render({depth, normal, projection, view});
     }
 
     drawGbuffer(view, projection) {
-        const {gl, images, passes} = this;
-        passes.begin();
-        gl.bindFramebuffer(gl.FRAMEBUFFER, images.framebuffer);
-        for (let i = 0; i < 3; ++i) gl.clearBufferfv(gl.COLOR, i, [0, 0, 0, 0]);
-        gl.clearBufferfv(gl.DEPTH, 0, [1]);
-        passes.use(this.gbuffer, {view, projection});
-        gl.viewport(0, 0, images.width, images.height);
-        gl.enable(gl.DEPTH_TEST);
-        gl.bindVertexArray(this.mesh);
-        gl.drawElements(gl.TRIANGLES, this.scene.indices.length, gl.UNSIGNED_INT, 0);
-        gl.bindVertexArray(null);
+        this.passes.begin();
+        this.passes.drawMesh(this.gbuffer, {view, projection, zero_to_one: this.passes.zeroToOne}, this.images,
+            this.mesh);
     }
 
     // Draws the last frame to the canvas. view: as show.frag numbers them. split: part of the width, from the left,
@@ -209,18 +159,23 @@ gloam.Effect = class {
             albedo_image: images.albedo, occlusion_image: result.image, history_image: history.image,
             kept_image: (this.compared ?? result).image, has_kept: this.compared !== null, size: [width, height],
             shown: view, weight_max: this.settings.weight_max,
-            split: Math.round(split * width), up: [rotation[1], rotation[4], rotation[7]]},
-        {framebuffer: null, width, height});
+            split: Math.round(split * width), up: [rotation[1], rotation[4], rotation[7]],
+            bottom_up: this.passes.bottomUp}, this.passes.screen);
     }
 
     // The history of the last frame, four floats for each of its pixels, the top row first: occlusion, samples
     // accumulated, samples of the sequence used, depth.
-    read() {
+    async read() {
         return this.occlusion.readHistory();
     }
 
     // The occlusion that is shown of the last frame, one float for each pixel, the top row first.
-    readOcclusion() {
+    async readOcclusion() {
         return this.occlusion.readOcclusion();
+    }
+
+    // Gives back all that it holds. The canvas cannot be used again.
+    close() {
+        this.passes.close();
     }
 };

@@ -2,7 +2,7 @@
 // passes/halve_inputs.comp as a fragment shader: of each 2 x 2 pixels of depth and normals the first one.
 #include "gloam/filter/half_resolution.glsl"
 
-const bool orthographic = false;  // the camera; else perspective
+layout(constant_id = 0) const bool orthographic = false;  // the camera; else perspective
 
 struct Parameters {
     vec2 view_p00_p11;  // elements [0][0] and [1][1] of the full-size projection

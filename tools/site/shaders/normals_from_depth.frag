@@ -2,7 +2,7 @@
 // passes/normals_from_depth.comp as a fragment shader: normals from the depth of the four neighbours.
 #include "passes/normal_at.glsl"
 
-const bool orthographic = false;  // the camera; else perspective
+layout(constant_id = 0) const bool orthographic = false;  // the camera; else perspective
 
 struct Parameters {
     vec2 p00_p11;  // elements [0][0] and [1][1] of the projection

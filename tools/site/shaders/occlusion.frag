@@ -38,7 +38,7 @@ uniform bool rounds_up;
 uniform uint table_size;
 uniform bool reject_taps;
 uniform bool along_curve;
-const bool orthographic = false;  // the camera; else perspective
+layout(constant_id = 0) const bool orthographic = false;  // the camera; else perspective
 const bool fewer_samples = true;
 const bool caps_radius = true;
 const int layers = 1;

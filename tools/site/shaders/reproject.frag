@@ -4,7 +4,7 @@
 #include "gloam/geometry/camera.glsl"
 #include "gloam/temporal/reprojected_history.glsl"
 
-const bool orthographic = false;  // the camera of both frames; else perspective
+layout(constant_id = 0) const bool orthographic = false;  // the camera of both frames; else perspective
 
 struct Parameters {
     mat4 previous_from_current;  // view space of this frame to that of the previous one

@@ -5,9 +5,9 @@
 #define HOLDS_ROW false
 
 const int PIXELS = 1;
-const int HALF_WIDTH = 2;         // taps on each side
-const bool along_y = false;       // the second of the two passes
-const bool orthographic = false;  // the camera; else perspective
+layout(constant_id = 1) const int HALF_WIDTH = 2;         // taps on each side
+layout(constant_id = 2) const bool along_y = false;       // the second of the two passes
+layout(constant_id = 0) const bool orthographic = false;  // the camera; else perspective
 
 // Those of passes/spatial_filter.comp, with the same meaning.
 struct Parameters {

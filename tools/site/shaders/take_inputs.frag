@@ -3,8 +3,8 @@
 // read. A projection of OpenGL has the depth range [-1, 1]; with EXT_clip_control it may have [0, 1].
 #include "passes/engine_inputs.glsl"
 
-const bool has_normals = false;
-const bool zero_to_one = false;  // the depth range of the projection; else [-1, 1]
+layout(constant_id = 5) const bool has_normals = false;
+layout(constant_id = 6) const bool zero_to_one = false;  // the depth range of the projection; else [-1, 1]
 
 struct Parameters {
     mat3 view_from_world;  // a rotation

@@ -3,7 +3,7 @@
 #include "gloam/filter/half_resolution.glsl"
 #include "gloam/filter/upsample.glsl"
 
-const bool orthographic = false;  // the camera; else perspective
+layout(constant_id = 0) const bool orthographic = false;  // the camera; else perspective
 
 struct Parameters {
     ivec2 view_size;  // of the full-size images, pixels

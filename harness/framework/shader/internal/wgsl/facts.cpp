@@ -72,6 +72,7 @@ void Facts::read_function(const Function& function) {
 void Facts::read_use(const Instruction& i, FunctionFacts& facts) {
     for (const Id id : operands(i))
         if (globals_of_module_.contains(base_of(id))) globals_[open_].insert(base_of(id));
+    if (is_subgroup_operation(i.opcode) || is_derivative(i.opcode)) facts.changes_memory = true;
     switch (i.opcode) {
         case SpvOpStore:
             store_to(i.word(1), facts);
@@ -95,6 +96,7 @@ void Facts::read_use(const Instruction& i, FunctionFacts& facts) {
         case SpvOpEmitVertex:
             facts.changes_memory = true;
             break;
+        case SpvOpImageSampleImplicitLod:
         case SpvOpImageSampleExplicitLod:
         case SpvOpImageGather:
             sampled_.insert(image_of(i.word(3)));
@@ -109,7 +111,6 @@ void Facts::read_use(const Instruction& i, FunctionFacts& facts) {
                 facts.changes_memory = facts.reads_memory = true;
                 read_atomic(i);
             }
-            if (is_subgroup_operation(i.opcode)) facts.changes_memory = true;
             for (const Id id : operands(i))
                 if (uses_.contains(id)) ++uses_[id].parts;
     }

@@ -119,6 +119,7 @@ class FunctionWriter {
     [[nodiscard]] Expression written_twice(Id value, Statements& out);
     void compare_exchange(const Instruction& instruction, Statements& out);
     bool subgroup_operation(const Instruction& instruction, Statements& out);
+    bool derivative(const Instruction& instruction, Statements& out);
     void load(const Instruction& instruction, Statements& out);
     void store(const Instruction& instruction, Statements& out);
     void store_value(Id to, const Expression& value, Statements& out);

@@ -87,6 +87,7 @@ bool FunctionWriter::image_access(const Instruction& i, Statements& out) {
             values_[i.word(2)] = take(i.word(3));
             samplers_[i.word(2)] = take(i.word(4));
             return true;
+        case SpvOpImageSampleImplicitLod:
         case SpvOpImageSampleExplicitLod:
         case SpvOpImageGather:
             sample(i, out);
@@ -98,9 +99,17 @@ bool FunctionWriter::image_access(const Instruction& i, Statements& out) {
     }
 }
 
+static const char* name_of_sampling(bool gather, std::uint32_t mask) {
+    if (gather) return "textureGather";
+    if ((mask & SpvImageOperandsGradMask) != 0) return "textureSampleGrad";
+    if ((mask & SpvImageOperandsLodMask) != 0) return "textureSampleLevel";
+    return (mask & SpvImageOperandsBiasMask) != 0 ? "textureSampleBias" : "textureSample";
+}
+
 // A texture read by its sampler. The operands behind the mask stand in the order of its bits.
 void FunctionWriter::sample(const Instruction& i, Statements& out) {
     const bool gather = i.opcode == SpvOpImageGather;
+    const bool implicit = i.opcode == SpvOpImageSampleImplicitLod;
     const Type& image = module_.image_type(module_.type_of(i.word(3)));
     if (!module_.is_float(image.element)) throw WgslError("an integer texture with a sampler");
     if (image.depth) throw NotTranslated("a depth comparison of a texture");
@@ -109,25 +118,55 @@ void FunctionWriter::sample(const Instruction& i, Statements& out) {
     std::vector<Expression> arguments = coordinates(i.word(3), i.word(4), out);
     const Expression sampler = apart != samplers_.end() ? apart->second : sampler_of(loaded);
     arguments.insert(arguments.begin(), {take(i.word(3)), sampler});
-    const std::uint32_t mask = i.word(gather ? 6 : 5);
+    const std::size_t at = gather ? 6 : 5;
+    const std::uint32_t mask = i.words.size() > at ? i.word(at) : 0;
     std::size_t next = gather ? 7 : 6;
     if (gather) arguments.insert(arguments.begin(), take(i.word(5)));
+    if ((mask & SpvImageOperandsBiasMask) != 0) arguments.push_back(take(i.word(next++)));
     if ((mask & SpvImageOperandsLodMask) != 0) arguments.push_back(take(i.word(next++)));
     if ((mask & SpvImageOperandsGradMask) != 0) {
         arguments.push_back(take(i.word(next++)));
         arguments.push_back(take(i.word(next++)));
     }
     if ((mask & SpvImageOperandsConstOffsetMask) != 0) arguments.push_back(take(i.word(next++)));
-    constexpr std::uint32_t known =
-        SpvImageOperandsLodMask | SpvImageOperandsGradMask | SpvImageOperandsConstOffsetMask;
-    if ((mask & ~known) != 0) throw NotTranslated("a texture read with an offset that varies, or a bias");
-    const bool gradient = (mask & SpvImageOperandsGradMask) != 0;
-    define(i.word(2),
-           call(gather     ? "textureGather"
-                : gradient ? "textureSampleGrad"
-                           : "textureSampleLevel",
-                arguments),
-           out);
+    constexpr std::uint32_t known = SpvImageOperandsBiasMask | SpvImageOperandsLodMask |
+                                    SpvImageOperandsGradMask | SpvImageOperandsConstOffsetMask;
+    if ((mask & ~known) != 0) throw NotTranslated("a texture read with an offset that varies");
+    if (!implicit) return define(i.word(2), call(name_of_sampling(gather, mask), arguments), out);
+    if (shape_.uses[i.word(2)] == 0) return;
+    text_.need_derivatives();
+    keep(i.word(2), call(name_of_sampling(gather, mask), arguments), out);
+}
+
+namespace {
+
+const std::map<std::uint32_t, const char*>& derivative_names() {
+    static const std::map<std::uint32_t, const char*> names{{SpvOpDPdx, "dpdx"},
+                                                            {SpvOpDPdy, "dpdy"},
+                                                            {SpvOpFwidth, "fwidth"},
+                                                            {SpvOpDPdxFine, "dpdxFine"},
+                                                            {SpvOpDPdyFine, "dpdyFine"},
+                                                            {SpvOpFwidthFine, "fwidthFine"},
+                                                            {SpvOpDPdxCoarse, "dpdxCoarse"},
+                                                            {SpvOpDPdyCoarse, "dpdyCoarse"},
+                                                            {SpvOpFwidthCoarse, "fwidthCoarse"}};
+    return names;
+}
+
+}  // namespace
+
+bool is_derivative(std::uint32_t opcode) {
+    return derivative_names().contains(opcode) || opcode == SpvOpImageSampleImplicitLod;
+}
+
+// Evaluated where it stands: its result depends on the invocations that run there.
+bool FunctionWriter::derivative(const Instruction& i, Statements& out) {
+    const auto name = derivative_names().find(i.opcode);
+    if (name == derivative_names().end()) return false;
+    if (shape_.uses[i.word(2)] == 0) return true;
+    text_.need_derivatives();
+    keep(i.word(2), call(name->second, {take(i.word(3))}), out);
+    return true;
 }
 
 bool FunctionWriter::atomic_access(const Instruction& i, Statements& out) {

@@ -28,7 +28,8 @@ void FunctionWriter::instruction(const Instruction& i, Statements& out) {
         }
         return;
     }
-    if (memory_access(i, out) || image_access(i, out) || atomic_access(i, out) || subgroup_operation(i, out))
+    if (memory_access(i, out) || image_access(i, out) || atomic_access(i, out) ||
+        subgroup_operation(i, out) || derivative(i, out))
         return;
     // The operands of a value that nobody uses stay where they are.
     if (result_of(i) != 0 && shape_.uses[result_of(i)] == 0) return;

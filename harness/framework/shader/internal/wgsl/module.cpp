@@ -185,6 +185,23 @@ void Module::read_decoration(const Instruction& i) {
         case SpvDecorationBinding:
             all.binding = i.word(3);
             break;
+        case SpvDecorationLocation:
+            all.location = i.word(3);
+            break;
+        case SpvDecorationFlat:
+            all.flat = true;
+            break;
+        case SpvDecorationNoPerspective:
+            all.no_perspective = true;
+            break;
+        case SpvDecorationComponent:
+        case SpvDecorationIndex:
+            all.special_location = i.word(3) != 0;
+            break;
+        case SpvDecorationCentroid:
+        case SpvDecorationSample:
+            all.special_location = true;
+            break;
         case SpvDecorationArrayStride:
             strides_[i.word(1)] = i.word(3);
             break;
@@ -201,6 +218,9 @@ void Module::read_member_decoration(const Instruction& i) {
             break;
         case SpvDecorationRowMajor:
             member.row_major = true;
+            break;
+        case SpvDecorationBuiltIn:
+            member.built_in = i.word(4);
             break;
         default:
             break;

@@ -34,6 +34,7 @@ struct Member {
     std::string name;
     std::uint32_t offset = 0;
     bool row_major = false;
+    std::optional<std::uint32_t> built_in{};
 };
 
 struct Type {
@@ -77,6 +78,11 @@ struct Decorations {
     std::optional<std::uint32_t> built_in;
     std::uint32_t set = 0;
     std::uint32_t binding = 0;
+    std::optional<std::uint32_t> location;
+    bool flat = false;            // not interpolated
+    bool no_perspective = false;  // interpolated in the window
+    bool special_location =
+        false;  // a component of a location, or interpolated at another point than the middle
 };
 
 struct Variable {
@@ -220,6 +226,9 @@ using StatementKind = Statement::Kind;
 
 // Whether an instruction works on a subgroup: its result depends on the invocations that run it.
 [[nodiscard]] bool is_subgroup_operation(std::uint32_t opcode);
+
+// Whether its result depends on the neighbours of a fragment: a derivative, or a texture read by one.
+[[nodiscard]] bool is_derivative(std::uint32_t opcode);
 
 // The result of an instruction; 0 where it has none.
 [[nodiscard]] Id result_of(const Instruction& instruction);

@@ -319,6 +319,7 @@ std::string ModuleText::enabled() const {
     for (const std::string& extension : extensions_) text += "enable " + extension + ";\n";
     // GLSL allows them where only some invocations of a subgroup run.
     if (extensions_.contains("subgroups")) text += "diagnostic(off, subgroup_uniformity);\n";
+    if (derivatives_) text += "diagnostic(off, derivative_uniformity);\n";
     return text.empty() ? text : text + "\n";
 }
 

@@ -55,6 +55,7 @@ class ModuleText {
     [[nodiscard]] const std::string& name(Id id) const {
         return entry_of(names_, id, "a function or a variable without a name");
     }
+    void rename(Id id, const std::string& wanted) { names_[id] = names.take(wanted); }
     [[nodiscard]] bool has_name(Id id) const { return names_.contains(id); }
     [[nodiscard]] ImageUse image_use(Id variable) const;
     // The sampler that is declared for a combined one.
@@ -65,6 +66,8 @@ class ModuleText {
 
     // The text needs `enable EXTENSION;`.
     void need_extension(const std::string& extension) { extensions_.insert(extension); }
+    // The text has derivatives, which GLSL allows where only some invocations run.
+    void need_derivatives() { derivatives_ = true; }
     // The lines that enable what is needed.
     [[nodiscard]] std::string enabled() const;
 
@@ -108,6 +111,7 @@ class ModuleText {
     std::map<std::string, std::string> helper_names_;
     std::map<Id, std::string> sampler_names_;  // by the combined ones
     std::set<std::string> extensions_;
+    bool derivatives_ = false;
     std::set<Id> overrides_used_;
     std::string structures_;
     std::string helpers_;

@@ -165,7 +165,7 @@ class Folder {
             case SpvOpPhi:
                 return shape_.fold_results.contains(i.word(2));
             default:
-                return result_of(i) != 0 && !is_subgroup_operation(i.opcode) &&
+                return result_of(i) != 0 && !is_subgroup_operation(i.opcode) && !is_derivative(i.opcode) &&
                        (i.opcode < SpvOpAtomicLoad || i.opcode > SpvOpAtomicXor);
         }
     }
