@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # The package: find_package(gloam) gives gloam::shader_test (the generic test framework) and gloam::glsl (the shaders).
 include(CMakePackageConfigHelpers)
+include(cmake/gloam_add_shader_test.cmake)
 
 set(package_rooms base numeric backend shader interpreter check)
 set(package_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/gloam)
@@ -52,4 +53,5 @@ configure_package_config_file(cmake/gloam-config.cmake.in ${PROJECT_BINARY_DIR}/
   INSTALL_DESTINATION ${package_cmake_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/gloam-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/gloam-config.cmake ${PROJECT_BINARY_DIR}/gloam-config-version.cmake
+  cmake/gloam_add_shader_test.cmake
   DESTINATION ${package_cmake_dir})
