@@ -219,7 +219,7 @@ Row points_past(const check::Lab& lab, std::uint32_t boundary, const char* text)
 // Every pair of these, against 64-bit arithmetic.
 Row next_index(const check::Lab& lab) {
     const check::Function<unsigned(unsigned, unsigned, unsigned)> next(lab, "gloam/temporal/history.glsl",
-                                                                     "gloam_next_index");
+                                                                       "gloam_next_index");
     constexpr std::array values{0U, 1U, 6U, 7U, 65'535U, 16'777'215U, 16'777'216U, 0x7FFFFFFFU, 0xFFFFFFFFU};
     double worst = 0.0;
     for (const unsigned size : {1U, 7U, 2048U, 65'536U, 16'777'213U, 16'777'216U}) {

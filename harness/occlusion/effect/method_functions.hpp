@@ -38,7 +38,8 @@ class MethodFunctions {
 // The function's name.
 inline constexpr const char* method_function = "method_gather";
 
-// Its parameters, as gloam/geometry/camera.glsl and the files have them, and its signature for check::Function.
+// Its parameters, as gloam/geometry/camera.glsl and the files have them, and its signature for
+// check::Function.
 struct GatherCamera {
     glm::vec2 p00_p11;
     glm::ivec2 size;

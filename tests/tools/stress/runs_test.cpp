@@ -55,7 +55,7 @@ TEST(LongRun, ItsReferenceIsTheMeanAndThenTheExponentialMean) {
 TEST(LongRun, ContributionsOfDeviceAndHostAgree) {
     const Bench bench;
     const check::Function<float(Sequence, unsigned)> device(bench.lab(), accumulate_file,
-                                                          "stress_contribution");
+                                                            "stress_contribution");
     for (unsigned pattern = 0; pattern < pattern_count; ++pattern) {
         double sum = 0.0;
         std::vector<decltype(device)::Inputs> inputs;
