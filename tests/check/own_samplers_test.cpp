@@ -3,6 +3,7 @@
 #include "backend/sampled.hpp"
 #include "check/explain.hpp"
 #include "check/own_function.hpp"
+#include "check/reproduction.hpp"
 #include "check/run.hpp"
 #include "shader/include.hpp"
 #include "support/lab.hpp"
@@ -169,6 +170,15 @@ TEST(OwnSamplers, OtherOnesAreLeftOutWithTheReason) {
     EXPECT_THAT(reason_of("of_many"), HasSubstr("it uses \"many\", an image or sampler"));
     EXPECT_THAT(reason_of("of_image"), HasSubstr("it uses \"picture\", an image or sampler"));
     EXPECT_THAT(reason_of("biased"), AllOf(HasSubstr("texture"), HasSubstr("another stage")));
+}
+
+TEST(OwnSamplers, AReproductionSaysWhichImagesAreSampled) {
+    const Lab lab(options_of(), test::SharedDevice::get());
+    const Reproduction all = reproduce(lab, question_of(lab, file, function_of("twice"), {}), {.inputs = 64});
+    ASSERT_EQ(all.images.size(), 2U);
+    EXPECT_TRUE(all.images[0].sampled && all.images[1].sampled);
+    EXPECT_NO_THROW((void)backend::sampled_header(all.images[0].words));
+    EXPECT_THAT(all.glsl, HasSubstr("sampler2D image;"));
 }
 
 // What a story of a failure shows.
