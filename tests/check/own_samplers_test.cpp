@@ -122,6 +122,8 @@ TEST(OwnSamplers, EveryFunctionIsWithinTheRules) {
     }
     const Answer fetched = answer_of(lab, "fetched", {{"p", {0, 3}}});
     EXPECT_TRUE(fetched.passed()) << fetched;
+    const Answer beside = answer_of(lab, "fetched_beside", {{"p", {1, 2}}});
+    EXPECT_TRUE(beside.passed()) << beside;
     const Answer outside = answer_of(lab, "fetched");
     EXPECT_GT(outside.undefined, 0U) << "texels outside are the input's fault";
     EXPECT_EQ(outside.outside(), 0U) << outside;
