@@ -269,6 +269,8 @@ TEST_F(OwnTypes, WhatCannotBeGivenIsNamed) {
     EXPECT_EQ(reason_of("uniforms.glsl", "assigns"), "it assigns to \"gain\", which a shader can only read");
     EXPECT_EQ(reason_of("uniforms.glsl", "assigns_built_in"),
               "it assigns to \"gloam_FragCoord\", which a shader can only read");
+    EXPECT_EQ(reason_of("uniforms.glsl", "reserved"),
+              "it uses a name with gloam_kernel_, as only the generated kernel may");
     EXPECT_EQ(reason_of("uniforms.glsl", "reads_large"),
               "values of \"large\" cannot be drawn: float[5000] has more than 4096 scalars");
     EXPECT_EQ(reason_of("uniforms.glsl", "reads_double"),

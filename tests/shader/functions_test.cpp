@@ -184,6 +184,19 @@ TEST(Functions, TypesOfTooManyScalarsAreOversized) {
     EXPECT_EQ(found[0].parameters[1].type.scalar, Scalar::oversized);
 }
 
+// 4^7 scalars.
+TEST(Functions, DeeplyNestedStructuresAreOversized) {
+    std::string text = "struct S0 { float a; };\n";
+    for (int i = 1; i <= 7; ++i) {
+        const std::string inner = "S" + std::to_string(i - 1);
+        text +=
+            "struct S" + std::to_string(i) + " { " + inner + " a; " + inner + " b; " + inner + " c[2]; };\n";
+    }
+    const auto found = functions_of(text + "float f(S3 s, S7 t) { return s.a.a.a.a; }\n");
+    EXPECT_TRUE(is_supported(found[0].parameters[0].type));
+    EXPECT_EQ(found[0].parameters[1].type.scalar, Scalar::oversized);
+}
+
 TEST(Functions, ATextWithoutFunctionsHasNone) {
     EXPECT_TRUE(functions_of("const float x = 1.0;\n").empty());
 }
