@@ -58,7 +58,7 @@ TEST_F(OwnFunctionTest, AreTakenOutOfAWholeShader) {
     EXPECT_THAT(reasons,
                 ElementsAre(AllOf(HasSubstr("edge(float): fwidth"), HasSubstr("needs a fragment stage")),
                             AllOf(HasSubstr("cut(float): discard"), HasSubstr("needs another stage")),
-                            AllOf(HasSubstr("at(float): gl_FragCoord"), HasSubstr("needs another stage")),
+                            AllOf(HasSubstr("at(float): gl_SampleID"), HasSubstr("needs another stage")),
                             HasSubstr("nothing(float): it has no result"),
                             HasSubstr("asks(float): it calls other(float), which has no body"),
                             AllOf(HasSubstr("broken(float): it does not compile: "),

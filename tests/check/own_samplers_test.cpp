@@ -3,6 +3,7 @@
 #include "backend/sampled.hpp"
 #include "check/explain.hpp"
 #include "check/own_function.hpp"
+#include "check/reproduction.hpp"
 #include "check/run.hpp"
 #include "shader/include.hpp"
 #include "support/lab.hpp"
@@ -121,6 +122,8 @@ TEST(OwnSamplers, EveryFunctionIsWithinTheRules) {
     }
     const Answer fetched = answer_of(lab, "fetched", {{"p", {0, 3}}});
     EXPECT_TRUE(fetched.passed()) << fetched;
+    const Answer beside = answer_of(lab, "fetched_beside", {{"p", {1, 2}}});
+    EXPECT_TRUE(beside.passed()) << beside;
     const Answer outside = answer_of(lab, "fetched");
     EXPECT_GT(outside.undefined, 0U) << "texels outside are the input's fault";
     EXPECT_EQ(outside.outside(), 0U) << outside;
@@ -169,6 +172,15 @@ TEST(OwnSamplers, OtherOnesAreLeftOutWithTheReason) {
     EXPECT_THAT(reason_of("of_many"), HasSubstr("it uses \"many\", an image or sampler"));
     EXPECT_THAT(reason_of("of_image"), HasSubstr("it uses \"picture\", an image or sampler"));
     EXPECT_THAT(reason_of("biased"), AllOf(HasSubstr("texture"), HasSubstr("another stage")));
+}
+
+TEST(OwnSamplers, AReproductionSaysWhichImagesAreSampled) {
+    const Lab lab(options_of(), test::SharedDevice::get());
+    const Reproduction all = reproduce(lab, question_of(lab, file, function_of("twice"), {}), {.inputs = 64});
+    ASSERT_EQ(all.images.size(), 2U);
+    EXPECT_TRUE(all.images[0].sampled && all.images[1].sampled);
+    EXPECT_NO_THROW((void)backend::sampled_header(all.images[0].words));
+    EXPECT_THAT(all.glsl, HasSubstr("sampler2D image;"));
 }
 
 // What a story of a failure shows.

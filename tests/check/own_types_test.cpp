@@ -208,6 +208,8 @@ TEST_F(OwnTypes, UniformsAreFurtherInputs) {
     EXPECT_THAT(inputs_of("sum"), ElementsAre("float exposure"));
     EXPECT_THAT(inputs_of("shadowed"), ElementsAre());
     EXPECT_THAT(inputs_of("facing"), ElementsAre("vec3 normal"));
+    EXPECT_THAT(inputs_of("pixel"), UnorderedElementsAre("vec4 gloam_FragCoord", "bool gloam_FrontFacing"));
+    EXPECT_THAT(inputs_of("place"), ElementsAre("inout vec4 gloam_Position"));
 }
 
 TEST_F(OwnTypes, UniformsHaveTheValuesThatWereDrawn) {
@@ -234,7 +236,7 @@ TEST_F(OwnTypes, UniformsHaveTheValuesThatWereDrawn) {
 TEST_F(OwnTypes, UniformsAreJudgedInEveryVariant) {
     for (const shader::Variant& variant : shader::variants()) {
         const Lab lab(options_of("uniforms.glsl", variant), test::SharedDevice::get());
-        for (const char* name : {"graded", "lamp", "store", "shade", "sum"}) {
+        for (const char* name : {"graded", "lamp", "store", "shade", "sum", "pixel", "place"}) {
             const Answer answer = answer_of(lab, "uniforms.glsl", name, {{"i", {0, 15}}});
             EXPECT_FALSE(answer.failed()) << variant.name << " " << name << "\n" << answer;
             EXPECT_EQ(answer.undefined, 0U) << variant.name << " " << name;
@@ -265,6 +267,10 @@ TEST_F(OwnTypes, WhatCannotBeGivenIsNamed) {
     EXPECT_EQ(reason_of("uniforms.glsl", "nothing"),
               "it has no result and no out parameter, and it writes no buffer or stage output");
     EXPECT_EQ(reason_of("uniforms.glsl", "assigns"), "it assigns to \"gain\", which a shader can only read");
+    EXPECT_EQ(reason_of("uniforms.glsl", "assigns_built_in"),
+              "it assigns to \"gloam_FragCoord\", which a shader can only read");
+    EXPECT_EQ(reason_of("uniforms.glsl", "reserved"),
+              "it uses a name with gloam_kernel_, as only the generated kernel may");
     EXPECT_EQ(reason_of("uniforms.glsl", "reads_large"),
               "values of \"large\" cannot be drawn: float[5000] has more than 4096 scalars");
     EXPECT_EQ(reason_of("uniforms.glsl", "reads_double"),

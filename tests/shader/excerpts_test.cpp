@@ -45,10 +45,12 @@ TEST(Excerpts, LackVersionMainAndInterfaceOfTheText) {
     EXPECT_THAT(compiled(all.functions[1]),
                 ElementsAre("float gray(vec3 c)", "float lit(Light light, vec3 n)"));
     EXPECT_THAT(all.functions[1].interface, IsEmpty());
-    EXPECT_THAT(all.functions[2].interface, ElementsAre("image"));
+    EXPECT_THAT(all.functions[2].interface, IsEmpty());
     EXPECT_THAT(all.functions[2].globals, ElementsAre(std::pair(std::string("uv"), Access::reads)));
-    EXPECT_THAT(message_of<CompileError>([&] { static_cast<void>(compiled(all.functions[2])); }),
-                HasSubstr("own.frag:10: 'image' : undeclared identifier"));
+    ASSERT_EQ(all.functions[2].samplers.size(), 1U);
+    EXPECT_EQ(all.functions[2].samplers[0].name, "image");
+    EXPECT_EQ(all.functions[2].samplers[0].type, "sampler2D");
+    EXPECT_THAT(all.functions[2].text, HasSubstr("layout(binding = " + sampler_binding(0) + ") uniform"));
 }
 
 TEST(Excerpts, NameTheDefinitionsOfTheFileItself) {
@@ -108,8 +110,8 @@ TEST(Excerpts, UniformsBuffersInputsAndOutputsArePlainVariables) {
         "layout(std430) buffer Sums { int sums[]; };\n"
         "uniform highp float e = float(1), f = max(1.0, 2.0);\n"
         "flat in int g; out vec4 h; uniform struct S { float x; } i;\n"
-        "uniform usampler2D j;\nuniform writeonly image2D k;\n"
-        "float use() { imageStore(k, ivec2(0), vec4(0)); h.x = float(texture(j, vec2(0)).x);\n"
+        "uniform samplerCube j;\nuniform writeonly image2D k;\n"
+        "float use() { imageStore(k, ivec2(0), vec4(0)); h.x = texture(j, vec3(0)).x;\n"
         "    sums[0] = g; return a.x + b[0] + pushed.c[2] + all.values[1] + e + f + i.x; }\n");
     ASSERT_EQ(all.functions.size(), 1U);
     const Excerpt& excerpt = all.functions[0];

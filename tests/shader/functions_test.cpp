@@ -139,11 +139,24 @@ TEST(Functions, MainIsOneOfThemWhereThereIsOne) {
 TEST(Functions, OtherTypesAreListedAsUnsupported) {
     const auto found = functions_of(
         "struct S { float a[3]; dvec2 b; };\n"
-        "float f(sampler2D a, double b[2][3], S s, sampler2D d[2]) { return 1.0; }\n");
-    EXPECT_THAT(prototypes(found), ElementsAre("float f(sampler2D a, double[2][3] b, S s, sampler2D[2] d)"));
+        "float f(samplerCube a, double b[2][3], S s, sampler2D d[2]) { return 1.0; }\n");
+    EXPECT_THAT(prototypes(found),
+                ElementsAre("float f(samplerCube a, double[2][3] b, S s, sampler2D[2] d)"));
     for (const Parameter& parameter : found[0].parameters)
         EXPECT_FALSE(is_supported(parameter.type)) << parameter.name;
     EXPECT_EQ(to_glsl(found[0].parameters[2].type), "S { float[3] a; dvec2 b; }");
+}
+
+TEST(Functions, SamplersHaveNoScalars) {
+    const auto found = functions_of(
+        "#define TEX isampler2D\nfloat f(highp TEX a, sampler3D b, sampler2DArray c) { return 1.0; }\n");
+    EXPECT_THAT(prototypes(found), ElementsAre("float f(isampler2D a, sampler3D b, sampler2DArray c)"));
+    for (const Parameter& parameter : found[0].parameters) {
+        EXPECT_EQ(parameter.type.scalar, Scalar::sampler);
+        EXPECT_TRUE(is_supported(parameter.type));
+        EXPECT_EQ(scalar_count(parameter.type), 0U);
+    }
+    EXPECT_FALSE(is_sampler_type("samplerCube"));
 }
 
 TEST(Functions, ArraysHaveTheirSizes) {
@@ -168,6 +181,19 @@ TEST(Functions, TypesOfTooManyScalarsAreOversized) {
         EXPECT_FALSE(is_supported(type)) << names[i];
         EXPECT_EQ(name_of(type), names[i]);
     }
+    EXPECT_EQ(found[0].parameters[1].type.scalar, Scalar::oversized);
+}
+
+// 4^7 scalars.
+TEST(Functions, DeeplyNestedStructuresAreOversized) {
+    std::string text = "struct S0 { float a; };\n";
+    for (int i = 1; i <= 7; ++i) {
+        const std::string inner = "S" + std::to_string(i - 1);
+        text +=
+            "struct S" + std::to_string(i) + " { " + inner + " a; " + inner + " b; " + inner + " c[2]; };\n";
+    }
+    const auto found = functions_of(text + "float f(S3 s, S7 t) { return s.a.a.a.a; }\n");
+    EXPECT_TRUE(is_supported(found[0].parameters[0].type));
     EXPECT_EQ(found[0].parameters[1].type.scalar, Scalar::oversized);
 }
 

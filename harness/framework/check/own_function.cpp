@@ -59,6 +59,9 @@ std::string obstacle(const shader::Type& type) {
 
 // Why no kernel can call a function; empty if one can.
 std::string why_not(const shader::Function& function, const shader::Excerpt& excerpt) {
+    for (const char* ours : {"gloam_kernel_", "GloamKernel"})
+        if (excerpt.text.find(ours) != std::string::npos)
+            return fmt::format("it uses a name with {}, as only the generated kernel may", ours);
     std::size_t scalars = shader::scalar_count(function.result);
     for (const shader::Parameter& p : function.parameters) {
         if (const std::string what = obstacle(p.type); !what.empty() && p.global)

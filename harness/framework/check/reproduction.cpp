@@ -258,7 +258,9 @@ Reproduction without_verdict(const Lab& lab, const Question& question, const std
     all.assembly = shader::disassemble(all.spirv);
     std::vector<std::vector<Word>> words = image_words(source.images, images, question.function);
     for (std::size_t i = 0; i < words.size(); ++i)
-        all.images.push_back({.name = source.images[i].name, .words = std::move(words[i])});
+        all.images.push_back({.name = source.images[i].name,
+                              .words = std::move(words[i]),
+                              .sampled = source.images[i].sampler.has_value()});
     add_opengl(lab, source, all);
     return all;
 }

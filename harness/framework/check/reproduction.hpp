@@ -57,6 +57,7 @@ struct Reproduction {
     struct ImageBuffer {
         std::string name;
         std::vector<Word> words;
+        bool sampled = false;  // by a sampler: no buffer, but an image as in backend/sampled.hpp
     };
     std::vector<ImageBuffer> images;
     std::vector<Word> inputs;

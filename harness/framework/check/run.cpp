@@ -41,6 +41,13 @@ Domain::Inputs short_runs(Domain::Inputs inputs, const std::vector<std::size_t>&
     return inputs;
 }
 
+constexpr std::size_t most_alone = 64;  // inputs that are run by themselves
+
+Domain::Inputs only(const Domain::Inputs& inputs, std::size_t i) {
+    const auto row = inputs.row(i);
+    return {.words = {row.begin(), row.end()}, .branch = {inputs.branch[i]}, .width = inputs.width};
+}
+
 // llvmpipe of Mesa 22.3 ends all loops of a group of invocations after 65,536 iterations of one of them, so
 // inputs that failed beside such a one are run again without it.
 void judge(const internal::Trial& trial, const Question& question, const Domain::Inputs& inputs,
@@ -51,9 +58,15 @@ void judge(const internal::Trial& trial, const Question& question, const Domain:
     if (!judged.long_runs.empty() && judged.outside() > 0) {
         KernelCore::Result alone = trial.run(short_runs(evaluated.inputs, judged.long_runs), answer).result;
         const std::size_t width = question.signature.output_words();
-        for (const std::size_t i : judged.long_runs) {
-            const auto at = static_cast<std::ptrdiff_t>(i * width);
-            std::copy_n(evaluated.result.outputs.begin() + at, width, alone.outputs.begin() + at);
+        for (std::size_t k = 0; k < judged.long_runs.size(); ++k) {
+            const std::size_t i = judged.long_runs[k];
+            // A long run may itself be cut short by a longer one beside it.
+            const KernelCore::Result one =
+                k < most_alone ? trial.run(only(evaluated.inputs, i), answer).result : KernelCore::Result{};
+            const auto from = k < most_alone
+                                  ? one.outputs.begin()
+                                  : evaluated.result.outputs.begin() + static_cast<std::ptrdiff_t>(i * width);
+            std::copy_n(from, width, alone.outputs.begin() + static_cast<std::ptrdiff_t>(i * width));
         }
         evaluated.result = std::move(alone);
         judged = empty_answer({}, answer.verdict);

@@ -83,7 +83,9 @@ class Level {
   public:
     Level(const SampledView& image, std::uint32_t level, const SamplePoint& point, Precision precision,
           bool footprint)
-        : image_(image), level_(level), size_(backend::size_of_level(image.header, level)) {
+        : image_(image),
+          first_(backend::texels_before(image.header, level)),
+          size_(backend::size_of_level(image.header, level)) {
         const double step =
             precision == Precision::permitted ? std::ldexp(1.0, -static_cast<int>(image.subtexel_bits)) : 0.0;
         const double relative = precision == Precision::permitted ? relative_error : 0.0;
@@ -110,15 +112,15 @@ class Level {
 
     // The first word of a texel; `outside` for the border.
     [[nodiscard]] std::size_t word(long x, long y, long z) const {
-        std::array<std::uint32_t, 3> texel{};
         const std::array<long, 3> at{x, y, z};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
+        std::size_t texel = 0;
+        for (std::size_t axis = 3; axis-- > 0;) {
             const Wrap wrap = axis < axes_of(image_.header) ? image_.header.wrap : Wrap::edge;
             const long inside = wrapped(at.at(axis), static_cast<long>(size_.at(axis)), wrap);
             if (inside < 0) return outside;
-            texel.at(axis) = static_cast<std::uint32_t>(inside);
+            texel = texel * size_.at(axis) + static_cast<std::size_t>(inside);
         }
-        return image_.word_of(level_, texel);
+        return (first_ + texel) * backend::texel_words;
     }
 
     [[nodiscard]] double value(long x, long y, long z, std::size_t component) const {
@@ -143,7 +145,7 @@ class Level {
     }
 
     const SampledView& image_;
-    std::uint32_t level_;
+    std::size_t first_;  // texel of the level
     std::array<std::uint32_t, 3> size_;
     std::array<std::vector<Choice>, 3> axes_;
 };
@@ -174,11 +176,19 @@ Bounds hull_with(const Bounds& bounds, double value) {
 constexpr Bounds nothing{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
                          false};
 
+// Whether the corner has the other end of this weight, which is the same.
+bool ends_meet(const Choice& choice, unsigned corner, unsigned bit) {
+    return (corner >> bit & 1U) != 0U && choice.weight.low == choice.weight.high;
+}
+
 // The value is linear in each weight, so that its extremes are at their ends.
 std::array<Bounds, 4> filtered_level(const Level& level) {
     std::array<Bounds, 4> all{nothing, nothing, nothing, nothing};
     level.for_each([&](const Choice& x, const Choice& y, const Choice& z) {
         for (unsigned corner = 0; corner < 8; ++corner) {
+            const bool repeated =
+                ends_meet(x, corner, 0) || ends_meet(y, corner, 1) || ends_meet(z, corner, 2);
+            if (repeated) continue;
             const auto end = [corner](const Choice& c, unsigned bit) {
                 return (corner >> bit & 1U) == 0U ? c.weight.low : c.weight.high;
             };

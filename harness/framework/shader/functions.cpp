@@ -35,10 +35,13 @@ class TypeReader {
 
     // The type of a value, or of what a pointer points to. Its description is small, however large a value
     // is.
-    [[nodiscard]] Type type_of(Id id) const {
-        const Type type = whole_type_of(id);
-        if (scalar_count(type) <= most_scalars) return type;
-        return {.scalar = Scalar::oversized, .members = {}, .name = shader::name_of(type)};
+    [[nodiscard]] const Type& type_of(Id id) const {
+        const auto known = known_.find(id);  // a structure may have many members of one type, level by level
+        if (known != known_.end()) return known->second;
+        Type type = whole_type_of(id);
+        if (scalar_count(type) > most_scalars)
+            type = {.scalar = Scalar::oversized, .members = {}, .name = shader::name_of(type)};
+        return known_.emplace(id, std::move(type)).first->second;
     }
 
   private:
@@ -136,6 +139,7 @@ class TypeReader {
     std::map<std::pair<Id, Id>, std::string> members_;
     std::map<Id, Id> constants_;
     std::map<Id, Instruction> types_;
+    mutable std::map<Id, Type> known_;
 };
 
 // Index of each function by its id.
@@ -348,8 +352,14 @@ std::vector<Function> internal::functions_here(const Source& source, const Compi
     const Source whole{source.name, internal::completed(text, declared)};
     const Spirv module =
         internal::to_spirv(whole, options.stage, {}, {.unreached = internal::Unreached::kept});
-    require_no_bias(module, source.name);
-    return listed(internal::signatures(module), declared);
+    try {
+        require_no_bias(module, source.name);
+        return listed(internal::signatures(module), declared);
+    } catch (const CompileError&) {
+        throw;
+    } catch (const std::runtime_error& error) {  // the front end does not bound the words of an instruction
+        throw CompileError(source.name + ": " + error.what());
+    }
 }
 
 }  // namespace gloam::shader

@@ -246,6 +246,37 @@ std::string interface_text(const Piece& piece, const Macros& macros, Excerpt& ex
     return plain->text;
 }
 
+// Variables that a vertex or fragment stage has and a compute stage has not.
+struct BuiltIn {
+    const char* name;  // behind "gl_"
+    const char* type;
+    Access access = Access::reads;
+};
+constexpr std::array built_ins{BuiltIn{"FragCoord", "vec4"},
+                               BuiltIn{"PointCoord", "vec2"},
+                               BuiltIn{"FrontFacing", "bool"},
+                               BuiltIn{"VertexID", "int"},
+                               BuiltIn{"InstanceID", "int"},
+                               BuiltIn{"VertexIndex", "int"},
+                               BuiltIn{"InstanceIndex", "int"},
+                               BuiltIn{"Position", "vec4", Access::any},
+                               BuiltIn{"PointSize", "float", Access::any},
+                               BuiltIn{"FragColor", "vec4", Access::any},
+                               BuiltIn{"FragDepth", "float", Access::any}};
+
+// The plain variables for the built-in ones that are mentioned.
+std::string built_in_text(const std::set<std::string>& mentioned, Excerpt& excerpt) {
+    std::string text;
+    for (const BuiltIn& one : built_ins) {
+        const std::string plain = std::string("gloam_") + one.name;
+        const std::string name = std::string("gl_") + one.name;
+        if (!mentioned.contains(name)) continue;
+        text += std::string(one.type) + " " + plain + ";\n#define " + name + " " + plain + "\n";
+        excerpt.globals[plain] = one.access;
+    }
+    return text;
+}
+
 Excerpt excerpt_of(const std::string& function, const ActiveText& active, const Outline& outline) {
     internal::Selection selection(outline, given);
     selection.want({function});
@@ -253,9 +284,17 @@ Excerpt excerpt_of(const std::string& function, const ActiveText& active, const 
     Excerpt excerpt{
         .function = function, .text = {}, .interface = {}, .samplers = {}, .globals = {}, .definitions = {}};
     for (const std::string& extension : outline.extensions) excerpt.text += extension + "\n";
+    const auto keeps = [&](std::size_t i) {
+        const Piece& piece = outline.pieces[i];
+        return selection.keeps(i) && piece.kind != Kind::comment && !defines(piece, "main");
+    };
+    std::set<std::string> mentioned;
+    for (std::size_t i = 0; i < outline.pieces.size(); ++i)
+        if (keeps(i)) mentioned.insert(outline.pieces[i].mentions.begin(), outline.pieces[i].mentions.end());
+    excerpt.text += built_in_text(mentioned, excerpt);
     for (std::size_t i = 0; i < outline.pieces.size(); ++i) {
         const Piece& piece = outline.pieces[i];
-        if (!selection.keeps(i) || piece.kind == Kind::comment || defines(piece, "main")) continue;
+        if (!keeps(i)) continue;
         const std::string text =
             piece.kind == Kind::interface ? interface_text(piece, macros, excerpt) : piece.text;
         if (text.empty()) continue;

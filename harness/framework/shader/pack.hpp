@@ -56,11 +56,13 @@ struct SamplerVariable {
 [[nodiscard]] std::string sampler_binding(std::size_t sampler);
 
 // A function of a text from elsewhere, with all that it uses: a text that another shader can contain in the
-// place of an #include. It has no comments, no #version and no main. Its uniforms, buffers, stage inputs and
-// stage outputs are plain variables at file scope, which the other shader sets; its
-// samplers have a macro for their binding, which the other shader defines (sampler_binding()). Images and
-// other types without values are left out. Specialization constants have their default. #line directives name
-// the lines of the original files.
+// place of an #include. It has no comments, no #version and no main. #line directives name the lines of the
+// original files.
+// - Its uniforms, buffers, stage inputs and stage outputs are plain variables at file scope, which the other
+//   shader sets. So are built-in variables of a vertex or fragment stage, with another name: gloam_FragCoord.
+// - Its samplers have a macro for their binding, which the other shader defines (sampler_binding()).
+// - Images and other types without values are left out.
+// - Specialization constants have their default.
 struct Excerpt {
     std::string function;  // its name; overloads have one excerpt
     std::string text;

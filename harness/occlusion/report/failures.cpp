@@ -301,11 +301,11 @@ std::string failure_text(const DeviceSummary& device, const check::Answer& row,
     const std::string command = again.command.empty()
                                     ? fmt::format("gloam check {} --variant {}", row.equation, row.variant)
                                     : again.command;
-    return text + fmt::format(
-                      "Run it again: {}\n"
-                      "Run it without gloam: amber -v 1.2 -t spv1.5 repro.amber "
-                      "(https://github.com/google/amber)\n",
-                      command);
+    text += fmt::format("Run it again: {}\n", command);
+    if (again.amber)
+        text +=
+            "Run it without gloam: amber -v 1.2 -t spv1.5 repro.amber (https://github.com/google/amber)\n";
+    return text;
 }
 
 std::string shell_word(const std::string& text) {

@@ -53,6 +53,7 @@ struct ShaderReplay {
 struct RunAgain {
     std::string command;   // complete; empty: gloam check with the equation and the variant alone
     std::string versions;  // of gloam and of the compilers; empty: unknown
+    bool amber = true;     // there is a script for it
 };
 
 // The description of a failing row, complete in itself: what failed where, the smallest input found in

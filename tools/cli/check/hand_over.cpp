@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -154,11 +155,11 @@ HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
             report::to_shader_test({replay.glsl, replay.compute, replay.version, replay.glsl_version,
                                     replay_of(all, question, request.task, device, how)});
     } else {
-        hand_over = {.glsl = all.glsl,
-                     .assembly = all.assembly,
-                     .spirv = all.spirv,
-                     .amber = report::to_amber(replay_of(all, question, request.task, device,
-                                                         "amber -v 1.2 -t spv1.5 repro.amber"))};
+        hand_over = {.glsl = all.glsl, .assembly = all.assembly, .spirv = all.spirv};
+        // The scripts have storage buffers and no samplers.
+        if (std::ranges::none_of(all.images, &check::Reproduction::ImageBuffer::sampled))
+            hand_over.amber = report::to_amber(
+                replay_of(all, question, request.task, device, "amber -v 1.2 -t spv1.5 repro.amber"));
     }
     if (all.failure) {
         hand_over.smallest = all.failure;
@@ -247,7 +248,9 @@ std::filesystem::path FailureFolders::write(const report::DeviceSummary& device,
     report::OutputFolder out(folder_->path() / report::slug(report::name_of(device)) / name);
     const std::string note =
         hand_over.error.empty() ? "" : "The shader and a reproduction could not be made: " + hand_over.error;
-    out.write("report.txt", report::failure_text(device, row, hand_over.smallest, note, again));
+    report::RunAgain how = again;
+    how.amber = !hand_over.amber.empty();
+    out.write("report.txt", report::failure_text(device, row, hand_over.smallest, note, how));
     if (hand_over.error.empty() && !hand_over.shader_test.empty()) {
         out.write("shader.glsl", hand_over.glsl);
         out.write("repro.shader_test", hand_over.shader_test);
@@ -255,7 +258,7 @@ std::filesystem::path FailureFolders::write(const report::DeviceSummary& device,
         out.write("shader.comp", hand_over.glsl);
         out.write("shader.spvasm", hand_over.assembly);
         out.write("shader.spv", bytes_of(hand_over.spirv));
-        out.write("repro.amber", hand_over.amber);
+        if (!hand_over.amber.empty()) out.write("repro.amber", hand_over.amber);
     }
     out.keep();
     folder_->keep();

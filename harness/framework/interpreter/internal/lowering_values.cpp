@@ -228,14 +228,22 @@ bool Lowering::lower_image(const shader::Instruction& i, Scope& scope) {
             constexpr std::uint32_t extensions =
                 SpvImageOperandsSignExtendMask | SpvImageOperandsZeroExtendMask;
             const std::uint32_t operands = i.words.size() > 5 ? i.word(5) & ~extensions : 0;
-            if (operands != SpvImageOperandsLodMask && operands != SpvImageOperandsMaskNone)
-                fail(Error::Kind::unknown_instruction, "a fetch with an offset, a sample or a gradient");
+            const bool level = (operands & SpvImageOperandsLodMask) != 0;
+            const bool offset = (operands & SpvImageOperandsConstOffsetMask) != 0;
+            if ((operands & ~(SpvImageOperandsLodMask | SpvImageOperandsConstOffsetMask)) != 0)
+                fail(Error::Kind::unknown_instruction, "a fetch of a sample, or with a variable offset");
+            Slot at = operand(4);
+            if (offset) {
+                const Slot moved = new_slots(components(4));
+                emit(SpvOpIAdd, components(4), moved, at, operand(level ? 7 : 6));
+                at = moved;
+            }
             Instruction& instruction =
-                emit(image_load, module_.types.slots(i.word(1)), operand(2), operand(3), operand(4));
+                emit(image_load, module_.types.slots(i.word(1)), operand(2), operand(3), at);
             instruction.c = components(4);
             instruction.flags = flags_of(i.word(2), i.word(1));
             // Without a level operand it reads level 0.
-            instruction.extra = operands == SpvImageOperandsLodMask ? operand(6) + 1 : 0;
+            instruction.extra = level ? operand(6) + 1 : 0;
             return true;
         }
         case SpvOpImageWrite: {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <utility>
+
 #include "interpreter/internal/code.hpp"
 #include "interpreter/internal/control.hpp"
 #include "interpreter/internal/conversions.hpp"
@@ -129,6 +131,7 @@ void Machine<N>::prepare() {
         backing.dirty.clear();
     }
     state_->next = 0;
+    state_->cost = 0;
     state_->running = true;
 }
 
@@ -144,7 +147,8 @@ void Machine<N>::execute(Tell&& tell) {
     if constexpr (internal::has_intervals<N>) numeric::Paths::set_format(numeric::float32);
     try {
         for (; s.running; ++steps_) {
-            if (steps_ == end)
+            steps_ += std::exchange(s.cost, 0);
+            if (steps_ >= end)
                 throw internal::Fault{Error::Kind::too_many_steps,
                                       fmt::format("more than {} instructions", limit_)};
             at = s.next++;

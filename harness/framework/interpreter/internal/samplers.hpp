@@ -89,6 +89,8 @@ void sample_integers(State<N>& s, const Instruction& i, const SampledView& view,
 
 template <class N>
 void do_image_sample(State<N>& s, const Instruction& i) {
+    constexpr std::uint64_t steps = 64;  // about as long as so many others
+    s.cost = steps;
     const SampledView& view = sampled_view(s, i.a);
     const bool integers = view.header.texel != backend::SampledTexel::real;
     if constexpr (std::is_same_v<N, Explained>) {

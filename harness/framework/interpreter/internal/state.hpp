@@ -123,7 +123,8 @@ struct State {
     std::vector<Value<N>> moving;  // sources of an edge's copies, while these are made
     std::uint32_t next = 0;        // instruction
     bool running = false;
-    bool half = false;  // see Machine::set_half()
+    bool half = false;       // see Machine::set_half()
+    std::uint64_t cost = 0;  // of the last instruction, in steps besides its own
 
     [[nodiscard]] Word bits(Slot slot) const { return slots[slot].bits(); }
 
