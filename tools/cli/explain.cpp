@@ -108,9 +108,9 @@ void add_explain(CLI::App& app) {
         "explain", "run a shader function on one input and show the error of each operation, line by line");
     command->add_option("file", options->file, "a GLSL file")->required();
     command->add_option("function", options->function, "a function that it defines")->required();
-    command->add_option(
-        "value", options->values,
-        "one for each scalar of its parameters, in order: a number, true or false, or bits as 0x...");
+    command->add_option("value", options->values,
+                        "one for each scalar of its parameters, then of the uniforms that it uses, in order: "
+                        "a number, true or false, or bits as 0x...");
     command->add_option("--variant", options->variant, "how the shader is compiled (gloam list variants)")
         ->capture_default_str();
     add_include_option(*command, options->includes);
