@@ -12,14 +12,7 @@ namespace gloam::check::own_function_test {
 class OwnFunctionTest : public testing::Test {
   protected:
     static LabOptions options_of(const std::string& name, const shader::Variant& variant = {}) {
-        const auto file = std::filesystem::path(FIXTURES) / name;
-        LabOptions options{.device = test::variable("GLOAM_TEST_DEVICE"),
-                           .include_roots = {FIXTURES},
-                           .cache_directory = test::cache_directory(),
-                           .variant = variant};
-        options.excerpts =
-            shader::excerpts({file.string(), shader::read_text(file)}, options.include_roots).functions;
-        return options;
+        return test::options_for(FIXTURES, name, variant);
     }
     static OwnFunctions functions_of(const std::string& file, const std::vector<std::string>& names = {}) {
         return own_functions(options_of(file), file, names);

@@ -17,14 +17,7 @@ using testing::ElementsAre;
 constexpr const char* file = "samplers.glsl";
 
 LabOptions options_of(const shader::Variant& variant = {}) {
-    const auto path = std::filesystem::path(FIXTURES) / file;
-    LabOptions options{.device = test::variable("GLOAM_TEST_DEVICE"),
-                       .include_roots = {FIXTURES},
-                       .cache_directory = test::cache_directory(),
-                       .variant = variant};
-    options.excerpts =
-        shader::excerpts({path.string(), shader::read_text(path)}, options.include_roots).functions;
-    return options;
+    return test::options_for(FIXTURES, file, variant);
 }
 
 OwnFunction function_of(const std::string& name) {

@@ -47,14 +47,7 @@ class Shifted : public backend::Backend {
 class OwnTypes : public testing::Test {
   protected:
     static LabOptions options_of(const std::string& name, const shader::Variant& variant = {}) {
-        const auto file = std::filesystem::path(FIXTURES) / name;
-        LabOptions options{.device = test::variable("GLOAM_TEST_DEVICE"),
-                           .include_roots = {FIXTURES},
-                           .cache_directory = test::cache_directory(),
-                           .variant = variant};
-        options.excerpts =
-            shader::excerpts({file.string(), shader::read_text(file)}, options.include_roots).functions;
-        return options;
+        return test::options_for(FIXTURES, name, variant);
     }
     static OwnFunction function_of(const std::string& file, const std::string& name) {
         return own_functions(options_of(file), file, {name}).found.at(0);

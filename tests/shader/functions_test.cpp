@@ -147,6 +147,14 @@ TEST(Functions, OtherTypesAreListedAsUnsupported) {
     EXPECT_EQ(to_glsl(found[0].parameters[2].type), "S { float[3] a; dvec2 b; }");
 }
 
+// The size of such an array is known only when the pipeline is made.
+TEST(Functions, ATableSizedByASpecializationConstantStandsInNoWay) {
+    const auto found = functions_of(
+        "layout(constant_id = 0) const int half_size = 2;\nfloat table[2 * half_size];\n"
+        "float f(float x) { return x * table[0]; }\n");
+    EXPECT_THAT(prototypes(found), ElementsAre("float f(float x)"));
+}
+
 TEST(Functions, SamplersHaveNoScalars) {
     const auto found = functions_of(
         "#define TEX isampler2D\nfloat f(highp TEX a, sampler3D b, sampler2DArray c) { return 1.0; }\n");

@@ -4,6 +4,8 @@
 #include <filesystem>
 
 #include "check/shader_test.hpp"
+#include "shader/include.hpp"
+#include "shader/pack.hpp"
 #include "support/shared_device.hpp"
 
 namespace gloam::test {
@@ -18,6 +20,19 @@ inline check::Lab make_lab(const std::filesystem::path& fixtures = {}, const sha
                               .variant = variant};
     if (!fixtures.empty()) options.include_roots.push_back(fixtures);
     return {std::move(options), SharedDevice::get()};
+}
+
+// The options of a lab for the functions that a fixture's file defines, as `gloam check FILE` takes them.
+inline check::LabOptions options_for(const std::filesystem::path& fixtures, const std::string& name,
+                                     const shader::Variant& variant = {}) {
+    const std::filesystem::path file = fixtures / name;
+    check::LabOptions options{.device = variable("GLOAM_TEST_DEVICE"),
+                              .include_roots = {fixtures},
+                              .cache_directory = cache_directory(),
+                              .variant = variant};
+    options.excerpts =
+        shader::excerpts({file.string(), shader::read_text(file)}, options.include_roots).functions;
+    return options;
 }
 
 }  // namespace gloam::test

@@ -53,8 +53,10 @@ class TypeReader {
             case SpvOpTypeVector:
             case SpvOpTypeMatrix:
                 return composed(type);
-            case SpvOpTypeArray:
-                return array_of(type, constants_.at(type.word(3)));
+            case SpvOpTypeArray: {
+                const auto size = constants_.find(type.word(3));  // or an operation on specialization constants
+                return array_of(type, size == constants_.end() ? 0 : size->second);
+            }
             case SpvOpTypeRuntimeArray:
                 return array_of(type, 0);
             case SpvOpTypeStruct:

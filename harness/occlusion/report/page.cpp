@@ -176,8 +176,10 @@ void Page::table(const PageTable& table) {
         throw std::invalid_argument(fmt::format("page: row {} of a table has {} cells, expected {}", i,
                                                 table.rows[i].size(), table.columns.size()));
     }
-    body_ += "<section class=\"table\">\n" + meanings_html(table) +
-             "<div class=\"filter\"><label>Find <input type=\"search\"></label>\n";
+    constexpr std::size_t few = 8;  // rows that a reader takes in at once
+    body_ += fmt::format(
+        "<section class=\"table\">\n{}<div class=\"filter\"{}><label>Find <input type=\"search\"></label>\n",
+        meanings_html(table), table.rows.size() < few ? " hidden" : "");
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         if (table.columns[i].filter) body_ += choice_html(table, i);
     }

@@ -32,7 +32,8 @@ struct PageColumn {
     bool filter = false;    // has few distinct texts, one of which can be selected
 };
 
-// A table that a reader can sort by a click on a title, and filter by words and by the columns' selections.
+// A table that a reader can sort by a click on a title; from eight rows on also filter by words and by the
+// columns' selections.
 struct PageTable {
     std::vector<PageColumn> columns;
     std::vector<std::vector<PageCell>> rows;  // each with a cell for each column
