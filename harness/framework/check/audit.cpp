@@ -138,9 +138,11 @@ class Findings {
         return step == nullptr ? AuditPlace{} : place_of(*step);
     }
 
-    [[nodiscard]] bool is_so(Concern concern, const std::vector<Word>& words) const {
-        if (concern == Concern::unspecified && shows(Concern::undefined, runs_.read(words))) return false;
-        return internal::shows(concern, runs_.read(words, gaps_of(concern)));
+    [[nodiscard]] bool is_so(Concern concern, const std::vector<Word>& words) {
+        const Reading reading = runs_.read(words, gaps_of(concern));
+        if (concern == Concern::not_finite) return internal::shows(concern, reading);
+        if (concern == Concern::unspecified && runs_.is_undefined(words, runs_.read(words))) return false;
+        return runs_.is_undefined(words, reading, gaps_of(concern));
     }
 
     // One finding for each operation at which the examples go wrong.
@@ -305,7 +307,7 @@ Audit audit(const Lab& lab, const Question& question, const std::vector<Ordinary
               .findings = Findings(runs, search).all()};
     // A function that mostly faults has no shape, and each run of an endless loop takes long.
     if (2 * search.faults.shown > search.random) return all;
-    all.motions = internal::motions(runs, search);
+    all.motions = internal::motions(runs, search, 3 * options.steps);
     all.coverage = measure_coverage(lab, question, {.inputs = options.inputs, .seed = options.seed});
     all.half = worst_half(runs, search);
     all.rewrites = internal::rewrites(lab, runs, search, all.findings);

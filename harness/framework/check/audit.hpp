@@ -75,7 +75,6 @@ struct AuditMotion {
     double at = 0.0;          // of the parameter, where it jumps or turns
     double before = 0.0;      // the result there, and beside a jump
     double behind = 0.0;
-    std::size_t jumps = 0;  // of the lines that were tried
     double backward = 0.0;  // rising or falling: the largest step of float32 in the wrong direction, in ULP
     unsigned line = 0;      // of the branch that differs at a jump; 0: none does
     std::string file;
@@ -122,7 +121,7 @@ struct Audit {
 struct AuditOptions {
     std::size_t inputs = 8'192;  // half of them drawn, the others by a search for worse ones
     std::uint64_t seed = 1;
-    std::uint64_t steps = 60'000'000;  // of the interpreter; fewer inputs are run if they need more
+    std::uint64_t steps = 60'000'000;  // instructions of the search; fewer inputs are run if they need more
 };
 
 // Audits the function of a question; its domain decides the inputs. `domain`: its description. Images have

@@ -32,7 +32,7 @@ using internal::usual_low;
 constexpr long usual_index = 7;  // most integer parameters are indices, counts or modes
 
 std::string number_text(double x) {
-    return fmt::format("{:.4g}", x);
+    return fmt::format("{:.7g}", x);
 }
 
 struct Described {

@@ -161,6 +161,10 @@ class Machine {
     // On Explained: rounds the value of every result to float16, as a device may where all is `mediump`.
     void set_half(bool half);
 
+    // On Interval: acts as one driver that keeps the rules. Each result becomes a number of its interval, an
+    // end or one between, so that no comparison is undecided. What has no numbers, or may be NaN, stays.
+    void set_sampling(std::uint64_t seed);
+
     // Limit of instructions in one run; a run with more throws Error (too_many_steps).
     void set_limit(std::uint64_t steps) { limit_ = steps; }
     // Instructions of all runs so far.

@@ -220,7 +220,7 @@ AuditMotion motion_of(AuditRuns& runs, const AuditSearch& search, const Domain::
         const Shape shape = shape_of(all);
         if (!(shape.range > 0.0)) continue;
         if (const auto jump = jump_of(line, all, shape)) {
-            if (motion.jumps++ > 0) continue;
+            if (motion.kind == AuditMotion::Kind::jumping) continue;  // one is enough
             const auto& [a, b] = *jump;
             motion.kind = AuditMotion::Kind::jumping;
             motion.words = line.input(a.x);
@@ -248,7 +248,8 @@ AuditMotion motion_of(AuditRuns& runs, const AuditSearch& search, const Domain::
 
 }  // namespace
 
-std::vector<AuditMotion> motions(AuditRuns& runs, const AuditSearch& search) {
+std::vector<AuditMotion> motions(AuditRuns& runs, const AuditSearch& search,
+                                 std::uint64_t most_instructions) {
     std::vector<AuditMotion> all;
     const Question& question = runs.question();
     const std::size_t outputs = std::min(question.signature.output_words(), most_outputs);
@@ -257,6 +258,7 @@ std::vector<AuditMotion> motions(AuditRuns& runs, const AuditSearch& search) {
     const Domain::Inputs drawn = question.domain.draw(points, 1, runs.image_size());
     for (const Axis& axis : axes)
         for (std::size_t output = 0; output < outputs; ++output) {
+            if (runs.instructions() > most_instructions) return all;
             AuditMotion motion = motion_of(runs, search, drawn, axis, output);
             if (!motion.words.empty()) motion.values = runs.named(motion.words);
             all.push_back(std::move(motion));

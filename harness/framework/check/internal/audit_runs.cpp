@@ -9,6 +9,7 @@
 #include <functional>
 #include <limits>
 
+#include "check/internal/audit_search.hpp"
 #include "check/internal/trial.hpp"
 #include "interpreter/program.hpp"
 #include "numeric/numbers.hpp"
@@ -63,7 +64,10 @@ AuditRuns::AuditRuns(KernelModule module, const Question& question, ImageSet ima
       interpretation_(decoded_, scalars_),
       kernel_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images),
       half_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images),
-      floats_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images) {
+      floats_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images),
+      drivers_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images) {
+    drivers_.machine().set_sampling(1);
+    drivers_.machine().set_limit(most_instructions);
     half_.machine().set_half(true);
     for (auto* kernel : {&kernel_, &half_}) kernel->machine().set_limit(most_instructions);
     floats_.machine().set_limit(most_instructions);
@@ -103,6 +107,33 @@ Reading AuditRuns::read(std::span<const Word> input, Gaps gaps) {
 
 Reading AuditRuns::read_half(std::span<const Word> input) {
     return read(half_, halved(input, question_.signature.input_scalars()), Gaps::closed);
+}
+
+bool AuditRuns::is_undefined(std::span<const Word> input, const Reading& reading, Gaps gaps) {
+    constexpr int drivers = 16;
+    if (!shows(Concern::undefined, reading)) return false;
+    const std::uint64_t before = drivers_.machine().steps();
+    bool undefined = false;
+    for (int i = 0; i < drivers && !undefined; ++i) {
+        const auto run = [&] {
+            try {
+                drivers_.run(input);
+                for (std::size_t w = 0; w < scalars_.size(); ++w) {
+                    const numeric::Bounds bounds = drivers_.output(w).number().bounds();
+                    undefined =
+                        undefined || (scalars_[w] == Scalar::float_ && (bounds.is_anything() || bounds.nan));
+                }
+            } catch (const interpreter::Error&) {
+                undefined = true;
+            }
+            throw numeric::Paths::Enough{};
+        };
+        undefined = numeric::Paths::explore(numeric::float32, 1, run, gaps) ==
+                        numeric::Paths::Outcome::undetermined ||
+                    undefined;
+    }
+    instructions_ += drivers_.machine().steps() - before;
+    return undefined;
 }
 
 std::vector<numeric::Bounds> AuditRuns::permitted(std::span<const Word> input) {

@@ -52,6 +52,11 @@ class AuditRuns {
     // The same with every operation rounded to float16.
     [[nodiscard]] Reading read_half(std::span<const Word> input);
 
+    // Whether some driver that keeps the rules has an undefined result: a guard that holds in float32 may
+    // keep it from every driver, which intervals along one path do not see. `reading`: of the input.
+    [[nodiscard]] bool is_undefined(std::span<const Word> input, const Reading& reading,
+                                    Gaps gaps = Gaps::closed);
+
     // Bounds of each output on all paths, in any order of sums.
     [[nodiscard]] std::vector<numeric::Bounds> permitted(std::span<const Word> input);
     // The outputs in double, on double's own path. Empty if there is a fault.
@@ -95,6 +100,7 @@ class AuditRuns {
     InterpretedKernel<interpreter::Explained> kernel_;
     InterpretedKernel<interpreter::Explained> half_;
     InterpretedKernel<float> floats_;
+    InterpretedKernel<numeric::Interval> drivers_;  // one driver after another
     std::uint64_t instructions_ = 0;
 };
 

@@ -88,14 +88,18 @@ class Search {
         if (found_.traced.size() < most_traced) found_.traced.push_back(words);
         if (shows(Concern::fault, reading)) keep(found_.faults, words, random);
         if (shows(Concern::not_finite, reading)) keep(found_.not_finite, words, random);
-        const bool undefined = shows(Concern::undefined, reading);
+        const bool undefined = runs_.is_undefined(words, reading);
         if (undefined) keep(found_.undefined, words, random);
-        if (draws && !undefined && shows(Concern::undefined, runs_.read(words, AuditRuns::Gaps::open)))
-            keep(found_.unspecified, words, random);
+        if (draws && !undefined && is_unspecified(words)) keep(found_.unspecified, words, random);
         if (!reading.fault.empty()) return reading;
         note(found_.digits, words, runs_.loss_of(reading).relative);
         note(found_.drivers, words, runs_.width_of(reading).relative);
         return reading;
+    }
+
+    [[nodiscard]] bool is_unspecified(const std::vector<Word>& words) {
+        constexpr auto open = AuditRuns::Gaps::open;
+        return runs_.is_undefined(words, runs_.read(words, open), open);
     }
 
     static void keep(Examples& examples, const std::vector<Word>& words, bool random) {

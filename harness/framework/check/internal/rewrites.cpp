@@ -35,19 +35,20 @@ struct Case {
     bool sound = false;  // they are proper ones
 };
 
-bool is_broken(const Reading& reading) {
+bool is_broken(AuditRuns& runs, const std::vector<Word>& words, const Reading& reading) {
     return shows(Concern::fault, reading) || shows(Concern::not_finite, reading) ||
-           shows(Concern::undefined, reading);
+           runs.is_undefined(words, reading);
 }
 
 // A sound result must neither be lost nor mean anything else. One that is finite is compared with the
 // original's exact one; one that is not has no truth to compare with.
 void add(Score& score, AuditRuns& runs, const Case& one) {
     Reading reading = runs.read(one.words);
-    if (is_broken(reading)) {
+    if (is_broken(runs, one.words, reading)) {
         ++score.broken;
         if (one.sound) score.loss = numeric::infinity;
-    } else if (shows(Concern::undefined, runs.read(one.words, AuditRuns::Gaps::open))) {
+    } else if (runs.is_undefined(one.words, runs.read(one.words, AuditRuns::Gaps::open),
+                                 AuditRuns::Gaps::open)) {
         ++score.unspecified;
     }
     if (!reading.fault.empty() || shows(Concern::fault, one.original) ||
@@ -137,7 +138,7 @@ std::vector<Case> cases_of(AuditRuns& runs, const AuditSearch& search,
     std::vector<Case> cases;
     for (const std::vector<Word>& words : all) {
         Reading reading = runs.read(words);
-        const bool sound = !is_broken(reading);
+        const bool sound = !is_broken(runs, words, reading);
         cases.push_back({words, std::move(reading), sound});
     }
     return cases;

@@ -173,6 +173,11 @@ void Machine<N>::set_half(bool half) {
 }
 
 template <class N>
+void Machine<N>::set_sampling(std::uint64_t seed) {
+    state_->sampling = numeric::Random(seed);
+}
+
+template <class N>
 void Machine<N>::run() {
     execute([](const internal::Instruction&) {});
 }

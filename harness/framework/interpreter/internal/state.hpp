@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -13,6 +14,7 @@
 #include "interpreter/machine.hpp"
 #include "interpreter/number.hpp"
 #include "numeric/paths.hpp"
+#include "numeric/random.hpp"
 
 namespace gloam::interpreter::internal {
 
@@ -91,6 +93,16 @@ template <class N>
     return result;
 }
 
+// An end of the bounds, or a float32 between them; the same where there is none, or NaN may be.
+[[nodiscard]] inline numeric::Interval sampled(const numeric::Interval& x, numeric::Random& random) {
+    const numeric::Bounds& b = x.bounds();
+    if (b.empty() || b.nan || !std::isfinite(b.low) || !std::isfinite(b.high)) return x;
+    const std::uint64_t lot = random.below(4);
+    const double between = static_cast<float>(random.uniform(b.low, b.high));
+    const double chosen = lot == 0 ? b.low : lot == 1 ? b.high : std::clamp(between, b.low, b.high);
+    return numeric::Interval::within(chosen, chosen);
+}
+
 // A fault of the running shader. The machine adds the place.
 struct Fault {
     Error::Kind kind;
@@ -123,8 +135,9 @@ struct State {
     std::vector<Value<N>> moving;  // sources of an edge's copies, while these are made
     std::uint32_t next = 0;        // instruction
     bool running = false;
-    bool half = false;       // see Machine::set_half()
-    std::uint64_t cost = 0;  // of the last instruction, in steps besides its own
+    bool half = false;                        // see Machine::set_half()
+    std::optional<numeric::Random> sampling;  // see Machine::set_sampling()
+    std::uint64_t cost = 0;                   // of the last instruction, in steps besides its own
 
     [[nodiscard]] Word bits(Slot slot) const { return slots[slot].bits(); }
 
@@ -135,6 +148,12 @@ struct State {
         return x;
     }
     void set(const Instruction& i, Slot slot, const N& x) {
+        if constexpr (std::is_same_v<N, numeric::Interval>) {
+            if (sampling) {
+                slots[slot] = Value<N>::of(sampled(x, *sampling));
+                return;
+            }
+        }
         slots[slot] = Value<N>::of(half || (i.flags & flags::half) != 0 ? halved(x) : x);
     }
     void set(const Instruction&, Slot slot, Word x) { slots[slot] = Value<N>::of_bits(x); }
