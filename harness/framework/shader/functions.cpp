@@ -54,7 +54,8 @@ class TypeReader {
             case SpvOpTypeMatrix:
                 return composed(type);
             case SpvOpTypeArray: {
-                const auto size = constants_.find(type.word(3));  // or an operation on specialization constants
+                const auto size =
+                    constants_.find(type.word(3));  // or an operation on specialization constants
                 return array_of(type, size == constants_.end() ? 0 : size->second);
             }
             case SpvOpTypeRuntimeArray:
