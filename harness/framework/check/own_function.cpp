@@ -103,7 +103,7 @@ LeftOut refused(const shader::Excerpt& excerpt, const std::string& definition, c
         return {definition, fmt::format("{} at {} needs a fragment stage", name, place)};
     if (is("not supported in this stage") || (name.starts_with("gl_") && is("undeclared identifier")))
         return {definition, fmt::format("{} at {} needs another stage than compute", name, place)};
-    if (is("Atomic memory function"))
+    if (is("Atomic memory function") || is("atomic memory functions"))
         return {definition,
                 fmt::format("{} at {} needs memory that invocations share: each input is run by itself", name,
                             place)};

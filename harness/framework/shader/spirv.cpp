@@ -111,6 +111,23 @@ Spirv optimize(const Spirv& module, Optimization optimization) {
     return optimized;
 }
 
+Spirv legalized(const Spirv& module) {
+    const auto is_opaque = [](const Instruction& i) {
+        return i.opcode == SpvOpTypeImage || i.opcode == SpvOpTypeSampler;
+    };
+    if (std::ranges::none_of(instructions(module), is_opaque)) return module;
+    std::string messages;
+    spvtools::Optimizer optimizer(environment);
+    optimizer.SetMessageConsumer(collect_into(messages));
+    optimizer.RegisterLegalizationPasses();
+    spvtools::OptimizerOptions options;
+    options.set_run_validator(false);
+    Spirv legal;
+    if (!optimizer.Run(module.data(), module.size(), &legal, options))
+        throw std::runtime_error("cannot legalise the SPIR-V module: " + messages);
+    return legal;
+}
+
 std::string disassemble(const Spirv& module) {
     std::string messages;
     spvtools::SpirvTools tools(environment);

@@ -40,6 +40,10 @@ void validate(const Spirv& module);
 // std::runtime_error with the optimizer's message if it cannot read the module.
 [[nodiscard]] Spirv optimize(const Spirv& module, Optimization optimization);
 
+// The module of an HLSL front end as Vulkan permits it: such a front end stores images and samplers in
+// variables of functions. One without images is returned unchanged. Throws like optimize().
+[[nodiscard]] Spirv legalized(const Spirv& module);
+
 // The module as assembly text with friendly names. Throws std::runtime_error when it cannot be decoded.
 [[nodiscard]] std::string disassemble(const Spirv& module);
 

@@ -268,8 +268,9 @@ Spirv round_trip(const Spirv& module, Stage stage, const std::string& name, Vari
     try {
         const Source source{.name = name + (hlsl ? ", as HLSL" : ", round trip through SPIRV-Cross"),
                             .text = hlsl ? to_hlsl(module) : to_glsl(module)};
-        return with_float_controls_of(
-            module, hlsl ? with_storage_buffers(hlsl_to_spirv(source, stage)) : to_spirv(source, stage, {}));
+        return with_float_controls_of(module,
+                                      hlsl ? with_storage_buffers(legalized(hlsl_to_spirv(source, stage)))
+                                           : to_spirv(source, stage, {}));
     } catch (const CompileError&) {
         throw;
     } catch (const std::runtime_error& error) {
