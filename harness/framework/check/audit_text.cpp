@@ -53,7 +53,7 @@ std::string bounds_text(const numeric::Bounds& bounds) {
     return fmt::format("{} to {}{}", number(bounds.low), number(bounds.high), bounds.nan ? ", or NaN" : "");
 }
 
-// Several results are told apart by their position.
+// Then their positions are printed.
 bool has_several_results(const Audit& audit) {
     return std::ranges::any_of(audit.motions, [](const AuditMotion& motion) { return motion.output > 0; });
 }

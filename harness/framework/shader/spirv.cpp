@@ -88,25 +88,38 @@ void validate(const Spirv& module) {
     if (!tools.Validate(module)) throw std::runtime_error("invalid SPIR-V: " + messages);
 }
 
-Spirv optimize(const Spirv& module, Optimization optimization) {
-    if (optimization == Optimization::none) return module;
+namespace {
+
+// The module after the passes that `add` registers, not validated. `task`: "optimise", for the message.
+Spirv after_passes(const Spirv& module, const std::string& task,
+                   const std::function<void(spvtools::Optimizer&)>& add) {
     std::string messages;
     spvtools::Optimizer optimizer(environment);
     optimizer.SetMessageConsumer(collect_into(messages));
-    if (optimization == Optimization::size)
-        optimizer.RegisterSizePasses();
-    else
-        optimizer.RegisterPerformancePasses();
-    if (optimization == Optimization::hoisting || optimization == Optimization::unrolling) {
-        optimizer.RegisterPass(spvtools::CreateLoopInvariantCodeMotionPass());
-        optimizer.RegisterPass(spvtools::CreateRedundancyEliminationPass());
-        optimizer.RegisterPass(spvtools::CreateAggressiveDCEPass());
-    }
+    add(optimizer);
     spvtools::OptimizerOptions options;
     options.set_run_validator(false);
-    Spirv optimized;
-    if (!optimizer.Run(module.data(), module.size(), &optimized, options))
-        throw std::runtime_error("cannot optimise the SPIR-V module: " + messages);
+    Spirv result;
+    if (!optimizer.Run(module.data(), module.size(), &result, options))
+        throw std::runtime_error("cannot " + task + " the SPIR-V module: " + messages);
+    return result;
+}
+
+}  // namespace
+
+Spirv optimize(const Spirv& module, Optimization optimization) {
+    if (optimization == Optimization::none) return module;
+    Spirv optimized = after_passes(module, "optimise", [optimization](spvtools::Optimizer& optimizer) {
+        if (optimization == Optimization::size)
+            optimizer.RegisterSizePasses();
+        else
+            optimizer.RegisterPerformancePasses();
+        if (optimization == Optimization::hoisting || optimization == Optimization::unrolling) {
+            optimizer.RegisterPass(spvtools::CreateLoopInvariantCodeMotionPass());
+            optimizer.RegisterPass(spvtools::CreateRedundancyEliminationPass());
+            optimizer.RegisterPass(spvtools::CreateAggressiveDCEPass());
+        }
+    });
     if (optimization == Optimization::unrolling) ask_to_unroll(optimized);
     return optimized;
 }
@@ -116,16 +129,8 @@ Spirv legalized(const Spirv& module) {
         return i.opcode == SpvOpTypeImage || i.opcode == SpvOpTypeSampler;
     };
     if (std::ranges::none_of(instructions(module), is_opaque)) return module;
-    std::string messages;
-    spvtools::Optimizer optimizer(environment);
-    optimizer.SetMessageConsumer(collect_into(messages));
-    optimizer.RegisterLegalizationPasses();
-    spvtools::OptimizerOptions options;
-    options.set_run_validator(false);
-    Spirv legal;
-    if (!optimizer.Run(module.data(), module.size(), &legal, options))
-        throw std::runtime_error("cannot legalise the SPIR-V module: " + messages);
-    return legal;
+    return after_passes(module, "legalise",
+                        [](spvtools::Optimizer& optimizer) { optimizer.RegisterLegalizationPasses(); });
 }
 
 std::string disassemble(const Spirv& module) {

@@ -163,20 +163,25 @@ ImageHandles create(Context& context, Extent extent, Format format) {
 
 }  // namespace
 
+void begin_general_layout(const vk::raii::CommandBuffer& commands, vk::Image image,
+                          const vk::ImageSubresourceRange& all_of_it) {
+    constexpr auto all = vk::PipelineStageFlagBits::eAllCommands;
+    using Access = vk::AccessFlagBits;
+    const vk::ImageMemoryBarrier barrier{.dstAccessMask = Access::eMemoryRead | Access::eMemoryWrite,
+                                         .oldLayout = vk::ImageLayout::eUndefined,
+                                         .newLayout = vk::ImageLayout::eGeneral,
+                                         .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                                         .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                                         .image = image,
+                                         .subresourceRange = all_of_it};
+    commands.pipelineBarrier(all, all, {}, nullptr, nullptr, barrier);
+}
+
 Image::Impl::Impl(Context& owner, Extent size, Format kind)
     : context(owner), extent(size), format(kind), handles(owner, create(owner, size, kind)) {
     context.run_once([this](const vk::raii::CommandBuffer& commands) {
-        constexpr auto all = vk::PipelineStageFlagBits::eAllCommands;
-        using Access = vk::AccessFlagBits;
-        const vk::ImageMemoryBarrier barrier{
-            .dstAccessMask = Access::eMemoryRead | Access::eMemoryWrite,
-            .oldLayout = vk::ImageLayout::eUndefined,
-            .newLayout = vk::ImageLayout::eGeneral,
-            .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-            .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-            .image = *handles->image,
-            .subresourceRange = {.aspectMask = traits(format).aspect, .levelCount = 1, .layerCount = 1}};
-        commands.pipelineBarrier(all, all, {}, nullptr, nullptr, barrier);
+        begin_general_layout(commands, *handles->image,
+                             {.aspectMask = traits(format).aspect, .levelCount = 1, .layerCount = 1});
     });
 }
 

@@ -141,19 +141,10 @@ SampledImage::Impl::Impl(Context& owner, std::span<const backend::Word> words)
     Buffer::Impl staging(context, texels.size() / backend::texel_words * texel_bytes(header.texel));
     encode(header.texel, texels, staging.mapped);
     context.run_once([&](const vk::raii::CommandBuffer& commands) {
-        constexpr auto all = vk::PipelineStageFlagBits::eAllCommands;
-        using Access = vk::AccessFlagBits;
-        const vk::ImageMemoryBarrier barrier{
-            .dstAccessMask = Access::eMemoryRead | Access::eMemoryWrite,
-            .oldLayout = vk::ImageLayout::eUndefined,
-            .newLayout = vk::ImageLayout::eGeneral,
-            .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-            .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-            .image = *handles->image,
-            .subresourceRange = {.aspectMask = vk::ImageAspectFlagBits::eColor,
-                                 .levelCount = header.levels,
-                                 .layerCount = layers_of(header)}};
-        commands.pipelineBarrier(all, all, {}, nullptr, nullptr, barrier);
+        begin_general_layout(commands, *handles->image,
+                             {.aspectMask = vk::ImageAspectFlagBits::eColor,
+                              .levelCount = header.levels,
+                              .layerCount = layers_of(header)});
         commands.copyBufferToImage(*staging.handles->buffer, *handles->image, vk::ImageLayout::eGeneral,
                                    copies_of(header));
     });

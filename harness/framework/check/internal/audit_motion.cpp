@@ -28,37 +28,23 @@ struct Point {
     double y = 0.0;
 };
 
-// A scalar float parameter among the words of an input.
-struct Axis {
-    std::string name;
-    std::size_t word = 0;
-    const Values* values = nullptr;
-};
-
-std::vector<Axis> axes_of(const Question& question) {
-    std::vector<Axis> axes;
-    std::size_t word = 0;
-    std::size_t at = 0;
-    for (const shader::Parameter& parameter : question.signature.parameters) {
-        if (parameter.direction == shader::Direction::out) continue;
-        const std::size_t count = scalars_of(parameter.type).size();
-        const Values& values = question.domain.parameters().at(at++);
-        if (parameter.type == type_of<float>() && axes.size() < most_parameters)
-            axes.push_back({parameter.name, word, &values});
-        word += count;
-    }
+// The scalar float parameters.
+std::vector<Slot> axes_of(const Question& question) {
+    std::vector<Slot> axes = slots_of(question);
+    std::erase_if(axes, [](const Slot& slot) { return !(slot.parameter->type == type_of<float>()); });
+    if (axes.size() > most_parameters) axes.resize(most_parameters);
     return axes;
 }
 
 // The result of one parameter's values; the others are those of a base input.
 class Line {
   public:
-    Line(AuditRuns& runs, const Axis& axis, std::vector<Word> base, std::size_t output)
+    Line(AuditRuns& runs, const Slot& axis, std::vector<Word> base, std::size_t output)
         : runs_(runs), axis_(axis), base_(std::move(base)), output_(output) {}
 
     [[nodiscard]] std::vector<Word> input(float x) const {
         std::vector<Word> words = base_;
-        words[axis_.word] = to_word(x);
+        words[axis_.first] = to_word(x);
         return words;
     }
     [[nodiscard]] double in_double(float x) const { return value(runs_.in_double(input(x))); }
@@ -80,7 +66,7 @@ class Line {
     }
 
     AuditRuns& runs_;
-    const Axis& axis_;
+    const Slot& axis_;
     std::vector<Word> base_;
     std::size_t output_;
 };
@@ -127,10 +113,10 @@ void locate(AuditMotion& motion, AuditRuns& runs, const std::vector<Word>& a, co
     }
 }
 
-std::vector<float> positions_of(const AuditSearch& search, const Domain::Inputs& drawn, const Axis& axis) {
+std::vector<float> positions_of(const AuditSearch& search, const Domain::Inputs& drawn, const Slot& axis) {
     std::vector<float> all;
-    for (const std::vector<Word>& words : search.traced) all.push_back(from_word<float>(words[axis.word]));
-    for (std::size_t i = 0; i < drawn.count(); ++i) all.push_back(from_word<float>(drawn.row(i)[axis.word]));
+    for (const std::vector<Word>& words : search.traced) all.push_back(from_word<float>(words[axis.first]));
+    for (std::size_t i = 0; i < drawn.count(); ++i) all.push_back(from_word<float>(drawn.row(i)[axis.first]));
     std::erase_if(all, [](float x) { return !std::isfinite(x); });
     std::ranges::sort(all, [](float a, float b) { return order_of(a) < order_of(b); });
     const auto same = std::ranges::unique(all);
@@ -208,8 +194,8 @@ double backward_step(const Line& line, const std::vector<Point>& all, bool risin
 
 // Looks along the lines of one parameter at one output.
 AuditMotion motion_of(AuditRuns& runs, const AuditSearch& search, const Domain::Inputs& drawn,
-                      const Axis& axis, std::size_t output) {
-    AuditMotion motion{.parameter = axis.name, .output = output};
+                      const Slot& axis, std::size_t output) {
+    AuditMotion motion{.parameter = axis.parameter->name, .output = output};
     bool rises = false;
     bool falls = false;
     const std::vector<float> positions = positions_of(search, drawn, axis);
@@ -253,10 +239,10 @@ std::vector<AuditMotion> motions(AuditRuns& runs, const AuditSearch& search,
     std::vector<AuditMotion> all;
     const Question& question = runs.question();
     const std::size_t outputs = std::min(question.signature.output_words(), most_outputs);
-    const std::vector<Axis> axes = axes_of(question);
+    const std::vector<Slot> axes = axes_of(question);
     if (axes.empty()) return all;
     const Domain::Inputs drawn = question.domain.draw(points, 1, runs.image_size());
-    for (const Axis& axis : axes)
+    for (const Slot& axis : axes)
         for (std::size_t output = 0; output < outputs; ++output) {
             if (runs.instructions() > most_instructions) return all;
             AuditMotion motion = motion_of(runs, search, drawn, axis, output);

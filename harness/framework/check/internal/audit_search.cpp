@@ -166,24 +166,18 @@ bool shows(Concern concern, const Reading& reading) {
 
 std::vector<Word> simplified(const AuditRuns& runs, std::vector<Word> words,
                              const std::function<bool(const std::vector<Word>&)>& still) {
-    const Question& question = runs.question();
-    std::size_t first = 0;
-    std::size_t at = 0;
-    for (const shader::Parameter& parameter : question.signature.parameters) {
-        if (parameter.direction == shader::Direction::out) continue;
-        const std::vector<shader::Scalar> scalars = scalars_of(parameter.type);
-        const Values& values = question.domain.parameters().at(at++);
-        for (std::size_t k = 0; k < scalars.size(); ++k) {
-            for (const Word simple : simpler(words[first + k], scalars[k])) {
+    for (const Slot& slot : slots_of(runs.question())) {
+        const std::vector<shader::Scalar> scalars = scalars_of(slot.parameter->type);
+        for (std::size_t k = 0; k < slot.count; ++k) {
+            for (const Word simple : simpler(words[slot.first + k], scalars[k])) {
                 std::vector<Word> tried = words;
-                tried[first + k] = simple;
-                if (!values.admits(std::span(tried).subspan(first, scalars.size())) || !still(tried))
+                tried[slot.first + k] = simple;
+                if (!slot.values->admits(std::span(tried).subspan(slot.first, slot.count)) || !still(tried))
                     continue;
                 words = std::move(tried);
                 break;
             }
         }
-        first += scalars.size();
     }
     return words;
 }

@@ -13,21 +13,26 @@ constexpr int tries = 4;       // attempts to find a move that stays inside the 
 
 }  // namespace
 
-Moves::Moves(const Question& question, std::size_t drawn, glm::ivec2 image_size, std::uint64_t input_seed,
-             std::uint64_t seed)
-    : random_(seed),
-      scalars_(question.signature.input_scalars()),
-      drawn_(question.domain.draw_unadjusted(drawn, input_seed, image_size)) {
+std::vector<Slot> slots_of(const Question& question) {
+    std::vector<Slot> slots;
     std::size_t first = 0;
     std::size_t at = 0;
     for (const shader::Parameter& parameter : question.signature.parameters) {
         if (parameter.direction == shader::Direction::out) continue;
         const std::size_t count = scalars_of(parameter.type).size();
         const Values& values = question.domain.parameters().at(at++);
-        if (count > 0) slots_.push_back({&values, first, count});  // a sampler has no words
+        if (count > 0) slots.push_back({&parameter, &values, first, count});
         first += count;
     }
+    return slots;
 }
+
+Moves::Moves(const Question& question, std::size_t drawn, glm::ivec2 image_size, std::uint64_t input_seed,
+             std::uint64_t seed)
+    : random_(seed),
+      scalars_(question.signature.input_scalars()),
+      slots_(slots_of(question)),
+      drawn_(question.domain.draw_unadjusted(drawn, input_seed, image_size)) {}
 
 std::vector<Word> Moves::moved(std::vector<Word> words) {
     const auto moves = 1 + static_cast<int>(random_.below(most_moves));

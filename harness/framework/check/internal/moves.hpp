@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -10,6 +11,17 @@
 #include "numeric/random.hpp"
 
 namespace gloam::check::internal {
+
+// The words of one in or inout parameter in an input.
+struct Slot {
+    const shader::Parameter* parameter;
+    const Values* values;
+    std::size_t first;
+    std::size_t count;
+};
+
+// In the order of the parameters; without samplers, which have no words. The question must outlive them.
+[[nodiscard]] std::vector<Slot> slots_of(const Question& question);
 
 // Candidates of a search for a worst input: inputs drawn from a domain, and inputs a little beside the worst
 // so far. All stay inside the domain.
@@ -53,13 +65,6 @@ class Moves {
     }
 
   private:
-    // The words of one parameter in an input.
-    struct Slot {
-        const Values* values;
-        std::size_t first;
-        std::size_t count;
-    };
-
     void move(std::vector<Word>& words);
     [[nodiscard]] Word moved_word(Word word, shader::Scalar scalar);
 

@@ -54,6 +54,11 @@ struct Image::Impl {
     Guarded<ImageHandles> handles;
 };
 
+// Records that a new image has VK_IMAGE_LAYOUT_GENERAL from here on. `all_of_it`: all of its levels and
+// layers.
+void begin_general_layout(const vk::raii::CommandBuffer& commands, vk::Image image,
+                          const vk::ImageSubresourceRange& all_of_it);
+
 struct SampledHandles {
     vk::raii::Image image;
     vk::raii::DeviceMemory memory;
