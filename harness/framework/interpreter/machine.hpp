@@ -102,13 +102,18 @@ struct ImageView {
     std::span<const Word> texels;
 };
 
-// One invocation of a dispatch with work groups of one invocation: {x, y, z}.
+// One invocation of a dispatch: {x, y, z}.
 struct Invocation {
     std::array<std::uint32_t, 3> group{};
     std::array<std::uint32_t, 3> local{};
     std::array<std::uint32_t, 3> group_size{1, 1, 1};
     std::array<std::uint32_t, 3> groups{1, 1, 1};
+    std::uint32_t subgroup_size = 1;
 };
+
+// In which order the invocations of a group run between two barriers. A group without races has the same
+// results in each, but for those of atomic operations.
+enum class Order { forward, backward };
 
 [[nodiscard]] std::string name_of_operation(std::uint16_t opcode);
 
@@ -141,9 +146,15 @@ class Machine {
     void bind(std::uint32_t set, std::uint32_t binding, const SampledView& image);
     void bind_push_constants(std::span<const Word> words);
 
-    // Selects the invocation. It runs alone, and does not see what others of its group write to shared
-    // memory.
+    // Selects the invocation. It runs alone: a barrier waits for nobody, and what needs others is an Error.
     void set_invocation(const Invocation& invocation);
+
+    // Selects all invocations of the first one's group, which run together. Consecutive ones are a subgroup.
+    // A fragment quad is a group of 2 x 2: gl_FragCoord is the centre of its pixel, and group and local give
+    // the pixel. Runs throw Error for a race and a divergent barrier as well. Throws Error (malformed) for
+    // more than most_invocations. `local` is not used.
+    void set_group(const Invocation& first, Order order = Order::forward);
+    static constexpr std::uint32_t most_invocations = 1024;
 
     // Runs the entry point to its end. Throws Error with the instruction's place.
     void run();
@@ -172,13 +183,19 @@ class Machine {
 
   private:
     void prepare();
+    void set_built_ins(const Invocation& invocation, std::span<Value<Number>> slots);
     template <class Tell>
     void execute(Tell&& tell);
+    template <class Tell>
+    void step(Tell& tell, std::uint32_t& at, std::uint64_t end, bool& half);
+    template <class Tell>
+    void execute_group(Tell& tell, std::uint32_t& at, std::uint64_t end, bool& half);
 
     Program program_;
     std::unique_ptr<internal::State<Number>> state_;
     std::uint64_t limit_ = 50'000'000;
     std::uint64_t steps_ = 0;
+    Order order_ = Order::forward;
 };
 
 }  // namespace gloam::interpreter

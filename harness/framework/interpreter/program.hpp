@@ -33,7 +33,9 @@ class Error : public std::runtime_error {
         malformed,            // an invalid module
         missing,              // no such entry point, function, buffer or image
         out_of_bounds,        // an access outside an array, a buffer or an image
-        too_many_steps        // more instructions than the limit, for example an endless loop
+        too_many_steps,       // more instructions than the limit, for example an endless loop
+        race,                 // two invocations use one word, no barrier orders them, and one writes
+        divergent_barrier     // some invocations of a group do not reach a barrier at which others wait
     };
 
     Error(Kind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}

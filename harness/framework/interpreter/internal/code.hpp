@@ -46,13 +46,25 @@ enum Operation : std::uint16_t {
     image_sample,  // count components of image a at b, which has c components; by sampling `extra`
     image_levels,  // of image a
     atomic,        // c: the SPIR-V opcode; on pointer a with b (and `extra`, for a comparison)
+    fence,         // c: its memory semantics
+    // Invocations wait here for others (internal/group.hpp).
+    barrier,     // c: its memory semantics; `extra`: SpvScope
+    neighbour,   // count slots at a, of the invocation of the quad that `extra` names (QuadPick)
+    collective,  // count slots from a (and b), by the SPIR-V opcode c and the group operation `extra`
+    // count components of a or of b, as a driver chooses
+    either,
 };
+
+// The invocation of a quad from which a `neighbour` comes: the first or the second of a row, or of a column;
+// of the reader's own row or column, or of the other one.
+enum QuadPick : std::uint32_t { row = 0, second = 1, other_line = 2, column = 4 };
 
 namespace flags {
 inline constexpr std::uint8_t no_contraction = 1;
-inline constexpr std::uint8_t relaxed = 2;    // may be done in half precision
-inline constexpr std::uint8_t half = 4;       // 16-bit floats
-inline constexpr std::uint8_t is_signed = 8;  // integers
+inline constexpr std::uint8_t relaxed = 2;          // may be done in half precision
+inline constexpr std::uint8_t half = 4;             // 16-bit floats
+inline constexpr std::uint8_t is_signed = 8;        // integers
+inline constexpr std::uint8_t result_is_used = 16;  // of an atomic operation
 }  // namespace flags
 
 struct Instruction {
@@ -132,6 +144,11 @@ struct Resource {
     bool is_push_constant = false;
     bool written = false;
     std::string name;
+    std::uint32_t shared_words = 0;  // of a variable that a group shares, which nobody binds
+
+    [[nodiscard]] bool is_at(std::uint32_t of_set, std::uint32_t at_binding) const {
+        return !is_push_constant && shared_words == 0 && set == of_set && binding == at_binding;
+    }
 };
 
 // A variable whose value the pipeline sets.

@@ -226,22 +226,63 @@ void do_array_length(State<N>& s, const Instruction& i) {
 template <class N>
 void do_atomic(State<N>& s, const Instruction& i) {
     const Pointer& pointer = s.pointers[i.a];
-    const Value<N> before = i.count == 1 ? s.read(pointer, 0) : s.slots[pointer.offset];
+    const bool shared = i.count == 1 && s.races;
+    const Value<N> before = i.count == 1 ? s.read(pointer, 0, Races::Use::atomic) : s.slots[pointer.offset];
     if (i.c != SpvOpAtomicLoad) {
         const bool compares = i.c == SpvOpAtomicCompareExchange;
         const bool moves = i.c == SpvOpAtomicStore || i.c == SpvOpAtomicExchange;
+        // The last of several decides, and their order is free.
+        const bool free = shared && (moves || compares) && s.races->is_contended(s.where(pointer), s.lane);
         const Value<N> after =
-            moves ? s.slots[i.b]
-                  : Value<N>::of_bits(exchanged(
-                        i.c, before.bits(),
-                        i.c == SpvOpAtomicIIncrement || i.c == SpvOpAtomicIDecrement ? 0U : s.bits(i.b),
-                        compares ? s.bits(i.extra) : 0U));
+            free && has_bounds<N> ? Value<N>()
+            : moves               ? s.slots[i.b]
+                                  : Value<N>::of_bits(exchanged(
+                          i.c, before.bits(),
+                          i.c == SpvOpAtomicIIncrement || i.c == SpvOpAtomicIDecrement ? 0U : s.bits(i.b),
+                          compares ? s.bits(i.extra) : 0U));
         if (i.count == 1)
-            s.write(pointer, 0, after);
+            s.write(pointer, 0, after, Races::Use::atomic);
         else
             s.slots[pointer.offset] = after;
     }
-    s.slots[i.result] = before;
+    // Which invocation comes first is free.
+    const bool free = shared && has_bounds<N> && (i.flags & flags::result_is_used) != 0;
+    s.slots[i.result] = free ? Value<N>() : before;
+}
+
+template <class N>
+void do_fence(State<N>& s, const Instruction& i) {
+    s.fenced |= i.c;
+}
+
+// The group goes on where all that it waits for have come (internal/group.hpp).
+template <class N>
+void do_wait(State<N>& s, const Instruction&) {
+    s.running = false;
+    s.waits = true;
+}
+
+// One of two numbers, whichever a driver takes.
+[[nodiscard]] inline numeric::Interval either_of(const numeric::Interval& x, const numeric::Interval& y) {
+    return numeric::Interval::within(numeric::hull(x.bounds(), y.bounds()));
+}
+template <class N>
+[[nodiscard]] N either_of(const N& x, const N& y) {
+    if constexpr (std::is_same_v<N, numeric::Rearranged>) {
+        return numeric::Rearranged(either_of(x.interval(), y.interval()));
+    } else if constexpr (std::is_same_v<N, Explained>) {
+        N result = x;
+        result.permitted = either_of(x.permitted, y.permitted);
+        return result;
+    } else {
+        return x;
+    }
+}
+
+template <class N>
+void do_either(State<N>& s, const Instruction& i) {
+    for (std::uint32_t k = 0; k < i.count; ++k)
+        s.set(i, i.result + k, either_of(s.number(i, i.a + k), s.number(i, i.b + k)));
 }
 
 template <class N>
@@ -353,6 +394,14 @@ template <class N>
             return do_image_levels<N>;
         case atomic:
             return do_atomic<N>;
+        case fence:
+            return do_fence<N>;
+        case barrier:
+        case neighbour:
+        case collective:
+            return do_wait<N>;
+        case either:
+            return do_either<N>;
         default:
             return nullptr;
     }

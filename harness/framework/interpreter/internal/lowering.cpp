@@ -122,6 +122,9 @@ void Lowering::place_variable(const shader::Instruction& variable) {
     const Id id = variable.word(2);
     const Decorations decorations = module_.decorations_of(id);
     PointerInfo info{.pointee = pointer.element};
+    // A block without an instance has only its own name.
+    const std::string own = module_.name_of(id);
+    const std::string name = own.empty() ? module_.name_of(pointer.element) : own;
     if (is_resource(variable.word(3))) {
         const bool opaque = variable.word(3) == SpvStorageClassUniformConstant;
         info.space = opaque ? PointerInfo::Space::resource : PointerInfo::Space::memory;
@@ -130,7 +133,11 @@ void Lowering::place_variable(const shader::Instruction& variable) {
                                    .set = decorations.set,
                                    .binding = decorations.binding,
                                    .is_push_constant = variable.word(3) == SpvStorageClassPushConstant,
-                                   .name = module_.name_of(id)});
+                                   .name = name});
+    } else if (variable.word(3) == SpvStorageClassWorkgroup) {
+        info.space = PointerInfo::Space::shared;
+        info.target = {static_cast<std::uint32_t>(code_.resources.size()), 0};
+        code_.resources.push_back({.name = name, .shared_words = module_.types.slots(pointer.element)});
     } else {
         const std::uint32_t count = module_.types.slots(pointer.element);
         info.target.offset = new_slots(count);
@@ -270,15 +277,14 @@ void Lowering::lower(const shader::Instruction& i, Scope& scope) {
         case SpvOpSelectionMerge:
         case SpvOpLoopMerge:
         case SpvOpFunctionParameter:
-        case SpvOpControlBarrier:  // there is one invocation only
-        case SpvOpMemoryBarrier:
             return;
         default:
             break;
     }
     remember_place(i, scope);
     if (lower_control(i, scope) || lower_memory(i, scope) || lower_composite(i, scope) ||
-        lower_matrix(i, scope) || lower_atomic(i, scope) || lower_image(i, scope) || lower_sampling(i, scope))
+        lower_matrix(i, scope) || lower_atomic(i, scope) || lower_image(i, scope) ||
+        lower_sampling(i, scope) || lower_group(i, scope))
         return;
     if (i.opcode == SpvOpExtInst) return lower_extended(i, scope);
     lower_componentwise(i, scope);

@@ -12,7 +12,8 @@ namespace gloam::interpreter::internal {
 
 // The target of an ID of pointer type, as far as it is known before the run.
 struct PointerInfo {
-    enum class Space { slots, memory, resource };
+    // shared: memory of a group, with a word for each scalar, one after another
+    enum class Space { slots, memory, shared, resource };
     Space space = Space::slots;
     bool is_static = true;
     Pointer target;                   // if static
@@ -67,6 +68,11 @@ class Lowering {
     bool lower_atomic(const shader::Instruction& i, Scope& scope);
     bool lower_image(const shader::Instruction& i, Scope& scope);
     bool lower_sampling(const shader::Instruction& i, Scope& scope);
+    bool lower_group(const shader::Instruction& i, Scope& scope);
+    Slot lower_difference(const shader::Instruction& i, Slot of, std::uint32_t pick);
+    void lower_derivative(const shader::Instruction& i, Scope& scope);
+    void lower_collective(const shader::Instruction& i, Scope& scope);
+    void list_offsets(const PointerInfo& pointer, Instruction& instruction);
     void lower_componentwise(const shader::Instruction& i, Scope& scope);
     void lower_extended(const shader::Instruction& i, Scope& scope);
     void lower_call(const shader::Instruction& i, Scope& scope);
@@ -88,6 +94,8 @@ class Lowering {
     [[nodiscard]] Id type_of(Id id, const Scope& scope) const;
     [[nodiscard]] const PointerInfo& pointer_of(Id id, const Scope& scope) const;
     [[nodiscard]] std::uint8_t flags_of(Id result, Id type) const;
+    // Whether an instruction of the function names the result of another one.
+    [[nodiscard]] static bool is_used(Id result, const Scope& scope);
     [[nodiscard]] bool is_relaxed(Id id) const { return module_.decorations_of(id).relaxed; }
     void remember_place(const shader::Instruction& i, const Scope& scope);
     [[noreturn]] void fail(Error::Kind kind, const std::string& message) const;

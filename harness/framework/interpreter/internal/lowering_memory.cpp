@@ -16,12 +16,15 @@ struct Walk {
     PointerInfo at;
     std::vector<Chain::Step> steps;
 
-    [[nodiscard]] bool in_slots() const { return at.space == Space::slots; }
+    // Whether scalars follow one another, without offsets and strides of the module.
+    [[nodiscard]] bool in_slots() const { return at.space == Space::slots || at.space == Space::shared; }
+    // Of a pointer's offset, for each slot.
+    [[nodiscard]] std::uint32_t unit() const { return at.space == Space::shared ? sizeof(Word) : 1; }
 
     // The distance between elements of the pointee, and their number (0: unknown).
     [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> element() const {
         const Type& type = types.at(at.pointee);
-        if (in_slots()) return {types.slots(type.element), type.count};
+        if (in_slots()) return {types.slots(type.element) * unit(), type.count};
         switch (type.kind) {
             case Type::Kind::vector:
                 return {at.scalar_stride == 0 ? types.scalar_bytes(type.element) : at.scalar_stride,
@@ -38,7 +41,8 @@ struct Walk {
         const Type& type = types.at(at.pointee);
         const Type::Member& member = type.members.at(index);
         if (in_slots()) {
-            for (std::uint32_t m = 0; m < index; ++m) at.target.offset += types.slots(type.members[m].type);
+            for (std::uint32_t m = 0; m < index; ++m)
+                at.target.offset += types.slots(type.members[m].type) * unit();
         } else {
             at.target.offset += member.offset;
             at.matrix = member.matrix;
@@ -139,6 +143,17 @@ void Lowering::lower_access_chain(const shader::Instruction& i, Scope& scope) {
     scope.pointers[i.word(2)] = walk.at;
 }
 
+void Lowering::list_offsets(const PointerInfo& pointer, Instruction& instruction) {
+    std::vector<std::uint32_t> offsets;
+    if (pointer.space == Space::shared) {
+        for (std::uint32_t k = 0; k < module_.types.slots(pointer.pointee); ++k)
+            offsets.push_back(k * static_cast<std::uint32_t>(sizeof(Word)));
+    } else {
+        module_.types.append_offsets(pointer.pointee, pointer.matrix, pointer.scalar_stride, 0, offsets);
+    }
+    instruction.extra = new_list(offsets);
+}
+
 void Lowering::load(Slot result, const PointerInfo& from, std::uint8_t how) {
     const std::uint32_t count = module_.types.slots(from.pointee);
     switch (from.space) {
@@ -149,12 +164,11 @@ void Lowering::load(Slot result, const PointerInfo& from, std::uint8_t how) {
                 emit(load_slots, count, result, from.index).flags = how;
             }
             return;
-        case Space::memory: {
-            std::vector<std::uint32_t> offsets;
-            module_.types.append_offsets(from.pointee, from.matrix, from.scalar_stride, 0, offsets);
+        case Space::memory:
+        case Space::shared: {
             Instruction& instruction = emit(load_memory, count, result, pointer_index(from));
             instruction.flags = how;
-            instruction.extra = new_list(offsets);
+            list_offsets(from, instruction);
             return;
         }
         case Space::resource:
@@ -173,13 +187,11 @@ void Lowering::store(const PointerInfo& to, Slot value) {
                 emit(store_slots, count, 0, to.index, value);
             }
             return;
-        case Space::memory: {
-            std::vector<std::uint32_t> offsets;
-            module_.types.append_offsets(to.pointee, to.matrix, to.scalar_stride, 0, offsets);
-            emit(store_memory, count, 0, pointer_index(to), value).extra = new_list(offsets);
+        case Space::memory:
+        case Space::shared:
+            list_offsets(to, emit(store_memory, count, 0, pointer_index(to), value));
             code_.resources[to.target.resource].written = true;
             return;
-        }
         case Space::resource:
             fail(Error::Kind::malformed, "a store to an image's variable");
     }
@@ -193,10 +205,11 @@ bool Lowering::lower_atomic(const shader::Instruction& i, Scope& scope) {
     if (pointer.space == Space::resource)
         fail(Error::Kind::unknown_instruction, "an atomic operation on an image");
     const Slot result = is_store ? new_slots(1) : slot_of(i.word(2), scope);
-    Instruction& instruction =
-        emit(atomic, pointer.space == Space::memory ? 1 : 0, result, pointer_index(pointer));
+    const bool in_memory = pointer.space != Space::slots;
+    Instruction& instruction = emit(atomic, in_memory ? 1 : 0, result, pointer_index(pointer));
     instruction.c = i.opcode;
-    if (pointer.space == Space::memory) code_.resources[pointer.target.resource].written = true;
+    if (in_memory) code_.resources[pointer.target.resource].written = true;
+    if (!is_store && is_used(i.word(2), scope)) instruction.flags |= flags::result_is_used;
     switch (i.opcode) {
         case SpvOpAtomicLoad:
         case SpvOpAtomicIIncrement:

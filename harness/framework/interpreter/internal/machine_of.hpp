@@ -6,6 +6,7 @@
 #include "interpreter/internal/code.hpp"
 #include "interpreter/internal/control.hpp"
 #include "interpreter/internal/conversions.hpp"
+#include "interpreter/internal/group.hpp"
 #include "interpreter/internal/vectors.hpp"
 
 // The implementation of the machine; each number type is instantiated in a source of its own.
@@ -28,6 +29,58 @@ Handler<N> handler_of(const Instruction& i) {
 template <class N>
 inline constexpr bool has_intervals = !std::is_floating_point_v<N>;
 
+// A word of a built-in variable.
+[[nodiscard]] inline Word built_in_word(const Invocation& at, std::uint32_t built_in, std::uint32_t k) {
+    const Word index = (at.local[2] * at.group_size[1] + at.local[1]) * at.group_size[0] + at.local[0];
+    const Word in_subgroup = index % at.subgroup_size;
+    const Word count = at.group_size[0] * at.group_size[1] * at.group_size[2];
+    // Of the invocations of a subgroup, those for which this holds.
+    const auto mask = [&](auto holds) {
+        Word word = 0;
+        for (Word bit = 0; bit < word_bits; ++bit)
+            if (k * word_bits + bit < at.subgroup_size && holds(k * word_bits + bit)) word |= Word{1} << bit;
+        return word;
+    };
+    switch (built_in) {
+        case SpvBuiltInGlobalInvocationId:
+            return at.group.at(k) * at.group_size.at(k) + at.local.at(k);
+        case SpvBuiltInWorkgroupId:
+            return at.group.at(k);
+        case SpvBuiltInLocalInvocationId:
+            return at.local.at(k);
+        case SpvBuiltInLocalInvocationIndex:
+            return index;
+        case SpvBuiltInNumWorkgroups:
+            return at.groups.at(k);
+        case SpvBuiltInWorkgroupSize:
+            return at.group_size.at(k);
+        case SpvBuiltInFragCoord:
+            return std::bit_cast<Word>(
+                k < 2 ? static_cast<float>(at.group.at(k) * at.group_size.at(k) + at.local.at(k)) + 0.5F
+                      : static_cast<float>(k - 2));
+        case SpvBuiltInSubgroupSize:
+            return at.subgroup_size;
+        case SpvBuiltInNumSubgroups:
+            return (count + at.subgroup_size - 1) / at.subgroup_size;
+        case SpvBuiltInSubgroupId:
+            return index / at.subgroup_size;
+        case SpvBuiltInSubgroupLocalInvocationId:
+            return in_subgroup;
+        case SpvBuiltInSubgroupEqMask:
+            return mask([&](Word bit) { return bit == in_subgroup; });
+        case SpvBuiltInSubgroupGeMask:
+            return mask([&](Word bit) { return bit >= in_subgroup; });
+        case SpvBuiltInSubgroupGtMask:
+            return mask([&](Word bit) { return bit > in_subgroup; });
+        case SpvBuiltInSubgroupLeMask:
+            return mask([&](Word bit) { return bit <= in_subgroup; });
+        case SpvBuiltInSubgroupLtMask:
+            return mask([&](Word bit) { return bit < in_subgroup; });
+        default:
+            return 0;
+    }
+}
+
 }  // namespace internal
 
 template <class N>
@@ -38,6 +91,13 @@ Machine<N>::Machine(const Program& program)
     state_->pointers = code.pointers;
     state_->backings.resize(code.resources.size());
     state_->moving.resize(code.most_copies);
+    for (const internal::Resource& resource : code.resources)
+        state_->shared.resize(std::max<std::size_t>(state_->shared.size(), resource.shared_words));
+    for (std::size_t r = 0; r < code.resources.size(); ++r) {
+        const std::uint32_t words = code.resources[r].shared_words;
+        state_->backings[r].values.resize(words);
+        state_->backings[r].words = std::span(state_->shared).first(words);
+    }
     for (const internal::ConstantSlot& constant : code.constants)
         state_->slots[constant.slot] =
             constant.is_float ? Value<N>::of_float(constant.bits) : Value<N>::of_bits(constant.bits);
@@ -59,7 +119,7 @@ template <class N>
 void Machine<N>::bind(std::uint32_t set, std::uint32_t binding, std::span<const Word> words) {
     for (std::size_t r = 0; r < state_->backings.size(); ++r) {
         const internal::Resource& resource = state_->code.resources[r];
-        if (resource.is_push_constant || resource.set != set || resource.binding != binding) continue;
+        if (!resource.is_at(set, binding)) continue;
         internal::Backing<N>& backing = state_->backings[r];
         backing.words = words;
         backing.values.clear();
@@ -77,8 +137,7 @@ void Machine<N>::bind(std::uint32_t set, std::uint32_t binding, const ImageView&
     bind(set, binding, image.texels);
     for (std::size_t r = 0; r < state_->backings.size(); ++r) {
         const internal::Resource& resource = state_->code.resources[r];
-        if (!resource.is_push_constant && resource.set == set && resource.binding == binding)
-            state_->backings[r].image = image;
+        if (resource.is_at(set, binding)) state_->backings[r].image = image;
     }
 }
 
@@ -86,8 +145,7 @@ template <class N>
 void Machine<N>::bind(std::uint32_t set, std::uint32_t binding, const SampledView& image) {
     for (std::size_t r = 0; r < state_->backings.size(); ++r) {
         const internal::Resource& resource = state_->code.resources[r];
-        if (resource.kind == internal::Resource::Kind::image && resource.set == set &&
-            resource.binding == binding)
+        if (resource.kind == internal::Resource::Kind::image && resource.is_at(set, binding))
             state_->backings[r].sampled = image;
     }
 }
@@ -99,40 +157,111 @@ void Machine<N>::bind_push_constants(std::span<const Word> words) {
 }
 
 template <class N>
-void Machine<N>::set_invocation(const Invocation& at) {
-    const auto value = [&at](std::uint32_t built_in, std::uint32_t k) -> Word {
-        switch (built_in) {
-            case SpvBuiltInGlobalInvocationId:
-                return at.group.at(k) * at.group_size.at(k) + at.local.at(k);
-            case SpvBuiltInWorkgroupId:
-                return at.group.at(k);
-            case SpvBuiltInLocalInvocationId:
-                return at.local.at(k);
-            case SpvBuiltInLocalInvocationIndex:
-                return (at.local[2] * at.group_size[1] + at.local[1]) * at.group_size[0] + at.local[0];
-            case SpvBuiltInNumWorkgroups:
-                return at.groups.at(k);
-            case SpvBuiltInWorkgroupSize:
-                return at.group_size.at(k);
-            default:
-                return 0;
-        }
-    };
+void Machine<N>::set_built_ins(const Invocation& at, std::span<Value<N>> slots) {
     for (const internal::BuiltIn& built_in : state_->code.built_ins)
-        for (std::uint32_t k = 0; k < built_in.count; ++k)
-            state_->slots[built_in.slot + k] = Value<N>::of_bits(value(built_in.built_in, k));
+        for (std::uint32_t k = 0; k < built_in.count; ++k) {
+            const Word word = internal::built_in_word(at, built_in.built_in, k);
+            slots[built_in.slot + k] =
+                built_in.built_in == SpvBuiltInFragCoord ? Value<N>::of_float(word) : Value<N>::of_bits(word);
+        }
+}
+
+template <class N>
+void Machine<N>::set_invocation(const Invocation& invocation) {
+    state_->lanes.clear();
+    state_->races.reset();
+    set_built_ins(invocation, state_->slots);
+}
+
+template <class N>
+void Machine<N>::set_group(const Invocation& first, Order order) {
+    const auto& size = first.group_size;
+    const std::uint64_t count = std::uint64_t{size[0]} * size[1] * size[2];
+    if (count == 0 || count > most_invocations || first.subgroup_size == 0)
+        throw Error(Error::Kind::malformed,
+                    fmt::format("a group of {} invocations, expected 1 to {}", count, most_invocations));
+    if (state_->lanes.size() != count) {
+        // Constants are in the slots of each.
+        state_->lanes.assign(count, {.slots = state_->slots, .pointers = state_->pointers});
+        state_->races.emplace(state_->code, static_cast<std::uint32_t>(count), first.subgroup_size);
+    }
+    state_->subgroup_size = first.subgroup_size;
+    order_ = order;
+    Invocation at = first;
+    for (std::uint32_t lane = 0; lane < count; ++lane) {
+        at.local = {lane % size[0], lane / size[0] % size[1], lane / size[0] / size[1]};
+        set_built_ins(at, state_->lanes[lane].slots);
+    }
 }
 
 template <class N>
 void Machine<N>::prepare() {
-    for (internal::Backing<N>& backing : state_->backings) {
+    for (std::size_t r = 0; r < state_->backings.size(); ++r) {
+        internal::Backing<N>& backing = state_->backings[r];
+        const bool shared = state_->code.resources[r].shared_words > 0;
         for (const std::uint32_t word : backing.dirty)
-            backing.values[word] = Value<N>::of_bits(backing.words[word]);
+            backing.values[word] = shared ? Value<N>() : Value<N>::of_bits(backing.words[word]);
         backing.dirty.clear();
     }
     state_->next = 0;
     state_->cost = 0;
     state_->running = true;
+    state_->waits = false;
+    for (internal::Lane<N>& lane : state_->lanes) {
+        lane.next = 0;
+        lane.fenced = 0;
+        lane.progress = internal::Lane<N>::Progress::runs;
+    }
+    if (state_->races) state_->races->begin();
+}
+
+// Runs an invocation until it ends or waits.
+template <class N>
+template <class Tell>
+void Machine<N>::step(Tell& tell, std::uint32_t& at, std::uint64_t end, bool& half) {
+    internal::State<N>& s = *state_;
+    const internal::Instruction* const code = s.code.instructions.data();
+    for (; s.running; ++steps_) {
+        steps_ += std::exchange(s.cost, 0);
+        if (steps_ >= end)
+            throw internal::Fault{Error::Kind::too_many_steps,
+                                  fmt::format("more than {} instructions", limit_)};
+        at = s.next++;
+        const internal::Instruction& i = code[at];
+        if constexpr (internal::has_intervals<N>) {
+            const bool wants_half = (i.flags & (internal::flags::relaxed | internal::flags::half)) != 0;
+            if (wants_half != half)
+                numeric::Paths::set_format(wants_half ? numeric::float16 : numeric::float32);
+            half = wants_half;
+        }
+        s.handlers[at](s, i);
+        tell(i);
+    }
+}
+
+template <class N>
+template <class Tell>
+void Machine<N>::execute_group(Tell& tell, std::uint32_t& at, std::uint64_t end, bool& half) {
+    internal::State<N>& s = *state_;
+    const auto count = static_cast<std::uint32_t>(s.lanes.size());
+    // A fault must not leave an invocation's values in the place of the group's.
+    const auto in_lane = [&](std::uint32_t lane, auto&& run) {
+        internal::enter(s, lane);
+        try {
+            run();
+        } catch (...) {
+            internal::leave(s);
+            throw;
+        }
+        internal::leave(s);
+    };
+    do {
+        for (std::uint32_t k = 0; k < count; ++k) {
+            const std::uint32_t lane = order_ == Order::forward ? k : count - 1 - k;
+            if (s.lanes[lane].progress == internal::Lane<N>::Progress::runs)
+                in_lane(lane, [&] { step(tell, at, end, half); });
+        }
+    } while (!internal::meet(s, at).empty());
 }
 
 template <class N>
@@ -140,30 +269,21 @@ template <class Tell>
 void Machine<N>::execute(Tell&& tell) {
     prepare();
     internal::State<N>& s = *state_;
-    const internal::Instruction* const code = s.code.instructions.data();
     std::uint32_t at = 0;
+    bool half = false;
     const std::uint64_t end = steps_ + limit_;
-    [[maybe_unused]] bool half = false;
     if constexpr (internal::has_intervals<N>) numeric::Paths::set_format(numeric::float32);
     try {
-        for (; s.running; ++steps_) {
-            steps_ += std::exchange(s.cost, 0);
-            if (steps_ >= end)
-                throw internal::Fault{Error::Kind::too_many_steps,
-                                      fmt::format("more than {} instructions", limit_)};
-            at = s.next++;
-            const internal::Instruction& i = code[at];
-            if constexpr (internal::has_intervals<N>) {
-                const bool wants_half = (i.flags & (internal::flags::relaxed | internal::flags::half)) != 0;
-                if (wants_half != half)
-                    numeric::Paths::set_format(wants_half ? numeric::float16 : numeric::float32);
-                half = wants_half;
-            }
-            s.handlers[at](s, i);
-            tell(i);
-        }
+        if (!s.lanes.empty()) return execute_group(tell, at, end, half);
+        do {
+            s.running = true;
+            step(tell, at, end, half);
+            if (s.waits && s.code.instructions[at].op != internal::barrier)
+                throw internal::Fault{Error::Kind::unknown_instruction,
+                                      "an operation of several invocations, and there is one"};
+        } while (std::exchange(s.waits, false));
     } catch (const internal::Fault& fault) {
-        throw Error(fault.kind, fault.message, s.code.places[code[at].place]);
+        throw Error(fault.kind, fault.message, s.code.places[s.code.instructions[at].place]);
     }
 }
 
@@ -185,7 +305,7 @@ void Machine<N>::run() {
 template <class N>
 void Machine<N>::run(const std::function<void(const Step<N>&)>& tell) {
     execute([&](const internal::Instruction& i) {
-        if (i.op >= internal::copy) return;  // moves existing values
+        if (i.op >= internal::copy) return;  // moves existing values, or waits
         const std::uint32_t count = i.op == SpvOpDot ? 1 : i.count;
         tell({.place = state_->code.places[i.place],
               .opcode = i.op,
@@ -207,8 +327,7 @@ template <class N>
 bool Machine<N>::wrote(std::uint32_t set, std::uint32_t binding) const {
     for (std::size_t r = 0; r < state_->backings.size(); ++r) {
         const internal::Resource& resource = state_->code.resources[r];
-        if (!resource.is_push_constant && resource.set == set && resource.binding == binding)
-            return !state_->backings[r].dirty.empty();
+        if (resource.is_at(set, binding)) return !state_->backings[r].dirty.empty();
     }
     return false;
 }
@@ -217,7 +336,7 @@ template <class N>
 Value<N> Machine<N>::read(std::uint32_t set, std::uint32_t binding, std::size_t word) const {
     for (std::size_t r = 0; r < state_->backings.size(); ++r) {
         const internal::Resource& resource = state_->code.resources[r];
-        if (resource.is_push_constant || resource.set != set || resource.binding != binding) continue;
+        if (!resource.is_at(set, binding)) continue;
         const internal::Backing<N>& backing = state_->backings[r];
         if (word >= backing.words.size())
             throw Error(Error::Kind::out_of_bounds, fmt::format("word {} of {}", word, backing.words.size()));

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "interpreter/internal/code.hpp"
+#include "interpreter/internal/races.hpp"
 #include "interpreter/internal/scalars.hpp"
 #include "interpreter/machine.hpp"
 #include "interpreter/number.hpp"
@@ -103,6 +104,11 @@ template <class N>
     return numeric::Interval::within(chosen, chosen);
 }
 
+// Whether the numbers stand for all that is permitted.
+template <class N>
+inline constexpr bool has_bounds =
+    std::is_same_v<N, numeric::Interval> || std::is_same_v<N, numeric::Rearranged>;
+
 // A fault of the running shader. The machine adds the place.
 struct Fault {
     Error::Kind kind;
@@ -125,6 +131,17 @@ struct Backing {
     std::optional<SampledView> sampled;
 };
 
+// An invocation of a group while another one runs.
+template <class N>
+struct Lane {
+    enum class Progress { runs, waits, ended };
+    std::vector<Value<N>> slots;
+    std::vector<Pointer> pointers;
+    std::uint32_t next = 0;
+    Progress progress = Progress::runs;
+    std::uint32_t fenced = 0;  // semantics of its fences since the last barrier
+};
+
 template <class N>
 struct State {
     const Code& code;
@@ -135,6 +152,13 @@ struct State {
     std::vector<Value<N>> moving;  // sources of an edge's copies, while these are made
     std::uint32_t next = 0;        // instruction
     bool running = false;
+    bool waits = false;          // for other invocations, at the last instruction
+    std::vector<Lane<N>> lanes;  // of a group (internal/group.hpp); empty: one invocation alone
+    std::uint32_t lane = 0;      // that runs
+    std::uint32_t subgroup_size = 1;
+    std::uint32_t fenced = 0;                 // see Lane
+    mutable std::optional<Races> races;       // of a group
+    std::vector<Word> shared;                 // as many words as the largest shared variable has
     bool half = false;                        // see Machine::set_half()
     std::optional<numeric::Random> sampling;  // see Machine::set_sampling()
     std::uint64_t cost = 0;                   // of the last instruction, in steps besides its own
@@ -175,20 +199,44 @@ struct State {
         }
         return index;
     }
-    [[nodiscard]] Value<N> read(const Pointer& pointer, std::uint32_t offset) const {
+    [[nodiscard]] Value<N> read(const Pointer& pointer, std::uint32_t offset,
+                                Races::Use use = Races::Use::read) const {
         const std::size_t index = word_of(pointer, offset);
         const Backing<N>& backing = backings[pointer.resource];
+        if (races && !backing.values.empty()) watch(pointer.resource, index, use);
         return backing.values.empty() ? Value<N>::of_bits(backing.words[index]) : backing.values[index];
     }
-    void write(const Pointer& pointer, std::uint32_t offset, const Value<N>& value) {
+    void write(const Pointer& pointer, std::uint32_t offset, const Value<N>& value,
+               Races::Use use = Races::Use::write) {
         const std::size_t index = word_of(pointer, offset);
+        if (races) watch(pointer.resource, index, use);
         Backing<N>& backing = backings[pointer.resource];
         backing.values[index] = value;
         backing.dirty.push_back(static_cast<std::uint32_t>(index));
     }
 
+    // The resource's word of a pointer, for Races.
+    [[nodiscard]] Races::Where where(const Pointer& pointer) const {
+        return {pointer.resource, static_cast<std::uint32_t>(word_of(pointer, 0))};
+    }
+
   private:
     static N halved(const N& x);
+
+    // Throws Fault for a race.
+    void watch(std::uint32_t resource, std::size_t word, Races::Use use) const {
+        const Races::Access now{.lane = lane, .instruction = next - 1, .use = use};
+        const auto other = races->add({resource, static_cast<std::uint32_t>(word)}, now);
+        if (!other) return;
+        const bool writes = use != Races::Use::read;
+        throw Fault{
+            Error::Kind::race,
+            fmt::format("a race: invocation {} {} word {} of \"{}\", which invocation {} {} at {} with "
+                        "no barrier between them",
+                        lane, writes ? "writes" : "reads", word, code.resources[resource].name, other->lane,
+                        other->use == Races::Use::read ? "reads" : "writes",
+                        to_text(code.places[code.instructions[other->instruction].place]))};
+    }
 };
 
 // A number stored in 16 bits. Intervals are not rounded here: their operations have that format.

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "interpreter/internal/lowering.hpp"
+#include "interpreter/internal/opcodes.hpp"
+
+// What invocations of a quad or a group do together: derivatives, barriers, subgroup operations.
+namespace gloam::interpreter::internal {
+
+bool Lowering::is_used(Id result, const Scope& scope) {
+    // A literal of the same value counts, too; it does no harm.
+    return std::ranges::any_of(scope.function->body, [result](const shader::Instruction& i) {
+        bool has_result = false;
+        bool has_type = false;
+        SpvHasResultAndType(static_cast<SpvOp>(i.opcode), &has_result, &has_type);
+        const bool makes_it = has_result && has_type && i.word(2) == result;
+        return std::ranges::count(i.words, result) > (makes_it ? 1 : 0);
+    });
+}
+
+bool Lowering::lower_group(const shader::Instruction& i, Scope& scope) {
+    const auto constant = [&](std::size_t word) {
+        const auto value = module_.integer(i.word(word));
+        if (!value) fail(Error::Kind::unknown_instruction, "a barrier of a computed scope");
+        return *value;
+    };
+    if (i.opcode == SpvOpControlBarrier) {
+        Instruction& instruction = emit(barrier, 0, 0, 0, 0, constant(3));
+        instruction.extra = constant(1);
+        return true;
+    }
+    if (i.opcode == SpvOpMemoryBarrier) {
+        emit(fence, 0, 0, 0, 0, constant(2));
+        return true;
+    }
+    if (i.opcode >= SpvOpDPdx && i.opcode <= SpvOpFwidthCoarse) {
+        lower_derivative(i, scope);
+        return true;
+    }
+    if (i.opcode >= SpvOpGroupNonUniformElect && i.opcode <= SpvOpGroupNonUniformQuadSwap) {
+        lower_collective(i, scope);
+        return true;
+    }
+    return false;
+}
+
+// The difference between the two invocations of a row or a column of the quad.
+Slot Lowering::lower_difference(const shader::Instruction& i, Slot of, std::uint32_t pick) {
+    const std::uint32_t count = module_.types.slots(i.word(1));
+    const Slot low = new_slots(count);
+    const Slot high = new_slots(count);
+    const Slot result = new_slots(count);
+    emit(neighbour, count, low, of).extra = pick;
+    emit(neighbour, count, high, of).extra = pick | second;
+    emit(SpvOpFSub, count, result, high, low).flags =
+        static_cast<std::uint8_t>(flags_of(i.word(2), i.word(1)) | flags::no_contraction);
+    return result;
+}
+
+// A fine derivative is that of the invocation's own row or column; others may be of either one.
+void Lowering::lower_derivative(const shader::Instruction& i, Scope& scope) {
+    constexpr std::uint32_t kinds = 3;  // along x, along y, the sum of both magnitudes
+    const std::uint32_t kind = (i.opcode - SpvOpDPdx) % kinds;
+    const bool fine = (i.opcode - SpvOpDPdx) / kinds == 1;
+    const std::uint32_t count = module_.types.slots(i.word(1));
+    const Slot of = slot_of(i.word(3), scope);
+    const Slot result = slot_of(i.word(2), scope);
+    const std::uint8_t how = flags_of(i.word(2), i.word(1));
+    const auto along = [&](std::uint32_t axis) {
+        const Slot own = lower_difference(i, of, axis);
+        if (fine) return own;
+        const Slot other = lower_difference(i, of, axis | other_line);
+        const Slot any = new_slots(count);
+        emit(either, count, any, own, other).flags = how;
+        return any;
+    };
+    if (kind < 2) {
+        emit(copy, count, result, along(kind == 0 ? row : column));
+        return;
+    }
+    std::array<Slot, 2> magnitudes{};
+    for (std::uint32_t axis = 0; axis < 2; ++axis) {
+        magnitudes.at(axis) = new_slots(count);
+        const Slot difference = along(axis == 0 ? row : column);
+        emit(extended + GLSLstd450FAbs, count, magnitudes.at(axis), difference).flags = how;
+    }
+    emit(SpvOpFAdd, count, result, magnitudes[0], magnitudes[1]).flags =
+        static_cast<std::uint8_t>(how | flags::no_contraction);
+}
+
+void Lowering::lower_collective(const shader::Instruction& i, Scope& scope) {
+    constexpr std::size_t first_operand = 4;  // behind the type, the result and the scope
+    const auto constant = module_.integer(i.word(3));
+    if (!constant || *constant != SpvScopeSubgroup)
+        fail(Error::Kind::unknown_instruction, "an operation of a group that is no subgroup");
+    std::size_t word = first_operand;
+    const bool reduces = i.opcode >= SpvOpGroupNonUniformIAdd && i.opcode <= SpvOpGroupNonUniformLogicalXor;
+    std::uint32_t operation = 0;
+    if (reduces || i.opcode == SpvOpGroupNonUniformBallotBitCount) operation = i.word(word++);
+    std::array<Slot, 2> operands{};
+    std::uint32_t components = 0;
+    for (std::size_t k = 0; k < operands.size() && word < i.words.size(); ++k, ++word) {
+        if (k == 0) components = module_.types.slots(type_of(i.word(word), scope));
+        operands.at(k) = slot_of(i.word(word), scope);
+    }
+    if (operation > SpvGroupOperationClusteredReduce)
+        fail(Error::Kind::unknown_instruction, fmt::format("the group operation {}", operation));
+    Instruction& instruction = emit(collective, module_.types.slots(i.word(1)), slot_of(i.word(2), scope),
+                                    operands[0], operands[1], i.opcode);
+    instruction.stride = static_cast<std::uint8_t>(components);
+    instruction.extra = operation;
+    instruction.flags = flags_of(i.word(2), i.word(1));
+}
+
+}  // namespace gloam::interpreter::internal
