@@ -86,6 +86,21 @@ struct Constant {
     std::uint32_t bits = 0;
 };
 
+// The invocations that evaluate one input of a kernel together.
+struct Team {
+    enum class Kind {
+        alone,
+        quad,  // 2 x 2 fragments, which have derivatives
+        group  // a work group, with shared memory, barriers and subgroups
+    };
+    Kind kind = Kind::alone;
+    std::array<std::uint32_t, 3> size{1, 1, 1};  // of a quad 2, 2, 1
+
+    [[nodiscard]] std::uint32_t count() const { return size[0] * size[1] * size[2]; }
+    friend bool operator==(const Team&, const Team&) = default;
+};
+inline constexpr Team quad_team{.kind = Team::Kind::quad, .size = {2, 2, 1}};
+
 // A kernel is a function that is evaluated once for each of many inputs. Its storage buffers, of descriptor
 // set 0:
 struct KernelBinding {
@@ -100,7 +115,7 @@ inline constexpr unsigned kernel_group_size = 64;
 // Push constants of every kernel.
 struct KernelRun {
     Word count = 0;       // inputs
-    Word row_length = 0;  // invocations in one row of work groups
+    Word row_length = 0;  // invocations in one row of work groups; of teams, the teams in a row
     Word canary = 0;      // xor the position of the input: written behind every output
 };
 
@@ -127,6 +142,8 @@ struct KernelProgram {
     std::vector<bool> stores = {};   // for each image, whether the kernel stores to it
     std::vector<bool> sampled = {};  // for each image, whether a sampler reads it, and not a storage buffer
     const std::string& name;         // for messages
+    Team team = {};
+    std::span<const Word> vertex_spirv = {};  // of a quad: the shader before it (gpu::ComputeProgram)
 
     // Words of an input or of an output row, whichever are more.
     [[nodiscard]] std::size_t widest() const { return std::max(input_words, output_words + 1); }

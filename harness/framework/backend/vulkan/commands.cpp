@@ -31,7 +31,7 @@ vk::raii::DescriptorSetLayout make_set_layout(const Context& context, const Comp
         bindings.push_back({.binding = static_cast<std::uint32_t>(bindings.size()),
                             .descriptorType = descriptor_type(kind),
                             .descriptorCount = 1,
-                            .stageFlags = vk::ShaderStageFlagBits::eCompute});
+                            .stageFlags = stage_of(program)});
     }
     return {context.device,
             vk::DescriptorSetLayoutCreateInfo{.bindingCount = static_cast<std::uint32_t>(bindings.size()),
@@ -39,14 +39,13 @@ vk::raii::DescriptorSetLayout make_set_layout(const Context& context, const Comp
 }
 
 vk::raii::PipelineLayout make_layout(const Context& context, const vk::raii::DescriptorSetLayout& set_layout,
-                                     std::uint32_t push_constant_bytes) {
-    check_push_constant_size(context, push_constant_bytes);
-    const vk::PushConstantRange range{.stageFlags = vk::ShaderStageFlagBits::eCompute,
-                                      .size = push_constant_bytes};
+                                     const ComputeProgram& program) {
+    check_push_constant_size(context, program.push_constant_bytes);
+    const vk::PushConstantRange range{.stageFlags = stage_of(program), .size = program.push_constant_bytes};
     return {context.device,
             vk::PipelineLayoutCreateInfo{.setLayoutCount = 1,
                                          .pSetLayouts = &*set_layout,
-                                         .pushConstantRangeCount = push_constant_bytes > 0 ? 1u : 0u,
+                                         .pushConstantRangeCount = program.push_constant_bytes > 0 ? 1u : 0u,
                                          .pPushConstantRanges = &range}};
 }
 
@@ -75,9 +74,12 @@ vk::raii::Pipeline make_pipeline(const Context& context, const vk::raii::Pipelin
 
 ComputeHandles create(const Context& context, const ComputeProgram& program) {
     auto set_layout = make_set_layout(context, program);
-    auto layout = make_layout(context, set_layout, program.push_constant_bytes);
-    auto pipeline = make_pipeline(context, layout, program);
-    return {std::move(set_layout), std::move(layout), std::move(pipeline)};
+    auto layout = make_layout(context, set_layout, program);
+    const bool quads = !program.vertex_spirv.empty();
+    vk::raii::RenderPass render_pass = quads ? make_quad_pass(context) : vk::raii::RenderPass(nullptr);
+    auto pipeline = quads ? make_quad_pipeline(context, layout, render_pass, program)
+                          : make_pipeline(context, layout, program);
+    return {std::move(set_layout), std::move(layout), std::move(render_pass), std::move(pipeline)};
 }
 
 }  // namespace
@@ -110,6 +112,7 @@ ComputePipeline::Impl::Impl(Context& owner, const ComputeProgram& made_of)
     : context(owner),
       bindings(made_of.bindings),
       push_constant_bytes(made_of.push_constant_bytes),
+      stage(stage_of(made_of)),
       program{{made_of.spirv.begin(), made_of.spirv.end()}, made_of.constants, made_of.bindings},
       handles(owner, create(owner, made_of)) {}
 
@@ -294,8 +297,9 @@ void Commands::Impl::check(const ComputePipeline& pipeline, std::span<const Reso
 
 void Commands::Impl::bind(const ComputePipeline& pipeline, std::span<const Resource> resources,
                           std::span<const std::byte> push_constants) {
-    constexpr auto point = vk::PipelineBindPoint::eCompute;
     const auto& program = pipeline.impl();
+    const auto point = program.stage == vk::ShaderStageFlagBits::eCompute ? vk::PipelineBindPoint::eCompute
+                                                                          : vk::PipelineBindPoint::eGraphics;
     const auto& commands = recording();
     commands.bindPipeline(point, *program.handles->pipeline);
     if (!resources.empty()) {
@@ -304,8 +308,7 @@ void Commands::Impl::bind(const ComputePipeline& pipeline, std::span<const Resou
         commands.bindDescriptorSets(point, *program.handles->layout, 0, *set, nullptr);
     }
     if (!push_constants.empty()) {
-        commands.pushConstants<std::byte>(*program.handles->layout, vk::ShaderStageFlagBits::eCompute, 0,
-                                          push_constants);
+        commands.pushConstants<std::byte>(*program.handles->layout, program.stage, 0, push_constants);
     }
 }
 
@@ -320,7 +323,10 @@ void Commands::dispatch(const ComputePipeline& pipeline, std::span<const Resourc
     check_groups(impl_->context.physical.info, groups);
     impl_->bind(pipeline, resources, push_constants);
     const auto& commands = impl_->recording();
-    commands.dispatch(groups[0], groups[1], groups[2]);
+    if (pipeline.impl().stage == vk::ShaderStageFlagBits::eCompute)
+        commands.dispatch(groups[0], groups[1], groups[2]);
+    else
+        impl_->draw_quads(pipeline.impl(), groups[0], groups[1]);
     device_barrier(commands);
 }
 

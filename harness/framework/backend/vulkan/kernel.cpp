@@ -19,7 +19,8 @@ ComputePipeline pipeline_of(const Device& device, const backend::KernelProgram& 
             {.spirv = program.spirv,
              .bindings = std::move(bindings),
              .push_constant_bytes = sizeof(backend::KernelRun),
-             .constants = {program.constants.begin(), program.constants.end()}}};
+             .constants = {program.constants.begin(), program.constants.end()},
+             .vertex_spirv = program.vertex_spirv}};
 }
 
 Buffer uploaded(const Device& device, std::span<const Word> words) {
@@ -39,10 +40,13 @@ class VulkanKernel : public backend::Kernel {
           pipeline_(pipeline_of(device, program)),
           stores_(program.stores),
           sampled_(program.sampled),
-          widest_(program.widest()) {}
+          widest_(program.widest()),
+          team_(program.team) {}
 
     [[nodiscard]] std::size_t most_inputs() const override {
-        return device_.info().max_buffer_bytes / sizeof(Word) / widest_ - backend::guard_words;
+        const std::size_t by_memory =
+            device_.info().max_buffer_bytes / sizeof(Word) / widest_ - backend::guard_words;
+        return is_quad() ? std::min(by_memory, most_quads_aside * most_quads_aside) : by_memory;
     }
 
     void run(std::size_t count, Word canary, backend::KernelMemory& memory) const override {
@@ -63,11 +67,13 @@ class VulkanKernel : public backend::Kernel {
             buffers.push_back(uploaded(device_, sampled_[i] ? words.first(1) : words));
         }
 
-        const std::size_t groups = (count + backend::kernel_group_size - 1) / backend::kernel_group_size;
-        const std::size_t columns = std::min<std::size_t>(groups, device_.info().max_group_count[0]);
+        const std::size_t inputs = team_.kind == backend::Team::Kind::alone ? backend::kernel_group_size : 1;
+        const std::size_t groups = (count + inputs - 1) / inputs;
+        const std::size_t most = is_quad() ? most_quads_aside : device_.info().max_group_count[0];
+        const std::size_t columns = std::min(groups, most);
         const std::size_t rows = (groups + columns - 1) / columns;
         const backend::KernelRun run{.count = static_cast<Word>(count),
-                                     .row_length = static_cast<Word>(columns * backend::kernel_group_size),
+                                     .row_length = static_cast<Word>(columns * inputs),
                                      .canary = canary};
         std::vector<Resource> resources(buffers.begin(), buffers.end());
         for (std::size_t i = 0, next = 0; i < sampled_.size(); ++i)
@@ -84,11 +90,17 @@ class VulkanKernel : public backend::Kernel {
             if (stores_[i]) download(buffers[backend::KernelBinding::first_image + i], memory.images[i]);
     }
 
+    [[nodiscard]] bool is_quad() const { return team_.kind == backend::Team::Kind::quad; }
+
+    // Every device has framebuffers of 4096 pixels.
+    static constexpr std::size_t most_quads_aside = 2048;
+
     const Device& device_;
     ComputePipeline pipeline_;
     std::vector<bool> stores_;
     std::vector<bool> sampled_;
     std::size_t widest_;
+    backend::Team team_;
 };
 
 }  // namespace
