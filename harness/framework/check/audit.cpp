@@ -324,7 +324,7 @@ Audit audit(const Lab& lab, const Question& question, const std::vector<Ordinary
 Audit audit(const Lab& lab, const std::string& file, const OwnFunction& own, const std::string& text,
             const Ranges& ranges, const AuditOptions& options) {
     Question question = question_of(lab, file, own, ranges);
-    const std::vector<OrdinaryValues> domain = ordinary_values(own.function, text, ranges);
+    const std::vector<OrdinaryValues> domain = ordinary_values(own.function, text, ranges, own.team);
     question.domain = ordinary_domain(own.function, domain);
     return audit(lab, question, domain, options);
 }

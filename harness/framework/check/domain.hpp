@@ -92,6 +92,14 @@ struct Values {
 [[nodiscard]] Values image_size();
 // One of two kinds of values with equal probability; the fixed values of both.
 [[nodiscard]] Values either(const Values& a, const Values& b);
+// The values of a quad's four invocations (0, 0), (1, 0), (0, 1), (1, 1), each of this type, from those of
+// one. In half of the quads floats change by small steps along x and y, the same in both rows and columns, in
+// a quarter they are drawn apart, in the rest all are equal; so are integers and bools, unless they are drawn
+// apart. Each fixed value is that of all four. `pixels`: of a vec4 that is the coordinate of a pixel: x and y
+// are those of a quad.
+[[nodiscard]] Values neighbours(const shader::Type& type, const Values& one, bool pixels = false);
+// The variable for gl_FragCoord in a function of a file (shader::Excerpt).
+inline constexpr const char* fragment_coordinate = "gloam_FragCoord";
 // Values of T made by any function.
 template <class T, class Make>
 [[nodiscard]] Values made_by(Make make) {

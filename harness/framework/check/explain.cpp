@@ -238,17 +238,21 @@ KernelModule lined_module(const shader::CompileOptions& options, const KernelSou
                           const shader::SpirvCache& cache) {
     shader::CompileOptions with_lines = options;
     with_lines.lines = true;
+    with_lines.stage = stage_of(source.team);
     const Signature signature{.result = source.function.result, .parameters = source.function.parameters};
     return {.spirv = cache.compile({.name = kernel_name, .text = kernel_code(source)}, with_lines),
             .input_words = signature.input_words(),
             .output_words = signature.output_words(),
-            .images = source.images};
+            .images = source.images,
+            .team = source.team};
 }
 
 KernelModule lined_module(const Lab& lab, const KernelSource& source) {
     shader::CompileOptions options = lab.compile_options();
     options.variant = {};
-    return lined_module(options, source, shader_cache(lab.options()));
+    KernelModule module = lined_module(options, source, shader_cache(lab.options()));
+    module.subgroup_size = std::max(lab.info().subgroup_size, 1U);
+    return module;
 }
 
 KernelModule lined_module(const Lab& lab, const Question& question) {

@@ -51,9 +51,11 @@ class InterpretedKernel {
     InterpretedKernel(const interpreter::Program& program, const KernelModule& module,
                       const std::vector<std::vector<Word>>& images)
         : machine_(program),
+          team_(module.team),
+          subgroup_size_(team_.kind == backend::Team::Kind::quad ? team_.count() : module.subgroup_size),
           row_(module.output_words + 1),
           run_{.count = static_cast<Word>(std::max<std::size_t>(module.fixed_inputs, 1)),
-               .row_length = kernel_group_size},
+               .row_length = team_.kind == backend::Team::Kind::alone ? kernel_group_size : 1},
           outputs_(row_ * run_.count) {
         machine_.bind(0, KernelBinding::outputs, outputs_);
         machine_.bind(0, KernelBinding::faults, faults_);
@@ -78,14 +80,14 @@ class InterpretedKernel {
     void run(std::span<const Word> inputs, std::size_t index = 0) {
         first_ = index * row_;
         machine_.bind(0, KernelBinding::inputs, inputs);
-        machine_.set_invocation({static_cast<std::uint32_t>(index), 0, 0});
+        select(index);
         machine_.run();
     }
     // The same, and adds to the coverage.
     void run(std::span<const Word> inputs, interpreter::Coverage& coverage) {
         first_ = 0;
         machine_.bind(0, KernelBinding::inputs, inputs);
-        machine_.set_invocation({0, 0, 0});
+        select(0);
         machine_.run(coverage);
     }
     // The same for input 0, and reports every instruction with a result.
@@ -93,7 +95,7 @@ class InterpretedKernel {
              const std::function<void(const interpreter::Step<Number>&)>& tell) {
         first_ = 0;
         machine_.bind(0, KernelBinding::inputs, inputs);
-        machine_.set_invocation({0, 0, 0});
+        select(0);
         machine_.run(tell);
     }
 
@@ -119,8 +121,21 @@ class InterpretedKernel {
 
     [[nodiscard]] interpreter::Machine<Number>& machine() { return machine_; }
 
+    // In which order the invocations of a team run.
+    void set_order(interpreter::Order order) { order_ = order; }
+
   private:
+    void select(std::size_t index) {
+        if (team_.kind == backend::Team::Kind::alone)
+            machine_.set_invocation({.group = {static_cast<std::uint32_t>(index), 0, 0}});
+        else
+            machine_.set_group({.group_size = team_.size, .subgroup_size = subgroup_size_}, order_);
+    }
+
     interpreter::Machine<Number> machine_;
+    backend::Team team_;
+    std::uint32_t subgroup_size_;
+    interpreter::Order order_ = interpreter::Order::forward;
     std::size_t row_;
     KernelRun run_;
     std::vector<Word> outputs_;

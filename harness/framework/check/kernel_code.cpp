@@ -3,10 +3,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <bit>
 #include <cctype>
-#include <cmath>
-#include <functional>
 #include <set>
 #include <string_view>
 
@@ -15,7 +12,19 @@
 namespace gloam::check {
 
 std::string kernel_code(const KernelSource& source) {
-    return internal::kernel_text(source, internal::main_of(source.function));
+    return internal::kernel_text(source, internal::main_of(source));
+}
+
+shader::Stage stage_of(const backend::Team& team) {
+    return team.kind == backend::Team::Kind::quad ? shader::Stage::fragment : shader::Stage::compute;
+}
+
+shader::Source quad_vertices() {
+    return {.name = "vertices of a quad",
+            .text =
+                "#version 450\nvoid main() {\n"
+                "    vec2 corner = vec2(gl_VertexIndex & 1, gl_VertexIndex >> 1);\n"
+                "    gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);\n}\n"};
 }
 
 }  // namespace gloam::check
@@ -94,7 +103,6 @@ spirv_execution_mode(extensions = ["SPV_KHR_float_controls"], capabilities = [44
 )";
 
 constexpr std::string_view vulkan_run = R"(
-layout(local_size_x = 64) in;
 layout(push_constant) uniform GloamKernelRun {
     uint gloam_kernel_count;
     uint gloam_kernel_row_length;
@@ -102,21 +110,45 @@ layout(push_constant) uniform GloamKernelRun {
 };
 )";
 
-// Buffers without a set are in set 0 of Vulkan; OpenGL has no sets.
+// Buffers without a set are in set 0 of Vulkan; OpenGL has no sets. {0}: how the outputs are used, {1}: the
+// position of the invocation's input.
 constexpr std::string_view storage = R"(
-layout(std430, binding = 0) readonly buffer GloamKernelInputs { uint gloam_kernel_inputs[]; };
-layout(std430, binding = 1) writeonly buffer GloamKernelOutputs { uint gloam_kernel_outputs[]; };
-layout(std430, binding = 2) buffer GloamKernelFaults { uint gloam_kernel_faults[]; };
-uint gloam_kernel_input() { return gl_GlobalInvocationID.y * gloam_kernel_row_length + gl_GlobalInvocationID.x; }
-void gloam_kernel_fault(uint image, ivec2 pixel) {
-    if (atomicAdd(gloam_kernel_faults[0], 1u) == 0u) {
+layout(std430, binding = 0) readonly buffer GloamKernelInputs {{ uint gloam_kernel_inputs[]; }};
+layout(std430, binding = 1) {0}buffer GloamKernelOutputs {{ uint gloam_kernel_outputs[]; }};
+layout(std430, binding = 2) buffer GloamKernelFaults {{ uint gloam_kernel_faults[]; }};
+uint gloam_kernel_input() {{ return {1}.y * gloam_kernel_row_length + {1}.x; }}
+void gloam_kernel_fault(uint image, ivec2 pixel) {{
+    if (atomicAdd(gloam_kernel_faults[0], 1u) == 0u) {{
         gloam_kernel_faults[1] = image;
         gloam_kernel_faults[2] = uint(pixel.x);
         gloam_kernel_faults[3] = uint(pixel.y);
         gloam_kernel_faults[4] = gloam_kernel_input();
+    }}
+}}
+)";
+
+// The position of the invocation's input.
+const char* input_position(const backend::Team& team) {
+    switch (team.kind) {
+        case backend::Team::Kind::quad:
+            return "(uvec2(gl_FragCoord.xy) / 2u)";
+        case backend::Team::Kind::group:
+            return "gl_WorkGroupID";
+        default:
+            return "gl_GlobalInvocationID";
     }
 }
-)";
+
+// The size of the work groups, unless the function's file states it.
+std::string group_layout(const KernelSource& source) {
+    const backend::Team& team = source.team;
+    if (team.kind == backend::Team::Kind::quad || source.text.find("local_size_x") != std::string::npos)
+        return {};
+    if (team.kind == backend::Team::Kind::alone)
+        return fmt::format("layout(local_size_x = {}) in;\n", kernel_group_size);
+    return fmt::format("layout(local_size_x = {}, local_size_y = {}, local_size_z = {}) in;\n", team.size[0],
+                       team.size[1], team.size[2]);
+}
 
 std::string image_interface(const ImagePrototype& image, std::size_t index) {
     if (image.sampler && image.sampler->variable.empty())
@@ -203,11 +235,13 @@ std::string from_word(Scalar scalar, const std::string& word) {
 std::string kernel_text(const KernelSource& source, const std::string& rest) {
     std::string code(header);
     if (source.preserve_nan) code += preserve;
+    code += group_layout(source);
     return code.append(vulkan_run) + storage_interface(source) + file_and_rest(source, word_of_buffer, rest);
 }
 
 std::string storage_interface(const KernelSource& source) {
-    std::string code(storage);
+    const bool alone = source.team.kind == backend::Team::Kind::alone;
+    std::string code = fmt::format(storage, alone ? "writeonly " : "", input_position(source.team));
     for (std::size_t i = 0; i < source.images.size(); ++i) code += image_interface(source.images[i], i);
     return code;
 }
@@ -234,9 +268,56 @@ std::string argument_name(std::size_t parameter) {
     return fmt::format("gloam_kernel_argument{}", parameter);
 }
 
-Evaluation evaluation(const shader::Function& function, const InputText& input) {
+namespace {
+
+// A statement that writes the canary, of which every invocation of a team adds its part.
+std::string write_canary(const backend::Team& team, std::size_t output_words) {
+    const std::string canary = "gloam_kernel_canary ^ gloam_kernel_index";
+    if (team.kind == backend::Team::Kind::alone)
+        return fmt::format("    gloam_kernel_outputs[gloam_kernel_output_at + {}u] = {};\n", output_words,
+                           canary);
+    return fmt::format(
+        "    atomicAdd(gloam_kernel_outputs[gloam_kernel_output_row + {}u],\n"
+        "              gloam_kernel_lane == 0u ? ({}) - {}u : 1u);\n",
+        output_words, canary, team.count() - 1);
+}
+
+bool may_discard(const shader::Function& function) {
+    return std::ranges::any_of(function.parameters,
+                               [](const shader::Parameter& p) { return p.name == shader::discarded; });
+}
+
+// Nothing can be written behind a discard: until the function returns, the invocation counts as discarded.
+// `discarded` is the last output.
+std::string write_discarded(const KernelSource& source, std::size_t output_words) {
+    return fmt::format("    gloam_kernel_outputs[gloam_kernel_output_row + {}u + gloam_kernel_lane] = 1u;\n",
+                       output_words - source.team.count()) +
+           write_canary(source.team, output_words);
+}
+
+std::size_t output_words_of(const shader::Function& function) {
+    return Signature{.result = function.result, .parameters = function.parameters}.output_words();
+}
+
+}  // namespace
+
+Evaluation evaluation(const KernelSource& source, const InputText& input) {
+    const shader::Function& function = source.function;
+    const bool alone = source.team.kind == backend::Team::Kind::alone;
     Evaluation result;
     std::string arguments;
+    // Of what a team takes and returns, each invocation has an element.
+    const auto own_type = [&](const Type& type, bool of_all) {
+        return alone || of_all || type.scalar == Scalar::void_ ? type : shader::element_of(type);
+    };
+    // From where on the words of an invocation's element are read or written.
+    const auto move_to_element = [&](const char* at, const char* row, std::size_t words, std::size_t first,
+                                     bool of_all) {
+        if (!alone)
+            result.code += fmt::format("    {} = {} + {}u + {}u * {};\n", at, row, first, words,
+                                       of_all ? "0u" : "gloam_kernel_lane");
+        return alone ? first : 0;
+    };
     const auto variable_of = [&function](std::size_t i) {
         const shader::Parameter& p = function.parameters[i];
         return p.global ? p.name : argument_name(i);
@@ -248,119 +329,75 @@ Evaluation evaluation(const shader::Function& function, const InputText& input) 
             arguments += (i > 0 ? ", " : "") + variable;
             continue;
         }
+        const Type type = own_type(p.type, p.uniform);
         if (!p.global) {
-            result.code += fmt::format("    {} {};\n", name_of(p.type), variable);
+            result.code += fmt::format("    {} {};\n", name_of(type), variable);
             arguments += (i > 0 ? ", " : "") + variable;
         }
-        if (p.direction != Direction::out)
-            result.input_words += append_read(result.code, p.type, variable, input, result.input_words);
+        if (p.direction == Direction::out) continue;
+        const std::size_t first = move_to_element("gloam_kernel_input_at", "gloam_kernel_input_row",
+                                                  scalars_of(type).size(), result.input_words, p.uniform);
+        append_read(result.code, type, variable, input, first);
+        result.input_words += scalars_of(p.type).size();
     }
-    const auto write = [&](const Type& type, const std::string& variable) {
-        result.output_words += append_write(result.code, type, variable, "gloam_kernel_outputs",
-                                            "gloam_kernel_output_at", result.output_words);
+    const auto write = [&](const Type& lifted, const std::string& variable) {
+        const Type type = own_type(lifted, false);
+        const std::size_t first = move_to_element("gloam_kernel_output_at", "gloam_kernel_output_row",
+                                                  scalars_of(type).size(), result.output_words, false);
+        append_write(result.code, type, variable, "gloam_kernel_outputs", "gloam_kernel_output_at", first);
+        result.output_words += scalars_of(lifted).size();
     };
+    const bool discards = may_discard(function);
+    if (discards) result.code += write_discarded(source, output_words_of(function));
     const std::string call = fmt::format("{}({});\n", function.name, arguments);
     if (function.result.scalar == Scalar::void_) {
         result.code += "    " + call;
     } else {
-        result.code += fmt::format("    {} gloam_kernel_result = {}", name_of(function.result), call);
+        result.code +=
+            fmt::format("    {} gloam_kernel_result = {}", name_of(own_type(function.result, false)), call);
         write(function.result, "gloam_kernel_result");
     }
+    if (discards) result.code += fmt::format("    {} = false;\n", shader::discarded);
     for (std::size_t i = 0; i < function.parameters.size(); ++i)
         if (function.parameters[i].direction != Direction::in)
             write(function.parameters[i].type, variable_of(i));
     return result;
 }
 
-std::string main_begin(std::size_t output_words) {
-    return fmt::format(
+std::string main_begin(const backend::Team& team, std::size_t output_words) {
+    const bool alone = team.kind == backend::Team::Kind::alone;
+    std::string code = fmt::format(
         "void main() {{\n"
         "    uint gloam_kernel_index = gloam_kernel_input();\n"
-        "    if (gl_GlobalInvocationID.x >= gloam_kernel_row_length || gloam_kernel_index >= "
-        "gloam_kernel_count) return;\n"
+        "    if ({}gloam_kernel_index >= gloam_kernel_count) return;\n"
         "    uint gloam_kernel_output_at = gloam_kernel_index * {}u;\n",
-        output_words + 1);
+        alone ? "gl_GlobalInvocationID.x >= gloam_kernel_row_length || " : "", output_words + 1);
+    if (alone) return code;
+    return code + fmt::format(
+                      "    uint gloam_kernel_output_row = gloam_kernel_output_at;\n"
+                      "    uint gloam_kernel_lane = {};\n",
+                      team.kind == backend::Team::Kind::group
+                          ? "gl_LocalInvocationIndex"
+                          : "(uint(gl_FragCoord.y) & 1u) * 2u + (uint(gl_FragCoord.x) & 1u)");
 }
 
 std::string main_end(std::size_t output_words) {
-    return fmt::format(
-        "    gloam_kernel_outputs[gloam_kernel_output_at + {}u] = gloam_kernel_canary ^ "
-        "gloam_kernel_index;\n}}\n",
-        output_words);
+    return write_canary({}, output_words) + "}\n";
 }
 
-std::string main_of(const shader::Function& function) {
-    const Evaluation calls = evaluation(function, input_of_buffer);
-    return main_begin(calls.output_words) +
+std::string main_of(const KernelSource& source) {
+    const Evaluation calls = evaluation(source, input_of_buffer);
+    const bool alone = source.team.kind == backend::Team::Kind::alone;
+    return main_begin(source.team, calls.output_words) +
            fmt::format("    uint gloam_kernel_input_at = gloam_kernel_index * {}u;\n", calls.input_words) +
-           calls.code + main_end(calls.output_words);
+           (alone ? "" : "    uint gloam_kernel_input_row = gloam_kernel_input_at;\n") + calls.code +
+           (may_discard(source.function) ? "}\n" : write_canary(source.team, calls.output_words) + "}\n");
+}
+
+void require_alone(const KernelSource& source, const char* what) {
+    if (source.team.kind != backend::Team::Kind::alone)
+        throw backend::Unsupported(fmt::format(
+            "{}: runs in several invocations together, and {} runs each alone", source.function.name, what));
 }
 
 }  // namespace gloam::check::internal
-
-namespace gloam::check {
-namespace {
-
-using shader::Scalar;
-
-// A decimal that denotes exactly this float. Its 17 digits identify the float's value as a double.
-std::string float_literal(float value) {
-    std::string text = fmt::format("{:.17g}", static_cast<double>(value));
-    if (text.find_first_of(".e") == std::string::npos) text += ".0";
-    return text;
-}
-
-// The expressions of the scalars of input `index`.
-using InputOf = std::function<internal::InputText(std::size_t index)>;
-
-std::string main_function(const shader::Function& function, std::size_t count, const InputOf& input_of) {
-    std::string cases;
-    std::size_t output_words = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const internal::Evaluation evaluation = internal::evaluation(function, input_of(i));
-        output_words = evaluation.output_words;
-        cases += fmt::format("    case {}u: {{\n{}    break; }}\n", i, evaluation.code);
-    }
-    return internal::main_begin(output_words) + "    switch (gloam_kernel_index) {\n" + cases + "    }\n" +
-           internal::main_end(output_words);
-}
-
-// Number of words in one input of the function.
-std::size_t input_words(const shader::Function& function) {
-    return internal::evaluation(function, [](Scalar, std::size_t) { return std::string(); }).input_words;
-}
-
-}  // namespace
-
-std::string literal(Scalar scalar, Word word) {
-    const std::string hexadecimal = fmt::format("0x{:08x}u", word);
-    if (scalar == Scalar::bool_) return word != 0 ? "true" : "false";
-    if (scalar != Scalar::float_) return internal::from_word(scalar, hexadecimal);
-    const auto value = std::bit_cast<float>(word);
-    return std::isfinite(value) ? float_literal(value) : internal::from_word(scalar, hexadecimal);
-}
-
-std::string literal_kernel_code(const KernelSource& source, std::span<const Word> inputs, std::size_t count) {
-    const std::size_t words = count == 0 ? 0 : inputs.size() / count;
-    const auto input_of = [&](std::size_t index) -> internal::InputText {
-        return [input = inputs.subspan(index * words, words)](Scalar scalar, std::size_t word) {
-            return literal(scalar, input[word]);
-        };
-    };
-    return internal::kernel_text(source, main_function(source.function, count, input_of));
-}
-
-std::string specialized_kernel_code(const KernelSource& source, std::size_t count) {
-    const std::size_t words = input_words(source.function);
-    std::string constants;
-    for (std::size_t id = 0; id < count * words; ++id)
-        constants += fmt::format("layout(constant_id = {0}) const uint gloam_kernel_constant{0} = 0u;\n", id);
-    const auto input_of = [words](std::size_t index) -> internal::InputText {
-        return [first = index * words](Scalar scalar, std::size_t word) {
-            return internal::from_word(scalar, fmt::format("gloam_kernel_constant{}", first + word));
-        };
-    };
-    return internal::kernel_text(source, constants + main_function(source.function, count, input_of));
-}
-
-}  // namespace gloam::check

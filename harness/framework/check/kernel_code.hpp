@@ -33,13 +33,20 @@ struct ImagePrototype {
 // What a compute shader is generated from.
 struct KernelSource {
     std::string file;           // as in #include "file"
-    shader::Function function;  // as the compiler reports it
+    shader::Function function;  // as the compiler reports it; of a team: together()
     std::vector<ImagePrototype> images;
     bool preserve_nan =
         false;  // declare SignedZeroInfNanPreserve: NaN, infinity and -0 then mean what they say
     std::string
         text;  // in the place of the #include: an excerpt of the file (shader::Excerpt::text); may be empty
+    backend::Team team = {};
 };
+
+// The stage of its kernel.
+[[nodiscard]] shader::Stage stage_of(const backend::Team& team);
+
+// The vertex shader before the kernel of a quad.
+[[nodiscard]] shader::Source quad_vertices();
 
 using backend::kernel_group_size;
 using backend::KernelBinding;
@@ -49,7 +56,7 @@ using backend::KernelRun;
 // Words before an image's pixels: width, height, border.
 inline constexpr std::size_t image_header_words = 3;
 
-// The text of a compute shader that calls the function once for each input.
+// The text of a shader that calls the function once for each input; of a team, once in each invocation.
 [[nodiscard]] std::string kernel_code(const KernelSource& source);
 
 // A compiled kernel, as it is passed to a driver or the interpreter.
@@ -64,6 +71,9 @@ struct KernelModule {
     bool judged_by_rules = true;   // off where the version of GLSL has no precision rules to ask
     std::uint32_t subtexel_bits = 4;  // of the device that runs it: backend::DeviceInfo
     std::uint32_t level_bits = 4;
+    std::uint32_t subgroup_size = 1;
+    backend::Team team = {};
+    shader::Spirv vertices = {};  // of a quad: quad_vertices()
 };
 
 // The modules that evaluated a run's inputs, one after another. A single module evaluated all inputs;
@@ -75,7 +85,8 @@ using KernelModules = std::vector<std::shared_ptr<const KernelModule>>;
 [[nodiscard]] std::string literal(shader::Scalar scalar, Word word);
 
 // The text of a compute shader like that of kernel_code(), but with the inputs as literals in the text:
-// invocation i evaluates input i. inputs: each of the same number of words, one after another.
+// invocation i evaluates input i. inputs: each of the same number of words, one after another. Throws
+// backend::Unsupported for a team.
 [[nodiscard]] std::string literal_kernel_code(const KernelSource& source, std::span<const Word> inputs,
                                               std::size_t count);
 

@@ -31,7 +31,9 @@ std::unique_ptr<const backend::Kernel> made(const backend::Backend& device, cons
                                    .input_words = module.input_words,
                                    .output_words = module.output_words,
                                    .fixed_inputs = module.fixed_inputs,
-                                   .name = name};
+                                   .name = name,
+                                   .team = module.team,
+                                   .vertex_spirv = module.vertices};
     for (const ImagePrototype& image : module.images) {
         program.stores.push_back(image.stores);
         program.sampled.push_back(image.sampler.has_value());
@@ -152,13 +154,17 @@ std::vector<ImagePrototype> images_of(const backend::KernelProgram& program) {
 
 class InterpreterKernel : public backend::Kernel {
   public:
+    static constexpr std::uint32_t subgroup_size = 4;
+
     explicit InterpreterKernel(const backend::KernelProgram& program)
         : program_(decoded(program)),
           module_{.spirv = {},
                   .input_words = program.input_words,
                   .output_words = program.output_words,
                   .images = images_of(program),
-                  .fixed_inputs = program.fixed_inputs},
+                  .fixed_inputs = program.fixed_inputs,
+                  .subgroup_size = subgroup_size,
+                  .team = program.team},
           stores_(program.stores),
           name_(program.name) {}
 
@@ -236,6 +242,7 @@ class Interpreter : public backend::Backend {
         .name = std::string(interpreter_name),
         .type = "interpreter",
         .driver = shader::compiler_version(),
+        .subgroup_size = InterpreterKernel::subgroup_size,
         .float32 = {
             .preserves_signed_zero_inf_nan = true, .preserves_denormals = true, .rounds_to_even = true}};
 };

@@ -130,6 +130,7 @@ std::optional<shader::Language> Lab::language() const {
 KernelCore Lab::core(KernelModule module, const std::string& name) const {
     module.subtexel_bits = info().subtexel_bits;
     module.level_bits = info().level_bits;
+    module.subgroup_size = std::max(info().subgroup_size, 1U);
     return {*device_, std::move(module), name};
 }
 
@@ -148,10 +149,17 @@ KernelSource Lab::source(const std::string& file, const std::string& function,
                          const Signature& signature) const {
     const auto excerpt = std::ranges::find(options_.excerpts, function, &shader::Excerpt::function);
     const std::string text = excerpt == options_.excerpts.end() ? "" : excerpt->text;
-    std::vector<shader::Function> all =
-        text.empty() ? functions(file) : cache_.functions(probe_of(file, text), compile_options());
+    shader::CompileOptions options = compile_options();
+    options.stage = stage_of(signature.team);
+    std::vector<shader::Function> all = cache_.functions(probe_of(file, text), options);
     if (!text.empty())
         for (shader::Function& one : all) one = with_globals(std::move(one), excerpt->globals);
+    for (shader::Function& one : all) {
+        if (!one.defined) continue;
+        for (std::size_t i = 0; i < std::min(one.parameters.size(), signature.parameters.size()); ++i)
+            one.parameters[i].uniform = signature.parameters[i].uniform;
+        one = together(std::move(one), signature.team);
+    }
     std::vector<std::string> named;
     for (const shader::Function& candidate : all) {
         if (candidate.name != function || !candidate.defined) continue;
@@ -163,7 +171,8 @@ KernelSource Lab::source(const std::string& file, const std::string& function,
                     .function = candidate,
                     .images = std::move(images),
                     .preserve_nan = info().float32.preserves_signed_zero_inf_nan,
-                    .text = text};
+                    .text = text,
+                    .team = signature.team};
         }
         named.push_back(to_glsl_with_layouts(candidate));
     }
@@ -189,10 +198,13 @@ KernelCore Lab::kernel(const std::string& file, const std::string& function,
                        const Signature& signature) const {
     const KernelSource made_of = source(file, function, signature);
     const shader::Source text{.name = "kernel of " + function, .text = kernel_code(made_of)};
-    KernelModule module{.spirv = compile_kernel(text, made_of.images),
+    KernelModule module{.spirv = compile_kernel(text, made_of.images, stage_of(made_of.team)),
                         .input_words = signature.input_words(),
                         .output_words = signature.output_words(),
-                        .images = made_of.images};
+                        .images = made_of.images,
+                        .team = made_of.team};
+    if (made_of.team.kind == backend::Team::Kind::quad)
+        module.vertices = compile(quad_vertices(), {.stage = shader::Stage::vertex});
     if (const auto text_language = language()) {
         module.glsl = internal::gl_kernel_code(*text_language, made_of, options_.include_roots);
         module.judged_by_rules = internal::has_precision_rules(*text_language) &&
@@ -209,9 +221,11 @@ shader::Spirv Lab::compile(const shader::Source& text, const shader::CompileOpti
     return cache_.compile(text, options);
 }
 
-shader::Spirv Lab::compile_kernel(const shader::Source& text,
-                                  const std::vector<ImagePrototype>& images) const {
-    shader::Spirv module = compile(text);
+shader::Spirv Lab::compile_kernel(const shader::Source& text, const std::vector<ImagePrototype>& images,
+                                  shader::Stage stage) const {
+    shader::CompileOptions options = compile_options();
+    options.stage = stage;
+    shader::Spirv module = compile(text, options);
     for (const shader::Resource& resource : shader::used_resources(module)) {
         constexpr std::string_view ours = "GloamKernel";  // translations keep one of the two names
         if (resource.block.starts_with(ours) || resource.name.starts_with(ours)) continue;

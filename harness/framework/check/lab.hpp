@@ -127,9 +127,10 @@ class Lab {
     // The same for a kernel with these images. Also throws std::invalid_argument if the function uses other
     // bindings, because no resource is bound to them.
     [[nodiscard]] shader::Spirv compile_kernel(const shader::Source& text,
-                                               const std::vector<ImagePrototype>& images) const;
+                                               const std::vector<ImagePrototype>& images,
+                                               shader::Stage stage = shader::Stage::compute) const;
 
-    // The generated shader of a function's kernel.
+    // The generated shader of a function's kernel, in stage_of() its team.
     [[nodiscard]] std::string code(const std::string& file, const std::string& function,
                                    const Signature& signature) const;
 

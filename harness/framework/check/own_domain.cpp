@@ -230,13 +230,43 @@ class Ordinary {
 
 }  // namespace
 
+namespace {
+
+// The same values in each invocation of a quad, as one entry.
+OrdinaryValues in_quad(const shader::Parameter& parameter, const Type& type,
+                       const std::vector<OrdinaryValues>& parts) {
+    std::vector<Values> values;
+    std::vector<std::string> texts;
+    for (const OrdinaryValues& part : parts) {
+        values.push_back(part.values);
+        texts.push_back(part.text);
+    }
+    const bool pixels = parameter.name == fragment_coordinate;
+    return {parameter.name,
+            pixels ? "the pixels of a quad" : fmt::format("neighbours, each {}", fmt::join(texts, "; ")),
+            parts.empty() || pixels ? "type" : parts.front().reason,
+            neighbours(type, values.size() == 1 ? values.front() : vector(values), pixels)};
+}
+
+}  // namespace
+
 std::vector<OrdinaryValues> ordinary_values(const shader::Function& function, std::string_view text,
-                                            const Ranges& ranges) {
+                                            const Ranges& ranges, const backend::Team& team) {
     const Ordinary ordinary(function, text, ranges);
     std::vector<OrdinaryValues> all;
-    for (const shader::Parameter& parameter : function.parameters)
-        if (parameter.direction != shader::Direction::out)
+    for (const shader::Parameter& parameter : function.parameters) {
+        if (parameter.direction == shader::Direction::out) continue;
+        const bool of_quad = team.kind == backend::Team::Kind::quad && !parameter.uniform &&
+                             parameter.type.scalar != Scalar::sampler;
+        if (!of_quad) {
             ordinary.add(parameter.type, parameter.name, parameter.name, all);
+            continue;
+        }
+        const Type type = shader::element_of(parameter.type);
+        std::vector<OrdinaryValues> parts;
+        ordinary.add(type, parameter.name, parameter.name, parts);
+        all.push_back(in_quad(parameter, type, parts));
+    }
     return all;
 }
 

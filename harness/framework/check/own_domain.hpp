@@ -38,8 +38,10 @@ struct OrdinaryValues {
 //   the name: uv and colours in [0, 1], normals and directions unit vectors, angles in radians, and so on;
 //   the array that an integer indexes in the text;
 //   the type: floats -1000 to 1000, half of them 0 to 1; integers 0 to 7.
+// Of a quad, neighbours differ as neighbours() says.
 [[nodiscard]] std::vector<OrdinaryValues> ordinary_values(const shader::Function& function,
-                                                          std::string_view text, const Ranges& ranges);
+                                                          std::string_view text, const Ranges& ranges,
+                                                          const backend::Team& team = {});
 
 // The same values as the domain of the function, in which vectors are also equal, opposite and parallel.
 [[nodiscard]] Domain ordinary_domain(const shader::Function& function,

@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "shader/reflection.hpp"
+
 namespace gloam::check {
 namespace {
 
@@ -70,9 +72,13 @@ std::string why_not(const shader::Function& function, const shader::Excerpt& exc
             return fmt::format("values of the parameter type {} cannot be drawn: {}", shader::name_of(p.type),
                                what);
         scalars += shader::scalar_count(p.type);
-        if (p.global && p.direction != shader::Direction::in &&
-            excerpt.globals.at(p.name) == shader::Access::reads)
+        if (!p.global) continue;
+        const shader::Access access = excerpt.globals.at(p.name);
+        const bool reads = access == shader::Access::reads || access == shader::Access::uniform;
+        if (p.direction != shader::Direction::in && reads)
             return fmt::format("it assigns to \"{}\", which a shader can only read", p.name);
+        if (access == shader::Access::buffer && excerpt.needs == shader::Needs::group)
+            return fmt::format("the buffer \"{}\", which it may write, is shared by its group", p.name);
     }
     if (const std::string what = obstacle(function.result); !what.empty())
         return fmt::format("a result of type {} cannot be read: {}", shader::name_of(function.result), what);
@@ -99,8 +105,6 @@ LeftOut refused(const shader::Excerpt& excerpt, const std::string& definition, c
                     "it uses \"{}\", an image or sampler, at {}; expected values from parameters and from "
                     "prototypes T name(ivec2)",
                     name, place)};
-    if (is("compute_shader_derivatives"))
-        return {definition, fmt::format("{} at {} needs a fragment stage", name, place)};
     if (is("not supported in this stage") || (name.starts_with("gl_") && is("undeclared identifier")))
         return {definition, fmt::format("{} at {} needs another stage than compute", name, place)};
     if (is("Atomic memory function") || is("atomic memory functions"))
@@ -134,7 +138,8 @@ class Sorting {
   public:
     explicit Sorting(const std::vector<std::string>& names) : names_(names), met_(names.size(), false) {}
 
-    void add(const shader::Excerpt& excerpt, const std::vector<shader::Function>& compiled) {
+    void add(const shader::Excerpt& excerpt, const std::vector<shader::Function>& compiled,
+             const backend::Team& team) {
         std::vector<shader::Function> own;
         std::size_t k = 0;
         for (const shader::Function& function : compiled) {
@@ -149,14 +154,15 @@ class Sorting {
         for (const shader::Function& function : own) {
             const std::string definition = definition_of(function);
             if (!wants(definition)) continue;
-            std::string why = why_not(function, excerpt);
+            const shader::Function called = together(function, team);
+            std::string why = why_not(called, excerpt);
             if (why.empty() && unserved != compiled.end())
                 why = fmt::format(
                     "it calls {}, which has no body; expected T name(ivec2) or void name(ivec2, T)",
                     definition_of(*unserved));
             if (why.empty()) {
-                all_.found.push_back({own.size() > 1 ? definition : function.name, function, excerpt.text,
-                                      samplers_of(excerpt, function)});
+                all_.found.push_back({own.size() > 1 ? definition : function.name, called, excerpt.text,
+                                      samplers_of(excerpt, function), team});
             } else {
                 all_.left_out.push_back({definition, why});
             }
@@ -259,6 +265,24 @@ std::vector<ImageScenario> random_scenarios(const std::vector<ImagePrototype>& i
                             {.wrap = Wrap::mirrored, .levels = 2})};
 }
 
+namespace {
+
+// The invocations that run a function of the excerpt together.
+backend::Team team_for(const shader::Excerpt& excerpt, const std::string& file,
+                       const shader::SpirvCache& cache) {
+    if (excerpt.needs == shader::Needs::nobody) return {};
+    if (excerpt.needs == shader::Needs::quad) return backend::quad_team;
+    constexpr std::uint32_t usual = 64;
+    if (excerpt.text.find("local_size_x") == std::string::npos)
+        return {.kind = backend::Team::Kind::group, .size = {usual, 1, 1}};
+    shader::Source whole = probe_of(file, excerpt.text);
+    whole.text += "\nvoid main() {}\n";
+    return {.kind = backend::Team::Kind::group,
+            .size = shader::reflect(cache.compile(whole, {.variant = {}})).local_size};
+}
+
+}  // namespace
+
 OwnFunctions own_functions(const LabOptions& options, const std::string& file,
                            const std::vector<std::string>& names) {
     Sorting sorting(names);
@@ -269,7 +293,9 @@ OwnFunctions own_functions(const LabOptions& options, const std::string& file,
                            });
         if (!asked) continue;
         try {
-            sorting.add(excerpt, cache.functions(probe_of(file, excerpt.text), {.variant = {}}));
+            const backend::Team team = team_for(excerpt, file, cache);
+            const shader::CompileOptions in_stage{.stage = stage_of(team), .variant = {}};
+            sorting.add(excerpt, cache.functions(probe_of(file, excerpt.text), in_stage), team);
         } catch (const shader::CompileError& error) {
             sorting.refuse(excerpt, error.what());
         }
@@ -279,10 +305,11 @@ OwnFunctions own_functions(const LabOptions& options, const std::string& file,
 
 Question question_of(const Lab& lab, const std::string& file, const OwnFunction& own, const Ranges& ranges) {
     const shader::Function& function = own.function;
-    Question question{.name = own.name,
-                      .file = file,
-                      .function = function.name,
-                      .signature = {.result = function.result, .parameters = function.parameters}};
+    Question question{
+        .name = own.name,
+        .file = file,
+        .function = function.name,
+        .signature = {.result = function.result, .parameters = function.parameters, .team = own.team}};
     std::set<std::string> known;
     std::vector<Values> parameters;
     bool all_given = true;
@@ -292,8 +319,13 @@ Question question_of(const Lab& lab, const std::string& file, const OwnFunction&
         const auto found = ranges.find(parameter.name);
         const bool sampler = parameter.type.scalar == Scalar::sampler;
         all_given = all_given && (sampler || found != ranges.end());
-        parameters.push_back(
-            values_of(parameter.type, found == ranges.end() ? std::nullopt : std::optional(found->second)));
+        const std::optional<Range> range =
+            found == ranges.end() ? std::nullopt : std::optional(found->second);
+        const bool in_quad = own.team.kind == backend::Team::Kind::quad && !parameter.uniform && !sampler;
+        parameters.push_back(in_quad ? neighbours(shader::element_of(parameter.type),
+                                                  values_of(shader::element_of(parameter.type), range),
+                                                  parameter.name == fragment_coordinate)
+                                     : values_of(parameter.type, range));
     }
     question.domain = Domain(std::move(parameters));
     question.defined = all_given;

@@ -12,10 +12,13 @@ namespace gloam::check {
 
 // A function of a file from elsewhere that can be checked.
 struct OwnFunction {
-    std::string name;  // "f", or "f(vec2, float)" if the file defines others of this name
-    shader::Function function;
-    std::string excerpt;  // shader::Excerpt::text
+    std::string name;           // "f", or "f(vec2, float)" if the file defines others of this name
+    shader::Function function;  // of a team: together()
+    std::string excerpt;        // shader::Excerpt::text
     std::vector<ImagePrototype> samplers = {};
+    // Functions with derivatives or discard run in quads, those with shared memory, barriers or subgroups in
+    // work groups of the file's size, of 64 invocations where it states none.
+    backend::Team team = {};
 };
 
 // One that cannot.
@@ -46,6 +49,7 @@ struct OwnFunctions {
 //   NaN, the largest and the smallest;
 //   int: half of them 0 to 7, the others -1000 to 1000; uint: half of them 0 to 7, the others up to 2^31;
 //   bool: both; a vector, matrix or structure: of these.
+// Of a quad, most neighbours differ a little (neighbours()).
 // If every parameter has a range, their inputs are promised to have defined results.
 // Throws std::invalid_argument for a range without a parameter of this name.
 [[nodiscard]] Question question_of(const Lab& lab, const std::string& file, const OwnFunction& own,

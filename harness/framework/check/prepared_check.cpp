@@ -162,6 +162,7 @@ PreparedCheck prepare(const Lab& lab, const Question& question, const RunOptions
     if (!question.reference || question.only_rules)
         throw std::invalid_argument(question.function + ": has no reference to judge by");
     const KernelSource source = lab.source(question.file, question.function, question.signature);
+    internal::require_alone(source, "a browser");
     PreparedCheck prepared;
     add_wgsl(lab, source, question.function, prepared);
     try {

@@ -80,7 +80,28 @@ std::vector<std::size_t> Signature::output_values() const {
 shader::Function with_globals(shader::Function function,
                               const std::map<std::string, shader::Access>& globals) {
     for (const shader::Parameter& variable : function.globals)
-        if (globals.contains(variable.name)) function.parameters.push_back(variable);
+        if (const auto found = globals.find(variable.name); found != globals.end()) {
+            function.parameters.push_back(variable);
+            function.parameters.back().uniform = found->second == shader::Access::uniform;
+        }
+    // The kernel sets it, and not the function.
+    if (globals.contains(shader::discarded))
+        function.parameters.push_back({.name = shader::discarded,
+                                       .type = {.scalar = Scalar::bool_},
+                                       .direction = Direction::out,
+                                       .global = true});
+    return function;
+}
+
+shader::Function together(shader::Function function, const backend::Team& team) {
+    if (team.kind == backend::Team::Kind::alone) return function;
+    const auto make_array = [&team](shader::Type& type) {
+        if (type.scalar != Scalar::void_ && type.scalar != Scalar::sampler)
+            type.sizes.insert(type.sizes.begin(), team.count());
+    };
+    make_array(function.result);
+    for (shader::Parameter& p : function.parameters)
+        if (!p.uniform) make_array(p.type);
     return function;
 }
 

@@ -9,6 +9,7 @@
 #include <glm/glm.hpp>
 #include <map>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -108,8 +109,26 @@ template <class T>
 inline constexpr bool is_matrix = false;
 template <glm::length_t C, glm::length_t R, class T>
 inline constexpr bool is_matrix<glm::mat<C, R, T>> = true;
+// Values of the invocations that run a function together. In a signature they stand for the function's own T:
+// a fragment quad, (0, 0), (1, 0), (0, 1), (1, 1); or a work group in the order of gl_LocalInvocationIndex.
+// Other parameters have one value for all.
 template <class T>
-inline constexpr bool is_array = false;
+struct Quad : std::array<T, 4> {};
+template <class T, std::uint32_t X, std::uint32_t Y = 1, std::uint32_t Z = 1>
+struct Group : std::array<T, std::size_t{X} * Y * Z> {};
+
+template <class T>
+inline constexpr backend::Team team_of{};
+template <class T>
+inline constexpr backend::Team team_of<Quad<T>> = backend::quad_team;
+template <class T, std::uint32_t X, std::uint32_t Y, std::uint32_t Z>
+inline constexpr backend::Team team_of<Group<T, X, Y, Z>>{.kind = backend::Team::Kind::group,
+                                                          .size = {X, Y, Z}};
+template <class T>
+inline constexpr bool is_of_team = team_of<T>.kind != backend::Team::Kind::alone;
+
+template <class T>
+inline constexpr bool is_array = is_of_team<T>;
 template <class T, std::size_t N>
 inline constexpr bool is_array<std::array<T, N>> = true;
 
@@ -163,7 +182,7 @@ template <class T>
         return type;
     } else if constexpr (is_array<T>) {
         Type type = type_of<typename T::value_type>();
-        type.sizes.insert(type.sizes.begin(), static_cast<std::uint32_t>(std::tuple_size_v<T>));
+        type.sizes.insert(type.sizes.begin(), static_cast<std::uint32_t>(T{}.size()));
         return type;
     } else {
         Type type{.scalar = Scalar::structure, .name = "struct"};
@@ -249,6 +268,14 @@ struct InDoubleOf<std::array<T, N>> {
     using type = std::array<typename InDoubleOf<T>::type, N>;
 };
 template <class T>
+struct InDoubleOf<Quad<T>> {
+    using type = Quad<typename InDoubleOf<T>::type>;
+};
+template <class T, std::uint32_t X, std::uint32_t Y, std::uint32_t Z>
+struct InDoubleOf<Group<T, X, Y, Z>> {
+    using type = Group<typename InDoubleOf<T>::type, X, Y, Z>;
+};
+template <class T>
 using InDouble = typename InDoubleOf<T>::type;
 
 // One parameter type of a C++ signature.
@@ -276,6 +303,9 @@ inline constexpr bool is_output = ParameterOf<P>::direction != shader::Direction
 struct Signature {
     shader::Type result;
     std::vector<shader::Parameter> parameters;
+    // Of a function that needs other invocations: they run together, and the types above are arrays of the
+    // function's own, with an element for each (together()).
+    backend::Team team = {};
 
     [[nodiscard]] std::size_t input_words() const;
     // Number of words of the result (unless void) and of every out and inout parameter, in order.
@@ -289,6 +319,10 @@ struct Signature {
 // The function with variables at file scope as further parameters: those that it uses, of these names.
 [[nodiscard]] shader::Function with_globals(shader::Function function,
                                             const std::map<std::string, shader::Access>& globals);
+
+// A function as a team calls it: what it takes and returns are arrays with an element for each invocation,
+// but for samplers and uniforms, which are those of all.
+[[nodiscard]] shader::Function together(shader::Function function, const backend::Team& team);
 
 // "float f(vec2, out float)"; structures are written in full.
 [[nodiscard]] std::string to_glsl(const Signature& signature, const std::string& name);
@@ -326,10 +360,29 @@ struct SignatureOf<R(P...)> {
         typename detail::Wrap<R>::type{}, detail::KeepIf<is_output<P>, typename ParameterOf<P>::value>{}...));
 
     [[nodiscard]] static Signature describe() {
+        const backend::Team team = team_of_all<R, typename ParameterOf<P>::value...>();
+        const bool alone = team.kind == backend::Team::Kind::alone;
         return {.result = type_of<R>(),
-                .parameters = {shader::Parameter{.name = {},
-                                                 .type = type_of<typename ParameterOf<P>::value>(),
-                                                 .direction = ParameterOf<P>::direction}...}};
+                .parameters = {shader::Parameter{
+                    .name = {},
+                    .type = type_of<typename ParameterOf<P>::value>(),
+                    .direction = ParameterOf<P>::direction,
+                    .uniform = !alone && !is_of_team<typename ParameterOf<P>::value>}...},
+                .team = team};
+    }
+
+  private:
+    // Of the first type that has one; all that have one have the same.
+    template <class... All>
+    static constexpr backend::Team team_of_all() {
+        backend::Team team;
+        ((team = is_of_team<All> ? team_of<All> : team), ...);
+        const auto fits = [&team](const backend::Team& other) {
+            return other.kind == backend::Team::Kind::alone || other == team;
+        };
+        if (!(fits(team_of<All>) && ...))
+            throw std::invalid_argument("a signature of quads and groups, or of two sizes");
+        return team;
     }
 };
 

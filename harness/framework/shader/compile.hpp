@@ -46,7 +46,8 @@ struct Parameter {
     std::string name;
     Type type;
     Direction direction = Direction::in;
-    bool global = false;  // no parameter, but a variable at file scope
+    bool global = false;   // no parameter, but a variable at file scope
+    bool uniform = false;  // a global with one value for all invocations
 };
 
 // A function as the compiler sees it: defined, or only declared (a prototype for another to define; its

@@ -163,8 +163,8 @@ std::vector<SamplerVariable> samplers_from(const Json& json) {
 Json json_of(const Excerpts& excerpts) {
     Json functions = Json::array();
     for (const Excerpt& one : excerpts.functions)
-        functions.push_back(Json::array(
-            {one.function, one.text, one.interface, one.globals, one.definitions, json_of(one.samplers)}));
+        functions.push_back(Json::array({one.function, one.text, one.interface, one.globals, one.definitions,
+                                         json_of(one.samplers), one.needs}));
     return Json::array({excerpts.version, functions});
 }
 
@@ -176,7 +176,8 @@ Excerpts excerpts_from(const Json& json) {
                                       .interface = one.at(2),
                                       .samplers = samplers_from(one.at(5)),
                                       .globals = one.at(3).get<std::map<std::string, Access>>(),
-                                      .definitions = one.at(4)});
+                                      .definitions = one.at(4),
+                                      .needs = one.at(6).get<Needs>()});
     return excerpts;
 }
 

@@ -228,8 +228,15 @@ std::string sampler_text(const std::vector<SamplerVariable>& samplers, Excerpt& 
     return text;
 }
 
+// Without comments.
+bool has_word(const Piece& piece, std::string_view word) {
+    return internal::contains(internal::tokens_of(piece.text), word);
+}
+
 // The text of a piece in an excerpt, and its names; a macro may give a variable another one.
 std::string interface_text(const Piece& piece, const Macros& macros, Excerpt& excerpt) {
+    const bool in_group = excerpt.needs == Needs::group;
+    if (in_group && (has_word(piece, "shared") || has_word(piece, "local_size_x"))) return piece.text;
     const std::map<std::string, std::string> opaque = opaque_macros(macros);
     if (const auto samplers = internal::samplers_of(piece, opaque)) return sampler_text(*samplers, excerpt);
     const auto plain = internal::plain_globals(piece, opaque);
@@ -246,11 +253,12 @@ std::string interface_text(const Piece& piece, const Macros& macros, Excerpt& ex
     return plain->text;
 }
 
-// Variables that a vertex or fragment stage has and a compute stage has not.
+// Variables that a function alone in a compute stage has not, or has another value of.
 struct BuiltIn {
     const char* name;  // behind "gl_"
     const char* type;
     Access access = Access::reads;
+    bool in_group = false;  // it is a plain variable of a group's functions, too
 };
 constexpr std::array built_ins{BuiltIn{"FragCoord", "vec4"},
                                BuiltIn{"PointCoord", "vec2"},
@@ -262,18 +270,48 @@ constexpr std::array built_ins{BuiltIn{"FragCoord", "vec4"},
                                BuiltIn{"Position", "vec4", Access::any},
                                BuiltIn{"PointSize", "float", Access::any},
                                BuiltIn{"FragColor", "vec4", Access::any},
-                               BuiltIn{"FragDepth", "float", Access::any}};
+                               BuiltIn{"FragDepth", "float", Access::any},
+                               BuiltIn{"WorkGroupID", "uvec3", Access::uniform, true},
+                               BuiltIn{"NumWorkGroups", "uvec3", Access::uniform, true},
+                               BuiltIn{"GlobalInvocationID", "uvec3"}};
+
+// What a function calls or mentions that needs other invocations.
+Needs needs_of(const std::set<std::string>& mentioned, bool shares) {
+    const auto mentions = [&](auto matches) { return std::ranges::any_of(mentioned, matches); };
+    const bool group = shares || mentions([](const std::string& name) {
+                           return name == "barrier" || name == "memoryBarrierShared" ||
+                                  name == "groupMemoryBarrier" || name.starts_with("subgroup") ||
+                                  name.starts_with("gl_LocalInvocation") || name == "gl_WorkGroupSize" ||
+                                  name.starts_with("gl_Subgroup") || name == "gl_NumSubgroups";
+                       });
+    if (group) return Needs::group;
+    const bool quad = mentions([](std::string_view name) {
+        for (const std::string_view kind : {"Fine", "Coarse"})
+            if (name.ends_with(kind)) name.remove_suffix(kind.size());
+        return name == "dFdx" || name == "dFdy" || name == "fwidth" || name == "discard";
+    });
+    return quad ? Needs::quad : Needs::nobody;
+}
 
 // The plain variables for the built-in ones that are mentioned.
 std::string built_in_text(const std::set<std::string>& mentioned, Excerpt& excerpt) {
+    const std::string global = "gl_GlobalInvocationID";
     std::string text;
     for (const BuiltIn& one : built_ins) {
         const std::string plain = std::string("gloam_") + one.name;
         const std::string name = std::string("gl_") + one.name;
-        if (!mentioned.contains(name)) continue;
+        const bool in_group = excerpt.needs == Needs::group;
+        const bool follows = in_group && plain == "gloam_WorkGroupID" && mentioned.contains(global);
+        if ((!mentioned.contains(name) && !follows) || (in_group && !one.in_group)) continue;
         text += std::string(one.type) + " " + plain + ";\n#define " + name + " " + plain + "\n";
         excerpt.globals[plain] = one.access;
     }
+    if (excerpt.needs == Needs::quad && mentioned.contains("discard")) {
+        text += std::string("bool ") + discarded + ";\n";
+        excerpt.globals[discarded] = Access::any;
+    }
+    if (excerpt.needs == Needs::group && mentioned.contains(global))
+        text += "#define " + global + " (gloam_WorkGroupID * gl_WorkGroupSize + gl_LocalInvocationID)\n";
     return text;
 }
 
@@ -289,8 +327,14 @@ Excerpt excerpt_of(const std::string& function, const ActiveText& active, const 
         return selection.keeps(i) && piece.kind != Kind::comment && !defines(piece, "main");
     };
     std::set<std::string> mentioned;
-    for (std::size_t i = 0; i < outline.pieces.size(); ++i)
-        if (keeps(i)) mentioned.insert(outline.pieces[i].mentions.begin(), outline.pieces[i].mentions.end());
+    bool shares = false;
+    for (std::size_t i = 0; i < outline.pieces.size(); ++i) {
+        const Piece& piece = outline.pieces[i];
+        if (!keeps(i)) continue;
+        mentioned.insert(piece.mentions.begin(), piece.mentions.end());
+        shares = shares || (piece.kind == Kind::interface && has_word(piece, "shared"));
+    }
+    excerpt.needs = needs_of(mentioned, shares);
     excerpt.text += built_in_text(mentioned, excerpt);
     for (std::size_t i = 0; i < outline.pieces.size(); ++i) {
         const Piece& piece = outline.pieces[i];

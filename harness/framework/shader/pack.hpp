@@ -44,7 +44,19 @@ struct PackRequest {
 [[nodiscard]] std::size_t code_lines(std::string_view text);
 
 // What a shader may do with a variable of its interface.
-enum class Access { reads, any };
+enum class Access {
+    uniform,  // read it; it has one value for all invocations
+    reads,
+    buffer,  // anything, and so may all invocations
+    any
+};
+
+// What a function needs other invocations for.
+enum class Needs {
+    nobody,
+    quad,  // derivatives, or discard: it belongs to a fragment
+    group  // shared memory, barriers, subgroups, or its place among them
+};
 
 // A sampler at file scope.
 struct SamplerVariable {
@@ -55,14 +67,20 @@ struct SamplerVariable {
 // The macro for the binding of an excerpt's sampler, by its position.
 [[nodiscard]] std::string sampler_binding(std::size_t sampler);
 
+// The variable that tells whether an invocation was discarded.
+inline constexpr const char* discarded = "gloam_discarded";
+
 // A function of a text from elsewhere, with all that it uses: a text that another shader can contain in the
 // place of an #include. It has no comments, no #version and no main. #line directives name the lines of the
 // original files.
 // - Its uniforms, buffers, stage inputs and stage outputs are plain variables at file scope, which the other
 //   shader sets. So are built-in variables of a vertex or fragment stage, with another name: gloam_FragCoord.
+//   Of a function of a group, that is so for gl_WorkGroupID and what follows from it.
 // - Its samplers have a macro for their binding, which the other shader defines (sampler_binding()).
 // - Images and other types without values are left out.
 // - Specialization constants have their default.
+// - Where it may discard, it has a variable `discarded`, bool, which the other shader sets.
+// - Of a function of a group, shared variables and the size of the group are as the file has them.
 struct Excerpt {
     std::string function;  // its name; overloads have one excerpt
     std::string text;
@@ -72,6 +90,7 @@ struct Excerpt {
     // Each definition of this name in `text`, in order: with its types as the file itself has them, "f(vec2,
     // float[2])"; empty for one of an include.
     std::vector<std::string> definitions;
+    Needs needs = Needs::nobody;
 };
 
 struct Excerpts {

@@ -46,7 +46,7 @@ class VulkanKernel : public backend::Kernel {
     [[nodiscard]] std::size_t most_inputs() const override {
         const std::size_t by_memory =
             device_.info().max_buffer_bytes / sizeof(Word) / widest_ - backend::guard_words;
-        return is_quad() ? std::min(by_memory, most_quads_aside * most_quads_aside) : by_memory;
+        return is_quad() ? std::min(by_memory, quad_columns * most_quad_rows) : by_memory;
     }
 
     void run(std::size_t count, Word canary, backend::KernelMemory& memory) const override {
@@ -69,7 +69,7 @@ class VulkanKernel : public backend::Kernel {
 
         const std::size_t inputs = team_.kind == backend::Team::Kind::alone ? backend::kernel_group_size : 1;
         const std::size_t groups = (count + inputs - 1) / inputs;
-        const std::size_t most = is_quad() ? most_quads_aside : device_.info().max_group_count[0];
+        const std::size_t most = is_quad() ? quad_columns : device_.info().max_group_count[0];
         const std::size_t columns = std::min(groups, most);
         const std::size_t rows = (groups + columns - 1) / columns;
         const backend::KernelRun run{.count = static_cast<Word>(count),
@@ -93,7 +93,8 @@ class VulkanKernel : public backend::Kernel {
     [[nodiscard]] bool is_quad() const { return team_.kind == backend::Team::Kind::quad; }
 
     // Every device has framebuffers of 4096 pixels.
-    static constexpr std::size_t most_quads_aside = 2048;
+    static constexpr std::size_t quad_columns = 256;
+    static constexpr std::size_t most_quad_rows = 2048;
 
     const Device& device_;
     ComputePipeline pipeline_;

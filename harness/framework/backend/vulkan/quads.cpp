@@ -70,8 +70,10 @@ void Commands::Impl::draw_quads(const ComputePipeline::Impl& pipeline, std::uint
                               .framebuffer = *handles->framebuffers.back(),
                               .renderArea = area},
                              vk::SubpassContents::eInline);
-    commands.setViewport(0, vk::Viewport{.width = static_cast<float>(area.extent.width),
-                                         .height = static_cast<float>(area.extent.height),
+    // The triangle is half of the viewport, so that nothing clips it: where it is divided, a quad on the seam
+    // runs twice, with half of its invocations each time.
+    commands.setViewport(0, vk::Viewport{.width = 2.0F * static_cast<float>(area.extent.width),
+                                         .height = 2.0F * static_cast<float>(area.extent.height),
                                          .maxDepth = 1.0F});
     commands.setScissor(0, area);
     commands.draw(corners, 1, 0, 0);

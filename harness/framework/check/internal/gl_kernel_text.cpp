@@ -130,7 +130,7 @@ std::string condition(std::size_t output, Scalar scalar, const numeric::Bounds& 
 
 std::string gl_compute_text(const KernelSource& source) {
     return compute_head() + storage_interface(source) +
-           file_and_rest(source, word_of_buffer, main_of(source.function));
+           file_and_rest(source, word_of_buffer, main_of(source));
 }
 
 std::string gl_fragment_text(const KernelSource& source) {
@@ -142,7 +142,7 @@ std::string gl_fragment_text(const KernelSource& source) {
     const auto image = [](std::size_t index, const std::string& at) {
         return word_of_texture(fmt::format("gloam_kernel_image{}", index), at);
     };
-    const Evaluation calls = evaluation(source.function, input);
+    const Evaluation calls = evaluation(source, input);
     const std::size_t row = gl::kernel_row(calls.output_words, source.images.size());
     const std::size_t targets = gl::kernel_targets(row);
     const std::string begin = fmt::format(
@@ -161,7 +161,7 @@ std::string gl_fragment_text(const KernelSource& source) {
 
 std::string gl_replay_text(const KernelSource& source, const GlReplay& replay) {
     require_no_stores(source);
-    const Evaluation calls = evaluation(source.function, input_of_buffer);
+    const Evaluation calls = evaluation(source, input_of_buffer);
     std::string rest =
         "void main() {\n    uint gloam_kernel_output_at = 0u;\n    uint gloam_kernel_input_at = 0u;\n"
         "    gloam_kernel_faults[0] = 0u;\n" +
@@ -202,6 +202,7 @@ bool has_compute(shader::Language language) {
 std::string gl_kernel_code(shader::Language language, const KernelSource& source,
                            const std::vector<std::filesystem::path>& include_roots) {
     require_no_samplers(source);
+    require_alone(source, "OpenGL");
     const std::string text = has_compute(language) ? gl_compute_text(source) : gl_fragment_text(source);
     return packed(language, source, text, include_roots);
 }

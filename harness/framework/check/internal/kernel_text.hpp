@@ -53,15 +53,19 @@ struct Evaluation {
     std::size_t input_words = 0;
     std::size_t output_words = 0;
 };
-[[nodiscard]] Evaluation evaluation(const shader::Function& function, const InputText& input);
+[[nodiscard]] Evaluation evaluation(const KernelSource& source, const InputText& input);
 
-// The beginning and the end of main(). The beginning declares `gloam_kernel_index` and
-// `gloam_kernel_output_at`, and returns from invocations without an input. The end writes the canary.
-[[nodiscard]] std::string main_begin(std::size_t output_words);
+// The beginning and the end of main(). The beginning declares `gloam_kernel_index`, `gloam_kernel_output_at`
+// and (of a team) `gloam_kernel_lane`, and returns from invocations without an input. The end is that of
+// invocations that run alone; it writes the canary.
+[[nodiscard]] std::string main_begin(const backend::Team& team, std::size_t output_words);
 [[nodiscard]] std::string main_end(std::size_t output_words);
 
 // The whole main() of a kernel that reads its inputs from a storage buffer.
-[[nodiscard]] std::string main_of(const shader::Function& function);
+[[nodiscard]] std::string main_of(const KernelSource& source);
+
+// Throws backend::Unsupported for a team: `what` runs single invocations only.
+void require_alone(const KernelSource& source, const char* what);
 
 // The kernel of a function as a device takes it whose kernels are texts in this language
 // (backend/gl/kernel.hpp): a compute shader, else a fragment shader. It includes nothing. Throws

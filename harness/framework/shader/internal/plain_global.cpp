@@ -75,9 +75,10 @@ std::string directives_of(const std::string& text) {
 }
 
 Access access_of(Tokens head) {
-    const bool writable = contains(head, "out") || contains(head, "varying") ||
-                          (contains(head, "buffer") && !contains(head, "readonly"));
-    return writable ? Access::any : Access::reads;
+    const bool fixed = contains(head, "readonly");
+    if (contains(head, "buffer")) return fixed ? Access::uniform : Access::buffer;
+    if (contains(head, "out") || contains(head, "varying")) return Access::any;
+    return contains(head, "uniform") ? Access::uniform : Access::reads;
 }
 
 }  // namespace

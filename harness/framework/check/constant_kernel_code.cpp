@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Kernels whose inputs are constants of their text.
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+#include <functional>
+
+#include "check/internal/kernel_text.hpp"
+#include "check/kernel_code.hpp"
+
+namespace gloam::check {
+namespace {
+
+using shader::Scalar;
+
+// A decimal that denotes exactly this float. Its 17 digits identify the float's value as a double.
+std::string float_literal(float value) {
+    std::string text = fmt::format("{:.17g}", static_cast<double>(value));
+    if (text.find_first_of(".e") == std::string::npos) text += ".0";
+    return text;
+}
+
+// The expressions of the scalars of input `index`.
+using InputOf = std::function<internal::InputText(std::size_t index)>;
+
+std::string main_function(const KernelSource& source, std::size_t count, const InputOf& input_of) {
+    internal::require_alone(source, "a kernel with constants");
+    std::string cases;
+    std::size_t output_words = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const internal::Evaluation evaluation = internal::evaluation(source, input_of(i));
+        output_words = evaluation.output_words;
+        cases += fmt::format("    case {}u: {{\n{}    break; }}\n", i, evaluation.code);
+    }
+    return internal::main_begin({}, output_words) + "    switch (gloam_kernel_index) {\n" + cases +
+           "    }\n" + internal::main_end(output_words);
+}
+
+// Number of words in one input of the function.
+std::size_t input_words(const KernelSource& source) {
+    return internal::evaluation(source, [](Scalar, std::size_t) { return std::string(); }).input_words;
+}
+
+}  // namespace
+
+std::string literal(Scalar scalar, Word word) {
+    const std::string hexadecimal = fmt::format("0x{:08x}u", word);
+    if (scalar == Scalar::bool_) return word != 0 ? "true" : "false";
+    if (scalar != Scalar::float_) return internal::from_word(scalar, hexadecimal);
+    const auto value = std::bit_cast<float>(word);
+    return std::isfinite(value) ? float_literal(value) : internal::from_word(scalar, hexadecimal);
+}
+
+std::string literal_kernel_code(const KernelSource& source, std::span<const Word> inputs, std::size_t count) {
+    const std::size_t words = count == 0 ? 0 : inputs.size() / count;
+    const auto input_of = [&](std::size_t index) -> internal::InputText {
+        return [input = inputs.subspan(index * words, words)](Scalar scalar, std::size_t word) {
+            return literal(scalar, input[word]);
+        };
+    };
+    return internal::kernel_text(source, main_function(source, count, input_of));
+}
+
+std::string specialized_kernel_code(const KernelSource& source, std::size_t count) {
+    const std::size_t words = input_words(source);
+    std::string constants;
+    for (std::size_t id = 0; id < count * words; ++id)
+        constants += fmt::format("layout(constant_id = {0}) const uint gloam_kernel_constant{0} = 0u;\n", id);
+    const auto input_of = [words](std::size_t index) -> internal::InputText {
+        return [first = index * words](Scalar scalar, std::size_t word) {
+            return internal::from_word(scalar, fmt::format("gloam_kernel_constant{}", first + word));
+        };
+    };
+    return internal::kernel_text(source, constants + main_function(source, count, input_of));
+}
+
+}  // namespace gloam::check
