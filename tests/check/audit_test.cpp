@@ -246,7 +246,7 @@ TEST(OrdinaryValues, DescribeArraysSamplersAndWhatStandsAtFileScope) {
     const Audited file(
         "uniform sampler2D image;\nuniform float exposure;\nstruct Lamp { vec3 color; };\n"
         "float f(float weights[3], Lamp lamps[2], vec2 uv) {\n"
-        "    return texture(image, uv).x * exposure * lamps[0].color.x / (weights[0] + weights[1] + "
+        "    return textureLod(image, uv, 0.0).x * exposure * lamps[0].color.x / (weights[0] + weights[1] + "
         "weights[2]);\n"
         "}\n");
     EXPECT_THAT(described(file.values("f", {{"weights", {0.0, 1.0}}})),

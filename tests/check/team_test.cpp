@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Functions that need other invocations: derivatives and discard in quads; shared memory, barriers and subgroups.
+// Functions that need other invocations: derivatives and discard in quads; shared memory, barriers and
+// subgroups.
+#include <set>
+
+#include "backend/vulkan/device.hpp"
 #include "check/function.hpp"
 #include "check/own_function.hpp"
 #include "check/run.hpp"
+#include "interpreter/program.hpp"
 #include "shader/include.hpp"
 #include "support/lab.hpp"
 
@@ -10,21 +15,216 @@
 
 namespace gloam::check::team_test {
 
-Lab lab_of(const std::string& device = {}) {
-    return Lab({.device = device, .validation = device.empty(), .include_roots = {FIXTURES}});
+using testing::Each;
+
+Answer answer_of(const Lab& lab, const std::string& file, const std::string& name, const Ranges& ranges = {},
+                 std::size_t inputs = 1024) {
+    const OwnFunctions own = own_functions(lab.options(), file, {name});
+    if (own.found.empty()) throw std::invalid_argument(own.left_out.at(0).why);
+    return run(lab, question_of(lab, file, own.found.front(), ranges), {.inputs = inputs});
 }
 
-TEST(Quads, EveryInputIsOneQuad) {
-    const Lab lab = lab_of();
-    const Function<Quad<float>(Quad<float>)> width(lab, "quads_cpp.glsl", "edge_width");
+Lab lab_for(const char* file, const shader::Variant& variant = {}) {
+    return {test::options_for(FIXTURES, file, variant), test::SharedDevice::get()};
+}
+
+constexpr auto quad_functions = {"edge_width", "slopes",        "soft_edge",        "face_normal",
+                                 "cut_out",    "in_one_branch", "across_the_screen"};
+
+TEST(Quads, EachFunctionIsWithinTheRulesOnEachDevice) {
+    const Lab lab = lab_for("quads.frag");
+    const Lab interpreted(test::options_for(FIXTURES, "quads.frag"), interpreter());
+    for (const Lab* each : {&lab, &interpreted}) {
+        for (const char* name : quad_functions) {
+            const Answer answer = answer_of(*each, "quads.frag", name);
+            EXPECT_TRUE(answer.passed()) << each->info().name << "\n" << answer;
+        }
+    }
+}
+
+TEST(Quads, EachFunctionIsWithinTheRulesInEachVariant) {
+    for (const shader::Variant& variant : shader::variants()) {
+        if (variant.constants != shader::Variant::Constants::none) continue;
+        const Lab lab = lab_for("quads.frag", variant);
+        for (const char* name : quad_functions)
+            EXPECT_FALSE(answer_of(lab, "quads.frag", name, {}, 256).failed()) << variant.name << " " << name;
+    }
+}
+
+class QuadCalls : public testing::Test {
+  protected:
+    Lab lab{{.validation = true, .include_roots = {FIXTURES}}, test::SharedDevice::get()};
+};
+
+// More than one row of quads, and more than a driver draws at once without dividing the triangle.
+TEST_F(QuadCalls, NoQuadIsDivided) {
+    const Function<Quad<float>(Quad<float>)> width(lab, "edges.glsl", "edge_width");
     std::vector<std::tuple<Quad<float>>> inputs;
     for (int i = 0; i < 300'000; ++i) {
         const auto x = static_cast<float>(i);
         inputs.emplace_back(Quad<float>{{x, x + 1.0F, x + 2.0F, x + 3.0F}});
     }
-    const std::vector<Quad<float>> all = width(inputs);
-    for (std::size_t i = 0; i < all.size(); ++i)
-        if (all[i] != Quad<float>{{3, 3, 3, 3}}) { printf("%zu: %g %g %g %g\n", i, all[i][0], all[i][1], all[i][2], all[i][3]); if (i > 5000) break; }
+    EXPECT_THAT(width(inputs), Each(Quad<float>{{3, 3, 3, 3}}));
+}
+
+TEST_F(QuadCalls, AFineDerivativeIsThatOfTheOwnRow) {
+    const Function<Quad<glm::vec2>(Quad<float>)> slopes(lab, "edges.glsl", "edge_slopes");
+    const Quad<glm::vec2> got = slopes(Quad<float>{{0, 1, 10, 13}});
+    EXPECT_EQ(got,
+              (Quad<glm::vec2>{{glm::vec2(1, 10), glm::vec2(1, 12), glm::vec2(3, 10), glm::vec2(3, 12)}}));
+}
+
+TEST_F(QuadCalls, OtherParametersAreThoseOfAllInvocations) {
+    const Function<Quad<float>(Quad<float>, float)> scaled(lab, "edges.glsl", "edge_scaled");
+    EXPECT_EQ(scaled(Quad<float>{{0, 1, 2, 3}}, 0.5F), (Quad<float>{{1.5F, 1.5F, 1.5F, 1.5F}}));
+    const auto reference = [](const Quad<double>& x, double scale) {
+        Quad<double> all{};
+        for (std::size_t k = 0; k < 4; ++k)
+            all[k] = (std::abs(x[k | 1U] - x[k & ~1U]) + std::abs(x[k | 2U] - x[k & ~2U])) * scale;
+        return all;
+    };
+    const Values smooth = neighbours(type_of<float>(), uniform(0, 1));
+    const Answer answer = scaled.compare(reference, {smooth, uniform(1, 2)}, {.ulp = 2}, {.inputs = 4096});
+    EXPECT_TRUE(answer.passed()) << answer;
+}
+
+TEST(Quads, AnInvocationThatIsDiscardedSaysSo) {
+    const Lab lab = lab_for("quads.frag");
+    const OwnFunction own = own_functions(lab.options(), "quads.frag", {"cut_out"}).found.at(0);
+    const Question question = question_of(lab, "quads.frag", own, {});
+    const KernelCore kernel = lab.kernel("quads.frag", "cut_out", question.signature);
+    const std::vector<Word> input{to_word(0.25F), to_word(0.75F), to_word(1.0F), to_word(0.0F)};
+    EXPECT_EQ(kernel.run(input, 1).outputs,
+              (std::vector<Word>{0, to_word(1.5F), to_word(2.0F), 0, 1, 0, 0, 1}));
+}
+
+TEST(Quads, ADerivativeOfSomeInvocationsIsUndefined) {
+    const Lab lab = lab_for("quads.frag");
+    const auto undefined = [&](const char* name) {
+        const OwnFunction own = own_functions(lab.options(), "quads.frag", {name}).found.at(0);
+        const Question question = question_of(lab, "quads.frag", own, {{"x", {0.4, 0.6}}});
+        const Audit all = audit(lab, question, {}, {.inputs = 512});
+        return std::ranges::count(all.findings, Concern::undefined, &AuditFinding::concern);
+    };
+    EXPECT_EQ(undefined("in_one_branch"), 1);
+    EXPECT_EQ(undefined("edge_width"), 0);
+}
+
+// The results of some other invocation of the quad.
+class Exchanged : public backend::Backend {
+  public:
+    explicit Exchanged(std::shared_ptr<backend::Backend> right) : right_(std::move(right)) {}
+    [[nodiscard]] const backend::DeviceInfo& info() const override { return right_->info(); }
+    [[nodiscard]] std::unique_ptr<backend::Kernel> make_kernel(
+        const backend::KernelProgram& program) const override {
+        return std::make_unique<Wrong>(right_->make_kernel(program), program.output_words);
+    }
+
+  private:
+    struct Wrong : backend::Kernel {
+        Wrong(std::unique_ptr<backend::Kernel> made, std::size_t words)
+            : right(std::move(made)), row(words + 1) {}
+        [[nodiscard]] std::size_t most_inputs() const override { return right->most_inputs(); }
+        void run(std::size_t count, Word canary, backend::KernelMemory& memory) const override {
+            right->run(count, canary, memory);
+            for (std::size_t i = 0; i < count; ++i)
+                std::swap(memory.outputs[i * row], memory.outputs[i * row + 2]);
+        }
+        std::unique_ptr<backend::Kernel> right;
+        std::size_t row;
+    };
+    std::shared_ptr<backend::Backend> right_;
+};
+
+TEST(Quads, AFineDerivativeOfTheOtherRowIsNoticed) {
+    const Lab lab(test::options_for(FIXTURES, "edges.glsl"),
+                  std::make_shared<Exchanged>(test::SharedDevice::get()));
+    EXPECT_GT(answer_of(lab, "edges.glsl", "edge_fine").outside(), 0U);
+    // A driver may calculate this one in either row.
+    EXPECT_EQ(answer_of(lab, "edges.glsl", "edge_any").outside(), 0U);
+}
+
+TEST(Quads, NeighboursDifferByStepsInsideTheDomain) {
+    const Domain domain{neighbours(type_of<float>(), uniform(0, 1)),
+                        neighbours(type_of<int>(), integers(0, 9))};
+    const Domain::Inputs inputs = domain.draw(2048, 1);
+    std::size_t smooth = 0;
+    std::size_t apart = 0;
+    for (std::size_t i = 0; i < inputs.count(); ++i) {
+        const auto row = inputs.row(i);
+        std::array<float, 4> x{};
+        for (std::size_t k = 0; k < 4; ++k) x.at(k) = from_word<float>(row[k]);
+        for (const float one : x) ASSERT_TRUE(one >= 0.0F && one <= 1.0F);
+        const float dx = x[1] - x[0];
+        const bool steps = dx != 0.0F && std::abs(x[3] - x[2] - dx) < 1e-6F;
+        (steps ? smooth : apart) += dx != 0.0F ? 1 : 0;
+        EXPECT_TRUE(domain.parameters()[0].admits(row.first(4)));
+    }
+    EXPECT_GT(smooth, inputs.count() / 8);
+    EXPECT_GT(apart, inputs.count() / 16);
+}
+
+TEST(Quads, OpenGlAndConstantsAreUnsupported) {
+    const Lab lab = lab_for("quads.frag", shader::variant("literals"));
+    EXPECT_THROW((void)answer_of(lab, "quads.frag", "edge_width"), backend::Unsupported);
+}
+
+// Work groups.
+
+TEST(Groups, EachFunctionIsWithinTheRulesOnEachDevice) {
+    const Lab lab = lab_for("groups.comp");
+    const Lab interpreted(test::options_for(FIXTURES, "groups.comp"), interpreter());
+    for (const Lab* each : {&lab, &interpreted}) {
+        for (const char* name : {"group_sum", "place", "how_many", "subgroup_sum"}) {
+            const Answer answer = answer_of(*each, "groups.comp", name, {}, 256);
+            EXPECT_TRUE(answer.passed()) << each->info().name << "\n" << answer;
+        }
+    }
+    EXPECT_EQ(own_functions(lab.options(), "groups.comp", {"group_sum"}).found.at(0).team.size,
+              (std::array<std::uint32_t, 3>{16, 2, 1}));
+}
+
+TEST(Groups, RacesAndDivergentBarriersAreErrorsOfTheShader) {
+    using Kind = interpreter::Error::Kind;
+    const Lab lab = lab_for("groups.comp");
+    const Lab interpreted(test::options_for(FIXTURES, "groups.comp"), interpreter());
+    for (const Lab* each : {&lab, &interpreted}) {
+        for (const auto& [name, kind] : {std::pair{"without_barrier", Kind::race},
+                                         {"sometimes_without", Kind::race},
+                                         {"barrier_for_some", Kind::divergent_barrier}}) {
+            try {
+                (void)answer_of(*each, "groups.comp", name, {}, 64);
+                ADD_FAILURE() << "no error: " << name;
+            } catch (const interpreter::Error& error) {
+                EXPECT_EQ(error.kind(), kind) << name;
+                EXPECT_THAT(error.what(), HasSubstr("groups.comp:"));
+            }
+        }
+    }
+}
+
+TEST(Groups, WhatDependsOnTheOrderIsNotJudged) {
+    const Lab lab = lab_for("groups.comp");
+    const Answer answer = answer_of(lab, "groups.comp", "ticket", {}, 64);
+    EXPECT_EQ(answer.outside(), 0U);
+    EXPECT_EQ(answer.open(), answer.inputs());
+}
+
+TEST(Groups, ABufferThatTheGroupSharesIsLeftOut) {
+    const Lab lab = lab_for("groups.comp");
+    EXPECT_THAT(own_functions(lab.options(), "groups.comp", {"stored"}).left_out.at(0).why,
+                HasSubstr("the buffer \"results\", which it may write, is shared by its group"));
+}
+
+TEST(Groups, AreCalledFromCpp) {
+    const Lab lab({.validation = true, .include_roots = {FIXTURES}}, test::SharedDevice::get());
+    const Function<Group<float, 64>(Group<float, 64>)> sum(lab, "totals.glsl", "group_total");
+    Group<float, 64> ones{};
+    ones.fill(1.0F);
+    ones[7] = 2.0F;
+    EXPECT_THAT(sum(ones), Each(65.0F));
+    using Mixed = Quad<float>(Group<float, 64>);
+    EXPECT_THROW((void)SignatureOf<Mixed>::describe(), std::invalid_argument);
 }
 
 }  // namespace gloam::check::team_test

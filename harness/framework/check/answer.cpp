@@ -48,6 +48,10 @@ std::string_view name_of(Reason reason) {
             return "error";
         case Reason::fault:
             return "fault";
+        case Reason::race:
+            return "race";
+        case Reason::divergent:
+            return "divergent barrier";
         case Reason::unsupported:
             return "unsupported";
         case Reason::none:

@@ -115,13 +115,16 @@ enum class Reason {
     out_of_memory,  // of the host or of the device
     error,          // any other error, for example a shader that does not compile
     fault,          // the shader accessed a pixel outside an image
+    race,           // two invocations of a group use one word, no barrier orders them, and one writes
+    divergent,      // not all invocations of a group reach a barrier
     unsupported     // the function is no text of the device's version of GLSL: not judged
 };
-inline constexpr Reason all_reasons[] = {Reason::none,        Reason::crash,         Reason::hang,
-                                         Reason::device_lost, Reason::out_of_memory, Reason::error,
-                                         Reason::fault,       Reason::unsupported};
+inline constexpr Reason all_reasons[] = {
+    Reason::none,  Reason::crash, Reason::hang, Reason::device_lost, Reason::out_of_memory,
+    Reason::error, Reason::fault, Reason::race, Reason::divergent,   Reason::unsupported};
 
-// "", "crash", "hang", "device lost", "out of memory", "error", "fault", "unsupported".
+// "", "crash", "hang", "device lost", "out of memory", "error", "fault", "race",
+// "divergent barrier", "unsupported".
 [[nodiscard]] std::string_view name_of(Reason reason);
 
 // What a check says. Every summary, table, page and exit status is made from it.

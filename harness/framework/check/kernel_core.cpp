@@ -212,7 +212,9 @@ class InterpreterKernel : public backend::Kernel {
             kernel.run(inputs.empty() ? inputs : inputs.subspan(i * module_.input_words, module_.input_words),
                        invocation);
         } catch (const interpreter::Error& error) {
-            throw backend::Fault(fmt::format("{}: input {}: {}", name_, i, error.what()));
+            const std::string message = fmt::format("{}: input {}: {}", name_, i, error.what());
+            if (error.is_of_group()) throw interpreter::Error(error.kind(), message);
+            throw backend::Fault(message);
         }
     }
 

@@ -60,7 +60,8 @@ std::string obstacle(const shader::Type& type) {
 }
 
 // Why no kernel can call a function; empty if one can.
-std::string why_not(const shader::Function& function, const shader::Excerpt& excerpt) {
+std::string why_not(const shader::Function& function, const shader::Excerpt& excerpt,
+                    const backend::Team& team) {
     for (const char* ours : {"gloam_kernel_", "GloamKernel"})
         if (excerpt.text.find(ours) != std::string::npos)
             return fmt::format("it uses a name with {}, as only the generated kernel may", ours);
@@ -82,7 +83,7 @@ std::string why_not(const shader::Function& function, const shader::Excerpt& exc
     }
     if (const std::string what = obstacle(function.result); !what.empty())
         return fmt::format("a result of type {} cannot be read: {}", shader::name_of(function.result), what);
-    if (scalars > shader::most_scalars)
+    if (scalars * team.count() > shader::most_scalars)
         return fmt::format("its parameters and its result have more than {} scalars", shader::most_scalars);
     if (Signature{.result = function.result, .parameters = function.parameters}.output_words() == 0)
         return "it has no result and no out parameter, and it writes no buffer or stage output";
@@ -106,7 +107,8 @@ LeftOut refused(const shader::Excerpt& excerpt, const std::string& definition, c
                     "prototypes T name(ivec2)",
                     name, place)};
     if (is("not supported in this stage") || (name.starts_with("gl_") && is("undeclared identifier")))
-        return {definition, fmt::format("{} at {} needs another stage than compute", name, place)};
+        return {definition,
+                fmt::format("{} at {} needs another stage than compute and fragment", name, place)};
     if (is("Atomic memory function") || is("atomic memory functions"))
         return {definition,
                 fmt::format("{} at {} needs memory that invocations share: each input is run by itself", name,
@@ -155,7 +157,7 @@ class Sorting {
             const std::string definition = definition_of(function);
             if (!wants(definition)) continue;
             const shader::Function called = together(function, team);
-            std::string why = why_not(called, excerpt);
+            std::string why = why_not(function, excerpt, team);
             if (why.empty() && unserved != compiled.end())
                 why = fmt::format(
                     "it calls {}, which has no body; expected T name(ivec2) or void name(ivec2, T)",

@@ -249,8 +249,11 @@ Reproduction without_verdict(const Lab& lab, const Question& question, const std
     const Constants constants = lab.options().variant.constants;
     const shader::Source text{.name = "kernel of " + question.function,
                               .text = code_of(source, constants, inputs)};
-    Reproduction all{.glsl = shader::pack({text}, {}, lab.options().include_roots),
-                     .spirv = lab.compile(text),
+    shader::CompileOptions in_stage = lab.compile_options();
+    in_stage.stage = stage_of(source.team);
+    Reproduction all{.glsl = shader::pack({text}, {.stage = in_stage.stage}, lab.options().include_roots),
+                     .spirv = lab.compile(text, in_stage),
+                     .team = source.team,
                      .scenario = scenario,
                      .inputs = std::move(inputs),
                      .specialized = constants == Constants::specialization,

@@ -44,8 +44,9 @@ struct ShrinkScope {
 
 // A check of one input, with all that is needed to run it without this framework.
 struct Reproduction {
-    std::string glsl;  // the generated compute shader, includes inserted
+    std::string glsl;  // the generated shader, includes inserted
     shader::Spirv spirv;
+    backend::Team team = {};  // of a quad, the shader is a fragment shader
     // Of an OpenGL device: the text that it was given; and a text that runs it on these inputs alone, which
     // is the same compute shader, or a fragment shader that draws green where the results are allowed.
     std::string opengl;

@@ -43,6 +43,8 @@ class Error : public std::runtime_error {
         : std::runtime_error(message + ", in " + to_text(place)), kind_(kind) {}
 
     [[nodiscard]] Kind kind() const { return kind_; }
+    // Whether invocations disturb each other: an error of the shader, whatever its inputs are.
+    [[nodiscard]] bool is_of_group() const { return kind_ == Kind::race || kind_ == Kind::divergent_barrier; }
 
   private:
     Kind kind_;

@@ -356,7 +356,7 @@ std::vector<Function> internal::functions_here(const Source& source, const Compi
     const Spirv module =
         internal::to_spirv(whole, options.stage, {}, {.unreached = internal::Unreached::kept});
     try {
-        require_no_bias(module, source.name);
+        if (options.stage != Stage::fragment) require_no_bias(module, source.name);
         return listed(internal::signatures(module), declared);
     } catch (const CompileError&) {
         throw;

@@ -275,8 +275,13 @@ constexpr std::array built_ins{BuiltIn{"FragCoord", "vec4"},
                                BuiltIn{"NumWorkGroups", "uvec3", Access::uniform, true},
                                BuiltIn{"GlobalInvocationID", "uvec3"}};
 
+// Stages without derivatives, where samplers read level 0.
+bool has_no_quads(const std::string& file) {
+    return file.ends_with(".comp") || file.ends_with(".vert");
+}
+
 // What a function calls or mentions that needs other invocations.
-Needs needs_of(const std::set<std::string>& mentioned, bool shares) {
+Needs needs_of(const std::set<std::string>& mentioned, bool shares, const std::string& file) {
     const auto mentions = [&](auto matches) { return std::ranges::any_of(mentioned, matches); };
     const bool group = shares || mentions([](const std::string& name) {
                            return name == "barrier" || name == "memoryBarrierShared" ||
@@ -285,10 +290,12 @@ Needs needs_of(const std::set<std::string>& mentioned, bool shares) {
                                   name.starts_with("gl_Subgroup") || name == "gl_NumSubgroups";
                        });
     if (group) return Needs::group;
-    const bool quad = mentions([](std::string_view name) {
+    const bool quad = mentions([&file](std::string_view name) {
         for (const std::string_view kind : {"Fine", "Coarse"})
             if (name.ends_with(kind)) name.remove_suffix(kind.size());
-        return name == "dFdx" || name == "dFdy" || name == "fwidth" || name == "discard";
+        const bool derives = name == "dFdx" || name == "dFdy" || name == "fwidth" || name == "discard";
+        return derives || (!has_no_quads(file) && (name == "texture" || name == "textureProj" ||
+                                                   name == "textureOffset" || name == "textureProjOffset"));
     });
     return quad ? Needs::quad : Needs::nobody;
 }
@@ -334,7 +341,7 @@ Excerpt excerpt_of(const std::string& function, const ActiveText& active, const 
         mentioned.insert(piece.mentions.begin(), piece.mentions.end());
         shares = shares || (piece.kind == Kind::interface && has_word(piece, "shared"));
     }
-    excerpt.needs = needs_of(mentioned, shares);
+    excerpt.needs = needs_of(mentioned, shares, active.files.front().name);
     excerpt.text += built_in_text(mentioned, excerpt);
     for (std::size_t i = 0; i < outline.pieces.size(); ++i) {
         const Piece& piece = outline.pieces[i];

@@ -54,7 +54,7 @@ enum class Access {
 // What a function needs other invocations for.
 enum class Needs {
     nobody,
-    quad,  // derivatives, or discard: it belongs to a fragment
+    quad,  // derivatives, samplers whose level follows from them, or discard: it belongs to a fragment
     group  // shared memory, barriers, subgroups, or its place among them
 };
 

@@ -20,7 +20,7 @@ check::Reason read_reason(const JsonReader& json) {
     for (const check::Reason reason : check::all_reasons) {
         if (name_of(reason) == text) return reason;
     }
-    json.expected("\"\", crash, hang, device lost, out of memory, error or fault");
+    json.expected("\"\", crash, hang, device lost, out of memory, error, fault, race or divergent barrier");
 }
 
 check::Verdict read_verdict(const JsonReader& json) {

@@ -12,6 +12,7 @@
 #include "base/text.hpp"
 #include "cli/environment.hpp"
 #include "cli/names.hpp"
+#include "interpreter/program.hpp"
 #include "shader/include.hpp"
 
 namespace gloam::cli {
@@ -186,6 +187,10 @@ check::Reason reason_of(const std::exception& error) {
     if (dynamic_cast<const backend::DeviceLost*>(&error) != nullptr) return Reason::device_lost;
     if (dynamic_cast<const backend::Hang*>(&error) != nullptr) return Reason::hang;
     if (dynamic_cast<const backend::Unsupported*>(&error) != nullptr) return Reason::unsupported;
+    if (const auto* of_shader = dynamic_cast<const interpreter::Error*>(&error)) {
+        if (of_shader->kind() == interpreter::Error::Kind::race) return Reason::race;
+        if (of_shader->kind() == interpreter::Error::Kind::divergent_barrier) return Reason::divergent;
+    }
     return Reason::error;
 }
 

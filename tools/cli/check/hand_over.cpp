@@ -156,8 +156,9 @@ HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
                                     replay_of(all, question, request.task, device, how)});
     } else {
         hand_over = {.glsl = all.glsl, .assembly = all.assembly, .spirv = all.spirv};
-        // The scripts have storage buffers and no samplers.
-        if (std::ranges::none_of(all.images, &check::Reproduction::ImageBuffer::sampled))
+        // The scripts have storage buffers and no samplers, and they run compute shaders.
+        if (all.team.kind != backend::Team::Kind::quad &&
+            std::ranges::none_of(all.images, &check::Reproduction::ImageBuffer::sampled))
             hand_over.amber = report::to_amber(
                 replay_of(all, question, request.task, device, "amber -v 1.2 -t spv1.5 repro.amber"));
     }

@@ -127,6 +127,7 @@ struct ConstantSlot {
 struct Sampling {
     bool projected = false;  // the last coordinate divides the others
     std::optional<Slot> level{};
+    std::optional<Slot> bias{};  // of the level that follows from dx and dy
     std::optional<Slot> dx{};
     Slot dy = 0;
     std::uint32_t gradients = 0;  // components of dx and dy

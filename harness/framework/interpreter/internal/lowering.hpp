@@ -69,7 +69,14 @@ class Lowering {
     bool lower_image(const shader::Instruction& i, Scope& scope);
     bool lower_sampling(const shader::Instruction& i, Scope& scope);
     bool lower_group(const shader::Instruction& i, Scope& scope);
-    Slot lower_difference(const shader::Instruction& i, Slot of, std::uint32_t pick);
+    Slot lower_difference(Slot of, std::uint32_t count, std::uint32_t pick, std::uint8_t how);
+    Slot lower_slope(Slot of, std::uint32_t count, std::uint32_t axis, std::uint8_t how, bool fine);
+    struct Coordinates {
+        Slot first;
+        std::uint32_t count;
+    };
+    Coordinates lower_gradients(const shader::Instruction& i, Coordinates at, Sampling& how,
+                                const Scope& scope);
     void lower_derivative(const shader::Instruction& i, Scope& scope);
     void lower_collective(const shader::Instruction& i, Scope& scope);
     void list_offsets(const PointerInfo& pointer, Instruction& instruction);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "interpreter/internal/lowering.hpp"
 #include "interpreter/internal/opcodes.hpp"
@@ -47,19 +48,26 @@ bool Lowering::lower_group(const shader::Instruction& i, Scope& scope) {
 }
 
 // The difference between the two invocations of a row or a column of the quad.
-Slot Lowering::lower_difference(const shader::Instruction& i, Slot of, std::uint32_t pick) {
-    const std::uint32_t count = module_.types.slots(i.word(1));
+Slot Lowering::lower_difference(Slot of, std::uint32_t count, std::uint32_t pick, std::uint8_t how) {
     const Slot low = new_slots(count);
     const Slot high = new_slots(count);
     const Slot result = new_slots(count);
     emit(neighbour, count, low, of).extra = pick;
     emit(neighbour, count, high, of).extra = pick | second;
-    emit(SpvOpFSub, count, result, high, low).flags =
-        static_cast<std::uint8_t>(flags_of(i.word(2), i.word(1)) | flags::no_contraction);
+    emit(SpvOpFSub, count, result, high, low).flags = static_cast<std::uint8_t>(how | flags::no_contraction);
     return result;
 }
 
-// A fine derivative is that of the invocation's own row or column; others may be of either one.
+// A fine derivative is that of the invocation's own row or column; another may be of either one.
+Slot Lowering::lower_slope(Slot of, std::uint32_t count, std::uint32_t axis, std::uint8_t how, bool fine) {
+    const Slot own = lower_difference(of, count, axis, how);
+    if (fine) return own;
+    const Slot other = lower_difference(of, count, axis | other_line, how);
+    const Slot any = new_slots(count);
+    emit(either, count, any, own, other).flags = how;
+    return any;
+}
+
 void Lowering::lower_derivative(const shader::Instruction& i, Scope& scope) {
     constexpr std::uint32_t kinds = 3;  // along x, along y, the sum of both magnitudes
     const std::uint32_t kind = (i.opcode - SpvOpDPdx) % kinds;
@@ -68,26 +76,34 @@ void Lowering::lower_derivative(const shader::Instruction& i, Scope& scope) {
     const Slot of = slot_of(i.word(3), scope);
     const Slot result = slot_of(i.word(2), scope);
     const std::uint8_t how = flags_of(i.word(2), i.word(1));
-    const auto along = [&](std::uint32_t axis) {
-        const Slot own = lower_difference(i, of, axis);
-        if (fine) return own;
-        const Slot other = lower_difference(i, of, axis | other_line);
-        const Slot any = new_slots(count);
-        emit(either, count, any, own, other).flags = how;
-        return any;
-    };
     if (kind < 2) {
-        emit(copy, count, result, along(kind == 0 ? row : column));
+        emit(copy, count, result, lower_slope(of, count, kind == 0 ? row : column, how, fine));
         return;
     }
     std::array<Slot, 2> magnitudes{};
     for (std::uint32_t axis = 0; axis < 2; ++axis) {
+        const Slot slope = lower_slope(of, count, axis == 0 ? row : column, how, fine);
         magnitudes.at(axis) = new_slots(count);
-        const Slot difference = along(axis == 0 ? row : column);
-        emit(extended + GLSLstd450FAbs, count, magnitudes.at(axis), difference).flags = how;
+        emit(extended + GLSLstd450FAbs, count, magnitudes.at(axis), slope).flags = how;
     }
     emit(SpvOpFAdd, count, result, magnitudes[0], magnitudes[1]).flags =
         static_cast<std::uint8_t>(how | flags::no_contraction);
+}
+
+// Of a sampler without a level: its coordinates, divided if they are projected, whose derivatives select the
+// level.
+Lowering::Coordinates Lowering::lower_gradients(const shader::Instruction& i, Coordinates at, Sampling& how,
+                                                const Scope& scope) {
+    const Type& sampled = module_.types.at(type_of(i.word(3), scope));
+    how.gradients = module_.types.at(sampled.element).dimension == SpvDim3D ? 3 : 2;
+    if (std::exchange(how.projected, false)) {
+        const Slot divided = new_slots(how.gradients);
+        emit(SpvOpFDiv, how.gradients, divided, at.first, at.first + at.count - 1).stride = 0;
+        at = {divided, how.gradients};
+    }
+    how.dx = lower_slope(at.first, how.gradients, row, 0, false);
+    how.dy = lower_slope(at.first, how.gradients, column, 0, false);
+    return at;
 }
 
 void Lowering::lower_collective(const shader::Instruction& i, Scope& scope) {

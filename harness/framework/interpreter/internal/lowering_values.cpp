@@ -271,10 +271,13 @@ bool Lowering::lower_image(const shader::Instruction& i, Scope& scope) {
 
 bool Lowering::lower_sampling(const shader::Instruction& i, Scope& scope) {
     const bool gathers = i.opcode == SpvOpImageGather;
-    Sampling how{.projected = i.opcode == SpvOpImageSampleProjExplicitLod};
-    if (!gathers && !how.projected && i.opcode != SpvOpImageSampleExplicitLod) return false;
+    const bool implicit =
+        i.opcode == SpvOpImageSampleImplicitLod || i.opcode == SpvOpImageSampleProjImplicitLod;
+    Sampling how{.projected = i.opcode == SpvOpImageSampleProjExplicitLod ||
+                              i.opcode == SpvOpImageSampleProjImplicitLod};
+    if (!gathers && !implicit && !how.projected && i.opcode != SpvOpImageSampleExplicitLod) return false;
     std::size_t word = gathers ? 6 : 5;
-    std::uint32_t operands = i.word(word++);
+    std::uint32_t operands = word < i.words.size() ? i.word(word++) : 0;
     const auto take = [&](std::uint32_t mask) -> std::optional<Slot> {
         if ((operands & mask) == 0) return std::nullopt;
         operands &= ~mask;
@@ -282,6 +285,7 @@ bool Lowering::lower_sampling(const shader::Instruction& i, Scope& scope) {
     };
     const auto components = [&](std::size_t at) { return module_.types.slots(type_of(i.word(at), scope)); };
     if (gathers) how.component = slot_of(i.word(5), scope);
+    how.bias = take(SpvImageOperandsBiasMask);
     how.level = take(SpvImageOperandsLodMask);
     how.dx = take(SpvImageOperandsGradMask);
     if (how.dx) {
@@ -297,10 +301,12 @@ bool Lowering::lower_sampling(const shader::Instruction& i, Scope& scope) {
     operands &= ~static_cast<std::uint32_t>(SpvImageOperandsSignExtendMask | SpvImageOperandsZeroExtendMask);
     if (operands != 0)
         fail(Error::Kind::unknown_instruction, "a sampler with several offsets, or a least level");
+    Coordinates at{slot_of(i.word(4), scope), components(4)};
+    if (implicit) at = lower_gradients(i, at, how, scope);
     code_.samplings.push_back(how);
     Instruction& instruction = emit(image_sample, module_.types.slots(i.word(1)), slot_of(i.word(2), scope),
-                                    slot_of(i.word(3), scope), slot_of(i.word(4), scope));
-    instruction.c = components(4);
+                                    slot_of(i.word(3), scope), at.first);
+    instruction.c = at.count;
     instruction.flags = flags_of(i.word(2), i.word(1));
     instruction.extra = static_cast<std::uint32_t>(code_.samplings.size() - 1);
     return true;

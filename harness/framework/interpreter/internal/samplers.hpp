@@ -68,6 +68,10 @@ template <class N, class BoundsOf>
         }
         point.level = level_of(view, dx, dy, precision);
     }
+    if (how.bias) {
+        const numeric::Bounds bias = bounds(s.slots[*how.bias].number());
+        point.level = {point.level.low + bias.low, point.level.high + bias.high, point.level.nan || bias.nan};
+    }
     return point;
 }
 
