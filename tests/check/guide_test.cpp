@@ -11,6 +11,8 @@
 
 namespace gloam::check::guide_test {
 
+using testing::Each;
+
 Lab guide_lab() {
     return test::make_lab(std::string(FIXTURES) + "/guide");
 }
@@ -31,6 +33,30 @@ TEST(Guide, OneCall) {
     const Function<float(float)> tone(lab, "tone.glsl", "tone_reinhard");
     EXPECT_EQ(tone(0.0F), 0.0F);
     EXPECT_EQ(tone(1.0F), 0.5F);
+    // End
+}
+
+TEST(Guide, Quads) {
+    const Lab lab = guide_lab();
+    // Begin: quad
+    const Function<Quad<float>(Quad<float>)> coverage(lab, "edge.glsl", "edge_coverage");
+    const Quad<float> across = coverage(Quad<float>{{-0.5F, 0.5F, -0.5F, 0.5F}});
+    EXPECT_EQ(across[0], 0.15625F);
+    EXPECT_EQ(across[1], 0.84375F);
+    const Answer answer = coverage.check_rules({neighbours(type_of<float>(), uniform(-10, 10))});
+    EXPECT_TRUE(answer.passed()) << answer;
+    // End
+}
+
+TEST(Guide, Groups) {
+    const Lab lab = guide_lab();
+    // Begin: group
+    const Function<Group<float, 64>(Group<float, 64>)> mean(lab, "mean.glsl", "group_mean");
+    Group<float, 64> values{};
+    values[5] = 32.0F;
+    EXPECT_THAT(mean(values), Each(0.5F));
+    const Answer answer = mean.check_rules({vector(64, uniform(0, 1))}, {.inputs = 256});
+    EXPECT_TRUE(answer.passed()) << answer;
     // End
 }
 
