@@ -289,14 +289,12 @@ bool may_discard(const shader::Function& function) {
 
 // Nothing can be written behind a discard: until the function returns, the invocation counts as discarded.
 // `discarded` is the last output.
-std::string write_discarded(const KernelSource& source, std::size_t output_words) {
+std::string write_discarded(const KernelSource& source) {
+    const Signature signature{.result = source.function.result, .parameters = source.function.parameters};
+    const std::size_t output_words = signature.output_words();
     return fmt::format("    gloam_kernel_outputs[gloam_kernel_output_row + {}u + gloam_kernel_lane] = 1u;\n",
                        output_words - source.team.count()) +
            write_canary(source.team, output_words);
-}
-
-std::size_t output_words_of(const shader::Function& function) {
-    return Signature{.result = function.result, .parameters = function.parameters}.output_words();
 }
 
 }  // namespace
@@ -348,7 +346,7 @@ Evaluation evaluation(const KernelSource& source, const InputText& input) {
         result.output_words += scalars_of(lifted).size();
     };
     const bool discards = may_discard(function);
-    if (discards) result.code += write_discarded(source, output_words_of(function));
+    if (discards) result.code += write_discarded(source);
     const std::string call = fmt::format("{}({});\n", function.name, arguments);
     if (function.result.scalar == Scalar::void_) {
         result.code += "    " + call;

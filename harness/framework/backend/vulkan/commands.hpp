@@ -25,8 +25,8 @@ struct ComputeProgram {
     std::vector<BindingKind> bindings;
     std::uint32_t push_constant_bytes = 0;
     std::vector<SpecializationConstant> constants;
-    // If not empty: `spirv` is a fragment shader, and runs in quads behind this vertex shader, whose vertices 0
-    // to 2 are (-1, -1), (1, -1), (-1, 1). The device needs fragmentStoresAndAtomics for its writes.
+    // If not empty: `spirv` is a fragment shader, and runs in quads behind this vertex shader, whose vertices
+    // 0 to 2 are (-1, -1), (1, -1), (-1, 1). The device needs fragmentStoresAndAtomics for its writes.
     std::span<const std::uint32_t> vertex_spirv = {};
 };
 

@@ -262,23 +262,6 @@ void do_wait(State<N>& s, const Instruction&) {
     s.waits = true;
 }
 
-// One of two numbers, whichever a driver takes.
-[[nodiscard]] inline numeric::Interval either_of(const numeric::Interval& x, const numeric::Interval& y) {
-    return numeric::Interval::within(numeric::hull(x.bounds(), y.bounds()));
-}
-template <class N>
-[[nodiscard]] N either_of(const N& x, const N& y) {
-    if constexpr (std::is_same_v<N, numeric::Rearranged>) {
-        return numeric::Rearranged(either_of(x.interval(), y.interval()));
-    } else if constexpr (std::is_same_v<N, Explained>) {
-        N result = x;
-        result.permitted = either_of(x.permitted, y.permitted);
-        return result;
-    } else {
-        return x;
-    }
-}
-
 template <class N>
 void do_either(State<N>& s, const Instruction& i) {
     for (std::uint32_t k = 0; k < i.count; ++k)

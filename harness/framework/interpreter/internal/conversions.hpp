@@ -191,4 +191,21 @@ template <class N>
     }
 }
 
+// One of two numbers, whichever a driver takes.
+[[nodiscard]] inline numeric::Interval either_of(const numeric::Interval& x, const numeric::Interval& y) {
+    return numeric::Interval::within(numeric::hull(x.bounds(), y.bounds()));
+}
+template <class N>
+[[nodiscard]] N either_of(const N& x, const N& y) {
+    if constexpr (std::is_same_v<N, numeric::Rearranged>) {
+        return numeric::Rearranged(either_of(x.interval(), y.interval()));
+    } else if constexpr (std::is_same_v<N, Explained>) {
+        N result = x;
+        result.permitted = either_of(x.permitted, y.permitted);
+        return result;
+    } else {
+        return x;
+    }
+}
+
 }  // namespace gloam::interpreter::internal
