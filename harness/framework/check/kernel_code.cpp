@@ -20,11 +20,11 @@ shader::Stage stage_of(const backend::Team& team) {
 }
 
 shader::Source quad_vertices() {
-    return {.name = "vertices of a quad",
-            .text =
-                "#version 450\nvoid main() {\n"
-                "    vec2 corner = vec2(gl_VertexIndex & 1, gl_VertexIndex >> 1);\n"
-                "    gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);\n}\n"};
+    return {
+        .name = "vertices of a quad",
+        .text =
+            "#version 450\nvoid main() {\n    vec2 corner = vec2(gl_VertexIndex & 1, gl_VertexIndex >> 1);\n"
+            "    gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);\n}\n"};
 }
 
 }  // namespace gloam::check
@@ -129,21 +129,15 @@ void gloam_kernel_fault(uint image, ivec2 pixel) {{
 
 // The position of the invocation's input.
 const char* input_position(const backend::Team& team) {
-    switch (team.kind) {
-        case backend::Team::Kind::quad:
-            return "(uvec2(gl_FragCoord.xy) / 2u)";
-        case backend::Team::Kind::group:
-            return "gl_WorkGroupID";
-        default:
-            return "gl_GlobalInvocationID";
-    }
+    if (team.kind == backend::Team::Kind::quad) return "(uvec2(gl_FragCoord.xy) / 2u)";
+    return team.kind == backend::Team::Kind::group ? "gl_WorkGroupID" : "gl_GlobalInvocationID";
 }
 
 // The size of the work groups, unless the function's file states it.
 std::string group_layout(const KernelSource& source) {
-    const backend::Team& team = source.team;
-    if (team.kind == backend::Team::Kind::quad || source.text.find("local_size_x") != std::string::npos)
-        return {};
+    const auto& team = source.team;
+    const bool stated = source.text.find("local_size_x") != std::string::npos;
+    if (stated || team.kind == backend::Team::Kind::quad) return {};
     if (team.kind == backend::Team::Kind::alone)
         return fmt::format("layout(local_size_x = {}) in;\n", kernel_group_size);
     return fmt::format("layout(local_size_x = {}, local_size_y = {}, local_size_z = {}) in;\n", team.size[0],
