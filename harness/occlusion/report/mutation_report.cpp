@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -57,17 +58,6 @@ std::string shown_by(const check::MutantComparison& comparison) {
                        comparison.after);
 }
 
-// Lines for a C++ test of the framework, and for the command line.
-std::string ready_to_paste(const MutationReport& report, const MutantRow& row) {
-    std::vector<std::string> words;
-    for (const check::Word word : row.comparison.words) words.push_back(fmt::format("0x{:08x}", word));
-    return fmt::format(
-        "// {}: {} survives; {}\ndomain = domain.and_words({{{}}});\n// gloam explain {} '{}' {}\n",
-        place_text(report, row), change_text(row.mutation), shown_by(row.comparison), fmt::join(words, ", "),
-        std::filesystem::path(report.files.at(row.file).name).filename().string(), row.comparison.function,
-        fmt::join(words, " "));
-}
-
 // The gravest first.
 std::vector<const MutantRow*> survivors(const MutationReport& report) {
     std::vector<const MutantRow*> rows;
@@ -111,7 +101,8 @@ std::string to_text(const MutationReport& report) {
     for (const char* name : fate_names) text += fmt::format("  {:>8}", name);
     text += "     share\n";
     for (std::size_t i = 0; i < tallies.size(); ++i) {
-        if (tallies.size() == 2 && i == 1) break;  // the only file is all
+        const bool some = std::ranges::any_of(tallies[i].counts, [](std::size_t count) { return count > 0; });
+        if (!some || (tallies.size() == 2 && i == 1)) continue;  // the only file is all
         text += fmt::format("{:<{}}", i < report.files.size() ? report.files[i].name : "all", widest);
         for (const std::size_t count : tallies[i].counts) text += fmt::format("  {:>8}", count);
         text += fmt::format("  {:>8}\n", tallies[i].share());
@@ -157,6 +148,8 @@ std::string to_mutation_json(const MutationReport& report) {
 
 namespace {
 
+constexpr std::size_t most_notes = 3;  // behind a line; the table below has all
+
 // The lines of a file. The more of a line's faults survived, the warmer it is.
 std::vector<PageLine> coloured_lines(const MutationReport& report, std::size_t file) {
     std::vector<PageLine> lines;
@@ -168,12 +161,15 @@ std::vector<PageLine> coloured_lines(const MutationReport& report, std::size_t f
         for (const MutantRow& one : report.mutants) {
             if (one.file != file || static_cast<unsigned>(one.mutation.line) != number) continue;
             tally.add(one.fate);
-            if (one.fate == Fate::survived)
+            if (one.fate != Fate::survived) continue;
+            if (notes.size() < most_notes)
                 notes.push_back(fmt::format("{} {}", change_text(one.mutation), verdict_of(one)));
         }
         const double missed = tally.judged() == 0 ? 0.0
                                                   : static_cast<double>(tally.of(Fate::survived)) /
                                                         static_cast<double>(tally.judged());
+        if (tally.of(Fate::survived) > notes.size())
+            notes.push_back(fmt::format("and {} more", tally.of(Fate::survived) - notes.size()));
         if (tally.judged() > 0)
             notes.insert(notes.begin(), fmt::format("{} of {} noticed", tally.noticed(), tally.judged()));
         const auto heat = static_cast<unsigned>(3.0 * missed) + (missed > 0.0 ? 1U : 0U);
@@ -201,6 +197,25 @@ PageTable survivor_table(const MutationReport& report) {
     return table;
 }
 
+// Lines for a C++ test of the framework, and for the command line: each input once.
+std::string ready_to_paste(const MutationReport& report) {
+    std::map<std::string, std::string> noticed;  // faults by the input that shows them
+    for (const MutantRow* row : survivors(report)) {
+        const check::MutantComparison& found = row->comparison;
+        if (row->fate != Fate::survived || found.difference != check::Difference::real) continue;
+        std::vector<std::string> words;
+        for (const check::Word word : found.words) words.push_back(fmt::format("0x{:08x}", word));
+        const std::string file = std::filesystem::path(report.files.at(row->file).name).filename().string();
+        noticed[fmt::format("domain = domain.and_words({{{}}});\n// gloam explain {} '{}' {}\n",
+                            fmt::join(words, ", "), file, found.function, fmt::join(words, " "))] +=
+            fmt::format("// {}: {}; {}\n", place_text(report, *row), change_text(row->mutation),
+                        shown_by(found));
+    }
+    std::string text;
+    for (const auto& [lines, faults] : noticed) text += faults + lines;
+    return text;
+}
+
 }  // namespace
 
 std::string to_mutation_page(const MutationReport& report) {
@@ -209,24 +224,21 @@ std::string to_mutation_page(const MutationReport& report) {
     Page page("Faults that a test notices");
     page.paragraph(fmt::format(
         "Each fault was planted alone, and this command was run: {}. It noticed {} of {} faults ({}); {} did "
-        "not compile, {} did not change the optimised module, {} are known, and {} were not tried.",
+        "not compile, {} did not change the optimised module, {} are known, and {} were not tried. The more "
+        "of a line's faults survived, the warmer it is.",
         report.command, all.noticed(), all.judged(), all.share(), all.of(Fate::invalid), all.of(Fate::same),
         all.of(Fate::known), all.of(Fate::untried)));
-    std::string tests;
-    for (const MutantRow* row : survivors(report))
-        if (row->fate == Fate::survived && row->comparison.difference == check::Difference::real)
-            tests += ready_to_paste(report, *row);
+    for (std::size_t i = 0; i < report.files.size(); ++i) {
+        page.heading(report.files[i].name);
+        page.source(coloured_lines(report, i));
+    }
     if (!survivors(report).empty()) {
         page.heading("Survivors");
         page.table(survivor_table(report));
     }
-    if (!tests.empty()) {
-        page.paragraph("Inputs for a test that notices them:");
+    if (const std::string tests = ready_to_paste(report); !tests.empty()) {
+        page.heading("Inputs for a test that notices them");
         page.preformatted(tests);
-    }
-    for (std::size_t i = 0; i < report.files.size(); ++i) {
-        page.heading(report.files[i].name);
-        page.source(coloured_lines(report, i));
     }
     return page.html();
 }
