@@ -61,11 +61,30 @@ bool is_same(double a, double b) {
     return a == b || (std::isnan(a) && std::isnan(b));
 }
 
+std::string number_text(double number) {
+    constexpr double exact = 0x1p53;
+    if (std::isnan(number)) return "NaN";
+    const bool whole = std::abs(number) < exact && number == std::floor(number);
+    return whole ? fmt::format("{:.0f}", number) : fmt::format("{:.9g}", number);
+}
+
 std::string numbers_text(const std::vector<double>& numbers) {
     std::vector<std::string> texts;
-    for (const double number : numbers)
-        texts.push_back(std::isnan(number) ? "NaN" : fmt::format("{:.9g}", number));
+    for (const double number : numbers) texts.push_back(number_text(number));
     return numbers.empty() ? "no result" : fmt::format("{}", fmt::join(texts, ", "));
+}
+
+// The ordinary domain of a function, but a parameter of which nothing is known has all values of its type.
+Domain wide_domain(const shader::Function& function, const std::string& text, const Domain& any) {
+    std::vector<OrdinaryValues> ordinary = ordinary_values(function, text, {});
+    std::size_t k = 0;
+    for (const shader::Parameter& parameter : function.parameters) {
+        if (parameter.direction == shader::Direction::out) continue;
+        const Values& all = any.parameters().at(k++);
+        const auto known = std::ranges::find(ordinary, parameter.name, &OrdinaryValues::parameter);
+        if (known != ordinary.end() && known->reason == "type") known->values = all;
+    }
+    return ordinary_domain(function, ordinary);
 }
 
 // The original and a changed function, side by side.
@@ -219,8 +238,7 @@ MutantComparison MutantFile::compare(const Own& own, const std::string& changed,
     MutantComparison result{.function = own.function.name};
     try {
         Question question = question_of(*lab_, file, own.function, {});
-        question.domain =
-            ordinary_domain(own.function.function, ordinary_values(own.function.function, text_, {}));
+        question.domain = wide_domain(own.function.function, text_, question.domain);
         KernelSource source = lab_->source(file, question.function, question.signature);
         source.text = changed;
         internal::AuditRuns original(*lab_, question, seed);

@@ -229,6 +229,7 @@ std::string to_mutation_page(const MutationReport& report) {
         report.command, all.noticed(), all.judged(), all.share(), all.of(Fate::invalid), all.of(Fate::same),
         all.of(Fate::known), all.of(Fate::untried)));
     for (std::size_t i = 0; i < report.files.size(); ++i) {
+        if (std::ranges::find(report.mutants, i, &MutantRow::file) == report.mutants.end()) continue;
         page.heading(report.files[i].name);
         page.source(coloured_lines(report, i));
     }
