@@ -68,6 +68,8 @@ int fail(const std::exception& error) {
 
 int run(int argc, char** argv) {
     int status = 0;
+    std::vector<std::string> arguments = gloam::cli::with_own_experiment({argv + 1, argv + argc});
+    std::vector<std::string> tested = gloam::cli::take_command(arguments);
     CLI::App app("gloam: GLSL ambient occlusion, measured", "gloam");
     app.require_subcommand(0, 1);
     app.failure_message(CLI::FailureMessage::simple);
@@ -79,6 +81,7 @@ int run(int argc, char** argv) {
     gloam::cli::add_check_worker(app);
     gloam::cli::add_audit(app, status);
     gloam::cli::add_explain(app);
+    gloam::cli::add_mutate(app, std::move(tested), status);
     gloam::cli::add_mesh_reader(app, status);
     gloam::cli::add_report(app, status);
     gloam::cli::add_render(app, status);
@@ -91,7 +94,6 @@ int run(int argc, char** argv) {
     gloam::cli::add_help_examples(app);
     gloam::cli::refuse_meaningless_values(app);
     try {
-        std::vector<std::string> arguments = gloam::cli::with_own_experiment({argv + 1, argv + argc});
         std::ranges::reverse(arguments);  // the order in which CLI11 takes them
         app.parse(std::move(arguments));
         if (app.get_subcommands().empty()) fmt::print("{}", first_steps);

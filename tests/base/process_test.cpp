@@ -80,6 +80,27 @@ TEST(Process, NothingOfTheCommandIsForAShell) {
     EXPECT_EQ(run_process({"echo", "$(id); `id`\n'"}, "", {}).output, "$(id); `id`\n'\n");
 }
 
+TEST(Process, GetsItsOwnEnvironmentInTheirPlace) {
+    ProcessLimits limits;
+    limits.environment = {"HOME=/nowhere", "GLOAM_TEST=a b=c"};
+    EXPECT_EQ(shell("echo $HOME $GLOAM_TEST; env | grep -c ^HOME=", limits).output, "/nowhere a b=c\n1\n");
+    EXPECT_EQ(shell("echo $GLOAM_TEST", {}).output, "\n");
+}
+
+TEST(Process, AGroupEndsWithIt) {
+    const ProcessLimits limits{.patience = std::chrono::milliseconds(500), .group = true};
+    const ProcessResult result = shell("sleep 1000 & echo $!; wait", limits);
+    EXPECT_EQ(result.end, ProcessResult::End::time);
+    const pid_t below = std::stoi(result.output);
+    for (int i = 0; i < 100 && kill(below, 0) == 0; ++i) {
+        // Killed, but perhaps not waited for: there may be no process that does.
+        const std::string state = shell("cut -d' ' -f3 /proc/" + result.output, {}).output;
+        if (state.empty() || state.starts_with("Z")) return;
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    EXPECT_NE(kill(below, 0), 0);
+}
+
 using std::chrono::nanoseconds;
 
 void wait_for(const Patience& patience) {

@@ -9,6 +9,7 @@
 #include "shader/internal/compiler_process.hpp"
 #include "shader/spirv.hpp"
 #include "support.hpp"
+#include "support/environment.hpp"
 #include "support/matchers.hpp"
 
 namespace gloam::shader::compile_test {
@@ -278,6 +279,27 @@ TEST(Include, FilesThatWereReadAreListedOnceEach) {
     if (kept) ::setenv("GLOAM_DEPENDENCIES_OUTPUT", kept->c_str(), 1);
     if (!kept) ::unsetenv("GLOAM_DEPENDENCIES_OUTPUT");
     EXPECT_EQ(read_text(list), std::filesystem::canonical(file).string() + "\n");
+}
+
+TEST(Include, AFileOfAnOverlaidFolderIsReadFromTheCopy) {
+    const TemporaryDirectory dir;
+    const auto changed = dir.write("original/a/changed.glsl", "one");
+    const auto missing = dir.write("original/missing.glsl", "one");
+    const auto outside = dir.write("changed.glsl", "one");
+    const auto copy = dir.write("copy/a/changed.glsl", "two");
+    (void)dir.write("copy/changed.glsl", "two");
+    const gloam::test::ScopedVariable shaders("GLOAM_SHADERS", (dir.path() / "copy").c_str());
+    EXPECT_EQ(read_text(changed), "one") << "a copy of which folder?";
+    const gloam::test::ScopedVariable of("GLOAM_SHADERS_OF", (dir.path() / "original").c_str());
+    EXPECT_EQ(read_text(changed), "two");
+    EXPECT_EQ(read_text(dir.path() / "copy" / ".." / "original" / "a" / "changed.glsl"), "two");
+    EXPECT_EQ(read_text(missing), "one");
+    EXPECT_EQ(read_text(outside), "one");
+    const auto closure = include_closure("#include \"a/changed.glsl\"\n", {dir.path() / "original"});
+    ASSERT_EQ(closure.size(), 1U);
+    EXPECT_EQ(closure[0].path, changed);
+    EXPECT_EQ(closure[0].text, "two");
+    EXPECT_EQ(overlaid(changed), copy);
 }
 
 TEST(Include, OwnFolderComesBeforeTheRootsAndTheyInOrder) {

@@ -175,6 +175,17 @@ const std::map<std::string, std::string>& examples() {
          "first\n"
          "  gloam audit tone.glsl curve --range x=0:16 --html audit.html\n"
          "  gloam audit tone.glsl --device 0 1                 what two drivers give for the worst inputs\n"},
+        {"mutate",
+         "  gloam mutate shaders/tone.glsl -- ctest --test-dir build\n"
+         "  gloam mutate shaders --count 200 --seed 1 --journal faults.jsonl --html faults.html -- "
+         "./tests\n\n"
+         "COMMAND is run for each fault, without a shell. A status other than 0 means that it noticed the "
+         "fault.\n"
+         "GLOAM_SHADERS names a copy of the folder of shaders (the first --include, otherwise that of the "
+         "files) with\n"
+         "the fault, GLOAM_SHADERS_OF that folder, and GLOAM_SHADERS_CHANGED the changed file below it. "
+         "gloam and tests\n"
+         "that use its framework read the copy by themselves.\n"},
         {"explain", "  gloam explain tone.glsl my_curve 0.5 2         one value for each scalar parameter\n"},
         {"stress",
          "  gloam stress --brief                           seconds instead of minutes\n"

@@ -27,6 +27,13 @@ void add_explain(CLI::App& app);
 // an input gives NaN, infinity or an undefined result.
 void add_audit(CLI::App& app, int& status);
 
+// Takes the words behind the first "--" of `gloam mutate` from its arguments: its COMMAND.
+[[nodiscard]] std::vector<std::string> take_command(std::vector<std::string>& arguments);
+
+// `gloam mutate FILE... -- COMMAND...`: the faults of shaders that a command does not notice. `status`
+// receives 0, or 1 if one changes a result where it is promised.
+void add_mutate(CLI::App& app, std::vector<std::string> words, int& status);
+
 // The command line of this program as a mesh reader for another process; the file's path is appended.
 [[nodiscard]] std::vector<std::string> mesh_reader_command();
 

@@ -121,6 +121,7 @@ ProcessResult run_process(const std::vector<std::string>& command, std::string_v
     if (exceeded == ProcessResult::End::status && !child.has_ended_by(deadline))
         exceeded = ProcessResult::End::time;
     if (exceeded != ProcessResult::End::status) child.kill();
+    if (limits.group) ::kill(-child.id(), SIGKILL);
     const int status = child.wait();
     while (!result.errors.empty() && std::isspace(static_cast<unsigned char>(result.errors.back())) != 0)
         result.errors.pop_back();
@@ -210,12 +211,24 @@ ChildProcess started(const std::vector<std::string>& command, std::array<int, 3>
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
+    std::vector<std::string> more = limits == nullptr ? std::vector<std::string>{} : limits->environment;
+    std::vector<char*> variables;
+    for (std::string& variable : more) variables.push_back(variable.data());
+    for (char** own = environ; *own != nullptr; ++own) {
+        const std::string_view one(*own);
+        const std::string_view name = one.substr(0, one.find('=') + 1);
+        if (std::ranges::none_of(more, [&](const std::string& other) { return other.starts_with(name); }))
+            variables.push_back(*own);
+    }
+    variables.push_back(nullptr);
     auto [failure, failure_end] =
         connected_pair();  // closed by a successful exec; otherwise carries its error
     // Between fork and exec the child neither allocates nor locks.
     ChildProcess child("start " + words.at(0), [&, end = failure_end.get()] {
         for (int i = 0; i < 3; ++i) dup2(streams[static_cast<std::size_t>(i)], i);
         if (limits != nullptr) limit_this_process(*limits);
+        if (limits != nullptr && limits->group) setpgid(0, 0);
+        environ = variables.data();
         execvp(arguments[0], arguments.data());
         const int error = errno;
         [[maybe_unused]] const ssize_t told = write(end, &error, sizeof error);

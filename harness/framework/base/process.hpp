@@ -20,6 +20,8 @@ struct ProcessLimits {
     std::chrono::seconds cpu{0};     // of processor time; 0: no limit
     std::chrono::milliseconds patience{60'000};
     std::size_t output_bytes = std::size_t{1} << 28;
+    bool group = false;                      // it leads a group of processes, all of which end with it
+    std::vector<std::string> environment{};  // "NAME=value", besides this process's own
 };
 
 // How a program ended.

@@ -91,7 +91,7 @@ const base::ProcessLimits limits{.memory_bytes = std::uint64_t{3} << 30,
                                  .cpu = std::chrono::seconds(60),
                                  .patience = std::chrono::minutes(5)};
 
-enum class Work { compile, functions, excerpts, pack, translate };
+enum class Work { compile, functions, excerpts, mutations, pack, translate };
 
 // The first byte of an answer: the result follows, or the message of what the work threw.
 constexpr char result = 'r';
@@ -181,6 +181,34 @@ Excerpts excerpts_from(const Json& json) {
     return excerpts;
 }
 
+Json json_of(const std::vector<Mutation>& mutations) {
+    Json json = Json::array();
+    for (const Mutation& one : mutations)
+        json.push_back(
+            Json::array({one.begin, one.end, one.line, one.before, one.after, one.kind, one.function}));
+    return json;
+}
+
+std::vector<Mutation> mutations_from(const Json& json) {
+    std::vector<Mutation> mutations;
+    for (const Json& one : json)
+        mutations.push_back({.begin = one.at(0),
+                             .end = one.at(1),
+                             .line = one.at(2),
+                             .before = one.at(3),
+                             .after = one.at(4),
+                             .kind = one.at(5),
+                             .function = one.at(6)});
+    return mutations;
+}
+
+// A value as bytes, which Json::from_cbor() reads.
+std::string bytes_of(const Json& json) {
+    std::string bytes;
+    Json::to_cbor(json, bytes);
+    return bytes;
+}
+
 // The work of a question: [work, dependency list, its arguments].
 std::string done(const Json& question) {
     use_dependency_list(question.at(1).get<std::string>());  // of the test that asks
@@ -192,12 +220,12 @@ std::string done(const Json& question) {
         }
         case Work::functions:
             return encode(functions_here(source_from(arguments.at(0)), options_from(arguments.at(1))));
-        case Work::excerpts: {
-            const Json excerpts =
-                json_of(excerpts_here(source_from(arguments.at(0)), roots_from(arguments.at(1))));
-            const std::vector<std::uint8_t> bytes = Json::to_cbor(excerpts);
-            return {bytes.begin(), bytes.end()};
-        }
+        case Work::excerpts:
+            return bytes_of(
+                json_of(excerpts_here(source_from(arguments.at(0)), roots_from(arguments.at(1)))));
+        case Work::mutations:
+            return bytes_of(
+                json_of(mutations_here(source_from(arguments.at(0)), roots_from(arguments.at(1)))));
         case Work::pack: {
             std::vector<Source> sources;
             for (const Json& source : arguments.at(0)) sources.push_back(source_from(source));
@@ -222,8 +250,7 @@ std::string answer_to(std::string_view question) {
 // The result of the work. `name`: of the text, for the limits' messages.
 std::string asked(Work work, const std::string& name, Json arguments) {
     thread_local base::Apart compiler(answer_to, limits);
-    std::string question;
-    Json::to_cbor(Json::array({work, dependency_list(), std::move(arguments)}), question);
+    const std::string question = bytes_of(Json::array({work, dependency_list(), std::move(arguments)}));
     std::string answer;
     try {
         answer = compiler.ask(question);
@@ -268,6 +295,13 @@ Excerpts excerpts(const Source& source, const std::vector<std::filesystem::path>
     using internal::Json;
     return internal::excerpts_from(
         Json::from_cbor(internal::asked(internal::Work::excerpts, source.name,
+                                        Json::array({internal::json_of(source), internal::json_of(roots)}))));
+}
+
+std::vector<Mutation> mutations(const Source& source, const std::vector<std::filesystem::path>& roots) {
+    using internal::Json;
+    return internal::mutations_from(
+        Json::from_cbor(internal::asked(internal::Work::mutations, source.name,
                                         Json::array({internal::json_of(source), internal::json_of(roots)}))));
 }
 

@@ -159,6 +159,18 @@ class Closure {
 
 }  // namespace
 
+Path overlaid(const Path& file) {
+    const char* const copy = std::getenv("GLOAM_SHADERS");
+    const char* const original = std::getenv("GLOAM_SHADERS_OF");
+    if (copy == nullptr || original == nullptr) return file;
+    std::error_code error;
+    const Path folder = std::filesystem::canonical(original, error);
+    const Path real = error ? Path() : std::filesystem::canonical(file, error);
+    if (error || !is_below(real, {folder})) return file;
+    Path found = copy / real.lexically_relative(folder);
+    return is_file(found) ? found : file;
+}
+
 std::string read_text(const Path& file) {
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(file, error);
@@ -167,7 +179,7 @@ std::string read_text(const Path& file) {
             file.string() +
             (std::filesystem::is_directory(status) ? ": is a folder" : ": is no regular file") +
             ", expected a text file");
-    std::string text = base::read_file(file);
+    std::string text = base::read_file(overlaid(file));
     if (text.find('\0') != std::string::npos)
         throw std::runtime_error(file.string() + ": contains a NUL byte, expected a text in UTF-8");
     internal::note_dependency(file);

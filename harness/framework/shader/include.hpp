@@ -10,8 +10,13 @@
 
 namespace gloam::shader {
 
-// Reads a text file. Throws std::runtime_error with the file's name if that fails: expected a regular file of
-// at most base::largest_text bytes, none of them NUL. A byte order mark of UTF-8 is left out.
+// Where a file is read from. If the environment variables GLOAM_SHADERS and GLOAM_SHADERS_OF name a folder
+// and the folder of which it is a copy, a file of the latter is read from the copy; so `gloam mutate` gives
+// any program other shaders. Files that the copy lacks, and all others, are read from where they are.
+[[nodiscard]] std::filesystem::path overlaid(const std::filesystem::path& file);
+
+// Reads a text file, overlaid(). Throws std::runtime_error with the file's name if that fails: expected a
+// regular file of at most base::largest_text bytes, none of them NUL. A byte order mark of UTF-8 is left out.
 [[nodiscard]] std::string read_text(const std::filesystem::path& file);
 
 // The file of #include "name" in a file of folder `from` (may be empty): from/name, otherwise that of the

@@ -38,6 +38,14 @@ std::vector<Instruction> instructions(const Spirv& module) {
     return all;
 }
 
+Spirv without_names(const Spirv& module) {
+    Spirv bare;
+    for (const Instruction& one : instructions(module))
+        if (one.opcode < SpvOpSourceContinued || one.opcode > SpvOpLine)
+            bare.insert(bare.end(), one.words.begin(), one.words.end());
+    return bare;
+}
+
 std::string literal_string(const Instruction& instruction, std::size_t index) {
     std::string text;
     for (std::size_t i = index; i < instruction.words.size(); ++i) {

@@ -33,6 +33,9 @@ struct Instruction {
 // The words of an instruction; the first one combines the opcode and the length.
 [[nodiscard]] Spirv instruction(std::uint32_t opcode, std::span<const std::uint32_t> operands);
 
+// The instructions of a module, one after another, without those that only name things and places.
+[[nodiscard]] Spirv without_names(const Spirv& module);
+
 // Throws std::runtime_error with the validator's message if the module is not valid for Vulkan 1.2.
 void validate(const Spirv& module);
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "shader/compile.hpp"
+#include "shader/mutations.hpp"
 #include "shader/pack.hpp"
 
 // A compiler is a large program, and a text can be untrusted: a macro, a loop to unroll or a deep expression
@@ -23,13 +24,15 @@ namespace gloam::shader::internal {
 // The module of these bytes; nullopt if they are no whole words.
 [[nodiscard]] std::optional<Spirv> module_of(std::string_view bytes);
 
-// The work itself, in this process: compile(), functions(), excerpts(), pack() and translated() without
-// limits.
+// The work itself, in this process: compile(), functions(), excerpts(), mutations(), pack() and
+// translated() without limits.
 [[nodiscard]] Spirv compile_here(const Source& source, const CompileOptions& options);
 [[nodiscard]] std::vector<Function> functions_here(const Source& source, const CompileOptions& options);
 [[nodiscard]] Excerpts excerpts_here(const Source& source, const std::vector<std::filesystem::path>& roots);
 [[nodiscard]] std::string pack_here(const std::vector<Source>& sources, const PackRequest& request,
                                     const std::vector<std::filesystem::path>& roots);
+[[nodiscard]] std::vector<Mutation> mutations_here(const Source& source,
+                                                   const std::vector<std::filesystem::path>& roots);
 [[nodiscard]] std::string translated_here(const Source& packed, Target target, Stage stage);
 
 // Function descriptions as bytes, and back; nullopt for bytes that encode() did not make.

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "check/mutant.hpp"
+
+namespace gloam::report {
+
+// What became of a fault.
+enum class Fate {
+    untried,
+    invalid,   // it does not compile
+    same,      // the optimised modules are those of the file as it is
+    known,     // a list says why no test can notice it
+    killed,    // the command failed
+    too_long,  // the command took far longer than without it, which counts as killed
+    survived
+};
+[[nodiscard]] std::string name_of(Fate fate);
+[[nodiscard]] std::optional<Fate> fate_from(const std::string& name);
+
+struct MutantRow {
+    std::size_t file = 0;  // of MutationReport::files
+    shader::Mutation mutation;
+    Fate fate = Fate::untried;
+    double seconds = 0.0;                     // that the command took
+    std::string reason = {};                  // of a known one
+    check::MutantComparison comparison = {};  // of a survivor
+};
+
+// What a command noticed of the faults of some files.
+struct MutationReport {
+    struct File {
+        std::string name;  // as it was named
+        std::string source;
+    };
+    std::string command;
+    std::vector<File> files;
+    std::vector<MutantRow> mutants;  // by file, in the order of its text
+
+    // Survivors whose results differ where they are promised, or that could not be compared.
+    [[nodiscard]] std::size_t missed() const;
+};
+
+// A table of all files, then the survivors, the gravest first, for people.
+[[nodiscard]] std::string to_text(const MutationReport& report);
+
+// {"command", "mutants": [{"file", "line", "kind", "function", "before", "after", "fate", "seconds",
+// "difference", "inputs", "input", "words", "result", "result_with_fault"}]}
+[[nodiscard]] std::string to_mutation_json(const MutationReport& report);
+
+// The same as an HTML page: the sources with their lines coloured by the faults that survived, and beside
+// them what these were.
+[[nodiscard]] std::string to_mutation_page(const MutationReport& report);
+
+}  // namespace gloam::report

@@ -1,0 +1,86 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""readers_test.py: which tests tools/test-readers runs for a changed shader, in which order, and what it returns."""
+import contextlib
+import importlib.machinery
+import importlib.util
+import io
+import json
+import os
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+SCRIPT = Path(__file__).resolve().parents[2] / "tools" / "test-readers"
+LOADER = importlib.machinery.SourceFileLoader("test_readers", str(SCRIPT))
+readers = importlib.util.module_from_spec(importlib.util.spec_from_loader("test_readers", LOADER))
+LOADER.exec_module(readers)
+
+
+class Readers(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = Path(scratch.name).resolve()
+        self.file = self.folder / "glsl" / "disc.glsl"
+        for name, lines in {"one.A:A.wide": [self.file, "other", "seconds 3"],
+                            "one.A:A.narrow": [self.file, "seconds 1"],
+                            "one.A:B,disc": [self.file, "x", "y", "seconds 1"], "one.A:A.blind": ["x", "seconds 1"],
+                            "two.A": [self.file], "two.A:C.shared": ["x", "y", "z", "seconds 1"]}.items():
+            path = self.folder / "seen" / name
+            path.parent.mkdir(exist_ok=True)
+            path.write_text("".join(f"{line}\n" for line in lines), encoding="utf-8")
+        self.log = self.folder / "log"
+        self.program = self.folder / "program"
+        self.program.write_text('#!/bin/sh\necho "$3" >> "$LOG"\ncase "$3" in *"$FAILS"*) exit 1 ;; esac\n',
+                                encoding="utf-8")
+        self.program.chmod(0o755)
+
+    def run_it(self, *words, changed="disc.glsl", fails="none"):
+        """The exit status, and the tests of each run of a program."""
+        self.log.unlink(missing_ok=True)
+        variables = {"LOG": str(self.log), "FAILS": fails, "GLOAM_CACHE_DIR": str(self.folder / "cache")}
+        environment = {"GLOAM_SHADERS_OF": str(self.folder / "glsl"), "GLOAM_SHADERS_CHANGED": changed}
+        groups = [(name, (str(self.program), variables)) for name in ("one.A", "two.A")]
+        with mock.patch.multiple(readers, BUILD=self.folder, programs=lambda: groups), \
+                mock.patch.dict(os.environ, environment), mock.patch.object(sys, "argv", ["test-readers", *words]), \
+                contextlib.redirect_stderr(io.StringIO()):
+            status = readers.main()
+        ran = self.log.read_text(encoding="utf-8").splitlines() if self.log.exists() else []
+        return status, [line.removeprefix("--gtest_filter=") for line in ran]
+
+    def test_the_name_comes_first_then_those_that_read_the_fewest_files(self):
+        self.assertEqual(self.run_it(), (0, ["B/disc", "A.narrow:A.wide:C.shared"]))
+
+    def test_a_limit_and_the_first_failure_end_it(self):
+        self.assertEqual(self.run_it("2"), (0, ["B/disc", "A.narrow"]))
+        self.assertEqual(self.run_it(fails="B/disc"), (1, ["B/disc"]))
+        self.assertEqual(self.run_it(fails="A.wide")[0], 1)
+
+    def test_without_readers_or_variables_it_cannot_run(self):
+        self.assertEqual(self.run_it(changed="none.glsl"), (2, []))
+        self.assertEqual(self.run_it("2", "3"), (2, []))
+
+    def test_a_group_is_its_program_without_its_shard(self):
+        listing = [{"name": "g.A/1of2", "command": ["program", "--gtest_filter=A.*"],
+                    "properties": [{"name": "ENVIRONMENT", "value": ["GLOAM_DEPENDENCIES_OUTPUT=seen", "A=b",
+                                                                     "GTEST_TOTAL_SHARDS=2", "GTEST_SHARD_INDEX=0"]}]},
+                   {"name": "house.format", "command": ["format"]}]
+        listed = mock.Mock(stdout=json.dumps({"tests": listing}))
+        with mock.patch.object(readers.subprocess, "run", return_value=listed):
+            self.assertEqual(list(readers.programs()), [("g.A,1of2", ("program", {"A": "b"}))])
+
+    def test_compiled_shaders_of_the_run_are_forgotten(self):
+        cache = self.folder / "cache" / "spirv"
+        cache.mkdir(parents=True)
+        for name, age in (("old", 1), ("new", 4e9)):
+            (cache / name).touch()
+            os.utime(cache / name, (age, age))
+        self.run_it()
+        self.assertEqual([entry.name for entry in cache.iterdir()], ["old"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// `gloam mutate FILE... -- COMMAND`.
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+#include "tools/expect.hpp"
+
+namespace gloam::test::mutate_test {
+
+class Mutate : public InFolder {
+  protected:
+    // A curve, and a part of it that no test asks for.
+    std::string tone() {
+        return write("shaders/tone.glsl",
+                     "// x in [0, 4]\n"
+                     "float tone(float x) { return x / (1.0 + x); }\n"
+                     "// x in [0, 4]\n"
+                     "float unused(float x) { return x > 9.0 ? 0.5 * x : max(x, 0.0) + max(-8.0, -9.0); }\n")
+            .string();
+    }
+
+    // A test that passes if the function has the value at 1 and at 3, read by gloam itself from where it is.
+    std::string test() {
+        const std::string file = tone();
+        return script("test.sh", "gloam=" + std::string(GLOAM_BUILT_BINARY) + "\n" + "$gloam explain " +
+                                     file + " tone 1 | grep -q ' 0.5 ' || exit 1\n" + "$gloam explain " +
+                                     file + " tone 3 | grep -q ' 0.75 ' || exit 1\n");
+    }
+
+    std::string script(const std::string& name, const std::string& text) {
+        const std::filesystem::path file = write(name, "#!/bin/sh\n" + text);
+        std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+        return file.string();
+    }
+
+    static std::vector<std::string> lines_of(const CommandResult& result) {
+        std::vector<std::string> lines;
+        std::istringstream text(result.out);
+        for (std::string line; std::getline(text, line);) lines.push_back(line);
+        return lines;
+    }
+};
+
+TEST_F(Mutate, AGoodTestKillsAndWhatItMissesSurvives) {
+    const std::string json = path("faults.json").string();
+    const CommandResult result = gloam("mutate {} --json {} -- {}", tone(), json, test());
+    EXPECT_EQ(result.status, 1) << result.err;
+    std::map<std::string, int> fates;
+    const nlohmann::json all = nlohmann::json::parse(read_file(json));
+    for (const auto& one : all.at("mutants")) {
+        const std::string fate = one.at("fate");
+        ++fates[one.at("function").get<std::string>() + " " + fate];
+        if (one.at("function") == "tone") {
+            EXPECT_EQ(fate, "killed") << one;
+        }
+        if (one.at("before") == "x > 9.0" && one.at("after") == "true") {
+            EXPECT_EQ(one.at("difference"), "differs");
+            EXPECT_EQ(one.at("input"), "x = 0");
+            EXPECT_EQ(one.at("result"), "-8");
+            EXPECT_EQ(one.at("result_with_fault"), "0");
+        }
+        if (one.at("before") == "x > 9.0" && one.at("after") == "false") {
+            EXPECT_EQ(one.at("difference"), "same on every input tried");
+        }
+    }
+    EXPECT_EQ(fates["tone killed"], 4);
+    EXPECT_EQ(fates["tone survived"], 0);
+    EXPECT_GT(fates["unused survived"], 5);
+    EXPECT_THAT(
+        result.out,
+        HasSubstr("tone.glsl:4: 'x > 9.0' -> 'true' in unused: differs\n  unused(x = 0): -8 becomes 0\n"));
+}
+
+TEST_F(Mutate, SortsSurvivorsByWhatIsPromised) {
+    const std::string file = write("own.glsl",
+                                   "// x in [0, 4]\n"
+                                   "float near(float x) { return sqrt(x + 1.0) * 0.999999940395355; }\n"
+                                   "// x in [-2, 2]\n"
+                                   "float root(float x) { return x < 0.0 ? sqrt(x) : 1.0; }\n"
+                                   "float whole(float x) { return x > x + 1.0 ? x : x; }\n")
+                                 .string();
+    const std::string out = gloam("mutate {} -- true", file).out;
+    EXPECT_THAT(out, HasSubstr("own.glsl:2: '*' -> '/' in near: differs within the budget"));
+    EXPECT_THAT(out, HasSubstr("own.glsl:4: 'sqrt' -> '' in root: differs only where nothing is promised"));
+    EXPECT_THAT(out, HasSubstr("own.glsl:4: 'x < 0.0' -> 'true' in root: differs\n"));
+    EXPECT_THAT(out, Not(HasSubstr("'1.0' -> '2.0' in whole"))) << "the optimised modules are the same";
+}
+
+TEST_F(Mutate, GoesOnWithItsJournal) {
+    const std::string file = tone();
+    const std::string journal = path("journal").string();
+    const std::string count = path("count").string();
+    const std::string command = script("command.sh", "echo >> " + count + "\n");
+    const auto run = [&](const std::string& options) {
+        std::filesystem::remove(count);
+        const CommandResult result =
+            gloam("mutate {} --journal {} --jobs 1" + options + " -- {}", file, journal, command);
+        return std::pair(result, std::filesystem::exists(count) ? line_count(read_file(count)) : 0);
+    };
+    const auto [few, tried_few] = run(" --count 3");
+    EXPECT_EQ(tried_few, 1 + 3) << "without a fault, and with three" << few.err;
+    EXPECT_EQ(run(" --count 3").second, 0) << "nothing is left";
+    EXPECT_EQ(run(" --count 3").first.out, few.out);
+    EXPECT_EQ(run(" --count 3 --again").second, 1 + 3);
+    EXPECT_THAT(run(" --minutes 0").first.out, HasSubstr("untried"));
+    // The lines of another position are the same faults.
+    const std::string text = read_file(file);
+    std::ofstream(file) << "\n\n" << text;
+    EXPECT_EQ(run(" --count 3").second, 0);
+    expect_could_not_run(gloam("mutate {} --journal {} -- true", file, journal), "cannot resume");
+    std::ofstream(journal, std::ios::app) << "{\"key\": 1}\n";
+    expect_could_not_run(run("").first, "expected {\"key\": TEXT");
+}
+
+TEST_F(Mutate, CountsWhatTakesTooLongApartAndLeavesNothingBehind) {
+    const std::string file = tone();
+    const std::string command = script(
+        "command.sh", "grep -q '1.0 + x' $GLOAM_SHADERS/$GLOAM_SHADERS_CHANGED || sleep 1000 & wait $!\n");
+    std::filesystem::create_directory(path("temporary"));
+    const CommandResult result = run_command(words("mutate {} --count 40 --jobs 2 -- {}", file, command),
+                                             {.environment = {"TMPDIR=" + path("temporary").string()}});
+    EXPECT_TRUE(std::filesystem::is_empty(path("temporary")));
+    EXPECT_THAT(result.out, HasSubstr("tone.glsl"));
+    const std::vector<std::string> lines = lines_of(result);
+    ASSERT_GT(lines.size(), 1U) << result.err;
+    std::istringstream row(lines[1]);
+    std::string name;
+    int untried = 0, invalid = 0, same = 0, known = 0, killed = 0, too_long = 0;
+    row >> name >> untried >> invalid >> same >> known >> killed >> too_long;
+    EXPECT_EQ(untried, 0);
+    EXPECT_EQ(killed, 0);
+    EXPECT_EQ(too_long, 2) << "the sum and its first summand";
+    EXPECT_THAT(read_file(file), HasSubstr("x / (1.0 + x)")) << "the file itself is as it was";
+}
+
+TEST_F(Mutate, HonoursWhatIsKnown) {
+    const std::string known =
+        write("known.txt",
+              "# a comment\n"
+              "shaders/tone.glsl | float tone(float x) { return x / (1.0 - x); } | no test asks\n")
+            .string();
+    const CommandResult result = gloam("mutate {} --known {} -- true", tone(), known);
+    EXPECT_THAT(result.out, HasSubstr("tone.glsl:2: '+' -> '-' in tone: known: no test asks"));
+    const std::string bad = write("bad.txt", "tone.glsl | only two\n").string();
+    expect_could_not_run(gloam("mutate {} --known {} -- true", tone(), bad),
+                         "bad.txt:1: expected FILE | LINE");
+}
+
+TEST_F(Mutate, WritesAPageWithoutAnyTextOfTheFileAsMarkup) {
+    const std::string file =
+        write("hostile.glsl",
+              "// <script>alert(1)</script> \x1b[31m\n"
+              "float f(float x) { return x * 3.0; } // </pre><img src=x onerror=alert(2)>\n")
+            .string();
+    const std::string page = path("faults.html").string();
+    const CommandResult result = gloam("mutate {} --html {} -- true", file, page);
+    const std::string html = read_file(page);
+    EXPECT_THAT(html, HasSubstr("&lt;script&gt;alert(1)"));
+    EXPECT_THAT(html, Not(HasSubstr("<script>alert")));
+    EXPECT_THAT(html, Not(HasSubstr("<img src=x")));
+    EXPECT_THAT(html, HasSubstr("<span class=\"heat4\"><b>   2</b> float f"));
+    EXPECT_THAT(html, HasSubstr("0 of 3 noticed; &#39;*&#39; -&gt; &#39;/&#39; differs"));
+    EXPECT_THAT(html, HasSubstr("domain = domain.and_words({0x"));
+    EXPECT_THAT(result.out, Not(HasSubstr("\x1b")));
+}
+
+TEST_F(Mutate, RefusesWhatItCannotTry) {
+    const std::string file = tone();
+    expect_could_not_run(gloam("mutate {}", file), "expected -- COMMAND");
+    expect_could_not_run(gloam("mutate {} --", file), "expected -- COMMAND");
+    expect_could_not_run(gloam("mutate {} -- true", path("missing.glsl").string()), "missing.glsl");
+    expect_could_not_run(gloam("mutate {} -- /no/such/program", file), "/no/such/program");
+    expect_could_not_run(gloam("mutate {} -- false", file), "ended with status 1 without a fault");
+    expect_could_not_run(gloam("mutate {} --jobs 0 -- true", file), "--jobs");
+    expect_could_not_run(gloam("mutate {} --html /no/such/folder/a.html -- true", file), "/no/such/folder");
+    (void)write("empty/readme.txt", "");
+    expect_could_not_run(gloam("mutate {} -- true", path("empty").string()), "a folder without shaders");
+    expect_could_not_run(gloam("mutate {} --include {} -- true", file, path("empty").string()),
+                         "expected a file below");
+    const std::string broken = write("broken.glsl", "float f(float x) {\n return y; }\n").string();
+    expect_could_not_run(gloam("mutate {} -- true", broken), "broken.glsl:2: 'y' : undeclared identifier");
+    const std::string nothing = write("nothing.glsl", "float f(float x);\n").string();
+    expect_could_not_run(gloam("mutate {} -- true", nothing), "no place for a fault");
+}
+
+}  // namespace gloam::test::mutate_test

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <list>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "check/mutant.hpp"
+#include "cli/mutate/overlay.hpp"
+#include "report/mutation_report.hpp"
+#include "report/output.hpp"
+
+namespace gloam::cli {
+
+// What `gloam mutate` was asked.
+struct MutateCommand {
+    std::vector<std::string> paths;     // files, and folders of which all shaders count
+    std::vector<std::string> includes;  // further include roots; the first is the folder that is copied
+    std::vector<std::string> command;
+    std::optional<std::size_t> count;  // of faults, one at each place; all without
+    std::uint64_t seed = 1;
+    std::size_t inputs = 4096;  // for each survivor
+    std::optional<double> minutes;
+    unsigned jobs = 0;
+    bool again = false;
+    std::string journal;
+    std::string known;
+    std::string json;
+    std::string html;
+};
+
+// The faults of some files, and what becomes of each.
+class Trials {
+  public:
+    // Reads the files, draws the faults and takes over the journal. Throws for a file that cannot be read or
+    // compiled, and for a journal or a list of known faults of another form.
+    explicit Trials(const MutateCommand& command);
+
+    // Runs everything that is left, until the time is over: first what the compiler decides. Throws
+    // std::runtime_error if the command fails without a fault.
+    void run();
+
+    [[nodiscard]] const report::MutationReport& report() const { return report_; }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    void read_files();
+    void draw();
+    void take_over();
+    void read_known();
+    [[nodiscard]] std::filesystem::path relative(std::size_t file) const;
+    [[nodiscard]] std::string key_of(const report::MutantRow& row) const;
+    [[nodiscard]] std::string known_reason(const report::MutantRow& row) const;
+    [[nodiscard]] bool is_over() const { return Clock::now() > end_; }
+    [[nodiscard]] std::vector<std::size_t> left() const;
+
+    void compile(report::MutantRow& row);
+    void run_unchanged(Overlays& overlays);
+    void try_one(report::MutantRow& row, Overlays& overlays);
+    void note(const report::MutantRow& row);
+
+    const MutateCommand& command_;
+    unsigned jobs_;
+    Clock::time_point end_ = Clock::time_point::max();
+    std::list<check::MutantFile> files_;
+    std::vector<const check::MutantFile*> by_number_;
+    std::filesystem::path root_;  // that is copied
+    report::MutationReport report_;
+    std::vector<std::size_t> order_;                 // of the mutants, as drawn
+    std::map<std::size_t, double> unchanged_;        // seconds of the command without a fault, by file
+    std::vector<std::array<std::string, 3>> known_;  // file, line, reason
+    report::LineJournal journal_;
+    std::mutex mutex_;
+};
+
+}  // namespace gloam::cli
