@@ -94,6 +94,8 @@ TEST_F(PassErrors, NameWhatHasNoSize) {
     expect_error<std::invalid_argument>([&] { (void)shared.run({{"numbers", std::array<float, 4>{}}}); },
                                         {"shared.comp: writes no image, expected PassOptions::groups"});
     const Pass blocks(lab_, "blocks.comp");
+    expect_error<std::invalid_argument>([&] { (void)blocks.run({{"3", 1.0F}, {"scale", 2.0F}}); },
+                                        {"\"scale\" is given twice"});
     expect_error<std::invalid_argument>([&] { (void)blocks.run({{"7", 0U}}); }, {"is not given"});
 }
 

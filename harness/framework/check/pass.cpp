@@ -35,6 +35,7 @@ shader::Spirv compiled(const Lab& lab, const std::string& file, shader::Stage st
     }
     shader::CompileOptions options = lab.compile_options();
     options.stage = stage;
+    options.lines = lab.info().type == interpreter_name;  // its errors have a place
     return lab.compile({.name = path.string(), .text = shader::read_text(path)}, options);
 }
 

@@ -67,6 +67,7 @@ class Binder {
     void require_fit(const std::string& name, const PassValue& value) const {
         const PassSlot* slot = pass_.find(name);
         if (slot == nullptr) refuse(name, "is no input, expected among: " + known());
+        if (given(*slot) != &value) refuse(name, "is given twice, by either of its names");
         if (slot->kind == Kind::image)
             require_image(*slot, value);
         else if (slot->kind == Kind::attribute)

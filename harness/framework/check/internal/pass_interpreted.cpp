@@ -92,17 +92,11 @@ class InterpretedPass {
         }
     }
 
-    // A run begins with what is bound: what the last one wrote is bound anew.
     void keep_writes(std::uint32_t b) {
-        if (std::holds_alternative<BoundSampler>(work_.bindings[b]) || !machine_.wrote(0, b)) return;
         const auto* image = std::get_if<BoundImage>(&work_.bindings[b]);
-        std::vector<Word> after;
-        for (std::size_t w = 0; w < seen_[b].size(); ++w) {
-            const Word word = machine_.read(0, b, w).bits();
-            after.push_back(image == nullptr ? word : stored(image->format, word));
-        }
-        seen_[b] = std::move(after);
-        bind(b);
+        machine_.keep_writes(0, b, [&](std::size_t word, Word bits) {
+            return seen_[b][word] = image == nullptr ? bits : stored(image->format, bits);
+        });
     }
 
     static void take(Bound& bound, const std::vector<Word>& seen) {
