@@ -105,8 +105,7 @@ TEST_F(PassErrors, NameTheVertices) {
         expect_error<std::invalid_argument>([&] { (void)pass.run(inputs, {.size = {2, 2}}); }, parts);
     };
     const PassValue corners = std::vector<glm::vec2>(3);
-    refused({{"corner", std::vector<glm::vec3>(3)}},
-            {"\"corner\" is vec3[3], expected vec2 for each vertex"});
+    refused({{"corner", std::vector<glm::vec3>(3)}}, {"\"corner\" is vec3[3], expected vec2[]"});
     refused({{"corner", corners}, {"value", std::vector<float>(2)}, {"offset", glm::vec2(0)}},
             {"\"value\" has 2 vertices, \"corner\" has 3"});
     refused(
@@ -122,6 +121,13 @@ TEST_F(PassErrors, NameTheFileAndWhatAPassCannotHave) {
                                         {"\"result\" has set 1 and binding 0, expected set 0"});
     expect_error<std::invalid_argument>([&] { Pass(lab_, "refused_cube.comp"); },
                                         {"\"sky\" is a samplerCube, expected sampler2D"});
+    expect_error<std::invalid_argument>(
+        [&] { Pass(lab_, "whole.vert", "refused_integers.frag"); },
+        {"\"number\" is a colour output of uint at location 0, expected floats"});
+    const Pass layers(lab_, "layers.comp");
+    expect_error<std::invalid_argument>(
+        [&] { (void)layers.run({{"scale", 1.0F}}); },
+        {"\"scale\" is no input", "First.scale (float), ", "Second.scale (float)"});
     EXPECT_THROW(Pass(lab_, "tone.frag"), shader::CompileError);
     const Pass box(lab_, "box.comp");
     const PassResult out = box.run(box_inputs());
@@ -193,12 +199,11 @@ TEST_F(GoldenImages, OfAnotherSizeOrMalformedFail) {
                 HasSubstr("box.pfm: not a PFM: expected it to begin with Pf or PF\n"));
 }
 
-// Three components are colours; integers keep their bits.
 TEST_F(GoldenImages, KeepEveryBit) {
     PassImage color{
         make_image<glm::vec3>({2, 1}, [](glm::ivec2 p) { return glm::vec3(p.x, -0.0F, NAN); }), "color", {}};
     update(color);
-    EXPECT_THAT(test::read_file(folder_.path() / "box.pfm"), StartsWith("PF\n2 1\n"));
+    EXPECT_THAT(test::read_file(folder_.path() / "box.pfm"), StartsWith("Pf\n2 3\n"));
     EXPECT_TRUE(compared(color));
     PassImage number{
         make_image<unsigned>({2, 1}, [](glm::ivec2 p) { return 0x7F800001U + static_cast<unsigned>(p.x); }),

@@ -213,6 +213,24 @@ TEST(Pass, HasSamplersAndSmallFormats) {
     expect_magnified(interpreted_lab());
 }
 
+void expect_layers(const Lab& lab) {
+    Image layers = make_image<glm::vec4>({2, 2}, [](glm::ivec2) { return glm::vec4(7.0F); });
+    const Image second = make_image<glm::vec4>(
+        {2, 2}, [](glm::ivec2 p) { return glm::vec4(static_cast<float>(p.x + 2 * p.y)); });
+    layers.words.insert(layers.words.end(), second.words.begin(), second.words.end());
+    layers.sampling = Image::Sampling{.depth = 2};
+    const PassResult out =
+        Pass(lab, "layers.comp").run({{"layers", layers}, {"First.scale", 0.5F}, {"Second.scale", 0.1F}});
+    const auto halves = [](glm::ivec2 p) { return glm::dvec2(0.5 * (p.x + 2 * p.y), 0x1.998p-4); };
+    const ImageComparison same = out.image("result").compare(halves);
+    EXPECT_TRUE(same) << same;
+}
+
+TEST(Pass, HasLayersAndTellsBlocksApart) {
+    expect_layers(pass_lab());
+    expect_layers(interpreted_lab());
+}
+
 PassInputs triangle() {
     return {{"corner", std::vector<glm::vec2>{{-1, -1}, {0, -1}, {-1, 7}}},
             {"value", std::vector<float>{3, 3, 3}},

@@ -24,18 +24,16 @@ std::size_t components_of(const Image& image) {
     return scalars_of(image.element).size();
 }
 
-// Three components are the colours of a PFM. Others are grey planes, one below the other. The floats have the
-// bits of the components, whatever these are.
+// The components are grey images, one below the other. The floats have their bits, whatever these are.
 base::FloatImage as_file(const Image& image) {
     const std::size_t components = components_of(image);
-    const bool colored = components == 3;
-    base::FloatImage file{.width = static_cast<std::uint32_t>(image.size.x),
-                          .height = static_cast<std::uint32_t>(image.size.y),
-                          .channels = colored ? 3 : 1,
-                          .texels = {}};
-    if (!colored) file.height *= static_cast<std::uint32_t>(components);
-    for (std::size_t plane = 0; plane < (colored ? 1 : components); ++plane)
-        for (std::size_t i = plane; i < image.words.size(); i += colored ? 1 : components)
+    base::FloatImage file{
+        .width = static_cast<std::uint32_t>(image.size.x),
+        .height = static_cast<std::uint32_t>(image.size.y) * static_cast<std::uint32_t>(components),
+        .channels = 1,
+        .texels = {}};
+    for (std::size_t plane = 0; plane < components; ++plane)
+        for (std::size_t i = plane; i < image.words.size(); i += components)
             file.texels.push_back(std::bit_cast<float>(image.words[i]));
     return file;
 }
@@ -44,11 +42,9 @@ base::FloatImage as_file(const Image& image) {
 Image from_file(const base::FloatImage& file, const Image& like) {
     Image image = like;
     const std::size_t components = components_of(like);
-    const bool colored = components == 3;
     const std::size_t pixels = like.words.size() / components;
     for (std::size_t i = 0; i < image.words.size(); ++i)
-        image.words[i] =
-            std::bit_cast<Word>(file.texels[colored ? i : i % components * pixels + i / components]);
+        image.words[i] = std::bit_cast<Word>(file.texels[i % components * pixels + i / components]);
     return image;
 }
 

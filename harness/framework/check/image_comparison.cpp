@@ -89,7 +89,9 @@ class Comparer {
 
     ImageComparison take() {
         if (budget_.similarity > 0.0) judge_similarity();
-        if (compared_.outside > 0) compared_.story = tell();
+        if (compared_.outside == 0) return std::move(compared_);
+        if (!worst_.empty()) compared_.worst = place(worst_.front().pixel);
+        compared_.story = tell();
         return std::move(compared_);
     }
 
@@ -117,19 +119,18 @@ class Comparer {
         if (!image_.unwritten.empty() && image_.unwritten[pixel]) {
             if (compared_.unwritten++ == 0) first_unwritten_ = place(pixel);
             ++compared_.outside;
-        } else if (worst.fraction > 1.0 && (budget_.similarity == 0.0 || std::isinf(worst.absolute))) {
-            count(worst);
+        } else if (worst.fraction > 1.0) {
+            if (budget_.similarity == 0.0 || std::isinf(worst.absolute)) ++compared_.outside;
+            note(worst);
         }
     }
 
-    void count(const Difference& worst) {
-        ++compared_.outside;
+    void note(const Difference& worst) {
         if (is_float(image_) && std::isnan(std::bit_cast<float>(worst.got))) ++nan_;
         if (is_float(image_) && std::isinf(std::bit_cast<float>(worst.got))) ++infinite_;
         worst_.insert(
             std::ranges::find_if(worst_, [&](const Difference& d) { return worst.is_worse_than(d); }), worst);
         if (worst_.size() > shown) worst_.pop_back();
-        compared_.worst = place(worst_.front().pixel);
     }
 
     void judge_similarity() {
@@ -144,19 +145,7 @@ class Comparer {
                 least_, numeric::structural_similarity(got, want, static_cast<std::size_t>(image_.size.x),
                                                        static_cast<std::size_t>(image_.size.y)));
         }
-        if (least_ >= budget_.similarity || compared_.outside > 0) return;
-        // The pixels that differ most, because no pixel alone is outside.
-        ImageBudget exact;
-        for (std::size_t pixel = 0; pixel < compared_.pixels; ++pixel) {
-            for (std::size_t c = 0; c < components_; ++c) {
-                const std::size_t at = pixel * components_ + c;
-                Difference d = difference_of(image_, image_.words[at], wants_[at], exact);
-                d.pixel = pixel;
-                d.component = c;
-                if (d.absolute > 0.0) count(d);
-            }
-        }
-        compared_.outside = compared_.pixels;
+        if (!(least_ >= budget_.similarity)) compared_.outside = compared_.pixels;
     }
 
     [[nodiscard]] std::string tell() const {

@@ -70,11 +70,11 @@ struct PassImage : Image {
     void require_element(const shader::Type& type) const;
 };
 
-// Compares an image with the golden one in a file, a PFM that keeps every bit. An image of three components
-// is one in colour; of another the components are grey images, one below the other. A file that is missing or
-// malformed fails. On failure the image, and both as pictures, are written into `folder`: NAME.actual.pfm,
-// NAME.actual.png, NAME.difference.png. With GLOAM_UPDATE_GOLDEN=1 in the environment, and never otherwise, a
-// failure replaces the golden file and passes, unless the pass left pixels unwritten.
+// Compares an image with the golden one in a file, a PFM that keeps every bit: its components are grey
+// images, one below the other. A file that is missing or malformed fails. On failure the image, and both as
+// pictures, are written into `folder`: NAME.actual.pfm, NAME.actual.png, NAME.difference.png. With
+// GLOAM_UPDATE_GOLDEN=1 in the environment, and never otherwise, a failure replaces the golden file and
+// passes, unless the pass left pixels unwritten.
 [[nodiscard]] ImageComparison is_golden(const PassImage& image, const std::filesystem::path& golden,
                                         const ImageBudget& budget = {},
                                         const std::filesystem::path& folder = ".");

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "check/internal/pass_binder.hpp"
+#include "check/internal/pass_work.hpp"
 #include "shader/include.hpp"
 
 namespace gloam::check {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "check/internal/pass_binder.hpp"
-
 #include <fmt/format.h>
 #include <algorithm>
 #include <bit>
@@ -8,6 +6,7 @@
 #include <glm/gtc/packing.hpp>
 #include <stdexcept>
 
+#include "check/internal/pass_work.hpp"
 #include "check/internal/sampled_words.hpp"
 #include "numeric/numbers.hpp"
 
@@ -70,8 +69,6 @@ class Binder {
         if (given(*slot) != &value) refuse(name, "is given twice, by either of its names");
         if (slot->kind == Kind::image)
             require_image(*slot, value);
-        else if (slot->kind == Kind::attribute)
-            require_attribute(*slot, value);
         else
             require_type(*slot, value);
     }
@@ -250,14 +247,6 @@ class Binder {
             refuse(slot.name, fmt::format("holds {}, expected floats of 16 bits for a sampler with a state",
                                           numeric::to_text(value)));
         }
-    }
-
-    void require_attribute(const PassSlot& slot, const PassValue& value) const {
-        if (value.image()) refuse(slot.name, "is an image, expected " + slot.says);
-        shader::Type expected = slot.type;
-        if (!value.type().sizes.empty()) expected.sizes = {value.type().sizes.front()};
-        if (value.type().sizes.empty() || !(value.type() == expected))
-            refuse(slot.name, fmt::format("is {}, expected {}", shader::name_of(value.type()), slot.says));
     }
 
     void interleave() {

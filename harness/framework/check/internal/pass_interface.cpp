@@ -80,7 +80,10 @@ class Collector {
             all_.local_size_ids = found.local_size_ids;
         }
         if (stage == shader::Stage::vertex) add_attributes(found.inputs);
-        if (stage == shader::Stage::fragment) add_colors(found.outputs);
+        if (stage == shader::Stage::fragment) {
+            require_floats(found.outputs, "colour output");
+            all_.colors = found.outputs;
+        }
     }
 
     PassInterface take() {
@@ -160,31 +163,26 @@ class Collector {
         }
     }
 
+    void require_floats(const std::vector<StageVariable>& variables, const char* what) const {
+        for (std::size_t i = 0; i < variables.size(); ++i)
+            if (variables[i].location != i || variables[i].type != "float")
+                refuse(all_.name, variables[i].name,
+                       fmt::format("is a {} of {} at location {}, expected floats at location {}", what,
+                                   variables[i].type, variables[i].location, i));
+    }
+
     void add_attributes(const std::vector<StageVariable>& inputs) {
+        require_floats(inputs, "vertex attribute");
         for (std::size_t i = 0; i < inputs.size(); ++i) {
-            const StageVariable& input = inputs[i];
-            if (input.location != i || input.type != "float")
-                refuse(
-                    all_.name, input.name,
-                    fmt::format("is a vertex attribute of {} at location {}, expected floats at location {}",
-                                input.type, input.location, i));
-            const shader::Type type = vector_type("float", input.rows);
+            shader::Type type = vector_type("float", inputs[i].rows);
+            type.sizes = {0};  // as many as there are vertices
             add(PassSlot{.kind = PassSlot::Kind::attribute,
-                         .name = input.name,
-                         .says = shader::name_of(type) + " for each vertex",
+                         .name = inputs[i].name,
+                         .says = shader::name_of(type),
                          .type = type,
                          .index = i});
         }
         all_.attributes = inputs;
-    }
-
-    void add_colors(const std::vector<StageVariable>& outputs) {
-        for (std::size_t i = 0; i < outputs.size(); ++i)
-            if (outputs[i].location != i || outputs[i].type != "float")
-                refuse(all_.name, outputs[i].name,
-                       fmt::format("is an output of {} at location {}, expected floats at location {}",
-                                   outputs[i].type, outputs[i].location, i));
-        all_.colors = outputs;
     }
 
     PassInterface all_;

@@ -13,11 +13,10 @@
 #include "backend/vulkan/device.hpp"
 #include "backend/vulkan/resources.hpp"
 #include "check/internal/pass_interface.hpp"
+#include "check/pass.hpp"
 
 // One run of a pass: what is bound, in the host's memory. A run changes it as the pass does.
 namespace gloam::check::internal {
-
-using backend::Word;
 
 // A storage image or colour output.
 struct BoundImage {
@@ -54,6 +53,10 @@ struct PassWork {
     std::uint32_t vertex_count = 0;
     float background = 0.0F;
 };
+
+// A run of a pass with these inputs, ready but for the contents of what is not given. Throws
+// std::invalid_argument like Pass::run().
+[[nodiscard]] PassWork bound(const PassInterface& pass, const PassInputs& inputs, const PassOptions& options);
 
 // Runs a pass on a device. Throws like gpu::Commands and the pipelines.
 void run_on_device(const gpu::Device& device, const PassModules& modules, PassWork& work);
