@@ -133,14 +133,9 @@ class InterpretedPass {
         for (std::uint32_t b = 0; b < bound_.size(); ++b) keep_writes(b);
     }
 
-    // A run begins with what is bound: what the last wrote is bound anew.
     void keep_writes(std::uint32_t binding) {
-        if (!machine_.wrote(0, binding)) return;
-        std::vector<Word>& words = bound_[binding].words;
-        std::vector<Word> after(words.size());
-        for (std::size_t w = 0; w < words.size(); ++w) after[w] = machine_.read(0, binding, w).bits();
-        words = std::move(after);
-        bind(binding);
+        machine_.keep_writes(0, binding,
+                             [&](std::size_t word, Word bits) { return bound_[binding].words[word] = bits; });
     }
 
     std::vector<Bound> bound_;

@@ -34,7 +34,7 @@ CLEAN = {
     "harness/framework/shader/compile.cpp": SPDX + "#include <glslang/Public/ShaderLang.h>\n",
     "harness/framework/check/lab.hpp": HPP + '#include "backend/vulkan/device.hpp"\n#include "shader/compile.hpp"\n',
     "harness/occlusion/scene/mesh.cpp": SPDX + "#include <assimp/Importer.hpp>\n",
-    "harness/occlusion/report/png.cpp": SPDX + "#include <stb/stb_image_write.h>\n",
+    "harness/framework/base/png.cpp": SPDX + "#include <stb/stb_image_write.h>\n",
     "harness/occlusion/reference/occlusion.hpp": HPP + "".join(
         f"double gloam_{name}();\n" for name in ("shade", "a", "b", "spare", "copied")),
     "tests/backend/vulkan/device_test.cpp":
@@ -90,6 +90,7 @@ PLANTED = {
         ("harness/occlusion/report/wrong.cpp", SPDX + "#include <assimp/scene.h>\n", 2),
         ("harness/occlusion/effect/wrong.cpp", SPDX + "#include <embree4/rtcore.h>\n", 2),
         ("harness/occlusion/scene/wrong.cpp", SPDX + "#include <stb/stb_image.h>\n", 2),
+        ("harness/framework/base/wrong.cpp", SPDX + "#include <stb_truetype.h>\n", 2),
     ],
     "shader_bindings": [
         ("glsl/gloam/occlusion/shade.glsl", shader("layout(binding = 0) uniform sampler2D depth;"), 5),

@@ -151,89 +151,11 @@ TEST(Sheet, RefusesWhatDoesNotFit) {
     EXPECT_THROW((void)to_sheet_png(std::vector{grey("")}, width + 1, height, 1), std::invalid_argument);
 }
 
-float float_at(const std::string& bytes, std::size_t offset) {
-    float value = 0.0F;
-    std::memcpy(&value, bytes.data() + offset, sizeof value);
-    return value;
-}
-
-TEST(Pfm, RowsBottomFirstAndEveryBitKept) {
-    constexpr float inf = std::numeric_limits<float>::infinity();
-    const std::string file = to_pfm(std::vector<float>{1.0F, 2.0F, inf, -0.0F}, 2, 2, 1);
-    const std::string header = "Pf\n2 2\n-1.0\n";
-    ASSERT_EQ(file.size(), header.size() + 16);
-    EXPECT_EQ(file.substr(0, header.size()), header);
-    EXPECT_EQ(float_at(file, header.size()), inf);
-    EXPECT_TRUE(std::signbit(float_at(file, header.size() + 4)));
-    EXPECT_EQ(float_at(file, header.size() + 8), 1.0F);
-    EXPECT_EQ(float_at(file, header.size() + 12), 2.0F);
-}
-
-TEST(Pfm, ThreeChannelsAreCalledPF) {
-    EXPECT_EQ(to_pfm(std::vector<float>(3), 1, 1, 3).substr(0, 7), "PF\n1 1\n");
-}
-
-TEST(Pfm, WrongCountsAreRefused) {
-    EXPECT_THROW((void)to_pfm(std::vector<float>(3), 2, 2, 1), std::invalid_argument);
-    EXPECT_THROW((void)to_pfm(std::vector<float>(), 0, 0, 1), std::invalid_argument);
-    EXPECT_THROW((void)to_pfm(std::vector<float>(8), 2, 2, 2), std::invalid_argument);
-}
-
-TEST(Png, IsOneWithTheSizeAskedFor) {
-    const std::string file = to_png(std::vector<std::uint8_t>(15, 7), 5, 3);
-    EXPECT_EQ(file.substr(0, 8), std::string("\x89PNG\r\n\x1a\n", 8));
-    EXPECT_EQ(file[19], 5);
-    EXPECT_EQ(file[23], 3);
-    EXPECT_EQ(file[24], 8);  // bits
-    EXPECT_EQ(file[25], 0);  // grey
-}
-
 TEST(Png, ShowsVisibility) {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     const std::string got = to_visibility_png(std::vector<float>{0.0F, 1.0F, 0.5F, -3.0F, 9.0F, nan}, 6, 1);
-    EXPECT_EQ(got, to_png(std::vector<std::uint8_t>{255, 0, 128, 255, 0, 255}, 6, 1));
-    EXPECT_NE(got, to_png(std::vector<std::uint8_t>{0, 255, 128, 255, 0, 255}, 6, 1));
-}
-
-// Relative luminance of an sRGB colour.
-double luminance(const Color& color) {
-    const auto linear = [](std::uint8_t byte) {
-        const double x = byte / 255.0;
-        return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
-    };
-    return 0.2126 * linear(color[0]) + 0.7152 * linear(color[1]) + 0.0722 * linear(color[2]);
-}
-
-TEST(ColorMap, GetsLighterAllTheWay) {
-    double before = -1.0;
-    for (int i = 0; i <= 64; ++i) {
-        const double now = luminance(heat_color(i / 64.0));
-        EXPECT_GT(now, before) << i;
-        before = now;
-    }
-    EXPECT_LT(luminance(heat_color(0.0)), 0.01);
-    EXPECT_GT(luminance(heat_color(1.0)), 0.8);
-}
-
-TEST(ColorMap, EndsAtItsEnds) {
-    EXPECT_EQ(heat_color(-3.0), heat_color(0.0));
-    EXPECT_EQ(heat_color(7.0), heat_color(1.0));
-    EXPECT_EQ(heat_color(std::numeric_limits<double>::quiet_NaN()), heat_color(0.0));
-}
-
-TEST(HeatMap, IsAPictureOfErrors) {
-    const std::vector<float> errors{0.0F, -0.25F, 0.1F, std::numeric_limits<float>::quiet_NaN()};
-    EXPECT_THAT(to_heat_png(errors, 2, 2, 0.25), StartsWith("\x89PNG"));
-    // Only the magnitude counts, up to the end of the scale.
-    EXPECT_EQ(to_heat_png(std::vector<float>{0.3F}, 1, 1, 0.25),
-              to_heat_png(std::vector<float>{-9.0F}, 1, 1, 0.25));
-    EXPECT_NE(to_heat_png(std::vector<float>{0.1F}, 1, 1, 0.25),
-              to_heat_png(std::vector<float>{0.2F}, 1, 1, 0.25));
-    EXPECT_NE(to_heat_png(std::vector<float>{0.0F}, 1, 1, 0.25),
-              to_heat_png(std::vector<float>{errors[3]}, 1, 1, 0.25));
-    EXPECT_THROW((void)to_heat_png(errors, 2, 3, 0.25), std::invalid_argument);
-    EXPECT_THROW((void)to_heat_png(errors, 2, 2, 0.0), std::invalid_argument);
-    EXPECT_THROW((void)to_rgb_png(std::vector<std::uint8_t>(5), 1, 2), std::invalid_argument);
+    EXPECT_EQ(got, base::to_png(std::vector<std::uint8_t>{255, 0, 128, 255, 0, 255}, 6, 1));
+    EXPECT_NE(got, base::to_png(std::vector<std::uint8_t>{0, 255, 128, 255, 0, 255}, 6, 1));
 }
 
 }  // namespace gloam::report::pictures_test

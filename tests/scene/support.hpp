@@ -22,22 +22,8 @@ class SceneTest : public gpu::test::GpuTest {
     const PassLibrary passes_{GLOAM_GLSL_DIR, gloam::test::cache_directory()};
 };
 
-// The bytes of a float, most significant first or last.
-inline std::string bytes(const std::vector<float>& values, bool little_endian) {
-    std::string text;
-    for (const float value : values) {
-        const auto bits = std::bit_cast<std::uint32_t>(value);
-        for (int i = 0; i < 4; ++i)
-            text += static_cast<char>(bits >> (little_endian ? 8 * i : 24 - 8 * i) & 0xFFU);
-    }
-    return text;
-}
-
-inline std::vector<std::uint32_t> bits(const std::vector<float>& values) {
-    std::vector<std::uint32_t> result;
-    for (const float value : values) result.push_back(std::bit_cast<std::uint32_t>(value));
-    return result;
-}
+using gloam::test::bits;
+using gloam::test::bytes;
 
 inline std::vector<float> components(const std::vector<glm::vec3>& vectors) {
     std::vector<float> values;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <bit>
 #include <cerrno>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -10,6 +12,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 namespace gloam::test {
 
@@ -50,6 +53,23 @@ class TemporaryDirectory {
 inline std::string read_file(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+// The bytes of a float, most significant first or last.
+inline std::string bytes(const std::vector<float>& values, bool little_endian) {
+    std::string text;
+    for (const float value : values) {
+        const auto bits = std::bit_cast<std::uint32_t>(value);
+        for (int i = 0; i < 4; ++i)
+            text += static_cast<char>(bits >> (little_endian ? 8 * i : 24 - 8 * i) & 0xFFU);
+    }
+    return text;
+}
+
+inline std::vector<std::uint32_t> bits(const std::vector<float>& values) {
+    std::vector<std::uint32_t> result;
+    for (const float value : values) result.push_back(std::bit_cast<std::uint32_t>(value));
+    return result;
 }
 
 }  // namespace gloam::test

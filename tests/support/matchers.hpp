@@ -4,6 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <initializer_list>
+#include <string>
+
 // The matchers that tests use most, by their own names in every namespace of ours.
 namespace gloam {
 
@@ -20,3 +23,21 @@ using testing::StartsWith;
 using testing::ThrowsMessage;
 
 }  // namespace gloam
+
+namespace gloam::test {
+
+// EXPECT_THROW with a look at the message.
+template <class Error, class Action>
+void expect_error(Action action, std::initializer_list<const char*> parts) {
+    try {
+        action();
+        ADD_FAILURE() << "nothing thrown";
+    } catch (const Error& error) {
+        const std::string message = error.what();
+        EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+        for (const char* part : parts)
+            EXPECT_NE(message.find(part), std::string::npos) << part << " in: " << message;
+    }
+}
+
+}  // namespace gloam::test

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/image_files.hpp"
+#include "base/image_files.hpp"
 #include "tools/expect.hpp"
 
 namespace gloam::test {
@@ -42,7 +42,7 @@ class Rendering : public InFolder {
     }
 
     [[nodiscard]] std::vector<float> picture(const std::string& out, const std::string& name) const {
-        return scene::read_pfm(path(out) / name).texels;
+        return base::read_pfm(path(out) / name).texels;
     }
 
     std::vector<std::string> always_{};       // further words of each command

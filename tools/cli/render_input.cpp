@@ -202,7 +202,7 @@ TruthSource::TruthSource(const RenderOptions& options, const RenderInput& input)
                 fmt::format("--truth-thickness {}: expected > 0", options.truth_thickness));
         }
     } else if (!options.truth.empty()) {
-        reference_ = scene::read_pfm(options.truth);
+        reference_ = base::read_pfm(options.truth);
     }
 }
 
@@ -242,23 +242,23 @@ ViewTruth TruthSource::of(const scene::GBuffer& view, int frame, double radius) 
     if (!reference_) {
         return {.truth = input_.truth ? effect::truth_of(view, radius, input_.truth) : effect::Truth{}};
     }
-    if (reference_->extent == view.extent && reference_->channels == 1)
+    if (gpu::Extent{reference_->width, reference_->height} == view.extent && reference_->channels == 1)
         return {.truth = effect::truth_from(view, reference_->texels)};
-    throw std::invalid_argument(fmt::format(
-        "{}: {} x {} with {} channels, expected {} x {} with 1", options_.truth, reference_->extent.width,
-        reference_->extent.height, reference_->channels, view.extent.width, view.extent.height));
+    throw std::invalid_argument(fmt::format("{}: {} x {} with {} channels, expected {} x {} with 1",
+                                            options_.truth, reference_->width, reference_->height,
+                                            reference_->channels, view.extent.width, view.extent.height));
 }
 
 void write_truth(report::OutputFolder& folder, const std::string& prefix, gpu::Extent size,
                  const TracedView& traced) {
     const auto write = [&](const std::string& name, const std::vector<float>& image) {
-        folder.write(prefix + name + ".pfm", report::to_pfm(image, size.width, size.height, 1));
+        folder.write(prefix + name + ".pfm", base::to_pfm(image, size.width, size.height, 1));
         folder.write(prefix + name + ".png", report::to_visibility_png(image, size.width, size.height));
     };
     const scene::TracedTruth& best = traced.geometry ? *traced.geometry : traced.depth;
     write("truth", best.occlusion);
     write("truth_depth", traced.depth.occlusion);
-    folder.write(prefix + "truth_error.pfm", report::to_pfm(best.standard_error, size.width, size.height, 1));
+    folder.write(prefix + "truth_error.pfm", base::to_pfm(best.standard_error, size.width, size.height, 1));
 }
 
 namespace {
@@ -293,7 +293,7 @@ std::vector<scene::GBuffer> further_views_of(const gpu::Device& device, const sc
 
 void write_further(report::OutputFolder& folder, const std::string& stem, gpu::Extent extent,
                    const std::vector<float>& occlusion) {
-    folder.write(stem + "_views.pfm", report::to_pfm(occlusion, extent.width, extent.height, 1));
+    folder.write(stem + "_views.pfm", base::to_pfm(occlusion, extent.width, extent.height, 1));
     folder.write(stem + "_views.png", report::to_visibility_png(occlusion, extent.width, extent.height));
 }
 

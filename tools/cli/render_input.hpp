@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "backend/vulkan/device.hpp"
+#include "base/image_files.hpp"
 #include "cli/render.hpp"
 #include "effect/errors.hpp"
 #include "report/output.hpp"
 #include "scene/gbuffer.hpp"
-#include "scene/image_files.hpp"
 #include "scene/pass_library.hpp"
 #include "scene/scene.hpp"
 #include "scene/truth.hpp"
@@ -70,7 +70,7 @@ class TruthSource {
 
     const RenderOptions& options_;
     const RenderInput& input_;
-    std::optional<scene::FloatImage> reference_;
+    std::optional<base::FloatImage> reference_;
     scene::Falloff falloff_ = scene::Falloff::linear;
 };
 

@@ -34,7 +34,7 @@ void write_gbuffer(report::OutputFolder& folder, int number, const scene::GBuffe
     const std::string prefix = scene::frame_prefix(number);
     const auto write = [&](const char* name, const std::vector<float>& texels, int channels) {
         if (texels.empty()) return;
-        folder.write(prefix + name, report::to_pfm(texels, view.extent.width, view.extent.height, channels));
+        folder.write(prefix + name, base::to_pfm(texels, view.extent.width, view.extent.height, channels));
     };
     write("_depth.pfm", view.stored ? view.stored->depth : view.depth, 1);
     write("_normal.pfm", components_of(view.stored ? view.stored->normal : view.normal), 3);
@@ -48,7 +48,7 @@ void write_gbuffer(report::OutputFolder& folder, int number, const scene::GBuffe
 
 void write_images(report::OutputFolder& folder, const std::string& stem, const effect::Frame& frame) {
     const auto [width, height] = frame.extent;
-    folder.write(stem + "_ao.pfm", report::to_pfm(frame.filtered, width, height, 1));
+    folder.write(stem + "_ao.pfm", base::to_pfm(frame.filtered, width, height, 1));
     folder.write(stem + "_ao.png", report::to_visibility_png(frame.filtered, width, height));
 }
 
@@ -56,8 +56,8 @@ namespace {
 
 constexpr std::size_t methods_in_a_row = 4;
 
-std::string png_of(const Pictures& pictures, const report::RgbBytes& rgb) {
-    return report::to_rgb_png(rgb, pictures.extent.width, pictures.extent.height);
+std::string png_of(const Pictures& pictures, const base::RgbBytes& rgb) {
+    return base::to_rgb_png(rgb, pictures.extent.width, pictures.extent.height);
 }
 
 std::vector<report::SheetPicture> pictures_of_one(const Rendered& run) {
@@ -80,7 +80,7 @@ Pictures pictures_of(const effect::Composite& composite, std::string name, const
     const std::vector<glm::vec3>& albedo = multi_bounce ? light.albedo : black;
     const auto lit = [&](const std::vector<float>& values) {
         const std::vector<float> samples = values.empty() ? values : light.spread(values);
-        return report::srgb_of(
+        return base::srgb_of(
             components_of(light.mean(composite.lit(light.sampled(), light.light, samples, albedo))));
     };
     Pictures pictures{.name = std::move(name),
@@ -97,7 +97,7 @@ Pictures pictures_of(const effect::Composite& composite, std::string name, const
     pictures.none_error = effect::errors_of(std::vector<float>(truth.size(), 0.0F), truth).rmse;
     std::vector<float> errors;
     for (std::size_t i = 0; i < truth.size(); ++i) errors.push_back(std::abs(occlusion[i] - truth[i]));
-    pictures.error = report::heat_rgb(errors, brightest_error);
+    pictures.error = base::heat_rgb(errors, brightest_error);
     return pictures;
 }
 
@@ -152,9 +152,9 @@ namespace {
 constexpr std::uint32_t least_crop_width = 240;  // pixels on a cropped sheet
 constexpr std::size_t bar_width = 2;             // pixels
 
-report::RgbBytes magnified(const report::RgbBytes& rgb, gpu::Extent extent, const Crop& crop,
-                           std::uint32_t zoom) {
-    report::RgbBytes part;
+base::RgbBytes magnified(const base::RgbBytes& rgb, gpu::Extent extent, const Crop& crop,
+                         std::uint32_t zoom) {
+    base::RgbBytes part;
     part.reserve(std::size_t{3} * crop.extent.width * zoom * crop.extent.height * zoom);
     for (std::uint32_t y = 0; y < crop.extent.height * zoom; ++y) {
         for (std::uint32_t x = 0; x < crop.extent.width * zoom; ++x) {
@@ -174,7 +174,7 @@ std::string cropped_sheet_of(const std::vector<Rendered>& runs, const Crop& crop
         const Pictures& last = run.pictures.back();
         if (lit.empty()) {
             lit.push_back({last.plain, "no occlusion"});
-            alone.push_back({report::RgbBytes(last.visibility.size(), 255), ""});
+            alone.push_back({base::RgbBytes(last.visibility.size(), 255), ""});
             if (!last.truth.empty()) alone.back().caption = fmt::format("error {:.3f}", last.none_error);
         }
         lit.push_back({last.shaded, run.report.name});
@@ -192,11 +192,11 @@ std::string cropped_sheet_of(const std::vector<Rendered>& runs, const Crop& crop
     return report::to_sheet_png(lit, crop.extent.width * zoom, crop.extent.height * zoom, columns);
 }
 
-report::RgbBytes wiped(const Pictures& pictures, double share) {
+base::RgbBytes wiped(const Pictures& pictures, double share) {
     const auto width = static_cast<double>(pictures.extent.width);
     const auto bar =
         static_cast<std::size_t>(std::lround(width * (0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * share))));
-    report::RgbBytes rgb = pictures.shaded;
+    base::RgbBytes rgb = pictures.shaded;
     for (std::size_t i = 0; i < rgb.size(); ++i) {
         const std::size_t x = i / 3 % pictures.extent.width;
         if (x < bar) rgb[i] = x + bar_width < bar ? pictures.plain[i] : 255;
@@ -208,8 +208,8 @@ namespace {
 
 // Writes one picture and returns its file name.
 std::string write(report::OutputFolder& folder, const Pictures& pictures, const std::string& name,
-                  const report::RgbBytes& rgb) {
-    folder.write(name, report::to_rgb_png(rgb, pictures.extent.width, pictures.extent.height));
+                  const base::RgbBytes& rgb) {
+    folder.write(name, base::to_rgb_png(rgb, pictures.extent.width, pictures.extent.height));
     return name;
 }
 

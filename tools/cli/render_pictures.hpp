@@ -89,13 +89,13 @@ struct RenderReport {
 struct Pictures {
     std::string name;  // of its files, without the part from _ on
     gpu::Extent extent;
-    report::RgbBytes plain;       // lit, without occlusion
-    report::RgbBytes shaded;      // lit, with occlusion
-    report::RgbBytes visibility;  // white where open
-    report::RgbBytes truth;       // white where open; empty: there is no truth
-    report::RgbBytes truth_lit;   // lit, with the true occlusion; empty: there is no truth
-    report::RgbBytes error;       // of the occlusion against the truth; empty: there is no truth
-    double none_error = 0.0;      // root mean square error of no occlusion at all; 0: there is no truth
+    base::RgbBytes plain;       // lit, without occlusion
+    base::RgbBytes shaded;      // lit, with occlusion
+    base::RgbBytes visibility;  // white where open
+    base::RgbBytes truth;       // white where open; empty: there is no truth
+    base::RgbBytes truth_lit;   // lit, with the true occlusion; empty: there is no truth
+    base::RgbBytes error;       // of the occlusion against the truth; empty: there is no truth
+    double none_error = 0.0;    // root mean square error of no occlusion at all; 0: there is no truth
 };
 
 // One run of one method: its report, and the pictures of its last frame; for a turntable those of all frames.
@@ -147,7 +147,7 @@ struct Crop {
 
 // The picture at a share of a film, [0, 1]: a bar moves from the left edge to the right and back, with the
 // light without occlusion to its left.
-[[nodiscard]] report::RgbBytes wiped(const Pictures& pictures, double share);
+[[nodiscard]] base::RgbBytes wiped(const Pictures& pictures, double share);
 
 // Writes the pictures of a run into a page's folder, under names that begin with `prefix`, and adds them to
 // the page: the light without and with occlusion behind a slider, then the occlusion alone and its error. A

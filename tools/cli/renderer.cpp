@@ -73,9 +73,9 @@ void write_bent_normals(report::OutputFolder& folder, const std::string& stem,
     const std::vector<float> texels = components_of(bent.direction);
     std::vector<std::uint8_t> picture;
     for (const float value : texels) picture.push_back(byte_of(0.5F + 0.5F * value));
-    folder.write(stem + "_bent.pfm", report::to_pfm(texels, width, height, 3));
-    folder.write(stem + "_bent.png", report::to_rgb_png(picture, width, height));
-    folder.write(stem + "_cone.pfm", report::to_pfm(bent.half_angle, width, height, 1));
+    folder.write(stem + "_bent.pfm", base::to_pfm(texels, width, height, 3));
+    folder.write(stem + "_bent.png", base::to_rgb_png(picture, width, height));
+    folder.write(stem + "_cone.pfm", base::to_pfm(bent.half_angle, width, height, 1));
 }
 
 void write_light(report::OutputFolder& folder, const std::string& stem,
@@ -84,9 +84,9 @@ void write_light(report::OutputFolder& folder, const std::string& stem,
     std::vector<float> texels = components_of(light.direct);
     const std::vector<float> bounced = components_of(light.bounced);
     std::ranges::transform(texels, bounced, texels.begin(), std::plus{});
-    folder.write(stem + "_light.pfm", report::to_pfm(texels, width, height, 3));
-    folder.write(stem + "_light.png", report::to_rgb_png(report::srgb_of(texels), width, height));
-    folder.write(stem + "_bounce.pfm", report::to_pfm(bounced, width, height, 3));
+    folder.write(stem + "_light.pfm", base::to_pfm(texels, width, height, 3));
+    folder.write(stem + "_light.png", base::to_rgb_png(base::srgb_of(texels), width, height));
+    folder.write(stem + "_bounce.pfm", base::to_pfm(bounced, width, height, 3));
 }
 
 namespace {
@@ -294,8 +294,8 @@ class Renderer {
         if (film_out_) {
             const auto done = static_cast<double>(report_.frames.size());
             film_out_->write(pictures.name + ".png",
-                             report::to_rgb_png(wiped(pictures, done / static_cast<double>(frame_count())),
-                                                view.extent.width, view.extent.height));
+                             base::to_rgb_png(wiped(pictures, done / static_cast<double>(frame_count())),
+                                              view.extent.width, view.extent.height));
         }
         if (!kept) return;
         if (output_.folder != nullptr) write_pictures(*output_.folder, pictures);

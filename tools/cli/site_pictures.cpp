@@ -41,8 +41,8 @@ class PictureFolder {
     explicit PictureFolder(report::OutputFolder& folder) : folder_(folder) {}
 
     // Returns the name.
-    std::string write(const std::string& name, const report::RgbBytes& rgb, gpu::Extent extent) {
-        const std::string png = report::to_rgb_png(rgb, extent.width, extent.height);
+    std::string write(const std::string& name, const base::RgbBytes& rgb, gpu::Extent extent) {
+        const std::string png = base::to_rgb_png(rgb, extent.width, extent.height);
         folder_.write(name, png);
         bytes_ += png.size();
         return name;

@@ -2,11 +2,11 @@
 #include "check/interpreted_kernel.hpp"
 
 #include <fmt/format.h>
-#include <array>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+
+#include "check/internal/sampled_words.hpp"
 
 namespace gloam::check {
 
@@ -34,23 +34,6 @@ double fraction_of_width(double got, double want, const numeric::Bounds& bounds)
 }
 
 namespace {
-
-backend::SampledHeader header_of(const Image& image, const std::string& sampler) {
-    using backend::SampledShape;
-    using backend::SampledTexel;
-    return {.width = static_cast<Word>(image.size.x),
-            .height = static_cast<Word>(image.size.y),
-            .depth = image.sampling->depth,
-            .levels = image.sampling->levels,
-            .shape = sampler.ends_with("Array") ? SampledShape::layers
-                     : sampler.ends_with("3D")  ? SampledShape::three
-                                                : SampledShape::two,
-            .texel = sampler.starts_with('i')   ? SampledTexel::integer
-                     : sampler.starts_with('u') ? SampledTexel::natural
-                                                : SampledTexel::real,
-            .linear = image.sampling->linear ? 1U : 0U,
-            .wrap = image.sampling->wrap};
-}
 
 // Of a sampler's image, sampled_header() counts them.
 std::size_t words_in(const Image& image) {
@@ -83,14 +66,7 @@ const Image& find_image(const ImageSet& images, const ImagePrototype& prototype,
 }
 
 std::vector<Word> words_of(const Image& image, const ImagePrototype& prototype) {
-    if (prototype.sampler) {
-        const auto header = std::bit_cast<std::array<Word, backend::sampled_header_words>>(
-            header_of(image, prototype.sampler->type));
-        std::vector<Word> words(header.begin(), header.end());
-        words.insert(words.end(), image.words.begin(), image.words.end());
-        (void)backend::sampled_header(words);
-        return words;
-    }
+    if (prototype.sampler) return internal::sampled_words(image, prototype.sampler->type);
     std::vector<Word> words{static_cast<Word>(image.size.x), static_cast<Word>(image.size.y),
                             image.border == Border::clamp ? 1U : 0U};
     words.insert(words.end(), image.words.begin(), image.words.end());

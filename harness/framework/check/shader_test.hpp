@@ -10,5 +10,10 @@
 //   f.property({uniform(0, 1)}, [](float x, float y) { return y <= x; })    tests what must hold
 //   f.audit({uniform(0, 1)})                         says where the function itself goes wrong
 //   f.explain(0.5F)                                  shows one input, operation by operation
+// And a whole shader with its own main(): check/pass.hpp
+//   const Pass blur(lab, "blur.comp");
+//   const PassResult out = blur.run({{"source", picture}, {"radius", 2}});
+//   out.image("result").compare(reference, {.ulp = 2})
 #include "check/answer.hpp"
 #include "check/function.hpp"
+#include "check/pass.hpp"

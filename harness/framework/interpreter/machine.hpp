@@ -169,6 +169,11 @@ class Machine {
     // Whether the last run wrote to this buffer or image.
     [[nodiscard]] bool wrote(std::uint32_t set, std::uint32_t binding) const;
 
+    // Lets the next run start with what the last one wrote: keep(word, bits) is called for each written word,
+    // and returns what is kept there. It changes the bound memory in the same way.
+    void keep_writes(std::uint32_t set, std::uint32_t binding,
+                     const std::function<Word(std::size_t word, Word bits)>& keep);
+
     // On Explained: rounds the value of every result to float16, as a device may where all is `mediump`.
     void set_half(bool half);
 

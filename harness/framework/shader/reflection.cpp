@@ -68,6 +68,13 @@ class Reflector {
         for (unsigned axis = 0; axis < 3; ++axis)
             all.local_size.at(axis) = spvc_compiler_get_execution_mode_argument_by_index(
                 compiler_, SpvExecutionModeLocalSize, axis);
+        std::array<spvc_specialization_constant, 3> sizes{};
+        (void)spvc_compiler_get_work_group_size_specialization_constants(compiler_, &sizes[0], &sizes[1],
+                                                                         &sizes[2]);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            if (sizes.at(axis).id != 0) all.local_size_ids.at(axis) = sizes.at(axis).constant_id;
+        all.inputs = stage_variables(SPVC_RESOURCE_TYPE_STAGE_INPUT);
+        all.outputs = stage_variables(SPVC_RESOURCE_TYPE_STAGE_OUTPUT);
         return all;
     }
 
@@ -77,6 +84,33 @@ class Reflector {
         std::size_t count = 0;
         cross_.require(spvc_resources_get_resource_list_for_type(resources_, type, &first, &count));
         return {first, count};
+    }
+
+    std::vector<StageVariable> stage_variables(spvc_resource_type kind) const {
+        std::vector<StageVariable> all;
+        for (const spvc_reflected_resource& resource : list(kind)) {
+            const spvc_type type = spvc_compiler_get_type_handle(compiler_, resource.type_id);
+            if (spvc_type_get_basetype(type) == SPVC_BASETYPE_STRUCT) continue;  // between two stages
+            all.push_back({.name = spvc_compiler_get_name(compiler_, resource.id),
+                           .location = decoration(resource.id, SpvDecorationLocation),
+                           .type = name_of(spvc_type_get_basetype(type)),
+                           .rows = spvc_type_get_vector_size(type)});
+        }
+        std::ranges::sort(all, {}, &StageVariable::location);
+        return all;
+    }
+
+    std::string shape_of(const spvc_reflected_resource& resource) const {
+        const spvc_type image = spvc_compiler_get_type_handle(compiler_, resource.base_type_id);
+        static const std::map<SpvDim, std::string> names{
+            {SpvDim1D, "1D"}, {SpvDim2D, "2D"}, {SpvDim3D, "3D"}, {SpvDimCube, "Cube"}};
+        const auto found = names.find(spvc_type_get_image_dimension(image));
+        std::string shape = found == names.end() ? "Buffer" : found->second;
+        if (spvc_type_get_image_multisampled(image) != SPVC_FALSE) shape += "MS";
+        if (spvc_type_get_image_arrayed(image) != SPVC_FALSE) shape += "Array";
+        if (spvc_type_get_image_is_depth(image) != SPVC_FALSE) shape += "Shadow";
+        const spvc_type whole = spvc_compiler_get_type_handle(compiler_, resource.type_id);
+        return spvc_type_get_num_array_dimensions(whole) > 0 ? shape + "[]" : shape;
     }
 
     Binding binding(const spvc_reflected_resource& resource, BindingType type) const {
@@ -91,6 +125,7 @@ class Reflector {
             const spvc_type image = spvc_compiler_get_type_handle(compiler_, resource.base_type_id);
             const spvc_type_id texel = spvc_type_get_image_sampled_type(image);
             result.texel = name_of(spvc_type_get_basetype(spvc_compiler_get_type_handle(compiler_, texel)));
+            result.shape = shape_of(resource);
         }
         if (type == BindingType::storage_image) {
             const spvc_type image = spvc_compiler_get_type_handle(compiler_, resource.type_id);
@@ -146,6 +181,8 @@ class Reflector {
         result.offset = offset;
         result.rows = spvc_type_get_vector_size(type);
         result.columns = spvc_type_get_columns(type);
+        result.row_major = spvc_compiler_has_member_decoration(compiler_, parent, index,
+                                                               SpvDecorationRowMajor) != SPVC_FALSE;
         // SPIRV-Cross has the innermost first.
         for (unsigned d = spvc_type_get_num_array_dimensions(type); d-- > 0;)
             result.sizes.push_back(spvc_type_get_array_dimension(type, d));
@@ -176,7 +213,7 @@ class Reflector {
         if (member.columns == 1) return std::size_t{4} * member.rows;
         unsigned stride = 0;
         cross_.require(spvc_compiler_type_struct_member_matrix_stride(compiler_, structure, index, &stride));
-        return std::size_t{stride} * member.columns;
+        return std::size_t{stride} * (member.row_major ? member.rows : member.columns);
     }
 
     std::vector<SpecializationConstant> constants() const {

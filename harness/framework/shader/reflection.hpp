@@ -22,6 +22,7 @@ struct LaidOut {
     std::size_t offset = 0;        // bytes, in the block or structure
     std::size_t size = 0;          // bytes; of one element for an unbounded array
     std::size_t stride = 0;        // bytes from one element of an array to the next
+    bool row_major = false;        // of a matrix
     std::vector<LaidOut> members;  // of a structure
 };
 
@@ -40,6 +41,7 @@ struct Binding {
     BindingType type = BindingType::storage_image;
     std::string format;  // of a storage image, as GLSL has it: "rgba32f"; empty: none is said
     std::string texel;   // of an image: what the shader reads: "float", "int", "uint"; else empty
+    std::string shape;   // of an image: "2D", "2DArray", "3D", "Cube"; "2D[]" of an array of images
     bool reads = true;   // may be read: not declared writeonly
     bool writes = false;
     std::optional<BlockLayout> block;  // of a buffer
@@ -52,12 +54,24 @@ struct SpecializationConstant {
     std::uint32_t bits = 0;  // default value
 };
 
-// The interface of a compute module.
+// An input or output of a stage.
+struct StageVariable {
+    std::string name;
+    std::uint32_t location = 0;
+    std::string type;   // of its components: "float", "int", "uint"
+    unsigned rows = 1;  // of a vector
+};
+
+// The interface of a module.
 struct ModuleInterface {
     std::vector<Binding> bindings;  // by set and number
     std::optional<BlockLayout> push_constants;
     std::vector<SpecializationConstant> constants;  // by number
     std::array<std::uint32_t, 3> local_size{};
+    // The constants that replace them, by axis; empty: none does.
+    std::array<std::optional<std::uint32_t>, 3> local_size_ids{};
+    std::vector<StageVariable> inputs;  // by location, without those that are built in
+    std::vector<StageVariable> outputs;
 };
 
 // The interface of a module. Throws std::runtime_error for words that are not a module, and for a binding of

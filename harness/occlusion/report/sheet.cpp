@@ -141,8 +141,8 @@ std::string to_sheet_png(std::span<const SheetPicture> pictures, std::uint32_t w
         copy(canvas, pictures[i], left, top, width);
         if (font) font->draw(canvas, pictures[i].caption, left, top + height + gap / 2, width);
     }
-    return to_rgb_png(canvas.rgb, static_cast<std::uint32_t>(canvas.width),
-                      static_cast<std::uint32_t>(canvas.height));
+    return base::to_rgb_png(canvas.rgb, static_cast<std::uint32_t>(canvas.width),
+                            static_cast<std::uint32_t>(canvas.height));
 }
 
 }  // namespace gloam::report

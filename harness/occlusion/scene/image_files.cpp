@@ -6,11 +6,9 @@
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -18,79 +16,6 @@
 #include "base/process.hpp"
 
 namespace gloam::scene {
-namespace {
-
-namespace fs = std::filesystem;
-
-[[noreturn]] void fail_with_file(const fs::path& file, const std::string& what) {
-    throw std::runtime_error(file.string() + ": " + what);
-}
-
-struct Header {
-    FloatImage image;  // without texels
-    bool little_endian = true;
-    std::size_t bytes = 0;  // of all texels
-};
-
-// Reads four words, each followed by one white-space character; the texels begin behind the last.
-Header read_header(std::ifstream& stream, const fs::path& file) {
-    std::string kind;
-    std::int64_t width = 0;
-    std::int64_t height = 0;
-    double scale = 0.0;
-    stream >> kind >> width >> height >> scale;
-    const int channels = kind == "Pf" ? 1 : (kind == "PF" ? 3 : 0);
-    if (channels == 0) fail_with_file(file, "not a PFM: expected it to begin with Pf or PF");
-    const auto is_side = [](std::int64_t side) { return side >= 1 && side <= 1 << 20; };
-    if (!stream || !is_side(width) || !is_side(height) || !(scale < 0.0 || scale > 0.0)) {
-        fail_with_file(file, "not a PFM: expected width, height and a scale that is not 0 behind " + kind);
-    }
-    stream.get();
-    const gpu::Extent extent{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
-    Header header{.image = {.extent = extent, .channels = channels}, .little_endian = scale < 0.0};
-    header.bytes =
-        std::size_t{extent.width} * extent.height * static_cast<std::size_t>(channels) * sizeof(float);
-    return header;
-}
-
-void require_bytes(std::ifstream& stream, const fs::path& file, std::size_t wanted) {
-    const auto here = stream.tellg();
-    stream.seekg(0, std::ios::end);
-    const auto there = static_cast<std::size_t>(stream.tellg() - here);
-    if (there != wanted) {
-        fail_with_file(file, (there < wanted ? "cut short: expected " : "too long: expected ") +
-                                 std::to_string(wanted) + " bytes of texels, found " + std::to_string(there));
-    }
-    stream.seekg(here);
-}
-
-void swap_bytes(std::vector<float>& texels) {
-    for (float& texel : texels) {
-        const auto bits = std::bit_cast<std::uint32_t>(texel);
-        texel = std::bit_cast<float>(bits << 24 | (bits & 0xFF00U) << 8 | (bits >> 8 & 0xFF00U) | bits >> 24);
-    }
-}
-
-}  // namespace
-
-FloatImage read_pfm(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::error_code none;
-    if (!stream || fs::is_directory(file, none)) fail_with_file(file, "cannot be read");
-    Header header = read_header(stream, file);
-    require_bytes(stream, file, header.bytes);
-    FloatImage image = std::move(header.image);
-    const std::size_t row = std::size_t{image.extent.width} * static_cast<std::size_t>(image.channels);
-    image.texels.resize(row * image.extent.height);
-    for (std::size_t y = image.extent.height; y-- > 0;) {  // rows come from the bottom
-        stream.read(reinterpret_cast<char*>(image.texels.data() + y * row),
-                    static_cast<std::streamsize>(row * sizeof(float)));
-    }
-    if (!stream) fail_with_file(file, "cannot be read to its end");
-    if (header.little_endian != (std::endian::native == std::endian::little)) swap_bytes(image.texels);
-    return image;
-}
-
 namespace {
 
 using Names = std::vector<std::string>;
@@ -126,7 +51,7 @@ Names choose(const Imf::ChannelList& channels, int count) {
         (", found " + text));
 }
 
-FloatImage read(const std::string& file, int channels) {
+base::FloatImage read(const std::string& file, int channels) {
     Imf::InputFile input(file.c_str());
     const Imath::Box2i window = input.header().dataWindow();
     const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
@@ -137,8 +62,10 @@ FloatImage read(const std::string& file, int channels) {
                                  std::to_string(height) + ", expected sides of 1 to " +
                                  std::to_string(longest_side) + " and at most " +
                                  std::to_string(most_pixels) + " pixels");
-    FloatImage image{.extent = {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)},
-                     .channels = channels};
+    base::FloatImage image{.width = static_cast<std::uint32_t>(width),
+                           .height = static_cast<std::uint32_t>(height),
+                           .channels = channels,
+                           .texels = {}};
     image.texels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
                         static_cast<std::size_t>(channels));
     const Names names = choose(input.header().channels(), channels);
@@ -154,20 +81,21 @@ FloatImage read(const std::string& file, int channels) {
     return image;
 }
 
-std::string bytes_of(const FloatImage& image) {
-    std::string bytes(reinterpret_cast<const char*>(&image.extent), sizeof image.extent);
+std::string bytes_of(const base::FloatImage& image) {
+    const gpu::Extent extent{image.width, image.height};
+    std::string bytes(reinterpret_cast<const char*>(&extent), sizeof extent);
     bytes.append(reinterpret_cast<const char*>(image.texels.data()), image.texels.size() * sizeof(float));
     return bytes;
 }
 
 }  // namespace
 
-FloatImage read_exr(const std::filesystem::path& file, int channels) {
+base::FloatImage read_exr(const std::filesystem::path& file, int channels) {
     // The library may crash on a malformed file, so it reads in another process, within limits.
     const base::ProcessLimits limits{.memory_bytes = std::uint64_t{8} << 30,
                                      .cpu = std::chrono::seconds(60),
                                      .patience = std::chrono::minutes(10)};
-    FloatImage image{.extent = {}, .channels = channels};
+    gpu::Extent extent;
     std::string bytes;
     try {
         bytes = base::run_apart([&] { return bytes_of(read(file.string(), channels)); }, limits);
@@ -176,9 +104,11 @@ FloatImage read_exr(const std::filesystem::path& file, int channels) {
     } catch (const std::exception& error) {
         throw std::runtime_error(file.string() + ": " + error.what());
     }
-    std::memcpy(&image.extent, bytes.data(), sizeof image.extent);
-    image.texels.resize((bytes.size() - sizeof image.extent) / sizeof(float));
-    std::memcpy(image.texels.data(), bytes.data() + sizeof image.extent, image.texels.size() * sizeof(float));
+    std::memcpy(&extent, bytes.data(), sizeof extent);
+    base::FloatImage image{
+        .width = extent.width, .height = extent.height, .channels = channels, .texels = {}};
+    image.texels.resize((bytes.size() - sizeof extent) / sizeof(float));
+    std::memcpy(image.texels.data(), bytes.data() + sizeof extent, image.texels.size() * sizeof(float));
     return image;
 }
 
@@ -188,8 +118,8 @@ float sane(float value) {
     return value > 0.0F && std::isfinite(value) ? value : 0.0F;
 }
 
-FloatImage read(const std::filesystem::path& file) {
-    if (file.extension() == ".pfm") return read_pfm(file);
+base::FloatImage read(const std::filesystem::path& file) {
+    if (file.extension() == ".pfm") return base::read_pfm(file);
     if (file.extension() == ".exr") return read_exr(file, 3);
     throw std::runtime_error(file.string() + ": expected an environment as .exr or .pfm");
 }
@@ -214,9 +144,9 @@ Environment sky_environment() {
 }
 
 Environment read_environment(const std::filesystem::path& file) {
-    const FloatImage image = read(file);
+    const base::FloatImage image = read(file);
     if (image.channels != 3) throw std::runtime_error(file.string() + ": has 1 channel, expected 3");
-    Environment environment{.extent = image.extent, .radiance = {}};
+    Environment environment{.extent = {image.width, image.height}, .radiance = {}};
     for (std::size_t i = 0; i + 2 < image.texels.size(); i += 3) {
         environment.radiance.emplace_back(sane(image.texels[i]), sane(image.texels[i + 1]),
                                           sane(image.texels[i + 2]));

@@ -6,24 +6,14 @@
 #include <vector>
 
 #include "backend/vulkan/resources.hpp"
+#include "base/image_files.hpp"
 
 namespace gloam::scene {
-
-// A float image, rows from the top, `channels` floats for each pixel.
-struct FloatImage {
-    gpu::Extent extent;
-    int channels = 1;
-    std::vector<float> texels;
-};
-
-// Reads a portable float map (Pf or PF, either byte order). Throws std::runtime_error with the file's name if
-// it is missing, not a PFM, truncated, or longer than its header says.
-[[nodiscard]] FloatImage read_pfm(const std::filesystem::path& file);
 
 // Reads the first part of an OpenEXR file: float, half or integer channels, the whole data window. For one
 // channel it takes Y, Z, R, depth, or the only one; for three R G B, or X Y Z. Throws std::runtime_error with
 // the file's name and what was expected.
-[[nodiscard]] FloatImage read_exr(const std::filesystem::path& file, int channels);
+[[nodiscard]] base::FloatImage read_exr(const std::filesystem::path& file, int channels);
 
 // Light from infinitely far away: radiance by direction in the world. Columns are longitudes, with -z in the
 // middle and +x to the right of it; rows are polar angles from +y downwards, top row first.

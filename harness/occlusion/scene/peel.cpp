@@ -27,7 +27,7 @@ gpu::RasterPipeline make_pipeline(const gpu::Device& device, const PassLibrary& 
              .color_formats = {gpu::Format::rgba32f},
              .push_constant_bytes = sizeof(PeelConstants),
              .reversed_z = reversed_z,
-             .image_count = 1}};
+             .bindings = {gpu::BindingKind::storage_image}}};
 }
 
 // A layer in front of every surface.
@@ -66,7 +66,7 @@ std::vector<std::vector<float>> peel(const gpu::Device& device, const PassLibrar
                             .indices = indices,
                             .index_count = static_cast<std::uint32_t>(mesh.indices.size()),
                             .push_constants = std::as_bytes(std::span(&push, 1)),
-                            .images = {layers[i % 2]}};
+                            .resources = {layers[i % 2]}};
         const std::array colors{std::cref(now)};
         gpu::Commands commands(device);
         gpu::render(commands, pipeline, colors, depth, 0.0F, std::span(&all, 1));

@@ -24,7 +24,7 @@ std::string size_text(gpu::Extent extent, int channels) {
 }
 
 // Reads the image with this stem, PFM or EXR; an image without texels if neither exists.
-FloatImage read_image(const fs::path& stem, gpu::Extent extent, int channels) {
+base::FloatImage read_image(const fs::path& stem, gpu::Extent extent, int channels) {
     const fs::path pfm = stem.string() + ".pfm";
     const fs::path exr = stem.string() + ".exr";
     std::error_code none;
@@ -34,15 +34,16 @@ FloatImage read_image(const fs::path& stem, gpu::Extent extent, int channels) {
         fail_with_frame(pfm, "there is " + exr.filename().string() + " as well, expected one of them");
     if (!has_pfm && !has_exr) return {};
     const fs::path& file = has_pfm ? pfm : exr;
-    FloatImage image = has_pfm ? read_pfm(pfm) : read_exr(exr, channels);
-    if (image.extent != extent || image.channels != channels) {
-        fail_with_frame(file, "is " + size_text(image.extent, image.channels) + ", expected " +
-                                  size_text(extent, channels));
+    base::FloatImage image = has_pfm ? base::read_pfm(pfm) : read_exr(exr, channels);
+    const gpu::Extent found{image.width, image.height};
+    if (found != extent || image.channels != channels) {
+        fail_with_frame(
+            file, "is " + size_text(found, image.channels) + ", expected " + size_text(extent, channels));
     }
     return image;
 }
 
-std::vector<glm::vec3> to_vectors(const FloatImage& image) {
+std::vector<glm::vec3> to_vectors(const base::FloatImage& image) {
     std::vector<glm::vec3> vectors(image.texels.size() / 3);
     for (std::size_t i = 0; i < vectors.size(); ++i)
         vectors[i] = {image.texels[3 * i], image.texels[3 * i + 1], image.texels[3 * i + 2]};

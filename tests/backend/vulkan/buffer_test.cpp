@@ -77,12 +77,16 @@ std::vector<float> distinct_texels(Extent extent, Format format) {
     for (std::size_t i = 0; i < texels.size(); ++i) {
         switch (format) {
             case Format::r8:
+            case Format::rgba8:
                 texels[i] = static_cast<float>(i % 256) / 255.0F;
                 break;
             case Format::r16f:
+            case Format::rg16f:
             case Format::rgba16f:
                 texels[i] = from_half(static_cast<std::uint16_t>(i % 0x7c00));
                 break;
+            case Format::r16ui:
+            case Format::rg16ui:
             case Format::rgba16ui:
                 texels[i] = static_cast<float>(i % 0x10000);
                 break;
@@ -91,6 +95,17 @@ std::vector<float> distinct_texels(Extent extent, Format format) {
         }
     }
     return texels;
+}
+
+// In the order of Format.
+constexpr std::array format_names{"r32f",  "rgba32f", "rgba16f", "rgba16ui", "depth32f",
+                                  "r16f",  "r8",      "r32ui",   "rg32f",    "rg16f",
+                                  "rgba8", "r16ui",   "rg16ui",  "rg32ui",   "rgba32ui"};
+
+TEST(Formats, HaveTheirNamesOfGlsl) {
+    for (std::size_t f = 0; f < format_names.size(); ++f)
+        EXPECT_EQ(format_from(format_names.at(f)), static_cast<Format>(f));
+    EXPECT_EQ(format_from("rgb9e5"), std::nullopt);
 }
 
 class RoundTripTest : public GpuTest, public ::testing::WithParamInterface<std::tuple<Format, Extent>> {};
@@ -110,19 +125,20 @@ TEST_P(RoundTripTest, ComesBackAsItWas) {
 
 std::string case_name(const ::testing::TestParamInfo<RoundTripTest::ParamType>& info) {
     const auto [format, extent] = info.param;
-    constexpr std::array names{"r32f", "rgba32f", "rgba16f", "rgba16ui", "depth32f", "r16f", "r8", "r32ui"};
-    return names[static_cast<std::size_t>(format)] + ("_" + std::to_string(extent.width)) + "x" +
+    return format_names.at(static_cast<std::size_t>(format)) + ("_" + std::to_string(extent.width)) + "x" +
            std::to_string(extent.height);
 }
 
 constexpr Extent large{1500, 2000};  // as rgba32f more than is staged at once
 
-INSTANTIATE_TEST_SUITE_P(Formats, RoundTripTest,
-                         ::testing::Combine(::testing::Values(Format::r32f, Format::rgba32f, Format::rgba16f,
-                                                              Format::rgba16ui, Format::depth32f,
-                                                              Format::r16f, Format::r8, Format::r32ui),
-                                            ::testing::Values(Extent{1, 1}, Extent{3, 5}, Extent{257, 129})),
-                         case_name);
+INSTANTIATE_TEST_SUITE_P(
+    Formats, RoundTripTest,
+    ::testing::Combine(::testing::Values(Format::r32f, Format::rgba32f, Format::rgba16f, Format::rgba16ui,
+                                         Format::depth32f, Format::r16f, Format::r8, Format::r32ui,
+                                         Format::rg32f, Format::rg16f, Format::rgba8, Format::r16ui,
+                                         Format::rg16ui, Format::rg32ui, Format::rgba32ui),
+                       ::testing::Values(Extent{1, 1}, Extent{3, 5}, Extent{257, 129})),
+    case_name);
 INSTANTIATE_TEST_SUITE_P(Bands, RoundTripTest,
                          ::testing::Combine(::testing::Values(Format::rgba32f), ::testing::Values(large)),
                          case_name);

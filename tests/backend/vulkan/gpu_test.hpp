@@ -12,6 +12,7 @@
 #include "backend/vulkan/commands.hpp"
 #include "support/environment.hpp"
 #include "support/files.hpp"
+#include "support/matchers.hpp"
 
 namespace gloam::gpu::test {
 
@@ -62,18 +63,6 @@ inline void run(const Device& device, const ComputePipeline& pipeline, const std
     commands.submit();
 }
 
-// EXPECT_THROW with a look at the message.
-template <class Error, class Action>
-void expect_error(Action action, std::initializer_list<const char*> parts) {
-    try {
-        action();
-        ADD_FAILURE() << "nothing thrown";
-    } catch (const Error& error) {
-        const std::string message = error.what();
-        EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-        for (const char* part : parts)
-            EXPECT_NE(message.find(part), std::string::npos) << part << " in: " << message;
-    }
-}
+using gloam::test::expect_error;
 
 }  // namespace gloam::gpu::test

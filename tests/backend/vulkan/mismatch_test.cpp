@@ -58,7 +58,7 @@ TEST_F(MismatchTest, KindOfResource) {
     Image image(device(), {2, 2}, Format::r32f);
     Commands commands(device());
     expect_refused(commands, pipeline, {buffer, image, buffer}, {1, 1, 1}, {},
-                   {"resource 0", "storage buffer", "storage image"});
+                   {"resource 0", "is a buffer", "storage image"});
     expect_refused(commands, pipeline, {image, image, image}, {1, 1, 1}, {},
                    {"resource 2", "an image", "storage buffer"});
 }

@@ -197,7 +197,7 @@ TEST_F(RasterTest, DispatchesSeeWhatWasRendered) {
 TEST_F(RasterTest, AnImageIsReadWhileAnotherIsRendered) {
     auto behind = program(false);
     behind.fragment_spirv = behind_frag;
-    behind.image_count = 1;
+    behind.bindings = {BindingKind::storage_image};
     const RasterPipeline all(device(), program(false));
     const RasterPipeline further(device(), behind);
     const Targets first(device());
@@ -209,7 +209,7 @@ TEST_F(RasterTest, AnImageIsReadWhileAnotherIsRendered) {
     for (const Mesh& mesh : meshes) draws.push_back(mesh.draw(constants));
     Commands commands(device());
     render(commands, all, first.colors(), first.depth, 0.0f, draws);
-    for (Draw& draw : draws) draw.images = {first.place};
+    for (Draw& draw : draws) draw.resources = {first.place};
     render(commands, further, second.colors(), second.depth, 0.0f, draws);
     commands.submit();
     const auto value = second.value.download();

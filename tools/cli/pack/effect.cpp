@@ -191,8 +191,9 @@ std::string vulkan_format(gpu::Format format) {
             return "VK_FORMAT_R8_UNORM";
         case gpu::Format::r32ui:
             return "VK_FORMAT_R32_UINT";
+        default:
+            throw std::logic_error("an image format without a name");
     }
-    throw std::logic_error("an image format without a name");
 }
 
 std::string vulkan_descriptor(shader::BindingType type) {

@@ -10,34 +10,6 @@
 namespace gloam::gpu {
 namespace {
 
-void check_count(const Context& context, const ComputeProgram& program, BindingKind kind,
-                 std::uint32_t limit) {
-    const auto count = std::ranges::count(program.bindings, kind);
-    if (count > limit) {
-        throw std::invalid_argument(
-            fmt::format("compute pipeline with {} {} bindings: device \"{}\" allows {}", count, name_of(kind),
-                        context.physical.info.name, limit));
-    }
-}
-
-vk::raii::DescriptorSetLayout make_set_layout(const Context& context, const ComputeProgram& program) {
-    const auto& limits = context.physical.properties.limits;
-    check_count(context, program, BindingKind::storage_buffer, limits.maxPerStageDescriptorStorageBuffers);
-    check_count(context, program, BindingKind::storage_image, limits.maxPerStageDescriptorStorageImages);
-    check_count(context, program, BindingKind::sampled_image,
-                std::min(limits.maxPerStageDescriptorSampledImages, limits.maxPerStageDescriptorSamplers));
-    std::vector<vk::DescriptorSetLayoutBinding> bindings;
-    for (const auto kind : program.bindings) {
-        bindings.push_back({.binding = static_cast<std::uint32_t>(bindings.size()),
-                            .descriptorType = descriptor_type(kind),
-                            .descriptorCount = 1,
-                            .stageFlags = stage_of(program)});
-    }
-    return {context.device,
-            vk::DescriptorSetLayoutCreateInfo{.bindingCount = static_cast<std::uint32_t>(bindings.size()),
-                                              .pBindings = bindings.data()}};
-}
-
 vk::raii::PipelineLayout make_layout(const Context& context, const vk::raii::DescriptorSetLayout& set_layout,
                                      const ComputeProgram& program) {
     check_push_constant_size(context, program.push_constant_bytes);
@@ -52,28 +24,17 @@ vk::raii::PipelineLayout make_layout(const Context& context, const vk::raii::Des
 vk::raii::Pipeline make_pipeline(const Context& context, const vk::raii::PipelineLayout& layout,
                                  const ComputeProgram& program) {
     const auto module = make_module(context, program.spirv);
-    const auto& constants = program.constants;
-    std::vector<vk::SpecializationMapEntry> entries;
-    for (const auto& constant : constants) {
-        const auto offset = entries.size() * sizeof constant + offsetof(SpecializationConstant, bits);
-        entries.push_back({.constantID = constant.id,
-                           .offset = static_cast<std::uint32_t>(offset),
-                           .size = sizeof constant.bits});
-    }
-    const vk::SpecializationInfo specialization{.mapEntryCount = static_cast<std::uint32_t>(entries.size()),
-                                                .pMapEntries = entries.data(),
-                                                .dataSize = constants.size() * sizeof(SpecializationConstant),
-                                                .pData = constants.data()};
+    const Specialization specialization(program.constants);
     const vk::ComputePipelineCreateInfo info{.stage = {.stage = vk::ShaderStageFlagBits::eCompute,
                                                        .module = *module,
                                                        .pName = "main",
-                                                       .pSpecializationInfo = &specialization},
+                                                       .pSpecializationInfo = &specialization.info},
                                              .layout = *layout};
     return {context.device, context.cache.handle(), info};
 }
 
 ComputeHandles create(const Context& context, const ComputeProgram& program) {
-    auto set_layout = make_set_layout(context, program);
+    auto set_layout = make_set_layout(context, program.bindings, stage_of(program));
     auto layout = make_layout(context, set_layout, program);
     const bool quads = !program.vertex_spirv.empty();
     vk::raii::RenderPass render_pass = quads ? make_quad_pass(context) : vk::raii::RenderPass(nullptr);
@@ -82,7 +43,49 @@ ComputeHandles create(const Context& context, const ComputeProgram& program) {
     return {std::move(set_layout), std::move(layout), std::move(render_pass), std::move(pipeline)};
 }
 
+void check_count(const Context& context, std::span<const BindingKind> kinds, BindingKind kind,
+                 std::uint32_t limit) {
+    const auto count = std::ranges::count(kinds, kind);
+    if (count > limit) {
+        throw std::invalid_argument(fmt::format("pipeline with {} {} bindings: device \"{}\" allows {}",
+                                                count, name_of(kind), context.physical.info.name, limit));
+    }
+}
+
 }  // namespace
+
+Specialization::Specialization(std::span<const SpecializationConstant> constants) {
+    for (const auto& constant : constants) {
+        const auto offset = entries.size() * sizeof constant + offsetof(SpecializationConstant, bits);
+        entries.push_back({.constantID = constant.id,
+                           .offset = static_cast<std::uint32_t>(offset),
+                           .size = sizeof constant.bits});
+    }
+    info = vk::SpecializationInfo{.mapEntryCount = static_cast<std::uint32_t>(entries.size()),
+                                  .pMapEntries = entries.data(),
+                                  .dataSize = constants.size_bytes(),
+                                  .pData = constants.data()};
+}
+
+vk::raii::DescriptorSetLayout make_set_layout(const Context& context, std::span<const BindingKind> kinds,
+                                              vk::ShaderStageFlags stages) {
+    const auto& limits = context.physical.properties.limits;
+    check_count(context, kinds, BindingKind::storage_buffer, limits.maxPerStageDescriptorStorageBuffers);
+    check_count(context, kinds, BindingKind::storage_image, limits.maxPerStageDescriptorStorageImages);
+    check_count(context, kinds, BindingKind::uniform_buffer, limits.maxPerStageDescriptorUniformBuffers);
+    check_count(context, kinds, BindingKind::sampled_image,
+                std::min(limits.maxPerStageDescriptorSampledImages, limits.maxPerStageDescriptorSamplers));
+    std::vector<vk::DescriptorSetLayoutBinding> bindings;
+    for (const auto kind : kinds) {
+        bindings.push_back({.binding = static_cast<std::uint32_t>(bindings.size()),
+                            .descriptorType = descriptor_type(kind),
+                            .descriptorCount = 1,
+                            .stageFlags = stages});
+    }
+    return {context.device,
+            vk::DescriptorSetLayoutCreateInfo{.bindingCount = static_cast<std::uint32_t>(bindings.size()),
+                                              .pBindings = bindings.data()}};
+}
 
 vk::DescriptorType descriptor_type(BindingKind kind) {
     switch (kind) {
@@ -92,6 +95,8 @@ vk::DescriptorType descriptor_type(BindingKind kind) {
             return vk::DescriptorType::eStorageImage;
         case BindingKind::sampled_image:
             return vk::DescriptorType::eCombinedImageSampler;
+        case BindingKind::uniform_buffer:
+            return vk::DescriptorType::eUniformBuffer;
     }
     throw std::invalid_argument("unknown kind of binding");
 }
@@ -104,6 +109,8 @@ const char* name_of(BindingKind kind) {
             return "storage image";
         case BindingKind::sampled_image:
             return "sampled image";
+        case BindingKind::uniform_buffer:
+            return "uniform buffer";
     }
     throw std::invalid_argument("unknown kind of binding");
 }
@@ -213,45 +220,41 @@ Recording create(const Context& context) {
     return {.buffers = std::move(buffers), .descriptors = {}, .timestamps = {}, .framebuffers = {}};
 }
 
+bool is_buffer(BindingKind kind) {
+    return kind == BindingKind::storage_buffer || kind == BindingKind::uniform_buffer;
+}
+
 bool is_buffer(const Resource& resource) {
     return std::holds_alternative<std::reference_wrapper<const Buffer>>(resource);
 }
 
-void check_resource(const ComputePipeline::Impl& pipeline, const Resource& resource, std::size_t binding) {
-    const auto wanted = pipeline.bindings[binding];
-    if (is_buffer(resource) != (wanted == BindingKind::storage_buffer)) {
-        throw std::invalid_argument(
-            fmt::format("dispatch: resource {} is {}, the pipeline's binding is a {}", binding,
-                        is_buffer(resource) ? "a storage buffer" : "an image", name_of(wanted)));
+void check_resource(const char* what, const Context& context, BindingKind wanted, const Resource& resource,
+                    std::size_t binding) {
+    if (is_buffer(resource) != is_buffer(wanted)) {
+        throw std::invalid_argument(fmt::format("{}: resource {} is {}, the pipeline's binding is a {}", what,
+                                                binding, is_buffer(resource) ? "a buffer" : "an image",
+                                                name_of(wanted)));
     }
-    if (wanted == BindingKind::storage_buffer) {
+    if (is_buffer(wanted)) {
         const Buffer& buffer = std::get<std::reference_wrapper<const Buffer>>(resource);
-        check_same_device(buffer.impl().context, pipeline.context, "dispatch: a buffer");
+        check_same_device(buffer.impl().context, context, fmt::format("{}: a buffer", what));
         return;
     }
     if (const auto* sampled = std::get_if<std::reference_wrapper<const SampledImage>>(&resource)) {
-        check_same_device(sampled->get().impl().context, pipeline.context, "dispatch: an image");
+        check_same_device(sampled->get().impl().context, context, fmt::format("{}: an image", what));
         if (wanted == BindingKind::sampled_image) return;
         throw std::invalid_argument(
-            fmt::format("dispatch: resource {} is a sampled image, the pipeline's binding is a {}", binding,
+            fmt::format("{}: resource {} is a sampled image, the pipeline's binding is a {}", what, binding,
                         name_of(wanted)));
     }
     const Image& image = std::get<std::reference_wrapper<const Image>>(resource);
-    check_same_device(image.impl().context, pipeline.context, "dispatch: an image");
+    check_same_device(image.impl().context, context, fmt::format("{}: an image", what));
     if (image.format() == Format::depth32f) {
         throw std::invalid_argument(
-            fmt::format("dispatch: resource {} is a depth32f image, which no shader can store to: expected a "
+            fmt::format("{}: resource {} is a depth32f image, which no shader can store to: expected a "
                         "colour format",
-                        binding));
+                        what, binding));
     }
-}
-
-void check_resources(const ComputePipeline::Impl& pipeline, std::span<const Resource> resources) {
-    if (resources.size() != pipeline.bindings.size()) {
-        throw std::invalid_argument(fmt::format("dispatch: {} resources, the pipeline has {} bindings",
-                                                resources.size(), pipeline.bindings.size()));
-    }
-    for (std::size_t i = 0; i < resources.size(); ++i) check_resource(pipeline, resources[i], i);
 }
 
 void check_groups(const DeviceInfo& device, const std::array<std::uint32_t, 3>& groups) {
@@ -273,7 +276,17 @@ void check_push_constants(const ComputePipeline::Impl& pipeline, std::span<const
 
 }  // namespace
 
-void check_same_device(const Context& a, const Context& b, const char* what) {
+void check_resources(const char* what, const Context& context, std::span<const BindingKind> kinds,
+                     std::span<const Resource> resources) {
+    if (resources.size() != kinds.size()) {
+        throw std::invalid_argument(fmt::format("{}: {} resources, the pipeline has {} bindings", what,
+                                                resources.size(), kinds.size()));
+    }
+    for (std::size_t i = 0; i < resources.size(); ++i)
+        check_resource(what, context, kinds[i], resources[i], i);
+}
+
+void check_same_device(const Context& a, const Context& b, const std::string& what) {
     if (&a != &b) {
         throw std::invalid_argument(fmt::format("{} belongs to another device than the one in use, \"{}\"",
                                                 what, b.physical.info.name));
@@ -291,7 +304,7 @@ void Commands::Impl::check(const ComputePipeline& pipeline, std::span<const Reso
                            std::span<const std::byte> push_constants) const {
     (void)recording();
     check_same_device(pipeline.impl().context, context, "dispatch: the pipeline");
-    check_resources(pipeline.impl(), resources);
+    check_resources("dispatch", context, pipeline.impl().bindings, resources);
     check_push_constants(pipeline.impl(), push_constants);
 }
 

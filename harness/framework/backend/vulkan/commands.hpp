@@ -15,7 +15,7 @@
 namespace gloam::gpu {
 
 // sampled_image: a SampledImage with its own sampler, or an Image for texelFetch, which uses no sampler.
-enum class BindingKind { storage_buffer, storage_image, sampled_image };
+enum class BindingKind { storage_buffer, storage_image, sampled_image, uniform_buffer };
 
 using SpecializationConstant = backend::Constant;
 
@@ -108,7 +108,8 @@ struct RasterProgram {
     std::vector<Format> color_formats;
     std::uint32_t push_constant_bytes = 0;  // visible to both stages
     bool reversed_z = false;
-    std::uint32_t image_count = 0;  // storage images that fragments may read: bindings 0, 1, ... of set 0
+    std::vector<BindingKind> bindings = {};              // of descriptor set 0, visible to both stages
+    std::vector<SpecializationConstant> constants = {};  // of both stages
 };
 
 // A compiled graphics pipeline. Throws std::runtime_error when the driver rejects it; std::invalid_argument
@@ -131,14 +132,14 @@ struct Draw {
     std::reference_wrapper<const Buffer> vertices;
     std::reference_wrapper<const Buffer> indices;  // uint32
     std::uint32_t index_count = 0;  // three for each triangle; the first is at the start of `indices`
-    std::span<const std::byte> push_constants;                  // copied when render() is called
-    std::vector<std::reference_wrapper<const Image>> images{};  // read by fragments, not rendered to
+    std::span<const std::byte> push_constants;  // copied when render() is called
+    std::vector<Resource> resources{};          // at the pipeline's bindings; none is rendered to
 };
 
 // Renders all draws in one pass, in order. The attachments are first cleared to clear_color (each channel)
 // and the far depth; later commands can read them. All images have the same extent. Throws
-// std::invalid_argument when images, push constants or index counts do not match the pipeline or each other.
-// Indices must be valid vertices.
+// std::invalid_argument when images, resources, push constants or index counts do not match the pipeline or
+// each other. Indices must be valid vertices.
 void render(Commands& commands, const RasterPipeline& pipeline,
             std::span<const std::reference_wrapper<const Image>> colors, const Image& depth,
             float clear_color, std::span<const Draw> draws);

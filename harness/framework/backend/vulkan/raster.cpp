@@ -104,23 +104,10 @@ void check(const Context& context, const RasterProgram& program) {
     check_limit(program.attribute_sizes.size(), limits.maxVertexInputAttributes, "vertex attributes");
     check_limit(program.color_formats.size(),
                 std::min(limits.maxColorAttachments, limits.maxFragmentOutputAttachments), "colour images");
-    check_limit(program.image_count, limits.maxPerStageDescriptorStorageImages, "images to read");
     check_push_constant_size(context, program.push_constant_bytes);
     if (std::ranges::count(program.color_formats, Format::depth32f) > 0) {
         throw std::invalid_argument("raster pipeline: depth32f among the colour formats");
     }
-}
-
-vk::raii::DescriptorSetLayout make_image_layout(const Context& context, std::uint32_t images) {
-    std::vector<vk::DescriptorSetLayoutBinding> bindings;
-    for (std::uint32_t i = 0; i < images; ++i) {
-        bindings.push_back({.binding = i,
-                            .descriptorType = vk::DescriptorType::eStorageImage,
-                            .descriptorCount = 1,
-                            .stageFlags = vk::ShaderStageFlagBits::eFragment});
-    }
-    return {context.device,
-            vk::DescriptorSetLayoutCreateInfo{.bindingCount = images, .pBindings = bindings.data()}};
 }
 
 vk::raii::PipelineLayout make_raster_layout(const Context& context,
@@ -134,8 +121,9 @@ vk::raii::PipelineLayout make_raster_layout(const Context& context,
                                          .pPushConstantRanges = &range}};
 }
 
-vk::PipelineShaderStageCreateInfo stage(vk::ShaderStageFlagBits which, const vk::raii::ShaderModule& module) {
-    return {.stage = which, .module = *module, .pName = "main"};
+vk::PipelineShaderStageCreateInfo stage(vk::ShaderStageFlagBits which, const vk::raii::ShaderModule& module,
+                                        const Specialization& constants) {
+    return {.stage = which, .module = *module, .pName = "main", .pSpecializationInfo = &constants.info};
 }
 
 vk::PipelineDepthStencilStateCreateInfo depth_test(bool reversed_z) {
@@ -165,8 +153,9 @@ vk::raii::Pipeline make_pipeline(const Context& context, const RasterProgram& pr
                                  const vk::raii::PipelineLayout& layout) {
     const auto vertex = make_module(context, program.vertex_spirv);
     const auto fragment = make_module(context, program.fragment_spirv);
-    const std::array stages{stage(vk::ShaderStageFlagBits::eVertex, vertex),
-                            stage(vk::ShaderStageFlagBits::eFragment, fragment)};
+    const Specialization constants(program.constants);
+    const std::array stages{stage(vk::ShaderStageFlagBits::eVertex, vertex, constants),
+                            stage(vk::ShaderStageFlagBits::eFragment, fragment, constants)};
     const auto vertices = vertex_layout(program.attribute_sizes);
     const vk::VertexInputBindingDescription binding{.stride = vertices.stride};
     const auto attributes = static_cast<std::uint32_t>(vertices.attributes.size());
@@ -200,7 +189,7 @@ vk::raii::Pipeline make_pipeline(const Context& context, const RasterProgram& pr
 RasterHandles create(const Context& context, const RasterProgram& program) {
     check(context, program);
     auto render_pass = make_render_pass(context, program.color_formats);
-    auto set_layout = make_image_layout(context, program.image_count);
+    auto set_layout = make_set_layout(context, program.bindings, raster_stages);
     auto layout = make_raster_layout(context, set_layout, program.push_constant_bytes);
     auto pipeline = make_pipeline(context, program, render_pass, layout);
     return {std::move(render_pass), std::move(set_layout), std::move(layout), std::move(pipeline)};
@@ -213,7 +202,7 @@ RasterPipeline::Impl::Impl(Context& owner, const RasterProgram& program)
       color_formats(program.color_formats),
       push_constant_bytes(program.push_constant_bytes),
       reversed_z(program.reversed_z),
-      image_count(program.image_count),
+      bindings(program.bindings),
       handles(owner, create(owner, program)) {}
 
 RasterPipeline::RasterPipeline(const Device& device, const RasterProgram& program)
@@ -264,15 +253,7 @@ void check_draw(const RasterPipeline::Impl& pipeline, const Draw& draw) {
         throw std::invalid_argument(fmt::format("render: {} bytes of push constants, the pipeline has {}",
                                                 draw.push_constants.size(), pipeline.push_constant_bytes));
     }
-    if (draw.images.size() != pipeline.image_count) {
-        throw std::invalid_argument(fmt::format("render: {} images to read, the pipeline reads {}",
-                                                draw.images.size(), pipeline.image_count));
-    }
-    for (const Image& image : draw.images) {
-        check_same_device(image.impl().context, pipeline.context, "render: an image to read");
-        if (image.format() == Format::depth32f)
-            throw std::invalid_argument("render: an image to read is depth32f, expected a colour format");
-    }
+    check_resources("render", pipeline.context, pipeline.bindings, draw.resources);
 }
 
 vk::raii::Framebuffer make_framebuffer(const RasterPipeline::Impl& pipeline, Images colors,
@@ -309,13 +290,12 @@ void begin_pass(const vk::raii::CommandBuffer& commands, const RasterPipeline::I
     commands.setScissor(0, area);
 }
 
-void bind_images(Recording& handles, const vk::raii::CommandBuffer& commands,
-                 const RasterPipeline::Impl& pipeline, const Draw& draw) {
-    if (draw.images.empty()) return;
-    const std::vector<BindingKind> kinds(pipeline.image_count, BindingKind::storage_image);
-    const auto& set = handles.descriptors.allocate(pipeline.context, pipeline.handles->set_layout, kinds);
-    const std::vector<Resource> resources(draw.images.begin(), draw.images.end());
-    write_descriptors(pipeline.context, set, kinds, resources);
+void bind_resources(Recording& handles, const vk::raii::CommandBuffer& commands,
+                    const RasterPipeline::Impl& pipeline, const Draw& draw) {
+    if (draw.resources.empty()) return;
+    const auto& set =
+        handles.descriptors.allocate(pipeline.context, pipeline.handles->set_layout, pipeline.bindings);
+    write_descriptors(pipeline.context, set, pipeline.bindings, draw.resources);
     commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *pipeline.handles->layout, 0, *set,
                                 nullptr);
 }
@@ -344,7 +324,7 @@ void render(Commands& commands, const RasterPipeline& pipeline, Images colors, c
     framebuffers.push_back(make_framebuffer(program, colors, depth));
     begin_pass(recording, program, framebuffers.back(), depth.extent(), clear_color);
     for (const auto& draw : draws) {
-        bind_images(*commands.impl().handles, recording, program, draw);
+        bind_resources(*commands.impl().handles, recording, program, draw);
         record_draw(recording, program, draw);
     }
     recording.endRenderPass();

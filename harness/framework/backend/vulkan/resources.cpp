@@ -23,8 +23,9 @@ BufferHandles create(const Context& context, std::size_t bytes) {
     vk::raii::Buffer buffer(
         context.device,
         vk::BufferCreateInfo{.size = bytes,
-                             .usage = Usage::eStorageBuffer | Usage::eVertexBuffer | Usage::eIndexBuffer |
-                                      Usage::eIndirectBuffer | Usage::eTransferSrc | Usage::eTransferDst});
+                             .usage = Usage::eStorageBuffer | Usage::eUniformBuffer | Usage::eVertexBuffer |
+                                      Usage::eIndexBuffer | Usage::eIndirectBuffer | Usage::eTransferSrc |
+                                      Usage::eTransferDst});
     // Cached memory: the host reads results back, which is very slow from write-combined memory.
     using Property = vk::MemoryPropertyFlagBits;
     constexpr auto coherent = Property::eHostVisible | Property::eHostCoherent;
@@ -59,41 +60,39 @@ std::span<const std::byte> Buffer::bytes() const {
 }
 
 const FormatTraits& traits(Format format) {
+    using enum vk::Format;
+    using enum TexelKind;
     using Aspect = vk::ImageAspectFlagBits;
     using Usage = vk::ImageUsageFlagBits;
-    static constexpr auto color = Usage::eStorage | Usage::eSampled | Usage::eColorAttachment;
-    static constexpr FormatTraits r32f{"r32f", vk::Format::eR32Sfloat, 1, 4, Aspect::eColor, color};
-    static constexpr FormatTraits rgba32f{"rgba32f", vk::Format::eR32G32B32A32Sfloat, 4, 16, Aspect::eColor,
-                                          color};
-    static constexpr FormatTraits rgba16f{"rgba16f", vk::Format::eR16G16B16A16Sfloat, 4, 8, Aspect::eColor,
-                                          color};
-    static constexpr FormatTraits rgba16ui{"rgba16ui",     vk::Format::eR16G16B16A16Uint,    4, 8,
-                                           Aspect::eColor, Usage::eStorage | Usage::eSampled};
-    static constexpr FormatTraits depth32f{"depth32f",     vk::Format::eD32Sfloat,        1, 4,
-                                           Aspect::eDepth, Usage::eDepthStencilAttachment};
-    static constexpr FormatTraits r16f{"r16f", vk::Format::eR16Sfloat, 1, 2, Aspect::eColor, color};
-    static constexpr FormatTraits r8{"r8", vk::Format::eR8Unorm, 1, 1, Aspect::eColor, color};
-    static constexpr FormatTraits r32ui{"r32ui", vk::Format::eR32Uint, 1,
-                                        4,       Aspect::eColor,       Usage::eStorage | Usage::eSampled};
-    switch (format) {
-        case Format::r32f:
-            return r32f;
-        case Format::rgba32f:
-            return rgba32f;
-        case Format::rgba16f:
-            return rgba16f;
-        case Format::rgba16ui:
-            return rgba16ui;
-        case Format::depth32f:
-            return depth32f;
-        case Format::r16f:
-            return r16f;
-        case Format::r8:
-            return r8;
-        case Format::r32ui:
-            return r32ui;
-    }
-    throw std::invalid_argument(fmt::format("unknown image format {}", static_cast<int>(format)));
+    static constexpr auto integer = Usage::eStorage | Usage::eSampled;
+    static constexpr auto color = integer | Usage::eColorAttachment;
+    static constexpr auto depth = Usage::eDepthStencilAttachment;
+    static constexpr std::array all{
+        // in the order of Format
+        FormatTraits{"r32f", eR32Sfloat, 1, 4, Aspect::eColor, color, words},
+        FormatTraits{"rgba32f", eR32G32B32A32Sfloat, 4, 16, Aspect::eColor, color, words},
+        FormatTraits{"rgba16f", eR16G16B16A16Sfloat, 4, 8, Aspect::eColor, color, halves},
+        FormatTraits{"rgba16ui", eR16G16B16A16Uint, 4, 8, Aspect::eColor, integer, shorts},
+        FormatTraits{"depth32f", eD32Sfloat, 1, 4, Aspect::eDepth, depth, words},
+        FormatTraits{"r16f", eR16Sfloat, 1, 2, Aspect::eColor, color, halves},
+        FormatTraits{"r8", eR8Unorm, 1, 1, Aspect::eColor, color, unorm8},
+        FormatTraits{"r32ui", eR32Uint, 1, 4, Aspect::eColor, integer, words},
+        FormatTraits{"rg32f", eR32G32Sfloat, 2, 8, Aspect::eColor, color, words},
+        FormatTraits{"rg16f", eR16G16Sfloat, 2, 4, Aspect::eColor, color, halves},
+        FormatTraits{"rgba8", eR8G8B8A8Unorm, 4, 4, Aspect::eColor, color, unorm8},
+        FormatTraits{"r16ui", eR16Uint, 1, 2, Aspect::eColor, integer, shorts},
+        FormatTraits{"rg16ui", eR16G16Uint, 2, 4, Aspect::eColor, integer, shorts},
+        FormatTraits{"rg32ui", eR32G32Uint, 2, 8, Aspect::eColor, integer, words},
+        FormatTraits{"rgba32ui", eR32G32B32A32Uint, 4, 16, Aspect::eColor, integer, words}};
+    const auto at = static_cast<std::size_t>(format);
+    if (at >= all.size()) throw std::invalid_argument(fmt::format("unknown image format {}", at));
+    return all[at];
+}
+
+std::optional<Format> format_from(std::string_view name) {
+    for (int f = 0; f <= static_cast<int>(Format::rgba32ui); ++f)
+        if (traits(static_cast<Format>(f)).name == name) return static_cast<Format>(f);
+    return std::nullopt;
 }
 
 int channels(Format format) {
@@ -240,28 +239,28 @@ std::uint8_t to_unorm8(float value) {
                         : std::uint8_t{0};
 }
 
-void encode(Format format, std::span<const float> texels, std::byte* staging) {
+void encode(TexelKind kind, std::span<const float> texels, std::byte* staging) {
     auto* shorts = reinterpret_cast<std::uint16_t*>(staging);
-    if (format == Format::r8) {
+    if (kind == TexelKind::unorm8) {
         std::ranges::transform(texels, reinterpret_cast<std::uint8_t*>(staging), to_unorm8);
-    } else if (format == Format::rgba16f || format == Format::r16f) {
+    } else if (kind == TexelKind::halves) {
         std::ranges::transform(texels, shorts, to_half);
-    } else if (format == Format::rgba16ui) {
+    } else if (kind == TexelKind::shorts) {
         std::ranges::transform(texels, shorts, to_uint16);
     } else {
         std::memcpy(staging, texels.data(), texels.size_bytes());
     }
 }
 
-void decode(Format format, const std::byte* staging, std::span<float> texels) {
+void decode(TexelKind kind, const std::byte* staging, std::span<float> texels) {
     const auto* shorts = reinterpret_cast<const std::uint16_t*>(staging);
-    if (format == Format::r8) {
+    if (kind == TexelKind::unorm8) {
         const auto* bytes = reinterpret_cast<const std::uint8_t*>(staging);
         std::transform(bytes, bytes + texels.size(), texels.begin(),
                        [](std::uint8_t byte) { return static_cast<float>(byte) / 255.0F; });
-    } else if (format == Format::rgba16f || format == Format::r16f) {
+    } else if (kind == TexelKind::halves) {
         std::transform(shorts, shorts + texels.size(), texels.begin(), from_half);
-    } else if (format == Format::rgba16ui) {
+    } else if (kind == TexelKind::shorts) {
         std::copy(shorts, shorts + texels.size(), texels.begin());
     } else {
         std::memcpy(texels.data(), staging, texels.size_bytes());
@@ -290,7 +289,7 @@ void Image::upload(std::span<const float> texels) {
                                                 traits(image.format).name, expected));
     }
     for_each_band(image, [&](Buffer::Impl& staging, Band band, std::size_t first, std::size_t count) {
-        encode(image.format, texels.subspan(first, count), staging.mapped.data());
+        encode(traits(image.format).kind, texels.subspan(first, count), staging.mapped.data());
         image.context.run_once([&](const vk::raii::CommandBuffer& commands) {
             commands.copyBufferToImage(*staging.handles->buffer, *image.handles->image,
                                        vk::ImageLayout::eGeneral, copy_region(image, band));
@@ -306,7 +305,7 @@ std::vector<float> Image::download() const {
             commands.copyImageToBuffer(*image.handles->image, vk::ImageLayout::eGeneral,
                                        *staging.handles->buffer, copy_region(image, band));
         });
-        decode(image.format, staging.mapped.data(), std::span(texels).subspan(first, count));
+        decode(traits(image.format).kind, staging.mapped.data(), std::span(texels).subspan(first, count));
     });
     return texels;
 }

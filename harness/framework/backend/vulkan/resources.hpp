@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "backend/sampled.hpp"
@@ -43,9 +45,28 @@ class Buffer {
     std::unique_ptr<Impl> impl_;
 };
 
-// Formats that every Vulkan device can store and render to, the depth attachment's, and two that most devices
-// can store to (shaderStorageImageExtendedFormats).
-enum class Format { r32f, rgba32f, rgba16f, rgba16ui, depth32f, r16f, r8, r32ui };
+// Formats of storage images, and the depth attachment's. Those of one and two channels, but for r32f and
+// r32ui, need shaderStorageImageExtendedFormats, which most devices have.
+enum class Format {
+    r32f,
+    rgba32f,
+    rgba16f,
+    rgba16ui,
+    depth32f,
+    r16f,
+    r8,
+    r32ui,
+    rg32f,
+    rg16f,
+    rgba8,
+    r16ui,
+    rg16ui,
+    rg32ui,
+    rgba32ui
+};
+
+// The format that GLSL calls so: "rgba8". depth32f has its own name.
+[[nodiscard]] std::optional<Format> format_from(std::string_view name);
 
 // Floats for each texel in uploads and downloads.
 [[nodiscard]] int channels(Format format);
@@ -70,10 +91,10 @@ class Image {
     [[nodiscard]] Format format() const;
 
     // Replaces or reads all texels: width * height * channels floats, row by row. Waits for the device.
-    // rgba16f and r16f are converted from and to float32 (round to nearest even), rgba16ui from the nearest
-    // integer in 0 to 65535, and r8 from the nearest of 0 to 1 in steps of 1/255. A float of r32ui is the
-    // bits of its integer. Throws std::invalid_argument for another count, std::runtime_error like
-    // Commands::submit().
+    // Floats of 16 bits are converted from and to float32 (round to nearest even). Integers of 16 bits are
+    // the nearest in 0 to 65535; r8 and rgba8 the nearest of 0 to 1 in steps of 1/255. A float of an
+    // image of 32-bit integers is the bits of its integer. Throws std::invalid_argument for another count,
+    // std::runtime_error like Commands::submit().
     void upload(std::span<const float> texels);
     [[nodiscard]] std::vector<float> download() const;
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "backend/vulkan/commands.hpp"
@@ -13,14 +14,18 @@
 
 namespace gloam::gpu {
 
+// How a copy keeps a channel: 32 bits as they are; float16; integers of 16 bits; steps of 1/255.
+enum class TexelKind { words, halves, shorts, unorm8 };
+
 // Properties of a Format for Vulkan and for copies.
 struct FormatTraits {
-    const char* name;
+    std::string_view name;
     vk::Format format;
     int channels;
     std::size_t texel_bytes;
     vk::ImageAspectFlagBits aspect;
     vk::ImageUsageFlags usage;  // besides copies
+    TexelKind kind;
 };
 
 [[nodiscard]] const FormatTraits& traits(Format format);
@@ -104,10 +109,26 @@ struct ComputePipeline::Impl {
                                                     const vk::raii::RenderPass& render_pass,
                                                     const ComputeProgram& program);
 
-constexpr std::size_t binding_kinds = 3;
+constexpr std::size_t binding_kinds = 4;
 
 [[nodiscard]] vk::DescriptorType descriptor_type(BindingKind kind);
 [[nodiscard]] const char* name_of(BindingKind kind);
+
+// The constants of a stage, which must outlive it.
+struct Specialization {
+    explicit Specialization(std::span<const SpecializationConstant> constants);
+    std::vector<vk::SpecializationMapEntry> entries;
+    vk::SpecializationInfo info;
+};
+
+// Binding i of the set has kinds[i]. Throws std::invalid_argument where they exceed the device's limits.
+[[nodiscard]] vk::raii::DescriptorSetLayout make_set_layout(const Context& context,
+                                                            std::span<const BindingKind> kinds,
+                                                            vk::ShaderStageFlags stages);
+
+// Throws std::invalid_argument, with `what` in front, where the resources do not fit to the bindings.
+void check_resources(const char* what, const Context& context, std::span<const BindingKind> kinds,
+                     std::span<const Resource> resources);
 
 // Descriptor sets for one recording, from pools that are added on demand.
 class DescriptorAllocator {
@@ -147,7 +168,7 @@ struct RasterPipeline::Impl {
     std::vector<Format> color_formats;
     std::uint32_t push_constant_bytes;
     bool reversed_z;
-    std::uint32_t image_count;
+    std::vector<BindingKind> bindings;
     Guarded<RasterHandles> handles;
 };
 
@@ -190,6 +211,6 @@ struct Commands::Impl {
 };
 
 // Throws std::invalid_argument when the object belongs to another device.
-void check_same_device(const Context& a, const Context& b, const char* what);
+void check_same_device(const Context& a, const Context& b, const std::string& what);
 
 }  // namespace gloam::gpu

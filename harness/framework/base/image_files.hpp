@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gloam::base {
+
+// A float image, rows from the top, `channels` floats for each pixel.
+struct FloatImage {
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    int channels = 1;
+    std::vector<float> texels;
+};
+
+// Reads a portable float map (Pf or PF, either byte order). Throws std::runtime_error with the file's name if
+// it is missing, not a PFM, truncated, or longer than its header says.
+[[nodiscard]] FloatImage read_pfm(const std::filesystem::path& file);
+
+// sRGB, 8 bits.
+using Color = std::array<std::uint8_t, 3>;
+
+// The colour of an error on a scale from 0 to 1: from nearly black over violet and red to pale yellow.
+// Lightness rises evenly (in Oklab), so that the order of values is visible in grey as well. Values are
+// clamped to [0, 1]; NaN counts as 0.
+[[nodiscard]] Color heat_color(double value);
+
+// Three bytes for each pixel, as to_rgb_png() takes them.
+using RgbBytes = std::vector<std::uint8_t>;
+
+// Magnitudes of errors as a heat map: see to_heat_png(). Throws std::invalid_argument for a scale not > 0.
+[[nodiscard]] RgbBytes heat_rgb(std::span<const float> errors, double full);
+
+// Linear red, green and blue in [0, 1], three for each pixel, as sRGB (IEC 61966-2-1). Values are clamped to
+// [0, 1]; NaN counts as 0.
+[[nodiscard]] RgbBytes srgb_of(std::span<const float> linear);
+
+// Images as the bytes of a file. `width` and `height` in pixels, rows from the top. All throw
+// std::invalid_argument when the number of texels does not match the size.
+
+// Portable float map, little-endian: width * height * channels floats, 1 or 3 channels. Any float is kept,
+// bit by bit.
+[[nodiscard]] std::string to_pfm(std::span<const float> texels, std::uint32_t width, std::uint32_t height,
+                                 int channels);
+
+// PNG of 8-bit grey.
+[[nodiscard]] std::string to_png(std::span<const std::uint8_t> grey, std::uint32_t width,
+                                 std::uint32_t height);
+
+// PNG of 8-bit red, green and blue, three bytes for each pixel.
+[[nodiscard]] std::string to_rgb_png(std::span<const std::uint8_t> rgb, std::uint32_t width,
+                                     std::uint32_t height);
+
+// PNG of the magnitudes of errors as a heat map in the colours of heat_color(): 0 is nearly black, `full` (>
+// 0) and more is pale yellow. NaN, an unknown error, is grey.
+[[nodiscard]] std::string to_heat_png(std::span<const float> errors, std::uint32_t width,
+                                      std::uint32_t height, double full);
+
+}  // namespace gloam::base

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <glm/gtc/packing.hpp>
+#include <stdexcept>
+
+#include "check/internal/pass_work.hpp"
+#include "check/internal/sampled_words.hpp"
+#include "numeric/numbers.hpp"
+
+namespace gloam::check::internal {
+namespace {
+
+using shader::BindingType;
+using Kind = PassSlot::Kind;
+
+std::string size_text(glm::ivec2 size) {
+    return fmt::format("{} x {}", size.x, size.y);
+}
+
+// bool is uint in memory.
+shader::Type in_memory(shader::Type type) {
+    if (type.scalar == shader::Scalar::bool_) type.scalar = shader::Scalar::uint_;
+    for (shader::Member& member : type.members) member.type = in_memory(member.type);
+    return type;
+}
+
+class Binder {
+  public:
+    Binder(const PassInterface& pass, const PassInputs& inputs, const PassOptions& options)
+        : pass_(pass), inputs_(inputs), options_(options) {}
+
+    PassWork run() {
+        for (const auto& [name, value] : inputs_) require_fit(name, value);
+        make_bindings();
+        work_.push_constants.resize(pass_.push_constant_bytes);
+        for (const PassSlot& slot : pass_.slots) bind(slot);
+        if (!pass_.attributes.empty()) interleave();
+        if (pass_.colors.empty())
+            set_groups();
+        else
+            set_colors();
+        for (const Bound& binding : work_.bindings)
+            if (const auto* buffer = std::get_if<BoundBuffer>(&binding);
+                buffer != nullptr && buffer->words.empty())
+                throw std::invalid_argument(pass_.name +
+                                            ": a buffer without elements, expected one at least");
+        return std::move(work_);
+    }
+
+  private:
+    [[noreturn]] void refuse(const std::string& name, const std::string& why) const {
+        throw std::invalid_argument(fmt::format("{}: \"{}\" {}", pass_.name, name, why));
+    }
+
+    [[nodiscard]] std::string known() const {
+        std::vector<std::string> names;
+        for (const PassSlot& slot : pass_.slots)
+            names.push_back(fmt::format("{} ({})", slot.name, slot.says));
+        return names.empty() ? "no inputs" : fmt::format("{}", fmt::join(names, ", "));
+    }
+
+    // Whatever is given is known and of the slot's type.
+    void require_fit(const std::string& name, const PassValue& value) const {
+        const PassSlot* slot = pass_.find(name);
+        if (slot == nullptr) refuse(name, "is no input, expected among: " + known());
+        if (given(*slot) != &value) refuse(name, "is given twice, by either of its names");
+        if (slot->kind == Kind::image)
+            require_image(*slot, value);
+        else
+            require_type(*slot, value);
+    }
+
+    [[nodiscard]] const PassValue* given(const PassSlot& slot) const {
+        const auto found = std::ranges::find_if(
+            inputs_, [&](const auto& input) { return pass_.find(input.first) == &slot; });
+        return found == inputs_.end() ? nullptr : &found->second;
+    }
+
+    [[noreturn]] void refuse_missing(const PassSlot& slot, const std::string& why = "") const {
+        refuse(slot.name, fmt::format("({}) is not given{}; the pass takes: {}", slot.says, why, known()));
+    }
+
+    void require_image(const PassSlot& slot, const PassValue& value) const {
+        if (!value.image())
+            refuse(slot.name, fmt::format("is {}, expected {}", shader::name_of(value.type()), slot.says));
+        const Image& image = *value.image();
+        const shader::Type& found = image.element;
+        if (image.size.x < 1 || image.size.y < 1) refuse(slot.name, "has no pixels, expected 1 x 1 at least");
+        const std::size_t words = static_cast<std::size_t>(image.size.x) *
+                                  static_cast<std::size_t>(image.size.y) * scalars_of(found).size();
+        if (!image.sampling && image.words.size() != words)
+            refuse(slot.name, fmt::format("is {} with {} words, expected {}", size_text(image.size),
+                                          image.words.size(), words));
+        const shader::Binding& binding = pass_.bindings[slot.index];
+        if (binding.type != BindingType::sampled_image) {
+            if (!(found == slot.type))
+                refuse(slot.name, fmt::format("is an image of {}, expected {} ({})", shader::name_of(found),
+                                              slot.says, binding.format));
+        } else if (found.scalar != slot.type.scalar || found.columns != 1 || !found.sizes.empty()) {
+            refuse(slot.name, fmt::format("is an image of {}, expected one of {} for {}",
+                                          shader::name_of(found), shader::name_of(slot.type), slot.says));
+        }
+    }
+
+    void require_type(const PassSlot& slot, const PassValue& value) const {
+        if (value.image()) refuse(slot.name, fmt::format("is an image, expected {}", slot.says));
+        shader::Type expected = slot.type;
+        const std::size_t unbounded = expected.sizes.empty() ? 1 : expected.sizes.front();
+        if (unbounded == 0 && !value.type().sizes.empty())
+            expected.sizes.front() = value.type().sizes.front();
+        if (in_memory(value.type()) != in_memory(expected))
+            refuse(slot.name, fmt::format("is {}, expected {}", shader::name_of(value.type()), slot.says));
+    }
+
+    // The size of what is not given: as asked, or that of the images that are given.
+    [[nodiscard]] glm::ivec2 size_for(const std::string& output) const {
+        if (options_.size.x > 0 && options_.size.y > 0) return options_.size;
+        std::string first;
+        glm::ivec2 size(0);
+        for (const auto& [name, value] : inputs_) {
+            if (!value.image()) continue;
+            if (first.empty()) size = value.image()->size;
+            if (value.image()->size != size)
+                refuse(output,
+                       fmt::format("has no size: \"{}\" is {}, \"{}\" is {}; expected PassOptions::size",
+                                   first, size_text(size), name, size_text(value.image()->size)));
+            if (first.empty()) first = name;
+        }
+        if (first.empty()) refuse(output, "has no size: no image is given; expected PassOptions::size");
+        return size;
+    }
+
+    void make_bindings() {
+        for (const shader::Binding& binding : pass_.bindings) {
+            if (work_.bindings.size() <= binding.number) work_.bindings.resize(binding.number + 1);
+            if (!binding.block) continue;
+            std::size_t bytes = binding.block->size;
+            for (const PassSlot& slot : pass_.slots)
+                if (slot.kind == Kind::buffer_member && &pass_.bindings[slot.index] == &binding)
+                    bytes = std::max(bytes, end_of(slot));
+            BoundBuffer buffer{.words = std::vector<Word>((bytes + 3) / sizeof(Word)),
+                               .uniform = binding.type == BindingType::uniform_buffer};
+            buffer.fresh.resize(buffer.words.size());
+            work_.bindings[binding.number] = std::move(buffer);
+        }
+    }
+
+    [[nodiscard]] static std::size_t elements_in(const PassValue* value) {
+        return value == nullptr || value->type().sizes.empty() ? 0 : value->type().sizes.front();
+    }
+
+    [[nodiscard]] std::size_t end_of(const PassSlot& slot) const {
+        const bool unbounded = !slot.member.sizes.empty() && slot.member.sizes.front() == 0;
+        return slot.member.offset +
+               (unbounded ? elements_in(given(slot)) * slot.member.stride : slot.member.size);
+    }
+
+    void bind(const PassSlot& slot) {
+        const PassValue* value = given(slot);
+        switch (slot.kind) {
+            case Kind::image:
+                return bind_image(slot, value);
+            case Kind::buffer_member:
+                return bind_member(slot, value);
+            case Kind::push_constant:
+                if (value == nullptr) refuse_missing(slot);
+                return store(slot, value->words(), work_.push_constants);
+            case Kind::constant:
+                if (value == nullptr) return;  // it has a default
+                work_.constants.push_back({pass_.constants[slot.index].id, value->words().front()});
+                return;
+            case Kind::attribute:
+                if (value == nullptr) refuse_missing(slot);
+        }
+    }
+
+    static void store(const PassSlot& slot, const std::vector<Word>& words, std::span<std::byte> bytes) {
+        const std::size_t elements =
+            slot.type.sizes.empty() || slot.type.sizes.front() != 0
+                ? 0
+                : words.size() / std::max<std::size_t>(1, scalars_of(shader::element_of(slot.type)).size());
+        const std::vector<std::size_t> places = places_of(slot.member, elements);
+        for (std::size_t i = 0; i < places.size(); ++i)
+            std::memcpy(bytes.subspan(places[i], sizeof(Word)).data(), &words[i], sizeof(Word));
+    }
+
+    void bind_member(const PassSlot& slot, const PassValue* value) {
+        const shader::Binding& binding = pass_.bindings[slot.index];
+        auto& buffer = std::get<BoundBuffer>(work_.bindings[binding.number]);
+        if (value != nullptr)
+            return store(slot, value->words(), std::as_writable_bytes(std::span(buffer.words)));
+        const bool unbounded = !slot.type.sizes.empty() && slot.type.sizes.front() == 0;
+        if (unbounded) refuse_missing(slot, ", and nothing else says how many elements it has");
+        if (binding.reads) refuse_missing(slot, binding.writes ? ", and its block is not `writeonly`" : "");
+        for (const std::size_t place : places_of(slot.member, 0)) buffer.fresh[place / sizeof(Word)] = true;
+    }
+
+    void bind_image(const PassSlot& slot, const PassValue* value) {
+        const shader::Binding& binding = pass_.bindings[slot.index];
+        Bound& bound = work_.bindings[binding.number];
+        const bool sampled = binding.type == BindingType::sampled_image;
+        if (value == nullptr && (sampled || binding.reads))
+            refuse_missing(slot, sampled || !binding.writes ? "" : ", and it is not `writeonly`");
+        if (sampled) {
+            bound = sampler_of(slot, *value->image());
+            return;
+        }
+        BoundImage image{.format = *gpu::format_from(binding.format),
+                         .size = value == nullptr ? size_for(slot.name) : value->image()->size,
+                         .integers = binding.texel != "float",
+                         .written = binding.writes,
+                         .fresh = value == nullptr};
+        if (value != nullptr) image.texels = value->image()->words;
+        image.texels.resize(static_cast<std::size_t>(image.size.x) * static_cast<std::size_t>(image.size.y) *
+                            static_cast<std::size_t>(gpu::channels(image.format)));
+        bound = std::move(image);
+    }
+
+    [[nodiscard]] BoundSampler sampler_of(const PassSlot& slot, const Image& image) const {
+        const shader::Type& element = image.element;
+        Image whole = image;
+        whole.words.clear();
+        const auto rows = static_cast<std::size_t>(element.rows);
+        const bool real = element.scalar == shader::Scalar::float_;
+        for (std::size_t first = 0; first + rows <= image.words.size(); first += rows)
+            for (std::size_t c = 0; c < 4; ++c)
+                whole.words.push_back(c < rows ? image.words[first + c]
+                                               : (c < 3 ? 0U : (real ? std::bit_cast<Word>(1.0F) : 1U)));
+        BoundSampler sampler{.stateless = real && !image.sampling && slot.says == "sampler2D"};
+        if (real && !sampler.stateless) require_halves(slot, whole.words);
+        try {
+            sampler.words = sampled_words(whole, slot.says);
+        } catch (const std::invalid_argument& error) {
+            refuse(slot.name, fmt::format("is {}", error.what()));
+        }
+        return sampler;
+    }
+
+    // Devices filter floats of 16 bits.
+    void require_halves(const PassSlot& slot, const std::vector<Word>& words) const {
+        for (const Word word : words) {
+            const auto value = std::bit_cast<float>(word);
+            if (value == glm::unpackHalf1x16(glm::packHalf1x16(value)) || value != value) continue;
+            refuse(slot.name, fmt::format("holds {}, expected floats of 16 bits for a sampler with a state",
+                                          numeric::to_text(value)));
+        }
+    }
+
+    void interleave() {
+        std::vector<const PassSlot*> slots(pass_.attributes.size());
+        for (const PassSlot& slot : pass_.slots)
+            if (slot.kind == Kind::attribute) slots[slot.index] = &slot;
+        work_.vertex_count = static_cast<std::uint32_t>(elements_in(given(*slots.front())));
+        for (const PassSlot* slot : slots) {
+            if (elements_in(given(*slot)) != work_.vertex_count)
+                refuse(slot->name, fmt::format("has {} vertices, \"{}\" has {}", elements_in(given(*slot)),
+                                               slots.front()->name, work_.vertex_count));
+            work_.attribute_sizes.push_back(slot->type.rows);
+        }
+        for (std::size_t vertex = 0; vertex < work_.vertex_count; ++vertex)
+            for (const PassSlot* slot : slots)
+                for (std::size_t row = 0; row < static_cast<std::size_t>(slot->type.rows); ++row)
+                    work_.vertices.push_back(std::bit_cast<float>(
+                        given(*slot)->words()[vertex * static_cast<std::size_t>(slot->type.rows) + row]));
+    }
+
+    void set_colors() {
+        if (pass_.attributes.empty()) work_.vertex_count = options_.vertices;
+        if (work_.vertex_count == 0 || work_.vertex_count % 3 != 0)
+            throw std::invalid_argument(fmt::format("{}: {} vertices, expected triangles of three each",
+                                                    pass_.name, work_.vertex_count));
+        for (const shader::StageVariable& color : pass_.colors) {
+            BoundImage image{.format = color.rows == 1 ? gpu::Format::r32f : gpu::Format::rgba32f,
+                             .size = size_for(color.name),
+                             .written = true,
+                             .fresh = !options_.background};
+            image.texels.resize(static_cast<std::size_t>(image.size.x) *
+                                static_cast<std::size_t>(image.size.y) *
+                                static_cast<std::size_t>(gpu::channels(image.format)));
+            work_.colors.push_back(std::move(image));
+        }
+        work_.background = options_.background.value_or(0.0F);
+    }
+
+    // The size of the first image that the pass writes.
+    [[nodiscard]] glm::ivec2 written_size() const {
+        for (const Bound& bound : work_.bindings)
+            if (const auto* image = std::get_if<BoundImage>(&bound); image != nullptr && image->written)
+                return options_.size.x > 0 ? options_.size : image->size;
+        return options_.size;
+    }
+
+    void set_groups() {
+        work_.group_size = pass_.local_size;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (!pass_.local_size_ids.at(axis)) continue;
+            const std::uint32_t id = *pass_.local_size_ids.at(axis);
+            for (const shader::SpecializationConstant& constant : pass_.constants)
+                if (constant.id == id) work_.group_size.at(axis) = constant.bits;
+            for (const backend::Constant& constant : work_.constants)
+                if (constant.id == id) work_.group_size.at(axis) = constant.bits;
+        }
+        if (std::ranges::count(work_.group_size, 0U) > 0)
+            throw std::invalid_argument(pass_.name + ": a side of its work groups is 0, expected 1 at least");
+        work_.groups = options_.groups;
+        if (work_.groups != std::array<std::uint32_t, 3>{}) return;
+        const glm::ivec2 size = written_size();
+        if (size.x < 1 || size.y < 1)
+            throw std::invalid_argument(
+                pass_.name + ": writes no image, expected PassOptions::groups or PassOptions::size");
+        for (const std::size_t axis : {0U, 1U})
+            work_.groups.at(axis) =
+                (static_cast<std::uint32_t>(size[static_cast<int>(axis)]) + work_.group_size.at(axis) - 1) /
+                work_.group_size.at(axis);
+        work_.groups[2] = 1;
+    }
+
+    const PassInterface& pass_;
+    const PassInputs& inputs_;
+    const PassOptions& options_;
+    PassWork work_;
+};
+
+}  // namespace
+
+PassWork bound(const PassInterface& pass, const PassInputs& inputs, const PassOptions& options) {
+    return Binder(pass, inputs, options).run();
+}
+
+}  // namespace gloam::check::internal

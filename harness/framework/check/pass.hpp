@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "check/image_comparison.hpp"
+#include "check/lab.hpp"
+#include "check/question.hpp"
+#include "check/signature.hpp"
+
+namespace gloam::check {
+
+// What a pass is given under a name: an image, a scalar, vector, matrix, array or plain struct of those, or a
+// std::vector of one of them for an array (of a buffer, or of vertices).
+class PassValue {
+  public:
+    PassValue(Image image) : image_(std::move(image)) {}
+
+    template <class T>
+        requires(!std::derived_from<T, Image>)
+    PassValue(const T& value) : type_(type_of<T>()) {
+        append_words(value, words_);
+    }
+
+    template <class T>
+    PassValue(const std::vector<T>& elements) : type_(type_of<T>()) {
+        type_.sizes.insert(type_.sizes.begin(), static_cast<std::uint32_t>(elements.size()));
+        for (const T& element : elements) append_words(element, words_);
+    }
+
+    [[nodiscard]] const std::optional<Image>& image() const { return image_; }
+    [[nodiscard]] const shader::Type& type() const { return type_; }
+    [[nodiscard]] const std::vector<Word>& words() const { return words_; }
+
+  private:
+    std::optional<Image> image_;
+    shader::Type type_;
+    std::vector<Word> words_;
+};
+
+// By the names of the shader: of images and samplers; of members of uniform blocks, storage buffers and push
+// constants ("Block.member" where several have the name); of specialization constants (or their number); of
+// vertex attributes.
+using PassInputs = std::map<std::string, PassValue>;
+
+struct PassOptions {
+    glm::ivec2 size{0};                     // of the outputs; 0 x 0: that of the given images
+    std::array<std::uint32_t, 3> groups{};  // of a compute pass; zeros: enough for a pixel per invocation
+    std::uint32_t vertices = 3;             // of triangles without attributes; gl_VertexIndex numbers them
+    // What the colour outputs hold where no triangle is. Without it every pixel must be drawn.
+    std::optional<float> background;
+};
+
+// What a pass wrote.
+class PassResult {
+  public:
+    struct Values {
+        shader::Type type;
+        std::vector<Word> words;
+        std::size_t unwritten = 0;
+    };
+
+    PassResult(std::map<std::string, PassImage> images, std::map<std::string, Values> values,
+               std::string pass)
+        : images_(std::move(images)), values_(std::move(values)), pass_(std::move(pass)) {}
+
+    // An image that the pass writes. Throws std::invalid_argument, with the names of all, for another name.
+    [[nodiscard]] const PassImage& image(const std::string& name) const;
+
+    // A member of a storage buffer that the pass may write: its elements, or one value. Throws
+    // std::invalid_argument for an unknown name and another type.
+    template <class T>
+    [[nodiscard]] std::vector<T> values(const std::string& name) const {
+        const Values& found = values_of(name, type_of<T>());
+        std::vector<T> values;
+        for (std::span<const Word> rest = found.words; !rest.empty();) values.push_back(take_words<T>(rest));
+        return values;
+    }
+
+    // One line for each output with texels or words that the pass did not write, with the first of them.
+    // Empty: everything was written, or given and kept.
+    [[nodiscard]] std::string unwritten() const;
+
+  private:
+    [[nodiscard]] const Values& values_of(const std::string& name, const shader::Type& element) const;
+
+    std::map<std::string, PassImage> images_;
+    std::map<std::string, Values> values_;
+    std::string pass_;
+};
+
+// How symmetric() moves the pixels of an image.
+enum class Mirror { x, y, transpose };  // left and right; top and bottom; rows and columns
+[[nodiscard]] Image mirrored(const Image& image, Mirror mirror);
+
+// A whole shader with its own main(), run on images and buffers by name: a compute shader, or a vertex and a
+// fragment shader, which draw triangles. An output that is not given and that the shader cannot read starts
+// as nothing: what the pass does not write is found (two runs with different contents) and fails every
+// comparison. The interpreter takes compute passes without barriers, and reports accesses outside an image.
+// The lab must outlive it.
+class Pass {
+  public:
+    // Files are searched in the lab's include roots. Throws std::invalid_argument for a file that is not
+    // there, and for an interface that is not supported; shader::CompileError.
+    Pass(const Lab& lab, const std::string& compute_file);
+    Pass(const Lab& lab, const std::string& vertex_file, const std::string& fragment_file);
+
+    // Throws std::invalid_argument, in one line with what was expected, for a name that is unknown or not
+    // given and a value of another type or size; backend::Error; std::runtime_error for validation messages.
+    [[nodiscard]] PassResult run(const PassInputs& inputs, const PassOptions& options = {}) const;
+
+    // Whether a run on its own output changes nothing: `source` is an input, `result` an output.
+    [[nodiscard]] ImageComparison idempotent(const PassInputs& inputs, const std::string& source,
+                                             const std::string& result, const ImageBudget& budget = {},
+                                             const PassOptions& options = {}) const;
+    // Whether the mirrored input gives the mirrored output. Other inputs stay as they are.
+    [[nodiscard]] ImageComparison symmetric(Mirror mirror, const PassInputs& inputs,
+                                            const std::string& source, const std::string& result,
+                                            const ImageBudget& budget = {}, PassOptions options = {}) const;
+    // Whether the sum over all pixels is kept in each component, within `relative` of the sum of magnitudes.
+    [[nodiscard]] ImageComparison keeps_energy(const PassInputs& inputs, const std::string& source,
+                                               const std::string& result, double relative,
+                                               const PassOptions& options = {}) const;
+
+    struct Impl;
+
+  private:
+    std::shared_ptr<const Impl> impl_;
+};
+
+}  // namespace gloam::check
