@@ -7,6 +7,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "check/matchers.hpp"
 #include "support/lab.hpp"
 
 #define GOLDEN_DIR FIXTURES "/guide"
@@ -36,6 +37,37 @@ TEST(Guide, OneCall) {
     EXPECT_EQ(tone(0.0F), 0.0F);
     EXPECT_EQ(tone(1.0F), 0.5F);
     // End
+}
+
+// Begin: matchers
+TEST(Guide, Matchers) {
+    const Lab lab = guide_lab();
+    const Function<float(float)> tone(lab, "tone.glsl", "tone_reinhard");
+    EXPECT_THAT(tone(0.3F), WithinUlp(0.3 / 1.3, 2));
+    EXPECT_THAT(tone.check_rules({uniform(0, 1)}), Passes());
+}
+
+template <class T>
+class Doubled : public testing::Test {};
+using Types = testing::Types<float, glm::vec2, glm::vec4>;
+TYPED_TEST_SUITE(Doubled, Types);
+
+TYPED_TEST(Doubled, IsTwiceTheValue) {
+    const Lab lab = guide_lab();
+    const Function<TypeParam(TypeParam)> doubled(lab, "doubled.glsl", "doubled");
+    EXPECT_EQ(doubled(TypeParam(1.5F)), TypeParam(3.0F));
+}
+// End
+
+TEST(Guide, AMatcherNamesTheWorstComponent) {
+    testing::StringMatchResultListener words;
+    EXPECT_FALSE(
+        testing::ExplainMatchResult(WithinUlp(glm::dvec2(1, 2), 2), glm::vec2(1.0F, 2.00001F), &words));
+    EXPECT_THAT(words.str(), testing::HasSubstr("84 ulp off in component 1"));
+    EXPECT_FALSE(testing::ExplainMatchResult(WithinUlp(glm::dvec2(1), 2), 1.0F, &words));
+    EXPECT_THAT(words.str(), testing::HasSubstr("1 numbers, expected 2"));
+    const Answer failed{.error = "no driver"};
+    EXPECT_FALSE(testing::ExplainMatchResult(Passes(), failed, &words));
 }
 
 TEST(Guide, Quads) {

@@ -247,9 +247,11 @@ TEST(Pass, OfTheInterpreterIsThatOfTheDevice) {
         Pass(device, "box.comp").run(box_inputs(source, 2)).image("result"), {.ulp = 4}));
     EXPECT_EQ(Pass(lab, "box.comp").run(box_inputs(source, 1, 1)).image("result").compare(source).unwritten,
               1U);
-    EXPECT_THROW(
-        (void)Pass(lab, "shared.comp").run({{"numbers", std::array<float, 4>{}}}, {.groups = {1, 1, 1}}),
-        backend::Unsupported);
+    expect_error<backend::Fault>(
+        [&] {
+            (void)Pass(lab, "racy.comp").run({{"numbers", std::array<float, 4>{}}}, {.groups = {1, 1, 1}});
+        },
+        {"racy.comp: a race: invocation 1", "word 1 of \"Numbers\"", "racy.comp:9"});
     EXPECT_THROW((void)Pass(lab, "corners.vert", "shade.frag").run(triangle(), {.size = {4, 4}}),
                  backend::Unsupported);
     expect_error<backend::Fault>(
@@ -261,11 +263,15 @@ TEST(Pass, OfTheInterpreterIsThatOfTheDevice) {
         {"outside.comp: texel 3 of the 3 of \"result\"", "outside.comp:3"});
 }
 
-TEST(Pass, SharesMemoryInAGroupOnADevice) {
-    const Lab lab = pass_lab();
-    const PassResult out = Pass(lab, "shared.comp")
-                               .run({{"numbers", std::array{4.0F, 3.0F, 2.0F, 1.0F}}}, {.groups = {1, 1, 1}});
-    EXPECT_EQ(out.values<float>("numbers"), std::vector<float>(4, 4.0F));
+TEST(Pass, SharesMemoryInAGroup) {
+    const Lab device = pass_lab();
+    const Lab interpreted({.device = "interpreter", .include_roots = device.options().include_roots});
+    for (const Lab* lab : {&device, &interpreted}) {
+        const PassResult out =
+            Pass(*lab, "shared.comp")
+                .run({{"numbers", std::array{4.0F, 3.0F, 2.0F, 1.0F}}}, {.groups = {1, 1, 1}});
+        EXPECT_EQ(out.values<float>("numbers"), std::vector<float>(4, 4.0F)) << lab->info().name;
+    }
 }
 
 TEST(Pass, DrawsTheWholeImage) {

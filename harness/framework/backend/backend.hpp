@@ -143,7 +143,8 @@ struct KernelProgram {
     std::vector<bool> sampled = {};  // for each image, whether a sampler reads it, and not a storage buffer
     const std::string& name;         // for messages
     Team team = {};
-    std::span<const Word> vertex_spirv = {};  // of a quad: the shader before it (gpu::ComputeProgram)
+    std::span<const Word> vertex_spirv = {};  // of a quad: the shader before it, of the
+                                              // corners (-1, -1), (1, -1), (-1, 1)
 
     // Words of an input or of an output row, whichever are more.
     [[nodiscard]] std::size_t widest() const { return std::max(input_words, output_words + 1); }

@@ -363,7 +363,10 @@ std::string main_begin(const backend::Team& team, std::size_t output_words) {
         "    uint gloam_kernel_index = gloam_kernel_input();\n"
         "    if ({}gloam_kernel_index >= gloam_kernel_count) return;\n"
         "    uint gloam_kernel_output_at = gloam_kernel_index * {}u;\n",
-        alone ? "gl_GlobalInvocationID.x >= gloam_kernel_row_length || " : "", output_words + 1);
+        team.kind == backend::Team::Kind::group
+            ? ""
+            : fmt::format("{}.x >= gloam_kernel_row_length || ", input_position(team)),
+        output_words + 1);
     if (alone) return code;
     return code + fmt::format(
                       "    uint gloam_kernel_output_row = gloam_kernel_output_at;\n"

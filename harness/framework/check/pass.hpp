@@ -107,7 +107,8 @@ enum class Mirror { x, y, transpose };  // left and right; top and bottom; rows 
 // A whole shader with its own main(), run on images and buffers by name: a compute shader, or a vertex and a
 // fragment shader, which draw triangles. An output that is not given and that the shader cannot read starts
 // as nothing: what the pass does not write is found (two runs with different contents) and fails every
-// comparison. The interpreter takes compute passes without barriers, and reports accesses outside an image.
+// comparison. The interpreter takes compute passes, and reports accesses outside an image, races and
+// barriers that not all invocations reach.
 // The lab must outlive it.
 class Pass {
   public:

@@ -11,13 +11,14 @@ namespace gloam::gpu {
 namespace {
 
 vk::raii::PipelineLayout make_layout(const Context& context, const vk::raii::DescriptorSetLayout& set_layout,
-                                     const ComputeProgram& program) {
-    check_push_constant_size(context, program.push_constant_bytes);
-    const vk::PushConstantRange range{.stageFlags = stage_of(program), .size = program.push_constant_bytes};
+                                     std::uint32_t push_constant_bytes) {
+    check_push_constant_size(context, push_constant_bytes);
+    const vk::PushConstantRange range{.stageFlags = vk::ShaderStageFlagBits::eCompute,
+                                      .size = push_constant_bytes};
     return {context.device,
             vk::PipelineLayoutCreateInfo{.setLayoutCount = 1,
                                          .pSetLayouts = &*set_layout,
-                                         .pushConstantRangeCount = program.push_constant_bytes > 0 ? 1u : 0u,
+                                         .pushConstantRangeCount = push_constant_bytes > 0 ? 1u : 0u,
                                          .pPushConstantRanges = &range}};
 }
 
@@ -34,13 +35,10 @@ vk::raii::Pipeline make_pipeline(const Context& context, const vk::raii::Pipelin
 }
 
 ComputeHandles create(const Context& context, const ComputeProgram& program) {
-    auto set_layout = make_set_layout(context, program.bindings, stage_of(program));
-    auto layout = make_layout(context, set_layout, program);
-    const bool quads = !program.vertex_spirv.empty();
-    vk::raii::RenderPass render_pass = quads ? make_quad_pass(context) : vk::raii::RenderPass(nullptr);
-    auto pipeline = quads ? make_quad_pipeline(context, layout, render_pass, program)
-                          : make_pipeline(context, layout, program);
-    return {std::move(set_layout), std::move(layout), std::move(render_pass), std::move(pipeline)};
+    auto set_layout = make_set_layout(context, program.bindings, vk::ShaderStageFlagBits::eCompute);
+    auto layout = make_layout(context, set_layout, program.push_constant_bytes);
+    auto pipeline = make_pipeline(context, layout, program);
+    return {std::move(set_layout), std::move(layout), std::move(pipeline)};
 }
 
 void check_count(const Context& context, std::span<const BindingKind> kinds, BindingKind kind,
@@ -119,7 +117,6 @@ ComputePipeline::Impl::Impl(Context& owner, const ComputeProgram& made_of)
     : context(owner),
       bindings(made_of.bindings),
       push_constant_bytes(made_of.push_constant_bytes),
-      stage(stage_of(made_of)),
       program{{made_of.spirv.begin(), made_of.spirv.end()}, made_of.constants, made_of.bindings},
       handles(owner, create(owner, made_of)) {}
 
@@ -310,9 +307,8 @@ void Commands::Impl::check(const ComputePipeline& pipeline, std::span<const Reso
 
 void Commands::Impl::bind(const ComputePipeline& pipeline, std::span<const Resource> resources,
                           std::span<const std::byte> push_constants) {
+    constexpr auto point = vk::PipelineBindPoint::eCompute;
     const auto& program = pipeline.impl();
-    const auto point = program.stage == vk::ShaderStageFlagBits::eCompute ? vk::PipelineBindPoint::eCompute
-                                                                          : vk::PipelineBindPoint::eGraphics;
     const auto& commands = recording();
     commands.bindPipeline(point, *program.handles->pipeline);
     if (!resources.empty()) {
@@ -321,7 +317,8 @@ void Commands::Impl::bind(const ComputePipeline& pipeline, std::span<const Resou
         commands.bindDescriptorSets(point, *program.handles->layout, 0, *set, nullptr);
     }
     if (!push_constants.empty()) {
-        commands.pushConstants<std::byte>(*program.handles->layout, program.stage, 0, push_constants);
+        commands.pushConstants<std::byte>(*program.handles->layout, vk::ShaderStageFlagBits::eCompute, 0,
+                                          push_constants);
     }
 }
 
@@ -336,10 +333,7 @@ void Commands::dispatch(const ComputePipeline& pipeline, std::span<const Resourc
     check_groups(impl_->context.physical.info, groups);
     impl_->bind(pipeline, resources, push_constants);
     const auto& commands = impl_->recording();
-    if (pipeline.impl().stage == vk::ShaderStageFlagBits::eCompute)
-        commands.dispatch(groups[0], groups[1], groups[2]);
-    else
-        impl_->draw_quads(pipeline.impl(), groups[0], groups[1]);
+    commands.dispatch(groups[0], groups[1], groups[2]);
     device_barrier(commands);
 }
 

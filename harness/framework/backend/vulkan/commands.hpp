@@ -25,9 +25,6 @@ struct ComputeProgram {
     std::vector<BindingKind> bindings;
     std::uint32_t push_constant_bytes = 0;
     std::vector<SpecializationConstant> constants;
-    // If not empty: `spirv` is a fragment shader, and runs in quads behind this vertex shader, whose vertices
-    // 0 to 2 are (-1, -1), (1, -1), (-1, 1). The device needs fragmentStoresAndAtomics for its writes.
-    std::span<const std::uint32_t> vertex_spirv = {};
 };
 
 // A compiled compute pipeline. Throws std::runtime_error when the driver rejects it; std::invalid_argument
@@ -62,8 +59,7 @@ class Commands {
     Commands(Commands&&) noexcept;
     Commands& operator=(Commands&&) noexcept;
 
-    // Runs `groups` work groups with resources[i] at binding i; 0 groups do nothing. A fragment shader draws
-    // groups[0] x groups[1] quads, each of 2 x 2 pixels, into no image. Throws
+    // Runs `groups` work groups with resources[i] at binding i; 0 groups do nothing. Throws
     // std::invalid_argument when the resources do not match the pipeline's bindings, the push constants
     // (copied here) do not match its size, or a group count exceeds the device's limit.
     void dispatch(const ComputePipeline& pipeline, std::span<const Resource> resources,

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <variant>
 
 #include "backend/vulkan/commands.hpp"
 #include "backend/vulkan/internal/context.hpp"
@@ -11,16 +12,30 @@ namespace {
 
 using backend::Word;
 
-ComputePipeline pipeline_of(const Device& device, const backend::KernelProgram& program) {
+std::vector<BindingKind> bindings_of(const backend::KernelProgram& program) {
     std::vector<BindingKind> bindings(backend::KernelBinding::first_image, BindingKind::storage_buffer);
     for (const bool sampled : program.sampled)
         bindings.push_back(sampled ? BindingKind::sampled_image : BindingKind::storage_buffer);
-    return {device,
-            {.spirv = program.spirv,
-             .bindings = std::move(bindings),
-             .push_constant_bytes = sizeof(backend::KernelRun),
-             .constants = {program.constants.begin(), program.constants.end()},
-             .vertex_spirv = program.vertex_spirv}};
+    return bindings;
+}
+
+// Of a quad a fragment shader that draws nothing, otherwise a compute shader.
+using Pipeline = std::variant<ComputePipeline, RasterPipeline>;
+
+Pipeline pipeline_of(const Device& device, const backend::KernelProgram& program) {
+    const std::vector<SpecializationConstant> constants(program.constants.begin(), program.constants.end());
+    if (program.team.kind == backend::Team::Kind::quad)
+        return RasterPipeline(device, {.vertex_spirv = program.vertex_spirv,
+                                       .fragment_spirv = program.spirv,
+                                       .attribute_sizes = {},
+                                       .color_formats = {},
+                                       .push_constant_bytes = sizeof(backend::KernelRun),
+                                       .bindings = bindings_of(program),
+                                       .constants = constants});
+    return ComputePipeline(device, {.spirv = program.spirv,
+                                    .bindings = bindings_of(program),
+                                    .push_constant_bytes = sizeof(backend::KernelRun),
+                                    .constants = constants});
 }
 
 Buffer uploaded(const Device& device, std::span<const Word> words) {
@@ -78,10 +93,7 @@ class VulkanKernel : public backend::Kernel {
         std::vector<Resource> resources(buffers.begin(), buffers.end());
         for (std::size_t i = 0, next = 0; i < sampled_.size(); ++i)
             if (sampled_[i]) resources[backend::KernelBinding::first_image + i] = std::cref(images[next++]);
-        Commands commands(device_);
-        commands.dispatch(pipeline_, resources, {static_cast<Word>(columns), static_cast<Word>(rows), 1},
-                          std::as_bytes(std::span(&run, 1)));
-        commands.submit();
+        submit(static_cast<Word>(columns), static_cast<Word>(rows), run, resources);
 
         download(buffers[backend::KernelBinding::outputs], memory.outputs);
         download(buffers[backend::KernelBinding::faults], faults);
@@ -90,14 +102,37 @@ class VulkanKernel : public backend::Kernel {
             if (stores_[i]) download(buffers[backend::KernelBinding::first_image + i], memory.images[i]);
     }
 
+    void submit(Word columns, Word rows, const backend::KernelRun& run,
+                std::span<const Resource> resources) const {
+        const std::span<const std::byte> parameters = std::as_bytes(std::span(&run, 1));
+        Commands commands(device_);
+        if (const auto* compute = std::get_if<ComputePipeline>(&pipeline_)) {
+            commands.dispatch(*compute, resources, {columns, rows, 1}, parameters);
+            commands.submit();
+            return;
+        }
+        // A triangle that is half of the image, and so large that no edge of it divides a quad: where an edge
+        // does, the invocations outside read 0 from buffers on llvmpipe.
+        constexpr Word pixels = 2 * 2;  // of an image's side, for each quad
+        const Buffer corners = uploaded(device_, std::array<Word, 3>{0, 1, 2});
+        const Image depth(device_, {pixels * columns, pixels * rows}, Format::depth32f);
+        const std::array draw{Draw{.vertices = corners,
+                                   .indices = corners,
+                                   .index_count = 3,
+                                   .push_constants = parameters,
+                                   .resources = {resources.begin(), resources.end()}}};
+        render(commands, std::get<RasterPipeline>(pipeline_), {}, depth, 0.0F, draw);
+        commands.submit();
+    }
+
     [[nodiscard]] bool is_quad() const { return team_.kind == backend::Team::Kind::quad; }
 
-    // Every device has framebuffers of 4096 pixels.
+    // Every device has images of 4096 pixels a side.
     static constexpr std::size_t quad_columns = 256;
-    static constexpr std::size_t most_quad_rows = 2048;
+    static constexpr std::size_t most_quad_rows = 1024;
 
     const Device& device_;
-    ComputePipeline pipeline_;
+    Pipeline pipeline_;
     std::vector<bool> stores_;
     std::vector<bool> sampled_;
     std::size_t widest_;

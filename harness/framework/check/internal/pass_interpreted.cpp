@@ -7,12 +7,9 @@
 
 #include "check/internal/pass_work.hpp"
 #include "interpreter/machine.hpp"
-#include "shader/spirv.hpp"
 
 namespace gloam::check::internal {
 namespace {
-
-constexpr std::uint32_t op_control_barrier = 224;
 
 // What an image of this format keeps of a word that a shader writes.
 Word stored(gpu::Format format, Word word) {
@@ -59,11 +56,9 @@ class InterpretedPass {
         };
         interpreter::Invocation at{.group_size = work_.group_size, .groups = work_.groups};
         for_each(work_.groups, at.group, [&] {
-            for_each(work_.group_size, at.local, [&] {
-                machine_.set_invocation(at);
-                machine_.run();
-                for (std::uint32_t b = 0; b < seen_.size(); ++b) keep_writes(b);
-            });
+            machine_.set_group(at);
+            machine_.run();
+            for (std::uint32_t b = 0; b < seen_.size(); ++b) keep_writes(b);
         });
         for (std::uint32_t b = 0; b < seen_.size(); ++b) take(work_.bindings[b], seen_[b]);
     }
@@ -119,10 +114,6 @@ class InterpretedPass {
 void run_interpreted(const PassModules& modules, PassWork& work) {
     if (modules.compute.empty())
         throw backend::Unsupported(modules.name + ": the interpreter runs compute passes, expected one");
-    for (const shader::Instruction& instruction : shader::instructions(modules.compute))
-        if (instruction.opcode == op_control_barrier)
-            throw backend::Unsupported(modules.name +
-                                       ": has a barrier, expected a pass without one on the interpreter");
     try {
         InterpretedPass(modules.compute, work).run();
     } catch (const interpreter::Error& error) {

@@ -82,7 +82,6 @@ struct SampledImage::Impl {
 struct ComputeHandles {
     vk::raii::DescriptorSetLayout set_layout;
     vk::raii::PipelineLayout layout;
-    vk::raii::RenderPass render_pass;  // of quads; otherwise null
     vk::raii::Pipeline pipeline;
 };
 
@@ -92,22 +91,9 @@ struct ComputePipeline::Impl {
     Context& context;
     std::vector<BindingKind> bindings;
     std::uint32_t push_constant_bytes;
-    vk::ShaderStageFlagBits stage;
     PipelineProgram program;
     Guarded<ComputeHandles> handles;
 };
-
-[[nodiscard]] inline vk::ShaderStageFlagBits stage_of(const ComputeProgram& program) {
-    return program.vertex_spirv.empty() ? vk::ShaderStageFlagBits::eCompute
-                                        : vk::ShaderStageFlagBits::eFragment;
-}
-
-// Of fragment shaders that run in quads and draw nothing.
-[[nodiscard]] vk::raii::RenderPass make_quad_pass(const Context& context);
-[[nodiscard]] vk::raii::Pipeline make_quad_pipeline(const Context& context,
-                                                    const vk::raii::PipelineLayout& layout,
-                                                    const vk::raii::RenderPass& render_pass,
-                                                    const ComputeProgram& program);
 
 constexpr std::size_t binding_kinds = 4;
 
@@ -189,10 +175,6 @@ struct Recording {
 
 struct Commands::Impl {
     explicit Impl(Context& owner);
-
-    // Records a draw of quads with a pipeline that is bound. Throws std::invalid_argument beyond the device's
-    // largest framebuffer.
-    void draw_quads(const ComputePipeline::Impl& pipeline, std::uint32_t columns, std::uint32_t rows);
 
     // The command buffer. Throws std::runtime_error after submit().
     [[nodiscard]] const vk::raii::CommandBuffer& recording() const;
