@@ -6,6 +6,7 @@
 #include "check/reproduction.hpp"
 #include "check/run.hpp"
 #include "shader/include.hpp"
+#include "support/changed_device.hpp"
 #include "support/lab.hpp"
 
 #include "support/matchers.hpp"
@@ -34,43 +35,18 @@ Answer answer_of(const Lab& lab, const std::string& name, const Ranges& ranges =
 }
 
 // A device that is given other samplers than it was asked for.
-class Distorted : public backend::Backend {
-  public:
-    using Change = void (*)(backend::SampledHeader&);
-    Distorted(std::shared_ptr<backend::Backend> right, Change change)
-        : right_(std::move(right)), change_(change) {}
-
-    [[nodiscard]] const backend::DeviceInfo& info() const override { return right_->info(); }
-    [[nodiscard]] std::unique_ptr<backend::Kernel> make_kernel(
-        const backend::KernelProgram& program) const override {
-        return std::make_unique<Wrong>(right_->make_kernel(program), change_);
-    }
-
-  private:
-    struct Wrong : backend::Kernel {
-        Wrong(std::unique_ptr<backend::Kernel> made, Change how) : right(std::move(made)), change(how) {}
-        [[nodiscard]] std::size_t most_inputs() const override { return right->most_inputs(); }
-        void run(std::size_t count, Word canary, backend::KernelMemory& memory) const override {
-            std::vector<std::vector<Word>> images = memory.images;
-            for (std::vector<Word>& words : images) {
-                backend::SampledHeader header = backend::sampled_header(words);
-                change(header);
-                const auto as_words = std::bit_cast<std::array<Word, backend::sampled_header_words>>(header);
-                std::ranges::copy(as_words, words.begin());
-            }
-            backend::KernelMemory other{.inputs = memory.inputs,
-                                        .outputs = std::move(memory.outputs),
-                                        .faults = memory.faults,
-                                        .images = images};
-            right->run(count, canary, other);
-            memory.outputs = std::move(other.outputs);
+using Change = void (*)(backend::SampledHeader&);
+std::shared_ptr<backend::Backend> distorted(Change change) {
+    const auto before = [change](std::vector<std::vector<Word>>& images) {
+        for (std::vector<Word>& words : images) {
+            backend::SampledHeader header = backend::sampled_header(words);
+            change(header);
+            const auto as_words = std::bit_cast<std::array<Word, backend::sampled_header_words>>(header);
+            std::ranges::copy(as_words, words.begin());
         }
-        std::unique_ptr<backend::Kernel> right;
-        Change change;
     };
-    std::shared_ptr<backend::Backend> right_;
-    Change change_;
-};
+    return std::make_shared<test::ChangedDevice>(test::SharedDevice::get(), before, nullptr);
+}
 
 const std::vector<const char*> all_names{"sampled", "twice",    "two",       "at_level", "graded",
                                          "moved",   "gathered", "id",        "inside",   "sheet",
@@ -130,7 +106,7 @@ TEST(OwnSamplers, EveryFunctionIsWithinTheRules) {
 
 TEST(OwnSamplers, AWrongSamplerIsNoticed) {
     using Header = backend::SampledHeader;
-    const std::vector<std::pair<const char*, Distorted::Change>> plants{
+    const std::vector<std::pair<const char*, Change>> plants{
         {"filter", [](Header& h) { h.linear = 1 - h.linear; }},
         {"wrap",
          [](Header& h) {
@@ -138,12 +114,12 @@ TEST(OwnSamplers, AWrongSamplerIsNoticed) {
          }},
         {"border", [](Header& h) { h.wrap = backend::Wrap::border; }}};
     for (const auto& [what, change] : plants) {
-        const Lab lab(options_of(), std::make_shared<Distorted>(test::SharedDevice::get(), change));
+        const Lab lab(options_of(), distorted(change));
         const Answer answer = answer_of(lab, "sampled", {{"uv", {-1, 2}}});
         EXPECT_GT(answer.outside(), 0U) << what;
     }
     // The same device, unchanged, is right.
-    const Lab right(options_of(), std::make_shared<Distorted>(test::SharedDevice::get(), [](Header&) {}));
+    const Lab right(options_of(), distorted([](Header&) {}));
     EXPECT_EQ(answer_of(right, "sampled", {{"uv", {-1, 2}}}).outside(), 0U);
 }
 

@@ -6,6 +6,7 @@
 #include "check/own_function.hpp"
 #include "check/run.hpp"
 #include "shader/include.hpp"
+#include "support/changed_device.hpp"
 #include "support/lab.hpp"
 
 #include "support/matchers.hpp"
@@ -16,33 +17,11 @@ using testing::ElementsAre;
 using testing::UnorderedElementsAre;
 
 // A device whose results are wrong: each output has the words of its neighbour.
-class Shifted : public backend::Backend {
-  public:
-    explicit Shifted(std::shared_ptr<backend::Backend> right) : right_(std::move(right)) {}
-
-    [[nodiscard]] const backend::DeviceInfo& info() const override { return right_->info(); }
-    [[nodiscard]] std::unique_ptr<backend::Kernel> make_kernel(
-        const backend::KernelProgram& program) const override {
-        return std::make_unique<Wrong>(right_->make_kernel(program), program.output_words);
-    }
-
-  private:
-    struct Wrong : backend::Kernel {
-        Wrong(std::unique_ptr<backend::Kernel> right, std::size_t words)
-            : right(std::move(right)), words(words) {}
-        [[nodiscard]] std::size_t most_inputs() const override { return right->most_inputs(); }
-        void run(std::size_t count, Word canary, backend::KernelMemory& memory) const override {
-            right->run(count, canary, memory);
-            for (std::size_t i = 0; i < count; ++i) {
-                const auto row = memory.outputs.begin() + static_cast<std::ptrdiff_t>(i * (words + 1));
-                std::rotate(row, row + 1, row + static_cast<std::ptrdiff_t>(words));
-            }
-        }
-        std::unique_ptr<backend::Kernel> right;
-        std::size_t words;
-    };
-    std::shared_ptr<backend::Backend> right_;
-};
+std::shared_ptr<backend::Backend> shifted() {
+    return std::make_shared<test::ChangedDevice>(test::SharedDevice::get(), nullptr, [](std::span<Word> row) {
+        std::rotate(row.begin(), row.begin() + 1, row.end());
+    });
+}
 
 class OwnTypes : public testing::Test {
   protected:
@@ -131,7 +110,7 @@ TEST_F(OwnTypes, ArraysAreJudgedInEveryVariant) {
 }
 
 TEST_F(OwnTypes, AWrongElementIsNoticed) {
-    const Lab lab(options_of("arrays.glsl"), std::make_shared<Shifted>(test::SharedDevice::get()));
+    const Lab lab(options_of("arrays.glsl"), shifted());
     for (const char* name : {"array_transposed", "array_swapped", "array_split"}) {
         const Answer answer = answer_of(lab, "arrays.glsl", name);
         EXPECT_GT(answer.outside(), 0U) << name;
@@ -238,7 +217,7 @@ TEST_F(OwnTypes, UniformsAreJudgedInEveryVariant) {
 }
 
 TEST_F(OwnTypes, AWrongUniformIsNoticed) {
-    const Lab lab(options_of("uniforms.glsl"), std::make_shared<Shifted>(test::SharedDevice::get()));
+    const Lab lab(options_of("uniforms.glsl"), shifted());
     for (const char* name : {"graded", "shade"})
         EXPECT_GT(answer_of(lab, "uniforms.glsl", name).outside(), 0U) << name;
 }

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Functions that need other invocations: derivatives and discard in quads; shared memory, barriers and
 // subgroups.
-#include <set>
-
-#include "backend/vulkan/device.hpp"
 #include "check/function.hpp"
 #include "check/own_function.hpp"
 #include "check/run.hpp"
 #include "interpreter/program.hpp"
 #include "shader/include.hpp"
+#include "support/changed_device.hpp"
 #include "support/lab.hpp"
 
 #include "support/matchers.hpp"
@@ -110,35 +108,11 @@ TEST(Quads, ADerivativeOfSomeInvocationsIsUndefined) {
     EXPECT_EQ(undefined("edge_width"), 0);
 }
 
-// The results of some other invocation of the quad.
-class Exchanged : public backend::Backend {
-  public:
-    explicit Exchanged(std::shared_ptr<backend::Backend> right) : right_(std::move(right)) {}
-    [[nodiscard]] const backend::DeviceInfo& info() const override { return right_->info(); }
-    [[nodiscard]] std::unique_ptr<backend::Kernel> make_kernel(
-        const backend::KernelProgram& program) const override {
-        return std::make_unique<Wrong>(right_->make_kernel(program), program.output_words);
-    }
-
-  private:
-    struct Wrong : backend::Kernel {
-        Wrong(std::unique_ptr<backend::Kernel> made, std::size_t words)
-            : right(std::move(made)), row(words + 1) {}
-        [[nodiscard]] std::size_t most_inputs() const override { return right->most_inputs(); }
-        void run(std::size_t count, Word canary, backend::KernelMemory& memory) const override {
-            right->run(count, canary, memory);
-            for (std::size_t i = 0; i < count; ++i)
-                std::swap(memory.outputs[i * row], memory.outputs[i * row + 2]);
-        }
-        std::unique_ptr<backend::Kernel> right;
-        std::size_t row;
-    };
-    std::shared_ptr<backend::Backend> right_;
-};
-
 TEST(Quads, AFineDerivativeOfTheOtherRowIsNoticed) {
+    // The first invocation has the result of the one below it.
+    const auto exchanged = [](std::span<Word> row) { std::swap(row[0], row[2]); };
     const Lab lab(test::options_for(FIXTURES, "edges.glsl"),
-                  std::make_shared<Exchanged>(test::SharedDevice::get()));
+                  std::make_shared<test::ChangedDevice>(test::SharedDevice::get(), nullptr, exchanged));
     EXPECT_GT(answer_of(lab, "edges.glsl", "edge_fine").outside(), 0U);
     // A driver may calculate this one in either row.
     EXPECT_EQ(answer_of(lab, "edges.glsl", "edge_any").outside(), 0U);
