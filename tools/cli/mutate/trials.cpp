@@ -29,8 +29,8 @@ namespace fs = std::filesystem;
 using report::Fate;
 using report::MutantRow;
 
-constexpr double patience_factor = 10.0;  // of the time without a fault; other jobs run beside it
-constexpr double least_patience = 5.0;    // seconds
+constexpr double patience_factor = 5.0;  // of the time without a fault; other jobs run beside it
+constexpr double least_patience = 5.0;   // seconds
 
 // The files, in their order; of folders all shaders, sorted.
 std::vector<fs::path> shaders_of(const std::vector<std::string>& paths) {
