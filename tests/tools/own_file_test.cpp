@@ -37,15 +37,13 @@ TEST_F(OwnFile, AWholeShaderIsCheckedFunctionByFunction) {
     const std::string report = path("own.json").string();
     const CommandResult all = gloam("check {} --inputs 64 --json {}", shader, report);
     expect_success(all);
-    EXPECT_THAT(all.out, HasSubstr("3 checks, 0 failed"));
+    EXPECT_THAT(all.out, HasSubstr("4 checks, 0 failed"));
     EXPECT_THAT(all.out, HasSubstr("#version 330 core is compiled as #version 450 for Vulkan"));
-    EXPECT_THAT(all.out,
-                testing::ContainsRegex("edge\\(float\\) was left out: fwidth at .*whole.frag:8 needs"));
     EXPECT_THAT(all.out, testing::ContainsRegex("seen\\(\\) was left out: it uses \"image\".*whole.frag:9"));
     EXPECT_THAT(all.out, testing::ContainsRegex("table shipped: the result is undefined for .* of 64 inputs.*"
                                                 "element .* of 2, in table .*whole.frag:7"));
     const nlohmann::json rows = nlohmann::json::parse(read_file(report)).at("results");
-    ASSERT_EQ(rows.size(), 3U);
+    ASSERT_EQ(rows.size(), 4U);
     EXPECT_EQ(rows[0].at("equation"), "luma(vec3)");
     EXPECT_EQ(rows[1].at("equation"), "luma(vec4)");
     EXPECT_EQ(rows[1].at("function"), "luma");
@@ -53,8 +51,13 @@ TEST_F(OwnFile, AWholeShaderIsCheckedFunctionByFunction) {
     expect_success(gloam("check {} luma(vec4) --inputs 64 --variant all", shader));
     expect_success(gloam("explain {} luma(vec4) 1 2 3 4", shader));
     // What was named and cannot be checked is not passed over.
-    EXPECT_EQ(gloam("check {} luma edge --inputs 64", shader).status, 2);
-    expect_could_not_run(gloam("explain {} edge 1", shader), "fwidth");
+    EXPECT_EQ(gloam("check {} luma seen --inputs 64", shader).status, 2);
+    expect_could_not_run(gloam("explain {} seen 1 1", shader), "image");
+    // A quad: the values of all four, or of one for all.
+    EXPECT_THAT(output_of(gloam("explain {} edge 1 2 5 8", shader)), HasSubstr("OpFSub"));
+    expect_success(gloam("explain {} edge 1", shader));
+    expect_could_not_run(gloam("explain {} edge 1 2", shader),
+                         "takes 4 values (or 1, for all its invocations), got 2");
 }
 
 // What a shader is given besides parameters: ranges, explanations and other devices know it.

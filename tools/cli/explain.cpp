@@ -66,6 +66,40 @@ Word word_from(Scalar scalar, const std::string& text) {
     }
 }
 
+// The words of an input. A function of a quad or a work group takes the values of all its invocations, one
+// after another for each parameter, or those of one invocation, which all have then.
+std::vector<Word> input_from(const check::OwnFunction& own, const std::vector<std::string>& values) {
+    struct Part {
+        std::vector<Scalar> scalars;
+        std::size_t invocations;
+    };
+    std::vector<Part> parts;
+    std::size_t all = 0;
+    std::size_t of_one = 0;
+    for (const shader::Parameter& p : own.function.parameters) {
+        if (p.direction == shader::Direction::out) continue;
+        const bool alone = own.team.count() == 1 || p.uniform || p.type.scalar == Scalar::sampler;
+        parts.push_back(
+            {check::scalars_of(alone ? p.type : shader::element_of(p.type)), alone ? 1 : own.team.count()});
+        of_one += parts.back().scalars.size();
+        all += parts.back().scalars.size() * parts.back().invocations;
+    }
+    if (values.size() != all && values.size() != of_one)
+        throw std::invalid_argument(fmt::format(
+            "{} takes {} values{}, got {}", own.name, all,
+            all == of_one ? "" : fmt::format(" (or {}, for all its invocations)", of_one), values.size()));
+    std::vector<Word> input;
+    std::size_t next = 0;
+    for (const Part& part : parts) {
+        const std::size_t first = next;
+        for (std::size_t k = 0; k < part.invocations; ++k) {
+            if (values.size() == of_one) next = first;
+            for (const Scalar scalar : part.scalars) input.push_back(word_from(scalar, values[next++]));
+        }
+    }
+    return input;
+}
+
 void run_explain(const ExplainOptions& options) {
     const check::OwnFunctions functions =
         own_file(options.file.string(), {options.function}, {}, options.includes).functions;
@@ -74,14 +108,7 @@ void run_explain(const ExplainOptions& options) {
                                                 functions.left_out.front().name,
                                                 functions.left_out.front().why));
     const check::OwnFunction& own = functions.found.front();
-    const check::Signature signature{.result = own.function.result, .parameters = own.function.parameters};
-    const std::vector<Scalar> scalars = signature.input_scalars();
-    if (scalars.size() != options.values.size())
-        throw std::invalid_argument(
-            fmt::format("{} takes {} values, got {}", own.name, scalars.size(), options.values.size()));
-    std::vector<Word> input;
-    for (std::size_t i = 0; i < scalars.size(); ++i)
-        input.push_back(word_from(scalars[i], options.values[i]));
+    const std::vector<Word> input = input_from(own, options.values);
     try {
         numeric::Random random(1);
         const auto scenarios = check::random_scenarios(own.samplers);
@@ -91,7 +118,8 @@ void run_explain(const ExplainOptions& options) {
                                                       {.file = options.file.filename().string(),
                                                        .function = own.function,
                                                        .images = own.samplers,
-                                                       .text = own.excerpt},
+                                                       .text = own.excerpt,
+                                                       .team = own.team},
                                                       input, images);
         fmt::print("{}", to_text(all, all.steps.size()));
     } catch (const interpreter::Error& error) {
@@ -110,7 +138,8 @@ void add_explain(CLI::App& app) {
     command->add_option("function", options->function, "a function that it defines")->required();
     command->add_option("value", options->values,
                         "one for each scalar of its parameters, then of the uniforms that it uses, in order: "
-                        "a number, true or false, or bits as 0x...");
+                        "a number, true or false, or bits as 0x...; of a quad or work group those of all its "
+                        "invocations, or of one, which all have then");
     command->add_option("--variant", options->variant, "how the shader is compiled (gloam list variants)")
         ->capture_default_str();
     add_include_option(*command, options->includes);
