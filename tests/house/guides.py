@@ -8,6 +8,7 @@ one of them does not do what the page says. A block's first line says what it is
     ```sh           commands, run one after the other in a scratch folder; each must exit with 0
     ```sh WHY       commands that another test runs, or that would take too long here; WHY is one of WHY_NOT_RUN
     ```text         what the commands above printed: every line, in its order; "..." stands for any lines
+    ```python       statements, run with the module of the build folder, if it has one
     ```glsl NAME    the file tests/check/fixtures/guide/NAME, which is compiled by the tests; NAME.frag: the file
                     examples/fragment/NAME.frag, which is drawn by them
     ```cpp          lines of tests/check/guide_test.cpp
@@ -53,15 +54,16 @@ class Guide:
         self.root = root
         self.name = name
         self.folder = folder
-        self.environment = dict(os.environ, PATH=f"{gloam.parent}:{os.environ['PATH']}")
+        self.module = gloam.parent.parent / "python"
+        self.environment = dict(os.environ, PATH=f"{gloam.parent}:{os.environ['PATH']}", PYTHONPATH=str(self.module))
         self.printed = ""
         self.failures = []
 
     def fail(self, what):
         self.failures.append(f"docs/{self.name}: {what}")
 
-    def run(self, commands):
-        done = subprocess.run(["bash", "-e", "-c", commands], cwd=self.folder, env=self.environment, text=True,
+    def run(self, commands, program=("bash", "-e")):
+        done = subprocess.run([*program, "-c", commands], cwd=self.folder, env=self.environment, text=True,
                               capture_output=True, timeout=SECONDS, check=False)
         self.printed = done.stdout
         if done.returncode != 0:
@@ -86,6 +88,9 @@ class Guide:
                 self.fail(f"a block is not run because of \"{argument}\", which is no reason")
         elif kind == "text":
             self.expect_printed(text)
+        elif kind == "python":
+            if any((self.module / "gloam").glob("_gloam*")):
+                self.run(text, ("/usr/bin/python3",))
         elif kind == "glsl":
             folder = "examples/fragment" if argument.endswith(".frag") else "tests/check/fixtures/guide"
             self.expect_in(f"{folder}/{argument}", text)

@@ -119,9 +119,12 @@ TEST(Excerpts, UniformsBuffersInputsAndOutputsArePlainVariables) {
     std::string written;
     std::string read;
     for (const auto& [name, access] : excerpt.globals)
-        (access == Access::any ? written : read).append(" ").append(name);
+        (access == Access::any || access == Access::buffer ? written : read).append(" ").append(name);
     EXPECT_EQ(written, " h sums");
     EXPECT_EQ(read, " a all b e f g i pushed");
+    EXPECT_EQ(excerpt.globals.at("sums"), Access::buffer) << "all invocations share it";
+    EXPECT_EQ(excerpt.globals.at("all"), Access::uniform);
+    EXPECT_EQ(excerpt.globals.at("g"), Access::reads);
     for (const char* line :
          {"vec3 a ; float b [ 2 ] ;", "struct Pushed { float c [ COUNT ] ; } pushed ;", "#define COUNT 3\n",
           "struct Values { float values [ 16 ] ; } all ;", "int sums [ 16 ] ;", "highp float e , f ;",
@@ -142,6 +145,31 @@ TEST(Excerpts, FunctionsSayWhichVariablesTheyUse) {
                 global.name;
     EXPECT_THAT(used, AllOf(HasSubstr(" float a"), HasSubstr(" float c"), HasSubstr(" inout float[16] d"),
                             Not(HasSubstr(" float b"))));
+}
+
+// Whom a function needs besides itself.
+TEST(Excerpts, FunctionsSayWhatTheyNeedOthersFor) {
+    const char* const text =
+        "shared float s[4];\nuniform sampler2D image;\n"
+        "float alone(float x) { return x; }\n"
+        "float slope(float x) { return dFdxFine(x); }\n"
+        "float cut(float x) { if (x < 0.0) discard; return x; }\n"
+        "vec4 look(vec2 uv) { return texture(image, uv); }\n"
+        "vec4 level(vec2 uv) { return textureLod(image, uv, 0.0); }\n"
+        "float share(float x) { s[0] = x; return x; }\n"
+        "float meet(float x) { barrier(); return x; }\n"
+        "uint place(float x) { return gl_GlobalInvocationID.x + gl_LocalInvocationIndex; }\n";
+    const auto needs = [&](const std::string& file) {
+        std::map<std::string, Needs> all;
+        for (const Excerpt& one : excerpts({file, text}, {}).functions) all[one.function] = one.needs;
+        return all;
+    };
+    std::map<std::string, Needs> expected{
+        {"alone", Needs::nobody}, {"slope", Needs::quad},  {"cut", Needs::quad},   {"look", Needs::quad},
+        {"level", Needs::nobody}, {"share", Needs::group}, {"meet", Needs::group}, {"place", Needs::group}};
+    EXPECT_EQ(needs("own.glsl"), expected);
+    expected["look"] = Needs::nobody;
+    EXPECT_EQ(needs("own.comp"), expected) << "a compute shader has no derivatives to select a level by";
 }
 
 TEST(Excerpts, ATextWithoutFunctionsHasNone) {

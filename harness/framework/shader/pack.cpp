@@ -339,7 +339,8 @@ Excerpt excerpt_of(const std::string& function, const ActiveText& active, const 
         const Piece& piece = outline.pieces[i];
         if (!keeps(i)) continue;
         mentioned.insert(piece.mentions.begin(), piece.mentions.end());
-        shares = shares || (piece.kind == Kind::interface && has_word(piece, "shared"));
+        const bool declares = piece.kind == Kind::interface || piece.kind == Kind::variable;
+        shares = shares || (declares && has_word(piece, "shared"));
     }
     excerpt.needs = needs_of(mentioned, shares, active.files.front().name);
     excerpt.text += built_in_text(mentioned, excerpt);
