@@ -190,6 +190,12 @@ TEST(Groups, ABufferThatTheGroupSharesIsLeftOut) {
                 HasSubstr("the buffer \"results\", which it may write, is shared by its group"));
 }
 
+TEST(Groups, TooLargeOnesAreLeftOut) {
+    const Lab lab = lab_for("large.comp");
+    EXPECT_EQ(own_functions(lab.options(), "large.comp", {"place"}).left_out.at(0).why,
+              "its work group has 2048 invocations, expected at most 1024");
+}
+
 TEST(Groups, AreCalledFromCpp) {
     const Lab lab({.validation = true, .include_roots = {FIXTURES}}, test::SharedDevice::get());
     const Function<Group<float, 64>(Group<float, 64>)> sum(lab, "totals.glsl", "group_total");

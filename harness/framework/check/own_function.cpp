@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "interpreter/machine.hpp"
 #include "shader/reflection.hpp"
 
 namespace gloam::check {
@@ -83,6 +84,9 @@ std::string why_not(const shader::Function& function, const shader::Excerpt& exc
     }
     if (const std::string what = obstacle(function.result); !what.empty())
         return fmt::format("a result of type {} cannot be read: {}", shader::name_of(function.result), what);
+    constexpr std::uint32_t most = interpreter::Machine<float>::most_invocations;
+    if (team.count() > most)
+        return fmt::format("its work group has {} invocations, expected at most {}", team.count(), most);
     if (scalars * team.count() > shader::most_scalars)
         return fmt::format("its parameters and its result have more than {} scalars", shader::most_scalars);
     if (Signature{.result = function.result, .parameters = function.parameters}.output_words() == 0)

@@ -23,6 +23,11 @@ std::vector<BindingKind> bindings_of(const backend::KernelProgram& program) {
 using Pipeline = std::variant<ComputePipeline, RasterPipeline>;
 
 Pipeline pipeline_of(const Device& device, const backend::KernelProgram& program) {
+    const auto& limits = device.impl().physical.properties.limits;
+    if (program.team.count() > limits.maxComputeWorkGroupInvocations)
+        throw backend::Unsupported(fmt::format("{}: a work group of {} invocations, device \"{}\" allows {}",
+                                               program.name, program.team.count(), device.info().name,
+                                               limits.maxComputeWorkGroupInvocations));
     const std::vector<SpecializationConstant> constants(program.constants.begin(), program.constants.end());
     if (program.team.kind == backend::Team::Kind::quad)
         return RasterPipeline(device, {.vertex_spirv = program.vertex_spirv,
