@@ -26,8 +26,8 @@ Lab lab_for(const char* file, const shader::Variant& variant = {}) {
     return {test::options_for(FIXTURES, file, variant), test::SharedDevice::get()};
 }
 
-constexpr auto quad_functions = {"edge_width", "slopes",        "soft_edge",        "face_normal",
-                                 "cut_out",    "in_one_branch", "across_the_screen"};
+constexpr auto quad_functions = {"edge_width", "slopes",        "soft_edge",          "face_normal",
+                                 "cut_out",    "in_one_branch", "in_some_iterations", "across_the_screen"};
 
 TEST(Quads, EachFunctionIsWithinTheRulesOnEachDevice) {
     const Lab lab = lab_for("quads.frag");

@@ -204,7 +204,22 @@ TEST(Group, BarriersThatNotAllReachAreFound) {
     EXPECT_THAT(divergent("if (at < 5u) barrier(); else barrier(); put(1u);\n"),
                 HasSubstr("it waits at main (test:"));
     (void)divergent("if (at == 3u) return; barrier(); put(1u);\n");
+    EXPECT_THAT(divergent("for (uint k = 0u; k < 3u; ++k) { if (k == at) continue; barrier(); } put(1u);\n"),
+                HasSubstr("it waits there in another iteration"));
     (void)divergent("for (uint k = 0u; k < at; ++k) barrier(); put(1u);\n");
+}
+
+// Where they come together again.
+TEST(Group, InvocationsOfOtherIterationsAreNotHere) {
+    for (const char* body :
+         {// Each takes part in the iterations that it does not skip.
+          "uint r = 0u; for (uint k = 0u; k < 4u; ++k) { if ((at & 3u) == k) continue; r = r * 7u + "
+          "subgroupAdd(x()); } put(r);\n",
+          // Behind a loop that they leave one after the other, and a function from which they return early.
+          "uint r = 0u; for (uint k = 0u; k < (at & 3u); ++k) r += subgroupAdd(1u); put(r * 100u + "
+          "subgroupAdd(x()));\n",
+          "uint r = early(x()); put(r * 100u + subgroupAdd(r));\n"})
+        expect_as_on_device("uint early(uint v) { if (v > 6u) return 1u; return 2u; }\n", body);
 }
 
 TEST(Group, WhatDependsOnTheOrderIsUnspecified) {

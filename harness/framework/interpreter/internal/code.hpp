@@ -47,6 +47,8 @@ enum Operation : std::uint16_t {
     image_levels,  // of image a
     atomic,        // c: the SPIR-V opcode; on pointer a with b (and `extra`, for a comparison)
     fence,         // c: its memory semantics
+    construct,  // a selection, loop or call begins: edge `extra` leads behind it, edge b - 1 to its continue
+                // target
     // Invocations wait here for others (internal/group.hpp).
     barrier,     // c: its memory semantics; `extra`: SpvScope
     neighbour,   // count slots at a, of the invocation of the quad that `extra` names (QuadPick)

@@ -73,8 +73,15 @@ void do_insert(State<N>& s, const Instruction& i) {
 }
 
 template <class N>
+void do_construct(State<N>& s, const Instruction& i) {
+    if (s.lanes.empty()) return;
+    s.way.enter(s.code.edges[i.extra].target, i.b == 0 ? 0 : s.code.edges[i.b - 1].target);
+}
+
+template <class N>
 void follow(State<N>& s, std::uint32_t number) {
     const Edge& edge = s.code.edges[number];
+    if (!s.lanes.empty()) s.way.take(number, edge.target);
     s.next = edge.target;
     if (edge.through_memory) {
         auto to = s.moving.begin();
@@ -189,37 +196,6 @@ void do_array_length(State<N>& s, const Instruction& i) {
     const std::size_t bytes = s.backings[pointer.resource].words.size() * sizeof(Word);
     const std::size_t behind = bytes > pointer.offset ? bytes - pointer.offset : 0;
     s.set(i, i.result, static_cast<Word>(i.extra == 0 ? 0 : behind / i.extra));
-}
-
-[[nodiscard]] inline Word exchanged(std::uint32_t opcode, Word before, Word operand, Word expected) {
-    switch (opcode) {
-        case SpvOpAtomicIIncrement:
-            return before + 1U;
-        case SpvOpAtomicIDecrement:
-            return before - 1U;
-        case SpvOpAtomicIAdd:
-            return before + operand;
-        case SpvOpAtomicISub:
-            return before - operand;
-        case SpvOpAtomicSMin:
-            return as_int(operand) < as_int(before) ? operand : before;
-        case SpvOpAtomicUMin:
-            return std::min(before, operand);
-        case SpvOpAtomicSMax:
-            return as_int(operand) > as_int(before) ? operand : before;
-        case SpvOpAtomicUMax:
-            return std::max(before, operand);
-        case SpvOpAtomicAnd:
-            return before & operand;
-        case SpvOpAtomicOr:
-            return before | operand;
-        case SpvOpAtomicXor:
-            return before ^ operand;
-        case SpvOpAtomicCompareExchange:
-            return before == expected ? operand : before;
-        default:
-            return operand;  // store and exchange
-    }
 }
 
 // On a resource if count is 1, otherwise on a variable.
@@ -379,6 +355,8 @@ template <class N>
             return do_atomic<N>;
         case fence:
             return do_fence<N>;
+        case construct:
+            return do_construct<N>;
         case barrier:
         case neighbour:
         case collective:

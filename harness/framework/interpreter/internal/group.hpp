@@ -19,6 +19,7 @@ void enter(State<N>& s, std::uint32_t lane) {
     Lane<N>& entered = s.lanes[lane];
     std::swap(s.slots, entered.slots);
     std::swap(s.pointers, entered.pointers);
+    std::swap(s.way, entered.way);
     s.next = entered.next;
     s.fenced = entered.fenced;
     s.lane = lane;
@@ -30,6 +31,7 @@ void leave(State<N>& s) {
     Lane<N>& left = s.lanes[s.lane];
     std::swap(s.slots, left.slots);
     std::swap(s.pointers, left.pointers);
+    std::swap(s.way, left.way);
     left.next = s.next;
     left.fenced = s.fenced;
     left.progress = std::exchange(s.waits, false) ? Lane<N>::Progress::waits : Lane<N>::Progress::ended;
@@ -301,30 +303,40 @@ class Meeting {
     const Instruction& i_;
 };
 
-// Those of the lanes that wait at one instruction for each other: the first in the code, so that lanes on
-// different ways come together again; of a group's barrier only where nothing else is to be done. Empty: none
-// waits.
+// Whether a lane waits at an earlier place than another: in an earlier iteration, or before it in the code.
+// At a group's barrier it waits for all that others wait for.
 template <class N>
-[[nodiscard]] std::vector<std::uint32_t> next_meeting(const State<N>& s) {
+[[nodiscard]] bool waits_before(const State<N>& s, const Lane<N>& one, const Lane<N>& other) {
     const auto waits_for_group = [&](const Lane<N>& lane) {
         const Instruction& i = s.code.instructions[lane.next - 1];
         return i.op == barrier && i.extra != SpvScopeSubgroup;
     };
-    std::vector<std::uint32_t> chosen;
-    for (std::uint32_t l = 0; l < s.lanes.size(); ++l) {
-        const Lane<N>& lane = s.lanes[l];
-        if (lane.progress != Lane<N>::Progress::waits) continue;
-        if (!chosen.empty()) {
-            const Lane<N>& first = s.lanes[chosen.front()];
-            const bool at_barrier = waits_for_group(lane);
-            if (at_barrier != waits_for_group(first) ? at_barrier : lane.next > first.next) continue;
-            const bool together = at_barrier || l / s.subgroup_size == chosen.front() / s.subgroup_size;
-            if (lane.next == first.next && !together) continue;
-            if (lane.next != first.next) chosen.clear();
-        }
-        chosen.push_back(l);
+    if (waits_for_group(one) != waits_for_group(other)) return waits_for_group(other);
+    return one.way.is_before(other.way).value_or(one.next < other.next);
+}
+
+// Those of the lanes that wait for each other at one dynamic instance of an instruction: the earliest, so
+// that lanes on different ways come together again. Empty: none waits.
+template <class N>
+[[nodiscard]] std::vector<std::uint32_t> next_meeting(const State<N>& s) {
+    const Lane<N>* first = nullptr;
+    for (const Lane<N>& lane : s.lanes)
+        if (lane.progress == Lane<N>::Progress::waits && (first == nullptr || waits_before(s, lane, *first)))
+            first = &lane;
+    std::vector<std::uint32_t> together;
+    if (first == nullptr) return together;
+    const Instruction& i = s.code.instructions[first->next - 1];
+    const bool of_group = i.op == barrier && i.extra != SpvScopeSubgroup;
+    const auto subgroup_of = [&](const Lane<N>& lane) {
+        return static_cast<std::uint32_t>(&lane - s.lanes.data()) / s.subgroup_size;
+    };
+    for (const Lane<N>& lane : s.lanes) {
+        const bool here = lane.progress == Lane<N>::Progress::waits && lane.next == first->next &&
+                          lane.way.path() == first->way.path();
+        if (here && (of_group || subgroup_of(lane) == subgroup_of(*first)))
+            together.push_back(static_cast<std::uint32_t>(&lane - s.lanes.data()));
     }
-    return chosen;
+    return together;
 }
 
 // A barrier is reached by all or by none.
@@ -343,7 +355,9 @@ void pass_barrier(State<N>& s, const std::vector<std::uint32_t>& lanes, const In
                 "a barrier at which invocation {} waits and which invocation {} does not reach: it {}",
                 lanes.front(), l,
                 ended ? std::string("ended")
-                      : "waits at " + to_text(s.code.places[s.code.instructions[lane.next - 1].place]))};
+                : lane.next == s.lanes[lanes.front()].next
+                    ? std::string("waits there in another iteration")
+                    : "waits at " + to_text(s.code.places[s.code.instructions[lane.next - 1].place]))};
     }
     if (s.races && of_group) s.races->group_barrier(semantics | i.c);
     if (s.races && !of_group) s.races->subgroup_barrier(lanes.front() / s.subgroup_size);

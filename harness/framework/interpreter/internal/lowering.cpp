@@ -226,6 +226,10 @@ void Lowering::lower_function(const Function& function, Scope& scope) {
     const Place caller = place_;
     scope.function = &function;
     allocate_results(function, scope);
+    if (module_.meets() && calls_.size() > 1) {
+        scope.returns.push_back(new_edge());
+        emit(construct, 0, 0).extra = scope.returns.back();
+    }
     const auto enter_line = [this](const shader::Instruction& line) {
         place_.file = module_.string_of(line.word(1));
         place_.line = line.word(2);
@@ -274,8 +278,6 @@ void Lowering::lower(const shader::Instruction& i, Scope& scope) {
         case SpvOpNop:
         case SpvOpLine:
         case SpvOpNoLine:
-        case SpvOpSelectionMerge:
-        case SpvOpLoopMerge:
         case SpvOpFunctionParameter:
             return;
         default:

@@ -86,6 +86,7 @@ class Lowering {
     void lower_access_chain(const shader::Instruction& i, Scope& scope);
     void lower_local_variable(const shader::Instruction& i, Scope& scope);
     void lower_shuffle(const shader::Instruction& i, Scope& scope);
+    void lower_construct(const shader::Instruction& i, Scope& scope);
     void lower_switch(const shader::Instruction& i, Scope& scope);
     void load(Slot result, const PointerInfo& from, std::uint8_t flags);
     void store(const PointerInfo& to, Slot value);

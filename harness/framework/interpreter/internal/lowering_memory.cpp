@@ -250,6 +250,10 @@ bool Lowering::lower_control(const shader::Instruction& i, Scope& scope) {
             scope.phis[scope.block].push_back(std::move(phi));
             return true;
         }
+        case SpvOpSelectionMerge:
+        case SpvOpLoopMerge:
+            if (module_.meets()) lower_construct(i, scope);
+            return true;
         case SpvOpBranch: {
             const std::uint32_t edge = edge_to(i.word(1), scope);
             emit(jump, 0, 0).extra = edge;
@@ -285,6 +289,12 @@ bool Lowering::lower_control(const shader::Instruction& i, Scope& scope) {
         default:
             return false;
     }
+}
+
+void Lowering::lower_construct(const shader::Instruction& i, Scope& scope) {
+    const std::uint32_t behind = edge_to(i.word(1), scope);
+    const std::uint32_t continues = i.opcode == SpvOpLoopMerge ? edge_to(i.word(2), scope) + 1 : 0;
+    emit(construct, 0, 0, 0, continues).extra = behind;
 }
 
 void Lowering::lower_switch(const shader::Instruction& i, Scope& scope) {

@@ -209,6 +209,7 @@ void Machine<N>::prepare() {
     state_->waits = false;
     for (internal::Lane<N>& lane : state_->lanes) {
         lane.next = 0;
+        lane.way = {};
         lane.fenced = 0;
         lane.progress = internal::Lane<N>::Progress::runs;
     }

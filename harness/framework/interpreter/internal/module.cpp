@@ -355,6 +355,11 @@ void Module::read_function(const shader::Instruction& i) {
         open_->body.push_back(i);
     } else {
         open_->body.push_back(i);
+        const bool implicit =
+            i.opcode == SpvOpImageSampleImplicitLod || i.opcode == SpvOpImageSampleProjImplicitLod;
+        meets_ = meets_ || implicit || i.opcode == SpvOpControlBarrier ||
+                 (i.opcode >= SpvOpDPdx && i.opcode <= SpvOpFwidthCoarse) ||
+                 (i.opcode >= SpvOpGroupNonUniformElect && i.opcode <= SpvOpGroupNonUniformQuadSwap);
     }
 }
 

@@ -130,6 +130,9 @@ class Module {
     [[nodiscard]] std::string name_of(Id id) const;
     [[nodiscard]] std::string string_of(Id id) const;
     [[nodiscard]] Decorations decorations_of(Id id) const;
+    // Whether invocations wait for each other somewhere: at a barrier, a derivative, or another operation of
+    // a quad or group.
+    [[nodiscard]] bool meets() const { return meets_; }
     // The value of an integer constant, if the ID is one.
     [[nodiscard]] std::optional<std::uint32_t> integer(Id id) const;
 
@@ -154,6 +157,7 @@ class Module {
     std::map<std::string, Id> entry_points_;
     std::map<Id, Function> functions_;
     Function* open_ = nullptr;
+    bool meets_ = false;
     std::optional<shader::Instruction> line_;  // the last line instruction outside of functions
 };
 

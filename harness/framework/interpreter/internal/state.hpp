@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -131,12 +132,76 @@ struct Backing {
     std::optional<SampledView> sampled;
 };
 
+// A selection, loop or call in which an invocation is. Invocations that entered it together come together
+// again behind it, and at the continue target of each iteration.
+struct Construct {
+    std::uint32_t behind = 0;     // instruction
+    std::uint32_t continues = 0;  // instruction; 0: it is no loop
+    std::uint64_t path = 0;       // on which it was entered
+    std::uint64_t iteration = 0;  // path on which the iteration began
+    std::uint32_t count = 0;      // iterations before
+};
+
+// The way that an invocation of a group has taken: two are at the same dynamic instance of an instruction if
+// they are at the instruction, on the same path.
+class Way {
+  public:
+    [[nodiscard]] std::uint64_t path() const { return path_; }
+
+    // Whether it is in an earlier iteration of a loop than the other; nullopt: in the same ones.
+    [[nodiscard]] std::optional<bool> is_before(const Way& other) const {
+        for (std::size_t k = 0; k < std::min(constructs_.size(), other.constructs_.size()); ++k) {
+            const Construct& a = constructs_[k];
+            const Construct& b = other.constructs_[k];
+            if (a.behind != b.behind) break;
+            if (a.count != b.count) return a.count < b.count;
+        }
+        return std::nullopt;
+    }
+
+    // Enters a construct, or begins a loop's next iteration.
+    void enter(std::uint32_t behind, std::uint32_t continues) {
+        if (!constructs_.empty() && constructs_.back().behind == behind) return;
+        constructs_.push_back({.behind = behind, .continues = continues, .path = path_, .iteration = path_});
+    }
+
+    // Takes an edge to an instruction.
+    void take(std::uint32_t edge, std::uint32_t target) {
+        for (std::size_t k = constructs_.size(); k-- > 0;) {
+            Construct& in = constructs_[k];
+            if (in.behind == target) {
+                path_ = in.path;
+                constructs_.resize(k);
+                return;
+            }
+            if (in.continues != 0 && in.continues == target) {
+                path_ = in.iteration = onward(in.iteration, target);
+                ++in.count;
+                constructs_.resize(k + 1);
+                return;
+            }
+        }
+        path_ = onward(path_, std::uint64_t{edge} + 1);
+    }
+
+  private:
+    static std::uint64_t onward(std::uint64_t path, std::uint64_t step) {
+        constexpr std::uint64_t odd = 0x9e3779b97f4a7c15U;
+        constexpr int turn = 17;
+        return (std::rotl(path, turn) ^ step) * odd;
+    }
+
+    std::uint64_t path_ = 0;
+    std::vector<Construct> constructs_;
+};
+
 // An invocation of a group while another one runs.
 template <class N>
 struct Lane {
     enum class Progress { runs, waits, ended };
     std::vector<Value<N>> slots;
     std::vector<Pointer> pointers;
+    Way way;
     std::uint32_t next = 0;
     Progress progress = Progress::runs;
     std::uint32_t fenced = 0;  // semantics of its fences since the last barrier
@@ -155,6 +220,7 @@ struct State {
     bool waits = false;          // for other invocations, at the last instruction
     std::vector<Lane<N>> lanes;  // of a group (internal/group.hpp); empty: one invocation alone
     std::uint32_t lane = 0;      // that runs
+    Way way;                     // of that one
     std::uint32_t subgroup_size = 1;
     std::uint32_t fenced = 0;                 // see Lane
     mutable std::optional<Races> races;       // of a group
