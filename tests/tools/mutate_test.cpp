@@ -87,6 +87,27 @@ TEST_F(Mutate, SortsSurvivorsByWhatIsPromised) {
     EXPECT_THAT(out, Not(HasSubstr("'1.0' -> '2.0' in whole"))) << "the optimised modules are the same";
 }
 
+TEST_F(Mutate, ComparesFunctionsOfQuadsAndWorkGroups) {
+    (void)write("together/quad.glsl",
+                "// x in [0, 4]\n"
+                "float edge(float x) { return x / fwidth(x); }\n"
+                "// uv in [0, 1]\n"
+                "vec4 dim(sampler2D image, vec2 uv) { return texture(image, uv) * 0.5; }\n");
+    (void)write("together/group.glsl",
+                "shared float tile[64];\n"
+                "// x in [1, 4]\n"
+                "float neighbour(float x) {\n"
+                "    tile[gl_LocalInvocationIndex] = x;\n"
+                "    barrier();\n"
+                "    return tile[gl_LocalInvocationIndex ^ 1u];\n"
+                "}\n");
+    const std::string out = gloam("mutate {} -- true", path("together").string()).out;
+    EXPECT_THAT(out, HasSubstr("quad.glsl:2: '/' -> '*' in edge: differs\n"));
+    EXPECT_THAT(out, HasSubstr("quad.glsl:4: '*' -> '/' in dim: differs\n"));
+    EXPECT_THAT(out, HasSubstr("group.glsl:6: '1u' -> '2u' in neighbour: differs\n"));
+    EXPECT_THAT(out, Not(HasSubstr("not compared")));
+}
+
 TEST_F(Mutate, GoesOnWithItsJournal) {
     const std::string file = tone();
     const std::string journal = path("journal").string();

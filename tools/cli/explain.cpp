@@ -78,7 +78,7 @@ std::vector<Word> input_from(const check::OwnFunction& own, const std::vector<st
     std::size_t of_one = 0;
     for (const shader::Parameter& p : own.function.parameters) {
         if (p.direction == shader::Direction::out) continue;
-        const bool alone = own.team.count() == 1 || p.uniform || p.type.scalar == Scalar::sampler;
+        const bool alone = own.team.count() == 1 || !check::is_of_each(p);
         parts.push_back(
             {check::scalars_of(alone ? p.type : shader::element_of(p.type)), alone ? 1 : own.team.count()});
         of_one += parts.back().scalars.size();

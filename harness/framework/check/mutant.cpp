@@ -35,7 +35,7 @@ namespace {
 
 constexpr double small_error = 4.0;  // ULP
 
-std::optional<shader::Stage> stage_of(const std::filesystem::path& file) {
+std::optional<shader::Stage> stage_by_name(const std::filesystem::path& file) {
     if (file.extension() == ".comp") return shader::Stage::compute;
     if (file.extension() == ".frag") return shader::Stage::fragment;
     if (file.extension() == ".vert") return shader::Stage::vertex;
@@ -75,16 +75,16 @@ std::string numbers_text(const std::vector<double>& numbers) {
 }
 
 // The ordinary domain of a function, but a parameter of which nothing is known has all values of its type.
-Domain wide_domain(const shader::Function& function, const std::string& text, const Domain& any) {
-    std::vector<OrdinaryValues> ordinary = ordinary_values(function, text, {});
+Domain wide_domain(const OwnFunction& own, const std::string& text, const Domain& any) {
+    std::vector<OrdinaryValues> ordinary = ordinary_values(own.function, text, {}, own.team);
     std::size_t k = 0;
-    for (const shader::Parameter& parameter : function.parameters) {
+    for (const shader::Parameter& parameter : own.function.parameters) {
         if (parameter.direction == shader::Direction::out) continue;
         const Values& all = any.parameters().at(k++);
         const auto known = std::ranges::find(ordinary, parameter.name, &OrdinaryValues::parameter);
         if (known != ordinary.end() && known->reason == "type") known->values = all;
     }
-    return ordinary_domain(function, ordinary);
+    return ordinary_domain(own.function, ordinary);
 }
 
 // The original and a changed function, side by side.
@@ -157,17 +157,17 @@ MutantFile::MutantFile(std::filesystem::path path, std::string text, std::vector
 }
 
 shader::Spirv MutantFile::module_of(const OwnFunction& own, const std::string& text) const {
-    const Signature signature{.result = own.function.result, .parameters = own.function.parameters};
-    KernelSource source = lab_->source(path_.filename().string(), own.function.name, signature);
+    KernelSource source = lab_->source(path_.filename().string(), own.function.name, own.signature());
     source.text = text;
     source.preserve_nan = false;  // under that mode SPIRV-Tools folds nothing
-    const shader::CompileOptions options{.include_roots = roots_,
+    const shader::CompileOptions options{.stage = stage_of(source.team),
+                                         .include_roots = roots_,
                                          .variant = {.optimization = shader::Optimization::performance}};
     return shader::without_names(shader::compile({.name = "mutant", .text = kernel_code(source)}, options));
 }
 
 std::optional<shader::Spirv> MutantFile::whole(const std::string& text) const {
-    const auto stage = stage_of(path_);
+    const auto stage = stage_by_name(path_);
     if (!stage) return std::nullopt;
     try {
         return shader::without_names(shader::compile(
@@ -238,7 +238,7 @@ MutantComparison MutantFile::compare(const Own& own, const std::string& changed,
     MutantComparison result{.function = own.function.name};
     try {
         Question question = question_of(*lab_, file, own.function, {});
-        question.domain = wide_domain(own.function.function, text_, question.domain);
+        question.domain = wide_domain(own.function, text_, question.domain);
         KernelSource source = lab_->source(file, question.function, question.signature);
         source.text = changed;
         internal::AuditRuns original(*lab_, question, seed);

@@ -256,9 +256,7 @@ std::vector<OrdinaryValues> ordinary_values(const shader::Function& function, st
     std::vector<OrdinaryValues> all;
     for (const shader::Parameter& parameter : function.parameters) {
         if (parameter.direction == shader::Direction::out) continue;
-        const bool of_quad = team.kind == backend::Team::Kind::quad && !parameter.uniform &&
-                             parameter.type.scalar != Scalar::sampler;
-        if (!of_quad) {
+        if (team.kind != backend::Team::Kind::quad || !is_of_each(parameter)) {
             ordinary.add(parameter.type, parameter.name, parameter.name, all);
             continue;
         }

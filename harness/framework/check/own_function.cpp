@@ -312,10 +312,7 @@ OwnFunctions own_functions(const LabOptions& options, const std::string& file,
 Question question_of(const Lab& lab, const std::string& file, const OwnFunction& own, const Ranges& ranges) {
     const shader::Function& function = own.function;
     Question question{
-        .name = own.name,
-        .file = file,
-        .function = function.name,
-        .signature = {.result = function.result, .parameters = function.parameters, .team = own.team}};
+        .name = own.name, .file = file, .function = function.name, .signature = own.signature()};
     std::set<std::string> known;
     std::vector<Values> parameters;
     bool all_given = true;
@@ -327,7 +324,7 @@ Question question_of(const Lab& lab, const std::string& file, const OwnFunction&
         all_given = all_given && (sampler || found != ranges.end());
         const std::optional<Range> range =
             found == ranges.end() ? std::nullopt : std::optional(found->second);
-        const bool in_quad = own.team.kind == backend::Team::Kind::quad && !parameter.uniform && !sampler;
+        const bool in_quad = own.team.kind == backend::Team::Kind::quad && is_of_each(parameter);
         parameters.push_back(in_quad ? neighbours(shader::element_of(parameter.type),
                                                   values_of(shader::element_of(parameter.type), range),
                                                   parameter.name == fragment_coordinate)

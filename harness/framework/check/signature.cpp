@@ -93,15 +93,18 @@ shader::Function with_globals(shader::Function function,
     return function;
 }
 
+bool is_of_each(const shader::Parameter& parameter) {
+    return !parameter.uniform && parameter.type.scalar != Scalar::sampler;
+}
+
 shader::Function together(shader::Function function, const backend::Team& team) {
     if (team.kind == backend::Team::Kind::alone) return function;
     const auto make_array = [&team](shader::Type& type) {
-        if (type.scalar != Scalar::void_ && type.scalar != Scalar::sampler)
-            type.sizes.insert(type.sizes.begin(), team.count());
+        type.sizes.insert(type.sizes.begin(), team.count());
     };
-    make_array(function.result);
+    if (function.result.scalar != Scalar::void_) make_array(function.result);
     for (shader::Parameter& p : function.parameters)
-        if (!p.uniform) make_array(p.type);
+        if (is_of_each(p)) make_array(p.type);
     return function;
 }
 

@@ -320,8 +320,11 @@ struct Signature {
 [[nodiscard]] shader::Function with_globals(shader::Function function,
                                             const std::map<std::string, shader::Access>& globals);
 
-// A function as a team calls it: what it takes and returns are arrays with an element for each invocation,
-// but for samplers and uniforms, which are those of all.
+// Whether each invocation of a team has its own value of a parameter. Samplers and uniforms are those of all.
+[[nodiscard]] bool is_of_each(const shader::Parameter& parameter);
+
+// A function as a team calls it: its result and its is_of_each() parameters are arrays with an element for
+// each invocation.
 [[nodiscard]] shader::Function together(shader::Function function, const backend::Team& team);
 
 // "float f(vec2, out float)"; structures are written in full.
