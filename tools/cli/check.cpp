@@ -18,6 +18,7 @@
 #include "cli/check/checker.hpp"
 #include "cli/check/hand_over.hpp"
 #include "cli/check/run_device.hpp"
+#include "cli/check/variants.hpp"
 #include "cli/check/worker_session.hpp"
 #include "cli/environment.hpp"
 #include "cli/names.hpp"
@@ -29,12 +30,6 @@
 
 namespace gloam::cli {
 namespace {
-
-constexpr const char* every_opengl = "gl";
-
-bool is_opengl(const std::string& device) {
-    return device == every_opengl || gl::is_device_name(device);
-}
 
 std::vector<std::string> devices_to_check(const std::string& device) {
     if (device == every_opengl) return gl_device_names();
@@ -63,16 +58,6 @@ std::vector<std::string> names_of(const CheckOptions& options, CheckOutcome& out
          catalogue::select(catalogue::all_entries(glsl_directory()), options.equations))
         names.push_back(entry.description.id);
     return names;
-}
-
-// OpenGL devices have one variant: the others are ways to make a SPIR-V module.
-std::vector<shader::Variant> variants_of(const CheckOptions& options) {
-    std::vector<shader::Variant> variants = select_variants(options.variant);
-    if (!is_opengl(options.device)) return variants;
-    std::erase_if(variants, [](const shader::Variant& variant) { return variant.changes_the_module(); });
-    if (variants.empty())
-        throw std::invalid_argument("OpenGL devices have the variant shipped only, not " + options.variant);
-    return variants;
 }
 
 // The selected equations in every selected variant; only this shard's share.
@@ -309,6 +294,7 @@ int run_check(const CheckOptions& options) {
         }
     }
     if (options.rows) fmt::print("\n{}", report::table_legend());
+    fmt::print("{}", step_summary(outcome.reports));
     for (const report::CheckReport& report : outcome.reports) print_coverage(report);
     for (const report::CheckReport& report : outcome.reports) print_undefined(report);
     for (const std::string& note : outcome.notes) fmt::print("{}\n", note);
@@ -355,7 +341,15 @@ void add_check(CLI::App& app, int& status) {
                         "name; interpreter: no driver, every operation correctly rounded");
     command
         ->add_option("--variant", options->variant,
-                     "how the shaders are compiled (gloam list variants), or all")
+                     "how the shaders are compiled (gloam list variants), all, or metamorphic: changed "
+                     "without a change of meaning")
+        ->capture_default_str();
+    command->add_option("--compiler", options->compilers,
+                        "steps that the modules take, judged by the modules before them: 'spirv-opt --ccp', "
+                        "'spirv-opt each', 'spirv-opt random', 'spirv-cross glsl', a program with {in} or "
+                        "{glsl} and {out}; several joined by ' | '");
+    command->add_option("--seeds", options->seeds, "seeds of random and metamorphic steps, from --seed on")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
         ->capture_default_str();
     command->add_option("--inputs", options->inputs, "inputs for each equation")
         ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}))
@@ -383,7 +377,10 @@ void add_check(CLI::App& app, int& status) {
         ->excludes(jobs);
     add_file_options(*command, *options);
     add_driver_option(*command);
-    command->callback([options, &status] { status = run_check(*options); });
+    command->callback([options, &status] {
+        if (!options->compilers.empty() && options->device.empty()) options->device = check::interpreter_name;
+        status = run_check(*options);
+    });
 }
 
 }  // namespace gloam::cli

@@ -139,6 +139,19 @@ void WrittenAside::put() {
     aside_.clear();
 }
 
+TemporaryFolder::TemporaryFolder(std::string_view purpose) {
+    std::string name =
+        (std::filesystem::temp_directory_path() / fmt::format("gloam-{}-XXXXXX", purpose)).string();
+    if (mkdtemp(name.data()) == nullptr)
+        throw std::system_error(errno, std::generic_category(), "cannot make the folder " + name);
+    path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+}
+
 void write_file(const fs::path& path, std::string_view bytes) {
     WrittenAside(path, bytes).put();
 }

@@ -75,6 +75,21 @@ class WrittenAside {
     std::filesystem::path aside_;  // empty: put, or moved from
 };
 
+// A new empty folder for files of this process. It is removed with the object, and all that it holds.
+class TemporaryFolder {
+  public:
+    // `purpose`: a part of its name. Throws std::system_error.
+    explicit TemporaryFolder(std::string_view purpose);
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+  private:
+    std::filesystem::path path_;
+};
+
 // Creates or replaces a file atomically: no reader sees a part of it, not even when two processes write it at
 // once. Throws std::runtime_error.
 void write_file(const std::filesystem::path& path, std::string_view bytes);

@@ -54,6 +54,8 @@ std::string_view name_of(Reason reason) {
             return "divergent barrier";
         case Reason::unsupported:
             return "unsupported";
+        case Reason::unchanged:
+            return "unchanged";
         case Reason::none:
             break;
     }
@@ -96,13 +98,13 @@ std::vector<InputClass> Answer::not_promised() const {
 }
 
 Outcome Answer::outcome() const {
-    if (reason == Reason::unsupported) return Outcome::not_judged;
+    if (is_no_verdict(reason)) return Outcome::not_judged;
     if (!ran() || outside() > 0 || !fault.empty()) return Outcome::failed;
     return not_judged_because().empty() ? Outcome::ok : Outcome::not_judged;
 }
 
 std::string Answer::not_judged_because() const {
-    if (reason == Reason::unsupported) return error;
+    if (is_no_verdict(reason)) return error;
     if (!ran() || outside() > 0 || !fault.empty()) return {};
     if (inputs() == 0) return "there are no inputs";
     const std::string why =

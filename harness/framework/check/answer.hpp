@@ -117,15 +117,22 @@ enum class Reason {
     fault,          // the shader accessed a pixel outside an image
     race,           // two invocations of a group use one word, no barrier orders them, and one writes
     divergent,      // not all invocations of a group reach a barrier
-    unsupported     // the function is no text of the device's version of GLSL: not judged
+    unsupported,    // the function is no text of the device's version of GLSL: not judged
+    unchanged       // the variant's steps left the module as it was: not judged
 };
-inline constexpr Reason all_reasons[] = {
-    Reason::none,  Reason::crash, Reason::hang, Reason::device_lost, Reason::out_of_memory,
-    Reason::error, Reason::fault, Reason::race, Reason::divergent,   Reason::unsupported};
+inline constexpr Reason all_reasons[] = {Reason::none,        Reason::crash,         Reason::hang,
+                                         Reason::device_lost, Reason::out_of_memory, Reason::error,
+                                         Reason::fault,       Reason::race,          Reason::divergent,
+                                         Reason::unsupported, Reason::unchanged};
 
 // "", "crash", "hang", "device lost", "out of memory", "error", "fault", "race",
-// "divergent barrier", "unsupported".
+// "divergent barrier", "unsupported", "unchanged".
 [[nodiscard]] std::string_view name_of(Reason reason);
+
+// Whether a check for this reason says nothing for or against the device.
+[[nodiscard]] constexpr bool is_no_verdict(Reason reason) {
+    return reason == Reason::unsupported || reason == Reason::unchanged;
+}
 
 // What a check says. Every summary, table, page and exit status is made from it.
 enum class Outcome {

@@ -62,6 +62,8 @@ inline constexpr std::size_t image_header_words = 3;
 // A compiled kernel, as it is passed to a driver or the interpreter.
 struct KernelModule {
     shader::Spirv spirv;  // follows the interface of kernel_code()
+    // The module before the steps of a compiler, whose rules hold for the results. Empty: there were none.
+    shader::Spirv before = {};
     std::vector<backend::Constant> constants;
     std::size_t input_words = 0;
     std::size_t output_words = 0;

@@ -8,6 +8,7 @@
 #include "backend/gl/device.hpp"
 #include "check/internal/kernel_text.hpp"
 #include "shader/spirv.hpp"
+#include "shader/steps.hpp"
 
 namespace gloam::check {
 namespace {
@@ -170,7 +171,7 @@ KernelSource Lab::source(const std::string& file, const std::string& function,
             return {.file = file,
                     .function = candidate,
                     .images = std::move(images),
-                    .preserve_nan = info().float32.preserves_signed_zero_inf_nan,
+                    .preserve_nan = keeps_nan(),
                     .text = text,
                     .team = signature.team};
         }
@@ -210,7 +211,21 @@ KernelCore Lab::kernel(const std::string& file, const std::string& function,
         module.judged_by_rules = internal::has_precision_rules(*text_language) &&
                                  !internal::calls_undefined_precision(module.spirv);
     }
+    take_steps(module, text);
     return core(std::move(module), function);
+}
+
+void Lab::take_steps(KernelModule& module, const shader::Source& text) const {
+    if (options_.variant.steps.empty()) return;
+    const auto stage = stage_of(module.team);
+    const auto glsl = [&] { return shader::pack({text}, {.stage = stage}, options_.include_roots); };
+    const shader::Spirv made = module.spirv;
+    module.before = made;
+    for (const std::string& step : options_.variant.steps) {
+        module.spirv = shader::taken(step, {.module = module.spirv, .stage = stage, .glsl = glsl});
+        if (shader::is_metamorphic(step)) module.before = module.spirv;
+    }
+    if (shader::without_names(module.spirv) == shader::without_names(made)) throw shader::Unchanged();
 }
 
 shader::Spirv Lab::compile(const shader::Source& text) const {
@@ -311,6 +326,7 @@ KernelCore ConstantKernel::module_of(std::span<const Word> inputs, std::size_t c
                         .fixed_inputs = count};
     for (std::size_t word = 0; !literals && word < inputs.size(); ++word)
         module.constants.push_back({.id = static_cast<std::uint32_t>(word), .bits = inputs[word]});
+    lab_->take_steps(module, text);
     return lab_->core(std::move(module), source_.function.name);
 }
 

@@ -137,6 +137,17 @@ class Lab {
     // Throws std::runtime_error with the validation messages since the last call, if there are any.
     void require_silent_validation() const;
 
+    // Whether its kernels declare that NaN, infinity and -0 keep their meaning, where the device has that. A
+    // compiler leaves most of such a kernel as it is, so those that take steps declare it in `strict` alone.
+    [[nodiscard]] bool keeps_nan() const {
+        return info().float32.preserves_signed_zero_inf_nan &&
+               (options_.variant.steps.empty() || options_.variant.strict);
+    }
+
+    // Takes the variant's steps with a kernel's module. `text`: what it was made from. Throws
+    // shader::StepError; shader::Unchanged.
+    void take_steps(KernelModule& module, const shader::Source& text) const;
+
     // A kernel for this module on this lab's device.
     [[nodiscard]] KernelCore core(KernelModule module, const std::string& name) const;
 

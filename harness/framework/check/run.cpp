@@ -85,7 +85,8 @@ std::size_t inputs_of_run(const Question& question, std::size_t wanted) {
 }  // namespace
 
 Verdict verdict_of(const shader::Variant& variant, const Question& question) {
-    const bool by_rules = variant.strict || variant.relaxed || question.only_rules || !question.reference;
+    const bool by_rules = variant.strict || variant.relaxed || !variant.steps.empty() ||
+                          question.only_rules || !question.reference;
     return by_rules ? Verdict::rules : Verdict::budget;
 }
 

@@ -11,6 +11,7 @@
 #include "shader/internal/front_end.hpp"
 #include "shader/internal/lines.hpp"
 #include "shader/spirv.hpp"
+#include "shader/steps.hpp"
 
 namespace gloam::shader {
 namespace {
@@ -165,6 +166,14 @@ std::vector<Variant> variants() {
 }
 
 Variant variant(const std::string& name) {
+    constexpr std::string_view then = " | ";
+    const std::size_t bar = name.rfind(then);
+    if (bar != std::string::npos) {
+        Variant made = variant(name.substr(0, bar));
+        made.name = name;
+        made.steps.push_back(steps_from(name.substr(bar + then.size()), 0, 0).at(0));
+        return made;
+    }
     std::string names;
     for (Variant& known : variants()) {
         if (known.name == name) return std::move(known);

@@ -107,18 +107,21 @@ struct Variant {
     bool relaxed = false;  // every float result has RelaxedPrecision, as if all were `mediump`
     Through through = Through::none;
     Constants constants = Constants::none;
+    // What the kernel of a function goes through after that, in order (steps.hpp). compile() ignores them.
+    std::vector<std::string> steps = {};
 
     // Whether a module of it may differ from that of the front end as it is.
     [[nodiscard]] bool changes_the_module() const {
         return optimization != Optimization::none || strict || relaxed || through != Through::none ||
-               constants != Constants::none;
+               constants != Constants::none || !steps.empty();
     }
 };
 
 // All variants: shipped, strict, optimized, small, round_trip, hlsl, relaxed, literals, specialization.
 [[nodiscard]] std::vector<Variant> variants();
 
-// The variant with this name. Throws std::invalid_argument that lists the names.
+// The variant with this name, which steps may follow: "shipped | spirv-opt --ccp". Throws std::invalid_argument
+// for another name, with the known ones, and for what is no step.
 [[nodiscard]] Variant variant(const std::string& name);
 
 enum class Stage { compute, vertex, fragment };

@@ -132,6 +132,20 @@ Spirv optimize(const Spirv& module, Optimization optimization) {
     return optimized;
 }
 
+Spirv with_passes(const Spirv& module, const std::vector<std::string>& passes) {
+    return after_passes(module, "optimise", [&passes](spvtools::Optimizer& optimizer) {
+        for (const std::string& pass : passes)
+            if (!optimizer.RegisterPassFromFlag(pass))
+                throw std::runtime_error(pass + " is no pass of SPIRV-Tools");
+    });
+}
+
+bool is_pass(const std::string& option) {
+    spvtools::Optimizer optimizer(environment);
+    optimizer.SetMessageConsumer({});
+    return optimizer.RegisterPassFromFlag(option);
+}
+
 Spirv legalized(const Spirv& module) {
     const auto is_opaque = [](const Instruction& i) {
         return i.opcode == SpvOpTypeImage || i.opcode == SpvOpTypeSampler;

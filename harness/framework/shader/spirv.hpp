@@ -43,6 +43,15 @@ void validate(const Spirv& module);
 // std::runtime_error with the optimizer's message if it cannot read the module.
 [[nodiscard]] Spirv optimize(const Spirv& module, Optimization optimization);
 
+// The module after passes of SPIRV-Tools in this order, each an option of its program spirv-opt: "--ccp",
+// "-O",
+// "--scalar-replacement=4". Does not validate. Throws std::runtime_error if one cannot read the module, and
+// for an option that is no pass.
+[[nodiscard]] Spirv with_passes(const Spirv& module, const std::vector<std::string>& passes);
+
+// Whether SPIRV-Tools has a pass of this option.
+[[nodiscard]] bool is_pass(const std::string& option);
+
 // The module of an HLSL front end as Vulkan permits it: such a front end stores images and samplers in
 // variables of functions. One without images is returned unchanged. Throws like optimize().
 [[nodiscard]] Spirv legalized(const Spirv& module);

@@ -14,6 +14,7 @@
 #include "cli/names.hpp"
 #include "interpreter/program.hpp"
 #include "shader/include.hpp"
+#include "shader/steps.hpp"
 
 namespace gloam::cli {
 
@@ -187,6 +188,7 @@ check::Reason reason_of(const std::exception& error) {
     if (dynamic_cast<const backend::DeviceLost*>(&error) != nullptr) return Reason::device_lost;
     if (dynamic_cast<const backend::Hang*>(&error) != nullptr) return Reason::hang;
     if (dynamic_cast<const backend::Unsupported*>(&error) != nullptr) return Reason::unsupported;
+    if (dynamic_cast<const shader::Unchanged*>(&error) != nullptr) return Reason::unchanged;
     if (const auto* of_shader = dynamic_cast<const interpreter::Error*>(&error)) {
         if (of_shader->kind() == interpreter::Error::Kind::race) return Reason::race;
         if (of_shader->kind() == interpreter::Error::Kind::divergent_barrier) return Reason::divergent;

@@ -2,14 +2,10 @@
 #include "cli/mutate/overlay.hpp"
 
 #include <fmt/format.h>
-#include <cerrno>
 #include <cstdint>
-#include <cstdlib>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
-
-#include "base/files.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -35,38 +31,24 @@ void require_small(const fs::path& folder) {
 
 }  // namespace
 
-Overlay::Overlay(fs::path original) : original_(std::move(original)) {
+Overlay::Overlay(fs::path original) : original_(std::move(original)), folder_("mutate") {
     require_small(original_);
-    std::string name = (fs::temp_directory_path() / "gloam-mutate-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr)
-        throw std::system_error(errno, std::generic_category(), "cannot make the folder " + name);
-    copy_ = name;
     std::error_code error;
-    fs::copy(original_, copy_, fs::copy_options::recursive | fs::copy_options::copy_symlinks, error);
-    if (!error) return;
-    remove();
-    throw std::runtime_error(fmt::format("cannot copy {}: {}", original_.string(), error.message()));
-}
-
-Overlay::~Overlay() {
-    remove();
-}
-
-void Overlay::remove() const {
-    std::error_code ignored;
-    fs::remove_all(copy_, ignored);
+    fs::copy(original_, folder_.path(), fs::copy_options::recursive | fs::copy_options::copy_symlinks, error);
+    if (error)
+        throw std::runtime_error(fmt::format("cannot copy {}: {}", original_.string(), error.message()));
 }
 
 void Overlay::change(const fs::path& file, std::string_view text) const {
-    base::write_file(copy_ / file, text);
+    base::write_file(folder_.path() / file, text);
 }
 
 void Overlay::restore(const fs::path& file) const {
-    fs::copy_file(original_ / file, copy_ / file, fs::copy_options::overwrite_existing);
+    fs::copy_file(original_ / file, folder_.path() / file, fs::copy_options::overwrite_existing);
 }
 
 std::vector<std::string> Overlay::environment(const fs::path& file) const {
-    return {"GLOAM_SHADERS=" + copy_.string(), "GLOAM_SHADERS_OF=" + original_.string(),
+    return {"GLOAM_SHADERS=" + folder_.path().string(), "GLOAM_SHADERS_OF=" + original_.string(),
             "GLOAM_SHADERS_CHANGED=" + file.generic_string()};
 }
 

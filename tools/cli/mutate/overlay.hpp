@@ -8,16 +8,15 @@
 #include <string_view>
 #include <vector>
 
+#include "base/files.hpp"
+
 namespace gloam::cli {
 
-// A copy of a folder in which one file at a time has another text. It is removed with the object.
+// A copy of a folder in which one file at a time has another text.
 class Overlay {
   public:
     // Throws std::runtime_error for a folder that is too large to be copied.
     explicit Overlay(std::filesystem::path original);
-    ~Overlay();
-    Overlay(const Overlay&) = delete;
-    Overlay& operator=(const Overlay&) = delete;
 
     // `file`: relative to the folder.
     void change(const std::filesystem::path& file, std::string_view text) const;
@@ -27,10 +26,8 @@ class Overlay {
     [[nodiscard]] std::vector<std::string> environment(const std::filesystem::path& file) const;
 
   private:
-    void remove() const;
-
     std::filesystem::path original_;
-    std::filesystem::path copy_;
+    base::TemporaryFolder folder_;
 };
 
 // Overlays of one folder, one for each job.

@@ -34,7 +34,8 @@ bool is_same(Scalar scalar, Word a, Word b) {
 Decoded::Decoded(const KernelModules& modules, const ImageSet& images) {
     for (const auto& module : modules) {
         parts_.push_back({.module = *module,
-                          .program = interpreter::Program(module->spirv, module->constants),
+                          .program = interpreter::Program(
+                              module->before.empty() ? module->spirv : module->before, module->constants),
                           .images = image_words(module->images, images, "the kernel")});
     }
 }

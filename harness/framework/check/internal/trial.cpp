@@ -34,7 +34,7 @@ Trial::Trial(const Lab& lab, const Question& question, const KernelCore& kernel,
       input_seed_(input_seed_of(question, scenario, seed)),
       images_(images_of(scenario, seed)),
       options_{.edges = !question.only_rules && !lab.options().variant.relaxed,
-               .nan = lab.info().float32.preserves_signed_zero_inf_nan,
+               .nan = lab.keeps_nan(),
                .verdict = verdict} {}
 
 Trial::Evaluated Trial::run(Domain::Inputs inputs, Answer& answer) const {

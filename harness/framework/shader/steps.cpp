@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: MIT
+#include "shader/steps.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <charconv>
+#include <numeric>
+#include <optional>
+#include <random>
+#include <sstream>
+#include <system_error>
+
+#include "base/files.hpp"
+#include "base/process.hpp"
+#include "base/text.hpp"
+#include "shader/internal/cross.hpp"
+#include "shader/metamorphic.hpp"
+#include "shader/spirv.hpp"
+
+namespace gloam::shader {
+namespace {
+
+constexpr std::string_view optimizer = "spirv-opt";
+constexpr std::string_view translator = "spirv-cross";
+constexpr std::string_view changer = "metamorphic";
+constexpr std::string_view replacer = "=";
+
+using Words = std::vector<std::string>;
+
+Words words_of(const std::string& text) {
+    std::istringstream in(text);
+    Words words;
+    for (std::string word; in >> word;) words.push_back(word);
+    return words;
+}
+
+std::string joined(const Words& words) {
+    return fmt::format("{}", fmt::join(words, " "));
+}
+
+std::optional<std::uint64_t> number_from(const std::string& text) {
+    std::uint64_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc{} && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
+}
+
+[[noreturn]] void refuse(const std::string& step, const std::string& expected) {
+    throw std::invalid_argument(fmt::format("\"{}\" is no step: expected {}", step, expected));
+}
+
+struct Seeded {
+    std::uint64_t seed = 0;
+    std::vector<std::size_t> positions;
+};
+
+std::vector<std::size_t> all_positions() {
+    std::vector<std::size_t> all(metamorphic_changes);
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return all;
+}
+
+// "metamorphic SEED" or "metamorphic SEED only POSITION...".
+Seeded seeded_from(const std::string& step) {
+    const Words words = words_of(step);
+    const auto seed = words.size() > 1 ? number_from(words[1]) : std::nullopt;
+    const bool some = words.size() > 3 && words[2] == "only";
+    if (!seed || (words.size() > 2 && !some)) refuse(step, "metamorphic SEED, or metamorphic SEED only 3 5");
+    Seeded seeded{*seed, some ? std::vector<std::size_t>{} : all_positions()};
+    for (std::size_t w = 3; w < words.size(); ++w) {
+        const auto position = number_from(words[w]);
+        if (!position || *position >= metamorphic_changes)
+            refuse(step, fmt::format("positions below {}", metamorphic_changes));
+        seeded.positions.push_back(*position);
+    }
+    return seeded;
+}
+
+bool is_program(const std::string& step) {
+    return step.find("{out}") != std::string::npos;
+}
+
+// The step's first word decides. Throws std::invalid_argument unless it is a step.
+void require_step(const std::string& step) {
+    const Words words = words_of(step);
+    if (words.empty()) refuse(step, "a step");
+    if (is_program(step)) {
+        if (step.find("{in}") == std::string::npos && step.find("{glsl}") == std::string::npos)
+            refuse(step, "a program that is given {in} or {glsl}");
+    } else if (words[0] == changer) {
+        static_cast<void>(seeded_from(step));
+    } else if (words[0] == translator) {
+        if (words.size() != 2 || (words[1] != "glsl" && words[1] != "hlsl"))
+            refuse(step, "spirv-cross glsl or spirv-cross hlsl");
+    } else if (words[0] == replacer) {
+        if (words.size() != 2) refuse(step, "= FILE");
+    } else if (words[0] == optimizer) {
+        const auto unknown = std::find_if_not(words.begin() + 1, words.end(), is_pass);
+        if (words.size() == 1) refuse(step, "passes, as in spirv-opt --ccp");
+        if (unknown != words.end())
+            refuse(step, fmt::format("passes of SPIRV-Tools, and {} is none", *unknown));
+    } else {
+        refuse(step, "spirv-opt, spirv-cross, metamorphic, = FILE, or a program with {out}");
+    }
+}
+
+std::string bytes_of(const Spirv& module) {
+    return {reinterpret_cast<const char*>(module.data()), module.size() * sizeof(module[0])};
+}
+
+Spirv module_in(const std::filesystem::path& file) {
+    const std::string bytes = base::read_file(file);
+    if (bytes.size() % sizeof(std::uint32_t) != 0)
+        throw StepError(fmt::format("{}: {} bytes are no SPIR-V module", file.string(), bytes.size()));
+    Spirv module(bytes.size() / sizeof(std::uint32_t));
+    std::copy(bytes.begin(), bytes.end(), reinterpret_cast<char*>(module.data()));
+    return module;
+}
+
+Spirv run_program(const std::string& step, const StepInput& input) {
+    const base::TemporaryFolder folder("step");
+    const auto out = folder.path() / "out.spv";
+    Words command = words_of(step);
+    for (std::string& word : command) {
+        const auto put = [&word](std::string_view name, const std::filesystem::path& path) {
+            const std::size_t at = word.find(name);
+            if (at != std::string::npos) word.replace(at, name.size(), path.string());
+            return at != std::string::npos;
+        };
+        put("{out}", out);
+        if (put("{in}", folder.path() / "in.spv"))
+            base::write_file(folder.path() / "in.spv", bytes_of(input.module));
+        if (put("{glsl}", folder.path() / "in.comp"))
+            base::write_file(folder.path() / "in.comp", input.glsl());
+    }
+    constexpr std::uint64_t memory = std::uint64_t{4} << 30;
+    base::ProcessResult result;
+    try {
+        result = base::run_process(
+            command, {},
+            {.memory_bytes = memory, .cpu = std::chrono::seconds(60), .patience = std::chrono::seconds(120)});
+    } catch (const std::system_error& error) {
+        throw StepError(fmt::format("{} cannot be started: {}", command.front(), error.what()));
+    }
+    if (!result.succeeded())
+        throw StepError(base::one_line(fmt::format("{} {}", command.front(), result.how())));
+    return module_in(out);
+}
+
+Spirv taken_unchecked(const std::string& step, const StepInput& input) {
+    if (is_program(step)) return run_program(step, input);
+    Words words = words_of(step);
+    if (words[0] == replacer) return module_in(words[1]);
+    if (words[0] == translator) {
+        const auto through = words[1] == "glsl" ? Variant::Through::glsl : Variant::Through::hlsl;
+        return internal::round_trip(input.module, input.stage, "the module", through);
+    }
+    if (words[0] == changer) {
+        const Seeded seeded = seeded_from(step);
+        return metamorphic(input.module, seeded.seed, seeded.positions).module;
+    }
+    words.erase(words.begin());
+    return with_passes(input.module, words);
+}
+
+}  // namespace
+
+Spirv taken(const std::string& step, const StepInput& input) {
+    require_step(step);
+    try {
+        Spirv module = taken_unchecked(step, input);
+        validate(module);
+        return module;
+    } catch (const std::runtime_error& error) {
+        throw StepError(fmt::format("{}: {}", step, error.what()));
+    }
+}
+
+bool is_metamorphic(const std::string& step) {
+    return step.starts_with(changer) && !is_program(step);
+}
+
+std::vector<std::string> parts_of(const std::string& step) {
+    Words parts;
+    if (is_program(step)) return parts;
+    if (is_metamorphic(step)) {
+        for (const std::size_t position : seeded_from(step).positions)
+            parts.push_back(std::to_string(position));
+    } else if (step.starts_with(optimizer)) {
+        parts = words_of(step);
+        parts.erase(parts.begin());
+    }
+    return parts;
+}
+
+std::string with_parts(const std::string& step, const std::vector<std::string>& parts) {
+    if (is_metamorphic(step))
+        return fmt::format("{} only {}", joined({words_of(step)[0], words_of(step)[1]}), joined(parts));
+    return fmt::format("{} {}", optimizer, joined(parts));
+}
+
+namespace {
+
+// The passes that the installed program names in its help. Those that need a number get a small one.
+Words known_passes() {
+    base::ProcessResult help;
+    try {
+        help = base::run_process({std::string(optimizer), "--help"}, {}, {});
+    } catch (const std::system_error& error) {
+        throw std::invalid_argument(
+            fmt::format("spirv-opt, whose help names its passes, cannot be started: {}", error.what()));
+    }
+    Words passes{"-O", "-Os"};
+    for (std::string word : words_of(help.output)) {
+        word = word.substr(0, word.find_first_of("[=,."));
+        if (!word.starts_with("--") || std::ranges::find(passes, word) != passes.end()) continue;
+        if (is_pass(word)) {
+            passes.push_back(word);
+        } else if (is_pass(word + "=4")) {
+            passes.push_back(word + "=4");
+        }
+    }
+    return passes;
+}
+
+std::string random_passes(const Words& all, std::uint64_t seed) {
+    constexpr std::size_t most = 10;
+    std::mt19937_64 chance(seed);
+    Words words{std::string(optimizer)};
+    for (std::size_t left = 2 + chance() % (most - 1); left > 0; --left)
+        words.push_back(all[chance() % all.size()]);
+    return joined(words);
+}
+
+}  // namespace
+
+std::vector<std::string> steps_from(const std::string& text, std::uint64_t first, std::size_t seeds) {
+    const Words words = words_of(text);
+    Words steps;
+    const bool of_passes = words.size() == 2 && words[0] == optimizer;
+    if (of_passes && (words[1] == "each" || words[1] == "random")) {
+        const Words all = known_passes();
+        if (words[1] == "each") {
+            for (const std::string& pass : all) steps.push_back(joined({words[0], pass}));
+            return steps;
+        }
+        for (std::size_t s = 0; s < seeds; ++s) steps.push_back(random_passes(all, first + s));
+    } else if (words.size() == 1 && words[0] == changer) {
+        for (std::size_t s = 0; s < seeds; ++s) steps.push_back(fmt::format("{} {}", changer, first + s));
+    } else {
+        require_step(text);
+        steps.push_back(joined(words));
+    }
+    return steps;
+}
+
+}  // namespace gloam::shader

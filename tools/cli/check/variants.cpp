@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "cli/check/variants.hpp"
+
+#include <fmt/format.h>
+#include <map>
+#include <stdexcept>
+
+#include "backend/gl/device.hpp"
+#include "cli/names.hpp"
+#include "shader/steps.hpp"
+
+namespace gloam::cli {
+namespace {
+
+constexpr std::string_view then = " | ";
+
+std::vector<std::string> divided(const std::string& chain) {
+    std::vector<std::string> steps;
+    std::size_t begin = 0;
+    for (std::size_t bar = 0; bar != std::string::npos; begin = bar + then.size()) {
+        bar = chain.find(then, begin);
+        steps.push_back(chain.substr(begin, bar - begin));
+    }
+    return steps;
+}
+
+// Each name with each of the steps that the text stands for.
+std::vector<std::string> followed(const std::vector<std::string>& names, const std::string& text,
+                                  const CheckOptions& options) {
+    std::vector<std::string> longer;
+    for (const std::string& step : shader::steps_from(text, options.seed, options.seeds))
+        for (const std::string& name : names) longer.push_back(name + std::string(then) + step);
+    return longer;
+}
+
+std::vector<std::string> bases_of(const CheckOptions& options) {
+    std::vector<std::string> names;
+    if (options.variant == "metamorphic") return followed({"shipped"}, options.variant, options);
+    for (const shader::Variant& variant : select_variants(options.variant)) names.push_back(variant.name);
+    return names;
+}
+
+}  // namespace
+
+bool is_opengl(const std::string& device) {
+    return device == every_opengl || gl::is_device_name(device);
+}
+
+std::vector<shader::Variant> variants_of(const CheckOptions& options) {
+    std::vector<std::string> names;
+    const std::vector<std::string> bases = bases_of(options);
+    for (const std::string& compiler : options.compilers) {
+        std::vector<std::string> chains = bases;
+        for (const std::string& step : divided(compiler)) chains = followed(chains, step, options);
+        names.insert(names.end(), chains.begin(), chains.end());
+    }
+    std::vector<shader::Variant> variants;
+    for (const std::string& name : options.compilers.empty() ? bases : names)
+        variants.push_back(shader::variant(name));
+    if (!is_opengl(options.device)) return variants;
+    std::erase_if(variants, [](const shader::Variant& variant) { return variant.changes_the_module(); });
+    if (variants.empty())
+        throw std::invalid_argument("OpenGL devices have the variant shipped only, not " + options.variant);
+    return variants;
+}
+
+std::string step_summary(const std::vector<report::CheckReport>& reports) {
+    struct Count {
+        std::size_t modules = 0;
+        std::size_t changed = 0;
+        std::size_t failed = 0;
+        std::size_t not_judged = 0;
+    };
+    std::map<std::string, Count> counts;
+    for (const report::CheckReport& report : reports) {
+        for (const check::Answer& row : report.rows) {
+            if (row.variant.find(then) == std::string::npos) continue;
+            Count& count = counts[row.variant];
+            const bool changed = row.reason != check::Reason::unchanged;
+            ++count.modules;
+            if (changed) ++count.changed;
+            if (row.failed()) ++count.failed;
+            if (changed && !row.failed() && !row.passed()) ++count.not_judged;
+        }
+    }
+    std::string text;
+    for (const auto& [variant, count] : counts)
+        text += fmt::format("{:>7} {:>8} {:>7} {:>11}  {}\n", count.modules, count.changed, count.failed,
+                            count.not_judged, variant);
+    return text.empty() ? text : "modules  changed  failed  not judged  variant\n" + text;
+}
+
+}  // namespace gloam::cli
