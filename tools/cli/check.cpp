@@ -15,6 +15,7 @@
 #include "backend/gl/device.hpp"
 #include "base/threads.hpp"
 #include "catalogue/catalogue.hpp"
+#include "check/random_function.hpp"
 #include "cli/check/checker.hpp"
 #include "cli/check/hand_over.hpp"
 #include "cli/check/run_device.hpp"
@@ -45,8 +46,10 @@ bool is_of_file(const CheckOptions& options) {
     return !options.equations.empty() && is_shader_file(options.equations.front());
 }
 
-// The IDs of the selected equations, or the functions of a file.
+// The IDs of the selected equations, the functions of a file, or random functions.
 std::vector<std::string> names_of(const CheckOptions& options, CheckOutcome& outcome) {
+    if (options.equations.size() == 1 && is_random(options.equations.front()))
+        return random_names(options.equations.front());
     if (is_of_file(options)) {
         OwnSelection own = own_selection(options.equations, options.ranges, options.includes);
         outcome.notes = std::move(own.notes);
@@ -76,9 +79,10 @@ std::vector<CheckTask> tasks_of(const CheckOptions& options, CheckOutcome& outco
                              .inputs = options.inputs,
                              .seed = options.seed,
                              .coverage = options.coverage,
-                             .file = file,
+                             .file = is_random(name) ? name : file,
                              .ranges = options.ranges,
                              .includes = options.includes});
+            if (is_random(name)) tasks.back().ranges = {check::random_function_range};
         }
     }
     return tasks;
@@ -92,6 +96,7 @@ void print_device(const report::DeviceSummary& device) {
 void print_row(const check::Answer& row) {
     std::string verdict = report::verdict_of(row);
     if (row.passed() || row.failed()) verdict = colored(verdict, row.passed() ? Ink::good : Ink::bad);
+    if (row.reason == check::Reason::unchanged) return;  // there are many, and step_summary() counts them
     fmt::print("{}\n", report::table_line(row, verdict));
     std::fflush(stdout);
 }
@@ -101,11 +106,14 @@ std::string command_for(const CheckOptions& options, const report::DeviceSummary
                         const check::Answer& row) {
     std::string what = report::shell_word(row.equation);
     if (is_of_file(options)) what = report::shell_word(options.equations.front()) + " " + what;
+    const std::size_t steps = row.variant.find(" | ");
+    std::string variant = report::shell_word(row.variant.substr(0, steps));
+    if (steps != std::string::npos)
+        variant += " --compiler " + report::shell_word(row.variant.substr(steps + 3));
     for (const std::string& range : options.ranges) what += " --range " + report::shell_word(range);
     for (const std::string& folder : options.includes) what += " --include " + report::shell_word(folder);
     std::string command = fmt::format("gloam check {} --variant {} --device {} --inputs {} --seed {}", what,
-                                      report::shell_word(row.variant), report::shell_word(device.name),
-                                      options.inputs, options.seed);
+                                      variant, report::shell_word(device.name), options.inputs, options.seed);
     for (const auto& driver : drivers_asked_for())
         command += " --driver " + report::shell_word(driver.string());
     return options.validation ? command + " --validation" : command;
@@ -331,7 +339,8 @@ void add_check(CLI::App& app, int& status) {
         app.add_subcommand("check", "run equations on a Vulkan or OpenGL device and judge every result");
     command->add_option(
         "equation", options->equations,
-        "IDs, functions or globs (all when none is given); or a GLSL file of your own, and its functions");
+        "IDs, functions or globs (all when none is given); or a GLSL file of your own, and its functions; or "
+        "random:1-100, generated functions with these seeds");
     command->add_option("--range", options->ranges,
                         "NAME=LOW:HIGH: what a parameter of your own file's functions is drawn from");
     add_include_option(*command, options->includes);

@@ -42,7 +42,6 @@ void require_opengl_options(const LabOptions& options) {
 std::shared_ptr<backend::Backend> opened(const LabOptions& options) {
     if (options.device == interpreter_name) return interpreter();
     if (gl::is_device_name(options.device)) {
-        require_opengl_options(options);
         return std::make_shared<gl::Device>(options.device);
     }
     return std::make_shared<gpu::Device>(
@@ -117,7 +116,9 @@ shader::SpirvCache shader_cache(const LabOptions& options) {
 Lab::Lab(LabOptions options) : Lab(options, opened(options)) {}
 
 Lab::Lab(LabOptions options, std::shared_ptr<backend::Backend> device)
-    : options_(std::move(options)), device_(std::move(device)), cache_(shader_cache(options_)) {}
+    : options_(std::move(options)), device_(std::move(device)), cache_(shader_cache(options_)) {
+    if (!info().glsl.empty()) require_opengl_options(options_);
+}
 
 const gpu::Device& Lab::device() const {
     if (const auto* vulkan = dynamic_cast<const gpu::Device*>(device_.get())) return *vulkan;

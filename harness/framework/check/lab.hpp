@@ -152,6 +152,8 @@ class Lab {
     [[nodiscard]] KernelCore core(KernelModule module, const std::string& name) const;
 
     [[nodiscard]] const backend::DeviceInfo& info() const { return device_->info(); }
+    // Its device, for other labs to share.
+    [[nodiscard]] const std::shared_ptr<backend::Backend>& backend() const { return device_; }
     // The language in which its device takes kernels (DeviceInfo::glsl); none where it takes modules.
     [[nodiscard]] std::optional<shader::Language> language() const;
     // The Vulkan device. Throws std::runtime_error if there is none.

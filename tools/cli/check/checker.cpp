@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <charconv>
 #include <new>
 #include <set>
 #include <stdexcept>
@@ -10,6 +11,7 @@
 
 #include "backend/backend.hpp"
 #include "base/text.hpp"
+#include "check/random_function.hpp"
 #include "cli/environment.hpp"
 #include "cli/names.hpp"
 #include "interpreter/program.hpp"
@@ -39,10 +41,40 @@ void require_known(const check::Ranges& ranges, const std::vector<check::OwnFunc
 
 }  // namespace
 
+namespace {
+
+constexpr std::string_view random_prefix = "random:";
+constexpr const char* random_file = "random.glsl";
+
+}  // namespace
+
 bool is_shader_file(const std::string& word) {
     const std::string extension = std::filesystem::path(word).extension().string();
     const std::set<std::string> known{".glsl", ".comp", ".frag", ".vert"};
     return known.contains(extension);
+}
+
+bool is_random(const std::string& word) {
+    return word.starts_with(random_prefix);
+}
+
+std::vector<std::string> random_names(const std::string& word) {
+    constexpr std::uint64_t most = 1'000'000;
+    std::uint64_t first = 0;
+    std::uint64_t last = 0;
+    const char* const end = word.data() + word.size();
+    auto read = std::from_chars(word.data() + random_prefix.size(), end, first);
+    if (read.ec == std::errc{} && read.ptr == end)
+        last = first;
+    else if (read.ec == std::errc{} && *read.ptr == '-')
+        read = std::from_chars(read.ptr + 1, end, last);
+    if (read.ec != std::errc{} || read.ptr != end || last < first || last - first >= most)
+        throw std::invalid_argument(
+            fmt::format("{}: expected random:SEED or random:FIRST-LAST, {} seeds at most", word, most));
+    std::vector<std::string> names;
+    for (std::uint64_t seed = first; seed <= last; ++seed)
+        names.push_back(fmt::format("{}{}", random_prefix, seed));
+    return names;
 }
 
 OwnFile own_file(const std::string& file, const std::vector<std::string>& names,
@@ -84,6 +116,14 @@ OwnSelection own_selection(const std::vector<std::string>& words, const std::vec
 }
 
 check::Question own_question(const check::Lab& lab, const CheckTask& task) {
+    if (is_random(task.file)) {
+        const std::string name = "random_" + task.file.substr(random_prefix.size());
+        const check::OwnFunctions own = check::own_functions(lab.options(), random_file, {name});
+        check::Question question =
+            check::question_of(lab, random_file, own.found.at(0), ranges_from(task.ranges));
+        question.name = task.equation;
+        return question;
+    }
     const std::string file = std::filesystem::path(task.file).filename().string();
     const check::OwnFunctions own = check::own_functions(lab.options(), file, {task.equation});
     if (own.found.empty())
@@ -97,16 +137,24 @@ constexpr std::string_view first_variant = "shipped";
 
 std::unique_ptr<check::Lab> make_lab(const CheckerOptions& options, const shader::Variant& variant,
                                      const std::vector<std::filesystem::path>& roots,
-                                     const std::filesystem::path& file) {
+                                     const std::filesystem::path& file,
+                                     std::shared_ptr<backend::Backend> device) {
     std::vector<shader::Excerpt> excerpts;
-    if (!file.empty()) excerpts = shader::excerpts({file.string(), shader::read_text(file)}, roots).functions;
-    return std::make_unique<check::Lab>(check::LabOptions{.device = options.device,
-                                                          .validation = options.validation,
-                                                          .include_roots = roots,
-                                                          .cache_directory = cache_directory(),
-                                                          .variant = variant,
-                                                          .excerpts = std::move(excerpts),
-                                                          .timeout = options.timeout});
+    if (is_random(file.string())) {
+        const std::uint64_t seed = std::stoull(file.string().substr(random_prefix.size()));
+        excerpts = shader::excerpts({random_file, check::random_function(seed)}, {}).functions;
+    } else if (!file.empty()) {
+        excerpts = shader::excerpts({file.string(), shader::read_text(file)}, roots).functions;
+    }
+    check::LabOptions made{.device = options.device,
+                           .validation = options.validation,
+                           .include_roots = roots,
+                           .cache_directory = cache_directory(),
+                           .variant = variant,
+                           .excerpts = std::move(excerpts),
+                           .timeout = options.timeout};
+    if (device == nullptr) return std::make_unique<check::Lab>(std::move(made));
+    return std::make_unique<check::Lab>(std::move(made), std::move(device));
 }
 
 check::RunOptions options_of(const CheckTask& task) {
@@ -123,8 +171,8 @@ Checker::Checker(CheckerOptions options)
 const check::Lab& Checker::lab(const std::string& variant, const std::vector<std::filesystem::path>& roots,
                                const std::filesystem::path& file) {
     if (!lab_ || variant != variant_ || roots != roots_ || file != file_) {
-        lab_.reset();  // destroyed before the next is made: a device may lack memory for two
-        lab_ = make_lab(options_, select_variants(variant).front(), roots, file);
+        const std::shared_ptr<backend::Backend> device = lab_ ? lab_->backend() : nullptr;
+        lab_ = make_lab(options_, select_variants(variant).front(), roots, file, device);
         variant_ = variant;
         roots_ = roots;
         file_ = file;

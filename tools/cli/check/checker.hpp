@@ -28,6 +28,11 @@ namespace gloam::cli {
 // Whether a word of the command line is a shader file, not an equation.
 [[nodiscard]] bool is_shader_file(const std::string& word);
 
+// "random:17" names the random function of a seed (check::random_function()), "random:1-100" several.
+[[nodiscard]] bool is_random(const std::string& word);
+// The name of each. Throws std::invalid_argument for anything but a seed or a range of seeds.
+[[nodiscard]] std::vector<std::string> random_names(const std::string& word);
+
 // The ranges that --range names. Throws std::invalid_argument for an invalid one.
 [[nodiscard]] check::Ranges ranges_from(const std::vector<std::string>& texts);
 
