@@ -3,13 +3,11 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdlib>
-#include <set>
 #include <stdexcept>
 
 #include "check/internal/budget_judge.hpp"
+#include "check/internal/interpretation.hpp"
 #include "check/internal/kernel_text.hpp"
 #include "check/internal/trial.hpp"
 #include "check/interpreted_kernel.hpp"
@@ -17,164 +15,14 @@
 #include "numeric/numbers.hpp"
 #include "shader/pack.hpp"
 #include "shader/spirv.hpp"
+#include "shader/steps.hpp"
 
 namespace gloam::check {
 namespace {
 
 using shader::Scalar;
-using Words = std::vector<Word>;
-
-constexpr int significand_bits = 23;
-constexpr Word sign_bit = 0x80000000U;
-
-std::size_t float_complexity(Word word) {
-    const Word magnitude = word & ~sign_bit;
-    const std::size_t sign = word == magnitude ? 0 : 1;
-    if (magnitude == 0) return sign;
-    const auto value = std::bit_cast<float>(magnitude);
-    if (!std::isfinite(value)) return 200 + sign;  // more complex than any number
-    const Word significand = magnitude & ((1U << significand_bits) - 1U);
-    const int bits = significand == 0 ? 0 : significand_bits - std::countr_zero(significand);
-    const int exponent = std::abs(static_cast<int>(magnitude >> significand_bits) - 127);
-    return 2 + sign + 2 * static_cast<std::size_t>(bits) + static_cast<std::size_t>(exponent);
-}
-
-std::size_t word_complexity(Word word, Scalar scalar) {
-    if (scalar == Scalar::float_) return float_complexity(word);
-    const bool negative = scalar == Scalar::int_ && (word & sign_bit) != 0;
-    const Word magnitude = negative ? ~word + 1U : word;
-    // By bit width, then by the number of set bits: 4 is simpler than 5, and 3 is simpler than both.
-    return (negative ? 1U : 0U) + static_cast<std::size_t>(4 * std::bit_width(magnitude)) +
-           static_cast<std::size_t>(std::popcount(magnitude));
-}
-
-void add_float_candidates(Word word, std::set<Word>& candidates) {
-    const auto value = std::bit_cast<float>(word);
-    for (const float simple :
-         {0.0F, 1.0F, -1.0F, 0.5F, -0.5F, 2.0F, -2.0F, 3.0F, 0.25F, 4.0F, 10.0F, 100.0F}) {
-        candidates.insert(to_word(simple));
-    }
-    candidates.insert(word ^ sign_bit);
-    if (!std::isfinite(value)) return;
-    for (int kept = 0; kept < significand_bits; ++kept) {
-        const Word step = 1U << (significand_bits - kept);
-        candidates.insert(word & ~(step - 1U));                // towards zero
-        candidates.insert((word + step - 1U) & ~(step - 1U));  // away from zero
-    }
-    candidates.insert(to_word(std::trunc(value)));
-    const int exponent = value == 0.0F ? 0 : std::ilogb(value);
-    for (int step = std::abs(exponent); step > 0; step /= 2) {
-        candidates.insert(to_word(std::ldexp(value, exponent > 0 ? -step : step)));
-    }
-    if (exponent != 0) candidates.insert(to_word(std::ldexp(value, exponent > 0 ? -1 : 1)));
-}
-
-void add_integer_candidates(Word word, Scalar scalar, std::set<Word>& candidates) {
-    if (scalar == Scalar::bool_) {
-        candidates.insert(0U);
-        return;
-    }
-    for (Word simple = 0; simple <= 8; ++simple) candidates.insert(simple);
-    const bool negative = scalar == Scalar::int_ && (word & sign_bit) != 0;
-    const Word magnitude = negative ? ~word + 1U : word;
-    const auto add = [&](Word smaller) { candidates.insert(negative ? ~smaller + 1U : smaller); };
-    if (negative) candidates.insert(magnitude);
-    for (int shift = 1; shift < 32; ++shift) {
-        add(magnitude >> shift);
-        add(magnitude & ~((1U << shift) - 1U));
-        add(magnitude - (magnitude >> shift));
-    }
-    if (magnitude > 0) add(magnitude - 1U);
-}
-
-class Shrinker {
-  public:
-    explicit Shrinker(const ShrinkScope& scope)
-        : scope_(scope), scalars_(scope.question.signature.input_scalars()) {}
-
-    Sample run(const Sample& failing) {
-        std::optional<Sample> best = first_failing(std::vector<Words>{failing.inputs});
-        if (!best) throw std::invalid_argument("shrink: the input does not fail: there is nothing to shrink");
-        while (const auto simpler = first_failing(simpler_inputs(scope_.question, best->inputs)))
-            best = simpler;
-        best->scenario = failing.scenario;
-        best->index = failing.index;
-        return *best;
-    }
-
-  private:
-    // The first input that fails, if any.
-    [[nodiscard]] std::optional<Sample> first_failing(const std::vector<Words>& inputs) const {
-        for (std::size_t first = 0; first < inputs.size(); first += scope_.at_once) {
-            const std::size_t count = std::min(scope_.at_once, inputs.size() - first);
-            if (const auto found = first_failing(std::span(inputs).subspan(first, count))) return found;
-        }
-        return std::nullopt;
-    }
-
-    [[nodiscard]] std::optional<Sample> first_failing(std::span<const Words> inputs) const {
-        Domain::Inputs batch;
-        batch.width = scalars_.size();
-        batch.branch.assign(inputs.size(), false);
-        for (const Words& words : inputs) batch.words.insert(batch.words.end(), words.begin(), words.end());
-        const KernelCore::Result result = scope_.evaluate(batch.words, inputs.size());
-        JudgeOptions options = scope_.options;
-        options.modules = result.modules;
-        const Answer answer = judge(scope_.question, options, batch, result.outputs, scope_.images);
-        std::optional<Sample> first;
-        for (const auto& sample : answer.first_outside) {
-            if (sample && (!first || sample->index < first->index)) first = sample;
-        }
-        return first;
-    }
-
-    const ShrinkScope& scope_;
-    std::vector<Scalar> scalars_;
-};
-
-}  // namespace
-
-std::size_t complexity(std::span<const Word> input, const std::vector<Scalar>& scalars) {
-    std::size_t sum = 0;
-    for (std::size_t i = 0; i < input.size(); ++i) sum += word_complexity(input[i], scalars[i]);
-    return sum;
-}
-
-std::vector<Words> simpler_inputs(const Question& question, const Words& input) {
-    const std::vector<Scalar> scalars = question.signature.input_scalars();
-    std::set<Words> found;
-    for (std::size_t i = 0; i < input.size(); ++i) {
-        std::set<Word> candidates;
-        if (scalars[i] == Scalar::float_) {
-            add_float_candidates(input[i], candidates);
-        } else {
-            add_integer_candidates(input[i], scalars[i], candidates);
-        }
-        for (const Word candidate : candidates) {
-            Words alone = input;
-            alone[i] = candidate;
-            found.insert(std::move(alone));
-            Words together = input;
-            for (std::size_t j = 0; j < input.size(); ++j)
-                if (scalars[j] == scalars[i] && input[j] == input[i]) together[j] = candidate;
-            found.insert(std::move(together));
-        }
-    }
-    const std::size_t now = complexity(input, scalars);
-    std::vector<Words> simpler;
-    for (const Words& words : found)
-        if (complexity(words, scalars) < now && question.domain.holds(words, input)) simpler.push_back(words);
-    std::ranges::stable_sort(simpler, {}, [&](const Words& words) { return complexity(words, scalars); });
-    return simpler;
-}
-
-Sample shrink(const ShrinkScope& scope, const Sample& failing) {
-    return Shrinker(scope).run(failing);
-}
-
-namespace {
-
 using Constants = shader::Variant::Constants;
+using Words = std::vector<Word>;
 
 ImageScenario scenario_of(const Question& question, const std::string& name) {
     if (question.scenarios.empty() && name.empty()) return {};
@@ -251,8 +99,15 @@ Reproduction without_verdict(const Lab& lab, const Question& question, const std
                               .text = code_of(source, constants, inputs)};
     shader::CompileOptions in_stage = lab.compile_options();
     in_stage.stage = stage_of(source.team);
+    KernelModule module{.spirv = lab.compile(text, in_stage), .team = source.team};
+    try {
+        lab.take_steps(module, text);
+    } catch (const shader::StepError&) {  // then the module before the step that failed is what there is
+    }
     Reproduction all{.glsl = shader::pack({text}, {.stage = in_stage.stage}, lab.options().include_roots),
-                     .spirv = lab.compile(text, in_stage),
+                     .spirv = std::move(module.spirv),
+                     .steps = lab.options().variant.steps,
+                     .before = std::move(module.before),
                      .team = source.team,
                      .scenario = scenario,
                      .inputs = std::move(inputs),
@@ -270,14 +125,52 @@ Reproduction without_verdict(const Lab& lab, const Question& question, const std
 
 }  // namespace
 
-Reproduction reproduce(const Lab& lab, const Question& question, const RunOptions& options) {
-    const ImageScenario scenario = question.scenarios.empty() ? ImageScenario{} : question.scenarios.front();
-    return without_verdict(lab, question, scenario.name, internal::images_of(scenario, options.seed),
-                           question.domain.draw(1, options.seed, scenario.size).words);
+namespace {
+
+// The same lab with other steps.
+Lab with_steps(const Lab& lab, const std::vector<std::string>& steps) {
+    LabOptions options = lab.options();
+    options.variant.steps = steps;
+    return {std::move(options), lab.backend()};
 }
 
-Reproduction reproduce(const Lab& lab, const Question& question, const RunOptions& options,
-                       const Sample& failing) {
+// Whether one of these steps cannot be taken.
+bool cannot_be_taken(const Lab& lab, const Question& question, const std::vector<std::string>& steps) {
+    try {
+        static_cast<void>(
+            with_steps(lab, steps).kernel(question.file, question.function, question.signature));
+    } catch (const shader::StepError&) {
+        return true;
+    } catch (const shader::Unchanged&) {
+        return false;
+    }
+    return false;
+}
+
+// Whether these inputs fail after these steps. Those that cannot be taken, or leave the module as it is, do
+// not fail in this way.
+bool fails_after(const Lab& lab, const Question& question, const RunOptions& options, const Sample& failing,
+                 const std::vector<std::string>& steps) {
+    try {
+        const Lab other = with_steps(lab, steps);
+        const Stage stage(other, question, scenario_of(question, failing.scenario), options);
+        JudgeOptions judging = stage.judge_options();
+        const KernelCore::Result result = stage.run(failing.inputs, 1);
+        judging.modules = result.modules;
+        const Domain::Inputs inputs{
+            .words = failing.inputs, .branch = {false}, .width = failing.inputs.size()};
+        return judge(question, judging, inputs, result.outputs, stage.images()).outside() > 0;
+    } catch (const shader::StepError&) {
+        return false;
+    } catch (const shader::Unchanged&) {
+        return false;
+    } catch (const backend::Fault&) {
+        return false;
+    }
+}
+
+Reproduction reproduce_with(const Lab& lab, const Question& question, const RunOptions& options,
+                            const Sample& failing) {
     const Stage stage(lab, question, scenario_of(question, failing.scenario), options);
     const ShrinkScope scope{.question = question,
                             .options = stage.judge_options(),
@@ -291,6 +184,45 @@ Reproduction reproduce(const Lab& lab, const Question& question, const RunOption
     add_opengl(lab, lab.source(question.file, question.function, question.signature), all);
     all.failure = smallest;
     return all;
+}
+
+}  // namespace
+
+Reproduction reproduce(const Lab& lab, const Question& question, const RunOptions& options) {
+    const ImageScenario scenario = question.scenarios.empty() ? ImageScenario{} : question.scenarios.front();
+    const std::vector<std::string>& steps = lab.options().variant.steps;
+    const auto fails = [&](const std::vector<std::string>& fewer) {
+        return cannot_be_taken(lab, question, fewer);
+    };
+    const Lab of_fewest = with_steps(lab, fails(steps) ? shortest_steps(steps, fails) : steps);
+    return without_verdict(of_fewest, question, scenario.name, internal::images_of(scenario, options.seed),
+                           question.domain.draw(1, options.seed, scenario.size).words);
+}
+
+Reproduction reproduce(const Lab& lab, const Question& question, const RunOptions& options,
+                       const Sample& failing) {
+    const std::vector<std::string>& steps = lab.options().variant.steps;
+    if (steps.empty()) return reproduce_with(lab, question, options, failing);
+    const auto fails = [&](const std::vector<std::string>& fewer) {
+        return fails_after(lab, question, options, failing, fewer);
+    };
+    return reproduce_with(with_steps(lab, shortest_steps(steps, fails)), question, options, failing);
+}
+
+bool breaks_rules(const backend::Backend& device, KernelModule module, std::span<const Word> inputs,
+                  const std::vector<shader::Scalar>& outputs) {
+    try {
+        const KernelCore kernel(device, std::move(module), "the module");
+        const KernelCore::Result result = kernel.run(inputs, 1);
+        const internal::Decoded decoded(result.modules, {});
+        internal::Interpretation rules(decoded, outputs);
+        const internal::InputRow row{.index = 0, .words = inputs};
+        return !rules.is_exact(row, result.outputs) && !rules.is_permitted(row, result.outputs);
+    } catch (const backend::Fault&) {
+        return false;
+    } catch (const interpreter::Error&) {
+        return false;
+    }
 }
 
 Reproduction reproduce_fault(const Lab& lab, const Question& question, const RunOptions& options) {
@@ -308,7 +240,6 @@ Reproduction reproduce_fault(const Lab& lab, const Question& question, const Run
 namespace {
 
 using numeric::Bounds;
-using shader::Scalar;
 
 // The budget around one result of the reference, where `unit` is the size of an ULP.
 Bounds around(double want, double unit, const Budget& budget) {

@@ -46,6 +46,10 @@ struct ShrinkScope {
 struct Reproduction {
     std::string glsl;  // the generated shader, includes inserted
     shader::Spirv spirv;
+    // Of a variant with steps: the fewest of them, and the fewest parts of each, that still fail; and the
+    // module before those of a compiler, whose rules were asked.
+    std::vector<std::string> steps = {};
+    shader::Spirv before = {};
     backend::Team team = {};  // of a quad, the shader is a fragment shader
     // Of an OpenGL device: the text that it was given; and a text that runs it on these inputs alone, which
     // is the same compute shader, or a fragment shader that draws green where the results are allowed.
@@ -82,6 +86,16 @@ struct Reproduction {
 // options. Throws std::invalid_argument if no input does.
 [[nodiscard]] Reproduction reproduce_fault(const Lab& lab, const Question& question,
                                            const RunOptions& options);
+
+// The fewest of these steps (shader/steps.hpp), and the fewest parts of each, for which `fails` holds: no
+// step and no part can be left out alone. `fails` holds for all of them.
+[[nodiscard]] std::vector<std::string> shortest_steps(
+    const std::vector<std::string>& steps, const std::function<bool(const std::vector<std::string>&)>& fails);
+
+// Whether a device's results for one input are outside what the rules permit: for the module, or for the one
+// before its steps. `outputs`: the scalars of its output words. False where the module cannot be run.
+[[nodiscard]] bool breaks_rules(const backend::Backend& device, KernelModule module,
+                                std::span<const Word> inputs, const std::vector<shader::Scalar>& outputs);
 
 // The permitted results of each output word: what Vulkan permits; or the budget around `want`, and around the
 // reference's results for the neighbouring inputs that the budget covers. Each word has one range; where the

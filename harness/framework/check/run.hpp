@@ -54,9 +54,9 @@ struct RunOptions {
     bool coverage = false;  // also measure what the inputs reach
 };
 
-// The criterion for results in a variant: in strict and relaxed ones and after steps the rules alone, in all others the
-// documented budget and the rules. A question with only_rules or without a reference is never judged by a
-// budget.
+// The criterion for results in a variant: in strict and relaxed ones and after steps the rules alone, in all
+// others the documented budget and the rules. A question with only_rules or without a reference is never
+// judged by a budget.
 [[nodiscard]] Verdict verdict_of(const shader::Variant& variant, const Question& question);
 
 // Compiles the function, evaluates the inputs and judges every output. Throws like Lab::kernel and

@@ -172,6 +172,8 @@ Variant variant(const std::string& name) {
         Variant made = variant(name.substr(0, bar));
         made.name = name;
         made.steps.push_back(steps_from(name.substr(bar + then.size()), 0, 0).at(0));
+        if (is_metamorphic(made.steps.back()) && !std::ranges::all_of(made.steps, is_metamorphic))
+            throw std::invalid_argument(name + ": expected metamorphic steps before those of a compiler");
         return made;
     }
     std::string names;

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <numeric>
 #include <optional>
 #include <random>
@@ -108,13 +109,26 @@ std::string bytes_of(const Spirv& module) {
     return {reinterpret_cast<const char*>(module.data()), module.size() * sizeof(module[0])};
 }
 
-Spirv module_in(const std::filesystem::path& file) {
-    const std::string bytes = base::read_file(file);
+Spirv module_of(const std::string& bytes, const std::string& from) {
     if (bytes.size() % sizeof(std::uint32_t) != 0)
-        throw StepError(fmt::format("{}: {} bytes are no SPIR-V module", file.string(), bytes.size()));
+        throw StepError(fmt::format("{}: {} bytes are no SPIR-V module", from, bytes.size()));
     Spirv module(bytes.size() / sizeof(std::uint32_t));
     std::copy(bytes.begin(), bytes.end(), reinterpret_cast<char*>(module.data()));
     return module;
+}
+
+Spirv module_in(const std::filesystem::path& file) {
+    return module_of(base::read_file(file), file.string());
+}
+
+constexpr std::uint64_t most_memory = std::uint64_t{4} << 30;
+constexpr std::chrono::seconds most_time{60};
+
+// A library that crashes or never ends costs this step alone.
+Spirv made_apart(const std::function<Spirv()>& make) {
+    const base::ProcessLimits limits{
+        .memory_bytes = most_memory, .cpu = most_time, .patience = 2 * most_time};
+    return module_of(base::run_apart([&] { return bytes_of(make()); }, limits), "the step");
 }
 
 Spirv run_program(const std::string& step, const StepInput& input) {
@@ -133,12 +147,10 @@ Spirv run_program(const std::string& step, const StepInput& input) {
         if (put("{glsl}", folder.path() / "in.comp"))
             base::write_file(folder.path() / "in.comp", input.glsl());
     }
-    constexpr std::uint64_t memory = std::uint64_t{4} << 30;
     base::ProcessResult result;
     try {
         result = base::run_process(
-            command, {},
-            {.memory_bytes = memory, .cpu = std::chrono::seconds(60), .patience = std::chrono::seconds(120)});
+            command, {}, {.memory_bytes = most_memory, .cpu = most_time, .patience = 2 * most_time});
     } catch (const std::system_error& error) {
         throw StepError(fmt::format("{} cannot be started: {}", command.front(), error.what()));
     }
@@ -153,14 +165,15 @@ Spirv taken_unchecked(const std::string& step, const StepInput& input) {
     if (words[0] == replacer) return module_in(words[1]);
     if (words[0] == translator) {
         const auto through = words[1] == "glsl" ? Variant::Through::glsl : Variant::Through::hlsl;
-        return internal::round_trip(input.module, input.stage, "the module", through);
+        return made_apart(
+            [&] { return internal::round_trip(input.module, input.stage, "the module", through); });
     }
     if (words[0] == changer) {
         const Seeded seeded = seeded_from(step);
         return metamorphic(input.module, seeded.seed, seeded.positions).module;
     }
     words.erase(words.begin());
-    return with_passes(input.module, words);
+    return made_apart([&] { return with_passes(input.module, words); });
 }
 
 }  // namespace
@@ -182,21 +195,30 @@ bool is_metamorphic(const std::string& step) {
 
 std::vector<std::string> parts_of(const std::string& step) {
     Words parts;
-    if (is_program(step)) return parts;
     if (is_metamorphic(step)) {
         for (const std::size_t position : seeded_from(step).positions)
             parts.push_back(std::to_string(position));
-    } else if (step.starts_with(optimizer)) {
+    } else {
         parts = words_of(step);
-        parts.erase(parts.begin());
+        std::erase_if(parts, [](const std::string& word) { return !is_pass(word); });
     }
     return parts;
 }
 
 std::string with_parts(const std::string& step, const std::vector<std::string>& parts) {
-    if (is_metamorphic(step))
-        return fmt::format("{} only {}", joined({words_of(step)[0], words_of(step)[1]}), joined(parts));
-    return fmt::format("{} {}", optimizer, joined(parts));
+    const Words words = words_of(step);
+    if (is_metamorphic(step)) return fmt::format("{} {} only {}", words[0], words[1], joined(parts));
+    Words changed;
+    bool put = false;
+    for (const std::string& word : words) {
+        if (!is_pass(word)) {
+            changed.push_back(word);
+        } else if (!put) {
+            changed.push_back(joined(parts));
+            put = true;
+        }
+    }
+    return joined(changed);
 }
 
 namespace {
@@ -226,7 +248,7 @@ Words known_passes() {
 std::string random_passes(const Words& all, std::uint64_t seed) {
     constexpr std::size_t most = 10;
     std::mt19937_64 chance(seed);
-    Words words{std::string(optimizer)};
+    Words words;
     for (std::size_t left = 2 + chance() % (most - 1); left > 0; --left)
         words.push_back(all[chance() % all.size()]);
     return joined(words);
@@ -235,22 +257,24 @@ std::string random_passes(const Words& all, std::uint64_t seed) {
 }  // namespace
 
 std::vector<std::string> steps_from(const std::string& text, std::uint64_t first, std::size_t seeds) {
-    const Words words = words_of(text);
+    constexpr std::string_view each = "{each}";
+    constexpr std::string_view random = "{random}";
     Words steps;
-    const bool of_passes = words.size() == 2 && words[0] == optimizer;
-    if (of_passes && (words[1] == "each" || words[1] == "random")) {
-        const Words all = known_passes();
-        if (words[1] == "each") {
-            for (const std::string& pass : all) steps.push_back(joined({words[0], pass}));
-            return steps;
-        }
-        for (std::size_t s = 0; s < seeds; ++s) steps.push_back(random_passes(all, first + s));
-    } else if (words.size() == 1 && words[0] == changer) {
+    const auto add = [&](std::string_view name, const std::string& passes) {
+        std::string step = text;
+        steps.push_back(step.replace(text.find(name), name.size(), passes));
+    };
+    if (text == changer) {
         for (std::size_t s = 0; s < seeds; ++s) steps.push_back(fmt::format("{} {}", changer, first + s));
+    } else if (text.find(each) != std::string::npos) {
+        for (const std::string& pass : known_passes()) add(each, pass);
+    } else if (text.find(random) != std::string::npos) {
+        const Words all = known_passes();
+        for (std::size_t s = 0; s < seeds; ++s) add(random, random_passes(all, first + s));
     } else {
-        require_step(text);
-        steps.push_back(joined(words));
+        steps.push_back(joined(words_of(text)));
     }
+    for (const std::string& step : steps) require_step(step);
     return steps;
 }
 

@@ -52,10 +52,10 @@ class Unchanged : public std::runtime_error {
 [[nodiscard]] std::vector<std::string> parts_of(const std::string& step);
 [[nodiscard]] std::string with_parts(const std::string& step, const std::vector<std::string>& parts);
 
-// The steps that a user's text stands for, in words as above or as: "spirv-opt each", one for each pass of
-// the program spirv-opt that is installed and that gloam's SPIRV-Tools know; "spirv-opt random" and
-// "metamorphic", one for each of `seeds` seeds from `first` on. Throws std::invalid_argument for a text that
-// is no step.
+// The steps that a user's text stands for. With {each} in it, as in "spirv-opt {each}", one for each pass of
+// the program spirv-opt that is installed and that gloam's SPIRV-Tools know; with {random} lists of such
+// passes, one for each of `seeds` seeds from `first` on; "metamorphic" alone is one for each of these seeds.
+// Throws std::invalid_argument for a text that is no step.
 [[nodiscard]] std::vector<std::string> steps_from(const std::string& text, std::uint64_t first,
                                                   std::size_t seeds);
 

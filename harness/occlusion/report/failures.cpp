@@ -2,6 +2,7 @@
 #include "report/failures.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <bit>
@@ -305,6 +306,10 @@ std::string failure_text(const DeviceSummary& device, const check::Answer& row,
     if (again.amber)
         text +=
             "Run it without gloam: amber -v 1.2 -t spv1.5 repro.amber (https://github.com/google/amber)\n";
+    if (!again.steps.empty())
+        text += fmt::format("The fewest steps that fail: {}\n", fmt::join(again.steps, " | "));
+    if (again.program)
+        text += "Run it on the Vulkan loader alone: cc repro.c -o repro -lvulkan -lm && ./repro\n";
     return text;
 }
 

@@ -35,6 +35,17 @@ struct KernelReplay {
 // ends included; NaN only if it is allowed. Run it with `amber -v 1.2 -t spv1.5 FILE`.
 [[nodiscard]] std::string to_amber(const KernelReplay& replay);
 
+struct ReplayedModule {
+    std::string name;  // letters, digits and blanks
+    std::vector<std::uint32_t> words;
+};
+
+// A program in C, on the Vulkan loader alone, that runs these modules on the first device, or on one that its
+// argument names, and prints each output beside what is allowed. Its exit status is 1 if an output of the
+// first module is outside, and 2 if it could not run. Build it with `cc FILE -lvulkan -lm`.
+[[nodiscard]] std::string to_c_program(const KernelReplay& replay,
+                                       const std::vector<ReplayedModule>& modules);
+
 // One run of a generated OpenGL kernel for a single input.
 struct ShaderReplay {
     std::string glsl;  // a compute shader; or a fragment shader that draws green if the results are allowed
@@ -54,6 +65,8 @@ struct RunAgain {
     std::string command;   // complete; empty: gloam check with the equation and the variant alone
     std::string versions;  // of gloam and of the compilers; empty: unknown
     bool amber = true;     // there is a script for it
+    bool program = true;   // and a program in C
+    std::vector<std::string> steps = {};  // the fewest that fail
 };
 
 // The description of a failing row, complete in itself: what failed where, the smallest input found in

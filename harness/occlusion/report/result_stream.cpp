@@ -129,7 +129,8 @@ class Events final : public nlohmann::json_sax<json> {
     // Results of earlier versions do not say their outcome.
     [[nodiscard]] check::Outcome outcome() const {
         for (const check::Reason reason : check::all_reasons)
-            if (is_no_verdict(reason) && row_.row.reason == name_of(reason)) return check::Outcome::not_judged;
+            if (is_no_verdict(reason) && row_.row.reason == name_of(reason))
+                return check::Outcome::not_judged;
         if (row_.error || row_.fault || row_.row.outside > 0) return check::Outcome::failed;
         return row_.outcome == name_of(check::Outcome::not_judged) ? check::Outcome::not_judged
                                                                    : check::Outcome::ok;

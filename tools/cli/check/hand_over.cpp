@@ -14,9 +14,11 @@
 #include "base/text.hpp"
 #include "check/answer.hpp"
 #include "check/reproduction.hpp"
+#include "cli/check/smallest_module.hpp"
 #include "numeric/numbers.hpp"
 #include "report/check_report.hpp"
 #include "report/failures.hpp"
+#include "shader/spirv.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -72,6 +74,14 @@ report::ShaderReplay shader_replay_of(const gl::Version& version, const check::R
             .kernel = {}};
 }
 
+// The module that failed, then the one before the steps, if it is another.
+std::vector<report::ReplayedModule> modules_of(const check::Reproduction& all) {
+    std::vector<report::ReplayedModule> modules{
+        {all.before.empty() ? "the module" : "after the steps", all.spirv}};
+    if (!all.before.empty() && all.before != all.spirv) modules.push_back({"before the steps", all.before});
+    return modules;
+}
+
 std::vector<std::uint32_t> words_of(const json& array) {
     std::vector<std::uint32_t> words;
     for (const json& word : array) {
@@ -116,6 +126,10 @@ std::string to_line(const HandOver& hand_over) {
                 {"spirv", hand_over.spirv},
                 {"amber", hand_over.amber},
                 {"shader_test", hand_over.shader_test},
+                {"c_program", hand_over.c_program},
+                {"steps", hand_over.steps},
+                {"before", hand_over.before},
+                {"smallest_module", hand_over.smallest_module},
                 {"smallest", worst_text(hand_over.smallest)},
                 {"error", hand_over.error}}
         .dump(-1, ' ', false, json::error_handler_t::replace);
@@ -130,6 +144,10 @@ HandOver hand_over_from(std::string_view line) {
             .spirv = words_of(object.at("spirv")),
             .amber = object.at("amber").get<std::string>(),
             .shader_test = object.at("shader_test").get<std::string>(),
+            .c_program = object.at("c_program").get<std::string>(),
+            .steps = object.at("steps").get<std::vector<std::string>>(),
+            .before = words_of(object.at("before")),
+            .smallest_module = words_of(object.at("smallest_module")),
             .smallest = report::answer_from_json(object.at("smallest").get<std::string>()).worst,
             .error = object.at("error").get<std::string>()};
 }
@@ -158,9 +176,16 @@ HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
         hand_over = {.glsl = all.glsl, .assembly = all.assembly, .spirv = all.spirv};
         // The scripts have storage buffers and no samplers, and they run compute shaders.
         if (all.team.kind != backend::Team::Kind::quad &&
-            std::ranges::none_of(all.images, &check::Reproduction::ImageBuffer::sampled))
+            std::ranges::none_of(all.images, &check::Reproduction::ImageBuffer::sampled)) {
             hand_over.amber = report::to_amber(
                 replay_of(all, question, request.task, device, "amber -v 1.2 -t spv1.5 repro.amber"));
+            hand_over.c_program = report::to_c_program(
+                replay_of(all, question, request.task, device, "cc repro.c -o repro -lvulkan -lm && ./repro"),
+                modules_of(all));
+        }
+        hand_over.steps = all.steps;
+        hand_over.before = all.before;
+        hand_over.smallest_module = smallest_module(lab, all);
     }
     if (all.failure) {
         hand_over.smallest = all.failure;
@@ -251,6 +276,8 @@ std::filesystem::path FailureFolders::write(const report::DeviceSummary& device,
         hand_over.error.empty() ? "" : "The shader and a reproduction could not be made: " + hand_over.error;
     report::RunAgain how = again;
     how.amber = !hand_over.amber.empty();
+    how.program = !hand_over.c_program.empty();
+    how.steps = hand_over.steps;
     out.write("report.txt", report::failure_text(device, row, hand_over.smallest, note, how));
     if (hand_over.error.empty() && !hand_over.shader_test.empty()) {
         out.write("shader.glsl", hand_over.glsl);
@@ -260,6 +287,12 @@ std::filesystem::path FailureFolders::write(const report::DeviceSummary& device,
         out.write("shader.spvasm", hand_over.assembly);
         out.write("shader.spv", bytes_of(hand_over.spirv));
         if (!hand_over.amber.empty()) out.write("repro.amber", hand_over.amber);
+        if (!hand_over.c_program.empty()) out.write("repro.c", hand_over.c_program);
+        if (!hand_over.before.empty()) out.write("before.spv", bytes_of(hand_over.before));
+        if (!hand_over.smallest_module.empty()) {
+            out.write("smallest.spv", bytes_of(hand_over.smallest_module));
+            out.write("smallest.spvasm", shader::disassemble(hand_over.smallest_module));
+        }
     }
     out.keep();
     folder_->keep();

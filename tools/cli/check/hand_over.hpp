@@ -33,8 +33,12 @@ struct HandOver {
     std::string amber;
     std::string
         shader_test;  // of an OpenGL device, instead of `amber`: `glsl` is then the text that it was given
-    std::optional<check::Sample> smallest;  // the simplest input found to fail
-    std::string error;                      // why the other members are empty; empty: no error
+    std::string c_program = {};           // report::to_c_program()
+    std::vector<std::string> steps = {};  // check::Reproduction
+    std::vector<std::uint32_t> before = {};
+    std::vector<std::uint32_t> smallest_module = {};  // cli::smallest_module()
+    std::optional<check::Sample> smallest;            // the simplest input found to fail
+    std::string error;                                // why the other members are empty; empty: no error
 };
 
 // Each in one line of JSON. Reading throws std::runtime_error.

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+
+#include "check/kernel_code.hpp"
+#include "report/failures.hpp"
+#include "report/replay_text.hpp"
+
+namespace gloam::report {
+namespace {
+
+using Words = std::vector<std::uint32_t>;
+
+std::string array(const std::string& name, const Words& words) {
+    constexpr std::size_t in_a_line = 8;
+    std::string text = fmt::format("static const uint32_t {}[] = {{", name);
+    const Words one{0U};  // no array is empty
+    const Words& all = words.empty() ? one : words;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        text += fmt::format("{}0x{:08x}u,", i % in_a_line == 0 ? "\n    " : " ", all[i]);
+    return text + "\n};\n";
+}
+
+std::string number(double value) {
+    if (std::isinf(value)) return value > 0.0 ? "INFINITY" : "-INFINITY";
+    return fmt::format("{:.17g}", value);
+}
+
+std::string in_comment(std::string text) {
+    for (std::size_t at = 0; (at = text.find("*/", at)) != std::string::npos;) text.replace(at, 2, "* /");
+    return text;
+}
+
+std::string outputs_of(const KernelReplay& replay) {
+    std::string text =
+        "struct output {\n    int is_float;\n    double low, high;\n    int nan;\n};\n"
+        "static const struct output outputs[] = {\n";
+    for (const KernelReplay::Output& output : replay.outputs) {
+        const numeric::Bounds allowed =
+            output.allowed.empty() ? numeric::Bounds{-INFINITY, INFINITY, true} : output.allowed.front();
+        text +=
+            fmt::format("    {{{}, {}, {}, {}}}, /* {} */\n", output.is_float ? 1 : 0, number(allowed.low),
+                        number(allowed.high), allowed.nan ? 1 : 0, in_comment(output.comment));
+    }
+    return text + "};\n";
+}
+
+}  // namespace
+
+std::string to_c_program(const KernelReplay& replay, const std::vector<ReplayedModule>& modules) {
+    std::string text = "/*\n";
+    for (const std::string& comment : replay.comments) text += " * " + in_comment(comment) + "\n";
+    text +=
+        " */\n#include <math.h>\n#include <stdint.h>\n#include <stdio.h>\n#include <stdlib.h>\n"
+        "#include <string.h>\n#include <vulkan/vulkan.h>\n\n";
+    text += fmt::format("#define ROW_LENGTH {}u\n#define SPECIALIZED {}\n#define IMAGES {}\n\n",
+                        check::kernel_group_size, replay.specialized ? 1 : 0, replay.images.size());
+    text += array("inputs", replay.inputs);
+    std::string list =
+        "struct module {\n    const char *name;\n    const uint32_t *words;\n    size_t bytes;\n};\n"
+        "static const struct module modules[] = {\n";
+    for (std::size_t i = 0; i < modules.size(); ++i) {
+        text += array(fmt::format("module_{}", i), modules[i].words);
+        list += fmt::format("    {{\"{0}\", module_{1}, sizeof(module_{1})}},\n", modules[i].name, i);
+    }
+    text += list + "};\n";
+    list =
+        "struct image {\n    const uint32_t *words;\n    size_t count;\n};\n"
+        "static const struct image images[] = {\n";
+    for (std::size_t i = 0; i < replay.images.size(); ++i) {
+        text += array(fmt::format("image_{}", i), replay.images[i].words);
+        list += fmt::format("    {{image_{0}, sizeof(image_{0}) / sizeof(image_{0}[0])}},\n", i);
+    }
+    return text + list + (replay.images.empty() ? "    {NULL, 0},\n" : "") + "};\n" + outputs_of(replay) +
+           replay_program;
+}
+
+}  // namespace gloam::report
