@@ -133,6 +133,8 @@ KernelCore Lab::core(KernelModule module, const std::string& name) const {
     module.subtexel_bits = info().subtexel_bits;
     module.level_bits = info().level_bits;
     module.subgroup_size = std::max(info().subgroup_size, 1U);
+    // Of a compiler that is judged, both modules run on the interpreter.
+    module.rounds_to_even = !module.before.empty() && info().name == interpreter_name;
     return {*device_, std::move(module), name};
 }
 

@@ -120,6 +120,8 @@ Interval enclose(const Bounds& exact) {
     if (exact.empty()) return Interval::within(exact);
     const FloatFormat& format = Paths::format();
     Bounds bounds{format.round_down(exact.low), format.round_up(exact.high), exact.nan};
+    if (Paths::rounding() == Paths::Rounding::to_even && format == float32)
+        bounds = {static_cast<float>(exact.low), static_cast<float>(exact.high), exact.nan};
     const double normal = format.smallest_normal();
     if (exact.low > 0.0 && exact.low < normal) bounds.low = 0.0;
     if (exact.high < 0.0 && exact.high > -normal) bounds.high = 0.0;

@@ -38,8 +38,8 @@ bool Paths::advance() {
 }
 
 Paths::Outcome Paths::explore(const FloatFormat& format, std::size_t most, const std::function<void()>& run,
-                              Gaps gaps) {
-    Paths paths(format, gaps);
+                              Gaps gaps, Rounding rounding) {
+    Paths paths(format, gaps, rounding);
     const Guard guard(current_, &paths);
     for (std::size_t runs = 0; runs < most; ++runs) {
         paths.position_ = 0;
@@ -72,6 +72,10 @@ const FloatFormat& Paths::format() {
 
 bool Paths::closes_gaps() {
     return current_ != nullptr && current_->gaps_ == Gaps::closed;
+}
+
+Paths::Rounding Paths::rounding() {
+    return current_ == nullptr ? Rounding::either : current_->rounding_;
 }
 
 void Paths::set_format(const FloatFormat& format) {

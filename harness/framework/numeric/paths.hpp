@@ -27,13 +27,16 @@ class Paths {
     // of zero, zero to a power. `open`: every result is permitted. `closed`: the precision beside the gap.
     enum class Gaps { open, closed };
 
+    // Which neighbour a correctly rounded result is: Vulkan leaves that open, unless it is known what runs.
+    enum class Rounding { either, to_even };
+
     enum class Outcome { complete, enough, undetermined, too_many };
 
     // Calls run() for every path, at most `most` times. `undetermined`: some path ended with Undetermined;
     // `too_many`: there are more than `most` paths. In both cases the runs do not cover all permitted
     // results.
     static Outcome explore(const FloatFormat& format, std::size_t most, const std::function<void()>& run,
-                           Gaps gaps = Gaps::open);
+                           Gaps gaps = Gaps::open, Rounding rounding = Rounding::either);
 
     // One of `count` >= 1 possibilities, chosen by the current path. Throws std::logic_error outside
     // explore().
@@ -45,6 +48,8 @@ class Paths {
     // Whether gaps are closed in the current exploration.
     static bool closes_gaps();
 
+    static Rounding rounding();
+
     // Sets the format until it is set again or the exploration ends, for code that mixes several formats.
     static void set_format(const FloatFormat& format);
 
@@ -54,12 +59,14 @@ class Paths {
         std::size_t count;
     };
 
-    Paths(const FloatFormat& format, Gaps gaps) : format_(format), gaps_(gaps) {}
+    Paths(const FloatFormat& format, Gaps gaps, Rounding rounding)
+        : format_(format), gaps_(gaps), rounding_(rounding) {}
     bool advance();
 
     static thread_local Paths* current_;
     FloatFormat format_;
     Gaps gaps_;
+    Rounding rounding_;
     std::vector<Choice> choices_;
     std::size_t position_ = 0;
 };

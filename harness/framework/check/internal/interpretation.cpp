@@ -119,7 +119,10 @@ void Interpretation::explore(InterpretedKernel<N>& kernel, const InputRow& input
         if (!until.empty() && holds(permitted.outcome(permitted.count() - 1), until))
             throw numeric::Paths::Enough{};
     };
-    const auto outcome = numeric::Paths::explore(numeric::float32, most_paths, run);
+    const bool to_even = decoded_.parts().front().module.rounds_to_even;
+    const auto rounding = to_even ? numeric::Paths::Rounding::to_even : numeric::Paths::Rounding::either;
+    const auto outcome =
+        numeric::Paths::explore(numeric::float32, most_paths, run, numeric::Paths::Gaps::open, rounding);
     permitted.anything =
         outcome == numeric::Paths::Outcome::undetermined || outcome == numeric::Paths::Outcome::too_many;
     steps_ += kernel.machine().steps() - before;

@@ -120,12 +120,17 @@ bool loop_once(Editable& module, Chance& chance) {
     return true;
 }
 
-// Branches of a selection, not those that leave or repeat a loop.
+// Branches of a selection, not those that leave or repeat a loop. Not in a function that has a switch: inside
+// a switch no branch may leave an outer one.
 std::vector<Spot> selections(const Editable& module) {
     std::vector<Spot> found;
+    std::set<std::size_t> with_switch;
+    for (const Spot& spot : spots(module, [](const Op& op) { return op.opcode == SpvOpSwitch; }))
+        with_switch.insert(spot.function);
     for (const Spot& spot : spots(module, [](const Op& op) { return op.opcode == SpvOpBranchConditional; })) {
         const Block& block = module.functions[spot.function].blocks[spot.block];
-        if (block.ops[spot.op - 1].opcode == SpvOpSelectionMerge) found.push_back(spot);
+        if (block.ops[spot.op - 1].opcode == SpvOpSelectionMerge && !with_switch.contains(spot.function))
+            found.push_back(spot);
     }
     return found;
 }

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// Faults planted in compilers are found: as a step that gloam takes with a module, and as a layer in front of
+// a driver, which rewrites the modules that it is given. Each row says what finding one took.
+#include <fmt/format.h>
+#include <chrono>
+
+#include "check/compiler_faults.hpp"
+#include "check/own_function.hpp"
+#include "check/random_function.hpp"
+#include "check/run.hpp"
+#include "interpreter/program.hpp"
+#include "shader/include.hpp"
+#include "shader/pack.hpp"
+#include "support/lab.hpp"
+
+namespace gloam::check::planted_compiler_test {
+namespace {
+
+constexpr std::size_t inputs_of_each = 64;
+
+// A driver behind a layer that plants a fault in each module.
+class FaultyDriver : public backend::Backend {
+  public:
+    FaultyDriver(std::shared_ptr<backend::Backend> right, const test::CompilerFault& fault)
+        : right_(std::move(right)), fault_(fault) {}
+
+    [[nodiscard]] const backend::DeviceInfo& info() const override { return right_->info(); }
+    [[nodiscard]] std::unique_ptr<backend::Kernel> make_kernel(
+        const backend::KernelProgram& program) const override {
+        const shader::Spirv changed = fault_.plant(program.spirv);
+        return right_->make_kernel({.spirv = changed,
+                                    .constants = program.constants,
+                                    .text = program.text,
+                                    .input_words = program.input_words,
+                                    .output_words = program.output_words,
+                                    .fixed_inputs = program.fixed_inputs,
+                                    .stores = program.stores,
+                                    .sampled = program.sampled,
+                                    .name = program.name});
+    }
+
+  private:
+    std::shared_ptr<backend::Backend> right_;
+    const test::CompilerFault& fault_;
+};
+
+// A function to compile: its kernel, and the question that judges the results.
+struct Subject {
+    Question question;
+    KernelModule module;
+};
+
+std::vector<Subject> subjects() {
+    std::vector<Subject> all;
+    const auto add = [&](const std::string& file, const std::vector<shader::Excerpt>& excerpts,
+                         const Ranges& ranges) {
+        for (const char* name : {"optimized", "strict"}) {
+            shader::Variant variant = shader::variant(name);
+            variant.strict = true;
+            const Lab lab({.variant = variant, .excerpts = excerpts}, interpreter());
+            for (const OwnFunction& own : own_functions(lab.options(), file).found) {
+                if (own.name.starts_with("random_") == ranges.empty()) continue;
+                Question question = question_of(lab, file, own, ranges);
+                const KernelCore kernel = lab.kernel(file, own.name, question.signature);
+                all.push_back({std::move(question), kernel.module()});
+            }
+        }
+    };
+    const std::string file = FIXTURES "/compiled.glsl";
+    add("compiled.glsl", shader::excerpts({file, shader::read_text(file)}, {}).functions, {});
+    for (std::uint64_t seed = 1; seed <= 12; ++seed)
+        add("random.glsl", shader::excerpts({"random.glsl", random_function(seed)}, {}).functions,
+            {range_from(random_function_range)});
+    return all;
+}
+
+// What it took until a result was outside.
+struct Found {
+    std::size_t modules = 0;
+    std::size_t inputs = 0;
+    bool found = false;
+    std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
+
+    void add(const Question& question, const KernelCore& kernel) {
+        const Domain::Inputs inputs = question.domain.draw(inputs_of_each, modules);
+        ++modules;
+        this->inputs += inputs.count();
+        try {
+            const KernelCore::Result result = kernel.run(inputs.words, inputs.count());
+            const Answer answer =
+                judge(question, {.edges = false, .verdict = Verdict::rules, .modules = result.modules},
+                      inputs, result.outputs);
+            found = answer.outside() > 0;
+        } catch (const backend::Fault&) {  // it never ends, or reads outside an array
+            found = true;
+        }
+    }
+    void print(const std::string& fault, const std::string& where) const {
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+        fmt::print("{:<50} {:<12} {:>7} modules {:>6} inputs {:>8.3f} s\n", fault, where, modules, inputs,
+                   took.count());
+    }
+};
+
+std::vector<test::CompilerFault> all_faults() {
+    std::vector<test::CompilerFault> all = test::faults_of_values();
+    const std::vector<test::CompilerFault> more = test::faults_of_memory_and_flow();
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
+TEST(PlantedCompiler, HasAtLeastThirtyFaults) {
+    EXPECT_GE(all_faults().size(), 30U);
+}
+
+TEST(PlantedCompiler, EachFaultIsFound) {
+    const std::vector<Subject> all = subjects();
+    const auto look = [&all](const test::CompilerFault& fault, const std::string& where,
+                             const auto& kernel_of) {
+        Found found;
+        for (const Subject& subject : all) {
+            if (fault.plant(subject.module.spirv) == subject.module.spirv) continue;
+            found.add(subject.question, kernel_of(subject.module));
+            if (found.found) break;
+        }
+        EXPECT_TRUE(found.found) << fault.name << " " << where;
+        found.print(fault.name, where);
+    };
+    const std::shared_ptr<backend::Backend> exact = interpreter();
+    for (const test::CompilerFault& fault : all_faults()) {
+        look(fault, "as a step", [&](KernelModule module) {
+            module.before = module.spirv;
+            module.rounds_to_even = true;
+            module.spirv = fault.plant(module.spirv);
+            return KernelCore(*exact, std::move(module), "it");
+        });
+        const FaultyDriver driver(test::SharedDevice::get(), fault);
+        look(fault, "in a driver",
+             [&](KernelModule module) { return KernelCore(driver, std::move(module), "it"); });
+    }
+}
+
+}  // namespace
+}  // namespace gloam::check::planted_compiler_test
