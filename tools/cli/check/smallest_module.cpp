@@ -72,7 +72,7 @@ shader::Spirv smallest_module(const check::Lab& lab, const check::Reproduction& 
     base::write_file(at("from.spv"),
                      {reinterpret_cast<const char*>(from.data()), from.size() * sizeof(from[0])});
     try {
-        constexpr std::chrono::seconds most{20};
+        constexpr std::chrono::seconds most{10};
         const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
         static_cast<void>(
             base::run_process({"spirv-reduce", at("from.spv"), "-o", at("to.spv"),

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "shader/steps.hpp"
+
+#include <fstream>
+
+#include "shader/metamorphic.hpp"
+#include "shader/spirv.hpp"
+#include "support.hpp"
+#include "support/files.hpp"
+
+#include "support/matchers.hpp"
+
+namespace gloam::shader::steps_test {
+
+using test::kernel;
+using test::message_of;
+using testing::Contains;
+using testing::EndsWith;
+using testing::Not;
+
+const Spirv& module() {
+    static const Spirv made = compile(
+        kernel("float f(float x) { float y = 2.0; if (x > 1.0) y = x; return y * y + x; }", "f(result[1])"),
+        {});
+    return made;
+}
+
+Spirv after(const std::string& step, const Spirv& before = module()) {
+    return taken(step, {.module = before, .glsl = [] { return kernel("", "1.0").text; }});
+}
+
+TEST(Steps, PassesAreThoseOfTheOptimizer) {
+    EXPECT_EQ(after("spirv-opt -O"), optimize(module(), Optimization::performance));
+    EXPECT_NE(after("spirv-opt --ssa-rewrite"), module());
+}
+
+TEST(Steps, AProgramReadsTheModuleAndWritesAnother) {
+    EXPECT_EQ(after("spirv-opt --ssa-rewrite {in} -o {out}"), after("spirv-opt --ssa-rewrite"));
+    EXPECT_NO_THROW(validate(after("glslangValidator --quiet -V --target-env vulkan1.2 {glsl} -o {out}")));
+}
+
+TEST(Steps, ATranslationCompilesAgain) {
+    for (const char* step : {"spirv-cross glsl", "spirv-cross hlsl"})
+        EXPECT_NE(without_names(after(step)), without_names(module())) << step;
+}
+
+TEST(Steps, AFileReplacesTheModule) {
+    const test::TemporaryDirectory folder;
+    const auto file = folder.path() / "other.spv";
+    const Spirv other = after("spirv-opt -O");
+    std::ofstream(file, std::ios::binary)
+        .write(reinterpret_cast<const char*>(other.data()), static_cast<std::streamsize>(other.size() * 4));
+    EXPECT_EQ(after("= " + file.string()), other);
+    std::ofstream(file) << "no module";
+    EXPECT_THAT(message_of<StepError>([&] { (void)after("= " + file.string()); }),
+                HasSubstr("no SPIR-V module"));
+}
+
+TEST(Steps, OneThatFailsSaysWhichAndWhy) {
+    const auto message = [](const std::string& step) {
+        return message_of<StepError>([&] { (void)after(step); });
+    };
+    EXPECT_THAT(message("/bin/false {in} {out}"), HasSubstr("/bin/false ended with status 1"));
+    EXPECT_THAT(message("/no/such/program {in} {out}"), HasSubstr("/no/such/program cannot be started"));
+    EXPECT_THAT(message("/bin/true {in} {out}"), HasSubstr("out.spv"));  // which it did not write
+    EXPECT_THAT(message("= /no/such/module.spv"), HasSubstr("/no/such/module.spv"));
+}
+
+TEST(Steps, WhatIsNoneIsNamed) {
+    const auto message = [](const std::string& text) {
+        return message_of<std::invalid_argument>([&] { (void)steps_from(text, 1, 1); });
+    };
+    EXPECT_THAT(message("spirv-opt --no-such-pass"), HasSubstr("--no-such-pass"));
+    EXPECT_THAT(message("spirv-opt"), HasSubstr("expected passes"));
+    EXPECT_THAT(message("spirv-cross metal"), HasSubstr("spirv-cross glsl or spirv-cross hlsl"));
+    EXPECT_THAT(message("metamorphic x"), HasSubstr("metamorphic SEED"));
+    EXPECT_THAT(message("metamorphic 1 only 99"), HasSubstr("positions below 24"));
+    EXPECT_THAT(message("cc {out}"), HasSubstr("{in} or {glsl}"));
+    EXPECT_THAT(message("= "), HasSubstr("= FILE"));
+    EXPECT_THAT(message(""), HasSubstr("is no step"));
+    EXPECT_THAT(
+        message_of<std::invalid_argument>([] { (void)variant("shipped | spirv-opt -O | metamorphic 1"); }),
+        HasSubstr("metamorphic steps before those of a compiler"));
+}
+
+TEST(Steps, ATextStandsForEachPassOrForRandomOnes) {
+    const std::vector<std::string> each = steps_from("spirv-opt {each}", 1, 1);
+    EXPECT_GT(each.size(), 40U);
+    EXPECT_THAT(each, Contains("spirv-opt --ccp"));
+    EXPECT_THAT(each, Contains("spirv-opt -O"));
+    EXPECT_THAT(each, Not(Contains("spirv-opt --version")));
+    const std::vector<std::string> random = steps_from("/opt/spirv-opt {random} {in} -o {out}", 7, 3);
+    EXPECT_EQ(random, steps_from("/opt/spirv-opt {random} {in} -o {out}", 7, 3));
+    EXPECT_EQ(random.size(), 3U);
+    EXPECT_NE(random[0], random[1]);
+    EXPECT_THAT(random[0], EndsWith("{in} -o {out}"));
+    EXPECT_THAT(steps_from("metamorphic", 5, 2), testing::ElementsAre("metamorphic 5", "metamorphic 6"));
+}
+
+TEST(Steps, HavePartsThatCanBeLeftOut) {
+    const std::string program = "/opt/spirv-opt --ccp --merge-blocks {in} -o {out}";
+    EXPECT_THAT(parts_of(program), testing::ElementsAre("--ccp", "--merge-blocks"));
+    EXPECT_EQ(with_parts(program, {"--merge-blocks"}), "/opt/spirv-opt --merge-blocks {in} -o {out}");
+    EXPECT_EQ(parts_of("metamorphic 3").size(), metamorphic_changes);
+    EXPECT_EQ(with_parts("metamorphic 3", {"4", "9"}), "metamorphic 3 only 4 9");
+    EXPECT_THAT(parts_of("metamorphic 3 only 4 9"), testing::ElementsAre("4", "9"));
+    EXPECT_TRUE(parts_of("spirv-cross glsl").empty());
+}
+
+// Every kind of change is made somewhere in 60 seeds of one shader, and each leaves a valid module.
+TEST(Metamorphic, MakesEveryKindOfChange) {
+    std::set<std::string> made;
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        for (std::size_t position = 0; position < metamorphic_changes; ++position) {
+            const Metamorphism changed = metamorphic(module(), seed, {position});
+            ASSERT_NO_THROW(validate(changed.module)) << seed << " " << position;
+            EXPECT_EQ(changed.module, metamorphic(module(), seed, {position}).module);
+            if (changed.changes.empty()) continue;
+            EXPECT_NE(without_names(changed.module), without_names(module())) << changed.changes[0];
+            made.insert(changed.changes[0]);
+        }
+    }
+    // The shader has neither a vector operation nor a select.
+    EXPECT_THAT(made,
+                testing::IsSupersetOf({"commuted operands", "comparison turned round", "operation outlined",
+                                       "negated twice", "inverted twice", "reinterpreted twice", "selected",
+                                       "constant hidden", "stored again", "store before a store",
+                                       "block divided", "branch never taken", "loop of one round",
+                                       "condition negated", "branch as a switch", "flattened"}));
+}
+
+TEST(Metamorphic, RefusesWhatIsNoModule) {
+    EXPECT_THAT(message_of<std::runtime_error>([] { (void)metamorphic({1, 2, 3}, 1, {0}); }),
+                HasSubstr("no SPIR-V module"));
+}
+
+}  // namespace gloam::shader::steps_test
