@@ -22,6 +22,8 @@ using shader::Spirv;
 struct CompilerFault {
     std::string name;
     std::function<Spirv(const Spirv&)> plant;
+    // Only which of two neighbours a result is rounded to: Vulkan leaves that open to a driver.
+    bool of_rounding = false;
 };
 
 // A fault that changes words in place: visit(instruction, its words).
@@ -129,7 +131,8 @@ inline CompilerFault reassociated() {
 
 // a * b + c as one rounding, although both are `precise`.
 inline CompilerFault contracted() {
-    return {"product and sum contracted although precise", [](const Spirv& module) {
+    return {"product and sum contracted although precise",
+            [](const Spirv& module) {
                 const auto all = definitions(module);
                 std::uint32_t glsl = 0;
                 for (const auto& [id, one] : all)
@@ -147,7 +150,8 @@ inline CompilerFault contracted() {
                     changed.insert(changed.end(), words.begin(), words.end());
                 }
                 return changed;
-            }};
+            },
+            true};
 }
 
 inline std::vector<CompilerFault> faults_of_values() {

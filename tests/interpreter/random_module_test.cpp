@@ -49,7 +49,7 @@ struct Subject {
 class RandomModule : public testing::TestWithParam<int> {
   protected:
     [[nodiscard]] static std::vector<std::uint64_t> seeds() {
-        std::vector<std::uint64_t> all(12);
+        std::vector<std::uint64_t> all(6);
         for (std::size_t i = 0; i < all.size(); ++i)
             all[i] = static_cast<std::uint64_t>(GetParam()) * 1000U + i;
         return all;

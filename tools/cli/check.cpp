@@ -19,7 +19,7 @@
 #include "cli/check/checker.hpp"
 #include "cli/check/hand_over.hpp"
 #include "cli/check/run_device.hpp"
-#include "cli/check/variants.hpp"
+#include "cli/check/selection.hpp"
 #include "cli/check/worker_session.hpp"
 #include "cli/environment.hpp"
 #include "cli/names.hpp"
@@ -42,52 +42,6 @@ std::vector<std::string> devices_to_check(const std::string& device) {
     return all;
 }
 
-bool is_of_file(const CheckOptions& options) {
-    return !options.equations.empty() && is_shader_file(options.equations.front());
-}
-
-// The IDs of the selected equations, the functions of a file, or random functions.
-std::vector<std::string> names_of(const CheckOptions& options, CheckOutcome& outcome) {
-    if (options.equations.size() == 1 && is_random(options.equations.front()))
-        return random_names(options.equations.front());
-    if (is_of_file(options)) {
-        OwnSelection own = own_selection(options.equations, options.ranges, options.includes);
-        outcome.notes = std::move(own.notes);
-        outcome.complete = own.complete;
-        return own.names;
-    }
-    std::vector<std::string> names;
-    for (const catalogue::Entry& entry :
-         catalogue::select(catalogue::all_entries(glsl_directory()), options.equations))
-        names.push_back(entry.description.id);
-    return names;
-}
-
-// The selected equations in every selected variant; only this shard's share.
-std::vector<CheckTask> tasks_of(const CheckOptions& options, CheckOutcome& outcome) {
-    const Shard shard = shard_from(options.shard);
-    const std::vector<std::string> names = names_of(options, outcome);
-    const std::string file =
-        is_of_file(options) ? std::filesystem::absolute(options.equations.front()).string() : "";
-    std::vector<CheckTask> tasks;
-    std::size_t position = 0;
-    for (const shader::Variant& variant : variants_of(options)) {
-        for (const std::string& name : names) {
-            if (!shard.holds(position++)) continue;
-            tasks.push_back({.equation = name,
-                             .variant = variant.name,
-                             .inputs = options.inputs,
-                             .seed = options.seed,
-                             .coverage = options.coverage,
-                             .file = is_random(name) ? name : file,
-                             .ranges = options.ranges,
-                             .includes = options.includes});
-            if (is_random(name)) tasks.back().ranges = {check::random_function_range};
-        }
-    }
-    return tasks;
-}
-
 void print_device(const report::DeviceSummary& device) {
     fmt::print("device: {}\nversions: {}\n{}\n", report::name_of(device), versions(), report::table_header());
     std::fflush(stdout);
@@ -105,7 +59,9 @@ void print_row(const check::Answer& row) {
 std::string command_for(const CheckOptions& options, const report::DeviceSummary& device,
                         const check::Answer& row) {
     std::string what = report::shell_word(row.equation);
-    if (is_of_file(options)) what = report::shell_word(options.equations.front()) + " " + what;
+    if (is_of_file(options))
+        what = report::shell_word(options.equations.front()) +
+               (is_module_file(options.equations.front()) ? "" : " " + what);
     const std::size_t steps = row.variant.find(" | ");
     std::string variant = report::shell_word(row.variant.substr(0, steps));
     if (steps != std::string::npos)
@@ -337,10 +293,11 @@ void add_check(CLI::App& app, int& status) {
     auto options = std::make_shared<CheckOptions>();
     CLI::App* command =
         app.add_subcommand("check", "run equations on a Vulkan or OpenGL device and judge every result");
-    command->add_option(
-        "equation", options->equations,
-        "IDs, functions or globs (all when none is given); or a GLSL file of your own, and its functions; or "
-        "random:1-100, generated functions with these seeds");
+    command->add_option("equation", options->equations,
+                        "IDs, functions or globs (all when none is given); or a GLSL file of your own, and "
+                        "its functions; a SPIR-V "
+                        "module of a compute shader; or "
+                        "random:1-100, generated functions with these seeds");
     command->add_option("--range", options->ranges,
                         "NAME=LOW:HIGH: what a parameter of your own file's functions is drawn from");
     add_include_option(*command, options->includes);
@@ -353,10 +310,11 @@ void add_check(CLI::App& app, int& status) {
                      "how the shaders are compiled (gloam list variants), all, or metamorphic: changed "
                      "without a change of meaning")
         ->capture_default_str();
-    command->add_option("--compiler", options->compilers,
-                        "steps that the modules take, judged by the modules before them: 'spirv-opt --ccp', "
-                        "'spirv-opt {each}', 'spirv-opt {random}', 'spirv-cross glsl', a program with {in} or "
-                        "{glsl} and {out}; several joined by ' | '");
+    command->add_option(
+        "--compiler", options->compilers,
+        "steps that the modules take, judged by the modules before them: 'spirv-opt --ccp', "
+        "'spirv-opt {each}', 'spirv-opt {random}', 'spirv-cross glsl', a program with {in} or "
+        "{glsl} and {out}; several joined by ' | '");
     command->add_option("--seeds", options->seeds, "seeds of random and metamorphic steps, from --seed on")
         ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
         ->capture_default_str();

@@ -222,13 +222,10 @@ void Lab::take_steps(KernelModule& module, const shader::Source& text) const {
     if (options_.variant.steps.empty()) return;
     const auto stage = stage_of(module.team);
     const auto glsl = [&] { return shader::pack({text}, {.stage = stage}, options_.include_roots); };
-    const shader::Spirv made = module.spirv;
-    module.before = made;
-    for (const std::string& step : options_.variant.steps) {
-        module.spirv = shader::taken(step, {.module = module.spirv, .stage = stage, .glsl = glsl});
-        if (shader::is_metamorphic(step)) module.before = module.spirv;
-    }
-    if (shader::without_names(module.spirv) == shader::without_names(made)) throw shader::Unchanged();
+    shader::Stepped stepped =
+        shader::all_taken(options_.variant.steps, {.module = module.spirv, .stage = stage, .glsl = glsl});
+    module.before = std::move(stepped.before);
+    module.spirv = std::move(stepped.after);
 }
 
 shader::Spirv Lab::compile(const shader::Source& text) const {

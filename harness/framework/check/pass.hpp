@@ -26,6 +26,9 @@ namespace gloam::check {
 class PassValue {
   public:
     PassValue(Image image) : image_(std::move(image)) {}
+    // A value by the words of its scalars.
+    PassValue(shader::Type type, std::vector<Word> words)
+        : type_(std::move(type)), words_(std::move(words)) {}
 
     template <class T>
         requires(!std::derived_from<T, Image>)

@@ -102,7 +102,7 @@ Reproduction without_verdict(const Lab& lab, const Question& question, const std
     KernelModule module{.spirv = lab.compile(text, in_stage), .team = source.team};
     try {
         lab.take_steps(module, text);
-    } catch (const shader::StepError&) {  // then the module before the step that failed is what there is
+    } catch (const shader::StepError&) {  // the module before them is what there is
     }
     Reproduction all{.glsl = shader::pack({text}, {.stage = in_stage.stage}, lab.options().include_roots),
                      .spirv = std::move(module.spirv),

@@ -189,6 +189,16 @@ Spirv taken(const std::string& step, const StepInput& input) {
     }
 }
 
+Stepped all_taken(const std::vector<std::string>& steps, const StepInput& input) {
+    Stepped stepped{input.module, input.module};
+    for (const std::string& step : steps) {
+        stepped.after = taken(step, {.module = stepped.after, .stage = input.stage, .glsl = input.glsl});
+        if (is_metamorphic(step)) stepped.before = stepped.after;
+    }
+    if (without_names(stepped.after) == without_names(input.module)) throw Unchanged();
+    return stepped;
+}
+
 bool is_metamorphic(const std::string& step) {
     return step.starts_with(changer) && !is_program(step);
 }

@@ -46,6 +46,14 @@ class Unchanged : public std::runtime_error {
 // Takes a step. A program has 60 s and 4 GiB. Throws StepError.
 [[nodiscard]] Spirv taken(const std::string& step, const StepInput& input);
 
+// All steps, one after the other: the module after the last, and the one before the first that compiles.
+// Throws StepError; Unchanged.
+struct Stepped {
+    Spirv before;
+    Spirv after;
+};
+[[nodiscard]] Stepped all_taken(const std::vector<std::string>& steps, const StepInput& input);
+
 [[nodiscard]] bool is_metamorphic(const std::string& step);
 
 // The parts of a step that can be left out: passes, changes. At least one stays in.

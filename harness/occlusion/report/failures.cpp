@@ -11,6 +11,7 @@
 #include <limits>
 #include <string_view>
 
+#include "base/text.hpp"
 #include "numeric/numbers.hpp"
 
 namespace gloam::report {
@@ -344,7 +345,7 @@ std::string slug(const std::string& text) {
         }
     }
     while (!out.empty() && out.back() == '-') out.pop_back();
-    return out.empty() ? "unnamed" : out;
+    return out.empty() ? "unnamed" : base::file_name_of(out);
 }
 
 }  // namespace gloam::report

@@ -79,7 +79,8 @@ struct RunAgain {
 // The word in a shell's syntax, quoted if necessary.
 [[nodiscard]] std::string shell_word(const std::string& text);
 
-// Lower-case letters, digits and dashes only: a folder name for a device or an equation.
+// Lower-case letters, digits and dashes only: a folder name for a device or an equation. A long one ends in a
+// hash.
 [[nodiscard]] std::string slug(const std::string& text);
 
 }  // namespace gloam::report

@@ -11,11 +11,14 @@
 
 #include "backend/backend.hpp"
 #include "base/text.hpp"
+#include "check/module_comparison.hpp"
 #include "check/random_function.hpp"
+#include "check/reproduction.hpp"
 #include "cli/environment.hpp"
 #include "cli/names.hpp"
 #include "interpreter/program.hpp"
 #include "shader/include.hpp"
+#include "shader/spirv.hpp"
 #include "shader/steps.hpp"
 
 namespace gloam::cli {
@@ -52,6 +55,14 @@ bool is_shader_file(const std::string& word) {
     const std::string extension = std::filesystem::path(word).extension().string();
     const std::set<std::string> known{".glsl", ".comp", ".frag", ".vert"};
     return known.contains(extension);
+}
+
+bool is_module_file(const std::string& word) {
+    return std::filesystem::path(word).extension() == ".spv";
+}
+
+shader::Spirv module_in(const std::string& file) {
+    return shader::taken("= " + file, {.module = {}});
 }
 
 bool is_random(const std::string& word) {
@@ -208,11 +219,49 @@ report::DeviceSummary summary_of(const backend::DeviceInfo& info) {
             .rounds_to_even = info.float32.rounds_to_even};
 }
 
+namespace {
+
+constexpr std::size_t most_module_runs = 64;  // each of 256 invocations at least
+
+check::Answer compared_module(const CheckTask& task, const std::vector<std::string>& steps) {
+    shader::Spirv module = module_in(task.file);
+    if (shader::variant(task.variant).strict) module = shader::with_no_contraction(module);
+    const shader::Stepped stepped = shader::all_taken(steps, {.module = module});
+    check::Answer answer = check::compare_modules(task.equation, stepped.before, stepped.after,
+                                                  std::min(task.inputs, most_module_runs), task.seed);
+    answer.variant = task.variant;
+    return answer;
+}
+
+HandOver module_hand_over(const CheckTask& task) {
+    const auto fails = [&task](const std::vector<std::string>& steps) {
+        try {
+            return compared_module(task, steps).failed();
+        } catch (const shader::StepError&) {
+            return false;
+        } catch (const shader::Unchanged&) {
+            return false;
+        }
+    };
+    HandOver hand_over;
+    const shader::Spirv module = module_in(task.file);
+    const std::vector<std::string> steps = shader::variant(task.variant).steps;
+    hand_over.steps = fails(steps) ? check::shortest_steps(steps, fails) : steps;
+    shader::Stepped stepped = shader::all_taken(hand_over.steps, {.module = module});
+    hand_over.before = std::move(stepped.before);
+    hand_over.spirv = std::move(stepped.after);
+    hand_over.assembly = shader::disassemble(hand_over.spirv);
+    return hand_over;
+}
+
+}  // namespace
+
 check::Answer Checker::run(const CheckTask& task) {
     const auto begin = std::chrono::steady_clock::now();
     check::Answer answer;
     try {
-        answer = check::run(lab(task), question_of(task), options_of(task));
+        answer = is_module_file(task.file) ? compared_module(task, shader::variant(task.variant).steps)
+                                           : check::run(lab(task), question_of(task), options_of(task));
     } catch (const std::exception& error) {
         answer = answer_without_result(task, entries_, reason_of(error), error.what());
     }
@@ -223,6 +272,7 @@ check::Answer Checker::run(const CheckTask& task) {
 HandOver Checker::hand_over(const HandOverRequest& request) {
     try {
         const CheckTask& task = request.task;
+        if (is_module_file(task.file)) return module_hand_over(task);
         return make_hand_over(lab(task), question_of(task), request, options_of(task));
     } catch (const std::exception& error) {
         return {.error = error.what()};

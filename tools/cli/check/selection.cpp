@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "cli/check/variants.hpp"
+#include "cli/check/selection.hpp"
 
 #include <fmt/format.h>
 #include <map>
 #include <stdexcept>
 
 #include "backend/gl/device.hpp"
+#include "catalogue/catalogue.hpp"
+#include "check/random_function.hpp"
+#include "cli/check/checker.hpp"
+#include "cli/environment.hpp"
 #include "cli/names.hpp"
 #include "shader/steps.hpp"
 
@@ -62,6 +66,63 @@ std::vector<shader::Variant> variants_of(const CheckOptions& options) {
     if (variants.empty())
         throw std::invalid_argument("OpenGL devices have the variant shipped only, not " + options.variant);
     return variants;
+}
+
+bool is_of_file(const CheckOptions& options) {
+    return !options.equations.empty() &&
+           (is_shader_file(options.equations.front()) || is_module_file(options.equations.front()));
+}
+
+namespace {
+
+// The IDs of the selected equations, the functions of a file, or random functions.
+std::vector<std::string> names_of(const CheckOptions& options, CheckOutcome& outcome) {
+    if (options.equations.size() == 1 && is_random(options.equations.front()))
+        return random_names(options.equations.front());
+    if (is_of_file(options) && is_module_file(options.equations.front())) {
+        if (options.compilers.empty())
+            throw std::invalid_argument(options.equations.front() +
+                                        ": a module is compared with itself after --compiler, expected one");
+        static_cast<void>(module_in(options.equations.front()));
+        return {std::filesystem::path(options.equations.front()).filename().string()};
+    }
+    if (is_of_file(options)) {
+        OwnSelection own = own_selection(options.equations, options.ranges, options.includes);
+        outcome.notes = std::move(own.notes);
+        outcome.complete = own.complete;
+        return own.names;
+    }
+    std::vector<std::string> names;
+    for (const catalogue::Entry& entry :
+         catalogue::select(catalogue::all_entries(glsl_directory()), options.equations))
+        names.push_back(entry.description.id);
+    return names;
+}
+
+}  // namespace
+
+std::vector<CheckTask> tasks_of(const CheckOptions& options, CheckOutcome& outcome) {
+    const Shard shard = shard_from(options.shard);
+    const std::vector<std::string> names = names_of(options, outcome);
+    const std::string file =
+        is_of_file(options) ? std::filesystem::absolute(options.equations.front()).string() : "";
+    std::vector<CheckTask> tasks;
+    std::size_t position = 0;
+    for (const shader::Variant& variant : variants_of(options)) {
+        for (const std::string& name : names) {
+            if (!shard.holds(position++)) continue;
+            tasks.push_back({.equation = name,
+                             .variant = variant.name,
+                             .inputs = options.inputs,
+                             .seed = options.seed,
+                             .coverage = options.coverage,
+                             .file = is_random(name) ? name : file,
+                             .ranges = options.ranges,
+                             .includes = options.includes});
+            if (is_random(name)) tasks.back().ranges = {check::random_function_range};
+        }
+    }
+    return tasks;
 }
 
 std::string step_summary(const std::vector<report::CheckReport>& reports) {
