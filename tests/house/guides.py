@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """guides.py ROOT GLOAM: runs the guides.
 
-Reads the fenced blocks of docs/testing.md, audit.md, judge-a-driver.md and copy-a-shader.md, in their order. Fails when
+Reads the fenced blocks of docs/testing.md and the other guides, in their order. Fails when
 one of them does not do what the page says. A block's first line says what it is:
 
     ```sh           commands, run one after the other in a scratch folder; each must exit with 0
@@ -26,7 +26,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-GUIDES = ("testing.md", "audit.md", "judge-a-driver.md", "copy-a-shader.md")
+GUIDES = ("testing.md", "audit.md", "judge-a-driver.md", "judge-a-compiler.md", "copy-a-shader.md")
 WHY_NOT_RUN = {
     "package": "tests/house/package does the same",
     "long": "takes minutes",

@@ -66,6 +66,9 @@ struct Explanation {
                                   std::span<const Word> input,
                                   numeric::Paths::Gaps gaps = numeric::Paths::Gaps::open);
 
+// What Vulkan's precision rules say of its operations, a line for each kind: "OpFDiv: 2.5 ULP where ...".
+[[nodiscard]] std::vector<std::string> rules_of(const Explanation& explanation);
+
 // A table: titles, then a line for each step; the line with the largest rise of the error is marked. If there
 // are more than `most` steps, the table has those at which the error rises most; among equal rises the later
 // steps.

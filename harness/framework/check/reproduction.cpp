@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "check/explain.hpp"
 #include "check/internal/budget_judge.hpp"
 #include "check/internal/interpretation.hpp"
 #include "check/internal/kernel_text.hpp"
@@ -134,11 +135,15 @@ Lab with_steps(const Lab& lab, const std::vector<std::string>& steps) {
     return {std::move(options), lab.backend()};
 }
 
-// Whether one of these steps cannot be taken.
-bool cannot_be_taken(const Lab& lab, const Question& question, const std::vector<std::string>& steps) {
+// Whether one of these steps cannot be taken, or makes a module that cannot be run.
+bool cannot_run(const Lab& lab, const Question& question, const RunOptions& options,
+                const ImageScenario& scenario, const std::vector<std::string>& steps) {
     try {
-        static_cast<void>(
-            with_steps(lab, steps).kernel(question.file, question.function, question.signature));
+        const Lab other = with_steps(lab, steps);
+        const Stage stage(other, question, scenario, options);
+        static_cast<void>(stage.run_kernel(stage.draw(options.inputs)));
+    } catch (const backend::Fault&) {
+        return true;
     } catch (const shader::StepError&) {
         return true;
     } catch (const shader::Unchanged&) {
@@ -183,6 +188,12 @@ Reproduction reproduce_with(const Lab& lab, const Question& question, const RunO
     all.allowed = allowed_outputs(question, stage.images(), smallest);
     add_opengl(lab, lab.source(question.file, question.function, question.signature), all);
     all.failure = smallest;
+    try {
+        all.rules = rules_of(explain(lab.compile_options(),
+                                     lab.source(question.file, question.function, question.signature),
+                                     smallest.inputs, stage.images()));
+    } catch (const std::exception&) {  // a shader that the interpreter cannot run has a report still
+    }
     return all;
 }
 
@@ -192,7 +203,7 @@ Reproduction reproduce(const Lab& lab, const Question& question, const RunOption
     const ImageScenario scenario = question.scenarios.empty() ? ImageScenario{} : question.scenarios.front();
     const std::vector<std::string>& steps = lab.options().variant.steps;
     const auto fails = [&](const std::vector<std::string>& fewer) {
-        return cannot_be_taken(lab, question, fewer);
+        return cannot_run(lab, question, options, scenario, fewer);
     };
     const Lab of_fewest = with_steps(lab, fails(steps) ? shortest_steps(steps, fails) : steps);
     return without_verdict(of_fewest, question, scenario.name, internal::images_of(scenario, options.seed),

@@ -70,7 +70,8 @@ struct Reproduction {
     std::vector<shader::Scalar> outputs;
     // The permitted results of each output word; empty if no failing input is known.
     std::vector<numeric::Bounds> allowed;
-    std::optional<Sample> failure;  // the failure for these inputs
+    std::optional<Sample> failure;        // the failure for these inputs
+    std::vector<std::string> rules = {};  // rules_of() its operations; empty: it cannot be explained
 };
 
 // The shader and the first input of a check. Nothing is run; use it if the check crashed its driver.

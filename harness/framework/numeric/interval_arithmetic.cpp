@@ -187,6 +187,7 @@ Interval operator/(const Interval& a, const Interval& b) {
 }
 
 Interval fma(const Interval& a, const Interval& b, const Interval& c) {
+    const Paths::EitherWay either;
     return a * b + c;
 }
 

@@ -118,10 +118,12 @@ Interval ldexp(const Interval& x, int exponent) {
 }
 
 Interval radians(const Interval& x) {
+    const Paths::EitherWay either;
     return x * Interval(std::numbers::pi / 180.0);
 }
 
 Interval degrees(const Interval& x) {
+    const Paths::EitherWay either;
     return x * Interval(180.0 / std::numbers::pi);
 }
 

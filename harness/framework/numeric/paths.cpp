@@ -78,6 +78,14 @@ Paths::Rounding Paths::rounding() {
     return current_ == nullptr ? Rounding::either : current_->rounding_;
 }
 
+Paths::EitherWay::EitherWay() : before_(rounding()) {
+    if (current_ != nullptr) current_->rounding_ = Rounding::either;
+}
+
+Paths::EitherWay::~EitherWay() {
+    if (current_ != nullptr) current_->rounding_ = before_;
+}
+
 void Paths::set_format(const FloatFormat& format) {
     if (current_ != nullptr) current_->format_ = format;
 }

@@ -50,6 +50,19 @@ class Paths {
 
     static Rounding rounding();
 
+    // While it exists, results are rounded either way: for functions of several operations that a device may
+    // evaluate as one.
+    class EitherWay {
+      public:
+        EitherWay();
+        ~EitherWay();
+        EitherWay(const EitherWay&) = delete;
+        EitherWay& operator=(const EitherWay&) = delete;
+
+      private:
+        Rounding before_;
+    };
+
     // Sets the format until it is set again or the exploration ends, for code that mixes several formats.
     static void set_format(const FloatFormat& format);
 

@@ -307,6 +307,10 @@ std::string failure_text(const DeviceSummary& device, const check::Answer& row,
     if (again.amber)
         text +=
             "Run it without gloam: amber -v 1.2 -t spv1.5 repro.amber (https://github.com/google/amber)\n";
+    if (row.verdict == check::Verdict::rules && !again.rules.empty())
+        text += fmt::format(
+            "Vulkan specification, \"Precision and Operation of SPIR-V Instructions\", float32:\n  {}\n\n",
+            fmt::join(again.rules, "\n  "));
     if (!again.steps.empty())
         text += fmt::format("The fewest steps that fail: {}\n", fmt::join(again.steps, " | "));
     if (again.program)

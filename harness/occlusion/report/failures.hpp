@@ -67,6 +67,7 @@ struct RunAgain {
     bool amber = true;     // there is a script for it
     bool program = true;   // and a program in C
     std::vector<std::string> steps = {};  // the fewest that fail
+    std::vector<std::string> rules = {};  // check::rules_of() its operations
 };
 
 // The description of a failing row, complete in itself: what failed where, the smallest input found in

@@ -128,6 +128,7 @@ std::string to_line(const HandOver& hand_over) {
                 {"shader_test", hand_over.shader_test},
                 {"c_program", hand_over.c_program},
                 {"steps", hand_over.steps},
+                {"rules", hand_over.rules},
                 {"before", hand_over.before},
                 {"smallest_module", hand_over.smallest_module},
                 {"smallest", worst_text(hand_over.smallest)},
@@ -146,6 +147,7 @@ HandOver hand_over_from(std::string_view line) {
             .shader_test = object.at("shader_test").get<std::string>(),
             .c_program = object.at("c_program").get<std::string>(),
             .steps = object.at("steps").get<std::vector<std::string>>(),
+            .rules = object.at("rules").get<std::vector<std::string>>(),
             .before = words_of(object.at("before")),
             .smallest_module = words_of(object.at("smallest_module")),
             .smallest = report::answer_from_json(object.at("smallest").get<std::string>()).worst,
@@ -187,6 +189,7 @@ HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
         hand_over.before = all.before;
         hand_over.smallest_module = smallest_module(lab, all);
     }
+    hand_over.rules = all.rules;
     if (all.failure) {
         hand_over.smallest = all.failure;
         hand_over.smallest->permitted = all.allowed;
@@ -278,6 +281,7 @@ std::filesystem::path FailureFolders::write(const report::DeviceSummary& device,
     how.amber = !hand_over.amber.empty();
     how.program = !hand_over.c_program.empty();
     how.steps = hand_over.steps;
+    how.rules = hand_over.rules;
     out.write("report.txt", report::failure_text(device, row, hand_over.smallest, note, how));
     if (hand_over.error.empty() && !hand_over.shader_test.empty()) {
         out.write("shader.glsl", hand_over.glsl);

@@ -35,6 +35,7 @@ struct HandOver {
         shader_test;  // of an OpenGL device, instead of `amber`: `glsl` is then the text that it was given
     std::string c_program = {};           // report::to_c_program()
     std::vector<std::string> steps = {};  // check::Reproduction
+    std::vector<std::string> rules = {};
     std::vector<std::uint32_t> before = {};
     std::vector<std::uint32_t> smallest_module = {};  // cli::smallest_module()
     std::optional<check::Sample> smallest;            // the simplest input found to fail
