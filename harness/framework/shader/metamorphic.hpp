@@ -13,12 +13,12 @@ namespace gloam::shader {
 // Changes of a module that leave its meaning as it is: a right compiler gives the same results for both.
 // GraphicsFuzz (Donaldson et al. 2017) and spirv-fuzz find faults of compilers in this way.
 //
-// Changes of values: operands of commutative operations exchanged, comparisons turned round, vectors taken
-// apart, an operation moved to a function of its own, a constant operand added to a zero that only the device
-// knows, a value negated twice or its bits reinterpreted twice, a select between it and something else.
-// Changes of memory: a loaded value stored again, a store that a later one overwrites.
-// Changes of control flow: branches never taken, loops of one round, conditions negated, branches as
-// switches, selects as branches with a phi, blocks divided; straight code as the cases of a switch in a loop.
+// Values: operands of commutative operations are exchanged, comparisons turned round, vectors taken apart. An
+// operation moves to a function of its own. A constant is added to a zero that only the device knows. A value
+// is negated twice, its bits are reinterpreted twice, or a select takes it. Memory: a loaded value is stored
+// again, a store precedes one that overwrites it. Control flow: branches never taken, loops of one round,
+// negated conditions, branches as switches, selects as branches with a phi, divided blocks. Straight code
+// becomes the cases of a switch in a loop.
 struct Metamorphism {
     Spirv module;
     std::vector<std::string> changes;  // the name of each change made, in order

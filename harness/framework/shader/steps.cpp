@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
-#include <numeric>
 #include <optional>
 #include <random>
 #include <sstream>
@@ -57,7 +56,7 @@ struct Seeded {
 
 std::vector<std::size_t> all_positions() {
     std::vector<std::size_t> all(metamorphic_changes);
-    std::iota(all.begin(), all.end(), std::size_t{0});
+    for (std::size_t position = 0; position < all.size(); ++position) all[position] = position;
     return all;
 }
 
