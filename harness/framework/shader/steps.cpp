@@ -184,7 +184,7 @@ Spirv taken(const std::string& step, const StepInput& input) {
         validate(module);
         return module;
     } catch (const std::runtime_error& error) {
-        throw StepError(fmt::format("{}: {}", step, error.what()));
+        throw StepError(base::one_line(fmt::format("{}: {}", step, error.what())));
     }
 }
 
