@@ -2,41 +2,27 @@
 #pragma once
 
 #include <bit>
-#include <cerrno>
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <vector>
+
+#include "base/files.hpp"
 
 namespace gloam::test {
 
-// A fresh directory, removed with all it holds at the end of the scope.
-class TemporaryDirectory {
+// A folder of a test's own, with its files.
+class TemporaryDirectory : public base::TemporaryFolder {
   public:
-    TemporaryDirectory() {
-        std::string name = (std::filesystem::temp_directory_path() / "gloam-test-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr)
-            throw std::system_error(errno, std::generic_category(), "cannot make " + name);
-        path_ = name;
-    }
-    ~TemporaryDirectory() {
-        std::error_code ignored;  // a destructor cannot report it
-        std::filesystem::remove_all(path_, ignored);
-    }
-    TemporaryDirectory(const TemporaryDirectory&) = delete;
-    TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
-
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+    TemporaryDirectory() : TemporaryFolder("test") {}
 
     // Writes a file, in folders that are made where they are missing, and returns where it is.
     std::filesystem::path write(const std::filesystem::path& name, std::string_view content) const {
-        const std::filesystem::path file = path_ / name;
+        const std::filesystem::path file = path() / name;
         std::filesystem::create_directories(file.parent_path());
         std::ofstream stream(file, std::ios::binary);
         stream << content;
@@ -44,9 +30,6 @@ class TemporaryDirectory {
         if (!stream) throw std::runtime_error("cannot write " + file.string());
         return file;
     }
-
-  private:
-    std::filesystem::path path_;
 };
 
 // All bytes of a file; "" where it cannot be read.

@@ -5,10 +5,6 @@
 
 #include <bit>
 #include <cstdint>
-#include <cstdlib>
-#include <fstream>
-#include <stdexcept>
-#include <system_error>
 
 namespace gloam::effect {
 namespace {
@@ -36,21 +32,8 @@ std::string text_for(const MethodInfo& method, int layers, float farthest) {
 }  // namespace
 
 MethodFunctions::MethodFunctions(int layers, float farthest) {
-    std::string name = (std::filesystem::temp_directory_path() / "gloam-methods-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make the folder " + name);
-    folder_ = name;
-    for (const MethodInfo& method : methods()) {
-        const std::filesystem::path path = folder_ / file(method.name);
-        std::ofstream out(path);
-        out << text_for(method, layers, farthest);
-        out.close();
-        if (!out) throw std::runtime_error("cannot write " + path.string());
-    }
-}
-
-MethodFunctions::~MethodFunctions() {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
+    for (const MethodInfo& method : methods())
+        base::write_file(folder_.path() / file(method.name), text_for(method, layers, farthest));
 }
 
 }  // namespace gloam::effect

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "base/files.hpp"
 #include "effect/methods.hpp"
 #include "effect/settings.hpp"
 
@@ -22,17 +23,14 @@ namespace gloam::effect {
 class MethodFunctions {
   public:
     explicit MethodFunctions(int layers = 1, float farthest = std::numeric_limits<float>::infinity());
-    ~MethodFunctions();
-    MethodFunctions(const MethodFunctions&) = delete;
-    MethodFunctions& operator=(const MethodFunctions&) = delete;
 
-    [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+    [[nodiscard]] const std::filesystem::path& folder() const { return folder_.path(); }
 
     // The file of a method, for an #include from the folder.
     [[nodiscard]] static std::string file(const std::string& method) { return method + ".glsl"; }
 
   private:
-    std::filesystem::path folder_;
+    base::TemporaryFolder folder_{"methods"};
 };
 
 // The function's name.
