@@ -205,7 +205,8 @@ Reproduction reproduce(const Lab& lab, const Question& question, const RunOption
     const auto fails = [&](const std::vector<std::string>& fewer) {
         return cannot_run(lab, question, options, scenario, fewer);
     };
-    const Lab of_fewest = with_steps(lab, fails(steps) ? shortest_steps(steps, fails) : steps);
+    const bool reducible = !steps.empty() && fails(steps);
+    const Lab of_fewest = with_steps(lab, reducible ? shortest_steps(steps, fails) : steps);
     return without_verdict(of_fewest, question, scenario.name, internal::images_of(scenario, options.seed),
                            question.domain.draw(1, options.seed, scenario.size).words);
 }

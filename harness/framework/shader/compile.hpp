@@ -120,8 +120,8 @@ struct Variant {
 // All variants: shipped, strict, optimized, small, round_trip, hlsl, relaxed, literals, specialization.
 [[nodiscard]] std::vector<Variant> variants();
 
-// The variant with this name, which steps may follow: "shipped | spirv-opt --ccp". Throws std::invalid_argument
-// for another name, with the known ones, and for what is no step.
+// The variant with this name, which steps may follow: "shipped | spirv-opt --ccp". Throws
+// std::invalid_argument for another name, with the known ones, and for what is no step.
 [[nodiscard]] Variant variant(const std::string& name);
 
 enum class Stage { compute, vertex, fragment };
