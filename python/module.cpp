@@ -39,18 +39,11 @@ struct Variable {
 };
 
 std::string dtype_of(const shader::Type& type) {
-    switch (type.scalar) {
-        case shader::Scalar::float_:
-            return "float32";
-        case shader::Scalar::int_:
-            return "int32";
-        case shader::Scalar::uint_:
-            return "uint32";
-        case shader::Scalar::bool_:
-            return "bool";
-        default:
-            return "words";  // of a structure, whose scalars may differ
-    }
+    if (type.scalar == shader::Scalar::bool_) return "bool";
+    if (type.scalar == shader::Scalar::structure) return "words";  // its scalars may differ
+    const std::string bits = std::to_string(shader::bits_of(type.scalar));
+    if (shader::is_float(type.scalar)) return "float" + bits;
+    return (shader::is_signed(type.scalar) ? "int" : "uint") + bits;
 }
 
 Variable variable_of(const std::string& name, const shader::Type& type, bool is_input) {

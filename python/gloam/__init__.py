@@ -76,7 +76,9 @@ class Function:
             row = np.array([words], dtype=np.uint32)
             results = reference(*(_exact(_values(row, first, one)[0]) for first, one in _positions(self._inputs)))
             results = results if isinstance(results, tuple) else (results,)
-            return np.concatenate([np.ravel(np.asarray(one, dtype=np.float64)) for one in results]).tolist()
+            if len(results) != len(self._outputs):
+                return np.concatenate([np.ravel(np.asarray(one, dtype=np.float64)) for one in results]).tolist()
+            return np.concatenate([_wanted(value, one) for value, one in zip(results, self._outputs)]).tolist()
         return self._function.judge(ranges or {}, inputs, seed, ulp, absolute, of_words)
 
     def check_rules(self, ranges=None, inputs=4096, seed=1):
@@ -108,45 +110,63 @@ class Function:
                                           for array, one in zip(arrays, self._inputs)))
         except ValueError as error:
             raise ValueError(f"{self!r}: {error}") from None
-        rows = [np.broadcast_to(array, batch + tuple(one.shape)).reshape(int(np.prod(batch)), -1)
-                for array, one in zip(arrays, self._inputs)]
+        rows = [np.ascontiguousarray(np.broadcast_to(array, batch + tuple(one.shape)).reshape(int(np.prod(batch)), -1))
+                .view(np.uint32) for array, one in zip(arrays, self._inputs)]
         words = np.concatenate(rows, axis=1) if rows else np.zeros((1, 0), dtype=np.uint32)
         return np.ascontiguousarray(words), batch
 
 
+def _in_words(dtype):
+    """The type of numpy whose bits are a scalar's words: one word, or two."""
+    return {"words": "uint32", "bool": "uint32", "float16": "float32", "int8": "int32", "int16": "int32",
+            "uint8": "uint32", "uint16": "uint32"}.get(dtype, dtype)
+
+
 def _array(value, variable):
-    """The words of a value or of many."""
-    dtype = {"words": "uint32", "bool": "bool"}.get(variable.dtype, variable.dtype)
+    """A value or many, as _in_words()."""
+    dtype = {"words": "uint32"}.get(variable.dtype, variable.dtype)
     array = np.asarray(value, dtype=dtype)
     own = tuple(variable.shape)
     if array.ndim < len(own) or array.shape[array.ndim - len(own):] != own:
         raise ValueError(f"{variable.name}: expected {variable.glsl}, an array of shape (..., "
                          f"{', '.join(map(str, own))}), got {array.shape}" if own
                          else f"{variable.name}: expected {variable.glsl}")
-    if dtype == "bool":
-        return array.astype(np.uint32)
-    return np.ascontiguousarray(array).view(np.uint32).reshape(array.shape)
+    return array.astype(_in_words(variable.dtype))
 
 
 def _positions(variables):
     first = 0
     for one in variables:
         yield first, one
-        first += int(np.prod(one.shape, dtype=int))
+        first += _word_count(one)
+
+
+def _word_count(variable):
+    return int(np.prod(variable.shape, dtype=int)) * np.dtype(_in_words(variable.dtype)).itemsize // 4
+
+
+def _wanted(value, variable):
+    """What a reference gives, a number for each word of an output."""
+    value = np.ravel(value)
+    if variable.dtype == "float64":
+        return np.ravel(np.stack([value.astype(np.float64), np.zeros(value.shape)], axis=-1))
+    if variable.dtype in ("int64", "uint64"):
+        words = value.astype(variable.dtype).view(np.uint32).astype(np.int64)
+        return np.where(np.arange(words.size) % 2 == 1, words.astype(variable.dtype[:-2] + "32"), words).astype(np.float64)
+    return value.astype(np.float64)
 
 
 def _values(rows, first, variable):
     """The values of a variable in rows of words, one after another."""
-    words = np.ascontiguousarray(rows[:, first:first + int(np.prod(variable.shape, dtype=int))])
-    if variable.dtype == "bool":
-        values = words != 0
-    else:
-        values = words.view({"words": "uint32"}.get(variable.dtype, variable.dtype))
+    words = np.ascontiguousarray(rows[:, first:first + _word_count(variable)])
+    values = words.view(_in_words(variable.dtype))
+    if variable.dtype != "words":
+        values = values.astype(variable.dtype)
     return values.reshape((len(rows),) + tuple(variable.shape))
 
 
 def _exact(value):
     """As float64, or the integer or bool that it is."""
     value = np.asarray(value)
-    value = value.astype(np.float64) if value.dtype == np.float32 else value
+    value = value.astype(np.float64) if value.dtype in (np.float16, np.float32) else value
     return value if value.ndim else value[()]

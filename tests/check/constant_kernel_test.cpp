@@ -153,16 +153,17 @@ TEST(ConstantKernel, NeedsAVariantWithConstants) {
 
 TEST(ConstantCode, LiteralsAreExact) {
     using shader::Scalar;
-    const auto of_float = [](float value) { return literal(Scalar::float_, std::bit_cast<Word>(value)); };
+    const auto of = [](Scalar scalar, Word word) { return literal(scalar, std::span(&word, 1)); };
+    const auto of_float = [&](float value) { return of(Scalar::float_, std::bit_cast<Word>(value)); };
     EXPECT_EQ(of_float(1.0F), "1.0");
     EXPECT_EQ(of_float(-0.0F), "-0.0");
     EXPECT_EQ(of_float(1e20F), "1.0000000200408773e+20");
     EXPECT_EQ(of_float(INFINITY), "uintBitsToFloat(0x7f800000u)");
-    EXPECT_EQ(literal(Scalar::float_, 0x7fc00001U), "uintBitsToFloat(0x7fc00001u)");
-    EXPECT_EQ(literal(Scalar::int_, 0x80000000U), "int(0x80000000u)");
-    EXPECT_EQ(literal(Scalar::uint_, 7U), "0x00000007u");
-    EXPECT_EQ(literal(Scalar::bool_, 2U), "true");
-    EXPECT_EQ(literal(Scalar::bool_, 0U), "false");
+    EXPECT_EQ(of(Scalar::float_, 0x7fc00001U), "uintBitsToFloat(0x7fc00001u)");
+    EXPECT_EQ(of(Scalar::int_, 0x80000000U), "int(0x80000000u)");
+    EXPECT_EQ(of(Scalar::uint_, 7U), "0x00000007u");
+    EXPECT_EQ(of(Scalar::bool_, 2U), "true");
+    EXPECT_EQ(of(Scalar::bool_, 0U), "false");
     Word bits = 1;
     for (int i = 0; i < 10'000; ++i) {
         bits = bits * 1664525U + 1013904223U;

@@ -141,7 +141,7 @@ TEST(Scalars, TypesAreThoseOfGlsl) {
     EXPECT_EQ(shader::to_glsl(type_of<glm::uvec2>()), "uvec2");
     EXPECT_EQ(type_of<double>(), type_of<float>())
         << "references calculate in double what the shader has in float";
-    EXPECT_EQ(scalar_count<Mixed>(), 10U);
+    EXPECT_EQ(word_count<Mixed>(), 10U);
     EXPECT_EQ(scalars_of(type_of<Mixed>()).size(), 10U);
     EXPECT_EQ(scalars_of(type_of<Mixed>()).front(), shader::Scalar::bool_);
 }

@@ -39,6 +39,15 @@ TEST(Guide, OneCall) {
     // End
 }
 
+TEST(Guide, NumbersOfOtherSizes) {
+    const Lab lab = guide_lab();
+    // Begin: numbers
+    const Function<Float64(Float64)> halved(lab, "halved.glsl", "halved");
+    EXPECT_EQ(halved(0x1p-1000), 0x1p-1001);
+    EXPECT_THAT(halved.check_rules({uniform(0, 1, shader::Scalar::double_)}), Passes());
+    // End
+}
+
 // Begin: matchers
 TEST(Guide, Matchers) {
     const Lab lab = guide_lab();

@@ -34,9 +34,9 @@ TEST_F(OwnFunctionTest, AreThoseOfTheFileItselfThatCanBeDrawnFor) {
     const OwnFunctions functions = functions_of("own.glsl");
     EXPECT_THAT(names_of(functions), ElementsAre("own_root", "own_scaled", "own_mean", "own_array"));
     ASSERT_EQ(functions.left_out.size(), 1U);
-    EXPECT_EQ(functions.left_out[0].name, "own_double(double)");
+    EXPECT_EQ(functions.left_out[0].name, "own_several(sampler2DMS)");
     EXPECT_EQ(functions.left_out[0].why,
-              "values of the parameter type double cannot be drawn: double is not supported");
+              "values of the parameter type sampler2DMS cannot be drawn: sampler2DMS is not supported");
 }
 
 TEST_F(OwnFunctionTest, AreTakenOutOfAWholeShader) {

@@ -263,13 +263,14 @@ std::string text_of(const std::vector<Operation>& operations) {
 // Usual values, huge and tiny ones, special ones, and small integers.
 Rows rows_of(std::size_t outputs) {
     numeric::Random random(7);
+    const std::vector<double> specials = numeric::special_values(numeric::float32);
     Rows rows{.inputs = {}, .input_words = input_words, .output_words = outputs};
     constexpr std::size_t count = 2000;
     for (std::size_t r = 0; r < count; ++r) {
         for (std::size_t n = 0; n < 4; ++n) {
             const double scale = r % 4 == 0 ? random.uniform(-100, 100) : random.uniform(-6, 6);
             auto value = static_cast<float>((random.below(2) == 0 ? -1.0 : 1.0) * std::exp2(scale));
-            if (r % 8 == 1) value = numeric::special_floats[random.below(std::size(numeric::special_floats))];
+            if (r % 8 == 1) value = static_cast<float>(specials[random.below(specials.size())]);
             rows.inputs.push_back(std::bit_cast<Word>(value));
         }
         for (std::size_t n = 0; n < 4; ++n) {

@@ -117,11 +117,11 @@ TEST(Paths, RunsBothSidesOfABranch) {
 
 TEST(Paths, ConversionsToIntegersTakeEachInReach) {
     std::vector<int> integers;
-    Paths::explore(float32, 10, [&] { integers.push_back(to_int(Interval::within(-1.5, 2.25))); });
+    Paths::explore(float32, 10, [&] { integers.push_back(to_integer<int>(Interval::within(-1.5, 2.25))); });
     EXPECT_THAT(integers, ElementsAre(-1, 0, 1, 2));
     for (const Bounds& bounds :
          {Bounds{0.0, 1e6, false}, Bounds{0.0, 1e300, false}, Bounds{0.0, 1.0, true}}) {
-        EXPECT_EQ(Paths::explore(float32, 10, [&] { (void)to_int(Interval::within(bounds)); }),
+        EXPECT_EQ(Paths::explore(float32, 10, [&] { (void)to_integer<int>(Interval::within(bounds)); }),
                   Paths::Outcome::undetermined);
     }
 }

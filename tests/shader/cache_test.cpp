@@ -220,7 +220,7 @@ class CacheDamage : public testing::Test {
         static_cast<void>(cache_.compile(doubling, {}));
         module_entry_ = only_file("spv");
         static_cast<void>(cache_.functions(doubling, {}));
-        functions_entry_ = only_file("functions");
+        functions_entry_ = only_file("types");
         module_bytes_ = base::read_file(module_entry_);
         functions_bytes_ = base::read_file(functions_entry_);
     }

@@ -48,22 +48,29 @@ T parsed(const std::string& text, int base) {
     return value;
 }
 
-// Parses a number, true or false, or bits in hexadecimal.
-Word word_from(Scalar scalar, const std::string& text) {
+// Appends the words of a number, true or false, or bits in hexadecimal.
+void append_value(Scalar scalar, const std::string& text, std::vector<Word>& words) {
     constexpr int hexadecimal = 16;
     constexpr int decimal = 10;
-    if (text.starts_with("0x")) return parsed<Word>(text, hexadecimal);
-    switch (scalar) {
-        case Scalar::float_:
-            return std::bit_cast<Word>(static_cast<float>(parsed<double>(text, decimal)));
-        case Scalar::int_:
-            return static_cast<Word>(parsed<std::int32_t>(text, decimal));
-        case Scalar::bool_:
-            if (text == "true" || text == "false") return text == "true" ? 1U : 0U;
-            [[fallthrough]];
-        default:
-            return parsed<Word>(text, decimal);
+    const bool is_bits = text.starts_with("0x");
+    if (shader::is_float(scalar) && !is_bits)
+        return check::append_float(scalar, parsed<double>(text, decimal), words);
+    words.resize(words.size() + check::word_count(scalar));
+    const std::span<Word> own = std::span(words).last(check::word_count(scalar));
+    if (scalar == Scalar::bool_ && (text == "true" || text == "false")) {
+        own[0] = text == "true" ? 1U : 0U;
+        return;
     }
+    const bool is_signed = shader::is_signed(scalar) && !is_bits;
+    const auto bits = is_signed ? static_cast<std::uint64_t>(parsed<std::int64_t>(text, decimal))
+                                : parsed<std::uint64_t>(text, is_bits ? hexadecimal : decimal);
+    check::set_bits(scalar, bits, own);
+    const unsigned unused = 64 - (shader::is_float(scalar) ? 32 * own.size() : shader::bits_of(scalar));
+    const std::uint64_t cut = bits << unused;
+    const bool fits =
+        bits ==
+        (is_signed ? static_cast<std::uint64_t>(static_cast<std::int64_t>(cut) >> unused) : cut >> unused);
+    if (!fits) throw std::invalid_argument(fmt::format("\"{}\" is no value of this parameter", text));
 }
 
 // The words of an input. A function of a quad or a work group takes the values of all its invocations, one
@@ -81,6 +88,7 @@ std::vector<Word> input_from(const check::OwnFunction& own, const std::vector<st
         const bool alone = own.team.count() == 1 || !check::is_of_each(p);
         parts.push_back(
             {check::scalars_of(alone ? p.type : shader::element_of(p.type)), alone ? 1 : own.team.count()});
+        std::erase(parts.back().scalars, Scalar::upper);
         of_one += parts.back().scalars.size();
         all += parts.back().scalars.size() * parts.back().invocations;
     }
@@ -94,7 +102,7 @@ std::vector<Word> input_from(const check::OwnFunction& own, const std::vector<st
         const std::size_t first = next;
         for (std::size_t k = 0; k < part.invocations; ++k) {
             if (values.size() == of_one) next = first;
-            for (const Scalar scalar : part.scalars) input.push_back(word_from(scalar, values[next++]));
+            for (const Scalar scalar : part.scalars) append_value(scalar, values[next++], input);
         }
     }
     return input;

@@ -338,9 +338,7 @@ void add_witness(Audit& audit, const Lab& lab, const Question& question, const A
     for (AuditFinding& finding : audit.findings) {
         if (finding.concern == Concern::fault) continue;
         const KernelCore::Result result = kernel.run(finding.words, 1, images);
-        finding.witnesses.push_back(
-            {lab.info().name,
-             internal::as_number(scalars.at(finding.output), result.outputs.at(finding.output))});
+        finding.witnesses.push_back({lab.info().name, number_at(scalars, result.outputs, finding.output)});
     }
 }
 

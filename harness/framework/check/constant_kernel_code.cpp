@@ -14,11 +14,12 @@ namespace {
 
 using shader::Scalar;
 
-// A decimal that denotes exactly this float. Its 17 digits identify the float's value as a double.
-std::string float_literal(float value) {
-    std::string text = fmt::format("{:.17g}", static_cast<double>(value));
+// A decimal that denotes exactly this value. Its 17 digits identify it as a double.
+std::string float_literal(Scalar scalar, double value) {
+    std::string text = fmt::format("{:.17g}", value);
     if (text.find_first_of(".e") == std::string::npos) text += ".0";
-    return text;
+    if (scalar == Scalar::double_) text += "lf";
+    return scalar == Scalar::float16_ ? fmt::format("float16_t({})", text) : text;
 }
 
 // The expressions of the scalars of input `index`.
@@ -44,19 +45,19 @@ std::size_t input_words(const KernelSource& source) {
 
 }  // namespace
 
-std::string literal(Scalar scalar, Word word) {
-    const std::string hexadecimal = fmt::format("0x{:08x}u", word);
-    if (scalar == Scalar::bool_) return word != 0 ? "true" : "false";
-    if (scalar != Scalar::float_) return internal::from_word(scalar, hexadecimal);
-    const auto value = std::bit_cast<float>(word);
-    return std::isfinite(value) ? float_literal(value) : internal::from_word(scalar, hexadecimal);
+std::string literal(Scalar scalar, std::span<const Word> words) {
+    if (scalar == Scalar::bool_) return words[0] != 0 ? "true" : "false";
+    if (shader::is_float(scalar) && std::isfinite(float_at(scalar, words)))
+        return float_literal(scalar, float_at(scalar, words));
+    return internal::from_words(
+        scalar, [&](std::size_t at) { return fmt::format("0x{:08x}u", words[at]); }, 0);
 }
 
 std::string literal_kernel_code(const KernelSource& source, std::span<const Word> inputs, std::size_t count) {
     const std::size_t words = count == 0 ? 0 : inputs.size() / count;
     const auto input_of = [&](std::size_t index) -> internal::InputText {
         return [input = inputs.subspan(index * words, words)](Scalar scalar, std::size_t word) {
-            return literal(scalar, input[word]);
+            return literal(scalar, input.subspan(word));
         };
     };
     return internal::kernel_text(source, main_function(source, count, input_of));
@@ -69,7 +70,9 @@ std::string specialized_kernel_code(const KernelSource& source, std::size_t coun
         constants += fmt::format("layout(constant_id = {0}) const uint gloam_kernel_constant{0} = 0u;\n", id);
     const auto input_of = [words](std::size_t index) -> internal::InputText {
         return [first = index * words](Scalar scalar, std::size_t word) {
-            return internal::from_word(scalar, fmt::format("gloam_kernel_constant{}", first + word));
+            return internal::from_words(
+                scalar, [&](std::size_t at) { return fmt::format("gloam_kernel_constant{}", first + at); },
+                word);
         };
     };
     return internal::kernel_text(source, constants + main_function(source, count, input_of));

@@ -40,9 +40,9 @@ struct Values {
     [[nodiscard]] bool admits(std::span<const Word> words) const;
 
     // Each returns the same values with more fixed ones.
-    // Adds every special float (numeric::special_floats): as a scalar, in each component of a vector, and in
-    // all components.
-    [[nodiscard]] Values and_special() const;
+    // Adds every special value of a float type (numeric::special_values): as a scalar, in each component of a
+    // vector, and in all components.
+    [[nodiscard]] Values and_special(shader::Scalar scalar = shader::Scalar::float_) const;
     // Adds branch points of a float parameter: each point and the floats one ULP on either side.
     [[nodiscard]] Values and_near(std::initializer_list<double> points) const;
     // Adds branch points of an integer parameter: each point and its two neighbours (as int; unsigned wraps).
@@ -63,17 +63,20 @@ struct Values {
     }
 };
 
-// float, uniform in [low, high]. Fixed values: the ends; if 0 is between them, also both zeros and the
-// smallest normal and subnormal numbers of each sign.
-[[nodiscard]] Values uniform(double low, double high);
-// float whose logarithm is uniform in [log low, log high], 0 < low < high.
-[[nodiscard]] Values log_uniform(double low, double high);
+// Numbers of a float type, uniform in [low, high]. Fixed values: the ends; if 0 is between them, also both
+// zeros and the smallest normal and subnormal numbers of each sign.
+[[nodiscard]] Values uniform(double low, double high, shader::Scalar scalar = shader::Scalar::float_);
+// Numbers whose logarithm is uniform in [log low, log high], 0 < low < high.
+[[nodiscard]] Values log_uniform(double low, double high, shader::Scalar scalar = shader::Scalar::float_);
 // The same with either sign.
-[[nodiscard]] Values signed_log_uniform(double low, double high);
+[[nodiscard]] Values signed_log_uniform(double low, double high,
+                                        shader::Scalar scalar = shader::Scalar::float_);
 // float with any bit pattern.
 [[nodiscard]] Values any_float();
-// int or uint in [low, high]; the ends are fixed values.
-[[nodiscard]] Values integers(long low, long high);
+// Integers in [low, high], those of the type; the ends are fixed values.
+[[nodiscard]] Values integers(long low, long high, shader::Scalar scalar = shader::Scalar::int_);
+// All integers of a type, of every magnitude and sign; the ends, 0, 1, -1 and 2^31 are fixed values.
+[[nodiscard]] Values any_integer(shader::Scalar scalar);
 // int or uint: 0, or a value in [1, high] whose logarithm is uniform.
 [[nodiscard]] Values log_integers(long high);
 [[nodiscard]] Values booleans();

@@ -21,36 +21,33 @@ namespace {
 
 using shader::Scalar;
 
-std::string scalar_text(Scalar scalar, Word word) {
-    switch (scalar) {
-        case Scalar::float_:
-            return numeric::to_text(from_word<float>(word));
-        case Scalar::int_:
-            return fmt::format("{}", from_word<int>(word));
-        case Scalar::bool_:
-            return word != 0U ? "true" : "false";
-        default:
-            return fmt::format("{} (0x{:08x})", word, word);
-    }
-}
-
-std::string words_text(const std::vector<Scalar>& scalars, const std::vector<Word>& words) {
+std::string words_text(const std::vector<Scalar>& scalars, std::span<const Word> words) {
     std::vector<std::string> texts;
-    for (std::size_t i = 0; i < words.size(); ++i) texts.push_back(scalar_text(scalars[i], words[i]));
+    for (std::size_t i = 0; i < words.size(); ++i)
+        if (scalars[i] != Scalar::upper) texts.push_back(text_at(scalars[i], words.subspan(i)));
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-// An integer in decimal; the bits of its value as a double would carry no information.
-std::string number_text(Scalar scalar, double number) {
+// The text of the number that begins at a word. An integer in decimal; the bits of its value as a double
+// would carry no information.
+std::string number_text(const std::vector<Scalar>& scalars, std::size_t i, double number, double upper) {
     constexpr double exact = 9'007'199'254'740'992.0;
+    const Scalar scalar = i < scalars.size() ? scalars[i] : Scalar::float_;
+    if (scalar == Scalar::int64_ || scalar == Scalar::uint64_) {
+        const std::array words{static_cast<Word>(number),
+                               static_cast<Word>(static_cast<std::int64_t>(upper))};
+        return text_at(scalar, words);
+    }
     const bool whole = std::abs(number) <= exact && number == std::floor(number);
-    return scalar == Scalar::float_ || !whole ? numeric::to_text(number) : fmt::format("{:.0f}", number);
+    return shader::is_float(scalar) || !whole ? numeric::to_text(number) : fmt::format("{:.0f}", number);
 }
 
 std::string numbers_text(const std::vector<Scalar>& scalars, const std::vector<double>& numbers) {
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < numbers.size(); ++i)
-        texts.push_back(number_text(i < scalars.size() ? scalars[i] : Scalar::float_, numbers[i]));
+        if (i >= scalars.size() || scalars[i] != Scalar::upper)
+            texts.push_back(
+                number_text(scalars, i, numbers[i], i + 1 < numbers.size() ? numbers[i + 1] : 0.0));
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
@@ -61,10 +58,12 @@ std::string permitted_text(const std::vector<Scalar>& scalars,
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < permitted.size(); ++i) {
         const numeric::Bounds& bounds = permitted[i];
-        const Scalar scalar = i < scalars.size() ? scalars[i] : Scalar::float_;
-        const std::string range = bounds.empty() ? std::string("nothing but NaN")
-                                                 : fmt::format("[{}, {}]", number_text(scalar, bounds.low),
-                                                               number_text(scalar, bounds.high));
+        if (i < scalars.size() && scalars[i] == Scalar::upper) continue;
+        const numeric::Bounds& next = permitted[std::min(i + 1, permitted.size() - 1)];
+        const std::string range = bounds.empty()
+                                      ? std::string("nothing but NaN")
+                                      : fmt::format("[{}, {}]", number_text(scalars, i, bounds.low, next.low),
+                                                    number_text(scalars, i, bounds.high, next.high));
         texts.push_back(bounds.nan && !bounds.empty() ? range + " or NaN" : range);
     }
     return fmt::format("    permitted {}\n", fmt::join(texts, ", "));
@@ -92,7 +91,8 @@ std::string describe_inputs(const Signature& signature, const std::vector<Word>&
                                       inputs.begin() + static_cast<std::ptrdiff_t>(first + scalars.size()));
         const std::string values = words_text(scalars, words);
         const std::string what = shader::to_glsl(p.type) + (p.global ? " " + p.name : "");
-        texts.push_back(fmt::format(fmt::runtime(scalars.size() > 1 ? "{} ({})" : "{} {}"), what, values));
+        texts.push_back(
+            fmt::format(fmt::runtime(shader::scalar_count(p.type) > 1 ? "{} ({})" : "{} {}"), what, values));
         first += scalars.size();
     }
     return fmt::format("{}", fmt::join(texts, ", "));
@@ -170,9 +170,10 @@ void append(const interpreter::Step<Explained>& step, std::vector<ExplainedStep>
                           .value = x.value,
                           .exact = x.exact,
                           .permitted = x.permitted.bounds(),
-                          .error = static_cast<double>(x.value) - x.exact,
+                          .error = x.value - x.exact,
                           .local = x.local,
-                          .ulps = numeric::ulp_error(x.value, x.exact)};
+                          .ulps = numeric::ulp_error(x.value, x.exact, step.format),
+                          .digits = step.format == numeric::float64 ? 17 : 9};
         if (std::isnan(one.error)) one.error = 0.0;  // one infinity equals the other
         steps.push_back(std::move(one));
     }
@@ -211,10 +212,11 @@ std::vector<std::size_t> telling_steps(const std::vector<ExplainedStep>& steps, 
     return order;
 }
 
-std::string permitted_text(const numeric::Bounds& bounds) {
+std::string permitted_text(const numeric::Bounds& bounds, int digits) {
     if (bounds.is_anything()) return "anything";
     if (bounds.empty()) return "NaN";
-    return fmt::format("[{:.9g}, {:.9g}]{}", bounds.low, bounds.high, bounds.nan ? " or NaN" : "");
+    return fmt::format("[{0:.{2}g}, {1:.{2}g}]{3}", bounds.low, bounds.high, digits,
+                       bounds.nan ? " or NaN" : "");
 }
 
 constexpr std::string_view line_format = "{:<34} {:<24} {:>15} {:>22} {:>10} {:>11} {:>11}  {}\n";
@@ -226,10 +228,11 @@ std::string line_of(const ExplainedStep& step, bool is_worst) {
     const std::string operation = step.component == 0
                                       ? step.operation
                                       : fmt::format("{} .{}", step.operation, "xyzw"[step.component % 4]);
-    return fmt::format(line_format, place, operation, fmt::format("{:.9g}", step.value),
-                       fmt::format("{:.17g}", step.exact), fmt::format("{:.3g}", step.ulps),
-                       fmt::format("{:.2e}", step.local), fmt::format("{:.2e}", step.inherited()),
-                       permitted_text(step.permitted) + (is_worst ? "  <-- most of the error" : ""));
+    return fmt::format(
+        line_format, place, operation, fmt::format("{:.{}g}", step.value, step.digits),
+        fmt::format("{:.17g}", step.exact), fmt::format("{:.3g}", step.ulps),
+        fmt::format("{:.2e}", step.local), fmt::format("{:.2e}", step.inherited()),
+        permitted_text(step.permitted, step.digits) + (is_worst ? "  <-- most of the error" : ""));
 }
 
 }  // namespace

@@ -23,12 +23,13 @@ struct ExplainedStep {
     std::string function;
     std::string operation;      // "OpFAdd"
     std::size_t component = 0;  // of a vector, from 0
-    float value = 0.0F;         // correctly rounded at every operation
+    double value = 0.0;         // correctly rounded at every operation
     double exact = 0.0;         // in double
     numeric::Bounds permitted;  // by Vulkan's rules, on this path
     double error = 0.0;         // value - exact
     double local = 0.0;         // the part of the error that this operation adds by rounding
     double ulps = 0.0;          // error in units in the last place of the exact result
+    int digits = 9;             // decimal ones of its format
 
     // The part of the error that came with the operands.
     [[nodiscard]] double inherited() const { return error - local; }

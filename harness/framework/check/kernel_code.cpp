@@ -36,19 +36,6 @@ using shader::Direction;
 using shader::Scalar;
 using shader::Type;
 
-std::string to_word(Scalar scalar, const std::string& value) {
-    switch (scalar) {
-        case Scalar::float_:
-            return fmt::format("floatBitsToUint({})", value);
-        case Scalar::int_:
-            return fmt::format("uint({})", value);
-        case Scalar::bool_:
-            return fmt::format("({} ? 1u : 0u)", value);
-        default:
-            return value;
-    }
-}
-
 // The GLSL expressions of all scalars of a variable, in order: "a.x", "m[1][2]", "s.depth", "w[3].x".
 void scalar_paths(const Type& type, const std::string& variable,
                   std::vector<std::pair<Scalar, std::string>>& paths) {
@@ -78,19 +65,23 @@ std::size_t append_read(std::string& code, const Type& type, const std::string& 
                         const InputText& input, std::size_t offset) {
     std::vector<std::pair<Scalar, std::string>> paths;
     scalar_paths(type, variable, paths);
-    for (const auto& [scalar, path] : paths)
-        code += fmt::format("    {} = {};\n", path, input(scalar, offset++));
-    return paths.size();
+    const std::size_t first = offset;
+    for (const auto& [scalar, path] : paths) {
+        code += fmt::format("    {} = {};\n", path, input(scalar, offset));
+        offset += word_count(scalar);
+    }
+    return offset - first;
 }
 
 std::size_t append_write(std::string& code, const Type& type, const std::string& variable,
                          std::string_view buffer, std::string_view at, std::size_t offset) {
     std::vector<std::pair<Scalar, std::string>> paths;
     scalar_paths(type, variable, paths);
-    for (const auto& [scalar, path] : paths) {
-        code += fmt::format("    {}[{} + {}u] = {};\n", buffer, at, offset++, to_word(scalar, path));
-    }
-    return paths.size();
+    const std::size_t first = offset;
+    for (const auto& [scalar, path] : paths)
+        for (const std::string& word : to_words(scalar, path))
+            code += fmt::format("    {}[{} + {}u] = {};\n", buffer, at, offset++, word);
+    return offset - first;
 }
 
 constexpr std::string_view header = R"(#version 450
@@ -180,7 +171,9 @@ std::string image_definition(const ImagePrototype& image, std::size_t index, con
     } else {
         code += fmt::format("    {} gloam_kernel_value;\n", type);
         const InputText word = [&read_word](Scalar scalar, std::size_t offset) {
-            return from_word(scalar, read_word(fmt::format("gloam_kernel_at + {}u", offset)));
+            return from_words(
+                scalar, [&](std::size_t at) { return read_word(fmt::format("gloam_kernel_at + {}u", at)); },
+                offset);
         };
         append_read(code, image.element, "gloam_kernel_value", word, 0);
         code += "    return gloam_kernel_value;\n";
@@ -213,21 +206,9 @@ std::string without_macros(std::string_view text) {
 
 }  // namespace
 
-std::string from_word(Scalar scalar, const std::string& word) {
-    switch (scalar) {
-        case Scalar::float_:
-            return fmt::format("uintBitsToFloat({})", word);
-        case Scalar::int_:
-            return fmt::format("int({})", word);
-        case Scalar::bool_:
-            return fmt::format("({} != 0u)", word);
-        default:
-            return word;
-    }
-}
-
 std::string kernel_text(const KernelSource& source, const std::string& rest) {
     std::string code(header);
+    code += number_extensions(source);
     if (source.preserve_nan) code += preserve;
     code += group_layout(source);
     return code.append(vulkan_run) + storage_interface(source) + file_and_rest(source, word_of_buffer, rest);
@@ -255,7 +236,10 @@ std::string word_of_buffer(std::size_t image, const std::string& at) {
 }
 
 std::string input_of_buffer(Scalar scalar, std::size_t word) {
-    return from_word(scalar, fmt::format("gloam_kernel_inputs[gloam_kernel_input_at + {}u]", word));
+    return from_words(
+        scalar,
+        [](std::size_t at) { return fmt::format("gloam_kernel_inputs[gloam_kernel_input_at + {}u]", at); },
+        word);
 }
 
 std::string argument_name(std::size_t parameter) {

@@ -83,9 +83,9 @@ struct KernelModule {
 // otherwise each evaluated its fixed_inputs.
 using KernelModules = std::vector<std::shared_ptr<const KernelModule>>;
 
-// The GLSL literal of a scalar with these bits, exactly: finite floats as decimals, others by
-// uintBitsToFloat().
-[[nodiscard]] std::string literal(shader::Scalar scalar, Word word);
+// The GLSL literal of the scalar that begins with these words, exactly: finite floats as decimals, others by
+// their bits.
+[[nodiscard]] std::string literal(shader::Scalar scalar, std::span<const Word> words);
 
 // The text of a compute shader like that of kernel_code(), but with the inputs as literals in the text:
 // invocation i evaluates input i. inputs: each of the same number of words, one after another. Throws

@@ -210,6 +210,10 @@ KernelCore Lab::kernel(const std::string& file, const std::string& function,
     if (made_of.team.kind == backend::Team::Kind::quad)
         module.vertices = compile(quad_vertices(), {.stage = shader::Stage::vertex});
     if (const auto text_language = language()) {
+        for (const std::string& capability : shader::number_capabilities(module.spirv))
+            if (capability != "Float64")
+                throw backend::Unsupported(fmt::format("{}: needs {}, which OpenGL has no standard types for",
+                                                       function, capability));
         module.glsl = internal::gl_kernel_code(*text_language, made_of, options_.include_roots);
         module.judged_by_rules = internal::has_precision_rules(*text_language) &&
                                  !internal::calls_undefined_precision(module.spirv);
@@ -240,7 +244,7 @@ shader::Spirv Lab::compile_kernel(const shader::Source& text, const std::vector<
                                   shader::Stage stage) const {
     shader::CompileOptions options = compile_options();
     options.stage = stage;
-    shader::Spirv module = compile(text, options);
+    shader::Spirv module = compiled(text, options);
     for (const shader::Resource& resource : shader::used_resources(module)) {
         constexpr std::string_view ours = "GloamKernel";  // translations keep one of the two names
         if (resource.block.starts_with(ours) || resource.name.starts_with(ours)) continue;
@@ -252,6 +256,20 @@ shader::Spirv Lab::compile_kernel(const shader::Source& text, const std::vector<
             text.name, resource.kind, resource.name.empty() ? resource.block : resource.name));
     }
     return module;
+}
+
+shader::Spirv Lab::compiled(const shader::Source& text, const shader::CompileOptions& options) const {
+    if (options.variant.through == shader::Variant::Through::none) return compile(text, options);
+    try {
+        return compile(text, options);
+    } catch (const shader::CompileError&) {
+        shader::CompileOptions direct = options;
+        direct.variant.through = shader::Variant::Through::none;
+        const std::vector<std::string> numbers = shader::number_capabilities(compile(text, direct));
+        if (numbers.empty()) throw;
+        throw backend::Unsupported(fmt::format("{}: needs {}, which the variant {} cannot translate",
+                                               text.name, fmt::join(numbers, ", "), options.variant.name));
+    }
 }
 
 void Lab::require_silent_validation() const {

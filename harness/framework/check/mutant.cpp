@@ -123,8 +123,9 @@ class Pair {
         if (is_same(before, after)) return Difference::none;
         if (std::isnan(before) || permitted.is_anything()) return Difference::unpromised;
         if (std::isnan(after)) return permitted.nan ? Difference::budget : Difference::real;
-        const bool finite = scalars_[w] == shader::Scalar::float_ && std::isfinite(before);
-        const bool near = finite && std::abs(before - after) <= small_error * numeric::float32.ulp(before);
+        const bool finite = shader::is_float(scalars_[w]) && std::isfinite(before);
+        const bool near =
+            finite && std::abs(before - after) <= small_error * format_of(scalars_[w]).ulp(before);
         return near || permitted.contains(after) ? Difference::budget : Difference::real;
     }
 

@@ -41,10 +41,10 @@ struct Described {
 };
 
 // No one means subnormal numbers, or the smallest normal ones, though they lie in the range.
-Values without_tiny(Values values) {
-    const auto is_tiny = [](std::span<const Word> words) {
-        const float magnitude = std::abs(from_word<float>(words.front()));
-        return magnitude > 0.0F && magnitude <= std::numeric_limits<float>::min();
+Values without_tiny(Values values, Scalar scalar) {
+    const auto is_tiny = [scalar](std::span<const Word> words) {
+        const double magnitude = std::abs(float_at(scalar, words));
+        return magnitude > 0.0 && magnitude <= format_of(scalar).smallest_normal();
     };
     std::erase_if(values.fixed, [&](const Values::Fixed& fixed) { return is_tiny(fixed.words); });
     values.contains = [contains = values.contains, is_tiny](std::span<const Word> words) {
@@ -57,32 +57,37 @@ Values in_every_component(int components, const Values& values) {
     return components == 1 ? values : vector(components, values);
 }
 
-Described floats_with(const Meaning& meaning, int components) {
+// The largest usual number of a type.
+double usual_high_of(Scalar scalar) {
+    return std::min(usual_high, format_of(scalar).largest());
+}
+
+Described floats_with(const Meaning& meaning, Scalar scalar, int components) {
+    const double high = usual_high_of(scalar);
     switch (meaning.kind) {
         case Kind::unit:
             return {components == 4 ? "unit quaternions" : "unit vectors", unit_vector(components)};
         case Kind::positive:
-            return {fmt::format("{} to {}", number_text(usual_low), number_text(usual_high)),
-                    in_every_component(components, log_uniform(usual_low, usual_high).and_value(1.0F))};
+            return {fmt::format("{} to {}", number_text(usual_low), number_text(high)),
+                    in_every_component(components,
+                                       either(log_uniform(usual_low, high, scalar), uniform(1, 1, scalar)))};
         default:
             return {fmt::format("{} to {}", number_text(meaning.low), number_text(meaning.high)),
-                    in_every_component(components, without_tiny(uniform(meaning.low, meaning.high)))};
+                    in_every_component(components,
+                                       without_tiny(uniform(meaning.low, meaning.high, scalar), scalar))};
     }
 }
 
 Described without_meaning(const Type& type, int components) {
-    switch (type.scalar) {
-        case Scalar::float_:
-            return {fmt::format("-{0} to {0}, half of them 0 to 1", number_text(usual_high)),
-                    in_every_component(components, either(without_tiny(uniform(0, 1)),
-                                                          signed_log_uniform(usual_low, usual_high)))};
-        case Scalar::int_:
-        case Scalar::uint_:
-            return {fmt::format("0 to {}", usual_index),
-                    in_every_component(components, integers(0, usual_index))};
-        default:
-            return {"false, true", in_every_component(components, booleans())};
-    }
+    const Scalar scalar = type.scalar;
+    if (scalar == Scalar::bool_) return {"false, true", in_every_component(components, booleans())};
+    if (!shader::is_float(scalar))
+        return {fmt::format("0 to {}", usual_index),
+                in_every_component(components, integers(0, usual_index, scalar))};
+    const double high = usual_high_of(scalar);
+    return {fmt::format("-{0} to {0}, half of them 0 to 1", number_text(high)),
+            in_every_component(components, either(without_tiny(uniform(0, 1, scalar), scalar),
+                                                  signed_log_uniform(usual_low, high, scalar)))};
 }
 
 double number_from(std::string_view text, const std::string& whole) {
@@ -188,22 +193,24 @@ class Ordinary {
 
     [[nodiscard]] std::pair<Described, std::string> values_of(const Type& type, const std::string& name,
                                                               const std::string& parameter) const {
-        const int components = static_cast<int>(scalars_of(type).size());
-        const bool is_float = type.scalar == Scalar::float_;
+        const int components = type.columns * type.rows;
+        const bool is_float = shader::is_float(type.scalar);
         if (const auto range = ranges_.find(parameter); range != ranges_.end())
             return {in_range(type.scalar, range->second, components), "--range"};
-        const bool is_vector = is_float && type.columns == 1 && components > 1;
+        const bool is_vector = type.scalar == Scalar::float_ && type.columns == 1 && components > 1;
         const std::string last = name.substr(name.rfind('.') + 1);
         if (type.scalar != Scalar::bool_)
             if (const auto meaning = internal::meaning_of_comment(comment_, last, names_, is_vector))
                 return {with(*meaning, type.scalar, components), "comment"};
-        if (type.scalar == Scalar::int_ || type.scalar == Scalar::uint_)
+        if (!is_float && type.scalar != Scalar::bool_)
             if (const auto length = indexed_length(text_, last))
                 return {in_range(type.scalar, {0.0, static_cast<double>(*length - 1)}, components), "array"};
-        if (is_float && type.columns > 1) return {floats_with({Kind::range, -2.0, 2.0}, components), "type"};
+        if (is_float && type.columns > 1)
+            return {floats_with({Kind::range, -2.0, 2.0}, type.scalar, components), "type"};
         if (is_float)
-            if (const auto meaning = internal::meaning_of_name(last, components))
-                return {floats_with(*meaning, components), "name"};
+            if (const auto meaning = internal::meaning_of_name(last, components);
+                meaning && (meaning->kind != Kind::unit || is_vector))
+                return {floats_with(*meaning, type.scalar, components), "name"};
         return {without_meaning(type, components), "type"};
     }
 
@@ -212,14 +219,15 @@ class Ordinary {
     }
 
     static Described with(const Meaning& meaning, Scalar scalar, int components) {
-        if (scalar == Scalar::float_) return floats_with(meaning, components);
+        if (shader::is_float(scalar)) return floats_with(meaning, scalar, components);
         if (scalar == Scalar::bool_)
             return without_meaning({.scalar = scalar, .members = {}, .name = {}}, components);
         const bool any_size = meaning.kind != Kind::range;
         const long low = any_size ? 1 : std::lround(std::clamp(meaning.low, -0x1p31, 0x1p32 - 1.0));
         const long high = any_size ? static_cast<long>(usual_high)
                                    : std::lround(std::clamp(meaning.high, -0x1p31, 0x1p32 - 1.0));
-        return {fmt::format("{} to {}", low, high), in_every_component(components, integers(low, high))};
+        return {fmt::format("{} to {}", low, high),
+                in_every_component(components, integers(low, high, scalar))};
     }
 
     std::string_view text_;

@@ -25,31 +25,48 @@ constexpr long usual_integer = 1000;
 constexpr long usual_index = 7;  // most integer parameters are indices, counts or modes
 constexpr long largest_unsigned = 1L << 31;
 
+// Of a float type, those of its numbers.
+Range usual_range(Scalar scalar) {
+    const numeric::FloatFormat& format = format_of(scalar);
+    return {std::max(usual_low, format.smallest_normal()), std::min(usual_high, format.largest())};
+}
+
+// Values of any type in a range.
+Values values_in(Scalar scalar, const Range& range) {
+    if (shader::is_float(scalar)) return uniform(range.low, range.high, scalar);
+    return integers(static_cast<long>(range.low), static_cast<long>(range.high), scalar);
+}
+
 Values scalar_values(Scalar scalar, const std::optional<Range>& range) {
+    if (range && scalar != Scalar::bool_) return values_in(scalar, *range);
+    const Range usual = usual_range(scalar);
     switch (scalar) {
         case Scalar::float_:
+        case Scalar::float16_:
+        case Scalar::double_:
             // Most parameters of shader functions are shares, colours or coordinates.
-            return range ? uniform(range->low, range->high)
-                         : either(uniform(0, 1), signed_log_uniform(usual_low, usual_high).and_special());
+            return either(uniform(0, 1, scalar),
+                          signed_log_uniform(usual.low, usual.high, scalar).and_special(scalar));
         case Scalar::int_:
-            return range ? integers(static_cast<long>(range->low), static_cast<long>(range->high))
-                         : either(integers(0, usual_index), either(log_integers(usual_integer),
-                                                                   integers(-usual_integer, usual_integer)));
+            return either(integers(0, usual_index),
+                          either(log_integers(usual_integer), integers(-usual_integer, usual_integer)));
         case Scalar::uint_:
-            return range ? integers(static_cast<long>(range->low), static_cast<long>(range->high))
-                         : either(integers(0, usual_index), log_integers(largest_unsigned));
-        default:
+            return either(integers(0, usual_index), log_integers(largest_unsigned));
+        case Scalar::bool_:
             return booleans();
+        default:
+            return either(integers(0, usual_index, scalar), any_integer(scalar));
     }
 }
 
 Values values_of(const shader::Type& type, const std::optional<Range>& range) {
     std::vector<Values> scalars;
-    for (const Scalar scalar : scalars_of(type)) scalars.push_back(scalar_values(scalar, range));
+    for (const Scalar scalar : scalars_of(type))
+        if (scalar != Scalar::upper) scalars.push_back(scalar_values(scalar, range));
     return scalars.size() == 1 ? scalars.front() : vector(scalars);
 }
 
-// "float[5000] has more than 4096 scalars", "dvec2 in Light is not supported"; empty if a kernel can pass it.
+// "float[5000] has more than 4096 scalars", "sampler2DMS is not supported"; empty if a kernel can pass it.
 std::string obstacle(const shader::Type& type) {
     if (type.scalar == Scalar::oversized)
         return fmt::format("{} has more than {} scalars", type.name, shader::most_scalars);
@@ -213,9 +230,14 @@ Image random_image(const ImagePrototype& prototype, glm::ivec2 size, numeric::Ra
     Image image{.element = prototype.element, .size = size, .border = Border::clamp, .words = {}};
     for (int pixel = 0; pixel < size.x * size.y; ++pixel) {
         for (const Scalar scalar : scalars_of(prototype.element)) {
-            const auto value = static_cast<float>(random.uniform(0.1, 10.0));
-            image.words.push_back(scalar == Scalar::float_ ? to_word(value)
-                                                           : static_cast<Word>(random.below(2)));
+            if (scalar == Scalar::upper) continue;
+            const double value = random.uniform(0.1, 10.0);
+            if (shader::is_float(scalar)) {
+                append_float(scalar, value, image.words);
+            } else {
+                image.words.resize(image.words.size() + word_count(scalar));
+                set_bits(scalar, random.below(2), std::span(image.words).last(word_count(scalar)));
+            }
         }
     }
     return image;

@@ -29,8 +29,8 @@ double small_step(numeric::Random& random) {
 }
 
 // The value moved by a share of its size, of 1 at least.
-float moved(float value, double x, double y) {
-    return static_cast<float>(value + (x + y) * std::max(std::abs(static_cast<double>(value)), 1.0));
+double moved(double value, double x, double y) {
+    return value + (x + y) * std::max(std::abs(value), 1.0);
 }
 
 void append_stepped(const Values& one, const std::vector<shader::Scalar>& scalars, DrawContext& context,
@@ -40,12 +40,14 @@ void append_stepped(const Values& one, const std::vector<shader::Scalar>& scalar
     Words all;
     for (std::size_t k = 0; k < quad; ++k) all.insert(all.end(), first.begin(), first.end());
     for (std::size_t s = 0; s < scalars.size(); ++s) {
-        if (scalars[s] != shader::Scalar::float_) continue;
+        if (!shader::is_float(scalars[s])) continue;
         const double dx = small_step(context.random);
         const double dy = small_step(context.random);
         for (std::size_t k = 1; k < quad; ++k)
-            all[k * first.size() + s] =
-                to_word(moved(from_word<float>(first[s]), is_right(k) ? dx : 0.0, is_below(k) ? dy : 0.0));
+            set_float(scalars[s],
+                      moved(float_at(scalars[s], std::span(first).subspan(s)), is_right(k) ? dx : 0.0,
+                            is_below(k) ? dy : 0.0),
+                      std::span(all).subspan(k * first.size() + s));
     }
     // Steps that lead out of the values are not made.
     for (std::size_t k = 0; k < quad; ++k) {

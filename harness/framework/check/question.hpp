@@ -53,7 +53,7 @@ struct Image {
                                         shader::to_glsl(type_of<T>()));
         }
         pixel = glm::clamp(pixel, glm::ivec2(0), size - 1);
-        const std::size_t scalars = scalar_count<T>();
+        const std::size_t scalars = word_count<T>();
         const std::size_t index = static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(size.x) +
                                   static_cast<std::size_t>(pixel.x);
         std::span<const Word> rest = std::span(words).subspan(index * scalars, scalars);
@@ -84,8 +84,8 @@ struct ImageScenario {
     std::function<ImageSet(glm::ivec2 size, numeric::Random& random)> make;
 };
 
-// A reference without its C++ types: input words in, one double for each output word out. If a question has
-// none, the module interpreted in double replaces it.
+// A reference without its C++ types: input words in, one double for each output word out, as number_at()
+// reads it. If a question has none, the module interpreted in double replaces it.
 using Reference =
     std::function<void(const ImageSet& images, std::span<const Word> inputs, std::vector<double>& outputs)>;
 
@@ -120,7 +120,16 @@ namespace detail {
 
 template <class T>
 void append(const T& value, std::vector<double>& outputs) {
-    visit_scalars(value, [&outputs](const auto& scalar) { outputs.push_back(static_cast<double>(scalar)); });
+    visit_scalars(value, [&outputs](const auto& scalar) {
+        using Scalar = std::remove_cvref_t<decltype(scalar)>;
+        if constexpr (std::integral<Scalar> && LongValue<Scalar>) {
+            outputs.push_back(static_cast<double>(static_cast<Word>(scalar)));
+            outputs.push_back(static_cast<double>(scalar >> 32));
+        } else {
+            outputs.push_back(static_cast<double>(scalar));
+            if constexpr (LongValue<Scalar>) outputs.push_back(0.0);
+        }
+    });
 }
 
 // Calls a reference, with the images as first argument if it takes them.

@@ -271,12 +271,12 @@ std::vector<Bounds> around(const Question& question, const std::vector<double>& 
             if (std::isfinite(want[i])) largest = std::max(largest, std::abs(want[i]));
         }
         for (std::size_t i = first; i < first + words; ++i) {
-            if (scalars[i] != Scalar::float_) {
+            if (!shader::is_float(scalars[i])) {
                 bounds.push_back(Bounds::point(want[i]));
                 continue;
             }
             const double at = question.budget.of_largest_component ? largest : want[i];
-            bounds.push_back(around(want[i], numeric::ulp_size(at), question.budget));
+            bounds.push_back(around(want[i], format_of(scalars[i]).ulp(at), question.budget));
         }
     }
     return bounds;
@@ -300,7 +300,7 @@ std::vector<Bounds> allowed_outputs(const Question& question, const ImageSet& im
     };
     internal::visit_covered_inputs(question.budget, question.signature.input_scalars(), sample.inputs, add);
     for (std::size_t i = 0; i < bounds.size(); ++i) {
-        if (scalars[i] != Scalar::float_ || bounds[i].empty()) continue;
+        if (!shader::is_float(scalars[i]) || bounds[i].empty()) continue;
         bounds[i].low = std::max(bounds[i].low, codomain.low);
         bounds[i].high = std::min(bounds[i].high, codomain.high);
     }

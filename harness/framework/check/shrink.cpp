@@ -15,64 +15,86 @@ namespace {
 using shader::Scalar;
 using Words = std::vector<Word>;
 
-constexpr int significand_bits = 23;
-constexpr Word sign_bit = 0x80000000U;
+using Bits = std::uint64_t;  // of a scalar
 
-std::size_t float_complexity(Word word) {
-    const Word magnitude = word & ~sign_bit;
-    const std::size_t sign = word == magnitude ? 0 : 1;
-    if (magnitude == 0) return sign;
-    const auto value = std::bit_cast<float>(magnitude);
-    if (!std::isfinite(value)) return 200 + sign;  // more complex than any number
-    const Word significand = magnitude & ((1U << significand_bits) - 1U);
-    const int bits = significand == 0 ? 0 : significand_bits - std::countr_zero(significand);
-    const int exponent = std::abs(static_cast<int>(magnitude >> significand_bits) - 127);
-    return 2 + sign + 2 * static_cast<std::size_t>(bits) + static_cast<std::size_t>(exponent);
+// The bits of a float's words: those of float32, or of float64.
+int significand_bits(Scalar scalar) {
+    return scalar == Scalar::double_ ? 52 : 23;
+}
+Bits sign_bit(Scalar scalar) {
+    return scalar == Scalar::double_ ? Bits{1} << 63U : Bits{1} << 31U;
 }
 
-std::size_t word_complexity(Word word, Scalar scalar) {
-    if (scalar == Scalar::float_) return float_complexity(word);
-    const bool negative = scalar == Scalar::int_ && (word & sign_bit) != 0;
-    const Word magnitude = negative ? ~word + 1U : word;
+std::size_t float_complexity(Bits word, Scalar scalar) {
+    const int digits = significand_bits(scalar);
+    const Bits magnitude = word & ~sign_bit(scalar);
+    const std::size_t sign = word == magnitude ? 0 : 1;
+    if (magnitude == 0) return sign;
+    const int bias = scalar == Scalar::double_ ? 1023 : 127;
+    const int exponent = static_cast<int>(magnitude >> digits) - bias;
+    if (exponent > bias) return 2000 + sign;  // infinity or NaN: more complex than any number
+    const Bits significand = magnitude & ((Bits{1} << digits) - 1U);
+    const int bits = significand == 0 ? 0 : digits - std::countr_zero(significand);
+    return 2 + sign + 2 * static_cast<std::size_t>(bits) + static_cast<std::size_t>(std::abs(exponent));
+}
+
+// Of an integer's bits.
+bool is_negative(Bits bits, Scalar scalar) {
+    return shader::is_signed(scalar) &&
+           (bits & (scalar == Scalar::int64_ ? Bits{1} << 63U : Bits{1} << 31U)) != 0;
+}
+
+std::size_t scalar_complexity(std::span<const Word> words, Scalar scalar) {
+    if (scalar == Scalar::upper) return 0;
+    const Bits bits = bits_at(scalar, words);
+    if (shader::is_float(scalar)) return float_complexity(bits, scalar);
+    const bool negative = is_negative(bits, scalar);
+    const Bits whole = negative ? ~bits + 1U : bits;
+    const Bits magnitude = word_count(scalar) == 2 ? whole : static_cast<Word>(whole);
     // By bit width, then by the number of set bits: 4 is simpler than 5, and 3 is simpler than both.
     return (negative ? 1U : 0U) + static_cast<std::size_t>(4 * std::bit_width(magnitude)) +
            static_cast<std::size_t>(std::popcount(magnitude));
 }
 
-void add_float_candidates(Word word, std::set<Word>& candidates) {
-    const auto value = std::bit_cast<float>(word);
-    for (const float simple :
-         {0.0F, 1.0F, -1.0F, 0.5F, -0.5F, 2.0F, -2.0F, 3.0F, 0.25F, 4.0F, 10.0F, 100.0F}) {
-        candidates.insert(to_word(simple));
-    }
-    candidates.insert(word ^ sign_bit);
+void add_float_candidates(std::span<const Word> words, Scalar scalar, std::set<Bits>& candidates) {
+    const Bits bits = bits_at(scalar, words);
+    const double value = float_at(scalar, words);
+    const auto add = [&](double number) {
+        Words own;
+        append_float(scalar, number, own);
+        candidates.insert(bits_at(scalar, own));
+    };
+    for (const double simple : {0.0, 1.0, -1.0, 0.5, -0.5, 2.0, -2.0, 3.0, 0.25, 4.0, 10.0, 100.0})
+        add(simple);
+    candidates.insert(bits ^ sign_bit(scalar));
     if (!std::isfinite(value)) return;
-    for (int kept = 0; kept < significand_bits; ++kept) {
-        const Word step = 1U << (significand_bits - kept);
-        candidates.insert(word & ~(step - 1U));                // towards zero
-        candidates.insert((word + step - 1U) & ~(step - 1U));  // away from zero
+    for (int kept = 0; kept < significand_bits(scalar); ++kept) {
+        const Bits step = Bits{1} << (significand_bits(scalar) - kept);
+        candidates.insert(bits & ~(step - 1U));                // towards zero
+        candidates.insert((bits + step - 1U) & ~(step - 1U));  // away from zero
     }
-    candidates.insert(to_word(std::trunc(value)));
-    const int exponent = value == 0.0F ? 0 : std::ilogb(value);
-    for (int step = std::abs(exponent); step > 0; step /= 2) {
-        candidates.insert(to_word(std::ldexp(value, exponent > 0 ? -step : step)));
-    }
-    if (exponent != 0) candidates.insert(to_word(std::ldexp(value, exponent > 0 ? -1 : 1)));
+    add(std::trunc(value));
+    const int exponent = value == 0.0 ? 0 : std::ilogb(value);
+    for (int step = std::abs(exponent); step > 0; step /= 2)
+        add(std::ldexp(value, exponent > 0 ? -step : step));
+    if (exponent != 0) add(std::ldexp(value, exponent > 0 ? -1 : 1));
 }
 
-void add_integer_candidates(Word word, Scalar scalar, std::set<Word>& candidates) {
+void add_integer_candidates(std::span<const Word> words, Scalar scalar, std::set<Bits>& candidates) {
     if (scalar == Scalar::bool_) {
         candidates.insert(0U);
         return;
     }
-    for (Word simple = 0; simple <= 8; ++simple) candidates.insert(simple);
-    const bool negative = scalar == Scalar::int_ && (word & sign_bit) != 0;
-    const Word magnitude = negative ? ~word + 1U : word;
-    const auto add = [&](Word smaller) { candidates.insert(negative ? ~smaller + 1U : smaller); };
+    for (Bits simple = 0; simple <= 8; ++simple) candidates.insert(simple);
+    const Bits bits = bits_at(scalar, words);
+    const bool negative = is_negative(bits, scalar);
+    const Bits whole = negative ? ~bits + 1U : bits;
+    const Bits magnitude = word_count(scalar) == 2 ? whole : static_cast<Word>(whole);
+    const auto add = [&](Bits smaller) { candidates.insert(negative ? ~smaller + 1U : smaller); };
     if (negative) candidates.insert(magnitude);
-    for (int shift = 1; shift < 32; ++shift) {
+    for (unsigned shift = 1; shift < shader::bits_of(scalar); ++shift) {
         add(magnitude >> shift);
-        add(magnitude & ~((1U << shift) - 1U));
+        add(magnitude & ~((Bits{1} << shift) - 1U));
         add(magnitude - (magnitude >> shift));
     }
     if (magnitude > 0) add(magnitude - 1U);
@@ -127,7 +149,7 @@ class Shrinker {
 
 std::size_t complexity(std::span<const Word> input, const std::vector<Scalar>& scalars) {
     std::size_t sum = 0;
-    for (std::size_t i = 0; i < input.size(); ++i) sum += word_complexity(input[i], scalars[i]);
+    for (std::size_t i = 0; i < input.size(); ++i) sum += scalar_complexity(input.subspan(i), scalars[i]);
     return sum;
 }
 
@@ -135,19 +157,23 @@ std::vector<Words> simpler_inputs(const Question& question, const Words& input) 
     const std::vector<Scalar> scalars = question.signature.input_scalars();
     std::set<Words> found;
     for (std::size_t i = 0; i < input.size(); ++i) {
-        std::set<Word> candidates;
-        if (scalars[i] == Scalar::float_) {
-            add_float_candidates(input[i], candidates);
+        const Scalar scalar = scalars[i];
+        if (scalar == Scalar::upper) continue;
+        const auto words_at = [&input](std::size_t j) { return std::span(input).subspan(j); };
+        std::set<Bits> candidates;
+        if (shader::is_float(scalar)) {
+            add_float_candidates(words_at(i), scalar, candidates);
         } else {
-            add_integer_candidates(input[i], scalars[i], candidates);
+            add_integer_candidates(words_at(i), scalar, candidates);
         }
-        for (const Word candidate : candidates) {
+        for (const Bits candidate : candidates) {
             Words alone = input;
-            alone[i] = candidate;
+            set_bits(scalar, candidate, std::span(alone).subspan(i));
             found.insert(std::move(alone));
             Words together = input;
             for (std::size_t j = 0; j < input.size(); ++j)
-                if (scalars[j] == scalars[i] && input[j] == input[i]) together[j] = candidate;
+                if (scalars[j] == scalar && bits_at(scalar, words_at(j)) == bits_at(scalar, words_at(i)))
+                    set_bits(scalar, candidate, std::span(together).subspan(j));
             found.insert(std::move(together));
         }
     }

@@ -8,27 +8,6 @@ namespace gloam::check {
 using shader::Direction;
 using shader::Scalar;
 
-void append_scalars(const shader::Type& type, std::vector<Scalar>& scalars) {
-    if (type.scalar == Scalar::void_ || type.scalar == Scalar::sampler) return;
-    if (!type.sizes.empty()) {
-        const std::vector<Scalar> element = scalars_of(shader::element_of(type));
-        for (std::uint32_t i = 0; i < type.sizes.front(); ++i)
-            scalars.insert(scalars.end(), element.begin(), element.end());
-        return;
-    }
-    if (type.scalar == Scalar::structure) {
-        for (const shader::Member& member : type.members) append_scalars(member.type, scalars);
-        return;
-    }
-    scalars.insert(scalars.end(), static_cast<std::size_t>(type.columns * type.rows), type.scalar);
-}
-
-std::vector<Scalar> scalars_of(const shader::Type& type) {
-    std::vector<Scalar> scalars;
-    append_scalars(type, scalars);
-    return scalars;
-}
-
 std::vector<Scalar> Signature::input_scalars() const {
     std::vector<Scalar> scalars;
     for (const shader::Parameter& p : parameters) {
@@ -62,7 +41,7 @@ void append_values(const shader::Type& type, std::vector<std::size_t>& values) {
     } else if (type.scalar == Scalar::structure) {
         for (const shader::Member& member : type.members) append_values(member.type, values);
     } else if (type.scalar != Scalar::void_) {
-        values.push_back(static_cast<std::size_t>(type.columns * type.rows));
+        values.push_back(scalars_of(type).size());
     }
 }
 

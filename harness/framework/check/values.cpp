@@ -14,18 +14,26 @@ namespace {
 
 using Words = std::vector<Word>;
 
-constexpr float denormal = std::numeric_limits<float>::denorm_min();
-constexpr float smallest_normal = std::numeric_limits<float>::min();
+using shader::Scalar;
 
-Values float_values(double low, double high, std::function<double(numeric::Random&)> make) {
+Values float_values(Scalar scalar, double low, double high, std::function<double(numeric::Random&)> make) {
     Values values;
-    values.contains = [low, high](std::span<const Word> words) {
-        const auto value = static_cast<double>(from_word<float>(words[0]));
-        return value >= low && value <= high;
+    values.contains = [=](std::span<const Word> words) {
+        const double value = float_at(scalar, words);
+        if (!(value >= low && value <= high)) return false;
+        if (scalar != Scalar::float16_) return true;
+        Words nearest;
+        append_float(scalar, value, nearest);
+        return nearest.front() == words.front();
     };
-    values.draw = [make = std::move(make)](DrawContext& context, Words& words) {
-        words.push_back(to_word(static_cast<float>(make(context.random))));
+    values.draw = [scalar, make = std::move(make)](DrawContext& context, Words& words) {
+        append_float(scalar, make(context.random), words);
     };
+    return values;
+}
+
+Values and_number(Values values, Scalar scalar, double number) {
+    append_float(scalar, number, values.fixed.emplace_back().words);
     return values;
 }
 
@@ -48,17 +56,19 @@ bool Values::admits(std::span<const Word> words) const {
     return (contains && contains(words)) || std::ranges::any_of(fixed, same);
 }
 
-Values Values::and_special() const {
+Values Values::and_special(Scalar scalar) const {
     Values more = *this;
     const std::size_t count = words_of(*this);
     numeric::Random random(1);
-    for (const float special : numeric::special_floats) {
-        more.fixed.push_back({.words = Words(count, to_word(special)), .branch = false});
-        for (std::size_t i = 0; count > 1 && i < count; ++i) {
+    const std::size_t of_one = word_count(scalar);
+    for (const double special : numeric::special_values(format_of(scalar))) {
+        Fixed& all = more.fixed.emplace_back();
+        while (all.words.size() < count) append_float(scalar, special, all.words);
+        for (std::size_t i = 0; count > of_one && i < count; i += of_one) {
             DrawContext context{.random = random};
             Fixed one{.words = {}, .branch = false};
             draw(context, one.words);
-            one.words[i] = to_word(special);
+            set_float(scalar, special, std::span(one.words).subspan(i));
             more.fixed.push_back(std::move(one));
         }
     }
@@ -93,44 +103,40 @@ Values Values::only_as_drawn() const {
     return same;
 }
 
-Values uniform(double low, double high) {
+Values uniform(double low, double high, Scalar scalar) {
     require_order(low, high);
-    Values values =
-        float_values(low, high, [low, high](numeric::Random& random) { return random.uniform(low, high); })
-            .and_value(static_cast<float>(low))
-            .and_value(static_cast<float>(high));
-    for (const float side : {0.0F, -0.0F, denormal, -denormal, smallest_normal, -smallest_normal}) {
-        if (side >= low && side <= high) values = values.and_value(side);
-    }
+    Values values = float_values(scalar, low, high,
+                                 [low, high](numeric::Random& random) { return random.uniform(low, high); });
+    values = and_number(and_number(std::move(values), scalar, low), scalar, high);
+    const numeric::FloatFormat& format = format_of(scalar);
+    for (const double size : {0.0, format.smallest_subnormal(), format.smallest_normal()})
+        for (const double side : {size, -size})
+            if (side >= low && side <= high) values = and_number(std::move(values), scalar, side);
     return values;
 }
 
-Values log_uniform(double low, double high) {
+Values log_uniform(double low, double high, Scalar scalar) {
     require_order(low, high);
     if (!(low > 0.0)) throw std::invalid_argument("log_uniform needs 0 < low");
-    return float_values(low, high,
-                        [low, high](numeric::Random& random) {
-                            return std::clamp(std::exp(random.uniform(std::log(low), std::log(high))), low,
-                                              high);
-                        })
-        .and_value(static_cast<float>(low))
-        .and_value(static_cast<float>(high));
+    const Values values = float_values(scalar, low, high, [low, high](numeric::Random& random) {
+        return std::clamp(std::exp(random.uniform(std::log(low), std::log(high))), low, high);
+    });
+    return and_number(and_number(values, scalar, low), scalar, high);
 }
 
-Values signed_log_uniform(double low, double high) {
-    const Values magnitude = log_uniform(low, high);
+Values signed_log_uniform(double low, double high, Scalar scalar) {
+    const Values magnitude = log_uniform(low, high, scalar);
     Values values;
     values.draw = [magnitude](DrawContext& context, Words& words) {
         magnitude.draw(context, words);
         words.back() ^= context.random.below(2) == 0 ? 0U : 0x80000000U;
     };
     values.contains = [magnitude](std::span<const Word> words) {
-        const Word positive = words[0] & 0x7fffffffU;
-        return magnitude.contains(std::span(&positive, 1));
+        Words positive(words.begin(), words.end());
+        positive.back() &= 0x7fffffffU;
+        return magnitude.contains(positive);
     };
-    for (const double end : {low, high}) {
-        values = values.and_value(static_cast<float>(end)).and_value(static_cast<float>(-end));
-    }
+    for (const double end : {low, -low, high, -high}) values = and_number(std::move(values), scalar, end);
     return values;
 }
 
@@ -143,17 +149,52 @@ Values any_float() {
     return values;
 }
 
-Values integers(long low, long high) {
+namespace {
+
+Words words_of_integer(Scalar scalar, std::uint64_t bits) {
+    Words words(word_count(scalar));
+    set_bits(scalar, bits, words);
+    return words;
+}
+
+}  // namespace
+
+Values integers(long low, long high, Scalar scalar) {
     require_order(static_cast<double>(low), static_cast<double>(high));
     Values values;
-    values.draw = [low, high](DrawContext& context, Words& words) {
-        const auto count = static_cast<std::uint64_t>(high - low) + 1U;
-        words.push_back(static_cast<Word>(low + static_cast<long>(context.random.below(count))));
+    const auto append = [scalar](long value, Words& words) {
+        const Words own = words_of_integer(scalar, static_cast<std::uint64_t>(value));
+        words.insert(words.end(), own.begin(), own.end());
     };
-    values.fixed = {{.words = {static_cast<Word>(low)}}, {.words = {static_cast<Word>(high)}}};
-    // The distance from `low`, modulo 2^32, must not exceed that of `high`.
-    values.contains = [low, high](std::span<const Word> words) {
-        return words[0] - static_cast<Word>(low) <= static_cast<Word>(high) - static_cast<Word>(low);
+    values.draw = [=](DrawContext& context, Words& words) {
+        const auto count = static_cast<std::uint64_t>(high - low) + 1U;
+        append(low + static_cast<long>(context.random.below(count)), words);
+    };
+    for (const long end : {low, high}) append(end, values.fixed.emplace_back().words);
+    // The distance from `low`, modulo 2^64 or 2^32, must not exceed that of `high`.
+    values.contains = [=](std::span<const Word> words) {
+        const std::uint64_t distance = bits_at(scalar, words) - static_cast<std::uint64_t>(low);
+        const auto most = static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low);
+        return word_count(scalar) == 2 ? distance <= most
+                                       : static_cast<Word>(distance) <= static_cast<Word>(most);
+    };
+    return values;
+}
+
+Values any_integer(Scalar scalar) {
+    const unsigned bits = shader::bits_of(scalar);
+    Values values;
+    values.draw = [=](DrawContext& context, Words& words) {
+        const std::uint64_t magnitude = context.random.bits() >> (64 - 1 - context.random.below(bits));
+        const Words own = words_of_integer(scalar, context.random.below(2) == 0 ? magnitude : ~magnitude);
+        words.insert(words.end(), own.begin(), own.end());
+    };
+    const std::uint64_t half = std::uint64_t{1} << (bits - 1);
+    for (const std::uint64_t value :
+         {std::uint64_t{0}, std::uint64_t{1}, ~std::uint64_t{0}, half, half - 1, std::uint64_t{1} << 31U})
+        values.fixed.push_back({.words = words_of_integer(scalar, value)});
+    values.contains = [scalar](std::span<const Word> words) {
+        return std::ranges::equal(words, words_of_integer(scalar, bits_at(scalar, words)));
     };
     return values;
 }

@@ -18,6 +18,8 @@
 #include <glm/vec4.hpp>
 #include <limits>
 
+#include "numeric/numbers.hpp"
+
 namespace gloam::numeric {
 
 // A set of results: every real number from low to high, infinities included if they are ends, and NaN if
@@ -59,9 +61,9 @@ struct Bounds {
 }
 
 // A number type with which a function computes all results that Vulkan's precision rules permit ("Precision
-// and Operation of SPIR-V Instructions"). The format (float32 or float16) is that of the running
-// Paths::explore(). Each operation's rule gives the exact range and its error. Rounding (either neighbour),
-// the flush of subnormals and overflow are applied in one function, enclose().
+// and Operation of SPIR-V Instructions"). The format (float32, float16 or float64) is that of the
+// running Paths::explore(). Each operation's rule gives the exact range and its error. Rounding (either
+// neighbour), the flush of subnormals and overflow are applied in one function, enclose().
 //
 // A template over the number type works with it unchanged. It has arithmetic, comparisons (an undecided one
 // explores both answers, see Paths), and the functions of GLSL, found by argument-dependent lookup.
@@ -74,10 +76,19 @@ class Interval {
     explicit Interval(double constant);
     // An integer converted to floating point.
     template <std::integral Integer>
-    explicit Interval(Integer value) : Interval(converted(static_cast<double>(value))) {}
+    explicit Interval(Integer value) {
+        // Of 64 bits, the nearest double may be above it or below.
+        const auto nearest = static_cast<double>(value);
+        const bool beyond = nearest >= static_cast<double>(std::numeric_limits<Integer>::max());
+        const bool above = beyond ? value != std::numeric_limits<Integer>::max() || sizeof(Integer) == 8
+                                  : static_cast<Integer>(nearest) > value;
+        const bool below = !beyond && static_cast<Integer>(nearest) < value;
+        *this = converted(nearest, above, below);
+    }
 
     // An input of the function: exactly this value, or also zero for a subnormal.
     [[nodiscard]] static Interval input(float value);
+    [[nodiscard]] static Interval input(double value, const FloatFormat& format);
     // Any of these values; the bounds are not rounded.
     [[nodiscard]] static constexpr Interval within(const Bounds& bounds) { return Interval(bounds); }
     [[nodiscard]] static constexpr Interval within(double low, double high) {
@@ -97,7 +108,7 @@ class Interval {
 
   private:
     explicit constexpr Interval(const Bounds& bounds) : bounds_(bounds) {}
-    [[nodiscard]] static Interval converted(double integer);
+    [[nodiscard]] static Interval converted(double nearest, bool above, bool below);
 
     Bounds bounds_;
 };
@@ -136,9 +147,16 @@ class Interval {
 [[nodiscard]] Interval round_even(const Interval& x);
 
 // Conversion to an integer, towards zero. Each possible integer is explored in turn. Undetermined for NaN,
-// for values outside int, and if there are more than a few integers.
-[[nodiscard]] int to_int(const Interval& x);
-[[nodiscard]] unsigned to_uint(const Interval& x);
+// for values outside the type, and if there are more than a few integers.
+[[nodiscard]] double integer_within(const Interval& x, double least, double most);
+template <std::integral Integer>
+[[nodiscard]] Integer to_integer(const Interval& x) {
+    // Of 64 bits, the largest is rounded to the number above it.
+    using Limits = std::numeric_limits<Integer>;
+    constexpr double most = sizeof(Integer) < sizeof(double) ? 0.0 : Limits::is_signed ? 1024.0 : 2048.0;
+    return static_cast<Integer>(
+        integer_within(x, static_cast<double>(Limits::min()), static_cast<double>(Limits::max()) - most));
+}
 // The bits of each possible float32, explored in the same way; both zeros if zero is possible.
 [[nodiscard]] std::uint32_t to_bits(const Interval& x);
 

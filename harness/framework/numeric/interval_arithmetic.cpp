@@ -31,9 +31,12 @@ double moved_out(double x, double distance) {
 
 }  // namespace
 
+// Of float64 only quotients and roots are computed, which double rounds correctly.
 Bounds inflated(const Bounds& computed) {
-    return {moved_out(computed.low, -std::abs(computed.low) * double_error),
-            moved_out(computed.high, std::abs(computed.high) * double_error), computed.nan};
+    constexpr double two_roundings = 0x1p-51;
+    const double error = Paths::format().precision == float64.precision ? two_roundings : double_error;
+    return {moved_out(computed.low, -std::abs(computed.low) * error),
+            moved_out(computed.high, std::abs(computed.high) * error), computed.nan};
 }
 
 Interval within_ulps(const Bounds& exact, double ulps, Arguments arguments) {
@@ -63,7 +66,8 @@ namespace {
 double sum_down(double a, double b) {
     const double sum = a + b;
     if (std::isnan(sum)) return infinity;  // infinities that cancel: not a number
-    if (std::isinf(sum)) return sum;
+    // Finite numbers beyond the largest double are above it.
+    if (std::isinf(sum)) return sum < 0.0 || std::isinf(a) || std::isinf(b) ? sum : float64.largest();
     const double part = sum - a;
     const double error = (a - (sum - part)) + (b - part);
     return error < 0.0 ? std::nextafter(sum, -infinity) : sum;
@@ -75,6 +79,17 @@ bool contains_infinity(const Bounds& x) {
 
 bool is_nowhere(const Bounds& a, const Bounds& b) {
     return a.empty() || b.empty();
+}
+
+// A product of float64, moved down if it may be above the exact one.
+double product_down(double x, double y) {
+    const double rounded = x * y;
+    if (x == 0.0 || y == 0.0 || std::isnan(rounded)) return rounded;
+    if (std::isinf(rounded))
+        return rounded < 0.0 || std::isinf(x) || std::isinf(y) ? rounded : float64.largest();
+    constexpr double least = 0x1p-900;  // the error of a smaller one is no double
+    const bool above = std::abs(rounded) < least || std::fma(x, y, -rounded) < 0.0;
+    return above ? std::nextafter(rounded, -infinity) : rounded;
 }
 
 // Adds the product (or quotient) at a corner. A corner that is not a number represents the values near it.
@@ -90,8 +105,14 @@ Bounds product(const Bounds& a, const Bounds& b) {
     constexpr Bounds nothing{infinity, -infinity, false};
     Bounds all = nothing;
     const bool wide = a.low != a.high || b.low != b.high;
+    const bool rounds = Paths::format().precision == float64.precision;
     for (const double x : {a.low, a.high}) {
-        for (const double y : {b.low, b.high}) add_corner(all, x * y, wide);
+        for (const double y : {b.low, b.high}) {
+            add_corner(all, x * y, wide);
+            if (!rounds) continue;
+            add_corner(all, product_down(x, y), wide);
+            add_corner(all, -product_down(-x, y), wide);
+        }
     }
     const bool zero_times_infinity = (Bounds{a.low, a.high}.contains(0.0) && contains_infinity(b)) ||
                                      (Bounds{b.low, b.high}.contains(0.0) && contains_infinity(a));
@@ -136,12 +157,19 @@ Interval::Interval(double constant) {
     }
 }
 
-Interval Interval::converted(double integer) {
-    return enclose(Bounds::point(integer));
+Interval Interval::converted(double nearest, bool above, bool below) {
+    return enclose({above ? std::nextafter(nearest, -infinity) : nearest,
+                    below ? std::nextafter(nearest, infinity) : nearest, false});
 }
 
 Interval Interval::input(float value) {
     return std::isnan(value) ? Interval(Bounds::only_nan()) : enclose(Bounds::point(value));
+}
+
+Interval Interval::input(double value, const FloatFormat& format) {
+    if (std::isnan(value)) return Interval(Bounds::only_nan());
+    const bool flushed = std::abs(value) < format.smallest_normal();
+    return Interval({flushed ? std::min(value, 0.0) : value, flushed ? std::max(value, 0.0) : value, false});
 }
 
 Interval operator+(const Interval& x) {
@@ -166,7 +194,7 @@ Interval operator-(const Interval& a, const Interval& b) {
     return a + -b;
 }
 
-// The product of two values of the format is exact in double.
+// The product of two values of a smaller format is exact in double.
 Interval operator*(const Interval& a, const Interval& b) {
     if (is_nowhere(a.bounds(), b.bounds())) return Interval::within(Bounds::only_nan());
     return enclose(product(a.bounds(), b.bounds()));
@@ -220,16 +248,6 @@ bool has_nan(const Interval& a, const Interval& b) {
 
 bool is_nowhere(const Interval& a, const Interval& b) {
     return a.bounds().empty() || b.bounds().empty();
-}
-
-// Explores each integer to which x can be truncated. All must be between least and most.
-double integer_within(const Interval& x, double least, double most) {
-    const double low = std::trunc(x.low());
-    const double high = std::trunc(x.high());
-    if (x.may_be_nan() || !(low >= least && high <= most) || high - low >= most_integers)
-        throw Paths::Undetermined{};
-    const auto count = static_cast<std::size_t>(high - low) + 1;
-    return low + static_cast<double>(Paths::choose(count));
 }
 
 // Counts float32 values from zero.
@@ -286,13 +304,13 @@ bool is_finite(const Interval& x) {
     return decide(finite, infinite || x.may_be_nan());
 }
 
-int to_int(const Interval& x) {
-    return static_cast<int>(
-        integer_within(x, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()));
-}
-
-unsigned to_uint(const Interval& x) {
-    return static_cast<unsigned>(integer_within(x, 0.0, std::numeric_limits<unsigned>::max()));
+double integer_within(const Interval& x, double least, double most) {
+    const double low = std::trunc(x.low());
+    const double high = std::trunc(x.high());
+    if (x.may_be_nan() || !(low >= least && high <= most) || high - low >= most_integers)
+        throw Paths::Undetermined{};
+    const auto count = static_cast<std::size_t>(high - low) + 1;
+    return low + static_cast<double>(Paths::choose(count));
 }
 
 std::uint32_t to_bits(const Interval& x) {

@@ -84,7 +84,11 @@ Interval round_even(const Interval& x) {
 
 Interval round(const Interval& x) {
     if (x.bounds().empty()) return x;
-    return Interval::within({std::ceil(x.low() - 0.5), std::floor(x.high() + 0.5), x.may_be_nan()});
+    const auto is_whole = [](double v) {
+        return std::trunc(v) == v;
+    };  // of large doubles, v + 0.5 is rounded
+    return Interval::within({is_whole(x.low()) ? x.low() : std::ceil(x.low() - 0.5),
+                             is_whole(x.high()) ? x.high() : std::floor(x.high() + 0.5), x.may_be_nan()});
 }
 
 Interval fract(const Interval& x) {

@@ -37,7 +37,7 @@ int last_place(const FloatFormat& format, double x) {
 }  // namespace
 
 double FloatFormat::round_down(double x) const {
-    if (std::isinf(x) || x == 0.0) return x;
+    if (std::isinf(x) || x == 0.0 || precision == double_digits + 1) return x;
     if (*this == float32) return float32_down(x);
     if (x > largest()) return largest();
     if (x < -largest()) return -infinity;
@@ -57,27 +57,59 @@ double FloatFormat::round_up(double x) const {
 
 double FloatFormat::ulp(double x) const {
     const double magnitude = std::min(std::abs(x), largest());
-    int place = last_place(*this, magnitude);
     const bool at_a_power_of_two =
         magnitude > smallest_normal() && magnitude == power_of_two(exponent_of(magnitude));
-    return power_of_two(at_a_power_of_two ? place - 1 : place);
+    const int place = last_place(*this, magnitude) - (at_a_power_of_two ? 1 : 0);
+    return place < float64.min_exponent ? std::ldexp(1.0, place) : power_of_two(place);
+}
+
+FloatClass classify(double x, const FloatFormat& format) {
+    if (std::isnan(x)) return FloatClass::nan;
+    if (std::isinf(x)) return FloatClass::infinite;
+    if (x == 0.0) return FloatClass::zero;
+    const double magnitude = std::abs(x);
+    if (magnitude < format.smallest_normal()) return FloatClass::subnormal;
+    return magnitude >= std::ldexp(1.0, (format.max_exponent + 1) / 2) ? FloatClass::huge
+                                                                       : FloatClass::ordinary;
+}
+
+std::vector<double> special_values(const FloatFormat& format) {
+    const int half_range = (format.max_exponent + 1) / 2;
+    const double unit = std::ldexp(1.0, 1 - format.precision);
+    return {0.0,
+            -0.0,
+            format.smallest_subnormal(),
+            -format.smallest_subnormal(),
+            format.smallest_normal() - format.smallest_subnormal(),
+            format.smallest_normal(),
+            -format.smallest_normal(),
+            std::ldexp(1.0, -half_range),
+            1.0 - unit / 2.0,
+            1.0,
+            1.0 + unit,
+            -1.0,
+            std::ldexp(1.0, format.precision),
+            std::ldexp(1.0, half_range),
+            format.largest(),
+            -format.largest(),
+            infinity,
+            -infinity,
+            std::numeric_limits<double>::quiet_NaN()};
 }
 
 namespace {
 
-constexpr double largest = std::numeric_limits<float>::max();
-constexpr double smallest_normal = std::numeric_limits<float>::min();
-
 // 0 or infinity if the error is not a matter of distance; -1 if it is.
-double settled_error(float got, double want) {
+double settled_error(double got, double want, const FloatFormat& format) {
     if (std::isnan(got) || std::isnan(want)) return std::isnan(got) && std::isnan(want) ? 0.0 : infinity;
-    if (std::abs(want) > largest) {
+    if (std::abs(want) > format.largest()) {
         const bool same_side = std::signbit(got) == std::signbit(want);
-        const bool exact = same_side && (std::isinf(got) || (!std::isinf(want) && std::abs(got) >= largest));
+        const bool exact =
+            same_side && (std::isinf(got) || (!std::isinf(want) && std::abs(got) >= format.largest()));
         return exact ? 0.0 : infinity;
     }
     if (std::isinf(got)) return infinity;
-    if (std::abs(want) < smallest_normal && got == 0.0F) return 0.0;
+    if (std::abs(want) < format.smallest_normal() && got == 0.0) return 0.0;
     return -1.0;
 }
 
@@ -87,14 +119,24 @@ double ulp_size(double x) {
     return std::isfinite(x) ? float32.ulp(x) : std::numeric_limits<double>::quiet_NaN();
 }
 
-double ulp_error(float got, double want) {
-    const double settled = settled_error(got, want);
-    return settled >= 0.0 ? settled : std::abs(static_cast<double>(got) - want) / ulp_size(want);
+double ulp_error(double got, double want, const FloatFormat& format) {
+    const double settled = settled_error(got, want, format);
+    return settled >= 0.0 ? settled : std::abs(got - want) / format.ulp(want);
 }
 
-double absolute_error(float got, double want) {
-    const double settled = settled_error(got, want);
-    return settled >= 0.0 ? settled : std::abs(static_cast<double>(got) - want);
+double absolute_error(double got, double want, const FloatFormat& format) {
+    const double settled = settled_error(got, want, format);
+    return settled >= 0.0 ? settled : std::abs(got - want);
+}
+
+double step(double x, std::int64_t steps) {
+    if (std::isnan(x)) return x;
+    const auto magnitude = std::bit_cast<std::int64_t>(std::abs(x));
+    constexpr std::int64_t last = 0x7ff0'0000'0000'0000;  // infinity
+    const std::int64_t ordinal = std::signbit(x) ? -magnitude : magnitude;
+    const bool beyond = steps > 0 ? ordinal > last - steps : ordinal < -last - steps;
+    const std::int64_t moved = !beyond ? ordinal + steps : steps > 0 ? last : -last;
+    return std::copysign(std::bit_cast<double>(std::abs(moved)), moved < 0 ? -1.0 : 1.0);
 }
 
 float step(float x, int steps) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -9,14 +8,15 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace gloam::numeric {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr double largest_float = std::numeric_limits<float>::max();
 
-// A binary floating-point format, described by the numbers that determine its rounding. Values are stored in
-// double, which represents all values of these formats exactly.
+// A binary floating-point format, at most that of double, described by the numbers that determine its
+// rounding. Values are stored in double.
 struct FloatFormat {
     int precision;     // bits of the significand, the hidden one included
     int min_exponent;  // of the smallest normal number, 2^min_exponent
@@ -24,7 +24,7 @@ struct FloatFormat {
 
     [[nodiscard]] constexpr double smallest_normal() const { return power_of_two(min_exponent); }
     [[nodiscard]] constexpr double smallest_subnormal() const {
-        return power_of_two(min_exponent - (precision - 1));
+        return power_of_two(min_exponent) * power_of_two(1 - precision);
     }
     [[nodiscard]] constexpr double largest() const {
         return (2.0 - power_of_two(1 - precision)) * power_of_two(max_exponent);
@@ -54,61 +54,36 @@ struct FloatFormat {
 
 inline constexpr FloatFormat float32{.precision = 24, .min_exponent = -126, .max_exponent = 127};
 inline constexpr FloatFormat float16{.precision = 11, .min_exponent = -14, .max_exponent = 15};
+inline constexpr FloatFormat float64{.precision = 53, .min_exponent = -1022, .max_exponent = 1023};
 
-// Classes of float32 values that arithmetic treats differently. `huge`: the square overflows (|x| >= 2^64).
+// Classes of values that arithmetic treats differently. `huge`: the square overflows (float32: |x| >= 2^64).
 enum class FloatClass { ordinary, zero, subnormal, huge, infinite, nan };
 
-[[nodiscard]] inline FloatClass classify(float x) {
-    if (std::isnan(x)) return FloatClass::nan;
-    if (std::isinf(x)) return FloatClass::infinite;
-    if (x == 0.0F) return FloatClass::zero;
-    const float magnitude = std::abs(x);
-    if (magnitude < std::numeric_limits<float>::min()) return FloatClass::subnormal;
-    return magnitude >= 0x1p64F ? FloatClass::huge : FloatClass::ordinary;
-}
+[[nodiscard]] FloatClass classify(double x, const FloatFormat& format = float32);
 
-// Float32 values at which arithmetic behaves differently: signed zeros, the ends of the subnormal and normal
-// ranges, ones, the limit of exact integers, squares that overflow or underflow, infinities, NaN.
-inline constexpr std::array special_floats{
-    0.0F,
-    -0.0F,
-    std::numeric_limits<float>::denorm_min(),
-    -std::numeric_limits<float>::denorm_min(),
-    0x1.fffffcp-127F,  // largest subnormal
-    std::numeric_limits<float>::min(),
-    -std::numeric_limits<float>::min(),
-    0x1p-64F,
-    0x1.fffffep-1F,
-    1.0F,
-    0x1.000002p0F,
-    -1.0F,
-    0x1p24F,
-    0x1p64F,
-    std::numeric_limits<float>::max(),
-    -std::numeric_limits<float>::max(),
-    std::numeric_limits<float>::infinity(),
-    -std::numeric_limits<float>::infinity(),
-    std::numeric_limits<float>::quiet_NaN(),
-};
+// Values at which arithmetic behaves differently: signed zeros, the ends of the subnormal and normal ranges,
+// ones, the limit of exact integers, squares that overflow or underflow, infinities, NaN.
+[[nodiscard]] std::vector<double> special_values(const FloatFormat& format);
 
 // One unit in the last place of float32 at the real number x, by Harrison's definition: the distance of the
 // two float32 neighbours that enclose x; at a power of two the smaller gap; below the smallest normal 2^-149;
 // beyond the largest finite value 2^104. x = +-infinity or NaN: NaN.
 [[nodiscard]] double ulp_size(double x);
 
-// Distance of `got` from the exact result `want`, in ULP of `want`.
+// Distance of `got` from the exact result `want`, in ULP of `want` in a format.
 //   both NaN, or the same infinity: 0. Exactly one NaN: infinity. Infinity against a finite `want`: infinity,
-//   unless |want| exceeds the largest float32, where both that value and infinity of the right sign are
+//   unless |want| exceeds the format's largest, where both that value and infinity of the right sign are
 //   exact. A `want` below the smallest normal also accepts 0, because Vulkan lets subnormal results be
 //   flushed.
-[[nodiscard]] double ulp_error(float got, double want);
+[[nodiscard]] double ulp_error(double got, double want, const FloatFormat& format = float32);
 
 // |got - want| with the same special cases: 0 where ulp_error is 0, infinity where it is infinity.
-[[nodiscard]] double absolute_error(float got, double want);
+[[nodiscard]] double absolute_error(double got, double want, const FloatFormat& format = float32);
 
 // The float32 `steps` representable values above x (below, when negative), crossing zero once (+0 and -0 are
 // one value), stopping at +-infinity. NaN stays NaN.
 [[nodiscard]] float step(float x, int steps);
+[[nodiscard]] double step(double x, std::int64_t steps);
 
 // Shortest decimal that is read as the same value, and the exact bits: "0.1 (0x3dcccccd)".
 [[nodiscard]] std::string to_text(float x);

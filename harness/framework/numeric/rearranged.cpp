@@ -28,6 +28,16 @@ double largest_magnitude(const Bounds& x) {
     return x.empty() ? infinity : std::max(std::abs(x.low), std::abs(x.high));
 }
 
+// The least precise format of two operands and the running operation.
+const FloatFormat* least_precise(const FloatFormat* a, const FloatFormat* b) {
+    const FloatFormat* least = Paths::format() == float16   ? &float16
+                               : Paths::format() == float64 ? &float64
+                                                            : &float32;
+    for (const FloatFormat* other : {a, b})
+        if (other != nullptr && other->precision < least->precision) least = other;
+    return least;
+}
+
 double smallest_magnitude(const Bounds& x) {
     if (x.empty() || x.contains(0.0)) return 0.0;
     return std::min(std::abs(x.low), std::abs(x.high));
@@ -44,7 +54,7 @@ Rearranged::Rearranged(const Interval& leaf) : in_order_(leaf) {
 
 Interval Rearranged::interval() const {
     if (operations_ < 2) return in_order_;  // one operation has one order
-    const FloatFormat& format = half_ ? float16 : float32;
+    const FloatFormat& format = *format_;
     const Bounds& bounds = in_order_.bounds();
     if (!(largest_ <= format.largest()) || bounds.empty()) return Interval::anything();
     const bool exact = magnitude_ <= std::ldexp(grid_, format.precision) && grid_ >= format.smallest_normal();
@@ -52,7 +62,10 @@ Interval Rearranged::interval() const {
     const double unit = std::ldexp(1.0, 1 - format.precision);
     const double count = terms_ - 1.0 + roundings_;
     const double slack = std::expm1(count * unit) * magnitude_ + count * format.smallest_normal() * largest_;
-    return Interval::within(enclose({bounds.low - slack, bounds.high + slack, bounds.nan}).bounds());
+    // The difference is rounded, too.
+    return Interval::within(enclose({std::nextafter(bounds.low - slack, -infinity),
+                                     std::nextafter(bounds.high + slack, infinity), bounds.nan})
+                                .bounds());
 }
 
 Rearranged operator-(const Rearranged& x) {
@@ -70,7 +83,7 @@ Rearranged operator+(const Rearranged& a, const Rearranged& b) {
     result.terms_ = a.terms_ + b.terms_;
     result.roundings_ = std::max(a.roundings_, b.roundings_);
     result.operations_ = a.operations_ + b.operations_ + 1;
-    result.half_ = a.half_ || b.half_ || Paths::format() == float16;
+    result.format_ = least_precise(a.format_, b.format_);
     return result;
 }
 
@@ -88,7 +101,7 @@ Rearranged operator*(const Rearranged& a, const Rearranged& b) {
     result.terms_ = a.terms_ * b.terms_;
     result.roundings_ = a.roundings_ + b.roundings_ + 1.0;
     result.operations_ = a.operations_ + b.operations_ + 1;
-    result.half_ = a.half_ || b.half_ || Paths::format() == float16;
+    result.format_ = least_precise(a.format_, b.format_);
     return result;
 }
 
@@ -102,7 +115,7 @@ Rearranged operator/(const Rearranged& a, const Rearranged& b) {
     result.terms_ = a.terms_;
     result.roundings_ = a.roundings_ + quotient_roundings;
     result.operations_ = a.operations_ + 1;
-    result.half_ = a.half_ || b.half_ || Paths::format() == float16;
+    result.format_ = least_precise(a.format_, b.format_);
     return result;
 }
 

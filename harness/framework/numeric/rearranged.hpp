@@ -35,7 +35,7 @@ class Rearranged {
     double terms_ = 1.0;
     double roundings_ = 0.0;  // of one term, by its products and quotients
     int operations_ = 0;
-    bool half_ = false;  // some operation had the precision of float16
+    const FloatFormat* format_ = nullptr;  // of its least precise operation
 };
 
 }  // namespace gloam::numeric

@@ -28,6 +28,19 @@ std::string scalar_name(Scalar scalar) {
             return "uint";
         case Scalar::float_:
             return "float";
+        case Scalar::double_:
+            return "double";
+        case Scalar::int8_:
+        case Scalar::int16_:
+        case Scalar::int64_:
+            return "int" + std::to_string(bits_of(scalar)) + "_t";
+        case Scalar::uint8_:
+        case Scalar::uint16_:
+        case Scalar::uint64_:
+            return "uint" + std::to_string(bits_of(scalar)) + "_t";
+        case Scalar::float16_:
+            return "float16_t";
+        case Scalar::upper:
         case Scalar::structure:
         case Scalar::sampler:
         case Scalar::unsupported:
@@ -38,7 +51,9 @@ std::string scalar_name(Scalar scalar) {
 }
 
 std::string vector_prefix(Scalar scalar) {
-    return scalar == Scalar::float_ ? std::string() : scalar_name(scalar).substr(0, 1);
+    if (scalar == Scalar::float_) return {};
+    const bool sized = bits_of(scalar) != 32 && scalar != Scalar::double_;  // "i64vec2", but "dvec2"
+    return scalar_name(scalar).substr(0, 1) + (sized ? std::to_string(bits_of(scalar)) : "");
 }
 
 std::string sizes_of(const Type& type) {
@@ -63,7 +78,7 @@ std::string element_text(const Type& type) {
     }
     const std::string rows = std::to_string(type.rows);
     if (type.columns > 1) {
-        std::string text = "mat" + std::to_string(type.columns);
+        std::string text = vector_prefix(type.scalar) + "mat" + std::to_string(type.columns);
         return type.columns == type.rows ? text : text.append("x").append(rows);
     }
     return type.rows > 1 ? vector_prefix(type.scalar) + "vec" + rows : scalar_name(type.scalar);

@@ -93,11 +93,12 @@ class TypeReader {
             case SpvOpTypeBool:
                 return of(Scalar::bool_);
             case SpvOpTypeInt:
-                if (bits == 32) return of(is_signed ? Scalar::int_ : Scalar::uint_);
-                return unsupported((is_signed ? "int" : "uint") + std::to_string(bits) + "_t");
+                if (bits == 8) return of(is_signed ? Scalar::int8_ : Scalar::uint8_);
+                if (bits == 16) return of(is_signed ? Scalar::int16_ : Scalar::uint16_);
+                if (bits == 64) return of(is_signed ? Scalar::int64_ : Scalar::uint64_);
+                return of(is_signed ? Scalar::int_ : Scalar::uint_);
             case SpvOpTypeFloat:
-                if (bits == 32) return of(Scalar::float_);
-                return unsupported(bits == 64 ? "double" : "float" + std::to_string(bits) + "_t");
+                return of(bits == 16 ? Scalar::float16_ : bits == 64 ? Scalar::double_ : Scalar::float_);
             default:
                 return unsupported({});
         }
@@ -106,21 +107,8 @@ class TypeReader {
     [[nodiscard]] Type composed(const Instruction& type) const {
         Type result = type_of(type.word(2));
         const int count = static_cast<int>(type.word(3));
-        const bool matrix = type.opcode == SpvOpTypeMatrix;
-        if (result.scalar == Scalar::unsupported) {
-            result.name = composed_name(result.name, count, matrix);
-        } else {
-            (matrix ? result.columns : result.rows) = count;
-        }
+        (type.opcode == SpvOpTypeMatrix ? result.columns : result.rows) = count;
         return result;
-    }
-
-    // "dvec3", "dmat4x3", "i64vec2", "f16vec4"
-    static std::string composed_name(const std::string& element, int count, bool matrix) {
-        const std::string size = std::to_string(count);
-        if (matrix) return "dmat" + size + "x" + element.substr(element.size() - 1);
-        if (element == "double") return "dvec" + size;
-        return element.substr(0, 1) + element.substr(element.find_first_of("0123456789"), 2) + "vec" + size;
     }
 
     [[nodiscard]] Type array_of(const Instruction& type, Id size) const {

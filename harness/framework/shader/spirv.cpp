@@ -46,6 +46,19 @@ Spirv without_names(const Spirv& module) {
     return bare;
 }
 
+std::vector<std::string> number_capabilities(const Spirv& module) {
+    static const std::map<std::uint32_t, std::string> names{{SpvCapabilityFloat16, "Float16"},
+                                                            {SpvCapabilityFloat64, "Float64"},
+                                                            {SpvCapabilityInt8, "Int8"},
+                                                            {SpvCapabilityInt16, "Int16"},
+                                                            {SpvCapabilityInt64, "Int64"}};
+    std::vector<std::string> found;
+    for (const Instruction& one : instructions(module))
+        if (one.opcode == SpvOpCapability)
+            if (const auto name = names.find(one.word(1)); name != names.end()) found.push_back(name->second);
+    return found;
+}
+
 std::string literal_string(const Instruction& instruction, std::size_t index) {
     std::string text;
     for (std::size_t i = index; i < instruction.words.size(); ++i) {

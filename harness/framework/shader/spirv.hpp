@@ -36,6 +36,9 @@ struct Instruction {
 // The instructions of a module, one after another, without those that only name things and places.
 [[nodiscard]] Spirv without_names(const Spirv& module);
 
+// The capabilities of a module for numbers of other sizes than 32 bits: "Float64", "Int8".
+[[nodiscard]] std::vector<std::string> number_capabilities(const Spirv& module);
+
 // Throws std::runtime_error with the validator's message if the module is not valid for Vulkan 1.2.
 void validate(const Spirv& module);
 

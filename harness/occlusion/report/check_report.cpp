@@ -8,6 +8,7 @@
 #include <map>
 #include <tuple>
 
+#include "base/text.hpp"
 #include "numeric/numbers.hpp"
 #include "report/internal/json_fields.hpp"
 
@@ -252,8 +253,10 @@ std::string table_line(const check::Answer& row) {
 
 std::string table_line(const check::Answer& row, const std::string& verdict) {
     if (!row.ran()) {
+        const std::string why =
+            row.reason == check::Reason::unsupported ? "; " + base::one_line(row.error) : std::string();
         return fmt::format(line_format, row.equation, row.function, row.variant, "-", "-", "-", "-",
-                           name_of(row.verdict), verdict);
+                           name_of(row.verdict), verdict + why);
     }
     const double used = row.fraction_of_allowed();
     const std::string remark = remark_on(row);

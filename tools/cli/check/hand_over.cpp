@@ -34,10 +34,9 @@ std::string worst_text(const std::optional<check::Sample>& worst) {
 
 std::string output_comment(const check::Reproduction& all, std::size_t i) {
     if (!all.failure) return "not judged";
-    const check::Word word = all.failure->got[i];
-    const std::string got = all.outputs[i] == shader::Scalar::float_
-                                ? numeric::to_text(check::from_word<float>(word))
-                                : fmt::format("0x{:08x}", word);
+    const auto words = std::span(all.failure->got).subspan(i);
+    const std::string got = shader::is_float(all.outputs[i]) ? check::text_at(all.outputs[i], words)
+                                                             : fmt::format("0x{:08x}", words[0]);
     return fmt::format("here it was {}; the reference gives {}", got, numeric::to_text(all.failure->want[i]));
 }
 
@@ -176,8 +175,8 @@ HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
                                     replay_of(all, question, request.task, device, how)});
     } else {
         hand_over = {.glsl = all.glsl, .assembly = all.assembly, .spirv = all.spirv};
-        // The scripts have storage buffers and no samplers, and they run compute shaders.
-        if (all.team.kind != backend::Team::Kind::quad &&
+        // The scripts have storage buffers and no samplers, run compute shaders and ask for no features.
+        if (all.team.kind != backend::Team::Kind::quad && shader::number_capabilities(all.spirv).empty() &&
             std::ranges::none_of(all.images, &check::Reproduction::ImageBuffer::sampled)) {
             hand_over.amber = report::to_amber(
                 replay_of(all, question, request.task, device, "amber -v 1.2 -t spv1.5 repro.amber"));

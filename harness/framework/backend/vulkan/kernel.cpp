@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -28,6 +30,10 @@ Pipeline pipeline_of(const Device& device, const backend::KernelProgram& program
         throw backend::Unsupported(fmt::format("{}: a work group of {} invocations, device \"{}\" allows {}",
                                                program.name, program.team.count(), device.info().name,
                                                limits.maxComputeWorkGroupInvocations));
+    const std::vector<std::string> missing = missing_features(device.impl(), program.spirv);
+    if (!missing.empty())
+        throw backend::Unsupported(fmt::format("{}: needs {}, which device \"{}\" lacks", program.name,
+                                               fmt::join(missing, " and "), device.info().name));
     const std::vector<SpecializationConstant> constants(program.constants.begin(), program.constants.end());
     if (program.team.kind == backend::Team::Kind::quad)
         return RasterPipeline(device, {.vertex_spirv = program.vertex_spirv,

@@ -26,18 +26,20 @@ ImageScenario first_scenario(const Question& question) {
     return question.scenarios.empty() ? ImageScenario{} : question.scenarios.front();
 }
 
-float nearest_half(float x) {
+double nearest_half(double x) {
     if (!std::isfinite(x)) return x;
     const double low = numeric::float16.round_down(x);
     const double high = numeric::float16.round_up(x);
-    return static_cast<float>(x - low <= high - x ? low : high);
+    return x - low <= high - x ? low : high;
 }
 
 // Floats are rounded to float16, so that their rounding is no error of the function.
 std::vector<Word> halved(std::span<const Word> input, const std::vector<Scalar>& scalars) {
     std::vector<Word> words(input.begin(), input.end());
     for (std::size_t i = 0; i < words.size(); ++i)
-        if (scalars[i] == Scalar::float_) words[i] = to_word(nearest_half(from_word<float>(words[i])));
+        if (shader::is_float(scalars[i]))
+            set_float(scalars[i], nearest_half(float_at(scalars[i], std::span(words).subspan(i))),
+                      std::span(words).subspan(i));
     return words;
 }
 
@@ -82,13 +84,13 @@ Reading AuditRuns::read(InterpretedKernel<interpreter::Explained>& kernel, std::
             kernel.run(input);
             for (std::size_t w = 0; w < scalars_.size(); ++w) {
                 const auto value = kernel.output(w);
-                if (scalars_[w] == Scalar::float_) {
+                if (shader::is_float(scalars_[w])) {
                     const interpreter::Explained x = value.number();
                     reading.outputs.push_back({x.value, x.exact, x.permitted.bounds()});
                 } else {
-                    const double exact = as_number(scalars_[w], value.bits());
-                    reading.outputs.push_back(
-                        {static_cast<float>(exact), exact, numeric::Bounds::point(exact)});
+                    const double exact =
+                        is_rest_of_float(scalars_, w) ? 0.0 : whole_number(scalars_, value.bits(), w);
+                    reading.outputs.push_back({exact, exact, numeric::Bounds::point(exact)});
                 }
             }
         } catch (const interpreter::Error& error) {
@@ -121,7 +123,7 @@ bool AuditRuns::is_undefined(std::span<const Word> input, const Reading& reading
                 for (std::size_t w = 0; w < scalars_.size(); ++w) {
                     const numeric::Bounds bounds = drivers_.output(w).number().bounds();
                     undefined =
-                        undefined || (scalars_[w] == Scalar::float_ && (bounds.is_anything() || bounds.nan));
+                        undefined || (shader::is_float(scalars_[w]) && (bounds.is_anything() || bounds.nan));
                 }
             } catch (const interpreter::Error&) {
                 undefined = true;
@@ -158,8 +160,9 @@ std::vector<double> AuditRuns::in_float(std::span<const Word> input) {
     try {
         floats_.run(input);
         instructions_ += floats_.machine().steps() - before;
-        for (std::size_t w = 0; w < scalars_.size(); ++w)
-            outputs.push_back(as_number(scalars_[w], floats_.output(w).bits()));
+        std::vector<Word> words;
+        for (std::size_t w = 0; w < scalars_.size(); ++w) words.push_back(floats_.output(w).bits());
+        for (std::size_t w = 0; w < scalars_.size(); ++w) outputs.push_back(number_at(scalars_, words, w));
     } catch (const interpreter::Error&) {
         outputs.clear();
     }
@@ -203,10 +206,11 @@ void AuditRuns::set_usual(const Domain::Inputs& inputs) {
 
 namespace {
 
-std::string short_text(Scalar scalar, Word word) {
-    if (scalar == Scalar::bool_) return word != 0 ? "true" : "false";
-    if (scalar == Scalar::int_) return fmt::format("{}", from_word<int>(word));
-    return scalar == Scalar::float_ ? fmt::format("{}", from_word<float>(word)) : fmt::format("{}", word);
+std::string short_text(Scalar scalar, std::span<const Word> words) {
+    if (scalar == Scalar::double_) return fmt::format("{}", float_at(scalar, words));
+    if (shader::is_float(scalar)) return fmt::format("{}", from_word<float>(words[0]));
+    if (scalar == Scalar::bool_ || shader::is_signed(scalar)) return text_at(scalar, words);
+    return fmt::format("{}", bits_at(scalar, words));
 }
 
 }  // namespace
@@ -227,7 +231,7 @@ std::string AuditRuns::named(std::span<const Word> input) const {
         if (type.scalar == Scalar::sampler) return;
         std::vector<std::string> numbers;
         for (const Scalar scalar : scalars_of(type)) {
-            numbers.push_back(short_text(scalar, input.front()));
+            if (scalar != Scalar::upper) numbers.push_back(short_text(scalar, input));
             input = input.subspan(1);
         }
         all.push_back(fmt::format(fmt::runtime(numbers.size() == 1 ? "{} = {}" : "{} = ({})"), name,
@@ -258,7 +262,7 @@ Loss AuditRuns::largest(const Reading& reading, const Measure& measure) const {
 
 Loss AuditRuns::loss_of(const Reading& reading) const {
     return largest(reading, [](const OutputReading& output) {
-        const double error = std::abs(static_cast<double>(output.value) - output.exact);
+        const double error = std::abs(output.value - output.exact);
         return std::isfinite(error) ? error : 0.0;  // not finite: a concern of its own
     });
 }

@@ -19,7 +19,7 @@ namespace gloam::check::internal {
 
 // One scalar of the result, on every number type at once. An integer or bool is exact.
 struct OutputReading {
-    float value = 0.0F;
+    double value = 0.0;
     double exact = 0.0;
     numeric::Bounds permitted = numeric::Bounds::point(0.0);
 };

@@ -12,8 +12,8 @@ namespace {
 
 using shader::Scalar;
 
-InputClass class_of(float value) {
-    switch (numeric::classify(value)) {
+InputClass class_of(double value, const numeric::FloatFormat& format) {
+    switch (numeric::classify(value, format)) {
         case numeric::FloatClass::zero:
             return InputClass::zero;
         case numeric::FloatClass::subnormal:
@@ -35,21 +35,24 @@ InputClass class_of(float value) {
 InputClass class_of(std::span<const Word> inputs, const std::vector<Scalar>& scalars, bool branch) {
     auto worst = branch ? InputClass::branch : InputClass::ordinary;
     for (std::size_t i = 0; i < inputs.size(); ++i)
-        if (scalars[i] == Scalar::float_) worst = std::max(worst, class_of(from_word<float>(inputs[i])));
+        if (shader::is_float(scalars[i]))
+            worst = std::max(worst, class_of(float_at(scalars[i], inputs.subspan(i)), format_of(scalars[i])));
     return worst;
 }
 
 void set_positive_zeros(std::span<Word> words, const std::vector<Scalar>& scalars) {
-    constexpr Word negative_zero = 0x80000000U;
-    for (std::size_t i = 0; i < words.size(); ++i)
-        if (words[i] == negative_zero && scalars[i % scalars.size()] == Scalar::float_) words[i] = 0;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const Scalar scalar = scalars[i % scalars.size()];
+        if (shader::is_float(scalar) && float_at(scalar, words.subspan(i)) == 0.0)
+            set_bits(scalar, 0, words.subspan(i));
+    }
 }
 
 bool holds_special(const Sample& sample, const std::vector<Scalar>& scalars) {
     for (std::size_t i = 0; i < sample.inputs.size(); ++i) {
-        if (scalars[i] != Scalar::float_) continue;
-        const auto value = from_word<float>(sample.inputs[i]);
-        if (!std::isfinite(value) || (value == 0.0F && std::signbit(value))) return true;
+        if (!shader::is_float(scalars[i])) continue;
+        const double value = float_at(scalars[i], std::span(sample.inputs).subspan(i));
+        if (!std::isfinite(value) || (value == 0.0 && std::signbit(value))) return true;
     }
     return std::ranges::any_of(sample.want, [](double want) { return !std::isfinite(want); });
 }
@@ -69,18 +72,19 @@ double fraction_of(double error, double allowed) {
 std::vector<Word> flushed(const std::vector<Scalar>& scalars, std::span<const Word> inputs) {
     std::vector<Word> moved(inputs.begin(), inputs.end());
     for (std::size_t i = 0; i < moved.size(); ++i) {
-        const bool subnormal =
-            scalars[i] == Scalar::float_ &&
-            numeric::classify(from_word<float>(moved[i])) == numeric::FloatClass::subnormal;
-        if (subnormal) moved[i] &= 0x80000000U;
+        if (!shader::is_float(scalars[i])) continue;
+        const std::span<Word> words = std::span(moved).subspan(i);
+        const double value = float_at(scalars[i], words);
+        if (numeric::classify(value, format_of(scalars[i])) == numeric::FloatClass::subnormal)
+            set_float(scalars[i], std::copysign(0.0, value), words);
     }
     return moved;
 }
 
 // Whether a value is meant exactly: 0 and other small whole numbers are counts, sizes and ends of ranges,
 // which a calculation before the function yields without an error.
-bool is_meant_exactly(float value) {
-    constexpr float largest = 256.0F;
+bool is_meant_exactly(double value) {
+    constexpr double largest = 256.0;
     return std::abs(value) <= largest && value == std::trunc(value);
 }
 
@@ -90,11 +94,11 @@ bool visit_moved(const std::vector<Scalar>& scalars, std::span<const Word> input
                  const InputVisitor& visit) {
     std::vector<std::size_t> floats;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-        if (scalars[i] == Scalar::float_ && !is_meant_exactly(from_word<float>(inputs[i])))
+        if (shader::is_float(scalars[i]) && !is_meant_exactly(float_at(scalars[i], inputs.subspan(i))))
             floats.push_back(i);
     }
-    const auto move = [steps](std::vector<Word>& words, std::size_t i, bool up) {
-        words[i] = to_word(numeric::step(from_word<float>(words[i]), up ? steps : -steps));
+    const auto move = [&](std::vector<Word>& words, std::size_t i, bool up) {
+        step_float(scalars[i], up ? steps : -steps, std::span(words).subspan(i));
     };
     for (const std::size_t i : floats) {
         for (const bool up : {false, true}) {
@@ -122,17 +126,6 @@ bool visit_covered_inputs(const Budget& budget, const std::vector<Scalar>& scala
     return false;
 }
 
-double as_number(Scalar scalar, Word word) {
-    switch (scalar) {
-        case Scalar::float_:
-            return from_word<float>(word);
-        case Scalar::int_:
-            return from_word<int>(word);
-        default:
-            return word;
-    }
-}
-
 bool BudgetJudge::has_codomain() const {
     const bool bounded = question_.codomain.low > -infinity || question_.codomain.high < infinity;
     return bounded &&
@@ -146,8 +139,8 @@ Error BudgetJudge::measure(const Sample& sample, bool promised) {
 
 bool BudgetJudge::inside_codomain(std::span<const Word> got) const {
     for (std::size_t i = 0; i < got.size(); ++i) {
-        if (scalars_.outputs[i] == Scalar::bool_) continue;
-        const double value = as_number(scalars_.outputs[i], got[i]);
+        if (scalars_.outputs[i] == Scalar::bool_ || scalars_.outputs[i] == Scalar::upper) continue;
+        const double value = number_at(scalars_.outputs, got, i);
         if (!(value >= question_.codomain.low && value <= question_.codomain.high)) return false;
     }
     return true;
@@ -158,40 +151,42 @@ Error BudgetJudge::error_against(std::span<const Word> got, const std::vector<do
     std::size_t first = 0;
     for (const std::size_t words : scalars_.output_values) {
         add_value(error, got.subspan(first, words), std::span(want).subspan(first, words),
-                  scalars_.outputs[first]);
+                  std::span(scalars_.outputs).subspan(first, words));
         first += words;
     }
     return error;
 }
 
 void BudgetJudge::add_value(Error& error, std::span<const Word> got, std::span<const double> want,
-                            Scalar scalar) const {
-    const double unit = unit_of(want);
+                            std::span<const Scalar> scalars) const {
+    const numeric::FloatFormat& format = format_of(scalars.front());
+    const double unit = unit_of(want, format);
     for (std::size_t i = 0; i < got.size(); ++i) {
-        if (scalar == Scalar::float_) {
-            const Error here = float_error(from_word<float>(got[i]), want[i], unit);
+        if (shader::is_float(scalars[i])) {
+            const Error here = float_error(number_at(scalars, got, i), want[i], unit, format);
             error = {std::max(error.ulp, here.absolute > question_.budget.absolute ? here.ulp : 0.0),
                      std::max(error.absolute, here.absolute), std::max(error.fraction, here.fraction)};
-        } else if (as_number(scalar, got[i]) != want[i]) {
+        } else if (number_at(scalars, got, i) != want[i]) {
             error = {.ulp = infinity, .absolute = infinity, .fraction = infinity};
         }
     }
 }
 
-double BudgetJudge::unit_of(std::span<const double> want) const {
+double BudgetJudge::unit_of(std::span<const double> want, const numeric::FloatFormat& format) const {
     double unit = 0.0;
     for (const double w : want) {
-        if (question_.budget.of_largest_component && std::isfinite(w))
-            unit = std::max(unit, numeric::ulp_size(w));
+        if (question_.budget.of_largest_component && std::isfinite(w)) unit = std::max(unit, format.ulp(w));
     }
     return unit;
 }
 
-Error BudgetJudge::float_error(double got, double want, double unit) const {
-    const auto value = static_cast<float>(got);
-    const double absolute = numeric::absolute_error(value, want);
+Error BudgetJudge::float_error(double got, double want, double unit,
+                               const numeric::FloatFormat& format) const {
+    // An end of permitted bounds may be between two values.
+    const double value = format == numeric::float32 ? static_cast<double>(static_cast<float>(got)) : got;
+    const double absolute = numeric::absolute_error(value, want, format);
     const double ulp =
-        unit > 0.0 && std::isfinite(absolute) ? absolute / unit : numeric::ulp_error(value, want);
+        unit > 0.0 && std::isfinite(absolute) ? absolute / unit : numeric::ulp_error(value, want, format);
     return {
         ulp, absolute,
         std::min(fraction_of(ulp, question_.budget.ulp), fraction_of(absolute, question_.budget.absolute))};
@@ -232,7 +227,7 @@ bool same_number(double got, double want, double allowed) {
     return got == want || std::abs(got - want) <= allowed;
 }
 
-bool same_value(std::span<const Word> got, std::span<const double> want, Scalar scalar,
+bool same_value(std::span<const Word> got, std::span<const double> want, std::span<const Scalar> scalars,
                 const Budget& budget) {
     double largest = 0.01;
     for (const double w : want) {
@@ -241,8 +236,8 @@ bool same_value(std::span<const Word> got, std::span<const double> want, Scalar 
     // A result below the normal numbers may be flushed.
     const double allowed = std::max({tolerance * largest, budget.absolute, 0x1p-126});
     for (std::size_t i = 0; i < got.size(); ++i) {
-        const double number = as_number(scalar, got[i]);
-        if (!same_number(number, want[i], scalar == Scalar::float_ ? allowed : 0.0)) return false;
+        const double number = number_at(scalars, got, i);
+        if (!same_number(number, want[i], shader::is_float(scalars[i]) ? allowed : 0.0)) return false;
     }
     return true;
 }
@@ -252,7 +247,7 @@ bool same_outputs(std::span<const Word> got, const std::vector<double>& want, co
     std::size_t first = 0;
     for (const std::size_t words : scalars.output_values) {
         if (!same_value(got.subspan(first, words), std::span(want).subspan(first, words),
-                        scalars.outputs[first], budget))
+                        std::span(scalars.outputs).subspan(first, words), budget))
             return false;
         first += words;
     }
@@ -266,8 +261,8 @@ bool is_edge(const Sample& sample, const Scalars& scalars) {
                          sample.input_class == InputClass::infinite || sample.input_class == InputClass::nan;
     if (!special) return false;
     for (std::size_t i = 0; i < sample.inputs.size(); ++i) {
-        if (scalars.inputs[i] != Scalar::float_) continue;
-        const auto value = std::abs(static_cast<double>(from_word<float>(sample.inputs[i])));
+        if (!shader::is_float(scalars.inputs[i])) continue;
+        const double value = std::abs(float_at(scalars.inputs[i], std::span(sample.inputs).subspan(i)));
         if (std::isfinite(value) && value != 0.0 && !is_usual(value)) return false;
     }
     return true;
@@ -275,11 +270,11 @@ bool is_edge(const Sample& sample, const Scalars& scalars) {
 
 bool visit_edge_inputs(const Scalars& scalars, std::span<const Word> inputs, const InputVisitor& visit) {
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-        if (scalars.inputs[i] != Scalar::float_) continue;
-        if (!is_usual(std::abs(static_cast<double>(from_word<float>(inputs[i]))))) continue;
+        if (!shader::is_float(scalars.inputs[i])) continue;
+        if (!is_usual(std::abs(float_at(scalars.inputs[i], inputs.subspan(i))))) continue;
         for (int steps = -most_steps; steps <= most_steps; ++steps) {
             std::vector<Word> moved(inputs.begin(), inputs.end());
-            moved[i] = to_word(numeric::step(from_word<float>(moved[i]), steps));
+            step_float(scalars.inputs[i], steps, std::span(moved).subspan(i));
             if (visit(moved)) return true;
         }
     }

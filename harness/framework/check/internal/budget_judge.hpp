@@ -40,8 +40,6 @@ struct Scalars {
     std::vector<std::size_t> output_values;
 };
 
-[[nodiscard]] double as_number(shader::Scalar scalar, Word word);
-
 // Returns true to end the visit.
 using InputVisitor = std::function<bool(const std::vector<Word>& inputs)>;
 
@@ -64,16 +62,17 @@ class BudgetJudge {
     [[nodiscard]] bool has_codomain() const;
 
     // The error of a value against another.
-    [[nodiscard]] Error float_error(double got, double want, double unit) const;
+    [[nodiscard]] Error float_error(double got, double want, double unit,
+                                    const numeric::FloatFormat& format) const;
 
     // ULP of the largest component of each value if the budget measures by it, otherwise 0.
-    [[nodiscard]] double unit_of(std::span<const double> want) const;
+    [[nodiscard]] double unit_of(std::span<const double> want, const numeric::FloatFormat& format) const;
 
   private:
     [[nodiscard]] bool inside_codomain(std::span<const Word> got) const;
     [[nodiscard]] Error error_against(std::span<const Word> got, const std::vector<double>& want) const;
     void add_value(Error& error, std::span<const Word> got, std::span<const double> want,
-                   shader::Scalar scalar) const;
+                   std::span<const shader::Scalar> scalars) const;
     [[nodiscard]] Error best_error(const Sample& sample);
 
     const Question& question_;

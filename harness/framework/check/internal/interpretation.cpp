@@ -11,8 +11,6 @@
 namespace gloam::check::internal {
 namespace {
 
-using shader::Scalar;
-
 // Limit for one input, all paths together. Beyond it every result counts as permitted.
 constexpr std::uint64_t most_path_steps = 4'000'000;
 
@@ -21,12 +19,6 @@ numeric::Bounds bounds_of(const numeric::Interval& x) {
 }
 numeric::Bounds bounds_of(const numeric::Rearranged& x) {
     return x.interval().bounds();
-}
-
-// Equality of words; all NaNs are equal.
-bool is_same(Scalar scalar, Word a, Word b) {
-    return a == b ||
-           (scalar == Scalar::float_ && std::isnan(from_word<float>(a)) && std::isnan(from_word<float>(b)));
 }
 
 }  // namespace
@@ -64,9 +56,9 @@ bool Interpretation::is_exact(const InputRow& input, std::span<const Word> got) 
         if (error.is_of_group()) throw;
         return false;  // undefined: a device may return any value
     }
-    for (std::size_t w = 0; w < got.size(); ++w)
-        if (!is_same(outputs_[w], got[w], floats.output(w).bits())) return false;
-    return true;
+    exact_.clear();
+    for (std::size_t w = 0; w < got.size(); ++w) exact_.push_back(floats.output(w).bits());
+    return same_bits(outputs_, got, exact_);
 }
 
 std::uint64_t Interpretation::calculate(const InputRow& input, std::vector<double>& outputs) {
@@ -83,15 +75,16 @@ std::uint64_t Interpretation::calculate(const InputRow& input, std::vector<doubl
     doubles.run(input.words, at.index);
     for (std::size_t w = 0; w < outputs_.size(); ++w) {
         const auto value = doubles.output(w);
-        outputs.push_back(outputs_[w] == Scalar::float_ ? value.number()
-                                                        : as_number(outputs_[w], value.bits()));
+        outputs.push_back(shader::is_float(outputs_[w])   ? value.number()
+                          : is_rest_of_float(outputs_, w) ? 0.0
+                                                          : whole_number(outputs_, value.bits(), w));
     }
     return doubles.machine().steps() - before;
 }
 
 bool Interpretation::holds(std::span<const numeric::Bounds> outcome, std::span<const Word> got) const {
     for (std::size_t w = 0; w < got.size(); ++w)
-        if (!outcome[w].contains(as_number(outputs_[w], got[w]))) return false;
+        if (!outcome[w].contains(number_at(outputs_, got, w))) return false;
     return true;
 }
 
@@ -109,9 +102,11 @@ void Interpretation::explore(InterpretedKernel<N>& kernel, const InputRow& input
             kernel.run(input.words, index);
             for (std::size_t w = 0; w < outputs_.size(); ++w) {
                 const auto value = kernel.output(w);
-                permitted.outcomes.push_back(outputs_[w] == Scalar::float_ ? bounds_of(value.number())
-                                                                           : numeric::Bounds::point(as_number(
-                                                                                 outputs_[w], value.bits())));
+                permitted.outcomes.push_back(
+                    shader::is_float(outputs_[w]) ? bounds_of(value.number())
+                    : is_rest_of_float(outputs_, w)
+                        ? numeric::Bounds::point(0.0)
+                        : numeric::Bounds::point(whole_number(outputs_, value.bits(), w)));
             }
         } catch (const interpreter::Error&) {
             throw numeric::Paths::Undetermined{};
@@ -173,6 +168,7 @@ bool RulesJudge::measure(Sample& sample) {
 bool RulesJudge::permits_every(const Sample& sample) const {
     for (std::size_t i = 0; i < sample.permitted.size(); ++i) {
         const numeric::Bounds& bounds = sample.permitted[i];
+        if (is_rest_of_float(scalars_.outputs, i)) continue;
         const bool is_bool = scalars_.outputs[i] == shader::Scalar::bool_;
         if (bounds.low > (is_bool ? 0.0 : -infinity) || bounds.high < (is_bool ? 1.0 : infinity))
             return false;
@@ -183,7 +179,7 @@ bool RulesJudge::permits_every(const Sample& sample) const {
 double RulesJudge::fraction_of(const Sample& sample, std::span<const numeric::Bounds> outcome) const {
     double fraction = 0.0;
     for (std::size_t i = 0; i < outcome.size(); ++i) {
-        const double got = as_number(scalars_.outputs[i], sample.got[i]);
+        const double got = number_at(scalars_.outputs, sample.got, i);
         fraction = std::max(fraction, fraction_of_width(got, sample.want[i], outcome[i]));
     }
     return fraction;
@@ -193,11 +189,12 @@ Error RulesJudge::largest_permitted(const Sample& sample, const BudgetJudge& bud
     Error largest;
     std::size_t first = 0;
     for (const std::size_t words : scalars_.output_values) {
-        const double unit = budget.unit_of(std::span(sample.want).subspan(first, words));
+        const numeric::FloatFormat& format = format_of(scalars_.outputs[first]);
+        const double unit = budget.unit_of(std::span(sample.want).subspan(first, words), format);
         for (std::size_t i = first; i < first + words; ++i) {
-            if (scalars_.outputs[i] != shader::Scalar::float_) continue;
+            if (!shader::is_float(scalars_.outputs[i])) continue;
             for (const double end : {sample.permitted[i].low, sample.permitted[i].high}) {
-                const Error error = budget.float_error(end, sample.want[i], unit);
+                const Error error = budget.float_error(end, sample.want[i], unit, format);
                 largest = {std::max(largest.ulp, error.ulp), std::max(largest.absolute, error.absolute),
                            std::max(largest.fraction, error.fraction)};
             }

@@ -81,6 +81,7 @@ class Interpretation {
     const std::vector<shader::Scalar>& outputs_;
     std::vector<Part> parts_;
     Permitted found_;
+    std::vector<Word> exact_;
     std::uint64_t steps_ = 0;
 };
 

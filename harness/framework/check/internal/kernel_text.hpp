@@ -13,13 +13,20 @@
 // The parts of generated compute shaders.
 namespace gloam::check::internal {
 
-// GLSL expression of a scalar, from a uint expression `word` that holds its bits.
-[[nodiscard]] std::string from_word(shader::Scalar scalar, const std::string& word);
+// GLSL expression of a scalar, from the uint expressions of its words, from `word` on.
+using WordText = std::function<std::string(std::size_t word)>;
+[[nodiscard]] std::string from_words(shader::Scalar scalar, const WordText& text, std::size_t word);
+
+// The uint expressions of the words of a scalar.
+[[nodiscard]] std::vector<std::string> to_words(shader::Scalar scalar, const std::string& value);
 
 // The whole shader: the interface, the function's file, the definitions of its prototypes, then `rest`, which
 // has main(). Every name that is not from the file begins with gloam_kernel_ or GloamKernel. Macros of the
 // file end with the file.
 [[nodiscard]] std::string kernel_text(const KernelSource& source, const std::string& rest);
+
+// The #extension lines for the kernel's own conversions.
+[[nodiscard]] std::string number_extensions(const KernelSource& source);
 
 // The declarations that a kernel has on Vulkan and on OpenGL: the storage buffers of inputs, outputs, faults
 // and images, uint gloam_kernel_input() and void gloam_kernel_fault(uint image, ivec2 pixel).

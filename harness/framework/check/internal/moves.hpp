@@ -66,7 +66,7 @@ class Moves {
 
   private:
     void move(std::vector<Word>& words);
-    [[nodiscard]] Word moved_word(Word word, shader::Scalar scalar);
+    void move_scalar(shader::Scalar scalar, std::span<Word> words);
 
     numeric::Random random_;
     std::vector<shader::Scalar> scalars_;

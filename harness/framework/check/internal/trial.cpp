@@ -12,19 +12,6 @@
 #include "check/internal/budget_judge.hpp"
 
 namespace gloam::check::internal {
-namespace {
-
-bool same_bits(const std::vector<shader::Scalar>& scalars, std::span<const Word> a, std::span<const Word> b) {
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        const bool both_nan = scalars[i] == shader::Scalar::float_ && std::isnan(from_word<float>(a[i])) &&
-                              std::isnan(from_word<float>(b[i]));
-        if (a[i] != b[i] && !both_nan) return false;
-    }
-    return true;
-}
-
-}  // namespace
-
 Trial::Trial(const Lab& lab, const Question& question, const KernelCore& kernel,
              const ImageScenario& scenario, std::uint64_t seed, Verdict verdict)
     : lab_(lab),

@@ -54,11 +54,6 @@ template <class N>
     return product;
 }
 
-// Whether two numbers are one: on every type they agree, and so do their bounds.
-[[nodiscard]] inline bool is_one_number(const Explained& x, const Explained& y) {
-    return x.value == y.value && x.exact == y.exact && x.permitted.bounds() == y.permitted.bounds();
-}
-
 // A product; on Explained a square is recognised by its operands, because a module loads a variable twice.
 template <class N>
 [[nodiscard]] N product(const Instruction& i, const N& x, const N& y) {
@@ -106,14 +101,8 @@ template <class N>
             return binary<N, Remainder>;
         case SpvOpFMod:
             return binary<N, Mod>;
-        case SpvOpFConvert:
-            return unary<N, Identity>;
         case SpvOpQuantizeToF16:
             return unary<N, QuantizeToHalf>;
-        case SpvOpConvertFToS:
-            return unary<N, ToInt>;
-        case SpvOpConvertFToU:
-            return unary<N, ToUint>;
         case SpvOpIsNan:
             return unary<N, IsNan>;
         case SpvOpIsInf:

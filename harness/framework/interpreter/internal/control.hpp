@@ -3,6 +3,7 @@
 
 #include "interpreter/internal/opcodes.hpp"
 
+#include "interpreter/internal/atomics.hpp"
 #include "interpreter/internal/conversions.hpp"
 #include "interpreter/internal/integers.hpp"
 #include "interpreter/internal/samplers.hpp"

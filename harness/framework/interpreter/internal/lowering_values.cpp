@@ -48,8 +48,7 @@ bool Lowering::lower_composite(const shader::Instruction& i, Scope& scope) {
                 return true;
             }
             if (i.opcode == SpvOpBitcast) {
-                const bool is_float = types.scalar_of(i.word(1)).kind == Type::Kind::real;
-                emit(is_float ? to_float : copy, slots(), result(), operand(3));
+                lower_bits(i, scope);
             } else {
                 emit(copy, slots(), result(), operand(3)).flags = flags_of(i.word(2), i.word(1));
             }
@@ -95,6 +94,31 @@ bool Lowering::lower_composite(const shader::Instruction& i, Scope& scope) {
         default:
             return false;
     }
+}
+
+void Lowering::lower_bits(const shader::Instruction& i, const Scope& scope) {
+    const Type& from = module_.types.scalar_of(type_of(i.word(3), scope));
+    const Type& to = module_.types.scalar_of(i.word(1));
+    const std::uint32_t count = module_.types.slots(i.word(1));
+    const bool is_float = to.kind == Type::Kind::real;
+    if (from.width == 32 && to.width == 32) {
+        emit(is_float ? to_float : copy, count, slot_of(i.word(2), scope), slot_of(i.word(3), scope));
+        return;
+    }
+    const auto bits_of = [](const Type& type) {
+        return packed({type.width, type.kind == Type::Kind::real, type.is_signed});
+    };
+    emit(reinterpret, count, slot_of(i.word(2), scope), slot_of(i.word(3), scope), bits_of(from),
+         bits_of(to));
+}
+
+// Results of 8 and 16 bits, which an operation left in 32.
+void Lowering::resize_integers(Slot result, std::uint32_t count, Id type_id) {
+    const Type& type = module_.types.scalar_of(type_id);
+    if (type.kind != Type::Kind::integer || type.width >= 32) return;
+    Instruction& instruction = emit(resize, count, result, result, type.is_signed ? 1 : 0, type.width);
+    instruction.extra = type.width;
+    instruction.flags = type.is_signed ? flags::is_signed : std::uint8_t{0};
 }
 
 void Lowering::lower_shuffle(const shader::Instruction& i, Scope& scope) {
@@ -168,6 +192,8 @@ void Lowering::lower_componentwise(const shader::Instruction& i, Scope& scope) {
     const Id operand_type = type_of(i.word(3), scope);
     const bool of_operands = takes_count_of_operand(opcode);
     const std::uint32_t count = module_.types.slots(of_operands ? operand_type : i.word(1));
+    const Type& scalar = module_.types.scalar_of(operand_type);
+    const Type& to = module_.types.scalar_of(i.word(1));
     std::array<Slot, 4> operands{};
     for (std::size_t k = 0; k < *arity; ++k) operands.at(k) = slot_of(i.word(k + 3), scope);
     Instruction& instruction =
@@ -175,15 +201,37 @@ void Lowering::lower_componentwise(const shader::Instruction& i, Scope& scope) {
     instruction.extra = operands[3];
     instruction.flags = flags_of(i.word(2), i.word(1));
     if (opcode == SpvOpVectorTimesScalar || opcode == SpvOpMatrixTimesScalar) instruction.stride = 0;
-    const Type& scalar = module_.types.scalar_of(operand_type);
-    if (module_.types.scalar_of(i.word(1)).kind == Type::Kind::boolean && scalar.kind == Type::Kind::real) {
+    if (to.kind == Type::Kind::boolean && scalar.kind == Type::Kind::real) {
         for (std::size_t k = 0; k < *arity; ++k)
             if (is_relaxed(i.word(k + 3))) instruction.flags |= flags::relaxed;
     }
-    if (scalar.kind == Type::Kind::integer && scalar.width != 32)
-        fail(Error::Kind::unknown_instruction, fmt::format("an integer of {} bits", scalar.width));
+    switch (opcode) {
+        case SpvOpUConvert:
+        case SpvOpSConvert:
+            instruction.op = resize;
+            instruction.b = opcode == SpvOpSConvert ? 1 : 0;
+            instruction.c = scalar.width;
+            instruction.extra = to.width;
+            return;
+        case SpvOpConvertFToU:
+        case SpvOpConvertFToS:
+            instruction.flags = flags_of(i.word(2), operand_type);
+            instruction.c = to.width;
+            return resize_integers(instruction.result, count, i.word(1));
+        case SpvOpConvertUToF:
+        case SpvOpConvertSToF:
+        case SpvOpFConvert:
+            instruction.c = scalar.width;
+            return;
+        default:
+            break;
+    }
+    // Of comparisons and others the operands have 64 bits, and the result has not.
+    if (scalar.width == 64) instruction.flags |= flags::wide;
+    if (scalar.kind == Type::Kind::integer && *arity == 2) instruction.c = scalar.width;
     if (is_float_arithmetic(opcode) && (instruction.flags & flags::no_contraction) == 0)
         code_.may_be_rearranged = true;
+    resize_integers(slot_of(i.word(2), scope), count, i.word(1));
 }
 
 void Lowering::lower_extended(const shader::Instruction& i, Scope& scope) {
@@ -205,7 +253,7 @@ void Lowering::lower_extended(const shader::Instruction& i, Scope& scope) {
     instruction.flags = flags_of(i.word(2), i.word(1));
     if (module_.types.at(i.word(1)).kind == Type::Kind::structure || by_pointer)
         instruction.flags = flags_of(i.word(2), type_of(i.word(5), scope));
-    if (!by_pointer) return;
+    if (!by_pointer) return resize_integers(result, count, i.word(1));
     emit(copy, count, slot_of(i.word(2), scope), result);
     store(pointer_of(i.word(6), scope), result + count);
 }

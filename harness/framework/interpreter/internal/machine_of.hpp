@@ -13,21 +13,40 @@
 namespace gloam::interpreter {
 namespace internal {
 
+// Of an operation on floats.
+template <class N>
+Handler<N> float_handler(std::uint16_t op) {
+    for (const auto find : {arithmetic_handler<N>, comparison_handler<N>, vector_handler<N>,
+                            conversion_handler<N>, matrix_handler<N>})
+        if (const Handler<N> found = find(op)) return found;
+    return op < extended ? nullptr : elementary_handler<N>(static_cast<std::uint16_t>(op - extended));
+}
+
+// Calls the handler for doubles.
+inline void on_doubles(State<float>& s, const Instruction& i) {
+    State<Double> doubles{s};
+    s.wide_handlers[s.next - 1](doubles, i);
+}
+
 template <class N>
 Handler<N> handler_of(const Instruction& i) {
+    if (const Handler<N> found = value_handler<N>(i.op)) return found;
     if (i.op >= copy) return control_handler<N>(i);
-    for (const auto find :
-         {arithmetic_handler<N>, comparison_handler<N>, integer_arithmetic_handler<N>,
-          integer_comparison_handler<N>, vector_handler<N>, conversion_handler<N>, matrix_handler<N>})
-        if (const Handler<N> found = find(i.op)) return found;
-    if (i.op < extended) return nullptr;
-    const auto function = static_cast<std::uint16_t>(i.op - extended);
-    const Handler<N> found = elementary_handler<N>(function);
-    return found != nullptr ? found : integer_function_handler<N>(function);
+    const bool wide = (i.flags & flags::wide) != 0;
+    if constexpr (std::is_same_v<N, float>)
+        if (wide && float_handler<Double>(i.op) != nullptr) return on_doubles;
+    if (const Handler<N> found = float_handler<N>(i.op)) return found;
+    return wide ? long_handler<N>(i.op) : word_handler<N>(i.op);
 }
 
 template <class N>
 inline constexpr bool has_intervals = !std::is_floating_point_v<N>;
+
+// The format of an instruction's floats.
+[[nodiscard]] inline const numeric::FloatFormat& format_of(std::uint8_t how) {
+    if ((how & (flags::relaxed | flags::half)) != 0) return numeric::float16;
+    return (how & flags::wide) != 0 ? numeric::float64 : numeric::float32;
+}
 
 // A word of a built-in variable.
 [[nodiscard]] inline Word built_in_word(const Invocation& at, std::uint32_t built_in, std::uint32_t k) {
@@ -99,10 +118,14 @@ Machine<N>::Machine(const Program& program)
         state_->backings[r].words = std::span(state_->shared).first(words);
     }
     for (const internal::ConstantSlot& constant : code.constants)
-        state_->slots[constant.slot] =
-            constant.is_float ? Value<N>::of_float(constant.bits) : Value<N>::of_bits(constant.bits);
+        state_->slots[constant.slot] = !constant.is_float ? Value<N>::of_bits(constant.bits)
+                                       : constant.is_wide
+                                           ? Value<N>::of_double(constant.bits)
+                                           : Value<N>::of_float(static_cast<Word>(constant.bits));
     for (const internal::Instruction& i : code.instructions) {
         state_->handlers.push_back(internal::handler_of<N>(i));
+        if constexpr (std::is_same_v<N, float>)
+            state_->wide_handlers.push_back(internal::float_handler<internal::Double>(i.op));
         if (state_->handlers.back() == nullptr)
             throw Error(Error::Kind::unknown_instruction, internal::name_of(i.op), code.places[i.place]);
     }
@@ -219,7 +242,7 @@ void Machine<N>::prepare() {
 // Runs an invocation until it ends or waits.
 template <class N>
 template <class Tell>
-void Machine<N>::step(Tell& tell, std::uint32_t& at, std::uint64_t end, bool& half) {
+void Machine<N>::step(Tell& tell, std::uint32_t& at, std::uint64_t end, std::uint8_t& format) {
     internal::State<N>& s = *state_;
     const internal::Instruction* const code = s.code.instructions.data();
     for (; s.running; ++steps_) {
@@ -230,10 +253,11 @@ void Machine<N>::step(Tell& tell, std::uint32_t& at, std::uint64_t end, bool& ha
         at = s.next++;
         const internal::Instruction& i = code[at];
         if constexpr (internal::has_intervals<N>) {
-            const bool wants_half = (i.flags & (internal::flags::relaxed | internal::flags::half)) != 0;
-            if (wants_half != half)
-                numeric::Paths::set_format(wants_half ? numeric::float16 : numeric::float32);
-            half = wants_half;
+            constexpr std::uint8_t all =
+                internal::flags::relaxed | internal::flags::half | internal::flags::wide;
+            const auto wanted = static_cast<std::uint8_t>(i.flags & all);
+            if (wanted != format) numeric::Paths::set_format(internal::format_of(wanted));
+            format = wanted;
         }
         s.handlers[at](s, i);
         tell(i);
@@ -242,7 +266,7 @@ void Machine<N>::step(Tell& tell, std::uint32_t& at, std::uint64_t end, bool& ha
 
 template <class N>
 template <class Tell>
-void Machine<N>::execute_group(Tell& tell, std::uint32_t& at, std::uint64_t end, bool& half) {
+void Machine<N>::execute_group(Tell& tell, std::uint32_t& at, std::uint64_t end, std::uint8_t& format) {
     internal::State<N>& s = *state_;
     const auto count = static_cast<std::uint32_t>(s.lanes.size());
     // A fault must not leave an invocation's values in the place of the group's.
@@ -260,7 +284,7 @@ void Machine<N>::execute_group(Tell& tell, std::uint32_t& at, std::uint64_t end,
         for (std::uint32_t k = 0; k < count; ++k) {
             const std::uint32_t lane = order_ == Order::forward ? k : count - 1 - k;
             if (s.lanes[lane].progress == internal::Lane<N>::Progress::runs)
-                in_lane(lane, [&] { step(tell, at, end, half); });
+                in_lane(lane, [&] { step(tell, at, end, format); });
         }
     } while (!internal::meet(s, at).empty());
 }
@@ -271,14 +295,14 @@ void Machine<N>::execute(Tell&& tell) {
     prepare();
     internal::State<N>& s = *state_;
     std::uint32_t at = 0;
-    bool half = false;
+    std::uint8_t format = 0;
     const std::uint64_t end = steps_ + limit_;
     if constexpr (internal::has_intervals<N>) numeric::Paths::set_format(numeric::float32);
     try {
-        if (!s.lanes.empty()) return execute_group(tell, at, end, half);
+        if (!s.lanes.empty()) return execute_group(tell, at, end, format);
         do {
             s.running = true;
-            step(tell, at, end, half);
+            step(tell, at, end, format);
             if (s.waits && s.code.instructions[at].op != internal::barrier)
                 throw internal::Fault{Error::Kind::unknown_instruction,
                                       "an operation of several invocations, and there is one"};
@@ -310,7 +334,8 @@ void Machine<N>::run(const std::function<void(const Step<N>&)>& tell) {
         const std::uint32_t count = i.op == SpvOpDot ? 1 : i.count;
         tell({.place = state_->code.places[i.place],
               .opcode = i.op,
-              .results = std::span<const Value<N>>(state_->slots).subspan(i.result, count)});
+              .results = std::span<const Value<N>>(state_->slots).subspan(i.result, count),
+              .format = internal::format_of(i.flags & ~internal::flags::relaxed)});
     });
 }
 

@@ -205,7 +205,7 @@ Decorations Module::decorations_of(Id id) const {
 std::optional<std::uint32_t> Module::integer(Id id) const {
     const auto found = constants.find(id);
     if (found == constants.end() || found->second.bits.size() != 1) return std::nullopt;
-    return found->second.bits.front();
+    return static_cast<std::uint32_t>(found->second.bits.front());
 }
 
 void Module::read_declaration(const shader::Instruction& i) {
@@ -316,9 +316,10 @@ void Module::read_constant(const shader::Instruction& i) {
             break;
         case SpvOpConstant:
         case SpvOpSpecConstant:
-            if (i.words.size() != 4)
-                throw Error(Error::Kind::unknown_instruction, "a constant of more than 32 bits");
+            if (i.words.size() > 5)
+                throw Error(Error::Kind::unknown_instruction, "a constant of more than 64 bits");
             value.bits = {is_half(types.at(value.type)) ? std::bit_cast<Word>(half_value(i.word(3) & 0xffffU))
+                          : i.words.size() == 5         ? std::uint64_t{i.word(4)} << 32U | i.word(3)
                                                         : i.word(3)};
             break;
         case SpvOpConstantComposite:

@@ -122,17 +122,14 @@ bool is_infinite(T x) {
 }
 // Rounds towards zero. A value out of range is undefined in SPIR-V; it becomes the nearest representable one,
 // and NaN becomes zero.
-template <Real T>
-int to_int(T x) {
-    if (std::isnan(x)) return 0;
-    const double clamped =
-        std::clamp<double>(x, std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
-    return static_cast<int>(clamped);
-}
-template <Real T>
-unsigned to_uint(T x) {
-    if (std::isnan(x)) return 0;
-    return static_cast<unsigned>(std::clamp<double>(x, 0.0, std::numeric_limits<unsigned>::max()));
+template <std::integral I, Real T>
+I to_integer(T argument) {
+    const auto x = static_cast<double>(argument);
+    if (std::isnan(x) || x <= static_cast<double>(std::numeric_limits<I>::min()))
+        return std::isnan(x) ? I{0} : std::numeric_limits<I>::min();
+    // Of 64 bits, the largest is rounded to the number above it.
+    return x >= static_cast<double>(std::numeric_limits<I>::max()) ? std::numeric_limits<I>::max()
+                                                                   : static_cast<I>(x);
 }
 // The nearest half, ties to even.
 template <Real T>
@@ -211,8 +208,6 @@ GLOAM_UNARY(Sign, sign)
 GLOAM_UNARY(QuantizeToHalf, quantize_to_half)
 GLOAM_UNARY(IsNan, is_nan)
 GLOAM_UNARY(IsInfinite, is_infinite)
-GLOAM_UNARY(ToInt, to_int)
-GLOAM_UNARY(ToUint, to_uint)
 GLOAM_BINARY(Atan2, atan)
 GLOAM_BINARY(Pow, pow)
 GLOAM_BINARY(Min, min)
@@ -229,10 +224,15 @@ GLOAM_TERNARY(Fma, fma)
 #undef GLOAM_BINARY
 #undef GLOAM_TERNARY
 
-struct Identity {
+template <std::integral I>
+struct ToInteger {
     template <class N>
-    N operator()(const N& x) const {
-        return x;
+    I operator()(const N& x) const {
+        if constexpr (std::is_floating_point_v<N>) {
+            return scalars::to_integer<I>(x);
+        } else {
+            return numeric::to_integer<I>(x);
+        }
     }
 };
 struct Negate {

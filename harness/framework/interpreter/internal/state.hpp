@@ -40,17 +40,34 @@ template <class F, class N, class... More>
 // On Explained: calls f on every number type. If the result is a number, it also gets the local error.
 template <class F, class... More>
 [[nodiscard]] auto apply(const F& f, const Explained& x, const More&... more) {
-    using Result = decltype(f(x.value, more.value...));
-    if constexpr (std::is_same_v<Result, float>) {
+    const auto rounded = [&] { return f(static_cast<float>(x.value), static_cast<float>(more.value)...); };
+    if constexpr (std::is_same_v<decltype(rounded()), float>) {
         Explained result;
-        result.value = f(x.value, more.value...);
+        const double reached = f(x.value, more.value...);
+        result.value = x.wide ? reached : rounded();
         result.exact = f(x.exact, more.exact...);
-        const double reached = f(static_cast<double>(x.value), static_cast<double>(more.value)...);
-        result.local = static_cast<double>(result.value) - reached;
+        result.local = result.value - reached;
         result.permitted = f(x.permitted, more.permitted...);
+        result.wide = x.wide;
         return result;
     } else {
-        return f(x.value, more.value...);
+        return x.wide ? f(x.value, more.value...) : rounded();
+    }
+}
+
+// A float64 of the machine on float.
+struct Double {
+    Double() = default;
+    explicit Double(double x) : value(x) {}
+    double value = 0.0;
+};
+template <class F, class... More>
+[[nodiscard]] auto apply(const F& f, const Double& x, const More&... more) {
+    const auto result = f(x.value, more.value...);
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(result)>, double>) {
+        return Double(result);
+    } else {
+        return result;
     }
 }
 
@@ -75,7 +92,7 @@ template <>
 }
 template <>
 [[nodiscard]] inline Explained constant(double x) {
-    return {.value = static_cast<float>(x), .exact = x, .local = 0.0, .permitted = numeric::Interval(x)};
+    return {.value = x, .exact = x, .local = 0.0, .permitted = numeric::Interval(x)};
 }
 
 // The result of a half-precision operation: on intervals it may have the precision of float16.
@@ -214,8 +231,9 @@ struct State {
     std::vector<Pointer> pointers;
     std::vector<Backing<N>> backings;
     std::vector<Handler<N>> handlers;
-    std::vector<Value<N>> moving;  // sources of an edge's copies, while these are made
-    std::uint32_t next = 0;        // instruction
+    std::vector<Handler<Double>> wide_handlers;  // on float: of operations on float64, by instruction
+    std::vector<Value<N>> moving;                // sources of an edge's copies, while these are made
+    std::uint32_t next = 0;                      // instruction
     bool running = false;
     bool waits = false;          // for other invocations, at the last instruction
     std::vector<Lane<N>> lanes;  // of a group (internal/group.hpp); empty: one invocation alone
@@ -230,10 +248,12 @@ struct State {
     std::uint64_t cost = 0;                   // of the last instruction, in steps besides its own
 
     [[nodiscard]] Word bits(Slot slot) const { return slots[slot].bits(); }
+    [[nodiscard]] std::uint64_t long_bits(Slot slot) const { return slots[slot].long_bits(); }
 
     // A float operand with the precision that the instruction asks for.
     [[nodiscard]] N number(const Instruction& i, Slot slot) const {
-        const N x = slots[slot].number();
+        N x = slots[slot].number();
+        if constexpr (std::is_same_v<N, Explained>) x.wide = (i.flags & flags::wide) != 0;
         if ((i.flags & flags::relaxed) != 0) return relaxed(x);
         return x;
     }
@@ -247,6 +267,7 @@ struct State {
         slots[slot] = Value<N>::of(half || (i.flags & flags::half) != 0 ? halved(x) : x);
     }
     void set(const Instruction&, Slot slot, Word x) { slots[slot] = Value<N>::of_bits(x); }
+    void set(const Instruction&, Slot slot, std::uint64_t x) { slots[slot] = Value<N>::of_bits(x); }
     void set(const Instruction&, Slot slot, int x) { slots[slot] = Value<N>::of_bits(static_cast<Word>(x)); }
     void set(const Instruction&, Slot slot, bool x) { slots[slot] = Value<N>::of_bits(x ? 1U : 0U); }
 
@@ -305,6 +326,25 @@ struct State {
     }
 };
 
+// What a machine on float is for operations on float64.
+template <>
+struct State<Double> {
+    State<float>& of;
+
+    [[nodiscard]] Word bits(Slot slot) const { return of.bits(slot); }
+    [[nodiscard]] std::uint64_t long_bits(Slot slot) const { return of.long_bits(slot); }
+    [[nodiscard]] Double number(const Instruction&, Slot slot) const {
+        return Double(std::bit_cast<double>(of.long_bits(slot)));
+    }
+    void set(const Instruction&, Slot slot, const Double& x) {
+        of.slots[slot] = Value<float>::of_double(std::bit_cast<std::uint64_t>(x.value));
+    }
+    template <class Bits>
+    void set(const Instruction& i, Slot slot, Bits x) {
+        of.set(i, slot, x);
+    }
+};
+
 // A number stored in 16 bits. Intervals are not rounded here: their operations have that format.
 template <class N>
 N State<N>::halved(const N& x) {
@@ -313,7 +353,7 @@ N State<N>::halved(const N& x) {
     } else if constexpr (std::is_same_v<N, Explained>) {
         N result = x;
         result.value = scalars::quantize_to_half(x.value);
-        if (std::isfinite(result.value)) result.local += static_cast<double>(result.value) - x.value;
+        if (std::isfinite(result.value)) result.local += result.value - x.value;
         return result;
     } else {
         return x;

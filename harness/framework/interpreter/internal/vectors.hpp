@@ -16,7 +16,13 @@ inline constexpr std::size_t most_components = 4;
 template <class N>
 [[nodiscard]] N sum(const std::array<N, most_components>& products, std::uint32_t count) {
     N all = products[0];
-    for (std::uint32_t k = 1; k < count; ++k) all = all + products.at(k);
+    for (std::uint32_t k = 1; k < count; ++k) {
+        if constexpr (std::is_same_v<N, numeric::Rearranged>) {
+            all = all + products.at(k);
+        } else {
+            all = apply(Add{}, all, products.at(k));
+        }
+    }
     return all;
 }
 [[nodiscard]] inline numeric::Interval sum(const std::array<numeric::Interval, most_components>& p,
@@ -34,19 +40,20 @@ template <class N>
     }
 }
 [[nodiscard]] inline Explained sum(const std::array<Explained, most_components>& p, std::uint32_t count) {
-    std::array<float, most_components> values{};
-    std::array<double, most_components> exact{};
     std::array<numeric::Interval, most_components> permitted{};
-    double reached = 0.0;
+    Explained result = p[0];
+    double reached = p[0].value;
     for (std::uint32_t k = 0; k < count; ++k) {
-        values.at(k) = p.at(k).value;
-        exact.at(k) = p.at(k).exact;
         permitted.at(k) = p.at(k).permitted;
-        reached += static_cast<double>(p.at(k).value);
+        if (k == 0) continue;
+        const double value = result.value + p.at(k).value;
+        result.value =
+            p[0].wide ? value : static_cast<float>(result.value) + static_cast<float>(p.at(k).value);
+        result.exact += p.at(k).exact;
+        reached += p.at(k).value;
     }
-    Explained result{
-        .value = sum(values, count), .exact = sum(exact, count), .permitted = sum(permitted, count)};
-    result.local = static_cast<double>(result.value) - reached;
+    result.permitted = sum(permitted, count);
+    result.local = result.value - reached;
     return result;
 }
 
@@ -211,16 +218,16 @@ template <class N>
 [[nodiscard]] inline double as_double(const Explained& x) {
     return x.exact;
 }
+[[nodiscard]] inline double as_double(const Double& x) {
+    return x.value;
+}
 
 template <class N>
 [[nodiscard]] N implementation_defined(double exact) {
-    if constexpr (std::is_floating_point_v<N>) {
+    if constexpr (std::is_floating_point_v<N> || std::is_same_v<N, Double>) {
         return static_cast<N>(exact);
     } else if constexpr (std::is_same_v<N, Explained>) {
-        return {.value = static_cast<float>(exact),
-                .exact = exact,
-                .local = 0.0,
-                .permitted = numeric::Interval::anything()};
+        return {.value = exact, .exact = exact, .local = 0.0, .permitted = numeric::Interval::anything()};
     } else {
         return undefined_number<N>();
     }

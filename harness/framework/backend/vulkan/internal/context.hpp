@@ -115,6 +115,10 @@ class Guarded {
                                               std::initializer_list<vk::MemoryPropertyFlags> wishes,
                                               const std::string& purpose);
 
+// The features of numbers that a module declares and the device lacks: "shaderFloat64".
+[[nodiscard]] std::vector<std::string> missing_features(const Context& context,
+                                                        std::span<const std::uint32_t> spirv);
+
 // Drivers can crash on words that are not a module, so it throws std::invalid_argument unless these at least
 // begin like one.
 [[nodiscard]] vk::raii::ShaderModule make_module(const Context& context,

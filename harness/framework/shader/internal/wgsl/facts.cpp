@@ -208,7 +208,7 @@ bool fits(const Module& module, Id id, const shader::Type& declared) {
                         : module.is_signed(id) ? Scalar::int_
                         : module.is_bool(id)   ? Scalar::bool_
                                                : Scalar::uint_;
-    if (module.is_half(id)) return declared.scalar == Scalar::unsupported;
+    if (module.is_half(id)) return declared.scalar == Scalar::float16_;
     const bool simple = type.kind != TypeKind::array && !module.is_opaque(id);
     if (!simple) return declared.scalar == Scalar::unsupported;
     return declared.scalar == scalar && declared.columns == 1 &&

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <bit>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "backend/backend.hpp"
+#include "shader/compile.hpp"
+
+// Visits the members of a small aggregate in order, so that a plain struct needs no description of its own.
+namespace gloam::check {
+namespace detail {
+
+struct AnyField {
+    template <class T>
+    operator T() const;  // never defined: used in unevaluated contexts only
+};
+
+template <class T, std::size_t... I>
+constexpr bool initializable(std::index_sequence<I...>) {
+    return requires { T{((void)I, AnyField{})...}; };
+}
+
+template <class T, std::size_t N = 9>
+constexpr std::size_t field_count() {
+    if constexpr (N == 0) {
+        return 0;
+    } else if constexpr (initializable<T>(std::make_index_sequence<N>{})) {
+        return N;
+    } else {
+        return field_count<T, N - 1>();
+    }
+}
+
+}  // namespace detail
+
+// Calls visit(member&) for each member of an aggregate of 1 to 9 members.
+template <class T, class Visit>
+void for_each_field(T& value, Visit&& visit) {
+    using Value = std::remove_const_t<T>;
+    static_assert(
+        std::is_aggregate_v<Value>,
+        "a parameter must be a scalar, a GLM vector or matrix, or a std::array or plain struct of those");
+    constexpr std::size_t count = detail::field_count<Value>();
+    static_assert(count > 0 && !detail::initializable<Value>(std::make_index_sequence<10>{}),
+                  "a struct has 1 to 9 members");
+    const auto all = [&visit](auto&... fields) { (visit(fields), ...); };
+    if constexpr (count == 1) {
+        auto& [a] = value;
+        all(a);
+    } else if constexpr (count == 2) {
+        auto& [a, b] = value;
+        all(a, b);
+    } else if constexpr (count == 3) {
+        auto& [a, b, c] = value;
+        all(a, b, c);
+    } else if constexpr (count == 4) {
+        auto& [a, b, c, d] = value;
+        all(a, b, c, d);
+    } else if constexpr (count == 5) {
+        auto& [a, b, c, d, e] = value;
+        all(a, b, c, d, e);
+    } else if constexpr (count == 6) {
+        auto& [a, b, c, d, e, f] = value;
+        all(a, b, c, d, e, f);
+    } else if constexpr (count == 7) {
+        auto& [a, b, c, d, e, f, g] = value;
+        all(a, b, c, d, e, f, g);
+    } else if constexpr (count == 8) {
+        auto& [a, b, c, d, e, f, g, h] = value;
+        all(a, b, c, d, e, f, g, h);
+    } else {
+        auto& [a, b, c, d, e, f, g, h, i] = value;
+        all(a, b, c, d, e, f, g, h, i);
+    }
+}
+
+// Conversion of C++ values to the 32-bit words of a kernel and back. A value is the sequence of its scalars:
+// vectors by component, matrices by column, arrays by element, structures by member.
+
+using backend::Word;
+
+// A C++ type for a number that is a float in the shader.
+template <class T>
+concept FloatValue = std::same_as<T, float> || std::same_as<T, double>;
+
+// The double and the float16_t of the shader. (double in a signature is a float of the shader.)
+struct Float64 {
+    double value = 0.0;
+    constexpr Float64() = default;
+    constexpr Float64(double x) : value(x) {}
+    constexpr operator double() const { return value; }
+};
+struct Float16 {
+    float value = 0.0F;
+    constexpr Float16() = default;
+    constexpr Float16(float x) : value(x) {}
+    constexpr operator float() const { return value; }
+};
+
+// A scalar of 64 bits takes two words, the low one first. Smaller integers are extended to a word, and a
+// float16 has the word of the float of its value.
+template <class T>
+concept LongValue =
+    std::same_as<T, Float64> || std::same_as<T, std::int64_t> || std::same_as<T, std::uint64_t>;
+template <class T>
+concept SmallValue = std::same_as<T, std::int8_t> || std::same_as<T, std::uint8_t> ||
+                     std::same_as<T, std::int16_t> || std::same_as<T, std::uint16_t>;
+
+template <class T>
+concept ScalarValue = FloatValue<T> || LongValue<T> || SmallValue<T> || std::same_as<T, Float16> ||
+                      std::same_as<T, int> || std::same_as<T, unsigned> || std::same_as<T, bool>;
+
+template <class T>
+inline constexpr bool is_vector = false;
+template <glm::length_t N, class T>
+inline constexpr bool is_vector<glm::vec<N, T>> = true;
+template <class T>
+inline constexpr bool is_matrix = false;
+template <glm::length_t C, glm::length_t R, class T>
+inline constexpr bool is_matrix<glm::mat<C, R, T>> = true;
+// Values of the invocations that run a function together. In a signature they stand for the function's own T:
+// a fragment quad, (0, 0), (1, 0), (0, 1), (1, 1); or a work group in the order of gl_LocalInvocationIndex.
+// Other parameters have one value for all.
+template <class T>
+struct Quad : std::array<T, 4> {};
+template <class T, std::uint32_t X, std::uint32_t Y = 1, std::uint32_t Z = 1>
+struct Group : std::array<T, std::size_t{X} * Y * Z> {};
+
+template <class T>
+inline constexpr backend::Team team_of{};
+template <class T>
+inline constexpr backend::Team team_of<Quad<T>> = backend::quad_team;
+template <class T, std::uint32_t X, std::uint32_t Y, std::uint32_t Z>
+inline constexpr backend::Team team_of<Group<T, X, Y, Z>>{.kind = backend::Team::Kind::group,
+                                                          .size = {X, Y, Z}};
+template <class T>
+inline constexpr bool is_of_team = team_of<T>.kind != backend::Team::Kind::alone;
+
+template <class T>
+inline constexpr bool is_array = is_of_team<T>;
+template <class T, std::size_t N>
+inline constexpr bool is_array<std::array<T, N>> = true;
+
+// Calls visit(scalar&) for every scalar of the value, in order.
+template <class T, class Visit>
+void visit_scalars(T& value, Visit&& visit) {
+    using Value = std::remove_const_t<T>;
+    if constexpr (ScalarValue<Value>) {
+        visit(value);
+    } else if constexpr (is_vector<Value> || is_matrix<Value>) {
+        for (glm::length_t i = 0; i < Value::length(); ++i) visit_scalars(value[i], visit);
+    } else if constexpr (is_array<Value>) {
+        for (auto& element : value) visit_scalars(element, visit);
+    } else {
+        for_each_field(value, [&visit](auto& field) { visit_scalars(field, visit); });
+    }
+}
+
+template <class T>
+[[nodiscard]] std::size_t word_count() {
+    T value{};
+    std::size_t count = 0;
+    visit_scalars(
+        value, [&count](auto& scalar) { count += LongValue<std::remove_cvref_t<decltype(scalar)>> ? 2 : 1; });
+    return count;
+}
+
+// The type of a C++ number in the shader.
+template <ScalarValue T>
+[[nodiscard]] constexpr shader::Scalar scalar_of() {
+    using shader::Scalar;
+    if (FloatValue<T>) return Scalar::float_;
+    if (std::same_as<T, Float64>) return Scalar::double_;
+    if (std::same_as<T, Float16>) return Scalar::float16_;
+    if (std::same_as<T, bool>) return Scalar::bool_;
+    for (const Scalar one : {Scalar::int8_, Scalar::uint8_, Scalar::int16_, Scalar::uint16_, Scalar::int_,
+                             Scalar::uint_, Scalar::int64_, Scalar::uint64_})
+        if (shader::bits_of(one) == 8 * sizeof(T) && shader::is_signed(one) == std::is_signed_v<T>)
+            return one;
+    return Scalar::void_;
+}
+
+// The GLSL type of a C++ type. double means float, since references calculate with more precision than the
+// shader.
+template <class T>
+[[nodiscard]] shader::Type type_of() {
+    using shader::Scalar;
+    using shader::Type;
+    if constexpr (std::same_as<T, void>) {
+        return Type{.scalar = Scalar::void_};
+    } else if constexpr (ScalarValue<T>) {
+        return Type{.scalar = scalar_of<T>()};
+    } else if constexpr (is_vector<T>) {
+        Type type = type_of<typename T::value_type>();
+        type.rows = T::length();
+        return type;
+    } else if constexpr (is_matrix<T>) {
+        Type type = type_of<typename T::value_type>();
+        type.columns = T::length();
+        type.rows = T::col_type::length();
+        return type;
+    } else if constexpr (is_array<T>) {
+        Type type = type_of<typename T::value_type>();
+        type.sizes.insert(type.sizes.begin(), static_cast<std::uint32_t>(T{}.size()));
+        return type;
+    } else {
+        Type type{.scalar = Scalar::structure, .name = "struct"};
+        T value{};
+        for_each_field(value, [&type](auto& field) {
+            // C++ does not expose the names of members; where names matter, those of GLSL are used.
+            type.members.push_back({.name = "member" + std::to_string(type.members.size()),
+                                    .type = type_of<std::remove_cvref_t<decltype(field)>>()});
+        });
+        return type;
+    }
+}
+
+// Conversion of one scalar to and from its word. bool is 0 or 1; double is rounded to float.
+template <ScalarValue T>
+    requires(!LongValue<T>)
+[[nodiscard]] Word to_word(T scalar) {
+    if constexpr (std::same_as<T, bool>) {
+        return scalar ? 1U : 0U;
+    } else if constexpr (SmallValue<T>) {
+        return static_cast<Word>(static_cast<std::int32_t>(scalar));
+    } else if constexpr (std::same_as<T, Float16>) {
+        return std::bit_cast<Word>(scalar.value);
+    } else if constexpr (std::same_as<T, double>) {
+        return std::bit_cast<Word>(static_cast<float>(scalar));
+    } else {
+        return std::bit_cast<Word>(scalar);
+    }
+}
+
+template <ScalarValue T>
+    requires(!LongValue<T>)
+[[nodiscard]] T from_word(Word word) {
+    if constexpr (std::same_as<T, bool>) {
+        return word != 0U;
+    } else if constexpr (SmallValue<T>) {
+        return static_cast<T>(word);
+    } else if constexpr (std::same_as<T, Float16>) {
+        return std::bit_cast<float>(word);
+    } else if constexpr (std::same_as<T, double>) {
+        return static_cast<double>(std::bit_cast<float>(word));
+    } else {
+        return std::bit_cast<T>(word);
+    }
+}
+
+template <class T>
+void append_words(const T& value, std::vector<Word>& words) {
+    visit_scalars(value, [&words](const auto& scalar) {
+        if constexpr (LongValue<std::remove_cvref_t<decltype(scalar)>>) {
+            const auto bits = std::bit_cast<std::uint64_t>(scalar);
+            words.insert(words.end(), {static_cast<Word>(bits), static_cast<Word>(bits >> 32U)});
+        } else {
+            words.push_back(to_word(scalar));
+        }
+    });
+}
+
+// Reads a value from the first words and returns it; `words` then begins behind it.
+template <class T>
+[[nodiscard]] T take_words(std::span<const Word>& words) {
+    T value{};
+    visit_scalars(value, [&words](auto& scalar) {
+        using Scalar = std::remove_cvref_t<decltype(scalar)>;
+        if constexpr (LongValue<Scalar>) {
+            scalar = std::bit_cast<Scalar>(std::uint64_t{words[1]} << 32U | words[0]);
+            words = words.subspan(2);
+        } else {
+            scalar = from_word<Scalar>(words.front());
+            words = words.subspan(1);
+        }
+    });
+    return value;
+}
+
+}  // namespace gloam::check
