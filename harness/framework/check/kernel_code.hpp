@@ -69,8 +69,7 @@ struct KernelModule {
     std::size_t fixed_inputs = 0;  // inputs that are constants in it; 0: they come from memory
     std::string glsl;              // the same kernel as text, for a device with DeviceInfo::glsl; else empty
     bool judged_by_rules = true;   // off where the version of GLSL has no precision rules to ask
-    std::uint32_t subtexel_bits = 4;  // of the device that runs it: backend::DeviceInfo
-    std::uint32_t level_bits = 4;
+    backend::SamplerPrecision samplers = {};  // of the device that runs it, as the next
     std::uint32_t subgroup_size = 1;
     backend::Team team = {};
     shader::Spirv vertices = {};  // of a quad: quad_vertices()

@@ -128,8 +128,7 @@ std::optional<shader::Language> Lab::language() const {
 }
 
 KernelCore Lab::core(KernelModule module, const std::string& name) const {
-    module.subtexel_bits = info().subtexel_bits;
-    module.level_bits = info().level_bits;
+    module.samplers = info().samplers;
     module.subgroup_size = std::max(info().subgroup_size, 1U);
     return {*device_, std::move(module), name};
 }
