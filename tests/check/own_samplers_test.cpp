@@ -34,6 +34,15 @@ Answer answer_of(const Lab& lab, const std::string& name, const Ranges& ranges =
     return run(lab, question_of(lab, file, function_of(name), ranges), {.inputs = inputs});
 }
 
+// A device whose images are changed before it reads them.
+std::shared_ptr<backend::Backend> with_texels(void (*change)(std::span<Word> texels)) {
+    const auto before = [change](std::vector<std::vector<Word>>& images) {
+        for (std::vector<Word>& words : images)
+            change(std::span(words).subspan(backend::sampled_header_words));
+    };
+    return std::make_shared<test::ChangedDevice>(test::SharedDevice::get(), before, nullptr);
+}
+
 // A device that is given other samplers than it was asked for.
 using Change = void (*)(backend::SampledHeader&);
 std::shared_ptr<backend::Backend> distorted(Change change) {
@@ -48,9 +57,18 @@ std::shared_ptr<backend::Backend> distorted(Change change) {
     return std::make_shared<test::ChangedDevice>(test::SharedDevice::get(), before, nullptr);
 }
 
-const std::vector<const char*> all_names{"sampled", "twice",    "two",       "at_level", "graded",
-                                         "moved",   "gathered", "id",        "inside",   "sheet",
-                                         "sized",   "levels",   "projected", "biased"};
+const std::vector<const char*> all_names{"sampled",   "twice",  "two",    "at_level",   "graded", "moved",
+                                         "gathered",  "id",     "inside", "sheet",      "sized",  "levels",
+                                         "projected", "biased", "on_row", "cubes_sized"};
+
+// Those of cubes, whose directions have a range: lavapipe 22.3.6 ends with a fault for some that have
+// infinite components.
+const std::vector<const char*> cube_names{"of_cube",       "cube_at_level",  "cube_graded",
+                                          "cube_gathered", "one_of_cubes",   "cube_count",
+                                          "shadow_around", "shadow_of_cubes"};
+const std::vector<const char*> shadow_names{"of_shadow", "shadow_at_level", "shadow_projected",
+                                            "shadow_gathered", "shadow_sheet"};
+const Ranges directions{{"p", {-1, 1}}};
 
 TEST(OwnSamplers, AreGlobalsAndParameters) {
     const OwnFunctions all = own_functions(options_of(), file);
@@ -73,13 +91,16 @@ TEST(OwnSamplers, AreJudgedInEveryVariant) {
     for (const shader::Variant& variant : shader::variants()) {
         const Lab lab(options_of(variant), test::SharedDevice::get());
         const bool constants = variant.constants != shader::Variant::Constants::none;
-        for (const char* name : {"at_level", "gathered", "sampled", "two", "sheet", "biased"}) {
+        for (const char* name : {"at_level", "gathered", "sampled", "two", "sheet", "biased", "one_of_cubes",
+                                 "shadow_at_level", "shadow_around"}) {
             const bool in_quads = function_of(name).team.kind == backend::Team::Kind::quad;
             if (constants && in_quads) {
                 EXPECT_THROW((void)answer_of(lab, name, {}, 96), backend::Unsupported) << name;
                 continue;
             }
-            const Answer answer = answer_of(lab, name, {}, 96);
+            const bool of_cube = std::string_view(name).find("cube") != std::string_view::npos ||
+                                 std::string_view(name) == "shadow_around";
+            const Answer answer = answer_of(lab, name, of_cube ? directions : Ranges{}, 96);
             EXPECT_FALSE(answer.failed()) << variant.name << " " << name << "\n" << answer;
         }
     }
@@ -93,6 +114,16 @@ TEST(OwnSamplers, EveryFunctionIsWithinTheRules) {
             const Answer answer = answer_of(*each, name);
             EXPECT_TRUE(answer.passed()) << each->info().name << " " << name << "\n" << answer;
             EXPECT_EQ(answer.undefined, 0U) << name;
+        }
+    }
+    for (const Lab* each : {&lab, &interpreted}) {
+        for (const char* name : cube_names) {
+            const Answer answer = answer_of(*each, name, directions, 1024);
+            EXPECT_TRUE(answer.passed()) << each->info().name << " " << name << "\n" << answer;
+        }
+        for (const char* name : shadow_names) {
+            const Answer answer = answer_of(*each, name, {}, 1024);
+            EXPECT_TRUE(answer.passed()) << each->info().name << " " << name << "\n" << answer;
         }
     }
     const Answer fetched = answer_of(lab, "fetched", {{"p", {0, 3}}});
@@ -123,6 +154,44 @@ TEST(OwnSamplers, AWrongSamplerIsNoticed) {
     EXPECT_EQ(answer_of(right, "sampled", {{"uv", {-1, 2}}}).outside(), 0U);
 }
 
+TEST(OwnSamplers, AWrongFaceOrEdgeOfACubeIsNoticed) {
+    const auto outside = [](void (*change)(std::span<Word>), const char* name) {
+        const Lab lab(options_of(), with_texels(change));
+        return answer_of(lab, name, directions, 1024).outside();
+    };
+    // The faces +x and -x of the largest level.
+    const auto exchanged = [](std::span<Word> texels) {
+        const std::size_t face = texels.size() / backend::cube_faces / 2;
+        std::ranges::swap_ranges(texels.first(face), texels.subspan(face, face));
+    };
+    // A texel at a corner, where three faces meet.
+    const auto first = [](std::span<Word> texels) { texels[0] = to_word(60.0F); };
+    for (const char* name : {"cube_at_level", "of_cube"}) {
+        EXPECT_GT(outside(exchanged, name), 100U) << name;
+        EXPECT_GT(outside(first, name), 0U) << name;
+        EXPECT_EQ(outside([](std::span<Word>) {}, name), 0U) << name;
+    }
+}
+
+TEST(OwnSamplers, AWrongComparisonIsNoticed) {
+    using Header = backend::SampledHeader;
+    using backend::Compare;
+    const std::vector<std::pair<const char*, Change>> plants{
+        {"another way",
+         [](Header& h) {
+             h.compare = h.compare == Compare::less_equal ? Compare::greater_equal : Compare::less_equal;
+         }},
+        {"an equal depth",
+         [](Header& h) {
+             h.compare = h.compare == Compare::less_equal ? Compare::less : Compare::less_equal;
+         }},
+        {"filter", [](Header& h) { h.linear = 1 - h.linear; }}};
+    for (const auto& [what, change] : plants) {
+        const Lab lab(options_of(), distorted(change));
+        EXPECT_GT(answer_of(lab, "shadow_at_level", {{"p", {0, 1}}}, 1024).outside(), 0U) << what;
+    }
+}
+
 TEST(OwnSamplers, ScenariosDifferInFilterEdgesAndLevels) {
     std::vector<std::string> names;
     for (const ImageScenario& scenario : random_scenarios(function_of("sampled").samplers)) {
@@ -141,9 +210,8 @@ TEST(OwnSamplers, ScenariosDifferInFilterEdgesAndLevels) {
 }
 
 TEST(OwnSamplers, OtherOnesAreLeftOutWithTheReason) {
-    EXPECT_EQ(reason_of("of_cube"),
-              "values of the parameter type samplerCube cannot be drawn: samplerCube is not supported");
-    EXPECT_THAT(reason_of("of_shadow"), HasSubstr("sampler2DShadow is not supported"));
+    EXPECT_EQ(reason_of("of_several"),
+              "values of the parameter type sampler2DMS cannot be drawn: sampler2DMS is not supported");
     EXPECT_THAT(reason_of("of_many"), HasSubstr("it uses \"many\", an image or sampler"));
     EXPECT_THAT(reason_of("of_image"), HasSubstr("it uses \"picture\", an image or sampler"));
 }

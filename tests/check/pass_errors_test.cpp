@@ -119,8 +119,8 @@ TEST_F(PassErrors, NameTheFileAndWhatAPassCannotHave) {
     expect_error<std::invalid_argument>([&] { Pass(lab_, "none.comp"); }, {"none.comp: "});
     expect_error<std::invalid_argument>([&] { Pass(lab_, "refused_set.comp"); },
                                         {"\"result\" has set 1 and binding 0, expected set 0"});
-    expect_error<std::invalid_argument>([&] { Pass(lab_, "refused_cube.comp"); },
-                                        {"\"sky\" is a samplerCube, expected sampler2D"});
+    expect_error<std::invalid_argument>([&] { Pass(lab_, "refused_samples.comp"); },
+                                        {"\"sky\" is a sampler2DMS, expected a sampler like sampler2D"});
     expect_error<std::invalid_argument>(
         [&] { Pass(lab_, "whole.vert", "refused_integers.frag"); },
         {"\"number\" is a colour output of uint at location 0, expected floats"});

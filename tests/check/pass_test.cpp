@@ -231,6 +231,23 @@ TEST(Pass, HasLayersAndTellsBlocksApart) {
     expect_layers(interpreted_lab());
 }
 
+void expect_faces(const Lab& lab) {
+    Image sky = make_image<float>({1, 1}, [](glm::ivec2) { return 1.0F; });
+    for (int face = 1; face < 6; ++face) sky.words.push_back(to_word(static_cast<float>(face + 1)));
+    sky.sampling = Image::Sampling{.depth = 6};
+    Image depths = make_image<float>({1, 1}, [](glm::ivec2) { return 0.5F; });
+    depths.sampling = Image::Sampling{.compare = backend::Compare::greater};
+    const PassResult out = Pass(lab, "cube.comp").run({{"sky", sky}, {"depths", depths}}, {.size = {6, 1}});
+    const auto faces = [](glm::ivec2 p) { return glm::dvec2(p.x + 1, p.x > 2 ? 1 : 0); };
+    const ImageComparison same = out.image("result").compare(faces);
+    EXPECT_TRUE(same) << same;
+}
+
+TEST(Pass, ReadsCubesAndCompares) {
+    expect_faces(pass_lab());
+    expect_faces(interpreted_lab());
+}
+
 PassInputs triangle() {
     return {{"corner", std::vector<glm::vec2>{{-1, -1}, {0, -1}, {-1, 7}}},
             {"value", std::vector<float>{3, 3, 3}},

@@ -36,7 +36,9 @@ struct Counting {
             for (std::size_t component = 0; component < backend::texel_words; ++component)
                 words.push_back(std::bit_cast<Word>(static_cast<float>(i + 10 * component)));
     }
-    [[nodiscard]] SampledView view() const { return interpreter::sampled_view_of(words, 8, 8); }
+    [[nodiscard]] SampledView view() const {
+        return interpreter::sampled_view_of(words, {.subtexel_bits = 8, .level_bits = 8});
+    }
 };
 
 SamplePoint at(double x, double y, double level = 0.0) {
@@ -139,11 +141,14 @@ TEST(Sampling, LevelsAreMixedOrTheNearest) {
 
 TEST(Sampling, GradientsSelectTheLevel) {
     const Counting image({.width = 4, .height = 4, .levels = 3, .linear = 1});
-    const std::array<Bounds, 2> dx{Bounds::point(0.5), Bounds::point(0.0)};  // two texels
-    const std::array<Bounds, 2> dy{Bounds::point(0.0), Bounds::point(0.25)};
-    EXPECT_EQ(interpreter::level_of(image.view(), dx, dy, Precision::exact), Bounds::point(1.0));
-    EXPECT_TRUE(interpreter::level_of(image.view(), dx, dy, Precision::permitted).contains(1.0));
-    EXPECT_FALSE(interpreter::level_of(image.view(), dx, dy, Precision::permitted).contains(2.0));
+    const interpreter::Gradients gradients{.dx = {Bounds::point(0.5), Bounds::point(0.0)},  // two texels
+                                           .dy = {Bounds::point(0.0), Bounds::point(0.25)}};
+    const auto level = [&](Precision precision) {
+        return interpreter::level_of(image.view(), {}, gradients, precision);
+    };
+    EXPECT_EQ(level(Precision::exact), Bounds::point(1.0));
+    EXPECT_TRUE(level(Precision::permitted).contains(1.0));
+    EXPECT_FALSE(level(Precision::permitted).contains(2.0));
 }
 
 TEST(Sampling, AGatherHasFourTexelsInItsOrder) {
@@ -233,7 +238,7 @@ TEST(Sampling, WordsThatDisagreeAreRefused) {
     Counting image({.width = 4, .levels = 3});
     image.words.pop_back();
     EXPECT_THROW((void)image.view(), std::invalid_argument);
-    EXPECT_THROW((void)interpreter::sampled_view_of({}, 8, 8), std::invalid_argument);
+    EXPECT_THROW((void)interpreter::sampled_view_of({}, {}), std::invalid_argument);
 }
 
 }  // namespace sampling_test

@@ -110,8 +110,8 @@ TEST(Excerpts, UniformsBuffersInputsAndOutputsArePlainVariables) {
         "layout(std430) buffer Sums { int sums[]; };\n"
         "uniform highp float e = float(1), f = max(1.0, 2.0);\n"
         "flat in int g; out vec4 h; uniform struct S { float x; } i;\n"
-        "uniform samplerCube j;\nuniform writeonly image2D k;\n"
-        "float use() { imageStore(k, ivec2(0), vec4(0)); h.x = texture(j, vec3(0)).x;\n"
+        "uniform sampler2DMS j;\nuniform writeonly image2D k;\n"
+        "float use() { imageStore(k, ivec2(0), vec4(0)); h.x = texelFetch(j, ivec2(0), 0).x;\n"
         "    sums[0] = g; return a.x + b[0] + pushed.c[2] + all.values[1] + e + f + i.x; }\n");
     ASSERT_EQ(all.functions.size(), 1U);
     const Excerpt& excerpt = all.functions[0];

@@ -139,9 +139,9 @@ TEST(Functions, MainIsOneOfThemWhereThereIsOne) {
 TEST(Functions, OtherTypesAreListedAsUnsupported) {
     const auto found = functions_of(
         "struct S { float a[3]; dvec2 b; };\n"
-        "float f(samplerCube a, double b[2][3], S s, sampler2D d[2]) { return 1.0; }\n");
+        "float f(sampler2DMS a, double b[2][3], S s, sampler2D d[2]) { return 1.0; }\n");
     EXPECT_THAT(prototypes(found),
-                ElementsAre("float f(samplerCube a, double[2][3] b, S s, sampler2D[2] d)"));
+                ElementsAre("float f(sampler2DMS a, double[2][3] b, S s, sampler2D[2] d)"));
     for (const Parameter& parameter : found[0].parameters)
         EXPECT_FALSE(is_supported(parameter.type)) << parameter.name;
     EXPECT_EQ(to_glsl(found[0].parameters[2].type), "S { float[3] a; dvec2 b; }");
@@ -164,7 +164,10 @@ TEST(Functions, SamplersHaveNoScalars) {
         EXPECT_TRUE(is_supported(parameter.type));
         EXPECT_EQ(scalar_count(parameter.type), 0U);
     }
-    EXPECT_FALSE(is_sampler_type("samplerCube"));
+    EXPECT_TRUE(is_sampler_type("usamplerCubeArray"));
+    EXPECT_TRUE(is_sampler_type("samplerCubeShadow"));
+    EXPECT_FALSE(is_sampler_type("isampler2DShadow"));
+    EXPECT_FALSE(is_sampler_type("sampler2DMS"));
 }
 
 TEST(Functions, ArraysHaveTheirSizes) {

@@ -26,12 +26,12 @@ TEST_F(OwnFile, EveryFunctionIsJudgedByTheRules) {
 TEST_F(OwnFile, AWholeShaderIsCheckedFunctionByFunction) {
     const std::string shader = write("whole.frag",
                                      "#version 330 core\n"
-                                     "in vec2 uv;\nout vec4 color;\nuniform samplerCube image;\n"
+                                     "in vec2 uv;\nout vec4 color;\nuniform sampler2DMS image;\n"
                                      "float luma(vec3 c) { return dot(c, vec3(0.3, 0.6, 0.1)); }\n"
                                      "float luma(vec4 c) { return luma(c.rgb) * c.a; }\n"
                                      "float table(int i) { return float[2](1.0, 2.0)[i]; }\n"
                                      "float edge(float x) { return fwidth(x); }\n"
-                                     "vec3 seen() { return texture(image, uv.xyx).rgb; }\n"
+                                     "vec3 seen() { return texelFetch(image, ivec2(uv), 0).rgb; }\n"
                                      "void main() { color = vec4(seen(), edge(luma(color))); }\n")
                                    .string();
     const std::string report = path("own.json").string();
@@ -98,18 +98,19 @@ TEST_F(OwnFile, ACheckWithoutAVerdictNamesTheRange) {
 
 TEST_F(OwnFile, NothingCheckedIsNoSuccess) {
     const std::string shader = path("nothing.glsl").string();
-    const std::string sampled = "vec4 sampled(samplerCube image, vec3 to) { return texture(image, to); }\n";
+    const std::string sampled =
+        "vec4 sampled(sampler2DMS image, ivec2 at) { return texelFetch(image, at, 0); }\n";
     std::ofstream(shader) << sampled;
     expect_could_not_run(
         gloam("check {}", shader),
-        "nothing was checked: sampled(samplerCube, vec3): values of the parameter type samplerCube");
+        "nothing was checked: sampled(sampler2DMS, ivec2): values of the parameter type sampler2DMS");
     std::ofstream(shader) << "const float one = 1.0;\n";
     expect_could_not_run(gloam("check {}", shader), "nothing was checked: it defines no function");
     std::ofstream(shader) << sampled << "void nothing(float x) { }\n";
     const CommandResult several = gloam("check {}", shader);
     EXPECT_EQ(several.status, 2);
     EXPECT_THAT(several.err, HasSubstr("all 2 functions were left out"));
-    EXPECT_THAT(several.out, HasSubstr("sampled(samplerCube, vec3) was left out: values"));
+    EXPECT_THAT(several.out, HasSubstr("sampled(sampler2DMS, ivec2) was left out: values"));
     EXPECT_THAT(several.out, HasSubstr("nothing(float) was left out: it has no result"));
     std::ofstream(shader) << "float sum(float x) { return x + 1.0; }\n\nfloat wrong(float x) { return y; }\n";
     const CommandResult wrong = gloam("check {} --inputs 64", shader);

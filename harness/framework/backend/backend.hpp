@@ -57,6 +57,14 @@ struct FloatControls {
     bool rounds_to_zero = false;
 };
 
+// How exactly a device samples: bits behind the point of a texel's coordinate, and of a level, with which it
+// calculates weights; whether it filters depths by the rules of linear filters.
+struct SamplerPrecision {
+    std::uint32_t subtexel_bits = 4;
+    std::uint32_t level_bits = 4;
+    bool filters_depth = false;
+};
+
 // A device as it describes itself. `index`: of a Vulkan device, its position in gpu::list_devices().
 struct DeviceInfo {
     std::size_t index = 0;
@@ -74,10 +82,7 @@ struct DeviceInfo {
     std::uint32_t subgroup_size = 0;
     double timestamp_period_ns = 0.0;  // 0: the device has no timestamps
     FloatControls float32;
-    // Bits behind the point of a texel's coordinate, and of a level, with which a sampler calculates its
-    // weights.
-    std::uint32_t subtexel_bits = 4;
-    std::uint32_t level_bits = 4;
+    SamplerPrecision samplers;
 };
 
 // The value of a specialization constant: the 32-bit pattern of the bool, int, uint or float.

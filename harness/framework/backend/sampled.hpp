@@ -7,24 +7,55 @@
 #include <cstdint>
 #include <span>
 #include <stdexcept>
+#include <string_view>
 
 // An image that a sampler reads, as words: a header, then the texels.
 namespace gloam::backend {
 
-enum class SampledShape : std::uint32_t { two, layers, three };      // sampler2D, sampler2DArray, sampler3D
-enum class SampledTexel : std::uint32_t { real, integer, natural };  // floats of 16 bits; int; uint
+// sampler2D, sampler2DArray, sampler3D, samplerCube, samplerCubeArray, sampler1D
+enum class SampledShape : std::uint32_t { two, layers, three, cube, cube_layers, one };
+// Floats of 16 bits; int; uint; floats of 32 bits in [0, 1], the first of four words, which a sampler
+// compares.
+enum class SampledTexel : std::uint32_t { real, integer, natural, depth };
 enum class Wrap : std::uint32_t { repeat, mirrored, edge, border };  // of every coordinate; border: zeros
+enum class Compare : std::uint32_t {
+    less_equal,
+    greater_equal,
+    less,
+    greater
+};  // the reference with a depth
 
 struct SampledHeader {
     std::uint32_t width = 1;
     std::uint32_t height = 1;
-    std::uint32_t depth = 1;  // or layers
+    std::uint32_t depth = 1;  // or layers; of cubes six layers each: +x, -x, +y, -y, +z, -z
     std::uint32_t levels = 1;
     SampledShape shape = SampledShape::two;
     SampledTexel texel = SampledTexel::real;
     std::uint32_t linear = 0;  // within a level and between levels; otherwise the nearest
     Wrap wrap = Wrap::repeat;
+    Compare compare = Compare::less_equal;
 };
+
+[[nodiscard]] inline bool is_cube(SampledShape shape) {
+    return shape == SampledShape::cube || shape == SampledShape::cube_layers;
+}
+inline constexpr std::uint32_t cube_faces = 6;
+
+// Of a sampler's type in GLSL: "usampler3D", "sampler2DArrayShadow".
+[[nodiscard]] inline SampledTexel texel_of_sampler(std::string_view type) {
+    if (type.ends_with("Shadow")) return SampledTexel::depth;
+    if (type.starts_with('i')) return SampledTexel::integer;
+    return type.starts_with('u') ? SampledTexel::natural : SampledTexel::real;
+}
+[[nodiscard]] inline SampledShape shape_of_sampler(std::string_view type) {
+    if (type.ends_with("Shadow")) type.remove_suffix(std::string_view("Shadow").size());
+    if (type.ends_with("CubeArray")) return SampledShape::cube_layers;
+    if (type.ends_with("Array")) return SampledShape::layers;
+    if (type.ends_with("Cube")) return SampledShape::cube;
+    if (type.ends_with("1D")) return SampledShape::one;
+    return type.ends_with("3D") ? SampledShape::three : SampledShape::two;
+}
 
 inline constexpr std::size_t sampled_header_words = sizeof(SampledHeader) / sizeof(std::uint32_t);
 inline constexpr std::size_t texel_words = 4;
@@ -59,9 +90,14 @@ inline constexpr std::size_t texel_words = 4;
                   static_cast<SampledShape>(words[4]),
                   static_cast<SampledTexel>(words[5]),
                   words[6],
-                  static_cast<Wrap>(words[7])};
+                  static_cast<Wrap>(words[7]),
+                  static_cast<Compare>(words[8])};
     if (words.size() != sampled_header_words + texels_before(header, header.levels) * texel_words)
         throw std::invalid_argument("a sampled image whose size and texels disagree");
+    if (is_cube(header.shape) && (header.width != header.height || header.depth % cube_faces != 0))
+        throw std::invalid_argument("an image of a cube that has not six square faces");
+    if (header.shape == SampledShape::one && header.height != 1)
+        throw std::invalid_argument("an image of one dimension that is higher than 1");
     return header;
 }
 

@@ -64,9 +64,7 @@ class InterpretedKernel {
         for (std::size_t i = 0; i < images.size(); ++i) {
             const auto binding = KernelBinding::first_image + static_cast<unsigned>(i);
             if (module.images[i].sampler) {
-                machine_.bind(
-                    0, binding,
-                    interpreter::sampled_view_of(images[i], module.subtexel_bits, module.level_bits));
+                machine_.bind(0, binding, interpreter::sampled_view_of(images[i], module.samplers));
             } else {
                 machine_.bind(0, binding, images[i]);
             }

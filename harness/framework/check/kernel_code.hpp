@@ -72,8 +72,7 @@ struct KernelModule {
     std::string glsl;              // the same kernel as text, for a device with DeviceInfo::glsl; else empty
     bool rounds_to_even = false;   // what runs it rounds each correctly rounded result so
     bool judged_by_rules = true;   // off where the version of GLSL has no precision rules to ask
-    std::uint32_t subtexel_bits = 4;  // of the device that runs it: backend::DeviceInfo
-    std::uint32_t level_bits = 4;
+    backend::SamplerPrecision samplers = {};  // of the device that runs it, as the next
     std::uint32_t subgroup_size = 1;
     backend::Team team = {};
     shader::Spirv vertices = {};  // of a quad: quad_vertices()

@@ -130,8 +130,7 @@ std::optional<shader::Language> Lab::language() const {
 }
 
 KernelCore Lab::core(KernelModule module, const std::string& name) const {
-    module.subtexel_bits = info().subtexel_bits;
-    module.level_bits = info().level_bits;
+    module.samplers = info().samplers;
     module.subgroup_size = std::max(info().subgroup_size, 1U);
     // Of a compiler that is judged, both modules run on the interpreter.
     module.rounds_to_even = !module.before.empty() && info().name == interpreter_name;

@@ -247,22 +247,27 @@ Image random_image(const ImagePrototype& prototype, glm::ivec2 size, numeric::Ra
 Image random_texels(const ImagePrototype& prototype, glm::ivec2 size, Image::Sampling sampling,
                     numeric::Random& random) {
     constexpr unsigned layers = 3;
-    constexpr std::uint64_t values = 640;
-    const std::string& type = prototype.sampler->type;
-    const bool is_3d = type.ends_with("3D");
-    if (is_3d || type.ends_with("Array")) sampling.depth = layers;
-    const backend::SampledHeader header{
-        .width = static_cast<Word>(size.x),
-        .height = static_cast<Word>(size.y),
-        .depth = sampling.depth,
-        .levels = sampling.levels,
-        .shape = is_3d ? backend::SampledShape::three : backend::SampledShape::layers};
+    using backend::SampledShape;
+    const SampledShape shape = backend::shape_of_sampler(prototype.sampler->type);
+    const bool is_depth = backend::texel_of_sampler(prototype.sampler->type) == backend::SampledTexel::depth;
+    const bool is_cube = backend::is_cube(shape);
+    if (shape == SampledShape::three || shape == SampledShape::layers) sampling.depth = layers;
+    if (is_cube) sampling.depth = backend::cube_faces * (shape == SampledShape::cube ? 1 : layers);
+    if (is_cube) size.y = size.x;
+    if (shape == SampledShape::one) size.y = 1;
+    const backend::SampledHeader header{.width = static_cast<Word>(size.x),
+                                        .height = static_cast<Word>(size.y),
+                                        .depth = sampling.depth,
+                                        .levels = sampling.levels,
+                                        .shape = shape};
     const bool floats = prototype.element.scalar == Scalar::float_;
+    const std::uint64_t values = is_depth ? 9 : 640;  // depths are eighths, 0 and 1 among them
+    const float unit = is_depth ? 8.0F : 64.0F;
     sampling.linear = sampling.linear && floats;
     Image image{.element = prototype.element, .size = size, .words = {}, .sampling = sampling};
     for (std::size_t i = 0; i < backend::texels_before(header, header.levels) * backend::texel_words; ++i) {
         const auto value = static_cast<Word>(random.below(values));
-        image.words.push_back(floats ? to_word(static_cast<float>(value) / 64.0F) : value);
+        image.words.push_back(floats ? to_word(static_cast<float>(value) / unit) : value);
     }
     return image;
 }
@@ -282,15 +287,16 @@ ImageScenario random_scenario(const std::vector<ImagePrototype>& images, const s
 }  // namespace
 
 std::vector<ImageScenario> random_scenarios(const std::vector<ImagePrototype>& images) {
+    using backend::Compare;
     using backend::Wrap;
     if (images.empty()) return {};
     if (std::ranges::none_of(images, [](const auto& image) { return image.sampler.has_value(); }))
         return {random_scenario(images, "5 x 4, random", {5, 4}, {})};
     return {random_scenario(images, "5 x 4, random, linear, repeat", {5, 4}, {.linear = true}),
             random_scenario(images, "4 x 4, random, linear, edge, 3 levels", {4, 4},
-                            {.linear = true, .wrap = Wrap::edge, .levels = 3}),
+                            {.linear = true, .wrap = Wrap::edge, .levels = 3, .compare = Compare::greater}),
             random_scenario(images, "5 x 4, random, nearest, mirrored, 2 levels", {5, 4},
-                            {.wrap = Wrap::mirrored, .levels = 2})};
+                            {.wrap = Wrap::mirrored, .levels = 2, .compare = Compare::less})};
 }
 
 namespace {

@@ -36,12 +36,14 @@ struct Image {
     Border border = Border::fault;
     std::vector<Word> words;  // row by row, each pixel's scalars in order
     // Of a sampler's image, whose element is vec4, ivec4 or uvec4. The words are those of all layers and
-    // levels, as in backend/sampled.hpp. Floats must be representable in 16 bits.
+    // levels, as in backend/sampled.hpp. Floats must be representable in 16 bits. Of a sampler that compares,
+    // the first component is the depth, in [0, 1].
     struct Sampling {
         bool linear = false;
         backend::Wrap wrap = backend::Wrap::repeat;
         unsigned levels = 1;
-        unsigned depth = 1;  // or layers
+        unsigned depth = 1;  // or layers; six for each cube
+        backend::Compare compare = backend::Compare::less_equal;
     };
     std::optional<Sampling> sampling = {};
 

@@ -110,8 +110,13 @@ bool is_supported(const Type& type) {
 }
 
 bool is_sampler_type(std::string_view name) {
-    if (name.starts_with('i') || name.starts_with('u')) name.remove_prefix(1);
-    return name == "sampler2D" || name == "sampler2DArray" || name == "sampler3D";
+    constexpr std::string_view shadow = "Shadow";
+    const bool compares = name.ends_with(shadow);
+    if (compares) name.remove_suffix(shadow.size());
+    if (!compares && (name.starts_with('i') || name.starts_with('u'))) name.remove_prefix(1);
+    if (!compares && (name == "sampler1D" || name == "sampler3D")) return true;
+    return name == "sampler2D" || name == "sampler2DArray" || name == "samplerCube" ||
+           name == "samplerCubeArray";
 }
 
 Type element_of(const Type& array) {

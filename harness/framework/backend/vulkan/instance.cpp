@@ -272,6 +272,15 @@ std::optional<std::uint32_t> find_queue_family(const vk::raii::PhysicalDevice& d
     return static_cast<std::uint32_t>(found - families.begin());
 }
 
+namespace {
+
+bool filters_depth(const vk::raii::PhysicalDevice& device) {
+    return static_cast<bool>(device.getFormatProperties(vk::Format::eD32Sfloat).optimalTilingFeatures &
+                             vk::FormatFeatureFlagBits::eSampledImageFilterLinear);
+}
+
+}  // namespace
+
 DeviceInfo describe(const vk::raii::PhysicalDevice& device, std::size_t index) {
     const auto chain =
         device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceMaintenance3Properties,
@@ -296,8 +305,9 @@ DeviceInfo describe(const vk::raii::PhysicalDevice& device, std::size_t index) {
         .subgroup_size = chain.get<vk::PhysicalDeviceSubgroupProperties>().subgroupSize,
         .timestamp_period_ns = timestamp_period(device, limits),
         .float32 = float_controls(chain.get<vk::PhysicalDeviceFloatControlsProperties>()),
-        .subtexel_bits = limits.subTexelPrecisionBits,
-        .level_bits = limits.mipmapPrecisionBits,
+        .samplers = {.subtexel_bits = limits.subTexelPrecisionBits,
+                     .level_bits = limits.mipmapPrecisionBits,
+                     .filters_depth = filters_depth(device)},
     };
 }
 

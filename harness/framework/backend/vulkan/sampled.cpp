@@ -22,14 +22,42 @@ std::uint32_t layers_of(const SampledHeader& header) {
     return is_3d(header) ? 1 : header.depth;
 }
 
+bool is_float(SampledTexel texel) {
+    return texel == SampledTexel::real || texel == SampledTexel::depth;
+}
+
 vk::Format format_of(SampledTexel texel) {
     switch (texel) {
         case SampledTexel::integer:
             return vk::Format::eR32G32B32A32Sint;
         case SampledTexel::natural:
             return vk::Format::eR32G32B32A32Uint;
+        case SampledTexel::depth:
+            return vk::Format::eD32Sfloat;
         default:
             return vk::Format::eR16G16B16A16Sfloat;  // every device filters it
+    }
+}
+
+vk::ImageAspectFlagBits aspect_of(SampledTexel texel) {
+    return texel == SampledTexel::depth ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
+}
+
+vk::ImageType image_type(SampledShape shape) {
+    if (shape == SampledShape::one) return vk::ImageType::e1D;
+    return shape == SampledShape::three ? vk::ImageType::e3D : vk::ImageType::e2D;
+}
+
+vk::CompareOp compare_op(backend::Compare compare) {
+    switch (compare) {
+        case backend::Compare::greater_equal:
+            return vk::CompareOp::eGreaterOrEqual;
+        case backend::Compare::less:
+            return vk::CompareOp::eLess;
+        case backend::Compare::greater:
+            return vk::CompareOp::eGreater;
+        default:
+            return vk::CompareOp::eLessOrEqual;
     }
 }
 
@@ -39,6 +67,12 @@ vk::ImageViewType view_type(SampledShape shape) {
             return vk::ImageViewType::e2DArray;
         case SampledShape::three:
             return vk::ImageViewType::e3D;
+        case SampledShape::cube:
+            return vk::ImageViewType::eCube;
+        case SampledShape::cube_layers:
+            return vk::ImageViewType::eCubeArray;
+        case SampledShape::one:
+            return vk::ImageViewType::e1D;
         default:
             return vk::ImageViewType::e2D;
     }
@@ -69,15 +103,19 @@ vk::raii::Sampler sampler_of(const Context& context, const SampledHeader& header
                 .addressModeU = mode,
                 .addressModeV = mode,
                 .addressModeW = mode,
+                .compareEnable = header.texel == SampledTexel::depth ? VK_TRUE : VK_FALSE,
+                .compareOp = compare_op(header.compare),
                 .maxLod = VK_LOD_CLAMP_NONE,
-                .borderColor = header.texel == SampledTexel::real ? vk::BorderColor::eFloatTransparentBlack
-                                                                  : vk::BorderColor::eIntTransparentBlack}};
+                .borderColor = is_float(header.texel) ? vk::BorderColor::eFloatTransparentBlack
+                                                      : vk::BorderColor::eIntTransparentBlack}};
 }
 
 vk::raii::Image image_of(const Context& context, const SampledHeader& header) {
     return {
         context.device,
-        vk::ImageCreateInfo{.imageType = is_3d(header) ? vk::ImageType::e3D : vk::ImageType::e2D,
+        vk::ImageCreateInfo{.flags = is_cube(header.shape) ? vk::ImageCreateFlagBits::eCubeCompatible
+                                                           : vk::ImageCreateFlags{},
+                            .imageType = image_type(header.shape),
                             .format = format_of(header.texel),
                             .extent = {header.width, header.height, is_3d(header) ? header.depth : 1},
                             .mipLevels = header.levels,
@@ -90,22 +128,25 @@ vk::raii::Image image_of(const Context& context, const SampledHeader& header) {
 
 SampledHandles create(Context& context, const SampledHeader& header) {
     context.require_idle();
+    if (header.shape == SampledShape::cube_layers &&
+        context.physical.handle.getFeatures().imageCubeArray == VK_FALSE)
+        throw backend::Unsupported("this device has no samplers of arrays of cubes");
     vk::raii::Image image = image_of(context, header);
     auto memory = allocate(context, image.getMemoryRequirements(),
                            {vk::MemoryPropertyFlagBits::eDeviceLocal, {}}, "a sampled image");
     image.bindMemory(*memory, 0);
     vk::raii::ImageView view(
-        context.device,
-        vk::ImageViewCreateInfo{.image = *image,
-                                .viewType = view_type(header.shape),
-                                .format = format_of(header.texel),
-                                .subresourceRange = {.aspectMask = vk::ImageAspectFlagBits::eColor,
-                                                     .levelCount = header.levels,
-                                                     .layerCount = layers_of(header)}});
+        context.device, vk::ImageViewCreateInfo{.image = *image,
+                                                .viewType = view_type(header.shape),
+                                                .format = format_of(header.texel),
+                                                .subresourceRange = {.aspectMask = aspect_of(header.texel),
+                                                                     .levelCount = header.levels,
+                                                                     .layerCount = layers_of(header)}});
     return {std::move(image), std::move(memory), std::move(view), sampler_of(context, header)};
 }
 
 std::size_t texel_bytes(SampledTexel texel) {
+    if (texel == SampledTexel::depth) return sizeof(backend::Word);
     return backend::texel_words *
            (texel == SampledTexel::real ? sizeof(std::uint16_t) : sizeof(backend::Word));
 }
@@ -114,6 +155,9 @@ void encode(SampledTexel texel, std::span<const backend::Word> words, std::span<
     if (texel == SampledTexel::real) {
         std::ranges::transform(words, reinterpret_cast<std::uint16_t*>(bytes.data()),
                                [](backend::Word word) { return to_half(std::bit_cast<float>(word)); });
+    } else if (texel == SampledTexel::depth) {
+        for (std::size_t i = 0; i < words.size(); i += backend::texel_words)
+            std::memcpy(&bytes[i], &words[i], sizeof(backend::Word));
     } else {
         std::memcpy(bytes.data(), words.data(), words.size_bytes());
     }
@@ -124,7 +168,7 @@ std::vector<vk::BufferImageCopy> copies_of(const SampledHeader& header) {
     for (std::uint32_t level = 0; level < header.levels; ++level) {
         const auto [width, height, depth] = backend::size_of_level(header, level);
         copies.push_back({.bufferOffset = backend::texels_before(header, level) * texel_bytes(header.texel),
-                          .imageSubresource = {.aspectMask = vk::ImageAspectFlagBits::eColor,
+                          .imageSubresource = {.aspectMask = aspect_of(header.texel),
                                                .mipLevel = level,
                                                .layerCount = layers_of(header)},
                           .imageExtent = {width, height, is_3d(header) ? depth : 1}});
@@ -142,7 +186,7 @@ SampledImage::Impl::Impl(Context& owner, std::span<const backend::Word> words)
     encode(header.texel, texels, staging.mapped);
     context.run_once([&](const vk::raii::CommandBuffer& commands) {
         begin_general_layout(commands, *handles->image,
-                             {.aspectMask = vk::ImageAspectFlagBits::eColor,
+                             {.aspectMask = aspect_of(header.texel),
                               .levelCount = header.levels,
                               .layerCount = layers_of(header)});
         commands.copyBufferToImage(*staging.handles->buffer, *handles->image, vk::ImageLayout::eGeneral,

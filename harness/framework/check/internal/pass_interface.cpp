@@ -50,7 +50,8 @@ void require_supported(const std::string& pass, const Binding& binding) {
         case BindingType::sampled_image:
             if (!shader::is_sampler_type(sampler_name(binding)))
                 refuse(pass, binding.name,
-                       fmt::format("is a {}, expected sampler2D, sampler2DArray or sampler3D",
+                       fmt::format("is a {}, expected a sampler like sampler2D, sampler2DArray, sampler3D or "
+                                   "samplerCube, not an array",
                                    sampler_name(binding)));
             return;
         case BindingType::texture:

@@ -75,13 +75,11 @@ class InterpretedPass {
     }
 
     void bind(std::uint32_t b) {
-        static const backend::DeviceInfo bits;
         if (const auto* image = std::get_if<BoundImage>(&work_.bindings[b])) {
             const glm::uvec2 size(image->size);
             machine_.bind(0, b, interpreter::ImageView{.size = {size.x, size.y, 1}, .texels = seen_[b]});
         } else if (const auto* sampler = std::get_if<BoundSampler>(&work_.bindings[b])) {
-            machine_.bind(0, b,
-                          interpreter::sampled_view_of(sampler->words, bits.subtexel_bits, bits.level_bits));
+            machine_.bind(0, b, interpreter::sampled_view_of(sampler->words, {}));
         } else {
             machine_.bind(0, b, seen_[b]);
         }

@@ -132,15 +132,18 @@ struct ConstantSlot {
 
 // How a sampler reads.
 struct Sampling {
-    bool projected = false;  // the last coordinate divides the others
+    bool projected = false;  // the last coordinate divides the others, and the reference
     std::optional<Slot> level{};
     std::optional<Slot> bias{};  // of the level that follows from dx and dy
     std::optional<Slot> dx{};
     Slot dy = 0;
     std::uint32_t gradients = 0;  // components of dx and dy
+    bool implicit = false;        // dx and dy are differences in a quad
     std::optional<Slot> offset{};
-    std::uint32_t offsets = 0;        // components
-    std::optional<Slot> component{};  // of a gather
+    std::uint32_t offsets = 0;  // components
+    bool gathers = false;
+    std::optional<Slot> component{};  // of a gather that does not compare
+    std::optional<Slot> reference{};  // of a comparison
 };
 
 // Something outside the module.

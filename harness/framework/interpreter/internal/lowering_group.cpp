@@ -95,12 +95,19 @@ void Lowering::lower_derivative(const shader::Instruction& i, Scope& scope) {
 Lowering::Coordinates Lowering::lower_gradients(const shader::Instruction& i, Coordinates at, Sampling& how,
                                                 const Scope& scope) {
     const Type& sampled = module_.types.at(type_of(i.word(3), scope));
-    how.gradients = module_.types.at(sampled.element).dimension == SpvDim3D ? 3 : 2;
+    how.gradients = dimensions_of(module_.types.at(sampled.element));
     if (std::exchange(how.projected, false)) {
         const Slot divided = new_slots(how.gradients);
-        emit(SpvOpFDiv, how.gradients, divided, at.first, at.first + at.count - 1).stride = 0;
+        const Slot divisor = at.first + at.count - 1;
+        emit(SpvOpFDiv, how.gradients, divided, at.first, divisor).stride = 0;
         at = {divided, how.gradients};
+        if (how.reference) {
+            const Slot reference = new_slots(1);
+            emit(SpvOpFDiv, 1, reference, *how.reference, divisor);
+            how.reference = reference;
+        }
     }
+    how.implicit = true;
     how.dx = lower_slope(at.first, how.gradients, row, 0, false);
     how.dy = lower_slope(at.first, how.gradients, column, 0, false);
     return at;

@@ -318,13 +318,16 @@ bool Lowering::lower_image(const shader::Instruction& i, Scope& scope) {
 }
 
 bool Lowering::lower_sampling(const shader::Instruction& i, Scope& scope) {
-    const bool gathers = i.opcode == SpvOpImageGather;
-    const bool implicit =
-        i.opcode == SpvOpImageSampleImplicitLod || i.opcode == SpvOpImageSampleProjImplicitLod;
-    Sampling how{.projected = i.opcode == SpvOpImageSampleProjExplicitLod ||
-                              i.opcode == SpvOpImageSampleProjImplicitLod};
-    if (!gathers && !implicit && !how.projected && i.opcode != SpvOpImageSampleExplicitLod) return false;
-    std::size_t word = gathers ? 6 : 5;
+    const bool gathers = i.opcode == SpvOpImageGather || i.opcode == SpvOpImageDrefGather;
+    const bool samples =
+        i.opcode >= SpvOpImageSampleImplicitLod && i.opcode <= SpvOpImageSampleProjDrefExplicitLod;
+    if (!gathers && !samples) return false;
+    // They alternate: with an implicit level, with an explicit one; two that compare follow two that do not.
+    const std::uint32_t form = samples ? i.opcode - SpvOpImageSampleImplicitLod : 1;
+    const bool implicit = form % 2 == 0;
+    const bool compares = samples ? form % 4 >= 2 : i.opcode == SpvOpImageDrefGather;
+    Sampling how{.projected = form >= 4, .gathers = gathers};
+    std::size_t word = gathers || compares ? 6 : 5;
     std::uint32_t operands = word < i.words.size() ? i.word(word++) : 0;
     const auto take = [&](std::uint32_t mask) -> std::optional<Slot> {
         if ((operands & mask) == 0) return std::nullopt;
@@ -332,7 +335,10 @@ bool Lowering::lower_sampling(const shader::Instruction& i, Scope& scope) {
         return slot_of(i.word(word++), scope);
     };
     const auto components = [&](std::size_t at) { return module_.types.slots(type_of(i.word(at), scope)); };
-    if (gathers) how.component = slot_of(i.word(5), scope);
+    if (compares)
+        how.reference = slot_of(i.word(5), scope);
+    else if (gathers)
+        how.component = slot_of(i.word(5), scope);
     how.bias = take(SpvImageOperandsBiasMask);
     how.level = take(SpvImageOperandsLodMask);
     how.dx = take(SpvImageOperandsGradMask);
@@ -349,7 +355,10 @@ bool Lowering::lower_sampling(const shader::Instruction& i, Scope& scope) {
     operands &= ~static_cast<std::uint32_t>(SpvImageOperandsSignExtendMask | SpvImageOperandsZeroExtendMask);
     if (operands != 0)
         fail(Error::Kind::unknown_instruction, "a sampler with several offsets, or a least level");
-    Coordinates at{slot_of(i.word(4), scope), components(4)};
+    // Behind those there may be others, which are not used.
+    const Type& image = module_.types.at(module_.types.at(type_of(i.word(3), scope)).element);
+    const std::uint32_t dimensions = dimensions_of(image) + (image.arrayed || how.projected ? 1 : 0);
+    Coordinates at{slot_of(i.word(4), scope), dimensions};
     if (implicit) at = lower_gradients(i, at, how, scope);
     code_.samplings.push_back(how);
     Instruction& instruction = emit(image_sample, module_.types.slots(i.word(1)), slot_of(i.word(2), scope),

@@ -87,6 +87,7 @@ void Types::add(const shader::Instruction& i, std::uint32_t length) {
             break;
         case SpvOpTypeImage:
             type = {.kind = Kind::image, .element = i.word(2), .slots = 1, .dimension = i.word(3)};
+            type.arrayed = i.word(5) != 0;
             break;
         case SpvOpTypeSampler:
             type = {.kind = Kind::sampler, .slots = 1};
@@ -102,6 +103,11 @@ void Types::add(const shader::Instruction& i, std::uint32_t length) {
     }
     type.array_stride = strides_[i.word(1)];
     types_[i.word(1)] = std::move(type);
+}
+
+std::uint32_t dimensions_of(const Type& image) {
+    if (image.dimension == SpvDim1D) return 1;
+    return image.dimension == SpvDim3D || image.dimension == SpvDimCube ? 3 : 2;
 }
 
 void Types::append_offsets(Id id, const MatrixLayout& matrix, std::uint32_t scalar_stride, std::uint32_t base,
@@ -153,6 +159,11 @@ std::vector<shader::Instruction> split(const shader::Spirv& words) {
     } catch (const std::runtime_error& error) {
         malformed(error.what());
     }
+}
+
+bool samples_implicitly(std::uint32_t opcode) {
+    return opcode == SpvOpImageSampleImplicitLod || opcode == SpvOpImageSampleProjImplicitLod ||
+           opcode == SpvOpImageSampleDrefImplicitLod || opcode == SpvOpImageSampleProjDrefImplicitLod;
 }
 
 // "blend" from "blend(f1;f1;": the front end appends the types of the parameters.
@@ -356,9 +367,7 @@ void Module::read_function(const shader::Instruction& i) {
         open_->body.push_back(i);
     } else {
         open_->body.push_back(i);
-        const bool implicit =
-            i.opcode == SpvOpImageSampleImplicitLod || i.opcode == SpvOpImageSampleProjImplicitLod;
-        meets_ = meets_ || implicit || i.opcode == SpvOpControlBarrier ||
+        meets_ = meets_ || samples_implicitly(i.opcode) || i.opcode == SpvOpControlBarrier ||
                  (i.opcode >= SpvOpDPdx && i.opcode <= SpvOpFwidthCoarse) ||
                  (i.opcode >= SpvOpGroupNonUniformElect && i.opcode <= SpvOpGroupNonUniformQuadSwap);
     }

@@ -49,6 +49,7 @@ struct Type {
     std::uint32_t slots = 0;
     std::uint32_t array_stride = 0;  // bytes
     std::uint32_t dimension = 0;     // of an image: SpvDim
+    bool arrayed = false;
     struct Member {
         Id type = 0;
         std::uint32_t offset = 0;  // bytes
@@ -56,6 +57,9 @@ struct Type {
     };
     std::vector<Member> members;
 };
+
+// Coordinates of an image besides the layer.
+[[nodiscard]] std::uint32_t dimensions_of(const Type& image);
 
 // The types of a module, by their IDs.
 class Types {

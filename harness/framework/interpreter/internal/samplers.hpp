@@ -49,24 +49,25 @@ template <class N, class BoundsOf>
 [[nodiscard]] SamplePoint sample_point(const State<N>& s, const Instruction& i, const SampledView& view,
                                        Precision precision, BoundsOf bounds) {
     const Sampling& how = s.code.samplings[i.extra];
-    SamplePoint point{.component = how.component ? static_cast<int>(s.bits(*how.component)) : -1};
+    SamplePoint point{.component = how.gathers ? 0 : -1};
+    if (how.component) point.component = static_cast<int>(s.bits(*how.component));
     const std::uint32_t coordinates = how.projected ? i.c - 1 : i.c;
-    for (std::uint32_t k = 0; k < std::min(coordinates, 3U); ++k) {
-        const N at = s.slots[i.b + k].number();
-        point.at.at(k) =
-            bounds(how.projected ? apply(Divide{}, at, s.slots[i.b + coordinates].number()) : at);
-    }
+    const auto projected = [&](Slot slot) {
+        const N x = s.slots[slot].number();
+        return bounds(how.projected ? apply(Divide{}, x, s.slots[i.b + coordinates].number()) : x);
+    };
+    for (std::uint32_t k = 0; k < coordinates; ++k) point.at.at(k) = projected(i.b + k);
+    if (how.reference) point.reference = projected(*how.reference);
     for (std::uint32_t k = 0; how.offset && k < std::min(how.offsets, 3U); ++k)
         point.offset.at(k) = as_int(s.bits(*how.offset + k));
     if (how.level) point.level = bounds(s.slots[*how.level].number());
     if (how.dx) {
-        std::vector<numeric::Bounds> dx;
-        std::vector<numeric::Bounds> dy;
+        Gradients gradients{.of_neighbours = how.implicit};
         for (std::uint32_t k = 0; k < how.gradients; ++k) {
-            dx.push_back(bounds(s.slots[*how.dx + k].number()));
-            dy.push_back(bounds(s.slots[how.dy + k].number()));
+            gradients.dx.at(k) = bounds(s.slots[*how.dx + k].number());
+            gradients.dy.at(k) = bounds(s.slots[how.dy + k].number());
         }
-        point.level = level_of(view, dx, dy, precision);
+        point.level = level_of(view, point, gradients, precision);
     }
     if (how.bias) {
         const numeric::Bounds bias = bounds(s.slots[*how.bias].number());
@@ -82,7 +83,8 @@ void sample_integers(State<N>& s, const Instruction& i, const SampledView& view,
     constexpr std::size_t most = 64;
     if (precision == Precision::permitted && !has_place(view, point)) throw numeric::Paths::Undetermined{};
     const auto all = sampled_texels(view, point, precision);
-    if (precision == Precision::permitted && all.size() > most) throw numeric::Paths::Undetermined{};
+    if (precision == Precision::permitted && (all.empty() || all.size() > most))
+        throw numeric::Paths::Undetermined{};
     const auto& words = all.at(precision == Precision::permitted ? numeric::Paths::choose(all.size()) : 0);
     for (std::uint32_t k = 0; k < i.count; ++k) {
         const std::size_t first = words.at(point.component >= 0 ? k : 0);
@@ -96,7 +98,8 @@ void do_image_sample(State<N>& s, const Instruction& i) {
     constexpr std::uint64_t steps = 64;  // about as long as so many others
     s.cost = steps;
     const SampledView& view = sampled_view(s, i.a);
-    const bool integers = view.header.texel != backend::SampledTexel::real;
+    const bool integers = view.header.texel == backend::SampledTexel::integer ||
+                          view.header.texel == backend::SampledTexel::natural;
     if constexpr (std::is_same_v<N, Explained>) {
         const SamplePoint value = sample_point(s, i, view, Precision::exact,
                                                [](const Explained& x) { return point_bounds(x.value); });
@@ -150,7 +153,8 @@ void fetch_sampled(State<N>& s, const Instruction& i, const SampledView& view) {
 
 template <class N>
 void size_of_sampled(State<N>& s, const Instruction& i, const SampledView& view) {
-    const auto size = backend::size_of_level(view.header, level_operand(s, i, view));
+    auto size = backend::size_of_level(view.header, level_operand(s, i, view));
+    if (backend::is_cube(view.header.shape)) size[2] /= backend::cube_faces;
     for (std::uint32_t k = 0; k < i.count; ++k) s.set(i, i.result + k, Word{size.at(k)});
 }
 
