@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 #include "numeric/numbers.hpp"
@@ -19,8 +20,13 @@ std::string name_of(const CheckName& check) {
     return check.second.empty() ? check.first : check.first + " " + check.second;
 }
 
-std::string line_of(const GroupCheck& each) {
-    return fmt::format("{} on {}", name_of(each.check), name_of(each.group));
+std::string line_of(const CheckChange& each) {
+    return fmt::format("{} on {}", name_of(each.check), name_of(each.now));
+}
+
+std::string line_of_error(const CheckChange& each) {
+    return fmt::format("{}: {} -> {} of what is allowed", line_of(each),
+                       numeric::to_short_text(each.worst_before), numeric::to_short_text(each.worst_now));
 }
 
 // At most ten of them, and how many more there are.
@@ -40,12 +46,21 @@ std::vector<std::string> failing_names(const GroupSummary& group) {
 
 // The changes, each kind with its lines; empty kinds are left out.
 std::vector<std::pair<std::string, std::vector<std::string>>> kinds_of(const News& news) {
-    std::vector<std::pair<std::string, std::vector<std::string>>> kinds{
-        {"new drivers", {}}, {"newly failed", {}}, {"mended", {}}, {"no longer reported", {}}};
-    for (const DriverGroup& group : news.new_groups) kinds[0].second.push_back(name_of(group));
-    for (const GroupCheck& each : news.newly_failed) kinds[1].second.push_back(line_of(each));
-    for (const GroupCheck& each : news.mended) kinds[2].second.push_back(line_of(each));
-    for (const DriverGroup& group : news.missing_groups) kinds[3].second.push_back(name_of(group));
+    std::vector<std::pair<std::string, std::vector<std::string>>> kinds;
+    const auto add = [&kinds](const char* kind, const auto& items, const auto& line) {
+        auto& lines = kinds.emplace_back(kind, std::vector<std::string>{}).second;
+        std::ranges::transform(items, std::back_inserter(lines), line);
+    };
+    const auto name = [](const DriverGroup& group) { return name_of(group); };
+    add("new drivers", news.new_groups, name);
+    add("new builds", news.builds, [](const auto& each) {
+        return fmt::format("{}, compared with {}", name_of(each.second), name_of(each.first));
+    });
+    add("newly failed", news.newly_failed, line_of);
+    add("mended", news.mended, line_of);
+    add("errors that grew", news.grew, line_of_error);
+    add("errors that shrank", news.shrank, line_of_error);
+    add("no longer reported", news.missing_groups, name);
     std::erase_if(kinds, [](const auto& kind) { return kind.second.empty(); });
     return kinds;
 }
@@ -56,8 +71,8 @@ OutcomeCounts counts_of(const GroupSummary& group) {
 
 std::string headline(const LaboratorySummary& summary) {
     OutcomeCounts all;
-    for (const auto& [key, group] : summary.groups()) all.add(counts_of(group));
-    return fmt::format("{} files, {} drivers, {}", summary.files(), summary.groups().size(), to_text(all));
+    for (const auto& [key, group] : summary) all.add(counts_of(group));
+    return fmt::format("{} drivers, {}", summary.size(), to_text(all));
 }
 
 PageTable group_table(const LaboratorySummary& summary) {
@@ -67,14 +82,14 @@ PageTable group_table(const LaboratorySummary& summary) {
                     {.title = "version"},
                     {.title = "API", .filter = true},
                     {.title = "devices", .meaning = "different names of devices", .numeric = true},
-                    {.title = "files", .numeric = true},
+                    {.title = "runs", .meaning = "of a device, versions, inputs and a seed", .numeric = true},
                     {.title = "checks", .meaning = "equations in variants", .numeric = true},
                     {.title = "failed",
                      .meaning = "checks that failed on one machine at least",
                      .numeric = true},
                     {.title = "not judged", .meaning = "checks that no machine judged", .numeric = true}},
         .rows = {}};
-    for (const auto& [key, group] : summary.groups()) {
+    for (const auto& [key, group] : summary) {
         const auto count = [](std::size_t n) {
             return number_cell(static_cast<double>(n), std::to_string(n));
         };
@@ -85,7 +100,7 @@ PageTable group_table(const LaboratorySummary& summary) {
                               {.text = key.version},
                               {.text = key.api},
                               count(group.devices.size()),
-                              count(group.files),
+                              count(group.runs),
                               count(group.checks.size()),
                               failed,
                               count(group.not_judged())});
@@ -109,7 +124,7 @@ PageTable failure_table(const LaboratorySummary& summary) {
                      .numeric = true},
                     {.title = "why it did not run"}},
         .rows = {}};
-    for (const auto& [key, group] : summary.groups()) {
+    for (const auto& [key, group] : summary) {
         for (const auto& [name, tally] : group.checks) {
             if (tally.failed == 0) continue;
             table.rows.push_back(
@@ -121,7 +136,7 @@ PageTable failure_table(const LaboratorySummary& summary) {
                  number_cell(static_cast<double>(tally.outside),
                              fmt::format("{} of {}", tally.outside, tally.inputs)),
                  number_cell(tally.worst, numeric::to_short_text(tally.worst)),
-                 {.text = fmt::format("{}", fmt::join(tally.reasons, ", "))}});
+                 {.text = tally.reasons}});
         }
     }
     return table;
@@ -131,14 +146,14 @@ PageTable failure_table(const LaboratorySummary& summary) {
 
 std::string to_summary_text(const LaboratorySummary& summary, const std::optional<News>& news) {
     std::string text = headline(summary) + "\n\n";
-    const bool all = summary.groups().size() <= most_listed;
+    const bool all = summary.size() <= most_listed;
     std::size_t passed = 0;
-    for (const auto& [key, group] : summary.groups()) {
+    for (const auto& [key, group] : summary) {
         if (!all && group.failing() == 0) {
             ++passed;
             continue;
         }
-        text += fmt::format("{}: {}: {} files, {} devices, {}", key.vendor, name_of(key), group.files,
+        text += fmt::format("{}: {}: {} runs, {} devices, {}", key.vendor, name_of(key), group.runs,
                             group.devices.size(), to_text(counts_of(group)));
         text += group.failing() > 0 ? " (" + some(failing_names(group)) + ")\n" : "\n";
     }
