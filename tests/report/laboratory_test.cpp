@@ -275,19 +275,20 @@ TEST(News, ComparesTwoBuildsOfOneDriver) {
         {build_of("23.1.0", {with_error("EQ-1", 0.45), with_error("EQ-2", 0.25), with_error("EQ-3", 0.52),
                              with_error("EQ-4", 0.002), passing_row("EQ-5"), hanging_row("EQ-6")})});
     const std::string text = to_summary_text(now, news_since(before, now));
-    EXPECT_THAT(text,
-                HasSubstr("1 new builds: radv Mesa 23.1.0, Vulkan 1.3.230, compared with radv Mesa 22.3.6,"));
+    EXPECT_THAT(text, HasSubstr("1 new builds: radv Mesa 23.1.0, Vulkan 1.3.230 (22.3.6 -> 23.1.0)\n"));
     EXPECT_THAT(text, HasSubstr("1 newly failed: EQ-6 shipped on radv Mesa 23.1.0"));
     EXPECT_THAT(text, HasSubstr("1 mended: EQ-5 shipped"));
     EXPECT_THAT(
         text,
-        HasSubstr("1 errors that grew: EQ-1 shipped on radv Mesa 23.1.0, Vulkan 1.3.230: 0.20 -> 0.45"));
+        HasSubstr("1 errors that grew: EQ-1 shipped on radv Mesa 23.1.0, Vulkan 1.3.230 (0.20 -> 0.45)"));
     EXPECT_THAT(text, HasSubstr("1 errors that shrank: EQ-2 shipped"));
     EXPECT_THAT(text, HasSubstr("1 no longer reported: radv Mesa 9.3.0"));
     EXPECT_THAT(text, Not(HasSubstr("new drivers")));
+    const std::string page = to_summary_page(now, news_since(before, now), {});
+    EXPECT_THAT(page, HasSubstr("<td>errors that grew</td><td>EQ-1 shipped</td>"));
     // Backwards, as in a search for the build that broke something.
     EXPECT_THAT(to_summary_text(before, news_since(now, before)),
-                HasSubstr("radv Mesa 22.3.6, Vulkan 1.3.230, compared with radv Mesa 23.1.0"));
+                HasSubstr("radv Mesa 22.3.6, Vulkan 1.3.230 (23.1.0 -> 22.3.6)"));
 }
 
 TEST(SummaryPage, NamesTheWorstFirstAndEscapesForeignText) {

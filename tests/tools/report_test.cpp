@@ -113,6 +113,7 @@ TEST_F(ReportSummary, AFolderOfResultsBecomesCountsADatabaseAndAPage) {
         write("in/" + std::to_string(i % 3) + "/" + std::to_string(i) + ".json",
               results("AMD Radeon driver 2" + std::to_string(i % 4) + ".1", i == 5 ? 2 : 0, i).dump());
     write("in/readme.txt", "no results");
+    write("in/.unfinished/half.json", "{");
     const CommandResult result =
         gloam("report {} --summary --sqlite {} --html {}", path("in"), path("a.sqlite"), path("a.html"));
     EXPECT_EQ(result.status, 1) << "a check failed";

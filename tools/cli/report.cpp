@@ -33,7 +33,8 @@ using report::LaboratorySummary;
 
 constexpr std::size_t most_rejected = 20;  // named; the others are counted
 
-// The files, and those of the folders, sorted. Links inside a folder are not followed.
+// The files, and those of the folders, sorted. Links inside a folder are not followed, and what is hidden
+// there is left out: `gloam work run` may be writing it.
 std::vector<fs::path> files_of(const std::vector<std::string>& paths) {
     std::vector<fs::path> files;
     for (const fs::path path : paths) {
@@ -42,9 +43,15 @@ std::vector<fs::path> files_of(const std::vector<std::string>& paths) {
             continue;
         }
         const auto first = static_cast<std::ptrdiff_t>(files.size());
-        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path))
-            if (!entry.is_symlink() && entry.is_regular_file() && entry.path().extension() == ".json")
-                files.push_back(entry.path());
+        for (auto entry = fs::recursive_directory_iterator(path); entry != fs::recursive_directory_iterator();
+             ++entry) {
+            if (entry->path().filename().string().starts_with('.')) {
+                entry.disable_recursion_pending();
+            } else if (!entry->is_symlink() && entry->is_regular_file() &&
+                       entry->path().extension() == ".json") {
+                files.push_back(entry->path());
+            }
+        }
         std::sort(files.begin() + first, files.end());
     }
     return files;
@@ -118,8 +125,8 @@ int run_summary(const SummaryOptions& options) {
     if (!reads && all_rejected.size() == files.size())
         throw std::runtime_error(
             fmt::format("none of {} files holds results of `gloam check --json`", files.size()));
-    const LaboratorySummary summary = database.summary();
     database.commit();
+    const LaboratorySummary summary = database.summary();
     std::optional<report::News> news;
     if (earlier) news = report::news_since(*earlier, summary);
     fmt::print("{}", report::to_summary_text(summary, news));

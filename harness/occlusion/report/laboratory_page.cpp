@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
+#include <string_view>
 #include <vector>
 
 #include "numeric/numbers.hpp"
@@ -18,15 +18,6 @@ constexpr std::size_t most_listed = 40;  // drivers; of more, only those with fa
 
 std::string name_of(const CheckName& check) {
     return check.second.empty() ? check.first : check.first + " " + check.second;
-}
-
-std::string line_of(const CheckChange& each) {
-    return fmt::format("{} on {}", name_of(each.check), name_of(each.now));
-}
-
-std::string line_of_error(const CheckChange& each) {
-    return fmt::format("{}: {} -> {} of what is allowed", line_of(each),
-                       numeric::to_short_text(each.worst_before), numeric::to_short_text(each.worst_now));
 }
 
 // At most ten of them, and how many more there are.
@@ -44,25 +35,69 @@ std::vector<std::string> failing_names(const GroupSummary& group) {
     return names;
 }
 
-// The changes, each kind with its lines; empty kinds are left out.
-std::vector<std::pair<std::string, std::vector<std::string>>> kinds_of(const News& news) {
-    std::vector<std::pair<std::string, std::vector<std::string>>> kinds;
-    const auto add = [&kinds](const char* kind, const auto& items, const auto& line) {
-        auto& lines = kinds.emplace_back(kind, std::vector<std::string>{}).second;
-        std::ranges::transform(items, std::back_inserter(lines), line);
+// A change. `before` and `now`: the versions of two builds, or worst errors; empty: there is nothing to say.
+struct Change {
+    const char* kind;
+    std::string check;
+    std::string driver;
+    std::string before{};
+    std::string now{};
+};
+
+// All changes, those of a kind beside each other, the worst kind first.
+std::vector<Change> changes_of(const News& news) {
+    std::vector<Change> all;
+    const auto add_errors = [&all](const char* kind, const std::vector<CheckChange>& changes) {
+        for (const CheckChange& each : changes)
+            all.push_back({kind, name_of(each.check), name_of(each.now),
+                           numeric::to_short_text(each.worst_before),
+                           numeric::to_short_text(each.worst_now)});
     };
-    const auto name = [](const DriverGroup& group) { return name_of(group); };
-    add("new drivers", news.new_groups, name);
-    add("new builds", news.builds, [](const auto& each) {
-        return fmt::format("{}, compared with {}", name_of(each.second), name_of(each.first));
-    });
-    add("newly failed", news.newly_failed, line_of);
-    add("mended", news.mended, line_of);
-    add("errors that grew", news.grew, line_of_error);
-    add("errors that shrank", news.shrank, line_of_error);
-    add("no longer reported", news.missing_groups, name);
-    std::erase_if(kinds, [](const auto& kind) { return kind.second.empty(); });
-    return kinds;
+    for (const CheckChange& each : news.newly_failed)
+        all.push_back({"newly failed", name_of(each.check), name_of(each.now)});
+    add_errors("errors that grew", news.grew);
+    for (const CheckChange& each : news.mended)
+        all.push_back({"mended", name_of(each.check), name_of(each.now)});
+    add_errors("errors that shrank", news.shrank);
+    for (const auto& [before, now] : news.builds)
+        all.push_back({"new builds", "", name_of(now), before.version, now.version});
+    for (const DriverGroup& group : news.new_groups) all.push_back({"new drivers", "", name_of(group)});
+    for (const DriverGroup& group : news.missing_groups)
+        all.push_back({"no longer reported", "", name_of(group)});
+    return all;
+}
+
+// "3 mended: EQ-1 strict on radv Mesa 23.1, Vulkan 1.3, ...": a line for each kind of change.
+std::string text_of(const std::vector<Change>& changes) {
+    if (changes.empty()) return "nothing is new\n";
+    std::string text;
+    for (auto first = changes.begin(); first != changes.end();) {
+        std::vector<std::string> names;
+        auto each = first;
+        for (; each != changes.end() && std::string_view(each->kind) == first->kind; ++each) {
+            names.push_back(each->check.empty() ? each->driver : each->check + " on " + each->driver);
+            if (!each->now.empty()) names.back() += fmt::format(" ({} -> {})", each->before, each->now);
+        }
+        text += fmt::format("{} {}: {}\n", names.size(), first->kind, some(names));
+        first = each;
+    }
+    return text;
+}
+
+PageTable change_table(const std::vector<Change>& changes) {
+    PageTable table{.columns = {{.title = "change", .filter = true},
+                                {.title = "check"},
+                                {.title = "driver"},
+                                {.title = "before", .meaning = "version, or worst error of what is allowed"},
+                                {.title = "now"}},
+                    .rows = {}};
+    for (const Change& each : changes)
+        table.rows.push_back({{.text = each.kind},
+                              {.text = each.check},
+                              {.text = each.driver},
+                              {.text = each.before},
+                              {.text = each.now}});
+    return table;
 }
 
 OutcomeCounts counts_of(const GroupSummary& group) {
@@ -159,11 +194,7 @@ std::string to_summary_text(const LaboratorySummary& summary, const std::optiona
     }
     if (passed > 0) text += fmt::format("{} other drivers failed no check\n", passed);
     if (!news) return text;
-    const auto kinds = kinds_of(*news);
-    text += kinds.empty() ? "\nnothing is new\n" : "\n";
-    for (const auto& [kind, lines] : kinds)
-        text += fmt::format("{} {}: {}\n", lines.size(), kind, some(lines));
-    return text;
+    return text + "\n" + text_of(changes_of(*news));
 }
 
 std::string to_summary_page(const LaboratorySummary& summary, const std::optional<News>& news,
@@ -173,9 +204,11 @@ std::string to_summary_page(const LaboratorySummary& summary, const std::optiona
     for (const std::string& line : rejected) page.paragraph(line);
     if (news) {
         page.heading("What is new");
-        if (kinds_of(*news).empty()) page.paragraph("Nothing.");
-        for (const auto& [kind, lines] : kinds_of(*news))
-            page.paragraph(fmt::format("{} {}: {}", lines.size(), kind, fmt::join(lines, "; ")));
+        if (const auto changes = changes_of(*news); changes.empty()) {
+            page.paragraph("Nothing.");
+        } else {
+            page.table(change_table(changes));
+        }
     }
     page.heading("Drivers");
     page.table(group_table(summary));

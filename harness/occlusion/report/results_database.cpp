@@ -185,7 +185,8 @@ std::int64_t stored(std::size_t value, const char* what) {
 
 void require_at_most(std::size_t most, std::size_t found, const char* what) {
     if (found > most)
-        throw std::runtime_error(fmt::format("more than {} {}: summarise fewer files at once", most, what));
+        throw std::runtime_error(fmt::format(
+            "more than {} {} for one summary: query the database, or make one for each driver", most, what));
 }
 
 const char* name_of_file(const fs::path& file) {
@@ -201,7 +202,7 @@ struct ResultsDatabase::Store {
           adds(access == Access::add),
           database(file.empty() ? "" : fs::absolute(file).string(),
                    adds ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE : SQLITE_OPEN_READONLY) {
-        database.run(adds ? "BEGIN IMMEDIATE" : "BEGIN");
+        database.run(adds ? "BEGIN IMMEDIATE" : "BEGIN");  // ends with commit()
         if (adds && schema_of(database).empty()) database.run(schema);
         if (schema_of(database) != expected_schema())
             throw std::runtime_error("it has other tables than `gloam report --sqlite` makes");
