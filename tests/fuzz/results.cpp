@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What `gloam report`, `bench --from` and `bench --compare` are given. What is read is written and read
 // again.
-#include <sstream>
-
 #include "experiment/results.hpp"
 #include "fuzz/fuzz.hpp"
 #include "report/check_report.hpp"
 #include "report/internal/plot_layout.hpp"
-#include "report/laboratory.hpp"
+#include "report/results_database.hpp"
 
 using namespace gloam;
 
@@ -18,10 +16,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         fuzz::require(report::to_json(report::reports_from_json(written)) == written);
     });
     fuzz::read_or_refuse([&] {
-        report::LaboratorySummary summary;
-        summary.add_file(text);
-        std::istringstream lines(report::to_json_lines(summary));
-        fuzz::require(report::news_since(report::earlier_from_lines(lines), summary).newly_failed.empty());
+        report::ResultsDatabase database("", report::ResultsDatabase::Access::add);
+        database.add(text);
+        const report::LaboratorySummary summary = database.summary();
+        database.add(text);
+        const report::News news = report::news_since(summary, database.summary());
+        fuzz::require(news.newly_failed.empty() && news.grew.empty() &&
+                      database.summary().size() == summary.size());
     });
     fuzz::read_or_refuse([&] {
         const experiment::Record record = experiment::read_record("results", text);

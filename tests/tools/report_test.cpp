@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "tools/expect.hpp"
@@ -58,6 +57,17 @@ TEST_F(ReportCommand, AFailureIsStatusOneAndConflictsAreSaid) {
     EXPECT_THAT(result.out, HasSubstr(bad.string()));
 }
 
+// Other seeds are other questions: nothing of them is in conflict.
+TEST_F(ReportCommand, SeedsStandBesideEachOther) {
+    const fs::path first = shard("0/1");
+    const fs::path second = path("seed.json");
+    expect_success(gloam("check gloam_radical_* --inputs 64 --seed 2 --json {}", second));
+    const std::string result = output_of(gloam("report {} {}", first, second));
+    EXPECT_THAT(result, HasSubstr(", 64 inputs, seed 1\n"));
+    EXPECT_THAT(result, HasSubstr(", 64 inputs, seed 2\n"));
+    EXPECT_THAT(result, Not(HasSubstr("the worse is kept")));
+}
+
 TEST_F(ReportCommand, MarkdownIsAPage) {
     const std::string result = output_of(gloam("report --markdown {}", shard("0/1")));
     EXPECT_THAT(result, StartsWith("# Equations on drivers\n"));
@@ -88,37 +98,41 @@ json row(const std::string& equation, int outside) {
             {"error", ""},          {"reason", ""},        {"width_fraction", 0.5}};
 }
 
-json results(const std::string& driver, int outside) {
+json results(const std::string& driver, int outside, int seed = 1) {
     return {{"device",
              {{"name", "Some GPU"}, {"driver", driver}, {"type", "discrete"}, {"api_version", "1.3.1"}}},
+            {"inputs", 9},
+            {"seed", seed},
             {"results", {row("EQ-1", 0), row("EQ-2", outside)}}};
 }
 
 class ReportSummary : public InFolder {};
 
-TEST_F(ReportSummary, AFolderOfResultsBecomesCountsLinesAndAPage) {
+TEST_F(ReportSummary, AFolderOfResultsBecomesCountsADatabaseAndAPage) {
     for (int i = 0; i < 20; ++i)
         write("in/" + std::to_string(i % 3) + "/" + std::to_string(i) + ".json",
-              results("AMD Radeon driver 2" + std::to_string(i % 4) + ".1", i == 5 ? 2 : 0).dump());
+              results("AMD Radeon driver 2" + std::to_string(i % 4) + ".1", i == 5 ? 2 : 0, i).dump());
     write("in/readme.txt", "no results");
+    write("in/.unfinished/half.json", "{");
     const CommandResult result =
-        gloam("report {} --summary --lines {} --html {}", path("in"), path("a.jsonl"), path("a.html"));
+        gloam("report {} --summary --sqlite {} --html {}", path("in"), path("a.sqlite"), path("a.html"));
     EXPECT_EQ(result.status, 1) << "a check failed";
-    EXPECT_THAT(result.out, HasSubstr("20 files, 4 drivers, 8 checks, 1 failed"));
+    EXPECT_THAT(result.out, HasSubstr("4 drivers, 8 checks, 1 failed"));
     EXPECT_THAT(result.out,
-                HasSubstr("AMD: AMD Radeon driver 21.1, Vulkan 1.3.1: 5 files, 1 devices, 2 checks, 1 failed "
+                HasSubstr("AMD: AMD Radeon driver 21.1, Vulkan 1.3.1: 5 runs, 1 devices, 2 checks, 1 failed "
                           "(EQ-2 strict)"));
     EXPECT_THAT(read_file(path("a.html")), HasSubstr("1 of 5"));
-    std::ifstream lines(path("a.jsonl"));
-    std::size_t count = 0;
-    for (std::string line; std::getline(lines, line); ++count)
-        EXPECT_EQ(json::parse(line).at("vendor"), "AMD");
-    EXPECT_EQ(count, 8U);
+    // What is added again changes nothing, and what is there needs no files.
+    fs::copy(path("in/2/5.json"), path("in/copy.json"));
+    EXPECT_EQ(gloam("report {} --summary --sqlite {}", path("in"), path("a.sqlite")).out, result.out);
+    EXPECT_EQ(gloam("report --summary --sqlite {}", path("a.sqlite")).out, result.out);
 
-    write("in/2/5.json", results("AMD Radeon driver 21.1", 0).dump());
-    write("in/new.json", results("AMD Radeon driver 24.1", 0).dump());
-    const std::string later = output_of(gloam("report {} --summary --since {}", path("in"), path("a.jsonl")));
-    EXPECT_THAT(later, HasSubstr("1 new drivers: AMD Radeon driver 24.1, Vulkan 1.3.1"));
+    fs::remove(path("in/copy.json"));
+    write("in/2/5.json", results("AMD Radeon driver 21.1", 0, 5).dump());
+    write("in/new.json", results("b 24.1", 0, 1).dump());
+    const std::string later =
+        output_of(gloam("report {} --summary --since {}", path("in"), path("a.sqlite")));
+    EXPECT_THAT(later, HasSubstr("1 new drivers: b 24.1, Vulkan 1.3.1"));
     EXPECT_THAT(later, HasSubstr("1 mended: EQ-2 strict on AMD Radeon driver 21.1, Vulkan 1.3.1"));
 }
 
@@ -128,21 +142,23 @@ TEST_F(ReportSummary, WhatIsNoResultIsNamedAndTheOthersCount) {
     fs::create_symlink("/dev/zero", path("in/endless.json"));
     const CommandResult result = gloam("report {} --summary", path("in"));
     EXPECT_EQ(result.status, 1);
-    EXPECT_THAT(result.out, HasSubstr("1 files, 1 drivers"));
+    EXPECT_THAT(result.out, HasSubstr("1 drivers, 2 checks"));
     EXPECT_THAT(result.err, HasSubstr("bad.json is not what `gloam check --json` writes"));
 }
 
 TEST_F(ReportSummary, WrongOptionsAreNamed) {
     write("in/bad.json", "{}");
-    write("old.jsonl", "nonsense\n");
+    write("old.sqlite", "nonsense\n");
     write("good.json", results("b 1", 0).dump());
-    expect_could_not_run(gloam("report {} --summary --lines {}", path("in/bad.json"), path("none.jsonl")),
+    expect_could_not_run(gloam("report {} --summary --sqlite {}", path("in/bad.json"), path("none.sqlite")),
                          "bad.json is not what `gloam check --json` writes");
-    EXPECT_FALSE(fs::exists(path("none.jsonl")));
-    expect_could_not_run(gloam("report {} --summary --since {}", path("good.json"), path("old.jsonl")),
-                         "line 1");
-    expect_could_not_run(gloam("report {} --since {}", path("good.json"), path("old.jsonl")), "--summary");
+    EXPECT_FALSE(fs::exists(path("none.sqlite")));
+    expect_could_not_run(gloam("report {} --summary --since {}", path("good.json"), path("old.sqlite")),
+                         "old.sqlite cannot be used as a database of results");
+    expect_could_not_run(gloam("report {} --since {}", path("good.json"), path("old.sqlite")), "--summary");
     expect_could_not_run(gloam("report {} --summary", path("nowhere")), "nowhere is not what");
+    expect_could_not_run(gloam("report --summary"), "expected files, or --sqlite");
+    expect_could_not_run(gloam("report --summary --sqlite {}", path("none.sqlite")), "none.sqlite");
 }
 
 }  // namespace gloam::test::report_test

@@ -238,7 +238,11 @@ CheckOutcome check(const CheckOptions& options) {
     const report::OutputFile html(options.html);
     CheckOutcome outcome;
     run_devices(options, outcome);
-    for (report::CheckReport& report : outcome.reports) report.versions = versions();
+    for (report::CheckReport& report : outcome.reports) {
+        report.versions = versions();
+        report.inputs = options.inputs;
+        report.seed = options.seed;
+    }
     outcome.counts = counts_of(outcome.reports);
     json.write(report::to_json(outcome.reports));
     junit.write(report::to_junit(outcome.reports));
@@ -342,6 +346,10 @@ void add_check(CLI::App& app, int& status) {
         ->add_flag("--in-process", options->in_process,
                    "no worker processes, for a debugger: a driver that crashes then ends the whole run")
         ->excludes(jobs);
+    command->add_flag_callback(
+        std::string(bisect_option), [] {},
+        "for git bisect run: status 125 instead of 2, so that a build that cannot be judged is "
+        "skipped");
     add_file_options(*command, *options);
     add_driver_option(*command);
     command->callback([options, &status] {

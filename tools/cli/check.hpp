@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "report/check_report.hpp"
@@ -14,6 +15,9 @@ class App;
 }
 
 namespace gloam::cli {
+
+// With this option the program ends with status 125 instead of 2.
+constexpr std::string_view bisect_option = "--exit-code";
 
 // The options of `gloam check`.
 struct CheckOptions {

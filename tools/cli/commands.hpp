@@ -44,6 +44,10 @@ void add_mesh_reader(CLI::App& app, int& status);
 // there is a failure.
 void add_report(CLI::App& app, int& status);
 
+// `gloam work`: makes a list of calls of gloam, runs its items where their results are missing, and says
+// which are. `status` receives 0, or 2 if an item has no result.
+void add_work(CLI::App& app, int& status);
+
 // `gloam pack FILE...`: one self-contained GLSL file on standard output.
 void add_pack(CLI::App& app);
 

@@ -4,16 +4,13 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <atomic>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "base/text.hpp"
@@ -26,6 +23,7 @@
 #include "report/check_report.hpp"
 #include "report/laboratory.hpp"
 #include "report/output.hpp"
+#include "report/results_database.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -35,7 +33,8 @@ using report::LaboratorySummary;
 
 constexpr std::size_t most_rejected = 20;  // named; the others are counted
 
-// The files, and those of the folders, sorted. Links inside a folder are not followed.
+// The files, and those of the folders, sorted. Links inside a folder are not followed, and what is hidden
+// there is left out: `gloam work run` may be writing it.
 std::vector<fs::path> files_of(const std::vector<std::string>& paths) {
     std::vector<fs::path> files;
     for (const fs::path path : paths) {
@@ -44,60 +43,53 @@ std::vector<fs::path> files_of(const std::vector<std::string>& paths) {
             continue;
         }
         const auto first = static_cast<std::ptrdiff_t>(files.size());
-        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path))
-            if (!entry.is_symlink() && entry.is_regular_file() && entry.path().extension() == ".json")
-                files.push_back(entry.path());
+        for (auto entry = fs::recursive_directory_iterator(path); entry != fs::recursive_directory_iterator();
+             ++entry) {
+            if (entry->path().filename().string().starts_with('.')) {
+                entry.disable_recursion_pending();
+            } else if (!entry->is_symlink() && entry->is_regular_file() &&
+                       entry->path().extension() == ".json") {
+                files.push_back(entry->path());
+            }
+        }
         std::sort(files.begin() + first, files.end());
     }
     return files;
 }
 
-struct Gathered {
-    LaboratorySummary summary;
-    std::vector<std::string> rejected;  // a line each, sorted
-};
-
 // Reads files one after another, on every processor, and forgets each before the next one.
 class Gathering {
   public:
-    explicit Gathering(const std::vector<fs::path>& files)
-        : files_(&files), progress_(progress_bar(fmt::format("{} files", files.size()))) {}
+    Gathering(const std::vector<fs::path>& files, report::ResultsDatabase& database)
+        : files_(&files),
+          database_(&database),
+          progress_(progress_bar(fmt::format("{} files", files.size()))) {}
 
-    Gathered run() {
-        std::vector<LaboratorySummary> parts(base::processors());
-        base::for_each_index(parts.size(), 0, [&](std::size_t i) { parts[i] = part(); });
-        Gathered all;
-        for (const LaboratorySummary& summary : parts) all.summary.merge(summary);
+    // Returns a line for each file that is no result, sorted.
+    std::vector<std::string> run() {
+        base::for_each_index(files_->size(), 0, [&](std::size_t i) { take((*files_)[i]); });
         std::ranges::sort(rejected_);
-        all.rejected = std::move(rejected_);
-        return all;
+        return std::move(rejected_);
     }
 
   private:
-    LaboratorySummary part() {
-        LaboratorySummary summary;
-        for (std::size_t i = next_++; i < files_->size(); i = next_++) {
-            const fs::path& file = (*files_)[i];
-            try {
-                summary.add_file(read_text(file));
-            } catch (const std::runtime_error& error) {
-                reject(file, error.what());
-            }
-            const std::lock_guard lock(mutex_);
-            progress_(static_cast<double>(++done_) / static_cast<double>(files_->size()));
+    void take(const fs::path& file) {
+        std::string why;
+        try {
+            database_->add(read_text(file));
+        } catch (const std::runtime_error& error) {
+            why = error.what();
         }
-        return summary;
-    }
-
-    void reject(const fs::path& file, const char* why) {
         const std::lock_guard lock(mutex_);
-        rejected_.push_back(base::one_line(
-            fmt::format("{} is not what `gloam check --json` writes: {}", file.string(), why)));
+        if (!why.empty())
+            rejected_.push_back(base::one_line(
+                fmt::format("{} is not what `gloam check --json` writes: {}", file.string(), why)));
+        progress_(static_cast<double>(++done_) / static_cast<double>(files_->size()));
     }
 
     const std::vector<fs::path>* files_;
+    report::ResultsDatabase* database_;
     std::function<void(double)> progress_;
-    std::atomic<std::size_t> next_ = 0;
     std::mutex mutex_;  // of the members below and the progress
     std::size_t done_ = 0;
     std::vector<std::string> rejected_;
@@ -112,39 +104,35 @@ std::vector<std::string> shortened(std::vector<std::string> lines) {
     return lines;
 }
 
-std::optional<report::EarlierSummary> earlier_of(const fs::path& file) {
-    if (file.empty()) return std::nullopt;
-    std::ifstream lines(file);
-    try {
-        if (!lines || fs::is_directory(file)) throw std::runtime_error("cannot be read");
-        return report::earlier_from_lines(lines);
-    } catch (const std::runtime_error& error) {
-        throw std::runtime_error(fmt::format("--since {}: expected the JSON lines of an earlier summary: {}",
-                                             file.string(), error.what()));
-    }
-}
-
 }  // namespace
 
 int run_summary(const SummaryOptions& options) {
-    const report::OutputFile lines(options.lines);
+    using report::ResultsDatabase;
     const report::OutputFile html(options.html);
-    const std::optional<report::EarlierSummary> earlier = earlier_of(options.since);
+    std::optional<LaboratorySummary> earlier;
+    if (!options.since.empty())
+        earlier = ResultsDatabase(options.since, ResultsDatabase::Access::read).summary();
+    if (options.paths.empty() && options.database.empty())
+        throw std::invalid_argument("report --summary: expected files, or --sqlite FILE with results");
+    const bool reads = options.paths.empty();
+    ResultsDatabase database(options.database,
+                             reads ? ResultsDatabase::Access::read : ResultsDatabase::Access::add);
     const std::vector<fs::path> files = files_of(options.paths);
-    const Gathered all = Gathering(files).run();
-    const std::vector<std::string> rejected = shortened(all.rejected);
+    const std::vector<std::string> all_rejected = Gathering(files, database).run();
+    const std::vector<std::string> rejected = shortened(all_rejected);
     if (files.size() == 1 && !rejected.empty()) throw std::runtime_error(rejected.front());
     for (const std::string& line : rejected) fmt::print(stderr, "gloam: {}\n", line);
-    if (all.summary.files() == 0)
+    if (!reads && all_rejected.size() == files.size())
         throw std::runtime_error(
             fmt::format("none of {} files holds results of `gloam check --json`", files.size()));
+    database.commit();
+    const LaboratorySummary summary = database.summary();
     std::optional<report::News> news;
-    if (earlier) news = report::news_since(*earlier, all.summary);
-    fmt::print("{}", report::to_summary_text(all.summary, news));
-    lines.write(report::to_json_lines(all.summary));
-    html.write(report::to_summary_page(all.summary, news, rejected));
-    const bool failed = std::ranges::any_of(all.summary.groups(),
-                                            [](const auto& group) { return group.second.failing() > 0; });
+    if (earlier) news = report::news_since(*earlier, summary);
+    fmt::print("{}", report::to_summary_text(summary, news));
+    html.write(report::to_summary_page(summary, news, rejected));
+    const bool failed =
+        std::ranges::any_of(summary, [](const auto& group) { return group.second.failing() > 0; });
     return failed || !rejected.empty() ? 1 : 0;
 }
 
@@ -158,7 +146,7 @@ struct ReportOptions {
     bool accuracy = false;
     bool summary = false;
     std::filesystem::path since;
-    std::filesystem::path lines;
+    std::filesystem::path database;
 };
 
 std::vector<report::ReportFile> read_reports(const std::vector<std::string>& files) {
@@ -184,8 +172,11 @@ std::string page_of(const report::MergedReports& merged, const ReportOptions& op
 
 int run_report(const ReportOptions& options) {
     if (options.summary)
-        return run_summary(
-            {.paths = options.files, .since = options.since, .lines = options.lines, .html = options.html});
+        return run_summary({.paths = options.files,
+                            .database = options.database,
+                            .since = options.since,
+                            .html = options.html});
+    if (options.files.empty()) throw std::invalid_argument("report: expected at least one file");
     const report::OutputFile json(options.json);
     const report::OutputFile html(options.html);
     const report::MergedReports merged = report::merge(read_reports(options.files));
@@ -203,9 +194,8 @@ void add_report(CLI::App& app, int& status) {
     auto options = std::make_shared<ReportOptions>();
     CLI::App* command =
         app.add_subcommand("report", "merge the results of `gloam check --json` from many machines");
-    command
-        ->add_option("file", options->files, "JSON files of gloam check; with --summary also folders of them")
-        ->required();
+    command->add_option("file", options->files,
+                        "JSON files of gloam check; with --summary also folders of them");
     command->add_flag("--markdown", options->markdown, "a Markdown page instead of a table for the terminal");
     command
         ->add_flag("--accuracy", options->accuracy,
@@ -220,12 +210,13 @@ void add_report(CLI::App& app, int& status) {
             ->excludes("--accuracy")
             ->excludes(json);
     command
-        ->add_option("--since", options->since,
-                     "the --lines of an earlier summary: say what is new since then")
+        ->add_option("--sqlite", options->database,
+                     "add the results to this SQLite file, which is made if it is missing, and summarise all "
+                     "that it holds; a result that it holds counts once")
         ->needs(summary);
     command
-        ->add_option("--lines", options->lines,
-                     "write the summary as JSON lines, one for each driver and check")
+        ->add_option("--since", options->since,
+                     "such a file of earlier results: say what got better and worse since then")
         ->needs(summary);
     command->add_option("--html", options->html,
                         "write the results as a page: sortable, filterable, in one file");

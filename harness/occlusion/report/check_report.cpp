@@ -48,6 +48,8 @@ DeviceSummary read_device(const JsonReader& json) {
 CheckReport read_report(const JsonReader& json) {
     CheckReport report{.device = read_device(json.member("device")), .rows = {}};
     if (json.has("versions")) report.versions = json.member("versions").name();
+    if (json.has("inputs")) report.inputs = json.member("inputs").count();
+    if (json.has("seed")) report.seed = json.member("seed").count();
     for (const JsonReader& row : json.member("results").elements()) {
         report.rows.push_back(internal::read_answer(row));
     }
@@ -81,6 +83,10 @@ std::string to_json(const std::vector<CheckReport>& reports) {
         for (const check::Answer& row : report.rows) results.push_back(internal::answer_json(row));
         ordered_json object{{"device", device_json(report.device)}};
         if (!report.versions.empty()) object["versions"] = report.versions;
+        if (report.inputs > 0) {
+            object["inputs"] = report.inputs;
+            object["seed"] = report.seed;
+        }
         object["results"] = std::move(results);
         all.push_back(std::move(object));
     }
@@ -318,12 +324,14 @@ MergedReports merge(const std::vector<ReportFile>& files) {
     std::vector<Rows> rows;  // of merged.reports
     for (const ReportFile& file : files) {
         const std::string device = to_json(file.report.device);
-        const auto known = std::ranges::find(
-            merged.reports, device, [](const CheckReport& report) { return to_json(report.device); });
+        const auto known = std::ranges::find_if(merged.reports, [&](const CheckReport& report) {
+            return report.inputs == file.report.inputs && report.seed == file.report.seed &&
+                   to_json(report.device) == device;
+        });
         const auto index = static_cast<std::size_t>(known - merged.reports.begin());
         if (known == merged.reports.end()) {
             merged.reports.push_back(
-                {.device = file.report.device, .rows = {}, .versions = file.report.versions});
+                {file.report.device, {}, file.report.versions, file.report.inputs, file.report.seed});
             rows.emplace_back();
         }
         for (const check::Answer& row : file.report.rows) unite(rows[index], row, file, merged.conflicts);

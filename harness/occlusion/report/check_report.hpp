@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,6 +38,8 @@ struct CheckReport {
     DeviceSummary device;
     std::vector<check::Answer> rows;
     std::string versions{};  // of gloam and of the compilers; empty: unknown
+    std::size_t inputs = 0;  // that were asked for; 0: unknown
+    std::uint64_t seed = 0;  // of these; 0: unknown
 
     [[nodiscard]] std::size_t count(check::Outcome outcome) const;
 };
@@ -74,14 +77,14 @@ struct OutcomeCounts {
 [[nodiscard]] std::string table_line(const check::Answer& row, const std::string& verdict);
 [[nodiscard]] std::string table_legend();
 
-// {"device": {...}, "versions": "gloam 0.1.0, glslang ...", "results": [{"equation", "function", "file",
-// "variant", "verdict", "outcome", "not_judged_because", "inputs", "judged", "outside", "recorded",
-// "by_rules", "forbidden", "bounded", "unbounded", "differs", "max_ulp", "max_abs", "width_fraction",
-// "budget_fraction", "guarantee", "unbounded_at", "budget", "classes", "worst", "coverage", "fault", "error",
-// "reason", "seconds", "story"}]}, members as in check::Answer; an array of such objects for several devices.
-// "width_fraction" and "guarantee" are null where the verdict is the budget. Infinite numbers are the strings
-// "inf" and "-inf", NaN is "nan".
-// A result also has "undefined", the inputs whose result is undefined, and "undefined_at", why the first is.
+// {"device": {...}, "versions": "gloam 0.1.0, glslang ...", "inputs": 65536, "seed": 1, "results":
+// [{"equation", "function", "file", "variant", "verdict", "outcome", "not_judged_because", "inputs",
+// "judged", "outside", "recorded", "by_rules", "forbidden", "bounded", "unbounded", "differs", "max_ulp",
+// "max_abs", "width_fraction", "budget_fraction", "guarantee", "unbounded_at", "budget", "classes", "worst",
+// "coverage", "fault", "error", "reason", "seconds", "story"}]}, members as in check::Answer; an array of
+// such objects for several devices. "width_fraction" and "guarantee" are null where the verdict is the
+// budget. Infinite numbers are the strings "inf" and "-inf", NaN is "nan". A result also has "undefined", the
+// inputs whose result is undefined, and "undefined_at", why the first is.
 [[nodiscard]] std::string to_json(const std::vector<CheckReport>& reports);
 
 // Reads such a text: one object or an array of them. Throws std::runtime_error with the place in the text,
@@ -110,8 +113,9 @@ struct MergedReports {
     std::vector<std::string> conflicts;  // a line for each row that differs between two files
 };
 
-// Merges files. Two drivers are the same if all their reported properties are; their rows are united, so that
-// shards become the whole. Of two rows that differ (except in time) the worse is kept: first one that did not
+// Merges files. Two drivers are the same if all their reported properties are; their rows for the same inputs
+// and seed are united, so that shards become the whole. Of two rows that differ (except in time) the worse is
+// kept: first one that did not
 // run, then one with a fault, then the larger share outside, then the larger error.
 [[nodiscard]] MergedReports merge(const std::vector<ReportFile>& files);
 

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "report/laboratory.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <stdexcept>
 #include <string_view>
 #include <utility>
-
-#include "report/internal/json_fields.hpp"
+#include <vector>
 
 namespace gloam::report {
 
@@ -69,41 +65,6 @@ std::string name_of(const DriverGroup& group) {
     return group.driver + between + group.version + ", " + group.api;
 }
 
-namespace {
-
-constexpr std::size_t most_groups = 10'000;
-constexpr std::size_t most_devices = 1'000;
-constexpr std::size_t most_checks = 2'000'000;
-
-void add(CheckTally& tally, const CheckTally& other) {
-    tally.runs += other.runs;
-    tally.failed += other.failed;
-    tally.not_judged += other.not_judged;
-    tally.inputs += other.inputs;
-    tally.outside += other.outside;
-    tally.worst = std::max(tally.worst, other.worst);
-    tally.reasons.insert(other.reasons.begin(), other.reasons.end());
-}
-
-CheckTally tally_of(const ResultRow& row) {
-    const bool failed = row.outcome == check::Outcome::failed;
-    CheckTally tally{.runs = 1,
-                     .failed = failed ? 1U : 0U,
-                     .not_judged = row.outcome == check::Outcome::not_judged ? 1U : 0U,
-                     .inputs = row.inputs,
-                     .outside = row.outside,
-                     .worst = row.fraction > 0.0 ? row.fraction : 0.0};
-    if (failed && !row.reason.empty()) tally.reasons.insert(row.reason);
-    return tally;
-}
-
-void require_at_most(std::size_t most, std::size_t found, const char* what) {
-    if (found > most)
-        throw std::runtime_error(fmt::format("more than {} {}: summarise fewer files at once", most, what));
-}
-
-}  // namespace
-
 std::size_t GroupSummary::failing() const {
     return static_cast<std::size_t>(
         std::ranges::count_if(checks, [](const auto& each) { return each.second.failed > 0; }));
@@ -114,123 +75,87 @@ std::size_t GroupSummary::not_judged() const {
         checks, [](const auto& each) { return each.second.not_judged == each.second.runs; }));
 }
 
-void LaboratorySummary::add_file(std::string_view text) {
-    LaboratorySummary one;
-    read_results(text, [&](const DeviceSummary& device, const ResultRow& row) {
-        GroupSummary& group = one.groups_[group_of(device)];
-        group.files = 1;
-        group.devices.insert(device.name);
-        add(group.checks[{row.equation, row.variant}], tally_of(row));
-    });
-    one.files_ = 1;
-    merge(one);
-}
-
-void LaboratorySummary::merge(const LaboratorySummary& other) {
-    for (const auto& [key, from] : other.groups_) {
-        GroupSummary& group = groups_[key];
-        group.files += from.files;
-        group.devices.insert(from.devices.begin(), from.devices.end());
-        for (const auto& [name, tally] : from.checks) add(group.checks[name], tally);
-    }
-    files_ += other.files_;
-    require_bounds();
-}
-
-void LaboratorySummary::require_bounds() const {
-    require_at_most(most_groups, groups_.size(), "groups of drivers");
-    std::size_t checks = 0;
-    for (const auto& [key, group] : groups_) {
-        require_at_most(most_devices, group.devices.size(), "devices of one driver");
-        checks += group.checks.size();
-    }
-    require_at_most(most_checks, checks, "checks");
-}
-
 namespace {
 
-using internal::JsonReader;
-using nlohmann::ordered_json;
-
-constexpr std::streamsize longest_line = 65'536;
-constexpr std::size_t most_lines = 2'000'000;
-
-ordered_json line_of(const DriverGroup& key, const GroupSummary& group, const CheckName& name,
-                     const CheckTally& tally) {
-    return {{"vendor", key.vendor},
-            {"driver", key.driver},
-            {"version", key.version},
-            {"api", key.api},
-            {"files", group.files},
-            {"devices", group.devices.size()},
-            {"equation", name.first},
-            {"variant", name.second},
-            {"runs", tally.runs},
-            {"failed", tally.failed},
-            {"not_judged", tally.not_judged},
-            {"inputs", tally.inputs},
-            {"outside", tally.outside},
-            {"worst", internal::number_json(tally.worst)},
-            {"reasons", tally.reasons}};
+// The numbers of a version, in their order: by them "9.1" is older than "10.0".
+std::vector<std::uint64_t> numbers_of(std::string_view version) {
+    constexpr std::uint64_t most = 1'000'000'000'000'000;  // longer numbers are names of commits, say
+    std::vector<std::uint64_t> numbers;
+    for (std::size_t i = 0; i < version.size(); ++i) {
+        if (!is_digit(version[i])) continue;
+        if (i == 0 || !is_digit(version[i - 1])) numbers.push_back(0);
+        numbers.back() = std::min(most, numbers.back() * 10 + static_cast<std::uint64_t>(version[i] - '0'));
+    }
+    return numbers;
 }
 
-void read_line(std::string_view line, EarlierSummary& earlier) {
-    const ordered_json json = internal::parse_json(line);
-    const JsonReader reader(json, "");
-    const DriverGroup group{.vendor = reader.member("vendor").name(),
-                            .driver = reader.member("driver").name(),
-                            .version = reader.member("version").name(),
-                            .api = reader.member("api").name()};
-    const CheckName name{reader.member("equation").name(), reader.member("variant").name()};
-    earlier.failed[group][name] = reader.member("failed").count() > 0;
+// The build with which another one of the same driver is compared; none: end.
+LaboratorySummary::const_iterator build_before(const LaboratorySummary& before, const DriverGroup& now) {
+    const auto same = before.find(now);
+    if (same != before.end()) return same;
+    const auto wanted = numbers_of(now.version);
+    auto best = before.end();
+    for (auto each = before.begin(); each != before.end(); ++each) {
+        const DriverGroup& group = each->first;
+        if (group.vendor != now.vendor || group.driver != now.driver || group.api != now.api) continue;
+        if (best == before.end()) {
+            best = each;
+            continue;
+        }
+        const auto numbers = numbers_of(group.version);
+        const auto known = numbers_of(best->first.version);
+        const bool older = numbers < wanted;
+        const bool known_older = known < wanted;
+        if (older != known_older ? older : (older ? known < numbers : numbers < known)) best = each;
+    }
+    return best;
+}
+
+bool exceeds(double larger, double smaller) {
+    return larger > 1.1 * smaller && larger > smaller + 0.01;
+}
+
+void compare(const GroupSummary& earlier, const GroupSummary& later, const CheckChange& builds, News& news) {
+    for (const auto& [name, tally] : later.checks) {
+        const auto known = earlier.checks.find(name);
+        CheckChange change = builds;
+        change.check = name;
+        change.worst_now = tally.worst;
+        if (known == earlier.checks.end()) {
+            if (tally.failed > 0) news.newly_failed.push_back(change);
+            continue;
+        }
+        change.worst_before = known->second.worst;
+        const bool failed_before = known->second.failed > 0;
+        if (tally.failed > 0 && !failed_before) {
+            news.newly_failed.push_back(change);
+        } else if (tally.failed == 0 && failed_before) {
+            if (tally.not_judged < tally.runs) news.mended.push_back(change);
+        } else if (exceeds(change.worst_now, change.worst_before)) {
+            news.grew.push_back(change);
+        } else if (exceeds(change.worst_before, change.worst_now)) {
+            news.shrank.push_back(change);
+        }
+    }
 }
 
 }  // namespace
 
-std::string to_json_lines(const LaboratorySummary& summary) {
-    std::string text;
-    for (const auto& [key, group] : summary.groups())
-        for (const auto& [name, tally] : group.checks)
-            text += line_of(key, group, name, tally)
-                        .dump(-1, ' ', false, ordered_json::error_handler_t::replace) +
-                    "\n";
-    return text;
-}
-
-EarlierSummary earlier_from_lines(std::istream& lines) {
-    EarlierSummary earlier;
-    std::string line(longest_line, '\0');
-    for (std::size_t number = 1; lines.getline(line.data(), longest_line) || lines.gcount() > 0; ++number) {
-        const std::string_view text(line.data());
-        try {
-            if (lines.fail() && !lines.eof())
-                throw std::runtime_error(fmt::format("longer than {} bytes", longest_line));
-            if (number > most_lines) throw std::runtime_error(fmt::format("more than {} lines", most_lines));
-            if (!text.empty()) read_line(text, earlier);
-        } catch (const std::runtime_error& error) {
-            throw std::runtime_error(fmt::format("line {}: {}", number, error.what()));
-        }
-    }
-    return earlier;
-}
-
-News news_since(const EarlierSummary& before, const LaboratorySummary& now) {
+News news_since(const LaboratorySummary& before, const LaboratorySummary& now) {
     News news;
-    for (const auto& [key, group] : now.groups()) {
-        const auto known = before.failed.find(key);
-        if (known == before.failed.end()) {
+    std::set<DriverGroup> compared;
+    for (const auto& [key, group] : now) {
+        const auto known = build_before(before, key);
+        if (known == before.end()) {
             news.new_groups.push_back(key);
             continue;
         }
-        for (const auto& [name, tally] : group.checks) {
-            const auto check = known->second.find(name);
-            const bool failed_before = check != known->second.end() && check->second;
-            if (tally.failed > 0 && !failed_before) news.newly_failed.push_back({key, name});
-            if (tally.failed == 0 && failed_before) news.mended.push_back({key, name});
-        }
+        compared.insert(known->first);
+        if (known->first != key) news.builds.emplace_back(known->first, key);
+        compare(known->second, group, {.before = known->first, .now = key, .check = {}}, news);
     }
-    for (const auto& [key, checks] : before.failed)
-        if (!now.groups().contains(key)) news.missing_groups.push_back(key);
+    for (const auto& [key, group] : before)
+        if (!compared.contains(key) && !now.contains(key)) news.missing_groups.push_back(key);
     return news;
 }
 

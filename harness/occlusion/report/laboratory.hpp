@@ -3,8 +3,8 @@
 
 #include <compare>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
-#include <istream>
 #include <map>
 #include <optional>
 #include <set>
@@ -43,27 +43,36 @@ struct ResultRow {
     check::Outcome outcome = check::Outcome::ok;
 };
 
-// Reads a text of `gloam check --json` (to_json()) and calls `take` for each row. It builds no document:
-// its memory does not grow with the text. Throws std::runtime_error
-// with the line of invalid JSON, or the name of what is missing; rows before that have been given to `take`.
-void read_results(std::string_view text,
-                  const std::function<void(const DeviceSummary& device, const ResultRow& row)>& take);
+// Who answered the questions of a report, and what they were asked with.
+struct ResultRun {
+    DeviceSummary device;
+    std::string versions;    // of gloam and of the compilers; empty: unknown
+    std::size_t inputs = 0;  // that were asked for; 0: unknown
+    std::uint64_t seed = 0;  // 0: unknown
+};
+
+using TakeResults = std::function<void(const ResultRun& run, const std::vector<ResultRow>& rows)>;
+
+// Reads a text of `gloam check --json` (to_json()) and calls `take` for each report. It builds no document:
+// only the rows of one report are in memory. Throws std::runtime_error with the line of invalid JSON, or the
+// name of what is missing; reports before that have been given to `take`.
+void read_results(std::string_view text, const TakeResults& take);
 
 // What all machines of a group found for one equation in one variant.
 struct CheckTally {
     std::size_t runs = 0;
-    std::size_t failed = 0;           // of these
-    std::size_t not_judged = 0;       // of all runs
-    std::size_t inputs = 0;           // of all runs
-    std::size_t outside = 0;          // of these
-    double worst = 0.0;               // largest error as a fraction of what is allowed
-    std::set<std::string> reasons{};  // why runs ended early: "hang"
+    std::size_t failed = 0;      // of these
+    std::size_t not_judged = 0;  // of all runs
+    std::size_t inputs = 0;      // of all runs
+    std::size_t outside = 0;     // of these
+    double worst = 0.0;          // largest error as a fraction of what is allowed
+    std::string reasons{};       // why runs ended early: "crash,hang"
 };
 
 using CheckName = std::pair<std::string, std::string>;  // equation and variant
 
 struct GroupSummary {
-    std::size_t files = 0;
+    std::size_t runs = 0;             // each of a device, versions, inputs and a seed
     std::set<std::string> devices{};  // their names
     std::map<CheckName, CheckTally> checks{};
 
@@ -71,55 +80,33 @@ struct GroupSummary {
     [[nodiscard]] std::size_t not_judged() const;  // checks that no run judged
 };
 
-// The results of many machines by group. It grows with the number of different drivers, not of files.
-class LaboratorySummary {
-  public:
-    // Adds the results of one file. Throws like read_results(); then nothing of the file is added. Throws
-    // std::runtime_error too when there are more than 10,000 groups, 1,000 devices of a group or 2,000,000
-    // checks.
-    void add_file(std::string_view text);
+// The results of many machines by group: see ResultsDatabase.
+using LaboratorySummary = std::map<DriverGroup, GroupSummary>;
 
-    void merge(const LaboratorySummary& other);
-
-    [[nodiscard]] const std::map<DriverGroup, GroupSummary>& groups() const { return groups_; }
-    [[nodiscard]] std::size_t files() const { return files_; }
-
-  private:
-    void require_bounds() const;
-
-    std::map<DriverGroup, GroupSummary> groups_;
-    std::size_t files_ = 0;
-};
-
-// JSON lines, one for each check of each group, for databases: {"vendor", "driver", "version", "api",
-// "files", "devices", "equation", "variant", "runs", "failed", "not_judged", "inputs", "outside", "worst",
-// "reasons"}. "files" and "devices" count those of the group. An infinite "worst" is the string "inf".
-[[nodiscard]] std::string to_json_lines(const LaboratorySummary& summary);
-
-// What a later summary compares with: which checks of which groups failed.
-struct EarlierSummary {
-    std::map<DriverGroup, std::map<CheckName, bool>> failed;
-};
-
-// Reads such lines, one at a time: at most 2,000,000 of at most 64 kB. Throws std::runtime_error with the
-// number of the line, what was found and what was expected.
-[[nodiscard]] EarlierSummary earlier_from_lines(std::istream& lines);
-
-// A check of a group.
-struct GroupCheck {
-    DriverGroup group;
+// A check of two builds of a driver, or of one build at two times.
+struct CheckChange {
+    DriverGroup before;
+    DriverGroup now;
     CheckName check;
+    double worst_before = 0.0;
+    double worst_now = 0.0;
 };
 
-// What has changed since an earlier summary.
+// What has changed since an earlier summary. A driver in a version that is not in the earlier summary is
+// compared with the newest version there that is older, otherwise with the oldest that is newer. An error
+// grew or shrank if the larger one exceeds the smaller one by more than a tenth, and by more than a hundredth
+// of what is allowed.
 struct News {
     std::vector<DriverGroup> new_groups;
-    std::vector<GroupCheck> newly_failed;  // of groups that both have: passed or unknown before
-    std::vector<GroupCheck> mended;        // failed before, passes now
+    std::vector<std::pair<DriverGroup, DriverGroup>> builds;  // of one driver: before and now
+    std::vector<CheckChange> newly_failed;                    // passed or unknown before
+    std::vector<CheckChange> mended;                          // failed before, passes now
+    std::vector<CheckChange> grew;                            // the worst error; the outcome is as before
+    std::vector<CheckChange> shrank;
     std::vector<DriverGroup> missing_groups;
 };
 
-[[nodiscard]] News news_since(const EarlierSummary& before, const LaboratorySummary& now);
+[[nodiscard]] News news_since(const LaboratorySummary& before, const LaboratorySummary& now);
 
 // For a terminal: a line for each group with its failed checks, at most ten named, and what is new. Of more
 // than 40 groups only those with failures are listed.

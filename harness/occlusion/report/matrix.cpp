@@ -14,6 +14,15 @@ namespace {
 
 using Line = std::vector<std::string>;
 
+// The driver; and what it was asked with, where another report is of the same driver.
+std::string title_of(const std::vector<CheckReport>& reports, std::size_t index) {
+    const CheckReport& report = reports[index];
+    const std::string name = name_of(report.device);
+    const auto same = [&](const CheckReport& other) { return name_of(other.device) == name; };
+    if (std::ranges::count_if(reports, same) < 2) return name;
+    return fmt::format("{}, {} inputs, seed {}", name, report.inputs, report.seed);
+}
+
 std::string cell(const check::Answer& row) {
     if (!row.ran()) return std::string(name_of(row.reason));
     if (!row.fault.empty()) return "FAULT";
@@ -121,7 +130,7 @@ std::string markdown_line(const Line& line) {
 std::string to_matrix(const std::vector<CheckReport>& reports) {
     std::string text;
     for (std::size_t i = 0; i < reports.size(); ++i) {
-        text += fmt::format("driver {}: {}\n", i + 1, name_of(reports[i].device));
+        text += fmt::format("driver {}: {}\n", i + 1, title_of(reports, i));
     }
     text += "\n" + aligned(lines_of(reports)) + "\n" + std::string(legend) + "\n";
     for (std::size_t i = 0; i < reports.size(); ++i) {
@@ -133,7 +142,7 @@ std::string to_matrix(const std::vector<CheckReport>& reports) {
 std::string to_matrix_markdown(const std::vector<CheckReport>& reports) {
     std::string text = "# Equations on drivers\n\n| driver | | result |\n| --- | --- | --- |\n";
     for (std::size_t i = 0; i < reports.size(); ++i) {
-        text += markdown_line({std::to_string(i + 1), name_of(reports[i].device), summary(reports[i])});
+        text += markdown_line({std::to_string(i + 1), title_of(reports, i), summary(reports[i])});
     }
     const std::vector<Line> lines = lines_of(reports);
     text += "\n" + markdown_line(lines.front()) + markdown_line(Line(lines.front().size(), "---"));

@@ -32,11 +32,11 @@ struct Row {
 // results, 3 a row; deeper values are skipped.
 class Events final : public nlohmann::json_sax<json> {
   public:
-    explicit Events(const std::function<void(const DeviceSummary&, const ResultRow&)>& take) : take_(&take) {}
+    explicit Events(const TakeResults& take) : take_(&take) {}
 
     bool start_object(std::size_t) override {
         enter();
-        if (level_ == 1) device_ = {}, has_device_ = has_results_ = false;
+        if (level_ == 1) run_ = {}, rows_.clear(), has_device_ = has_results_ = false;
         if (level_ == 3 && section_ == "results") row_ = {};
         return true;
     }
@@ -66,11 +66,14 @@ class Events final : public nlohmann::json_sax<json> {
         return true;
     }
     bool string(std::string& value) override {
+        if (level_ == 1 && key_ == "versions") run_.versions = name("versions", value);
         if (level_ == 2 && section_ == "device") take_device(value);
         if (in_row()) take_text(value);
         return true;
     }
     bool number_unsigned(json::number_unsigned_t value) override {
+        if (level_ == 1 && key_ == "inputs") run_.inputs = value;
+        if (level_ == 1 && key_ == "seed") run_.seed = value;
         if (in_row() && key_ == "inputs") row_.row.inputs = value;
         if (in_row() && key_ == "outside") row_.row.outside = value;
         return number_float(static_cast<double>(value), "");
@@ -107,10 +110,10 @@ class Events final : public nlohmann::json_sax<json> {
     }
 
     void take_device(const std::string& value) {
-        if (key_ == "name") device_.name = name("device.name", value);
-        if (key_ == "driver") device_.driver = name("device.driver", value);
-        if (key_ == "type") device_.type = name("device.type", value);
-        if (key_ == "api_version") device_.api_version = name("device.api_version", value);
+        if (key_ == "name") run_.device.name = name("device.name", value);
+        if (key_ == "driver") run_.device.driver = name("device.driver", value);
+        if (key_ == "type") run_.device.type = name("device.type", value);
+        if (key_ == "api_version") run_.device.api_version = name("device.api_version", value);
     }
 
     void take_text(const std::string& value) {
@@ -139,23 +142,24 @@ class Events final : public nlohmann::json_sax<json> {
     void finish_report() {
         if (!has_device_ || !has_results_)
             throw std::runtime_error("expected an object with a device and results");
+        (*take_)(run_, rows_);
         ++reports_;
     }
 
     void finish_row() {
-        if (!has_device_) throw std::runtime_error("results: expected a device before them");
         if (row_.row.equation.empty()) throw std::runtime_error("results: a row without an equation");
         row_.row.fraction = row_.verdict == "rules" ? row_.width_fraction : row_.budget_fraction;
         row_.row.outcome = outcome();
-        (*take_)(device_, row_.row);
+        rows_.push_back(std::move(row_.row));
     }
 
-    const std::function<void(const DeviceSummary&, const ResultRow&)>* take_;
+    const TakeResults* take_;
     std::size_t level_ = 0;
     bool in_list_ = false;
     std::string section_;  // the member of the report
     std::string key_;
-    DeviceSummary device_;
+    ResultRun run_;
+    std::vector<ResultRow> rows_;
     bool has_device_ = false;
     bool has_results_ = false;
     Row row_;
@@ -164,8 +168,7 @@ class Events final : public nlohmann::json_sax<json> {
 
 }  // namespace
 
-void read_results(std::string_view text,
-                  const std::function<void(const DeviceSummary& device, const ResultRow& row)>& take) {
+void read_results(std::string_view text, const TakeResults& take) {
     Events events(take);
     (void)json::sax_parse(text.begin(), text.end(), &events);
     if (events.reports() == 0)
