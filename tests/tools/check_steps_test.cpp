@@ -78,6 +78,22 @@ TEST(CheckSteps, ABrokenCompilerIsHandedOverWithTheFewestStepsAndAProgram) {
     EXPECT_EQ(run_program(at / "repro", {"no such device"}).status, 2);
 }
 
+TEST(CheckSteps, ABudgetOfTimeLeavesChecksForALaterRun) {
+    const TemporaryDirectory folder;
+    const auto file = folder.path() / "r.json";
+    const auto more = [&file](const std::string& words_of_it) {
+        return words(words_of_it + " --json {}", file);
+    };
+    const CommandResult first = check("random:1-40", {"spirv-opt -O"}, more("--budget 0.2"));
+    EXPECT_EQ(first.status, 0) << first.out << first.err;
+    EXPECT_THAT(first.out,
+                HasSubstr("checks were not run: the budget of 0.2 s is spent; --resume runs them"));
+    const CommandResult second = check("random:1-40", {"spirv-opt -O"}, more("--resume"));
+    EXPECT_EQ(second.status, 0) << second.out << second.err;
+    EXPECT_THAT(second.out, HasSubstr("40 checks, 0 failed"));
+    EXPECT_THAT(second.out, testing::Not(HasSubstr("not run")));
+}
+
 TEST(CheckSteps, AStepThatFailsFailsTheCheckInOneLine) {
     const CommandResult result = check("HALTON-2D", {"/bin/false {in} {out}"});
     EXPECT_EQ(result.status, 1);

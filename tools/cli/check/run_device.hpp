@@ -21,7 +21,9 @@ struct DeviceRun {
     std::vector<CheckTask> tasks;
     std::chrono::milliseconds timeout{120'000};  // for each check
     std::size_t jobs = 1;                        // worker processes
-    bool in_process = false;                     // without workers: a crash of a driver ends the whole run
+    // No check begins after it; those that are left have no row.
+    std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
+    bool in_process = false;  // without workers: a crash of a driver ends the whole run
     // The known row of a task, which is not run then; empty: every task runs.
     std::function<std::optional<check::Answer>(const report::DeviceSummary&, const CheckTask&)> known;
     // Called in the order of the tasks, never from two threads at once.
