@@ -65,7 +65,7 @@ void append_value(Scalar scalar, const std::string& text, std::vector<Word>& wor
     const auto bits = is_signed ? static_cast<std::uint64_t>(parsed<std::int64_t>(text, decimal))
                                 : parsed<std::uint64_t>(text, is_bits ? hexadecimal : decimal);
     check::set_bits(scalar, bits, own);
-    const unsigned unused = 64 - (shader::is_float(scalar) ? 32 * own.size() : shader::bits_of(scalar));
+    const std::size_t unused = 64 - (shader::is_float(scalar) ? 32 * own.size() : shader::bits_of(scalar));
     const std::uint64_t cut = bits << unused;
     const bool fits =
         bits ==
