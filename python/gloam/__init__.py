@@ -152,7 +152,8 @@ def _wanted(value, variable):
         return np.ravel(np.stack([value.astype(np.float64), np.zeros(value.shape)], axis=-1))
     if variable.dtype in ("int64", "uint64"):
         words = value.astype(variable.dtype).view(np.uint32).astype(np.int64)
-        return np.where(np.arange(words.size) % 2 == 1, words.astype(variable.dtype[:-2] + "32"), words).astype(np.float64)
+        words[1::2] = words[1::2].astype(variable.dtype[:-2] + "32")  # the second word has the sign
+        return words.astype(np.float64)
     return value.astype(np.float64)
 
 

@@ -204,6 +204,19 @@ TEST_F(OwnNumbers, IntegersAreDrawnUpToTheirLimits) {
     holds(Scalar::uint64_, 0, std::numeric_limits<std::uint64_t>::max());
 }
 
+TEST_F(OwnNumbers, FixedValuesAreOfTheType) {
+    const Values doubles = uniform(0, 1, Scalar::double_);
+    const Domain near({doubles.and_near({0.5}, Scalar::double_)});
+    std::set<double> found;
+    const std::vector<Word> words = near.draw(100, 1).words;
+    for (std::size_t i = 0; i < words.size(); i += 2)
+        found.insert(float_at(Scalar::double_, std::span(words).subspan(i)));
+    EXPECT_TRUE(found.contains(0.5) && found.contains(0.5 + 0x1p-53) && found.contains(0.5 - 0x1p-54));
+    EXPECT_THAT([&] { (void)Domain({doubles.and_near({0.5})}); },
+                testing::ThrowsMessage<std::invalid_argument>(
+                    "a fixed value is of another type than the values that are drawn"));
+}
+
 TEST_F(OwnNumbers, ARangeIsKept) {
     const Lab lab(options(), test::SharedDevice::get());
     const Question question = question_of(lab, "numbers.glsl", function("long_arithmetic"), {{"a", {-3, 5}}});

@@ -142,9 +142,19 @@ TEST(Functions, OtherTypesAreListedAsUnsupported) {
         "float f(sampler2DMS a, double b[2][3], S s, sampler2D d[2]) { return 1.0; }\n");
     EXPECT_THAT(prototypes(found),
                 ElementsAre("float f(sampler2DMS a, double[2][3] b, S s, sampler2D[2] d)"));
-    for (const Parameter& parameter : found[0].parameters)
-        EXPECT_FALSE(is_supported(parameter.type)) << parameter.name;
+    for (const std::size_t sampler : {0, 3}) EXPECT_FALSE(is_supported(found[0].parameters[sampler].type));
     EXPECT_EQ(to_glsl(found[0].parameters[2].type), "S { float[3] a; dvec2 b; }");
+}
+
+TEST(Functions, NumbersOfAllSizesHaveTheirTypes) {
+    const std::string text =
+        "int64_t f(double a, f16vec3 b, u8vec4[2] c, int16_t d, dmat2x3 e, f16mat2 g, uint64_t h)";
+    const auto found = functions_of("#extension GL_EXT_shader_explicit_arithmetic_types : require\n" + text +
+                                    " { return 1l; }\n");
+    EXPECT_THAT(prototypes(found), ElementsAre(text));
+    for (const Parameter& parameter : found[0].parameters) EXPECT_TRUE(is_supported(parameter.type));
+    EXPECT_EQ(found[0].parameters[1].type.scalar, Scalar::float16_);
+    EXPECT_EQ(bits_of(found[0].result.scalar), 64U);
 }
 
 // The size of such an array is known only when the pipeline is made.

@@ -157,6 +157,19 @@ struct Domain::Forced {
     std::size_t change = nothing;
 };
 
+Domain::Domain(std::vector<Values> parameters) : parameters_(std::move(parameters)) {
+    numeric::Random random(0);
+    DrawContext context{.random = random};
+    for (const Values& values : parameters_) {
+        std::vector<Word> drawn;
+        values.draw(context, drawn);
+        for (const Values::Fixed& fixed : values.fixed)
+            if (fixed.words.size() != drawn.size())
+                throw std::invalid_argument(
+                    "a fixed value is of another type than the values that are drawn");
+    }
+}
+
 Domain Domain::tied(std::size_t target, std::size_t source, double factor) const {
     if (target >= parameters_.size() || source >= parameters_.size()) {
         throw std::invalid_argument("Domain::tied: no such parameter");

@@ -44,7 +44,8 @@ struct Values {
     // vector, and in all components.
     [[nodiscard]] Values and_special(shader::Scalar scalar = shader::Scalar::float_) const;
     // Adds branch points of a float parameter: each point and the floats one ULP on either side.
-    [[nodiscard]] Values and_near(std::initializer_list<double> points) const;
+    [[nodiscard]] Values and_near(std::initializer_list<double> points,
+                                  shader::Scalar scalar = shader::Scalar::float_) const;
     // Adds branch points of an integer parameter: each point and its two neighbours (as int; unsigned wraps).
     [[nodiscard]] Values and_near_integers(std::initializer_list<long> points) const;
 
@@ -161,8 +162,9 @@ class Degenerate {
 class Domain {
   public:
     Domain() = default;
-    Domain(std::initializer_list<Values> parameters) : parameters_(parameters) {}
-    explicit Domain(std::vector<Values> parameters) : parameters_(std::move(parameters)) {}
+    // Throws std::invalid_argument for a fixed value of another type than those that are drawn.
+    Domain(std::initializer_list<Values> parameters) : Domain(std::vector<Values>(parameters)) {}
+    explicit Domain(std::vector<Values> parameters);
 
     // Adds a relation for branch points that depend on another parameter. In one of sixteen inputs, float
     // parameter `target` becomes float parameter `source` times `factor`, or one of the floats one ULP beside

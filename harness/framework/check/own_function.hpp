@@ -52,6 +52,8 @@ struct OwnFunctions {
 //   float: half of them 0 to 1, the others of either sign and 1e-6 to 1e6 by magnitude, with zero, infinity,
 //   NaN, the largest and the smallest;
 //   int: half of them 0 to 7, the others -1000 to 1000; uint: half of them 0 to 7, the others up to 2^31;
+//   double and float16_t: as float, in their format; other integers: half of them 0 to 7, the others of any
+//   size and sign;
 //   bool: both; a vector, matrix or structure: of these.
 // Of a quad, most neighbours differ a little (neighbours()).
 // If every parameter has a range, their inputs are promised to have defined results.

@@ -75,12 +75,14 @@ Values Values::and_special(Scalar scalar) const {
     return more;
 }
 
-Values Values::and_near(std::initializer_list<double> points) const {
+Values Values::and_near(std::initializer_list<double> points, Scalar scalar) const {
     Values more = *this;
     for (const double point : points) {
         for (const int steps : {-1, 0, 1}) {
-            const float value = numeric::step(static_cast<float>(point), steps);
-            more.fixed.push_back({.words = {to_word(value)}, .branch = true});
+            Fixed& near = more.fixed.emplace_back();
+            near.branch = true;
+            append_float(scalar, point, near.words);
+            step_float(scalar, steps, near.words);
         }
     }
     return more;

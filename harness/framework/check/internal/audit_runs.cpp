@@ -26,20 +26,12 @@ ImageScenario first_scenario(const Question& question) {
     return question.scenarios.empty() ? ImageScenario{} : question.scenarios.front();
 }
 
-double nearest_half(double x) {
-    if (!std::isfinite(x)) return x;
-    const double low = numeric::float16.round_down(x);
-    const double high = numeric::float16.round_up(x);
-    return x - low <= high - x ? low : high;
-}
-
 // Floats are rounded to float16, so that their rounding is no error of the function.
 std::vector<Word> halved(std::span<const Word> input, const std::vector<Scalar>& scalars) {
     std::vector<Word> words(input.begin(), input.end());
     for (std::size_t i = 0; i < words.size(); ++i)
-        if (shader::is_float(scalars[i]))
-            set_float(scalars[i], nearest_half(float_at(scalars[i], std::span(words).subspan(i))),
-                      std::span(words).subspan(i));
+        if (scalars[i] == Scalar::float_)
+            set_float(Scalar::float16_, from_word<float>(words[i]), std::span(words).subspan(i, 1));
     return words;
 }
 

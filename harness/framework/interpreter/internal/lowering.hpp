@@ -82,6 +82,7 @@ class Lowering {
     void list_offsets(const PointerInfo& pointer, Instruction& instruction);
     void lower_componentwise(const shader::Instruction& i, Scope& scope);
     void lower_bits(const shader::Instruction& i, const Scope& scope);
+    static void set_sizes(Instruction& instruction, std::uint32_t arity, const Type& from, const Type& to);
     void resize_integers(Slot result, std::uint32_t count, Id type);
     void lower_extended(const shader::Instruction& i, Scope& scope);
     void lower_call(const shader::Instruction& i, Scope& scope);

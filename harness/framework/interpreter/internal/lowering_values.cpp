@@ -183,6 +183,34 @@ bool Lowering::lower_matrix(const shader::Instruction& i, Scope& scope) {
     }
 }
 
+// What an operation has to know of the sizes of its operands and its result.
+void Lowering::set_sizes(Instruction& instruction, std::uint32_t arity, const Type& from, const Type& to) {
+    switch (instruction.op) {
+        case SpvOpUConvert:
+        case SpvOpSConvert:
+            instruction.b = instruction.op == SpvOpSConvert ? 1 : 0;
+            instruction.c = from.width;
+            instruction.extra = to.width;
+            instruction.op = resize;
+            return;
+        case SpvOpConvertFToU:
+        case SpvOpConvertFToS:
+            instruction.flags = from.width == 64 ? flags::wide : std::uint8_t{0};
+            instruction.c = to.width;
+            return;
+        case SpvOpConvertUToF:
+        case SpvOpConvertSToF:
+        case SpvOpFConvert:
+            instruction.c = from.width;
+            return;
+        default:
+            // Of comparisons the operands have 64 bits, and the result has not.
+            if (from.width == 64) instruction.flags |= flags::wide;
+            if (from.kind == Type::Kind::integer && arity == 2) instruction.c = from.width;
+            return;
+    }
+}
+
 void Lowering::lower_componentwise(const shader::Instruction& i, Scope& scope) {
     const auto opcode = static_cast<std::uint16_t>(i.opcode);
     const auto arity = arity_of(opcode);
@@ -205,33 +233,10 @@ void Lowering::lower_componentwise(const shader::Instruction& i, Scope& scope) {
         for (std::size_t k = 0; k < *arity; ++k)
             if (is_relaxed(i.word(k + 3))) instruction.flags |= flags::relaxed;
     }
-    switch (opcode) {
-        case SpvOpUConvert:
-        case SpvOpSConvert:
-            instruction.op = resize;
-            instruction.b = opcode == SpvOpSConvert ? 1 : 0;
-            instruction.c = scalar.width;
-            instruction.extra = to.width;
-            return;
-        case SpvOpConvertFToU:
-        case SpvOpConvertFToS:
-            instruction.flags = flags_of(i.word(2), operand_type);
-            instruction.c = to.width;
-            return resize_integers(instruction.result, count, i.word(1));
-        case SpvOpConvertUToF:
-        case SpvOpConvertSToF:
-        case SpvOpFConvert:
-            instruction.c = scalar.width;
-            return;
-        default:
-            break;
-    }
-    // Of comparisons and others the operands have 64 bits, and the result has not.
-    if (scalar.width == 64) instruction.flags |= flags::wide;
-    if (scalar.kind == Type::Kind::integer && *arity == 2) instruction.c = scalar.width;
+    set_sizes(instruction, *arity, scalar, to);
     if (is_float_arithmetic(opcode) && (instruction.flags & flags::no_contraction) == 0)
         code_.may_be_rearranged = true;
-    resize_integers(slot_of(i.word(2), scope), count, i.word(1));
+    if (instruction.op != resize) resize_integers(instruction.result, count, i.word(1));
 }
 
 void Lowering::lower_extended(const shader::Instruction& i, Scope& scope) {

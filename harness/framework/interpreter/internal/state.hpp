@@ -264,7 +264,7 @@ struct State {
                 return;
             }
         }
-        slots[slot] = Value<N>::of(half || (i.flags & flags::half) != 0 ? halved(x) : x);
+        slots[slot] = Value<N>::of(rounds_to_half(i) ? halved(x) : x);
     }
     void set(const Instruction&, Slot slot, Word x) { slots[slot] = Value<N>::of_bits(x); }
     void set(const Instruction&, Slot slot, std::uint64_t x) { slots[slot] = Value<N>::of_bits(x); }
@@ -309,6 +309,9 @@ struct State {
 
   private:
     static N halved(const N& x);
+    [[nodiscard]] bool rounds_to_half(const Instruction& i) const {
+        return (half && (i.flags & flags::wide) == 0) || (i.flags & flags::half) != 0;
+    }
 
     // Throws Fault for a race.
     void watch(std::uint32_t resource, std::size_t word, Races::Use use) const {
