@@ -227,9 +227,9 @@ TEST(Program, ALoopWithoutAnEndIsStopped) {
 
 TEST(Program, AnInstructionThatIsNotKnownIsNamed) {
     const std::string text =
-        "#version 450\nlayout(local_size_x = 1) in;\nlayout(r32ui, binding = 0) uniform uimage2D i;\n"
+        "#version 450\nlayout(local_size_x = 1) in;\nlayout(r32ui, binding = 0) uniform uimage2DMS i;\n"
         "layout(std430, binding = 1) buffer Out { uint o[]; };\n"
-        "uint odd(uint x) { return imageAtomicAdd(i, ivec2(0), x); }\nvoid main() { o[0] = odd(o[1]); }\n";
+        "uint odd(uint x) { return uint(imageSamples(i)) + x; }\nvoid main() { o[0] = odd(o[1]); }\n";
     try {
         (void)Program(compiled(text));
         ADD_FAILURE() << "no error";

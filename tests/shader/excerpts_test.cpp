@@ -47,10 +47,10 @@ TEST(Excerpts, LackVersionMainAndInterfaceOfTheText) {
     EXPECT_THAT(all.functions[1].interface, IsEmpty());
     EXPECT_THAT(all.functions[2].interface, IsEmpty());
     EXPECT_THAT(all.functions[2].globals, ElementsAre(std::pair(std::string("uv"), Access::reads)));
-    ASSERT_EQ(all.functions[2].samplers.size(), 1U);
-    EXPECT_EQ(all.functions[2].samplers[0].name, "image");
-    EXPECT_EQ(all.functions[2].samplers[0].type, "sampler2D");
-    EXPECT_THAT(all.functions[2].text, HasSubstr("layout(binding = " + sampler_binding(0) + ") uniform"));
+    ASSERT_EQ(all.functions[2].bound.size(), 1U);
+    EXPECT_EQ(all.functions[2].bound[0].name, "image");
+    EXPECT_EQ(all.functions[2].bound[0].type, "sampler2D");
+    EXPECT_THAT(all.functions[2].text, HasSubstr("layout(binding = " + binding_macro(0) + ") uniform"));
 }
 
 TEST(Excerpts, NameTheDefinitionsOfTheFileItself) {
@@ -115,7 +115,12 @@ TEST(Excerpts, UniformsBuffersInputsAndOutputsArePlainVariables) {
         "    sums[0] = g; return a.x + b[0] + pushed.c[2] + all.values[1] + e + f + i.x; }\n");
     ASSERT_EQ(all.functions.size(), 1U);
     const Excerpt& excerpt = all.functions[0];
-    EXPECT_THAT(excerpt.interface, ElementsAre("j", "k"));
+    EXPECT_THAT(excerpt.interface, ElementsAre("j"));
+    ASSERT_EQ(excerpt.bound.size(), 1U);
+    EXPECT_EQ(excerpt.bound[0].name + " " + excerpt.bound[0].format, "k rgba32f");
+    EXPECT_TRUE(excerpt.bound[0].written);
+    EXPECT_THAT(excerpt.text,
+                HasSubstr("layout(binding = GLOAM_BINDING_0, rgba32f) uniform highp image2DArray k;"));
     std::string written;
     std::string read;
     for (const auto& [name, access] : excerpt.globals)

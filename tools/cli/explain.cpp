@@ -75,7 +75,7 @@ void append_value(Scalar scalar, const std::string& text, std::vector<Word>& wor
 
 // The words of an input. A function of a quad or a work group takes the values of all its invocations, one
 // after another for each parameter, or those of one invocation, which all have then.
-std::vector<Word> input_from(const check::OwnFunction& own, const std::vector<std::string>& values) {
+std::vector<Word> input_from(const check::OwnFunction& own, const std::vector<std::string>& given) {
     struct Part {
         std::vector<Scalar> scalars;
         std::size_t invocations;
@@ -83,6 +83,7 @@ std::vector<Word> input_from(const check::OwnFunction& own, const std::vector<st
     std::vector<Part> parts;
     std::size_t all = 0;
     std::size_t of_one = 0;
+    std::size_t pixels = 0;  // of images, which come last
     for (const shader::Parameter& p : own.function.parameters) {
         if (p.direction == shader::Direction::out) continue;
         const bool alone = own.team.count() == 1 || !check::is_of_each(p);
@@ -91,18 +92,25 @@ std::vector<Word> input_from(const check::OwnFunction& own, const std::vector<st
         std::erase(parts.back().scalars, Scalar::upper);
         of_one += parts.back().scalars.size();
         all += parts.back().scalars.size() * parts.back().invocations;
+        if (!p.image.empty()) pixels += parts.back().scalars.size();
     }
-    if (values.size() != all && values.size() != of_one)
+    if (pixels > 0 && given.size() + pixels == all) {
+        std::vector<std::string> counted = given;
+        for (std::size_t k = 1; k <= pixels; ++k) counted.push_back(std::to_string(k));
+        return input_from(own, counted);
+    }
+    if (given.size() != all && given.size() != of_one)
         throw std::invalid_argument(fmt::format(
-            "{} takes {} values{}, got {}", own.name, all,
-            all == of_one ? "" : fmt::format(" (or {}, for all its invocations)", of_one), values.size()));
+            "{} takes {} values{}{}, got {}", own.name, all,
+            pixels == 0 ? "" : fmt::format(" (or {}, where pixels are 1, 2, 3 ...)", all - pixels),
+            all == of_one ? "" : fmt::format(" (or {}, for all its invocations)", of_one), given.size()));
     std::vector<Word> input;
     std::size_t next = 0;
     for (const Part& part : parts) {
         const std::size_t first = next;
         for (std::size_t k = 0; k < part.invocations; ++k) {
-            if (values.size() == of_one) next = first;
-            for (const Scalar scalar : part.scalars) append_value(scalar, values[next++], input);
+            if (given.size() == of_one) next = first;
+            for (const Scalar scalar : part.scalars) append_value(scalar, given[next++], input);
         }
     }
     return input;
@@ -119,13 +127,13 @@ void run_explain(const ExplainOptions& options) {
     const std::vector<Word> input = input_from(own, options.values);
     try {
         numeric::Random random(1);
-        const auto scenarios = check::random_scenarios(own.samplers);
+        const auto scenarios = check::random_scenarios(own.images);
         const check::ImageSet images =
             scenarios.empty() ? check::ImageSet{} : scenarios.front().make(scenarios.front().size, random);
         const check::Explanation all = check::explain({.variant = shader::variant(options.variant)},
                                                       {.file = options.file.filename().string(),
                                                        .function = own.function,
-                                                       .images = own.samplers,
+                                                       .images = own.images,
                                                        .text = own.excerpt,
                                                        .team = own.team},
                                                       input, images);

@@ -146,7 +146,11 @@ struct KernelProgram {
     std::size_t fixed_inputs = 0;    // inputs that are constants of the module; 0: they come from memory
     std::vector<bool> stores = {};   // for each image, whether the kernel stores to it
     std::vector<bool> sampled = {};  // for each image, whether a sampler reads it, and not a storage buffer
-    const std::string& name;         // for messages
+    // For each image, the format of a storage image with a layer for each input, which holds nothing at
+    // first; empty: it is none. layer_size: the sides of all.
+    std::vector<std::string> layered = {};
+    std::array<std::uint32_t, 2> layer_size{};
+    const std::string& name;  // for messages
     Team team = {};
     std::span<const Word> vertex_spirv = {};  // of a quad: the shader before it, of the
                                               // corners (-1, -1), (1, -1), (-1, 1)
@@ -160,7 +164,8 @@ struct KernelMemory {
     std::span<const Word> inputs;  // a row of KernelProgram::input_words for each
     std::vector<Word> outputs;     // a row for each: output_words, the canary; behind all rows guard_words
     KernelFaults faults{};
-    // Each a width, a height, a border, then its texels; a sampled one as in backend/sampled.hpp.
+    // Each a width, a height, a border, then its texels; a sampled one as in backend/sampled.hpp; of a
+    // layered one no words.
     std::vector<std::vector<Word>>& images;
 };
 

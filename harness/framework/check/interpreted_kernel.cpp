@@ -79,7 +79,8 @@ std::vector<std::vector<Word>> image_words(const std::vector<ImagePrototype>& pr
                                            const ImageSet& images, const std::string& kernel) {
     std::vector<std::vector<Word>> all;
     for (const ImagePrototype& prototype : prototypes)
-        all.push_back(words_of(find_image(images, prototype, kernel), prototype));
+        all.push_back(prototype.layers ? std::vector<Word>{}
+                                       : words_of(find_image(images, prototype, kernel), prototype));
     return all;
 }
 

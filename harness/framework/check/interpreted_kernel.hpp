@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <deque>
 #include <functional>
 #include <span>
 #include <vector>
@@ -63,7 +64,9 @@ class InterpretedKernel {
         machine_.bind_push_constants(push_);
         for (std::size_t i = 0; i < images.size(); ++i) {
             const auto binding = KernelBinding::first_image + static_cast<unsigned>(i);
-            if (module.images[i].sampler) {
+            if (module.images[i].layers) {
+                bind_layers(binding, module.images[i].layers->format);
+            } else if (module.images[i].sampler) {
                 machine_.bind(0, binding, interpreter::sampled_view_of(images[i], module.samplers));
             } else {
                 machine_.bind(0, binding, images[i]);
@@ -123,6 +126,17 @@ class InterpretedKernel {
     void set_order(interpreter::Order order) { order_ = order; }
 
   private:
+    // Texels that the kernel has not filled yet; a channel that the format lacks is 0, the last one 1.
+    void bind_layers(std::uint32_t binding, const std::string& format) {
+        std::vector<Word>& texels = layers_.emplace_back();
+        const Word one = format.ends_with('f') ? to_word(1.0F) : 1U;
+        const std::size_t count = std::size_t{image_sides[0]} * image_sides[1] * run_.count;
+        for (std::size_t i = 0; i < count; ++i) texels.insert(texels.end(), {0U, 0U, 0U, one});
+        machine_.bind(
+            0, binding,
+            interpreter::ImageView{.size = {image_sides[0], image_sides[1], run_.count}, .texels = texels});
+    }
+
     void select(std::size_t index) {
         if (team_.kind == backend::Team::Kind::alone)
             machine_.set_invocation({.group = {static_cast<std::uint32_t>(index), 0, 0}});
@@ -139,6 +153,7 @@ class InterpretedKernel {
     std::vector<Word> outputs_;
     std::array<Word, sizeof(KernelFaults) / sizeof(Word)> faults_{};
     std::array<Word, 3> push_{};
+    std::deque<std::vector<Word>> layers_;  // of each image that the function loads or stores
     std::size_t first_ = 0;
 };
 

@@ -15,7 +15,7 @@
 
 namespace gloam::check {
 
-// A prototype or a sampler with a synthetic image behind it.
+// A prototype or a sampler with a synthetic image behind it, or an image of the function itself.
 struct ImagePrototype {
     std::string name;
     shader::Type element;
@@ -28,6 +28,15 @@ struct ImagePrototype {
         std::string macro;
     };
     std::optional<Sampler> sampler = {};
+    // Of an image that the function loads or stores, a layer for each input: scratch memory that the kernel
+    // fills.
+    struct Layers {
+        std::string format;
+        std::string macro;
+    };
+    std::optional<Layers> layers = {};
+
+    [[nodiscard]] bool is_prototype() const { return !sampler && !layers; }
 };
 
 // What a compute shader is generated from.

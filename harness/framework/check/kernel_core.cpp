@@ -31,12 +31,14 @@ std::unique_ptr<const backend::Kernel> made(const backend::Backend& device, cons
                                    .input_words = module.input_words,
                                    .output_words = module.output_words,
                                    .fixed_inputs = module.fixed_inputs,
+                                   .layer_size = image_sides,
                                    .name = name,
                                    .team = module.team,
                                    .vertex_spirv = module.vertices};
     for (const ImagePrototype& image : module.images) {
         program.stores.push_back(image.stores);
         program.sampled.push_back(image.sampler.has_value());
+        program.layered.push_back(image.layers ? image.layers->format : std::string());
     }
     return device.make_kernel(program);
 }
@@ -144,11 +146,14 @@ interpreter::Program decoded(const backend::KernelProgram& program) {
     }
 }
 
-// All that the interpreter asks of images: whether a sampler reads them.
+// All that the interpreter asks of images: whether a sampler reads them, and the format of layers.
 std::vector<ImagePrototype> images_of(const backend::KernelProgram& program) {
     std::vector<ImagePrototype> images(program.sampled.size());
     for (std::size_t i = 0; i < images.size(); ++i)
-        if (program.sampled[i]) images[i].sampler.emplace();
+        if (program.sampled[i])
+            images[i].sampler.emplace();
+        else if (!program.layered[i].empty())
+            images[i].layers = {.format = program.layered[i], .macro = {}};
     return images;
 }
 
@@ -195,9 +200,7 @@ class InterpreterKernel : public backend::Kernel {
             memory.outputs[i * row + row - 1] ^=
                 static_cast<Word>(invocation) ^ canary ^ static_cast<Word>(i);
             // Without prototypes an optimised module has no fault buffer.
-            if (std::ranges::all_of(module_.images,
-                                    [](const auto& image) { return image.sampler.has_value(); }))
-                continue;
+            if (std::ranges::none_of(module_.images, &ImagePrototype::is_prototype)) continue;
             KernelFaults fault = kernel.faults();
             fault.input = static_cast<Word>(i);
             add(fault, faults);

@@ -74,6 +74,7 @@ shader::Type texel_type(const std::string& sampler) {
 
 // A translator gives separate samplers other names: "_image_sampler".
 bool is_of(const std::string& resource, const ImagePrototype& image) {
+    if (image.layers) return resource == image.name;
     if (!image.sampler) return false;
     const std::string& name = image.sampler->variable.empty() ? image.name : image.sampler->variable;
     return resource == name || resource == "_" + name + "_sampler";
@@ -81,29 +82,35 @@ bool is_of(const std::string& resource, const ImagePrototype& image) {
 
 }  // namespace
 
-std::vector<ImagePrototype> samplers_of(const shader::Excerpt& excerpt, const shader::Function& function) {
-    std::vector<ImagePrototype> samplers;
-    for (const shader::SamplerVariable& one : excerpt.samplers)
-        samplers.push_back(
-            {.name = one.name,
-             .element = texel_type(one.type),
-             .sampler = ImagePrototype::Sampler{
-                 .type = one.type, .variable = {}, .macro = shader::sampler_binding(samplers.size())}});
+std::vector<ImagePrototype> images_of(const shader::Excerpt& excerpt, const shader::Function& function) {
+    std::vector<ImagePrototype> images;
+    for (const shader::BoundVariable& one : excerpt.bound) {
+        const std::string macro = shader::binding_macro(images.size());
+        ImagePrototype image{.name = one.name};
+        if (one.format.empty()) {
+            image.element = texel_type(one.type);
+            image.sampler = {.type = one.type, .variable = {}, .macro = macro};
+        } else {
+            image.element = pixels_of(one.format);
+            image.layers = {.format = one.format, .macro = macro};
+        }
+        images.push_back(image);
+    }
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
         const shader::Parameter& p = function.parameters[i];
         if (p.type.scalar != shader::Scalar::sampler) continue;
-        samplers.push_back({.name = p.name,
-                            .element = texel_type(p.type.name),
-                            .sampler = ImagePrototype::Sampler{
-                                .type = p.type.name, .variable = internal::argument_name(i), .macro = {}}});
+        images.push_back({.name = p.name,
+                          .element = texel_type(p.type.name),
+                          .sampler = ImagePrototype::Sampler{
+                              .type = p.type.name, .variable = internal::argument_name(i), .macro = {}}});
     }
-    return samplers;
+    return images;
 }
 
 shader::Source probe_of(const std::string& file, const std::string& excerpt) {
     std::string text = "#version 450\n";
-    for (std::size_t i = 0; excerpt.find(shader::sampler_binding(i)) != std::string::npos; ++i)
-        text += fmt::format("#define {} {}\n", shader::sampler_binding(i), i);
+    for (std::size_t i = 0; excerpt.find(shader::binding_macro(i)) != std::string::npos; ++i)
+        text += fmt::format("#define {} {}\n", shader::binding_macro(i), i);
     return {.name = "signature of " + file,
             .text = text + (excerpt.empty() ? fmt::format("#include \"{}\"\n", file) : excerpt)};
 }
@@ -156,7 +163,7 @@ KernelSource Lab::source(const std::string& file, const std::string& function,
     options.stage = stage_of(signature.team);
     std::vector<shader::Function> all = cache_.functions(probe_of(file, text), options);
     if (!text.empty())
-        for (shader::Function& one : all) one = with_globals(std::move(one), excerpt->globals);
+        for (shader::Function& one : all) one = with_globals(std::move(one), *excerpt);
     for (shader::Function& one : all) {
         if (!one.defined) continue;
         for (std::size_t i = 0; i < std::min(one.parameters.size(), signature.parameters.size()); ++i)
@@ -168,7 +175,7 @@ KernelSource Lab::source(const std::string& file, const std::string& function,
         if (candidate.name != function || !candidate.defined) continue;
         if (matches(signature, candidate)) {
             std::vector<ImagePrototype> images;
-            if (!text.empty()) images = samplers_of(*excerpt, candidate);
+            if (!text.empty()) images = images_of(*excerpt, candidate);
             std::ranges::copy(image_prototypes(all, file), std::back_inserter(images));
             return {.file = file,
                     .function = candidate,

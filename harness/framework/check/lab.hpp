@@ -72,9 +72,9 @@ inline constexpr std::string_view interpreter_name = "interpreter";
 // The image that serves a prototype: T f(ivec2), or void f(ivec2, T). Empty for any other prototype.
 [[nodiscard]] std::optional<ImagePrototype> image_prototype(const shader::Function& function);
 
-// The samplers of an excerpt, then those that are parameters of the function.
-[[nodiscard]] std::vector<ImagePrototype> samplers_of(const shader::Excerpt& excerpt,
-                                                      const shader::Function& function);
+// The samplers and images of an excerpt, then samplers that are parameters of the function.
+[[nodiscard]] std::vector<ImagePrototype> images_of(const shader::Excerpt& excerpt,
+                                                    const shader::Function& function);
 
 // The text whose functions are those of a file, or of an excerpt of the file (shader::Excerpt::text).
 [[nodiscard]] shader::Source probe_of(const std::string& file, const std::string& excerpt = {});

@@ -91,7 +91,9 @@ std::string why_not(const shader::Function& function, const shader::Excerpt& exc
             return fmt::format("values of the parameter type {} cannot be drawn: {}", shader::name_of(p.type),
                                what);
         scalars += shader::scalar_count(p.type);
-        if (!p.global) continue;
+        if (!p.image.empty() && team.kind != backend::Team::Kind::alone)
+            return fmt::format("the image \"{}\" is shared by the invocations that run it together", p.name);
+        if (!p.global || !p.image.empty()) continue;
         const shader::Access access = excerpt.globals.at(p.name);
         const bool reads = access == shader::Access::reads || access == shader::Access::uniform;
         if (p.direction != shader::Direction::in && reads)
@@ -123,10 +125,10 @@ LeftOut refused(const shader::Excerpt& excerpt, const std::string& definition, c
     const auto is = [&first](const char* text) { return first.find(text) != std::string::npos; };
     if (excerpt.interface.contains(name))
         return {definition,
-                fmt::format(
-                    "it uses \"{}\", an image or sampler, at {}; expected values from parameters and from "
-                    "prototypes T name(ivec2)",
-                    name, place)};
+                fmt::format("it uses \"{}\", an image or sampler, at {}; expected a single sampler, a single "
+                            "image2D with a format of 32 bits like r32f, or values from parameters and "
+                            "prototypes T name(ivec2)",
+                            name, place)};
     if (is("not supported in this stage") || (name.starts_with("gl_") && is("undeclared identifier")))
         return {definition,
                 fmt::format("{} at {} needs another stage than compute and fragment", name, place)};
@@ -168,7 +170,7 @@ class Sorting {
         for (const shader::Function& function : compiled) {
             if (function.name != excerpt.function || !function.defined) continue;
             if (k >= excerpt.definitions.size() || !excerpt.definitions[k].empty())
-                own.push_back(with_globals(function, excerpt.globals));
+                own.push_back(with_globals(function, excerpt));
             ++k;
         }
         const auto unserved = std::ranges::find_if(compiled, [](const shader::Function& function) {
@@ -185,7 +187,7 @@ class Sorting {
                     definition_of(*unserved));
             if (why.empty()) {
                 all_.found.push_back({own.size() > 1 ? definition : function.name, called, excerpt.text,
-                                      samplers_of(excerpt, function), team});
+                                      images_of(excerpt, function), team});
             } else {
                 all_.left_out.push_back({definition, why});
             }
@@ -286,7 +288,9 @@ ImageScenario random_scenario(const std::vector<ImagePrototype>& images, const s
 
 }  // namespace
 
-std::vector<ImageScenario> random_scenarios(const std::vector<ImagePrototype>& images) {
+std::vector<ImageScenario> random_scenarios(const std::vector<ImagePrototype>& all) {
+    std::vector<ImagePrototype> images;  // that have a content
+    std::ranges::copy_if(all, std::back_inserter(images), [](const auto& image) { return !image.layers; });
     using backend::Compare;
     using backend::Wrap;
     if (images.empty()) return {};

@@ -15,7 +15,7 @@ struct OwnFunction {
     std::string name;           // "f", or "f(vec2, float)" if the file defines others of this name
     shader::Function function;  // of a team: together()
     std::string excerpt;        // shader::Excerpt::text
-    std::vector<ImagePrototype> samplers = {};
+    std::vector<ImagePrototype> images = {};
     // Functions with derivatives or discard run in quads, those with shared memory, barriers or subgroups in
     // work groups of the file's size, of 64 invocations where it states none.
     backend::Team team = {};

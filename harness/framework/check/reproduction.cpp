@@ -119,7 +119,7 @@ Reproduction without_verdict(const Lab& lab, const Question& question, const std
     for (std::size_t i = 0; i < words.size(); ++i)
         all.images.push_back({.name = source.images[i].name,
                               .words = std::move(words[i]),
-                              .sampled = source.images[i].sampler.has_value()});
+                              .bound = !source.images[i].is_prototype()});
     add_opengl(lab, source, all);
     return all;
 }

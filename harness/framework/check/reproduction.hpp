@@ -62,7 +62,9 @@ struct Reproduction {
     struct ImageBuffer {
         std::string name;
         std::vector<Word> words;
-        bool sampled = false;  // by a sampler: no buffer, but an image as in backend/sampled.hpp
+        // No buffer: an image as in backend/sampled.hpp, for a sampler; without words, of layers that the
+        // kernel fills.
+        bool bound = false;
     };
     std::vector<ImageBuffer> images;
     std::vector<Word> inputs;

@@ -56,13 +56,20 @@ std::vector<std::size_t> Signature::output_values() const {
     return values;
 }
 
-shader::Function with_globals(shader::Function function,
-                              const std::map<std::string, shader::Access>& globals) {
+shader::Function with_globals(shader::Function function, const shader::Excerpt& excerpt) {
+    const auto& globals = excerpt.globals;
     for (const shader::Parameter& variable : function.globals)
         if (const auto found = globals.find(variable.name); found != globals.end()) {
             function.parameters.push_back(variable);
             function.parameters.back().uniform = found->second == shader::Access::uniform;
         }
+    for (const shader::BoundVariable& one : excerpt.bound)
+        if (!one.format.empty())
+            function.parameters.push_back({.name = one.name,
+                                           .type = pixels_of(one.format),
+                                           .direction = one.written ? Direction::inout : Direction::in,
+                                           .global = true,
+                                           .image = one.format});
     // The kernel sets it, and not the function.
     if (globals.contains(shader::discarded))
         function.parameters.push_back({.name = shader::discarded,
@@ -70,6 +77,15 @@ shader::Function with_globals(shader::Function function,
                                        .direction = Direction::out,
                                        .global = true});
     return function;
+}
+
+shader::Type pixels_of(std::string_view format) {
+    const std::size_t channels = format.find('3');  // "rg32f"
+    return {.scalar = format.ends_with("ui")  ? Scalar::uint_
+                      : format.ends_with('i') ? Scalar::int_
+                                              : Scalar::float_,
+            .rows = static_cast<int>(channels),
+            .sizes = {image_sides[1], image_sides[0]}};
 }
 
 bool is_of_each(const shader::Parameter& parameter) {

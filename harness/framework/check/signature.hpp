@@ -99,9 +99,16 @@ struct Signature {
     [[nodiscard]] std::vector<std::size_t> output_values() const;
 };
 
-// The function with variables at file scope as further parameters: those that it uses, of these names.
-[[nodiscard]] shader::Function with_globals(shader::Function function,
-                                            const std::map<std::string, shader::Access>& globals);
+// The function with variables at file scope as further parameters: those that it uses, of these names; and
+// the images that it uses.
+[[nodiscard]] shader::Function with_globals(shader::Function function, const shader::Excerpt& excerpt);
+
+// Width and height of the images that a function under test loads and stores, of which each input has its
+// own.
+inline constexpr std::array<std::uint32_t, 2> image_sides{5, 4};
+
+// The pixels of such an image: rows of values with the channels of the format, "rg32f".
+[[nodiscard]] shader::Type pixels_of(std::string_view format);
 
 // Whether each invocation of a team has its own value of a parameter. Samplers and uniforms are those of all.
 [[nodiscard]] bool is_of_each(const shader::Parameter& parameter);

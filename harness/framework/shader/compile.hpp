@@ -79,8 +79,9 @@ struct Parameter {
     std::string name;
     Type type;
     Direction direction = Direction::in;
-    bool global = false;   // no parameter, but a variable at file scope
-    bool uniform = false;  // a global with one value for all invocations
+    bool global = false;     // no parameter, but a variable at file scope
+    bool uniform = false;    // a global with one value for all invocations
+    std::string image = {};  // of an image's pixels, rows of columns: its format, "r32f"
 };
 
 // A function as the compiler sees it: defined, or only declared (a prototype for another to define; its

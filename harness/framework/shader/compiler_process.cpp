@@ -148,23 +148,24 @@ PackRequest request_from(const Json& json) {
     return request;
 }
 
-Json json_of(const std::vector<SamplerVariable>& samplers) {
+Json json_of(const std::vector<BoundVariable>& bound) {
     Json json = Json::array();
-    for (const SamplerVariable& sampler : samplers) json.push_back(Json::array({sampler.name, sampler.type}));
+    for (const BoundVariable& one : bound)
+        json.push_back(Json::array({one.name, one.type, one.format, one.written}));
     return json;
 }
 
-std::vector<SamplerVariable> samplers_from(const Json& json) {
-    std::vector<SamplerVariable> samplers;
-    for (const Json& one : json) samplers.push_back({one.at(0), one.at(1)});
-    return samplers;
+std::vector<BoundVariable> bound_from(const Json& json) {
+    std::vector<BoundVariable> bound;
+    for (const Json& one : json) bound.push_back({one.at(0), one.at(1), one.at(2), one.at(3)});
+    return bound;
 }
 
 Json json_of(const Excerpts& excerpts) {
     Json functions = Json::array();
     for (const Excerpt& one : excerpts.functions)
         functions.push_back(Json::array({one.function, one.text, one.interface, one.globals, one.definitions,
-                                         json_of(one.samplers), one.needs}));
+                                         json_of(one.bound), one.needs}));
     return Json::array({excerpts.version, functions});
 }
 
@@ -174,7 +175,7 @@ Excerpts excerpts_from(const Json& json) {
         excerpts.functions.push_back({.function = one.at(0),
                                       .text = one.at(1),
                                       .interface = one.at(2),
-                                      .samplers = samplers_from(one.at(5)),
+                                      .bound = bound_from(one.at(5)),
                                       .globals = one.at(3).get<std::map<std::string, Access>>(),
                                       .definitions = one.at(4),
                                       .needs = one.at(6).get<Needs>()});

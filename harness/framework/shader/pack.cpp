@@ -160,8 +160,8 @@ std::size_t code_lines(std::string_view text) {
         std::ranges::count_if(lines, [](const internal::Line& line) { return !internal::is_blank(line); }));
 }
 
-std::string sampler_binding(std::size_t sampler) {
-    return "GLOAM_SAMPLER_" + std::to_string(sampler);
+std::string binding_macro(std::size_t variable) {
+    return "GLOAM_BINDING_" + std::to_string(variable);
 }
 
 namespace {
@@ -217,13 +217,16 @@ std::map<std::string, std::string> opaque_macros(const Macros& macros) {
     return types;
 }
 
-// Declarations of samplers, added to those of the excerpt.
-std::string sampler_text(const std::vector<SamplerVariable>& samplers, Excerpt& excerpt) {
+// Declarations of samplers and images, added to those of the excerpt.
+std::string bound_text(const std::vector<BoundVariable>& variables, Excerpt& excerpt) {
     std::string text;
-    for (const SamplerVariable& sampler : samplers) {
-        text += "layout(binding = " + sampler_binding(excerpt.samplers.size()) + ") uniform highp " +
-                sampler.type + " " + sampler.name + "; ";
-        excerpt.samplers.push_back(sampler);
+    for (const BoundVariable& variable : variables) {
+        text += "layout(binding = " + binding_macro(excerpt.bound.size());
+        text += variable.format.empty()
+                    ? ") uniform highp " + variable.type
+                    : ", " + variable.format + ") uniform highp " + variable.type + "Array";
+        text += " " + variable.name + "; ";
+        excerpt.bound.push_back(variable);
     }
     return text;
 }
@@ -238,7 +241,7 @@ std::string interface_text(const Piece& piece, const Macros& macros, Excerpt& ex
     const bool in_group = excerpt.needs == Needs::group;
     if (in_group && (has_word(piece, "shared") || has_word(piece, "local_size_x"))) return piece.text;
     const std::map<std::string, std::string> opaque = opaque_macros(macros);
-    if (const auto samplers = internal::samplers_of(piece, opaque)) return sampler_text(*samplers, excerpt);
+    if (const auto bound = internal::bound_variables(piece, opaque)) return bound_text(*bound, excerpt);
     const auto plain = internal::plain_globals(piece, opaque);
     if (!plain) {
         excerpt.interface.insert(piece.names.begin(), piece.names.end());
@@ -327,8 +330,9 @@ Excerpt excerpt_of(const std::string& function, const ActiveText& active, const 
     selection.want({function});
     const Macros macros = macros_of(outline);
     Excerpt excerpt{
-        .function = function, .text = {}, .interface = {}, .samplers = {}, .globals = {}, .definitions = {}};
+        .function = function, .text = {}, .interface = {}, .bound = {}, .globals = {}, .definitions = {}};
     for (const std::string& extension : outline.extensions) excerpt.text += extension + "\n";
+    const std::size_t head = excerpt.text.size();
     const auto keeps = [&](std::size_t i) {
         const Piece& piece = outline.pieces[i];
         return selection.keeps(i) && piece.kind != Kind::comment && !defines(piece, "main");
@@ -354,6 +358,12 @@ Excerpt excerpt_of(const std::string& function, const ActiveText& active, const 
         if (defines(piece, function))
             excerpt.definitions.push_back(piece.file < given ? definition_of(piece) : "");
     }
+    const bool stores = std::ranges::any_of(mentioned, [](const std::string& name) {
+        return name == "imageStore" || name.starts_with("imageAtomic");
+    });
+    for (BoundVariable& variable : excerpt.bound) variable.written = variable.written && stores;
+    if (std::ranges::any_of(excerpt.bound, [](const auto& one) { return !one.format.empty(); }))
+        excerpt.text.insert(head, internal::image_macros());
     return excerpt;
 }
 

@@ -58,14 +58,19 @@ enum class Needs {
     group  // shared memory, barriers, subgroups, or its place among them
 };
 
-// A sampler at file scope.
-struct SamplerVariable {
+// A sampler or an image at file scope.
+struct BoundVariable {
     std::string name;
-    std::string type;  // is_sampler_type()
+    std::string type;         // is_sampler_type(), "uimage2D"
+    std::string format = {};  // of an image: "r32ui"
+    bool written = false;     // whether the function may store to the image
 };
 
-// The macro for the binding of an excerpt's sampler, by its position.
-[[nodiscard]] std::string sampler_binding(std::size_t sampler);
+// The macro for the binding of such a variable of an excerpt, by its position.
+[[nodiscard]] std::string binding_macro(std::size_t variable);
+
+// The variable that holds the layer of an invocation in every image.
+inline constexpr const char* image_layer = "gloam_image_layer";
 
 // The variable that tells whether an invocation was discarded.
 inline constexpr const char* discarded = "gloam_discarded";
@@ -76,17 +81,20 @@ inline constexpr const char* discarded = "gloam_discarded";
 // - Its uniforms, buffers, stage inputs and stage outputs are plain variables at file scope, which the other
 //   shader sets. So are built-in variables of a vertex or fragment stage, with another name: gloam_FragCoord.
 //   Of a function of a group, that is so for gl_WorkGroupID and what follows from it.
-// - Its samplers have a macro for their binding, which the other shader defines (sampler_binding()).
-// - Images and other types without values are left out.
+// - Its samplers and images have a macro for their binding, which the other shader defines (binding_macro()).
+// - An image2D is an image2DArray, of which each invocation has a layer: macros for imageLoad() and its like
+// add
+//   `image_layer`, which the other shader sets. Its format has 32 bits.
+// - Other types without values are left out.
 // - Specialization constants have their default.
 // - Where it may discard, it has a variable `discarded`, bool, which the other shader sets.
 // - Of a function of a group, shared variables and the size of the group are as the file has them.
 struct Excerpt {
     std::string function;  // its name; overloads have one excerpt
     std::string text;
-    std::set<std::string> interface;             // names that it may use and that are left out
-    std::vector<SamplerVariable> samplers = {};  // that it may use
-    std::map<std::string, Access> globals;       // the plain variables that it may use
+    std::set<std::string> interface;        // names that it may use and that are left out
+    std::vector<BoundVariable> bound = {};  // samplers and images that it may use
+    std::map<std::string, Access> globals;  // the plain variables that it may use
     // Each definition of this name in `text`, in order: with its types as the file itself has them, "f(vec2,
     // float[2])"; empty for one of an include.
     std::vector<std::string> definitions;

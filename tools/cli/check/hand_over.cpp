@@ -163,6 +163,8 @@ HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
                         const HandOverRequest& request, const check::RunOptions& options) {
     const check::Reproduction all = reproduction_of(lab, question, request, options);
     const std::string device = lab.info().name + " (" + lab.info().driver + ")";
+    // The scripts have storage buffers and no images.
+    const bool has_images = std::ranges::any_of(all.images, &check::Reproduction::ImageBuffer::bound);
     HandOver hand_over;
     if (const auto opengl = gl::device_name_from(lab.info().name)) {
         const report::ShaderReplay replay = shader_replay_of(opengl->version, all);
@@ -170,14 +172,15 @@ HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
             fmt::format("shader_runner{} -auto -fbo -ignore-missing-uniforms repro.shader_test",
                         replay.version.starts_with("GL ES") ? "_gles3" : "");
         hand_over.glsl = all.opengl;
-        hand_over.shader_test =
-            report::to_shader_test({replay.glsl, replay.compute, replay.version, replay.glsl_version,
-                                    replay_of(all, question, request.task, device, how)});
+        if (!has_images)
+            hand_over.shader_test =
+                report::to_shader_test({replay.glsl, replay.compute, replay.version, replay.glsl_version,
+                                        replay_of(all, question, request.task, device, how)});
     } else {
         hand_over = {.glsl = all.glsl, .assembly = all.assembly, .spirv = all.spirv};
-        // The scripts have storage buffers and no samplers, run compute shaders and ask for no features.
+        // They run compute shaders and ask for no features.
         if (all.team.kind != backend::Team::Kind::quad && shader::number_capabilities(all.spirv).empty() &&
-            std::ranges::none_of(all.images, &check::Reproduction::ImageBuffer::sampled)) {
+            !has_images) {
             hand_over.amber = report::to_amber(
                 replay_of(all, question, request.task, device, "amber -v 1.2 -t spv1.5 repro.amber"));
             hand_over.c_program = report::to_c_program(

@@ -35,6 +35,7 @@ class ComputeKernel : public backend::Kernel {
         : device_(device),
           program_(program_of(device, program)),
           stores_(program.stores),
+          sampled_(program.sampled),
           widest_(program.widest()) {}
 
     // What fits into one row of work groups and one buffer.
@@ -55,7 +56,14 @@ class ComputeKernel : public backend::Kernel {
         const Buffer inputs = filled(device_, memory.inputs);
         const Buffer outputs = filled(device_, memory.outputs);
         std::vector<Buffer> images;
-        for (const std::vector<Word>& words : memory.images) images.push_back(filled(device_, words));
+        std::vector<SampledTexture> textures;
+        for (std::size_t i = 0; i < memory.images.size(); ++i) {
+            const std::span<const Word> words = memory.images[i];
+            images.push_back(filled(device_, sampled_[i] ? words.first(1) : words));
+            if (!sampled_[i]) continue;
+            textures.emplace_back(device_, words);
+            textures.back().bind(static_cast<std::uint32_t>(backend::KernelBinding::first_image + i));
+        }
         Dispatch work{.program = program_,
                       .storage = {inputs, outputs, faults},
                       .uniforms = uniforms,
@@ -75,6 +83,7 @@ class ComputeKernel : public backend::Kernel {
     const Device& device_;
     Program program_;
     std::vector<bool> stores_;
+    std::vector<bool> sampled_;
     std::size_t widest_;
 };
 

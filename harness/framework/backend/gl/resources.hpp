@@ -64,6 +64,24 @@ class Image {
 // The number of channels: 1 or 4.
 [[nodiscard]] std::size_t channels_of(Image::Format format);
 
+// A texture with a sampler's state. The words are those of backend/sampled.hpp. Needs compute shaders.
+class SampledTexture {
+  public:
+    // Throws backend::OutOfMemory; backend::Unsupported for one dimension; std::invalid_argument for words
+    // that disagree.
+    SampledTexture(const Device& device, std::span<const Word> words);
+    ~SampledTexture();
+    SampledTexture(SampledTexture&& other) noexcept;
+    SampledTexture& operator=(SampledTexture&&) = delete;
+
+    void bind(std::uint32_t unit) const;
+
+  private:
+    const Device* device_;
+    std::uint32_t target_ = 0;
+    std::uint32_t handle_ = 0;
+};
+
 // Words that a fragment shader reads: an unsigned texture of one channel (R32UI). Word i is the texel
 // (i % row, i / row).
 class WordTexture {

@@ -51,6 +51,17 @@ std::vector<Word> Buffer::read() const {
     refuse();
 }
 
+SampledTexture::SampledTexture(const Device& device, std::span<const Word> /*words*/) : device_(&device) {
+    refuse();
+}
+
+SampledTexture::~SampledTexture() = default;
+SampledTexture::SampledTexture(SampledTexture&&) noexcept = default;
+
+void SampledTexture::bind(std::uint32_t /*unit*/) const {
+    refuse();
+}
+
 WordTexture::WordTexture(const Device& device, std::span<const Word> /*words*/) : device_(&device) {
     refuse();
 }

@@ -194,6 +194,11 @@ void write_descriptors(const Context& context, const vk::raii::DescriptorSet& se
                                                 .imageView = *handles.view,
                                                 .imageLayout = vk::ImageLayout::eGeneral};
             write.pImageInfo = &images[i];
+        } else if (const auto* layered =
+                       std::get_if<std::reference_wrapper<const LayeredImage>>(&resources[i])) {
+            images[i] = vk::DescriptorImageInfo{.imageView = *layered->get().impl().handles->view,
+                                                .imageLayout = vk::ImageLayout::eGeneral};
+            write.pImageInfo = &images[i];
         } else {
             const Image& image = std::get<std::reference_wrapper<const Image>>(resources[i]);
             images[i] = vk::DescriptorImageInfo{.sampler = *context.sampler,
@@ -243,6 +248,13 @@ void check_resource(const char* what, const Context& context, BindingKind wanted
         throw std::invalid_argument(
             fmt::format("{}: resource {} is a sampled image, the pipeline's binding is a {}", what, binding,
                         name_of(wanted)));
+    }
+    if (const auto* layered = std::get_if<std::reference_wrapper<const LayeredImage>>(&resource)) {
+        check_same_device(layered->get().impl().context, context, fmt::format("{}: an image", what));
+        if (wanted == BindingKind::storage_image) return;
+        throw std::invalid_argument(
+            fmt::format("{}: resource {} is an image of layers, the pipeline's binding is a {}", what,
+                        binding, name_of(wanted)));
     }
     const Image& image = std::get<std::reference_wrapper<const Image>>(resource);
     check_same_device(image.impl().context, context, fmt::format("{}: an image", what));

@@ -46,8 +46,9 @@ class ComputePipeline {
 
 // The resource of a binding: a whole storage buffer, or an image. Shaders may write to buffers and storage
 // images.
-using Resource = std::variant<std::reference_wrapper<const Buffer>, std::reference_wrapper<const Image>,
-                              std::reference_wrapper<const SampledImage>>;
+using Resource =
+    std::variant<std::reference_wrapper<const Buffer>, std::reference_wrapper<const Image>,
+                 std::reference_wrapper<const SampledImage>, std::reference_wrapper<const LayeredImage>>;
 
 // Work that is recorded in order and run once. Each command sees the writes of all commands before it.
 // Resources and pipelines passed to it must live until submit() returns. After submit() only times_ms() may

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <deque>
 #include <variant>
 
 #include "backend/vulkan/commands.hpp"
@@ -16,8 +17,10 @@ using backend::Word;
 
 std::vector<BindingKind> bindings_of(const backend::KernelProgram& program) {
     std::vector<BindingKind> bindings(backend::KernelBinding::first_image, BindingKind::storage_buffer);
-    for (const bool sampled : program.sampled)
-        bindings.push_back(sampled ? BindingKind::sampled_image : BindingKind::storage_buffer);
+    for (std::size_t i = 0; i < program.sampled.size(); ++i)
+        bindings.push_back(program.sampled[i]            ? BindingKind::sampled_image
+                           : !program.layered[i].empty() ? BindingKind::storage_image
+                                                         : BindingKind::storage_buffer);
     return bindings;
 }
 
@@ -66,12 +69,19 @@ class VulkanKernel : public backend::Kernel {
           pipeline_(pipeline_of(device, program)),
           stores_(program.stores),
           sampled_(program.sampled),
+          layered_(program.layered),
+          layer_size_(program.layer_size),
           widest_(program.widest()),
           team_(program.team) {}
 
     [[nodiscard]] std::size_t most_inputs() const override {
         const std::size_t by_memory =
             device_.info().max_buffer_bytes / sizeof(Word) / widest_ - backend::guard_words;
+        const bool layered =
+            std::ranges::any_of(layered_, [](const auto& format) { return !format.empty(); });
+        if (layered)
+            return std::min<std::size_t>(by_memory,
+                                         device_.impl().physical.properties.limits.maxImageArrayLayers);
         return is_quad() ? std::min(by_memory, quad_columns * most_quad_rows) : by_memory;
     }
 
@@ -87,6 +97,7 @@ class VulkanKernel : public backend::Kernel {
              {memory.inputs, std::span<const Word>(memory.outputs), std::span<const Word>(faults)})
             buffers.push_back(uploaded(device_, words));
         std::vector<SampledImage> images;
+        std::deque<LayeredImage> layers;
         for (std::size_t i = 0; i < sampled_.size(); ++i) {
             const std::span<const Word> words = memory.images[i];
             if (sampled_[i]) images.emplace_back(device_, words);
@@ -104,6 +115,14 @@ class VulkanKernel : public backend::Kernel {
         std::vector<Resource> resources(buffers.begin(), buffers.end());
         for (std::size_t i = 0, next = 0; i < sampled_.size(); ++i)
             if (sampled_[i]) resources[backend::KernelBinding::first_image + i] = std::cref(images[next++]);
+        for (std::size_t i = 0; i < layered_.size(); ++i) {
+            if (layered_[i].empty()) continue;
+            layers.emplace_back(device_, LayeredImage::Layers{.format = layered_[i],
+                                                              .width = layer_size_[0],
+                                                              .height = layer_size_[1],
+                                                              .count = static_cast<std::uint32_t>(count)});
+            resources[backend::KernelBinding::first_image + i] = std::cref(layers.back());
+        }
         submit(static_cast<Word>(columns), static_cast<Word>(rows), run, resources);
 
         download(buffers[backend::KernelBinding::outputs], memory.outputs);
@@ -146,6 +165,8 @@ class VulkanKernel : public backend::Kernel {
     Pipeline pipeline_;
     std::vector<bool> stores_;
     std::vector<bool> sampled_;
+    std::vector<std::string> layered_;
+    std::array<std::uint32_t, 2> layer_size_;
     std::size_t widest_;
     backend::Team team_;
 };

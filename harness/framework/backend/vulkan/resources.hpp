@@ -121,4 +121,27 @@ class SampledImage {
     std::unique_ptr<Impl> impl_;
 };
 
+// A storage image of layers, image2DArray in GLSL. Its contents are undefined at first. Throws
+// backend::Unsupported where the device has no such storage image; std::invalid_argument for a format that is
+// not of 32 bits ("rg32f"); std::runtime_error when memory is exhausted.
+class LayeredImage {
+  public:
+    struct Layers {
+        std::string format;
+        std::uint32_t width = 1;
+        std::uint32_t height = 1;
+        std::uint32_t count = 1;
+    };
+    LayeredImage(const Device& device, const Layers& layers);
+    ~LayeredImage();
+    LayeredImage(LayeredImage&&) noexcept;
+    LayeredImage& operator=(LayeredImage&&) noexcept;
+
+    struct Impl;
+    [[nodiscard]] Impl& impl() const { return *impl_; }
+
+  private:
+    std::unique_ptr<Impl> impl_;
+};
+
 }  // namespace gloam::gpu

@@ -83,11 +83,16 @@ std::string fragment_end(std::size_t output_words, std::size_t images, std::size
     return code + "}\n";
 }
 
-void require_no_samplers(const KernelSource& source) {
-    for (const ImagePrototype& image : source.images)
-        if (image.sampler)
-            throw backend::Unsupported(fmt::format("{}: reads the sampler {}, which needs a Vulkan device",
+void require_bindable(shader::Language language, const KernelSource& source) {
+    for (const ImagePrototype& image : source.images) {
+        if (image.layers)
+            throw backend::Unsupported(fmt::format("{}: uses the image {}, which needs a Vulkan device",
                                                    source.function.name, image.name));
+        if (image.sampler && !has_compute(language))
+            throw backend::Unsupported(fmt::format(
+                "{}: reads the sampler {}, which needs a Vulkan device, OpenGL 4.3 or OpenGL ES 3.1",
+                source.function.name, image.name));
+    }
 }
 
 void require_no_stores(const KernelSource& source) {
@@ -215,8 +220,8 @@ bool has_compute(shader::Language language) {
 
 std::string gl_kernel_code(shader::Language language, const KernelSource& source,
                            const std::vector<std::filesystem::path>& include_roots) {
-    require_no_samplers(source);
     require_alone(source, "OpenGL");
+    require_bindable(language, source);
     const std::string text = has_compute(language) ? gl_compute_text(source) : gl_fragment_text(source);
     return packed(language, source, text, include_roots);
 }

@@ -47,6 +47,13 @@ using ImageWordText = std::function<std::string(std::size_t image, const std::st
 // The GLSL expression of an input scalar, given its position among the words of one input.
 using InputText = std::function<std::string(shader::Scalar scalar, std::size_t word)>;
 
+// Append statements that set a variable from the input words from `offset` on, and that write it to the
+// buffer from index `at` + `offset` on; they return the number of words.
+std::size_t append_read(std::string& code, const shader::Type& type, const std::string& variable,
+                        const InputText& input, std::size_t offset);
+std::size_t append_write(std::string& code, const shader::Type& type, const std::string& variable,
+                         std::string_view buffer, std::string_view at, std::size_t offset);
+
 // That expression for inputs in a storage buffer, from index gloam_kernel_input_at on.
 [[nodiscard]] std::string input_of_buffer(shader::Scalar scalar, std::size_t word);
 

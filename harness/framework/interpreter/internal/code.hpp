@@ -48,8 +48,10 @@ enum Operation : std::uint16_t {
     image_size,    // of image a; `extra`: slot of the level + 1
     image_sample,  // count components of image a at b, which has c components; by sampling `extra`
     image_levels,  // of image a
-    atomic,        // c: the SPIR-V opcode; on pointer a with b (and `extra`, for a comparison)
-    fence,         // c: its memory semantics
+    image_texel,  // pointer `result` to the texel at b, which has c components, of the image to which pointer
+                  // a points
+    atomic,       // c: the SPIR-V opcode; on pointer a with b (and `extra`, for a comparison)
+    fence,        // c: its memory semantics
     construct,  // a selection, loop or call begins: edge `extra` leads behind it, edge b - 1 to its continue
                 // target
     // Invocations wait here for others (internal/group.hpp).

@@ -294,6 +294,11 @@ void do_image_store(State<N>& s, const Instruction& i) {
 }
 
 template <class N>
+void do_image_texel(State<N>& s, const Instruction& i) {
+    s.pointers[i.result] = texel(s, static_cast<Word>(s.pointers[i.a].resource), i.b, i.c);
+}
+
+template <class N>
 void do_image_size(State<N>& s, const Instruction& i) {
     if (const auto& sampled = s.backings.at(s.bits(i.a)).sampled) return size_of_sampled(s, i, *sampled);
     require_first_level(s, i);
@@ -352,6 +357,8 @@ template <class N>
             return do_image_sample<N>;
         case image_levels:
             return do_image_levels<N>;
+        case image_texel:
+            return do_image_texel<N>;
         case atomic:
             return do_atomic<N>;
         case fence:

@@ -81,6 +81,19 @@ bool Lowering::lower_memory(const shader::Instruction& i, Scope& scope) {
             store(pointer_of(i.word(1), scope), between);
             return true;
         }
+        case SpvOpImageTexelPointer: {
+            const PointerInfo& image = pointer_of(i.word(3), scope);
+            PointerInfo texel{.space = PointerInfo::Space::memory,
+                              .is_static = false,
+                              .target = image.target,
+                              .index = new_pointer(),
+                              .pointee = module_.types.at(i.word(1)).element};
+            Instruction& instruction =
+                emit(image_texel, 1, texel.index, pointer_index(image), slot_of(i.word(4), scope));
+            instruction.c = module_.types.slots(type_of(i.word(4), scope));
+            scope.pointers[i.word(2)] = texel;
+            return true;
+        }
         case SpvOpArrayLength: {
             Walk walk{module_.types, pointer_of(i.word(3), scope), {}};
             walk.enter_member(i.word(4));

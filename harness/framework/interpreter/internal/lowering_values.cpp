@@ -300,8 +300,9 @@ bool Lowering::lower_image(const shader::Instruction& i, Scope& scope) {
             return true;
         }
         case SpvOpImageWrite: {
-            Instruction& instruction =
-                emit(image_store, components(3), 0, operand(1), operand(2), operand(3));
+            const Type& image = module_.types.at(type_of(i.word(1), scope));
+            Instruction& instruction = emit(image_store, std::min(components(3), channels_of(image)), 0,
+                                            operand(1), operand(2), operand(3));
             instruction.extra = components(2);
             for (Resource& resource : code_.resources)
                 resource.written = resource.written || resource.kind == Resource::Kind::image;
@@ -322,16 +323,33 @@ bool Lowering::lower_image(const shader::Instruction& i, Scope& scope) {
     }
 }
 
-bool Lowering::lower_sampling(const shader::Instruction& i, Scope& scope) {
-    const bool gathers = i.opcode == SpvOpImageGather || i.opcode == SpvOpImageDrefGather;
-    const bool samples =
-        i.opcode >= SpvOpImageSampleImplicitLod && i.opcode <= SpvOpImageSampleProjDrefExplicitLod;
-    if (!gathers && !samples) return false;
+namespace {
+
+// What an instruction asks of a sampler.
+struct SamplingForm {
+    bool implicit = false;  // the level
+    bool compares = false;
+    bool projected = false;
+    bool gathers = false;
+};
+
+std::optional<SamplingForm> form_of(std::uint32_t opcode) {
+    if (opcode == SpvOpImageGather || opcode == SpvOpImageDrefGather)
+        return SamplingForm{.compares = opcode == SpvOpImageDrefGather, .gathers = true};
+    if (opcode < SpvOpImageSampleImplicitLod || opcode > SpvOpImageSampleProjDrefExplicitLod)
+        return std::nullopt;
     // They alternate: with an implicit level, with an explicit one; two that compare follow two that do not.
-    const std::uint32_t form = samples ? i.opcode - SpvOpImageSampleImplicitLod : 1;
-    const bool implicit = form % 2 == 0;
-    const bool compares = samples ? form % 4 >= 2 : i.opcode == SpvOpImageDrefGather;
-    Sampling how{.projected = form >= 4, .gathers = gathers};
+    const std::uint32_t form = opcode - SpvOpImageSampleImplicitLod;
+    return SamplingForm{.implicit = form % 2 == 0, .compares = form % 4 >= 2, .projected = form >= 4};
+}
+
+}  // namespace
+
+bool Lowering::lower_sampling(const shader::Instruction& i, Scope& scope) {
+    const auto form = form_of(i.opcode);
+    if (!form) return false;
+    const auto [implicit, compares, projected, gathers] = *form;
+    Sampling how{.projected = projected, .gathers = gathers};
     std::size_t word = gathers || compares ? 6 : 5;
     std::uint32_t operands = word < i.words.size() ? i.word(word++) : 0;
     const auto take = [&](std::uint32_t mask) -> std::optional<Slot> {

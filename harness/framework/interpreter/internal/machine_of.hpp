@@ -330,7 +330,8 @@ void Machine<N>::run() {
 template <class N>
 void Machine<N>::run(const std::function<void(const Step<N>&)>& tell) {
     execute([&](const internal::Instruction& i) {
-        if (i.op >= internal::copy) return;  // moves existing values, or waits
+        // Others move existing values, or wait.
+        if (i.op >= internal::copy && i.op != internal::image_sample) return;
         const std::uint32_t count = i.op == SpvOpDot ? 1 : i.count;
         tell({.place = state_->code.places[i.place],
               .opcode = i.op,

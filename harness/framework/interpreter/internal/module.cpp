@@ -88,6 +88,7 @@ void Types::add(const shader::Instruction& i, std::uint32_t length) {
         case SpvOpTypeImage:
             type = {.kind = Kind::image, .element = i.word(2), .slots = 1, .dimension = i.word(3)};
             type.arrayed = i.word(5) != 0;
+            type.format = i.word(8);
             break;
         case SpvOpTypeSampler:
             type = {.kind = Kind::sampler, .slots = 1};
@@ -108,6 +109,26 @@ void Types::add(const shader::Instruction& i, std::uint32_t length) {
 std::uint32_t dimensions_of(const Type& image) {
     if (image.dimension == SpvDim1D) return 1;
     return image.dimension == SpvDim3D || image.dimension == SpvDimCube ? 3 : 2;
+}
+
+std::uint32_t channels_of(const Type& image) {
+    switch (image.format) {
+        case SpvImageFormatR32f:
+        case SpvImageFormatR32i:
+        case SpvImageFormatR32ui:
+        case SpvImageFormatR16f:
+        case SpvImageFormatR16ui:
+        case SpvImageFormatR8:
+            return 1;
+        case SpvImageFormatRg32f:
+        case SpvImageFormatRg32i:
+        case SpvImageFormatRg32ui:
+        case SpvImageFormatRg16f:
+        case SpvImageFormatRg16ui:
+            return 2;
+        default:
+            return 4;
+    }
 }
 
 void Types::append_offsets(Id id, const MatrixLayout& matrix, std::uint32_t scalar_stride, std::uint32_t base,

@@ -50,6 +50,7 @@ struct Type {
     std::uint32_t array_stride = 0;  // bytes
     std::uint32_t dimension = 0;     // of an image: SpvDim
     bool arrayed = false;
+    std::uint32_t format = 0;  // SpvImageFormat
     struct Member {
         Id type = 0;
         std::uint32_t offset = 0;  // bytes
@@ -60,6 +61,9 @@ struct Type {
 
 // Coordinates of an image besides the layer.
 [[nodiscard]] std::uint32_t dimensions_of(const Type& image);
+
+// Channels of an image's format; 4 where it has none.
+[[nodiscard]] std::uint32_t channels_of(const Type& image);
 
 // The types of a module, by their IDs.
 class Types {

@@ -204,6 +204,7 @@ std::optional<std::uint8_t> arity_of(std::uint16_t opcode) {
 std::string name_of(std::uint16_t opcode) {
     const auto found = table().find(opcode);
     if (found != table().end()) return found->second.name;
+    if (opcode == image_sample) return "OpImageSample";
     if (opcode >= extended && opcode < copy)
         return fmt::format("GLSL.std.450 instruction {}", opcode - extended);
     return fmt::format("opcode {}", opcode);

@@ -74,6 +74,18 @@ std::string directives_of(const std::string& text) {
     return all.empty() ? all : "\n" + all;
 }
 
+// The format of a declaration of an image, if its texels have 32 bits; empty for another. An image that is
+// only written needs none.
+std::string image_format(Tokens tokens, std::string_view type) {
+    const std::string suffix = type.starts_with('u') ? "32ui" : type.starts_with("ii") ? "32i" : "32f";
+    for (const char* channels : {"r", "rg", "rgba"})
+        if (contains(tokens, channels + suffix)) return channels + suffix;
+    const bool other = std::ranges::any_of(tokens, [](const std::string& token) {
+        return token.starts_with("r") && token.find_first_of("0123456789") != std::string::npos;
+    });
+    return contains(tokens, "writeonly") && !other ? "rgba" + suffix : std::string();
+}
+
 Access access_of(Tokens head) {
     const bool fixed = contains(head, "readonly");
     if (contains(head, "buffer")) return fixed ? Access::uniform : Access::buffer;
@@ -92,17 +104,41 @@ bool is_opaque(std::string_view word) {
     return std::ranges::any_of(families, [&](std::string_view family) { return plain.starts_with(family); });
 }
 
-std::optional<std::vector<SamplerVariable>> samplers_of(const Piece& piece,
-                                                        const std::map<std::string, std::string>& opaque) {
-    const Words words = without_qualifiers(tokens_of(piece.text));
+std::optional<std::vector<BoundVariable>> bound_variables(const Piece& piece,
+                                                          const std::map<std::string, std::string>& opaque) {
+    const Words all = tokens_of(piece.text);
+    const Words words = without_qualifiers(all);
     const auto type = std::ranges::find_if_not(words, is_precision);
     if (type == words.end() || contains(words, "[") || contains(words, "{")) return std::nullopt;
     const auto macro = opaque.find(*type);
     const std::string& name = macro == opaque.end() ? *type : macro->second;
-    if (!is_sampler_type(name)) return std::nullopt;
-    std::vector<SamplerVariable> samplers;
-    for (const std::string& variable : piece.names) samplers.push_back({variable, name});
-    return samplers;
+    BoundVariable variable{.name = {}, .type = name, .written = !contains(all, "readonly")};
+    if (name.ends_with("image2D"))
+        variable.format = image_format(
+            Tokens(all).first(static_cast<std::size_t>(std::ranges::find(all, *type) - all.begin())), name);
+    if (!is_sampler_type(name) && variable.format.empty()) return std::nullopt;
+    std::vector<BoundVariable> variables;
+    for (const std::string& one : piece.names) {
+        variable.name = one;
+        variables.push_back(variable);
+    }
+    return variables;
+}
+
+std::string image_macros() {
+    const std::string layer = image_layer;
+    std::string text = "int " + layer + ";\n";
+    const auto macro = [&](const std::string& name, const std::string& values) {
+        text += "#define " + name + "(image, at" + values + ") " + name + "(image, ivec3(at, " + layer + ")" +
+                values + ")\n";
+    };
+    text += "#define imageSize(image) imageSize(image).xy\n";
+    macro("imageLoad", "");
+    macro("imageStore", ", value");
+    for (const char* operation : {"Add", "Min", "Max", "And", "Or", "Xor", "Exchange"})
+        macro(std::string("imageAtomic") + operation, ", value");
+    macro("imageAtomicCompSwap", ", compare, value");
+    return text;
 }
 
 std::optional<PlainGlobals> plain_globals(const Piece& piece,

@@ -27,9 +27,13 @@ struct PlainGlobals {
 [[nodiscard]] std::optional<PlainGlobals> plain_globals(const Piece& piece,
                                                         const std::map<std::string, std::string>& opaque);
 
-// The samplers that a declaration declares; nullopt for any other declaration, and for arrays of samplers.
-[[nodiscard]] std::optional<std::vector<SamplerVariable>> samplers_of(
+// The samplers, or images of two dimensions and 32 bits, that a declaration declares; nullopt for any other
+// declaration, and for arrays of them.
+[[nodiscard]] std::optional<std::vector<BoundVariable>> bound_variables(
     const Piece& piece, const std::map<std::string, std::string>& opaque);
+
+// Macros that turn accesses to images of two dimensions into those to the invocation's layer, `image_layer`.
+[[nodiscard]] std::string image_macros();
 
 // Whether the word is a type without values: "sampler2D", "uimageBuffer", "atomic_uint".
 [[nodiscard]] bool is_opaque(std::string_view word);

@@ -67,13 +67,14 @@ class Display {
     X(ActiveTexture) X(AttachShader) X(BindBuffer) X(BindBufferBase) X(BindFramebuffer) X(BindTexture)    \
     X(BindVertexArray) X(BufferData) X(BufferSubData) X(CheckFramebufferStatus) X(CompileShader)          \
     X(CreateProgram) X(CreateShader) X(DeleteBuffers) X(DeleteFramebuffers) X(DeleteProgram)              \
-    X(DeleteShader) X(DeleteTextures) X(DeleteVertexArrays) X(Disable) X(DrawArrays) X(DrawBuffers)       \
+    X(DeleteShader) X(DeleteTextures) X(DeleteVertexArrays) X(Disable) X(DrawArrays) X(DrawBuffers) X(Enable) \
     X(Finish) X(FramebufferTexture2D) X(GenBuffers) X(GenFramebuffers) X(GenTextures)                     \
     X(GenVertexArrays) X(GetError) X(GetInteger64v) X(GetIntegerv) X(GetProgramInfoLog) X(GetProgramiv)   \
     X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetUniformLocation) X(LinkProgram)                  \
     X(MapBufferRange) X(PixelStorei) X(ReadBuffer) X(ReadPixels) X(ShaderSource) X(TexImage2D)            \
     X(TexParameteri) X(TexSubImage2D) X(Uniform1i) X(Uniform1ui) X(UnmapBuffer) X(UseProgram) X(Viewport)
-#define GLOAM_GL_COMPUTE_FUNCTIONS(X) X(BindImageTexture) X(DispatchCompute) X(MemoryBarrier) X(TexStorage2D)
+#define GLOAM_GL_COMPUTE_FUNCTIONS(X)                                                                    \
+    X(BindImageTexture) X(DispatchCompute) X(MemoryBarrier) X(TexStorage2D) X(TexStorage3D) X(TexSubImage3D)
 // clang-format on
 
 namespace gloam::gl::internal {

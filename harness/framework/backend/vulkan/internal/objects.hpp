@@ -79,6 +79,14 @@ struct SampledImage::Impl {
     Guarded<SampledHandles> handles;
 };
 
+// In VK_IMAGE_LAYOUT_GENERAL.
+struct LayeredImage::Impl {
+    Impl(Context& owner, const Layers& layers);
+
+    Context& context;
+    Guarded<ImageHandles> handles;
+};
+
 struct ComputeHandles {
     vk::raii::DescriptorSetLayout set_layout;
     vk::raii::PipelineLayout layout;

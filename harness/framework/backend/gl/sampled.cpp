@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include <bit>
+#include <utility>
+
+#include "backend/gl/internal/context.hpp"
+#include "backend/gl/resources.hpp"
+#include "backend/sampled.hpp"
+
+namespace gloam::gl {
+namespace {
+
+using backend::SampledHeader;
+using backend::SampledShape;
+using backend::SampledTexel;
+
+constexpr GLenum seamless_cubes = 0x884F;  // GL_TEXTURE_CUBE_MAP_SEAMLESS; OpenGL ES always has them
+
+struct Format {
+    GLenum internal;
+    GLenum channels;
+    GLenum type;
+};
+
+Format format_of(SampledTexel texel) {
+    switch (texel) {
+        case SampledTexel::integer:
+            return {GL_RGBA32I, GL_RGBA_INTEGER, GL_INT};
+        case SampledTexel::natural:
+            return {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT};
+        case SampledTexel::depth:
+            return {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT};
+        default:
+            return {GL_RGBA16F, GL_RGBA, GL_FLOAT};
+    }
+}
+
+GLenum target_of(SampledShape shape) {
+    switch (shape) {
+        case SampledShape::layers:
+            return GL_TEXTURE_2D_ARRAY;
+        case SampledShape::three:
+            return GL_TEXTURE_3D;
+        case SampledShape::cube:
+            return GL_TEXTURE_CUBE_MAP;
+        case SampledShape::cube_layers:
+            return GL_TEXTURE_CUBE_MAP_ARRAY;
+        case SampledShape::one:
+            throw backend::Unsupported("samplers of one dimension need a Vulkan device");
+        default:
+            return GL_TEXTURE_2D;
+    }
+}
+
+GLenum wrap_of(backend::Wrap wrap) {
+    switch (wrap) {
+        case backend::Wrap::mirrored:
+            return GL_MIRRORED_REPEAT;
+        case backend::Wrap::edge:
+            return GL_CLAMP_TO_EDGE;
+        case backend::Wrap::border:
+            return GL_CLAMP_TO_BORDER;
+        default:
+            return GL_REPEAT;
+    }
+}
+
+GLenum compare_of(backend::Compare compare) {
+    switch (compare) {
+        case backend::Compare::greater_equal:
+            return GL_GEQUAL;
+        case backend::Compare::less:
+            return GL_LESS;
+        case backend::Compare::greater:
+            return GL_GREATER;
+        default:
+            return GL_LEQUAL;
+    }
+}
+
+// The sampler's state is that of its texture.
+void set_state(const internal::Functions& gl, GLenum target, const SampledHeader& header) {
+    const bool linear = header.linear != 0;
+    const auto set = [&](GLenum name, GLenum value) {
+        gl.TexParameteri(target, name, static_cast<GLint>(value));
+    };
+    set(GL_TEXTURE_MAG_FILTER, linear ? GL_LINEAR : GL_NEAREST);
+    set(GL_TEXTURE_MIN_FILTER, linear ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST_MIPMAP_NEAREST);
+    for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+        set(axis, wrap_of(header.wrap));
+    if (header.texel != SampledTexel::depth) return;
+    set(GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    set(GL_TEXTURE_COMPARE_FUNC, compare_of(header.compare));
+}
+
+// Texels as OpenGL takes them: of depths, the first of four.
+std::vector<Word> taken(SampledTexel texel, std::span<const Word> words) {
+    if (texel != SampledTexel::depth) return {words.begin(), words.end()};
+    std::vector<Word> depths;
+    for (std::size_t i = 0; i < words.size(); i += backend::texel_words) depths.push_back(words[i]);
+    return depths;
+}
+
+void upload(const internal::Functions& gl, GLenum target, const SampledHeader& header,
+            std::span<const Word> words) {
+    const Format format = format_of(header.texel);
+    const std::vector<Word> texels = taken(header.texel, words);
+    const std::size_t texel = header.texel == SampledTexel::depth ? 1 : backend::texel_words;
+    for (std::uint32_t level = 0; level < header.levels; ++level) {
+        const auto size = backend::size_of_level(header, level);
+        const Word* first = &texels[backend::texels_before(header, level) * texel];
+        const auto side = [&](std::size_t axis) { return static_cast<GLsizei>(size.at(axis)); };
+        const auto at = static_cast<GLint>(level);
+        if (header.shape == SampledShape::cube) {
+            for (GLenum face = 0; face < backend::cube_faces; ++face)
+                gl.TexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, at, 0, 0, side(0), side(1),
+                                 format.channels, format.type, first + face * size[0] * size[1] * texel);
+        } else if (header.shape == SampledShape::two) {
+            gl.TexSubImage2D(target, at, 0, 0, side(0), side(1), format.channels, format.type, first);
+        } else {
+            gl.TexSubImage3D(target, at, 0, 0, 0, side(0), side(1), side(2), format.channels, format.type,
+                             first);
+        }
+    }
+}
+
+}  // namespace
+
+SampledTexture::SampledTexture(const Device& device, std::span<const Word> words) : device_(&device) {
+    const SampledHeader header = backend::sampled_header(words);
+    const internal::Context& context = device.context();
+    const internal::Functions& gl = context.use();
+    target_ = target_of(header.shape);
+    gl.GenTextures(1, &handle_);
+    gl.BindTexture(target_, handle_);
+    const Format format = format_of(header.texel);
+    const auto side = [](std::uint32_t length) { return static_cast<GLsizei>(length); };
+    if (header.shape == SampledShape::two || header.shape == SampledShape::cube)
+        gl.TexStorage2D(target_, side(header.levels), format.internal, side(header.width),
+                        side(header.height));
+    else
+        gl.TexStorage3D(target_, side(header.levels), format.internal, side(header.width),
+                        side(header.height), side(header.depth));
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    upload(gl, target_, header, words.subspan(backend::sampled_header_words));
+    set_state(gl, target_, header);
+    if (device.info().id.version.api == Api::gl) gl.Enable(seamless_cubes);
+    try {
+        context.check("a texture");
+    } catch (...) {
+        gl.DeleteTextures(1, &handle_);
+        throw;
+    }
+}
+
+SampledTexture::~SampledTexture() {
+    if (handle_ != 0) device_->context().use().DeleteTextures(1, &handle_);
+}
+
+SampledTexture::SampledTexture(SampledTexture&& other) noexcept
+    : device_(other.device_), target_(other.target_), handle_(std::exchange(other.handle_, 0U)) {}
+
+void SampledTexture::bind(std::uint32_t unit) const {
+    const internal::Functions& gl = device_->context().use();
+    gl.ActiveTexture(GL_TEXTURE0 + unit);
+    gl.BindTexture(target_, handle_);
+    gl.ActiveTexture(GL_TEXTURE0);
+}
+
+}  // namespace gloam::gl
