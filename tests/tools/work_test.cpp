@@ -50,6 +50,15 @@ TEST_F(Work, AListHasAnItemForEachCombination) {
                                    R"(["check","--seed","10","--json","{result}b c"])"));
 }
 
+TEST_F(Work, AListLeavesToACommandWhatItReplaces) {
+    const std::string step = "cp {in} {out}";
+    EXPECT_THAT(
+        read_file(list("--each seed=1..1 -- check --compiler {} --seed {seed} --json {result}", step)),
+        HasSubstr(R"(["check","--compiler","cp {in} {out}","--seed","1","--json","{result}"])"));
+    expect_could_not_run(gloam("work list --each in=1..3 -- check {in} --json {result}"),
+                         "without {result}, {each}");
+}
+
 TEST_F(Work, WhatIsNoListIsSaid) {
     for (const auto& [line, why] : std::vector<std::pair<std::string, std::string>>{
              {"--each seed=1..3 -- check --json {result}", "no argument holds {seed}"},

@@ -26,7 +26,9 @@ using nlohmann::ordered_json;
 constexpr std::size_t most_items = 1'000'000;
 constexpr std::size_t most_arguments = 1000;  // of an item
 constexpr std::string_view result_mark = "{result}";
-// Those that write a result and run nothing else.
+// What the commands themselves replace: `gloam check --compiler`.
+constexpr std::array<std::string_view, 5> other_marks{"{each}", "{glsl}", "{in}", "{out}", "{random}"};
+// Those that write a result.
 constexpr std::array<std::string_view, 6> commands{"audit", "bench", "check", "render", "stress", "tune"};
 
 struct Values {
@@ -75,10 +77,13 @@ Values read_each(const std::string& text) {
     const std::size_t equals = text.find('=');
     const std::string name = text.substr(0, equals);
     try {
-        if (equals == std::string::npos || !is_word(name) || name == "result")
+        const std::string mark = "{" + name + "}";
+        if (equals == std::string::npos || !is_word(name) || mark == result_mark ||
+            std::ranges::find(other_marks, mark) != other_marks.end())
             throw std::invalid_argument(
-                "expected NAME=VALUES, with a NAME of a-z, 0-9, _ and - that is not result");
-        Values each{.mark = "{" + name + "}", .values = values_of(text.substr(equals + 1))};
+                fmt::format("expected NAME=VALUES, with a NAME of a-z, 0-9, _ and -, without {}, {}",
+                            result_mark, fmt::join(other_marks, ", ")));
+        Values each{.mark = mark, .values = values_of(text.substr(equals + 1))};
         if (each.values.empty()) throw std::invalid_argument("expected at least one value");
         return each;
     } catch (const std::exception& error) {
@@ -124,6 +129,7 @@ void require_marks(const std::vector<Values>& all, const WorkItem& arguments) {
         replace(rest, each.mark, "");
     }
     replace(rest, result_mark, "");
+    for (const std::string_view mark : other_marks) replace(rest, mark, "");
     for (const std::string& argument : rest) {
         const std::size_t begin = argument.find('{');
         const std::size_t end = argument.find('}', std::min(begin, argument.size()));
