@@ -11,7 +11,7 @@
 
 namespace gloam::check::own_images_test {
 
-constexpr const char* file = "images.glsl";
+constexpr const char* file = "own_images.glsl";
 constexpr std::size_t width = image_sides[0];
 constexpr std::size_t height = image_sides[1];
 
