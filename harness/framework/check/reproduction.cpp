@@ -221,10 +221,10 @@ Reproduction reproduce(const Lab& lab, const Question& question, const RunOption
     return reproduce_with(with_steps(lab, shortest_steps(steps, fails)), question, options, failing);
 }
 
-bool breaks_rules(const backend::Backend& device, KernelModule module, std::span<const Word> inputs,
+bool breaks_rules(const Lab& lab, KernelModule module, std::span<const Word> inputs,
                   const std::vector<shader::Scalar>& outputs) {
     try {
-        const KernelCore kernel(device, std::move(module), "the module");
+        const KernelCore kernel = lab.core(std::move(module), "the module");
         const KernelCore::Result result = kernel.run(inputs, 1);
         const internal::Decoded decoded(result.modules, {});
         internal::Interpretation rules(decoded, outputs);

@@ -63,7 +63,7 @@ bool still_fails(const std::filesystem::path& of, const std::filesystem::path& f
         return false;
     }
     const check::Lab lab({.device = object.at("device").get<std::string>()});
-    const bool fails = check::breaks_rules(*lab.backend(), std::move(module), inputs, outputs);
+    const bool fails = check::breaks_rules(lab, std::move(module), inputs, outputs);
     if (fails) base::write_file(of.parent_path() / kept, base::read_file(file));
     return fails;
 }

@@ -76,74 +76,97 @@ std::string read_image(const shader::Parameter& image, const std::string& argume
     return code;
 }
 
+// Writes what an invocation does for its input: reads the arguments, calls the function, writes the results.
+class Evaluator {
+  public:
+    Evaluator(const KernelSource& source, const InputText& input)
+        : source_(source), function_(source.function), input_(input) {}
+
+    Evaluation run() {
+        for (std::size_t i = 0; i < function_.parameters.size(); ++i) read(i);
+        call();
+        for (std::size_t i = 0; i < function_.parameters.size(); ++i) {
+            const shader::Parameter& p = function_.parameters[i];
+            if (p.direction == Direction::in) continue;
+            if (!p.image.empty()) result_.code += read_image(p, variable_of(i));
+            write(p.type, variable_of(i));
+        }
+        return std::move(result_);
+    }
+
+  private:
+    // Of what a team takes and returns, each invocation has an element.
+    [[nodiscard]] Type own_type(const Type& type, bool of_all) const {
+        return is_alone() || of_all || type.scalar == Scalar::void_ ? type : shader::element_of(type);
+    }
+
+    [[nodiscard]] bool is_alone() const { return source_.team.kind == backend::Team::Kind::alone; }
+
+    // From where on the words of an invocation's element are read or written.
+    std::size_t move_to_element(const char* at, const char* row, std::size_t words, std::size_t first,
+                                bool of_all) {
+        if (is_alone()) return first;
+        result_.code += fmt::format("    {} = {} + {}u + {}u * {};\n", at, row, first, words,
+                                    of_all ? "0u" : "gloam_kernel_lane");
+        return 0;
+    }
+
+    [[nodiscard]] std::string variable_of(std::size_t i) const {
+        const shader::Parameter& p = function_.parameters[i];
+        return p.global && p.image.empty() ? p.name : argument_name(i);
+    }
+
+    void add_argument(std::size_t i) { arguments_ += (i > 0 ? ", " : "") + variable_of(i); }
+
+    void read(std::size_t i) {
+        const shader::Parameter& p = function_.parameters[i];
+        const std::string variable = variable_of(i);
+        if (!p.global) add_argument(i);
+        if (p.type.scalar == Scalar::sampler) return;
+        const Type type = own_type(p.type, p.uniform);
+        if (!p.global || !p.image.empty())
+            result_.code += fmt::format("    {} {};\n", name_of(type), variable);
+        if (p.direction == Direction::out) return;
+        const std::size_t first = move_to_element("gloam_kernel_input_at", "gloam_kernel_input_row",
+                                                  scalars_of(type).size(), result_.input_words, p.uniform);
+        append_read(result_.code, type, variable, input_, first);
+        result_.input_words += scalars_of(p.type).size();
+        if (!p.image.empty()) result_.code += write_image(p, variable);
+    }
+
+    void write(const Type& lifted, const std::string& variable) {
+        const Type type = own_type(lifted, false);
+        const std::size_t first = move_to_element("gloam_kernel_output_at", "gloam_kernel_output_row",
+                                                  scalars_of(type).size(), result_.output_words, false);
+        append_write(result_.code, type, variable, "gloam_kernel_outputs", "gloam_kernel_output_at", first);
+        result_.output_words += scalars_of(lifted).size();
+    }
+
+    void call() {
+        const bool discards = may_discard(function_);
+        if (discards) result_.code += write_discarded(source_);
+        const std::string text = fmt::format("{}({});\n", function_.name, arguments_);
+        if (function_.result.scalar == Scalar::void_) {
+            result_.code += "    " + text;
+        } else {
+            const std::string type = name_of(own_type(function_.result, false));
+            result_.code += fmt::format("    {} gloam_kernel_result = {}", type, text);
+            write(function_.result, "gloam_kernel_result");
+        }
+        if (discards) result_.code += fmt::format("    {} = false;\n", shader::discarded);
+    }
+
+    const KernelSource& source_;
+    const shader::Function& function_;
+    const InputText& input_;
+    Evaluation result_;
+    std::string arguments_;
+};
+
 }  // namespace
 
 Evaluation evaluation(const KernelSource& source, const InputText& input) {
-    const shader::Function& function = source.function;
-    const bool alone = source.team.kind == backend::Team::Kind::alone;
-    Evaluation result;
-    std::string arguments;
-    // Of what a team takes and returns, each invocation has an element.
-    const auto own_type = [&](const Type& type, bool of_all) {
-        return alone || of_all || type.scalar == Scalar::void_ ? type : shader::element_of(type);
-    };
-    // From where on the words of an invocation's element are read or written.
-    const auto move_to_element = [&](const char* at, const char* row, std::size_t words, std::size_t first,
-                                     bool of_all) {
-        if (!alone)
-            result.code += fmt::format("    {} = {} + {}u + {}u * {};\n", at, row, first, words,
-                                       of_all ? "0u" : "gloam_kernel_lane");
-        return alone ? first : 0;
-    };
-    const auto variable_of = [&function](std::size_t i) {
-        const shader::Parameter& p = function.parameters[i];
-        return p.global && p.image.empty() ? p.name : argument_name(i);
-    };
-    for (std::size_t i = 0; i < function.parameters.size(); ++i) {
-        const shader::Parameter& p = function.parameters[i];
-        const std::string variable = variable_of(i);
-        if (p.type.scalar == Scalar::sampler) {
-            arguments += (i > 0 ? ", " : "") + variable;
-            continue;
-        }
-        const Type type = own_type(p.type, p.uniform);
-        if (!p.global || !p.image.empty())
-            result.code += fmt::format("    {} {};\n", name_of(type), variable);
-        if (!p.global) {
-            arguments += (i > 0 ? ", " : "") + variable;
-        }
-        if (p.direction == Direction::out) continue;
-        const std::size_t first = move_to_element("gloam_kernel_input_at", "gloam_kernel_input_row",
-                                                  scalars_of(type).size(), result.input_words, p.uniform);
-        append_read(result.code, type, variable, input, first);
-        result.input_words += scalars_of(p.type).size();
-        if (!p.image.empty()) result.code += write_image(p, variable);
-    }
-    const auto write = [&](const Type& lifted, const std::string& variable) {
-        const Type type = own_type(lifted, false);
-        const std::size_t first = move_to_element("gloam_kernel_output_at", "gloam_kernel_output_row",
-                                                  scalars_of(type).size(), result.output_words, false);
-        append_write(result.code, type, variable, "gloam_kernel_outputs", "gloam_kernel_output_at", first);
-        result.output_words += scalars_of(lifted).size();
-    };
-    const bool discards = may_discard(function);
-    if (discards) result.code += write_discarded(source);
-    const std::string call = fmt::format("{}({});\n", function.name, arguments);
-    if (function.result.scalar == Scalar::void_) {
-        result.code += "    " + call;
-    } else {
-        result.code +=
-            fmt::format("    {} gloam_kernel_result = {}", name_of(own_type(function.result, false)), call);
-        write(function.result, "gloam_kernel_result");
-    }
-    if (discards) result.code += fmt::format("    {} = false;\n", shader::discarded);
-    for (std::size_t i = 0; i < function.parameters.size(); ++i) {
-        const shader::Parameter& p = function.parameters[i];
-        if (p.direction == Direction::in) continue;
-        if (!p.image.empty()) result.code += read_image(p, variable_of(i));
-        write(p.type, variable_of(i));
-    }
-    return result;
+    return Evaluator(source, input).run();
 }
 
 std::string main_begin(const backend::Team& team, std::size_t output_words) {
