@@ -37,6 +37,17 @@ TEST(CheckSteps, RightPassesAreOkAndUnchangedModulesAreCounted) {
     EXPECT_THAT(result.out, HasSubstr("1        0       0           0  shipped | spirv-opt --wrap-opkill"));
 }
 
+// The module before the step reads outside of its array for them too.
+TEST(CheckSteps, UndefinedInputsAreNotJudged) {
+    const TemporaryDirectory folder;
+    const auto file = folder.write("f.glsl",
+                                   "float f(int i, float x) {\n    float a[4] = float[4](1.0, x, 3.0, 4.0);\n"
+                                   "    return a[i] + x;\n}\n");
+    const CommandResult result = check(file.string(), {"spirv-opt -O"});
+    EXPECT_EQ(result.status, 0) << result.out << result.err;
+    EXPECT_THAT(result.out, HasSubstr("the result is undefined for"));
+}
+
 TEST(CheckSteps, NothingChangedIsNoVerdict) {
     EXPECT_EQ(check("HALTON-2D", {"spirv-opt --wrap-opkill"}).status, 2);
 }

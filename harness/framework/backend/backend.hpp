@@ -48,6 +48,11 @@ class Fault : public Error {
     using Error::Error;
 };
 
+// A Fault of one input: the kernel reads or writes outside an array, so that the result is undefined.
+class OutOfBounds : public Fault {
+    using Fault::Fault;
+};
+
 // Properties of float32 arithmetic that a driver reports (VkPhysicalDeviceFloatControlsProperties).
 struct FloatControls {
     bool preserves_signed_zero_inf_nan = false;

@@ -30,13 +30,36 @@ Trial::Evaluated Trial::run(Domain::Inputs inputs, Answer& answer) const {
                                                 answer.function, inputs.width, kernel_.input_words()));
     }
     if (!options_.nan) set_positive_zeros(inputs.words, question_.signature.input_scalars());
-    KernelCore::Result outputs = kernel_.run(inputs.words, inputs.count(), images_);
+    KernelCore::Result outputs;
+    try {
+        outputs = kernel_.run(inputs.words, inputs.count(), images_);
+    } catch (const backend::OutOfBounds&) {
+        outputs = run_each(inputs);
+    }
     lab_.require_silent_validation();
     if (outputs.fault && answer.fault.empty()) {
         answer.fault = to_text(*outputs.fault);
         answer.reason = Reason::fault;
     }
     return {std::move(inputs), std::move(outputs)};
+}
+
+// One input after another. Where an input stores to images, those after it depend on it.
+KernelCore::Result Trial::run_each(const Domain::Inputs& inputs) const {
+    constexpr Word undefined = 0xdeadbeefU;
+    if (std::ranges::any_of(kernel_.module().images, &ImagePrototype::stores))
+        return kernel_.run(inputs.words, inputs.count(), images_);
+    KernelCore::Result all;
+    for (std::size_t i = 0; i < inputs.count(); ++i) {
+        try {
+            const KernelCore::Result one = kernel_.run(inputs.row(i), 1, images_);
+            all.outputs.insert(all.outputs.end(), one.outputs.begin(), one.outputs.end());
+            all.modules = one.modules;
+        } catch (const backend::OutOfBounds&) {
+            all.outputs.insert(all.outputs.end(), kernel_.output_words(), undefined);
+        }
+    }
+    return all;
 }
 
 void Trial::judge(const Evaluated& evaluated, Answer& answer, std::span<double> fractions) const {

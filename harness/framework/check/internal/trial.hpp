@@ -26,6 +26,7 @@ class Trial {
     };
     // Evaluates inputs, and notes an access outside an image in the answer. On a device that need not keep
     // the sign of zero, +0 takes the place of -0.
+    // What is undefined for the interpreter, which stops there, gets words that no function returns.
     [[nodiscard]] Evaluated run(Domain::Inputs inputs, Answer& answer) const;
 
     // Judges what run() returned, and adds the results to the answer. `fractions`: as in check::judge().
@@ -42,6 +43,8 @@ class Trial {
     [[nodiscard]] std::uint64_t input_seed() const { return input_seed_; }
 
   private:
+    [[nodiscard]] KernelCore::Result run_each(const Domain::Inputs& inputs) const;
+
     const Lab& lab_;
     const Question& question_;
     const KernelCore& kernel_;
