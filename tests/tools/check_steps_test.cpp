@@ -43,7 +43,7 @@ TEST(CheckSteps, UndefinedInputsAreNotJudged) {
     const auto file = folder.write("f.glsl",
                                    "float f(int i, float x) {\n    float a[4] = float[4](1.0, x, 3.0, 4.0);\n"
                                    "    return a[i] + x;\n}\n");
-    const CommandResult result = check(file.string(), {"spirv-opt -O"});
+    const CommandResult result = check(file.string(), {"spirv-opt -O"}, words("--range i=0:7"));
     EXPECT_EQ(result.status, 0) << result.out << result.err;
     EXPECT_THAT(result.out, HasSubstr("the result is undefined for"));
 }
