@@ -22,8 +22,9 @@ using shader::Spirv;
 struct CompilerFault {
     std::string name;
     std::function<Spirv(const Spirv&)> plant;
-    // Only which of two neighbours a result is rounded to: Vulkan leaves that open to a driver.
-    bool of_rounding = false;
+    // Whether a driver shows it. Not one that only changes a rounding, which Vulkan leaves open to a driver;
+    // and not one that makes loops that never end, which some drivers do not survive.
+    bool in_a_driver = true;
 };
 
 // A fault that changes words in place: visit(instruction, its words).
@@ -151,7 +152,7 @@ inline CompilerFault contracted() {
                 }
                 return changed;
             },
-            true};
+            false};
 }
 
 inline std::vector<CompilerFault> faults_of_values() {
@@ -191,15 +192,21 @@ inline std::vector<CompilerFault> faults_of_values() {
             contracted()};
 }
 
+inline CompilerFault phis_swapped() {
+    CompilerFault fault =
+        in_place("operands of a phi swapped", [](const Instruction& at, std::uint32_t* words) {
+            if (at.opcode == SpvOpPhi && at.words.size() == 7) std::swap(words[3], words[5]);
+        });
+    fault.in_a_driver = false;
+    return fault;
+}
+
 inline std::vector<CompilerFault> faults_of_memory_and_flow() {
     const auto extract = [](const Instruction& at, std::uint32_t* words) {
         if (at.opcode == SpvOpCompositeExtract && at.words.size() == 5 && at.word(4) < 2) words[4] ^= 1U;
     };
     const auto shuffle = [](const Instruction& at, std::uint32_t* words) {
         if (at.opcode == SpvOpVectorShuffle) std::swap(words[5], words[6]);
-    };
-    const auto back_edge = [](const Instruction& at, std::uint32_t* words) {
-        if (at.opcode == SpvOpPhi && at.words.size() == 7) std::swap(words[3], words[5]);
     };
     const auto arguments = [](const Instruction& at, std::uint32_t* words, const auto& all) {
         if (at.opcode != SpvOpFunctionCall) return;
@@ -222,7 +229,7 @@ inline std::vector<CompilerFault> faults_of_memory_and_flow() {
     };
     return {swapped("ways of a branch swapped", SpvOpBranchConditional, 2, 3),
             swapped("default and case of a switch swapped", SpvOpSwitch, 2, 4),
-            in_place("operands of a phi swapped", back_edge),
+            phis_swapped(),
             in_place("other component extracted", extract),
             in_place("components shuffled otherwise", shuffle),
             with_definitions("element of an array one off", index),
