@@ -99,6 +99,13 @@ TEST(Steps, WhatIsNoneIsNamed) {
         HasSubstr("metamorphic steps before those of a compiler"));
 }
 
+TEST(Steps, OfAVariantAreOneEach) {
+    for (const char* name : {"shipped | spirv-opt {each}", "strict | metamorphic 1 | spirv-opt {each}"})
+        EXPECT_THAT(message_of<std::invalid_argument>([name] { (void)variant(name); }),
+                    HasSubstr("expected one step behind each bar"));
+    EXPECT_EQ(variant("strict | metamorphic 1 | spirv-opt -O").steps.size(), 2U);
+}
+
 TEST(Steps, ATextStandsForEachPassOrForRandomOnes) {
     const std::vector<std::string> each = steps_from("spirv-opt {each}", 1, 1);
     EXPECT_GT(each.size(), 40U);

@@ -9,6 +9,7 @@
 #include "effect/methods.hpp"
 #include "effect/settings.hpp"
 #include "scene/scene.hpp"
+#include "shader/steps.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -63,6 +64,7 @@ std::vector<shader::Variant> select_variants(const std::string& name) {
     try {
         return {shader::variant(name)};
     } catch (const std::invalid_argument& error) {
+        if (name.find(shader::step_separator) != std::string::npos) throw;
         throw std::invalid_argument(std::string(error.what()) + ", or all");
     }
 }

@@ -186,12 +186,13 @@ std::vector<Variant> variants() {
 }
 
 Variant variant(const std::string& name) {
-    constexpr std::string_view then = " | ";
-    const std::size_t bar = name.rfind(then);
+    const std::size_t bar = name.rfind(step_separator);
     if (bar != std::string::npos) {
         Variant made = variant(name.substr(0, bar));
         made.name = name;
-        made.steps.push_back(steps_from(name.substr(bar + then.size()), 0, 0).at(0));
+        const std::vector<std::string> steps = steps_from(name.substr(bar + step_separator.size()), 0, 1);
+        if (steps.size() != 1) throw std::invalid_argument(name + ": expected one step behind each bar");
+        made.steps.push_back(steps.front());
         if (is_metamorphic(made.steps.back()) && !std::ranges::all_of(made.steps, is_metamorphic))
             throw std::invalid_argument(name + ": expected metamorphic steps before those of a compiler");
         return made;

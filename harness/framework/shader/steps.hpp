@@ -6,6 +6,7 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "shader/compile.hpp"
@@ -24,6 +25,9 @@ namespace gloam::shader {
 //
 // A step that compiles must keep the meaning of its module: what it gives is judged by the module before it.
 // A metamorphic step makes another shader to compile: what it gives is judged by itself.
+
+// What stands between the steps of a sequence, and between a variant and its steps.
+inline constexpr std::string_view step_separator = " | ";
 
 // What a step reads.
 struct StepInput {

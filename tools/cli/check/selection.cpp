@@ -16,13 +16,11 @@
 namespace gloam::cli {
 namespace {
 
-constexpr std::string_view then = " | ";
-
 std::vector<std::string> divided(const std::string& chain) {
     std::vector<std::string> steps;
     std::size_t begin = 0;
-    for (std::size_t bar = 0; bar != std::string::npos; begin = bar + then.size()) {
-        bar = chain.find(then, begin);
+    for (std::size_t bar = 0; bar != std::string::npos; begin = bar + shader::step_separator.size()) {
+        bar = chain.find(shader::step_separator, begin);
         steps.push_back(chain.substr(begin, bar - begin));
     }
     return steps;
@@ -33,7 +31,8 @@ std::vector<std::string> followed(const std::vector<std::string>& names, const s
                                   const CheckOptions& options) {
     std::vector<std::string> longer;
     for (const std::string& step : shader::steps_from(text, options.seed, options.seeds))
-        for (const std::string& name : names) longer.push_back(name + std::string(then) + step);
+        for (const std::string& name : names)
+            longer.push_back(name + std::string(shader::step_separator) + step);
     return longer;
 }
 
@@ -135,7 +134,7 @@ std::string step_summary(const std::vector<report::CheckReport>& reports) {
     std::map<std::string, Count> counts;
     for (const report::CheckReport& report : reports) {
         for (const check::Answer& row : report.rows) {
-            if (row.variant.find(then) == std::string::npos) continue;
+            if (row.variant.find(shader::step_separator) == std::string::npos) continue;
             Count& count = counts[row.variant];
             const bool changed = row.reason != check::Reason::unchanged;
             ++count.modules;
