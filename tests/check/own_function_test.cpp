@@ -86,6 +86,19 @@ TEST_F(OwnFunctionTest, UndefinedResultsAreNotJudged) {
     EXPECT_TRUE(inside.passed()) << inside;
 }
 
+// The interpreter as the device stops, and the other inputs are still judged.
+TEST_F(OwnFunctionTest, InputsForWhichALoopHasNoEndAreNotJudged) {
+    const Lab interpreted(options_of("undefined.glsl"), interpreter());
+    const OwnFunction loop = functions_of("undefined.glsl", {"undefined_loop"}).found.at(0);
+    Question question = question_of(interpreted, "undefined.glsl", loop, {});
+    question.domain = {integers(0, 3, shader::Scalar::uint_)};
+    const Answer answer = run(interpreted, question, {.inputs = 4});
+    EXPECT_EQ(answer.outside(), 0U) << answer;
+    EXPECT_EQ(answer.undefined, answer.recorded());
+    EXPECT_TRUE(answer.passed()) << answer;
+    EXPECT_THAT(answer.first_undefined, HasSubstr("more than 50000000 instructions"));
+}
+
 TEST_F(OwnFunctionTest, UndefinedIntegersDoNotFail) {
     for (const char* name :
          {"undefined_quotient", "undefined_remainder", "undefined_shift", "undefined_field"})

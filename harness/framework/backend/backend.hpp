@@ -48,8 +48,9 @@ class Fault : public Error {
     using Error::Error;
 };
 
-// A Fault of one input: the kernel reads or writes outside an array, so that the result is undefined.
-class OutOfBounds : public Fault {
+// A Fault of one input, whose result is undefined: the kernel reads or writes outside an array, or does not
+// end.
+class UndefinedResult : public Fault {
     using Fault::Fault;
 };
 

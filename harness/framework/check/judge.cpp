@@ -82,7 +82,7 @@ class Judge {
         try {
             if (find_want(sample) > long_run) answer.long_runs.push_back(sample.index);
         } catch (const interpreter::Error& error) {
-            if (question_.defined || !is_of_input(error)) throw;
+            if (question_.defined || !error.is_of_input()) throw;
             answer.add_undefined(sample.input_class, error.what());
             if (error.kind() == interpreter::Error::Kind::too_many_steps)
                 answer.long_runs.push_back(sample.index);
@@ -123,12 +123,6 @@ class Judge {
     }
 
   private:
-    // Whether the input, and not the module, stops the run.
-    static bool is_of_input(const interpreter::Error& error) {
-        return error.kind() == interpreter::Error::Kind::out_of_bounds ||
-               error.kind() == interpreter::Error::Kind::too_many_steps;
-    }
-
     // Returns how many instructions the interpreter took; 0 for a reference.
     std::uint64_t find_want(Sample& sample) {
         std::uint64_t steps = 0;

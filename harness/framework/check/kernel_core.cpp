@@ -217,7 +217,7 @@ class InterpreterKernel : public backend::Kernel {
         } catch (const interpreter::Error& error) {
             const std::string message = fmt::format("{}: input {}: {}", name_, i, error.what());
             if (error.is_of_group()) throw interpreter::Error(error.kind(), message);
-            if (error.kind() == interpreter::Error::Kind::out_of_bounds) throw backend::OutOfBounds(message);
+            if (error.is_of_input()) throw backend::UndefinedResult(message);
             throw backend::Fault(message);
         }
     }

@@ -45,6 +45,10 @@ class Error : public std::runtime_error {
     [[nodiscard]] Kind kind() const { return kind_; }
     // Whether invocations disturb each other: an error of the shader, whatever its inputs are.
     [[nodiscard]] bool is_of_group() const { return kind_ == Kind::race || kind_ == Kind::divergent_barrier; }
+    // Whether the input, and not the module, stops the run: its result is undefined.
+    [[nodiscard]] bool is_of_input() const {
+        return kind_ == Kind::out_of_bounds || kind_ == Kind::too_many_steps;
+    }
 
   private:
     Kind kind_;

@@ -33,7 +33,7 @@ Trial::Evaluated Trial::run(Domain::Inputs inputs, Answer& answer) const {
     KernelCore::Result outputs;
     try {
         outputs = kernel_.run(inputs.words, inputs.count(), images_);
-    } catch (const backend::OutOfBounds&) {
+    } catch (const backend::UndefinedResult&) {
         outputs = run_each(inputs);
     }
     lab_.require_silent_validation();
@@ -55,7 +55,7 @@ KernelCore::Result Trial::run_each(const Domain::Inputs& inputs) const {
             const KernelCore::Result one = kernel_.run(inputs.row(i), 1, images_);
             all.outputs.insert(all.outputs.end(), one.outputs.begin(), one.outputs.end());
             all.modules = one.modules;
-        } catch (const backend::OutOfBounds&) {
+        } catch (const backend::UndefinedResult&) {
             all.outputs.insert(all.outputs.end(), kernel_.output_words(), undefined);
         }
     }
