@@ -2,6 +2,7 @@
 #include "shader/wgsl.hpp"
 
 #include "shader/pack.hpp"
+#include "shader/spirv.hpp"
 #include "support.hpp"
 #include "support/matchers.hpp"
 
@@ -33,6 +34,16 @@ TEST(Wgsl, ExpressionsAreWrittenWhereTheyAreUsed) {
     EXPECT_EQ(
         body_of("float f(vec2 v, float s) { float t = v.x * s; return max(t, -v.y) / (t - (s - 1.0)); }"),
         "    let t = v.x * s;\n    return max(t, -v.y) / (t - (s - 1.0));\n}\n");
+}
+
+// An optimiser leaves such operations on constants.
+TEST(Wgsl, TheBitsOfAConstantAreAnInteger) {
+    const Spirv module = compile({"s.comp",
+                                  "#version 450\nlayout(binding = 0) buffer B { uint u; };\n"
+                                  "void main() { float x = 1.5; u = floatBitsToUint(x); }"},
+                                 {});
+    EXPECT_THAT(to_wgsl(with_passes(module, {"--eliminate-local-single-store"})),
+                HasSubstr("bitcast<u32>(1.5f)"));
 }
 
 TEST(Wgsl, AValueIsReadBeforeItsVariableChanges) {

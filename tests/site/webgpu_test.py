@@ -67,6 +67,15 @@ class WebGpuTest(unittest.TestCase):
         self.assertIn("1 failed", page.text("told"))
         self.assertNotEqual([], failed[0]["worst"]["input_words"])
 
+    def test_kernels_that_were_changed_without_a_change_of_meaning_pass(self):
+        site = self.folder / "changed"
+        written = run("site", site, "GTAO-a*", "TSSAO-10*", "FINITE*", "--method", "sweep", "--no-pictures",
+                      "--metamorphic", 3)
+        self.assertEqual(0, written.returncode, written.stderr)
+        page = self.checked(site)
+        self.assertGreater(len(page.rows()), 4)
+        self.assertEqual([], [row for row in page.rows() if row["outside"] or row["error"]])
+
     def test_a_kernel_that_does_not_compile_is_an_error(self):
         page = self.checked(self.spoiled("fn gloam_gaussian", "fn gloam_gauss"))
         errors = [row for row in page.rows() if row["error"]]

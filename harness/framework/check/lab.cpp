@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "backend/gl/device.hpp"
+#include "backend/gl/kernel.hpp"
 #include "check/internal/kernel_text.hpp"
 #include "shader/spirv.hpp"
 #include "shader/steps.hpp"
@@ -29,11 +30,15 @@ std::vector<ImagePrototype> image_prototypes(const std::vector<shader::Function>
     return images;
 }
 
-// The other variants are ways to make a SPIR-V module, and an OpenGL driver is given text.
-void require_opengl_options(const LabOptions& options) {
-    if (options.variant.changes_the_module()) {
-        throw std::invalid_argument(fmt::format("{}: OpenGL devices have the variant shipped only, not {}",
-                                                options.device, options.variant.name));
+// The other variants are ways to make a SPIR-V module, and an OpenGL driver is given text. A module after
+// steps becomes text again.
+void require_opengl_options(const LabOptions& options, shader::Language language) {
+    const bool steps = !options.variant.steps.empty();
+    if (options.variant.changes_the_module() || (steps && !internal::has_compute(language))) {
+        throw std::invalid_argument(
+            fmt::format("{}: OpenGL devices have the variant shipped only, and those with compute shaders "
+                        "its steps, not {}",
+                        options.device, options.variant.name));
     }
     if (options.validation)
         throw std::invalid_argument(options.device + ": the validation layers are of Vulkan");
@@ -124,7 +129,7 @@ Lab::Lab(LabOptions options) : Lab(options, opened(options)) {}
 
 Lab::Lab(LabOptions options, std::shared_ptr<backend::Backend> device)
     : options_(std::move(options)), device_(std::move(device)), cache_(shader_cache(options_)) {
-    if (!info().glsl.empty()) require_opengl_options(options_);
+    if (const auto text_language = language()) require_opengl_options(options_, *text_language);
 }
 
 const gpu::Device& Lab::device() const {
@@ -225,6 +230,8 @@ KernelCore Lab::kernel(const std::string& file, const std::string& function,
                                  !internal::calls_undefined_precision(module.spirv);
     }
     take_steps(module, text);
+    if (const auto text_language = language(); text_language && !options_.variant.steps.empty())
+        module.glsl = shader::opengl_text(module.spirv, *text_language, gl::kernel_run_binding);
     return core(std::move(module), function);
 }
 

@@ -148,9 +148,11 @@ PreparedScenario prepare_scenario(const Question& question, const KernelSource& 
 // The kernel of a Vulkan device as WGSL, which has no promise of NaN, infinity and -0.
 void add_wgsl(const Lab& lab, KernelSource source, const std::string& name, PreparedCheck& prepared) {
     source.preserve_nan = false;
+    const shader::Source text{.name = "kernel of " + name, .text = kernel_code(source)};
+    KernelModule module{.spirv = lab.compile_kernel(text, source.images), .images = source.images};
+    lab.take_steps(module, text);
     try {
-        prepared.wgsl = shader::to_wgsl(
-            lab.compile_kernel({.name = "kernel of " + name, .text = kernel_code(source)}, source.images));
+        prepared.wgsl = shader::to_wgsl(module.spirv);
     } catch (const shader::WgslError& reason) {
         prepared.wgsl_unsupported = reason.what();
     }

@@ -146,10 +146,10 @@ struct Variant {
     // What the kernel of a function goes through after that, in order (steps.hpp). compile() ignores them.
     std::vector<std::string> steps = {};
 
-    // Whether a module of it may differ from that of the front end as it is.
+    // Whether a module of it may differ from that of the front end as it is, before its steps.
     [[nodiscard]] bool changes_the_module() const {
         return optimization != Optimization::none || strict || relaxed || through != Through::none ||
-               constants != Constants::none || !steps.empty();
+               constants != Constants::none;
     }
 };
 

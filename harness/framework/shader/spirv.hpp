@@ -36,6 +36,10 @@ struct Instruction {
 // The instructions of a module, one after another, without those that only name things and places.
 [[nodiscard]] Spirv without_names(const Spirv& module);
 
+// A compute module as GLSL for OpenGL, as SPIRV-Cross writes it. Its push constants are a uniform block with
+// this binding; other bindings stay. Throws std::runtime_error with SPIRV-Cross's message.
+[[nodiscard]] std::string opengl_text(const Spirv& module, Language language, unsigned push_constant_binding);
+
 // The capabilities of a module for numbers of other sizes than 32 bits: "Float64", "Int8".
 [[nodiscard]] std::vector<std::string> number_capabilities(const Spirv& module);
 

@@ -61,9 +61,14 @@ std::vector<shader::Variant> variants_of(const CheckOptions& options) {
     for (const std::string& name : options.compilers.empty() ? bases : names)
         variants.push_back(shader::variant(name));
     if (!is_opengl(options.device)) return variants;
-    std::erase_if(variants, [](const shader::Variant& variant) { return variant.changes_the_module(); });
+    const std::optional<gl::DeviceName> named = gl::device_name_from(options.device);
+    const bool only_shipped = named && !gl::has_compute(named->version);
+    std::erase_if(variants, [&](const shader::Variant& variant) {
+        return variant.changes_the_module() || (only_shipped && !variant.steps.empty());
+    });
     if (variants.empty())
-        throw std::invalid_argument("OpenGL devices have the variant shipped only, not " + options.variant);
+        throw std::invalid_argument(fmt::format("{}: expected the variant shipped{}, not {}", options.device,
+                                                only_shipped ? "" : " or metamorphic", options.variant));
     return variants;
 }
 

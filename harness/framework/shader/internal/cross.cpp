@@ -278,6 +278,28 @@ Spirv round_trip(const Spirv& module, Stage stage, const std::string& name, Vari
     }
 }
 
+}  // namespace gloam::shader::internal
+
+namespace gloam::shader {
+
+std::string opengl_text(const Spirv& module, Language language, unsigned push_constant_binding) {
+    const internal::Cross cross(module, SPVC_BACKEND_GLSL, "write the module as GLSL for OpenGL");
+    const spvc_compiler_options options = internal::options_of(cross);
+    const std::string version = to_string(language);  // "310es"
+    internal::set(cross, options, SPVC_COMPILER_OPTION_GLSL_VERSION,
+                  static_cast<unsigned>(std::stoul(version)));
+    if (version.ends_with("es")) internal::enable(cross, options, SPVC_COMPILER_OPTION_GLSL_ES);
+    internal::enable(cross, options, SPVC_COMPILER_OPTION_GLSL_EMIT_PUSH_CONSTANT_AS_UNIFORM_BUFFER);
+    for (const spvc_reflected_resource& each :
+         internal::resources_of(cross, SPVC_RESOURCE_TYPE_PUSH_CONSTANT))
+        spvc_compiler_set_decoration(cross.compiler(), each.id, SpvDecorationBinding, push_constant_binding);
+    return internal::text_of(cross, options);
+}
+
+}  // namespace gloam::shader
+
+namespace gloam::shader::internal {
+
 std::string cross_version() {
     unsigned major = 0;
     unsigned minor = 0;

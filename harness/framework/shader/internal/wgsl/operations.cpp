@@ -139,15 +139,16 @@ Expression shuffle(ModuleText& text, const Instruction& i, const Operands& opera
     return parts.size() == 1 ? parts[0] : call(text.type(i.word(1)), parts);
 }
 
-// A bit pattern as another type. Between integers, and of a float that is no infinity or NaN, a conversion
-// and a constant do.
+// A bit pattern as another type. Between integers a conversion does; the bits of a float that are a constant
+// may be infinity or NaN.
 Expression bitcast(ModuleText& text, const Instruction& i, const Expression& value) {
     const Module& module = text.module();
     const Id type = i.word(1);
     const Instruction* constant = module.constant(i.word(3));
     const Id from = constant != nullptr ? constant->word(1) : module.type_of(i.word(3));
     if (!module.is_float(type) && !module.is_float(from)) return call(text.type(type), {typed(value)});
-    if (constant != nullptr && constant->opcode == SpvOpConstant && !module.is_half(type))
+    if (constant != nullptr && constant->opcode == SpvOpConstant && !module.is_half(type) &&
+        !module.is_float(from))
         return call(text.helper("float_of_bits", 0), {typed(value)});
     return call("bitcast<" + text.type(type) + ">", {typed(value)});
 }
