@@ -46,6 +46,14 @@ TEST(Wgsl, TheBitsOfAConstantAreAnInteger) {
                 HasSubstr("bitcast<u32>(1.5f)"));
 }
 
+TEST(Wgsl, CountsOfBitsAreSignedAsInTheText) {
+    EXPECT_EQ(body_of("int f(uint x) { return bitCount(x); }"),
+              "    return bitcast<i32>(countOneBits(x));\n}\n");
+    EXPECT_EQ(body_of("int f(int x) { return bitCount(x); }"), "    return countOneBits(x);\n}\n");
+    EXPECT_EQ(body_of("int f(uint x) { return findMSB(x); }"),
+              "    return bitcast<i32>(firstLeadingBit(x));\n}\n");
+}
+
 TEST(Wgsl, AValueIsReadBeforeItsVariableChanges) {
     EXPECT_EQ(body_of("float f(float x) { float a = x; float b = a++ * a; return a - b; }"),
               "    var a = x;\n    let t = a;\n    a += 1.0;\n    let b = t * a;\n    return a - b;\n}\n");

@@ -201,9 +201,7 @@ Id FunctionWriter::two_ways(const Block& here, const Open& open, Statements& out
 Id FunctionWriter::choice(const Block& here, const Open& open, Statements& out) {
     const Id merge = here.merge->word(1);
     const Id selector = here.end.word(1);
-    const Instruction* constant = module_.constant(selector);
-    const bool is_signed =
-        module_.is_signed(constant != nullptr ? constant->word(1) : module_.type_of(selector));
+    const bool is_signed = module_.is_signed(module_.type_of(selector));
     Statement statement{.kind = StatementKind::choice, .value = typed(take(selector)).text};
     keep_all(out);
     std::vector<std::pair<Id, std::string>> cases;

@@ -306,15 +306,9 @@ bool extended_operation(ModuleText& text, const Instruction& i, const std::vecto
     const auto* const name = std::ranges::find(names, which, &std::pair<std::uint32_t, const char*>::first);
     if (name == std::end(names))
         throw NotTranslated(fmt::format("the instruction {} of GLSL.std.450", which));
-    const bool bits =
-        which == GLSLstd450FindILsb || which == GLSLstd450FindSMsb || which == GLSLstd450FindUMsb;
     result = call(name->second, operands);
-    if (!bits) return true;
-    // GLSL gives int, WGSL the type of the argument.
-    const Instruction* constant = module.constant(i.word(5));
-    const Id from = constant != nullptr ? constant->word(1) : module.type_of(i.word(5));
-    if (module.is_signed(from) != module.is_signed(type))
-        result = call("bitcast<" + text.type(type) + ">", {result});
+    if (which == GLSLstd450FindILsb || which == GLSLstd450FindSMsb || which == GLSLstd450FindUMsb)
+        result = of_sign(text, type, i.word(5), result);
     return true;
 }
 

@@ -59,8 +59,8 @@ void Facts::read_function(const Function& function) {
                 if (callee != module_.functions.end() && !facts_.contains(callee->id)) read_function(*callee);
             }
     open_ = function.id;
-    for (const auto& [label, block] : function.blocks)
-        for (const Instruction& i : block.body) read_use(i, facts);
+    for (const Id label : function.order)
+        for (const Instruction& i : function.block(label).body) read_use(i, facts);
     for (const Id callee : calls_[function.id])
         globals_[function.id].insert(globals_[callee].begin(), globals_[callee].end());
     std::erase_if(facts.pointers_written, [&](Id id) {
@@ -150,6 +150,7 @@ void Facts::store_to(Id pointer, FunctionFacts& facts) {
     const Id base = base_of(pointer);
     written_.insert(base);
     ++uses_[base].changes;
+    uses_[base].changes_after_load |= uses_[base].loads > 0;
     if (base == pointer) ++uses_[base].stores;
     const std::uint32_t storage = module_.value_type(base).storage;
     if (globals_of_module_.contains(base) || storage != SpvStorageClassFunction) {

@@ -30,6 +30,8 @@ namespace gloam::shader::internal::wgsl {
 class ModuleText;
 [[nodiscard]] bool operation(ModuleText& text, const Instruction& instruction,
                              const std::vector<Expression>& operands, Expression& result);
+// A result of WGSL, which has the sign of the operand's integers, as `type`, which SPIR-V states.
+[[nodiscard]] Expression of_sign(ModuleText& text, Id type, Id operand, const Expression& result);
 // What an instruction of GLSL.std.450 calculates from its operands. False where there is no such instruction.
 [[nodiscard]] bool extended_operation(ModuleText& text, const Instruction& instruction,
                                       const std::vector<Expression>& operands, Expression& result);

@@ -169,7 +169,8 @@ Expression FunctionWriter::pointer(Id given) {
     const auto parameter = std::ranges::find(function_.parameters, id);
     if (parameter == function_.parameters.end()) {
         // What is set once and has been set does not change any more.
-        const bool choice = module_.name_of(id).empty() && facts_.uses_of(id).loads == 1;
+        const VariableUses& uses = facts_.uses_of(id);
+        const bool choice = module_.name_of(id).empty() && uses.loads == 1 && !uses.changes_after_load;
         if (choice || set_once_.contains(id)) return {.text = mark(id)};
         return {.text = mark(id), .reads = {id}};
     }

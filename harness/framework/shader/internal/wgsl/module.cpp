@@ -70,6 +70,7 @@ const Type& Module::type(Id id) const {
 }
 
 Id Module::type_of(Id value) const {
+    if (const Instruction* known = constant(value)) return known->word(1);
     const auto found = value_types_.find(value);
     if (found == value_types_.end()) throw std::runtime_error("a value without a type");
     return found->second;

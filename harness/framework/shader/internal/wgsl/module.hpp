@@ -250,11 +250,12 @@ struct FunctionFacts {
 
 // How often a local variable is used, and how.
 struct VariableUses {
-    int stores = 0;   // as a whole
-    int loads = 0;    // as a whole
-    int parts = 0;    // access chains and all other uses
-    int calls = 0;    // as an argument
-    int changes = 0;  // stores, also of parts, and arguments that the called function changes
+    int stores = 0;                   // as a whole
+    int loads = 0;                    // as a whole
+    int parts = 0;                    // access chains and all other uses
+    int calls = 0;                    // as an argument
+    int changes = 0;                  // stores, also of parts, and arguments that the called function changes
+    bool changes_after_load = false;  // a store behind a load, in the order of the module
 };
 
 // The declaration of a function of the module by its name and types; nullptr where there is none.

@@ -84,9 +84,7 @@ const std::map<std::uint32_t, const char*>& negated_comparisons() {
 // WGSL shifts by unsigned numbers alone.
 Expression shift(ModuleText& text, const Instruction& i, const Operands& operands, const std::string& sign) {
     const Module& module = text.module();
-    const Id amount = i.word(4);
-    const Id by =
-        module.constant(amount) != nullptr ? module.constant(amount)->word(1) : module.type_of(amount);
+    const Id by = module.type_of(i.word(4));
     Expression right = operands[1];
     if (module.is_signed(by)) {
         const std::uint32_t n = module.components(by);
@@ -116,9 +114,7 @@ std::string swizzle(const Instruction& i, std::size_t first, std::size_t count, 
 // Runs of components of one of the two vectors become parts of a constructor.
 Expression shuffle(ModuleText& text, const Instruction& i, const Operands& operands) {
     const Module& module = text.module();
-    const Instruction* constant = module.constant(i.word(3));
-    const std::uint32_t n =
-        module.components(constant != nullptr ? constant->word(1) : module.type_of(i.word(3)));
+    const std::uint32_t n = module.components(module.type_of(i.word(3)));
     std::vector<Expression> parts;
     for (std::size_t w = 5; w < i.words.size();) {
         const bool second = i.word(w) >= n && i.word(w) != 0xffffffffU;
@@ -127,9 +123,7 @@ Expression shuffle(ModuleText& text, const Instruction& i, const Operands& opera
         const Expression& from = operands[second ? 1 : 0];
         Expression part = plain(primary(from) + swizzle(i, w, end - w, second ? n : 0));
         const Id other = second ? i.word(4) : i.word(3);
-        const Instruction* known = module.constant(other);
-        const std::uint32_t all =
-            module.components(known != nullptr ? known->word(1) : module.type_of(other));
+        const std::uint32_t all = module.components(module.type_of(other));
         const std::string whole = std::string(".xyzw").substr(0, all + 1);
         if (part.text == primary(from) + whole) part.text = from.text;
         part.reads = from.reads;
@@ -145,7 +139,7 @@ Expression bitcast(ModuleText& text, const Instruction& i, const Expression& val
     const Module& module = text.module();
     const Id type = i.word(1);
     const Instruction* constant = module.constant(i.word(3));
-    const Id from = constant != nullptr ? constant->word(1) : module.type_of(i.word(3));
+    const Id from = module.type_of(i.word(3));
     if (!module.is_float(type) && !module.is_float(from)) return call(text.type(type), {typed(value)});
     if (constant != nullptr && constant->opcode == SpvOpConstant && !module.is_half(type) &&
         !module.is_float(from))
@@ -181,8 +175,7 @@ Expression construct(ModuleText& text, const Instruction& i, Operands operands) 
 
 Expression extract(ModuleText& text, const Instruction& i, const Expression& from) {
     const Module& module = text.module();
-    const Instruction* constant = module.constant(i.word(3));
-    Id type = constant != nullptr ? constant->word(1) : module.type_of(i.word(3));
+    Id type = module.type_of(i.word(3));
     Expression result = plain(primary(from));
     result.reads = from.reads;
     for (std::size_t w = 4; w < i.words.size(); ++w) {
@@ -319,6 +312,12 @@ bool helped(ModuleText& text, const Instruction& i, const Operands& operands, Ex
 
 }  // namespace
 
+Expression of_sign(ModuleText& text, Id type, Id operand, const Expression& result) {
+    const Module& module = text.module();
+    if (module.is_signed(module.type_of(operand)) == module.is_signed(type)) return result;
+    return call("bitcast<" + text.type(type) + ">", {result});
+}
+
 bool operation(ModuleText& text, const Instruction& i, const Operands& operands, Expression& result) {
     const auto infix = binary_operators().find(i.opcode);
     const bool vectors = text.module().types.contains(i.word(1)) && text.module().components(i.word(1)) > 1;
@@ -326,6 +325,7 @@ bool operation(ModuleText& text, const Instruction& i, const Operands& operands,
         result = binary(infix->second, operands[0], operands[1]);
     } else if (const auto function = functions().find(i.opcode); function != functions().end()) {
         result = call(function->second, operands);
+        if (i.opcode == SpvOpBitCount) result = of_sign(text, i.word(1), i.word(3), result);
     } else if (const auto opposite = negated_comparisons().find(i.opcode);
                opposite != negated_comparisons().end()) {
         result = unary("!", binary(opposite->second, operands[0], operands[1]));
