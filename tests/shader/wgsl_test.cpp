@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "shader/wgsl.hpp"
 
+#include <fmt/format.h>
+
 #include "shader/pack.hpp"
 #include "shader/spirv.hpp"
+#include "shader/steps.hpp"
 #include "support.hpp"
 #include "support/matchers.hpp"
 
@@ -44,6 +47,25 @@ TEST(Wgsl, TheBitsOfAConstantAreAnInteger) {
                                  {});
     EXPECT_THAT(to_wgsl(with_passes(module, {"--eliminate-local-single-store"})),
                 HasSubstr("bitcast<u32>(1.5f)"));
+}
+
+// Changed without a change of meaning, it has loops in `continue` parts, and indices that change behind them.
+TEST(Wgsl, WhatMeansTheSameIsTranslatedAsWell) {
+    const Spirv module = compile({"s.comp", R"(#version 450
+        layout(binding = 0) buffer B { float elements[]; };
+        float sum_of(uint count) {
+            float sum = 0.0;
+            for (uint i = 0u; i < count; ++i) sum += elements[i];
+            return sum;
+        }
+        void main() {
+            uint at = gl_GlobalInvocationID.x;
+            float sum = sum_of(at);
+            elements[at] = sum > 1.0 ? sum : sin(sum);
+        })"},
+                                 {});
+    for (int seed = 1; seed <= 40; ++seed)
+        EXPECT_NO_THROW((void)to_wgsl(taken(fmt::format("metamorphic {}", seed), {.module = module}))) << seed;
 }
 
 TEST(Wgsl, CountsOfBitsAreSignedAsInTheText) {

@@ -46,15 +46,15 @@ void FunctionWriter::set_phis(Id from, Id to, Statements& out) {
 
 // Writes all blocks from `start` to the end of the region.
 void FunctionWriter::region(Id start, const Open& open, Statements& out) {
-    for (Id label = start; label != 0 && !is_jump(label, open);) {
-        const Block& here = function_.block(label);
-        if (here.merge && here.merge->opcode == SpvOpLoopMerge) {
-            loop(here, open, out);
-            label = here.merge->word(1);
-        } else {
-            label = block(here, open, out);
-        }
-    }
+    for (Id label = start; label != 0 && !is_jump(label, open);)
+        label = block_or_loop(function_.block(label), open, out);
+}
+
+// Returns where it goes on; 0 where nothing follows.
+Id FunctionWriter::block_or_loop(const Block& here, const Open& open, Statements& out) {
+    if (!here.merge || here.merge->opcode != SpvOpLoopMerge) return block(here, open, out);
+    loop(here, open, out);
+    return here.merge->word(1);
 }
 
 namespace {
@@ -336,7 +336,7 @@ void FunctionWriter::continuing(const Block& header, Id next, Id leave, Statemen
         const bool decides = here.end.opcode == SpvOpBranchConditional && !here.merge &&
                              (here.end.word(2) == header.label || here.end.word(3) == header.label);
         if (!decides) {
-            label = block(here, open, list);
+            label = block_or_loop(here, open, list);
             continue;
         }
         body_of(here, list);

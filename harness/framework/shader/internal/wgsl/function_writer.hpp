@@ -96,6 +96,7 @@ class FunctionWriter {
     // control.cpp
     void region(Id start, const Open& open, Statements& out);
     Id block(const Block& block, const Open& open, Statements& out);
+    Id block_or_loop(const Block& here, const Open& open, Statements& out);
     void folded(const Block& block, const Fold& fold, Statements& out);
     void body_of(const Block& block, Statements& out);
     void branch(Id from, Id to, const Open& open, Statements& out);
@@ -142,6 +143,7 @@ class FunctionWriter {
     [[nodiscard]] Expression take(Id value);
     void define(Id result, Expression expression, Statements& out);
     void keep(Id result, const Expression& expression, Statements& out);
+    void keep_place(Id chain, std::set<Id>& index_reads, Statements& out);
     void before_change(Id variable, Statements& out);
     void keep_all(Statements& out);
     [[nodiscard]] Id same(Id variable) const;
@@ -162,6 +164,7 @@ class FunctionWriter {
     std::map<Id, Expression> samplers_;       // of combined images
     std::vector<Id> pending_;                 // values that are not written yet, in order
     std::map<Id, std::set<Id>> chain_reads_;  // what the indices of a chain read
+    std::set<Id> parts_of_vectors_;           // chains
     std::map<Id, int> left_;                  // uses of a pending value that are still to come
     std::set<Id> set_once_;                   // variables that have their only value
     std::map<Id, int> chain_uses_;            // uses of a chain that are still to come

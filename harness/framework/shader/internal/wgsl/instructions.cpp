@@ -200,6 +200,7 @@ Expression FunctionWriter::chain(const Instruction& i) {
             continue;
         }
         type = here.element;
+        if (here.kind == Type::Kind::vector) parts_of_vectors_.insert(i.word(2));
         if (here.kind == Type::Kind::vector && constant) {
             result.text += std::string(".") + "xyzw"[*constant & 3U];
             result.component = true;
