@@ -59,34 +59,56 @@ TEST(CheckSteps, MetamorphicVariantsRunOnADriverAndThroughACompiler) {
     EXPECT_EQ(check("random:3-4", {"metamorphic | spirv-opt -O"}, words("--seeds 2")).status, 0);
 }
 
-TEST(CheckSteps, ABrokenCompilerIsHandedOverWithTheFewestStepsAndAProgram) {
-    const TemporaryDirectory folder;
-    std::ofstream(folder.path() / "f.glsl")
-        << "int f(int a, int b) {\n    int c = a * 3;\n    return c > 7 ? c - b : b;\n}\n";
-    const CommandResult result = check(
-        (folder.path() / "f.glsl").string(),
-        {"spirv-opt --merge-return --ccp | " + broken_compiler(folder.path()) + " | spirv-opt --ssa-rewrite"},
-        words("--failures {} --json {}", folder.path() / "failures", folder.path() / "r.json"));
+// The folder of the failure of a shader after a broken compiler among other steps.
+fs::path handed_over(const fs::path& folder, const std::string& glsl) {
+    std::ofstream(folder / "f.glsl") << glsl;
+    const CommandResult result =
+        check((folder / "f.glsl").string(),
+              {"spirv-opt --merge-return --ccp | " + broken_compiler(folder) + " | spirv-opt --ssa-rewrite"},
+              words("--failures {} --json {}", folder / "failures", folder / "r.json"));
     EXPECT_EQ(result.status, 1) << result.out << result.err;
     EXPECT_THAT(result.out, HasSubstr("run it again: gloam check"));
     EXPECT_THAT(result.out, HasSubstr("--variant shipped --compiler 'spirv-opt --merge-return --ccp | "));
-    fs::path at;
-    for (const auto& entry : fs::recursive_directory_iterator(folder.path() / "failures"))
-        if (entry.path().filename() == "report.txt") at = entry.path().parent_path();
+    for (const auto& entry : fs::recursive_directory_iterator(folder / "failures"))
+        if (entry.path().filename() == "report.txt") return entry.path().parent_path();
+    return {};
+}
+
+void expect_reproduced_by_its_program(const fs::path& folder) {
+    const CommandResult built = run_program(
+        "cc", words("-Wall -Wextra -Werror {} -o {} -lvulkan -lm", folder / "repro.c", folder / "repro"));
+    EXPECT_EQ(built.status, 0) << built.err;
+    const CommandResult reproduced = run_program(folder / "repro", {});
+    EXPECT_EQ(reproduced.status, 1) << reproduced.out << reproduced.err;
+    EXPECT_THAT(reproduced.out, HasSubstr("OUTSIDE"));
+    EXPECT_THAT(reproduced.out.substr(reproduced.out.find("before the steps")),
+                testing::Not(HasSubstr("OUTSIDE")));
+}
+
+TEST(CheckSteps, ABrokenCompilerIsHandedOverWithTheFewestStepsAndAProgram) {
+    const TemporaryDirectory folder;
+    const fs::path at = handed_over(
+        folder.path(), "int f(int a, int b) {\n    int c = a * 3;\n    return c > 7 ? c - b : b;\n}\n");
     EXPECT_THAT(read_file(at / "report.txt"),
                 HasSubstr("The fewest steps that fail: " + broken_compiler(folder.path()) + "\n"));
     for (const char* file : {"before.spv", "shader.spv", "smallest.spv"})
         EXPECT_EQ(run_program("spirv-val", words("--target-env vulkan1.2 {}", at / file)).status, 0) << file;
     EXPECT_LT(fs::file_size(at / "smallest.spv"), fs::file_size(at / "before.spv"));
-    const CommandResult built =
-        run_program("cc", words("-Wall -Wextra -Werror {} -o {} -lvulkan -lm", at / "repro.c", at / "repro"));
-    EXPECT_EQ(built.status, 0) << built.err;
-    const CommandResult reproduced = run_program(at / "repro", {});
-    EXPECT_EQ(reproduced.status, 1) << reproduced.out << reproduced.err;
-    EXPECT_THAT(reproduced.out, HasSubstr("OUTSIDE"));
-    EXPECT_THAT(reproduced.out.substr(reproduced.out.find("before the steps")),
-                testing::Not(HasSubstr("OUTSIDE")));
+    expect_reproduced_by_its_program(at);
     EXPECT_EQ(run_program(at / "repro", {"no such device"}).status, 2);
+}
+
+TEST(CheckSteps, TheProgramHasTheImagesOfSamplers) {
+    const TemporaryDirectory folder;
+    expect_reproduced_by_its_program(handed_over(folder.path(), R"(
+        uniform sampler2D flat_one;
+        uniform isamplerCube sky;
+        uniform sampler2DShadow depths;
+        int f(int a, int b) {
+            int c = a * 3 + int(64.0 * texelFetch(flat_one, ivec2(1, 3), 0).y);
+            c += textureLod(sky, vec3(1.0, 0.25, -0.25), 0.0).z + int(textureLod(depths, vec3(0.5), 0.0));
+            return c > 7 ? c - b : b;
+        })"));
 }
 
 TEST(CheckSteps, ABudgetOfTimeLeavesChecksForALaterRun) {

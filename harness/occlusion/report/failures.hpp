@@ -21,6 +21,7 @@ struct KernelReplay {
     struct Image {
         std::string name;
         std::vector<std::uint32_t> words;
+        bool sampled = false;  // no buffer: an image as in backend/sampled.hpp, for a sampler
     };
     std::vector<Image> images;  // in the order of their bindings
     struct Output {

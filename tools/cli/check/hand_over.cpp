@@ -50,7 +50,8 @@ report::KernelReplay replay_of(const check::Reproduction& all, const check::Ques
                        fmt::format("Input: {}", check::describe_inputs(question.signature, all.inputs)),
                        "Run it with: " + how};
     if (!all.scenario.empty()) replay.comments.push_back("Images: " + all.scenario);
-    for (const auto& image : all.images) replay.images.push_back({.name = image.name, .words = image.words});
+    for (const auto& image : all.images)
+        replay.images.push_back({.name = image.name, .words = image.words, .sampled = image.bound});
     for (std::size_t i = 0; i < all.outputs.size(); ++i) {
         report::KernelReplay::Output output{.is_float = all.outputs[i] == shader::Scalar::float_,
                                             .allowed = {},
@@ -163,8 +164,10 @@ HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
                         const HandOverRequest& request, const check::RunOptions& options) {
     const check::Reproduction all = reproduction_of(lab, question, request, options);
     const std::string device = lab.info().name + " (" + lab.info().driver + ")";
-    // The scripts have storage buffers and no images.
+    // The scripts have storage buffers and no images; the program has images for samplers as well.
     const bool has_images = std::ranges::any_of(all.images, &check::Reproduction::ImageBuffer::bound);
+    const bool has_layers =
+        std::ranges::any_of(all.images, [](const auto& image) { return image.bound && image.words.empty(); });
     HandOver hand_over;
     if (const auto opengl = gl::device_name_from(lab.info().name)) {
         const report::ShaderReplay replay = shader_replay_of(opengl->version, all);
@@ -179,13 +182,14 @@ HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
     } else {
         hand_over = {.glsl = all.glsl, .assembly = all.assembly, .spirv = all.spirv};
         // They run compute shaders and ask for no features.
-        if (all.team.kind != backend::Team::Kind::quad && shader::number_capabilities(all.spirv).empty() &&
-            !has_images) {
-            hand_over.amber = report::to_amber(
-                replay_of(all, question, request.task, device, "amber -v 1.2 -t spv1.5 repro.amber"));
-            hand_over.c_program = report::to_c_program(
-                replay_of(all, question, request.task, device, "cc repro.c -o repro -lvulkan -lm && ./repro"),
-                modules_of(all));
+        if (all.team.kind != backend::Team::Kind::quad && shader::number_capabilities(all.spirv).empty()) {
+            const auto replay = [&](const std::string& how) {
+                return replay_of(all, question, request.task, device, how);
+            };
+            if (!has_images) hand_over.amber = report::to_amber(replay("amber -v 1.2 -t spv1.5 repro.amber"));
+            if (!has_layers)
+                hand_over.c_program = report::to_c_program(
+                    replay("cc repro.c -o repro -lvulkan -lm && ./repro"), modules_of(all));
         }
         hand_over.steps = all.steps;
         hand_over.before = all.before;
