@@ -152,7 +152,7 @@ class Writer {
 
     std::string function_text(const wgsl::Function& function) {
         if (function.id == main_ && !is_stage()) return main_text(function);
-        wgsl::FunctionBody body = wgsl::FunctionWriter(text_, function).run();
+        wgsl::FunctionBody body = wgsl::body_of(text_, function);
         const std::map<Id, std::string> names = named(function, body);
         return comment_above(function) + wgsl::broken(head(function, names) + " {") + "\n" +
                print(body, names) + "}\n";
@@ -186,7 +186,7 @@ class Writer {
 
     // The entry point; its builtin values are its parameters.
     std::string main_text(const wgsl::Function& function) {
-        wgsl::FunctionBody body = wgsl::FunctionWriter(text_, function).run();
+        wgsl::FunctionBody body = wgsl::body_of(text_, function);
         const std::map<Id, std::string> names = named(function, body);
         std::string parameters;
         std::string copies;

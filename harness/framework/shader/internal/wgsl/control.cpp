@@ -347,6 +347,10 @@ void FunctionWriter::continuing(const Block& header, Id next, Id leave, Statemen
         loop.text = (stays_when_true ? unary("!", value) : value).text;
         return;
     }
+    if (!list.empty() && list.back().kind == StatementKind::leave) {  // WGSL wants a condition
+        list.pop_back();
+        loop.text = "true";
+    }
 }
 
 }  // namespace gloam::shader::internal::wgsl

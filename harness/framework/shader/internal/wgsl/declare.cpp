@@ -212,8 +212,19 @@ std::vector<Id> marks_in(const std::string& text) {
     return found;
 }
 
-FunctionWriter::FunctionWriter(ModuleText& text, const Function& function)
-    : text_(text),
+FunctionBody body_of(ModuleText& text, const Function& function) {
+    for (std::set<Id> kept;;) {
+        try {
+            return FunctionWriter(text, function, kept).run();
+        } catch (const ChangedIndex& changed) {
+            if (!kept.insert(changed.chain).second) throw;
+        }
+    }
+}
+
+FunctionWriter::FunctionWriter(ModuleText& text, const Function& function, const std::set<Id>& kept_indices)
+    : kept_indices_(kept_indices),
+      text_(text),
       module_(text.module()),
       facts_(text.facts()),
       function_(function),
@@ -281,24 +292,10 @@ void FunctionWriter::keep(Id result, const Expression& expression, Statements& o
     std::erase(pending_, result);
 }
 
-// Writes the place of an element, whose index changes before it is used, as a pointer.
-void FunctionWriter::keep_place(Id chain, std::set<Id>& index_reads, Statements& out) {
-    Expression& place = values_[chain];
-    if (parts_of_vectors_.contains(chain))  // they have no pointers
-        throw NotTranslated("an index that changes before the element is used");
-    const Id pointer = copy_of(chain);
-    body_.wanted_names[pointer] = "p";
-    body_.types[pointer] = "";  // it is set once
-    out.push_back({.kind = StatementKind::assign, .target = pointer, .value = "&" + place.text});
-    index_reads.clear();
-    place.text = "*" + mark(pointer);
-    place.level = Level::unary;
-}
-
 // Values that read the variable must be calculated before it changes.
 void FunctionWriter::before_change(Id variable, Statements& out) {
-    for (auto& [chain, reads] : chain_reads_)
-        if (chain_uses_[chain] > 0 && reads.contains(variable)) keep_place(chain, reads, out);
+    for (const auto& [chain, reads] : chain_reads_)
+        if (chain_uses_[chain] > 0 && reads.contains(variable)) throw ChangedIndex(chain);
     const std::vector<Id> pending = pending_;
     for (const Id value : pending)
         if (entry_of(values_, value, "a value that is used before it is known").reads.contains(variable))

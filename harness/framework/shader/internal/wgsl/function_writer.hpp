@@ -9,6 +9,7 @@
 
 #include "shader/internal/wgsl/module.hpp"
 #include "shader/internal/wgsl/module_text.hpp"
+#include "shader/wgsl.hpp"
 
 namespace gloam::shader::internal::wgsl {
 
@@ -77,11 +78,22 @@ struct FunctionBody {
     std::set<Id> addressed;                  // variables whose parts are set or whose address is given
 };
 
+// An index of a chain changes before the element is used.
+class ChangedIndex : public NotTranslated {
+  public:
+    explicit ChangedIndex(Id of)
+        : NotTranslated("an index that changes before its element is used"), chain(of) {}
+    Id chain;
+};
+
+// The statements of a function. Indices that change before they are used become variables.
+[[nodiscard]] FunctionBody body_of(ModuleText& text, const Function& function);
+
 // Makes statements and expressions of a function's instructions. A value that is used once is written where
 // it is used, as long as nothing that it reads changes before.
 class FunctionWriter {
   public:
-    FunctionWriter(ModuleText& text, const Function& function);
+    FunctionWriter(ModuleText& text, const Function& function, const std::set<Id>& kept_indices);
 
     [[nodiscard]] FunctionBody run();
 
@@ -136,14 +148,13 @@ class FunctionWriter {
     void barrier(const Instruction& instruction, Statements& out);
     void memory_barriers(std::uint32_t semantics, Statements& out);
     [[nodiscard]] Expression pointer(Id id);
-    [[nodiscard]] Expression chain(const Instruction& instruction);
+    [[nodiscard]] Expression chain(const Instruction& instruction, Statements& out);
     [[nodiscard]] std::vector<Expression> take_all(const Instruction& instruction);
 
     // values.cpp
     [[nodiscard]] Expression take(Id value);
     void define(Id result, Expression expression, Statements& out);
     void keep(Id result, const Expression& expression, Statements& out);
-    void keep_place(Id chain, std::set<Id>& index_reads, Statements& out);
     void before_change(Id variable, Statements& out);
     void keep_all(Statements& out);
     [[nodiscard]] Id same(Id variable) const;
@@ -154,6 +165,7 @@ class FunctionWriter {
     // A variable that is made here for a value.
     static Id copy_of(Id value) { return 0x40000000U + value; }
 
+    const std::set<Id>& kept_indices_;  // chains whose indices become variables
     ModuleText& text_;
     const Module& module_;
     const Facts& facts_;
@@ -164,7 +176,6 @@ class FunctionWriter {
     std::map<Id, Expression> samplers_;       // of combined images
     std::vector<Id> pending_;                 // values that are not written yet, in order
     std::map<Id, std::set<Id>> chain_reads_;  // what the indices of a chain read
-    std::set<Id> parts_of_vectors_;           // chains
     std::map<Id, int> left_;                  // uses of a pending value that are still to come
     std::set<Id> set_once_;                   // variables that have their only value
     std::map<Id, int> chain_uses_;            // uses of a chain that are still to come

@@ -112,7 +112,7 @@ bool FunctionWriter::memory_access(const Instruction& i, Statements& out) {
     switch (i.opcode) {
         case SpvOpAccessChain:
         case SpvOpInBoundsAccessChain: {
-            const Expression place = chain(i);
+            const Expression place = chain(i, out);
             values_[i.word(2)] = place;
             chain_uses_[i.word(2)] = shape_.uses[i.word(2)];
             return true;
@@ -185,7 +185,7 @@ Expression FunctionWriter::pointer(Id given) {
     }
 }
 
-Expression FunctionWriter::chain(const Instruction& i) {
+Expression FunctionWriter::chain(const Instruction& i, Statements& out) {
     const Expression base = pointer(i.word(3));
     Expression result = plain(primary(base));
     result.reads = base.reads;
@@ -200,13 +200,16 @@ Expression FunctionWriter::chain(const Instruction& i) {
             continue;
         }
         type = here.element;
-        if (here.kind == Type::Kind::vector) parts_of_vectors_.insert(i.word(2));
         if (here.kind == Type::Kind::vector && constant) {
             result.text += std::string(".") + "xyzw"[*constant & 3U];
             result.component = true;
             continue;
         }
-        const Expression index = take(i.word(w));
+        Expression index = take(i.word(w));
+        if (kept_indices_.contains(i.word(2)) && !index.reads.empty()) {
+            keep(i.word(w), index, out);
+            index = values_[i.word(w)];
+        }
         result.text += "[" + index.text + "]";
         index_reads.insert(index.reads.begin(), index.reads.end());
     }

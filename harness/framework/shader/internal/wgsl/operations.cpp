@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include "shader/internal/wgsl/function_writer.hpp"
@@ -318,11 +319,33 @@ Expression of_sign(ModuleText& text, Id type, Id operand, const Expression& resu
     return call("bitcast<" + text.type(type) + ">", {result});
 }
 
+namespace {
+
+// Integer operations whose operands and result may differ in their signs: glslang adds an int to an uint that
+// is incremented.
+bool mixes_signs(std::uint32_t opcode) {
+    constexpr std::array all{SpvOpIAdd,       SpvOpISub,      SpvOpIMul,
+                             SpvOpBitwiseAnd, SpvOpBitwiseOr, SpvOpBitwiseXor};
+    return std::ranges::find(all, static_cast<SpvOp>(opcode)) != all.end();
+}
+
+Expression of_same_sign(ModuleText& text, const Instruction& i, const std::string& sign,
+                        const Operands& operands) {
+    const auto operand = [&](std::size_t k) {
+        const Expression& given = operands[k];
+        return given.literal ? given : of_sign(text, i.word(1), i.word(3 + k), given);
+    };
+    return binary(sign, operand(0), operand(1));
+}
+
+}  // namespace
+
 bool operation(ModuleText& text, const Instruction& i, const Operands& operands, Expression& result) {
     const auto infix = binary_operators().find(i.opcode);
     const bool vectors = text.module().types.contains(i.word(1)) && text.module().components(i.word(1)) > 1;
     if (infix != binary_operators().end()) {
-        result = binary(infix->second, operands[0], operands[1]);
+        result = mixes_signs(i.opcode) ? of_same_sign(text, i, infix->second, operands)
+                                       : binary(infix->second, operands[0], operands[1]);
     } else if (const auto function = functions().find(i.opcode); function != functions().end()) {
         result = call(function->second, operands);
         if (i.opcode == SpvOpBitCount) result = of_sign(text, i.word(1), i.word(3), result);
