@@ -115,6 +115,9 @@ TEST(CheckReport, WhatWasNotJudgedIsRemarked) {
     EXPECT_EQ(verdict_of(row), "ok");
     EXPECT_EQ(remark_on(row), "any result would pass for 3 of 60; not promised: nan");
     EXPECT_THAT(table_line(row), EndsWith(" ok; " + remark_on(row)));
+    row.variant = "strict | spirv-opt -O";
+    EXPECT_THAT(table_line(row),
+                AllOf(HasSubstr(" strict  "), EndsWith(remark_on(row) + "; after spirv-opt -O")));
     EXPECT_EQ(remark_on(passing_row("EQ-2")), "");
     EXPECT_EQ(remark_on(unsupported_row("EQ-4")), "h is no GLSL 3.30");
 }

@@ -65,7 +65,8 @@ TEST(Wgsl, WhatMeansTheSameIsTranslatedAsWell) {
         })"},
                                  {});
     for (int seed = 1; seed <= 40; ++seed)
-        EXPECT_NO_THROW((void)to_wgsl(taken(fmt::format("metamorphic {}", seed), {.module = module}))) << seed;
+        EXPECT_NO_THROW((void)to_wgsl(taken(fmt::format("metamorphic {}", seed), {.module = module})))
+            << seed;
 }
 
 TEST(Wgsl, CountsOfBitsAreSignedAsInTheText) {

@@ -28,7 +28,6 @@
 #include "report/check_page.hpp"
 #include "report/check_report.hpp"
 #include "report/output.hpp"
-#include "shader/steps.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -63,11 +62,8 @@ std::string command_for(const CheckOptions& options, const report::DeviceSummary
     if (is_of_file(options))
         what = report::shell_word(options.equations.front()) +
                (is_module_file(options.equations.front()) ? "" : " " + what);
-    const std::size_t steps = row.variant.find(shader::step_separator);
-    std::string variant = report::shell_word(row.variant.substr(0, steps));
-    if (steps != std::string::npos)
-        variant +=
-            " --compiler " + report::shell_word(row.variant.substr(steps + shader::step_separator.size()));
+    std::string variant = report::shell_word(row.variant_before_steps());
+    if (!row.steps().empty()) variant += " --compiler " + report::shell_word(row.steps());
     for (const std::string& range : options.ranges) what += " --range " + report::shell_word(range);
     for (const std::string& folder : options.includes) what += " --include " + report::shell_word(folder);
     std::string command = fmt::format("gloam check {} --variant {} --device {} --inputs {} --seed {}", what,

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "shader/steps.hpp"
+
 namespace gloam::check {
 
 std::string to_text(const Budget& budget) {
@@ -153,6 +155,15 @@ void Answer::add_predicate(const std::vector<double>& want, bool was_judged) {
         ++predicate[i].inputs;
         if (was_judged) ++predicate[i].judged;
     }
+}
+
+std::string Answer::variant_before_steps() const {
+    return variant.substr(0, variant.find(shader::step_separator));
+}
+
+std::string Answer::steps() const {
+    const std::size_t at = variant.find(shader::step_separator);
+    return at == std::string::npos ? "" : variant.substr(at + shader::step_separator.size());
 }
 
 void Answer::add_unbounded(const Sample& sample) {

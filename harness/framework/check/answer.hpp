@@ -206,6 +206,9 @@ struct Answer {
     // the verdict, by the rules.
     [[nodiscard]] std::vector<InputClass> not_promised() const;
     [[nodiscard]] bool passed() const { return outcome() == Outcome::ok; }
+    // The two parts of `variant`: "shipped" and "spirv-opt -O", which can be empty.
+    [[nodiscard]] std::string variant_before_steps() const;
+    [[nodiscard]] std::string steps() const;
     [[nodiscard]] bool failed() const { return outcome() == Outcome::failed; }
 
     // Adds a judged sample; `outside` when it failed.

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <glm/packing.hpp>
 
-#include "backend/sampled.hpp"
 #include "check/kernel_code.hpp"
 #include "report/failures.hpp"
 #include "report/replay_text.hpp"
@@ -33,26 +30,6 @@ std::string number(double value) {
 std::string in_comment(std::string text) {
     for (std::size_t at = 0; (at = text.find("*/", at)) != std::string::npos;) text.replace(at, 2, "* /");
     return text;
-}
-
-// A sampled image with its texels as the format has them: floats of 16 bits, one depth.
-Words encoded(const Words& image) {
-    const backend::SampledHeader header = backend::sampled_header(image);
-    const auto texels = image.begin() + backend::sampled_header_words;
-    Words result(image.begin(), texels);
-    const auto value = [&](std::ptrdiff_t i) { return std::bit_cast<float>(texels[i]); };
-    for (auto i = texels; i != image.end(); i += backend::texel_words) {
-        const std::ptrdiff_t at = i - texels;
-        if (header.texel == backend::SampledTexel::depth) {
-            result.push_back(*i);
-        } else if (header.texel == backend::SampledTexel::real) {
-            result.push_back(glm::packHalf2x16({value(at), value(at + 1)}));
-            result.push_back(glm::packHalf2x16({value(at + 2), value(at + 3)}));
-        } else {
-            result.insert(result.end(), i, i + backend::texel_words);
-        }
-    }
-    return result;
 }
 
 std::string outputs_of(const KernelReplay& replay) {
@@ -93,7 +70,7 @@ std::string to_c_program(const KernelReplay& replay, const std::vector<ReplayedM
         "static const struct image images[] = {\n";
     for (std::size_t i = 0; i < replay.images.size(); ++i) {
         const KernelReplay::Image& image = replay.images[i];
-        text += array(fmt::format("image_{}", i), image.sampled ? encoded(image.words) : image.words);
+        text += array(fmt::format("image_{}", i), image.words);
         list += fmt::format("    {{image_{0}, sizeof(image_{0}) / sizeof(image_{0}[0]), {1}}},\n", i,
                             image.sampled ? 1 : 0);
     }

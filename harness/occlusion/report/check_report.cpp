@@ -258,18 +258,19 @@ std::string table_line(const check::Answer& row) {
 }
 
 std::string table_line(const check::Answer& row, const std::string& verdict) {
+    const std::string after = row.steps().empty() ? "" : "; after " + row.steps();
     if (!row.ran()) {
         const std::string why =
             row.reason == check::Reason::unsupported ? "; " + base::one_line(row.error) : std::string();
-        return fmt::format(line_format, row.equation, row.function, row.variant, "-", "-", "-", "-",
-                           name_of(row.verdict), verdict + why);
+        return fmt::format(line_format, row.equation, row.function, row.variant_before_steps(), "-", "-", "-",
+                           "-", name_of(row.verdict), verdict + why + after);
     }
     const double used = row.fraction_of_allowed();
     const std::string remark = remark_on(row);
-    return fmt::format(line_format, row.equation, row.function, row.variant, row.judged(),
+    return fmt::format(line_format, row.equation, row.function, row.variant_before_steps(), row.judged(),
                        error_text(row, row.max_ulp, 0), error_text(row, row.max_absolute, 2),
                        numeric::to_short_text(used), name_of(row.verdict), verdict) +
-           (remark.empty() ? "" : "; " + remark);
+           (remark.empty() ? "" : "; " + remark) + after;
 }
 
 namespace {

@@ -21,7 +21,7 @@ struct KernelReplay {
     struct Image {
         std::string name;
         std::vector<std::uint32_t> words;
-        bool sampled = false;  // no buffer: an image as in backend/sampled.hpp, for a sampler
+        bool sampled = false;  // no buffer: struct sampled of replay/replay.c, then texels in its format
     };
     std::vector<Image> images;  // in the order of their bindings
     struct Output {

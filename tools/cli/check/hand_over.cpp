@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
+#include <glm/packing.hpp>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -11,6 +13,7 @@
 #include <utility>
 
 #include "backend/gl/device.hpp"
+#include "backend/sampled.hpp"
 #include "base/text.hpp"
 #include "check/answer.hpp"
 #include "check/reproduction.hpp"
@@ -40,6 +43,26 @@ std::string output_comment(const check::Reproduction& all, std::size_t i) {
     return fmt::format("here it was {}; the reference gives {}", got, numeric::to_text(all.failure->want[i]));
 }
 
+// A sampled image with its texels as the format has them: floats of 16 bits, one depth.
+std::vector<check::Word> encoded(const std::vector<check::Word>& image) {
+    const backend::SampledHeader header = backend::sampled_header(image);
+    const auto texels = image.begin() + backend::sampled_header_words;
+    std::vector<check::Word> result(image.begin(), texels);
+    const auto value = [&](std::ptrdiff_t i) { return std::bit_cast<float>(texels[i]); };
+    for (auto i = texels; i != image.end(); i += backend::texel_words) {
+        const std::ptrdiff_t at = i - texels;
+        if (header.texel == backend::SampledTexel::depth) {
+            result.push_back(*i);
+        } else if (header.texel == backend::SampledTexel::real) {
+            result.push_back(glm::packHalf2x16({value(at), value(at + 1)}));
+            result.push_back(glm::packHalf2x16({value(at + 2), value(at + 3)}));
+        } else {
+            result.insert(result.end(), i, i + backend::texel_words);
+        }
+    }
+    return result;
+}
+
 report::KernelReplay replay_of(const check::Reproduction& all, const check::Question& question,
                                const CheckTask& task, const std::string& device, const std::string& how) {
     report::KernelReplay replay{
@@ -50,8 +73,10 @@ report::KernelReplay replay_of(const check::Reproduction& all, const check::Ques
                        fmt::format("Input: {}", check::describe_inputs(question.signature, all.inputs)),
                        "Run it with: " + how};
     if (!all.scenario.empty()) replay.comments.push_back("Images: " + all.scenario);
-    for (const auto& image : all.images)
-        replay.images.push_back({.name = image.name, .words = image.words, .sampled = image.bound});
+    for (const check::Reproduction::ImageBuffer& image : all.images)
+        replay.images.push_back({.name = image.name,
+                                 .words = image.bound ? encoded(image.words) : image.words,
+                                 .sampled = image.bound});
     for (std::size_t i = 0; i < all.outputs.size(); ++i) {
         report::KernelReplay::Output output{.is_float = all.outputs[i] == shader::Scalar::float_,
                                             .allowed = {},
