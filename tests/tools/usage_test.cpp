@@ -43,7 +43,7 @@ TEST(Devices, AreListedWithTheirFloatControls) {
     EXPECT_THAT(text, StartsWith("0: "));
     EXPECT_THAT(text, HasSubstr("subnormals"));
 
-    const auto devices = nlohmann::json::parse(output_of(gloam("devices --json")));
+    const auto devices = nlohmann::json::parse(output_of(gloam("devices --json"))).at("devices");
     ASSERT_GE(devices.size(), 2U);
     // Those of Vulkan have a number and float controls; then those of OpenGL, and the interpreter as the
     // last.
@@ -90,7 +90,7 @@ TEST_F(List, NamesOneALine) {
             names.push_back(more ? line.substr(0, line.find(' ')) : line);
         EXPECT_FALSE(names.empty()) << kind;
 
-        const auto json = nlohmann::json::parse(gloam("list {} --json", kind).out);
+        const auto json = nlohmann::json::parse(gloam("list {} --json", kind).out).at(kind);
         ASSERT_EQ(json.size(), names.size()) << kind;
         EXPECT_EQ(json[0].contains("copies"), more) << kind;
         for (std::size_t i = 0; i < names.size(); ++i) {
@@ -108,7 +108,7 @@ TEST_F(List, SettingsWithDefaultAndRange) {
           "skip_open          off: tiles that nothing can block are sampled, to the same result (on; "
           "on or off)"})
         EXPECT_THAT(result.out, HasSubstr(line));
-    const auto settings = nlohmann::json::parse(gloam("list settings --json").out);
+    const auto settings = nlohmann::json::parse(gloam("list settings --json").out).at("settings");
     EXPECT_EQ(line_count(result.out), static_cast<int>(settings.size()));
     const CommandResult one = gloam("list settings samples");
     EXPECT_THAT(one.out, HasSubstr("name: samples\n"));
@@ -150,7 +150,7 @@ TEST_F(List, APresetSaysWhatItSets) {
 }
 
 TEST_F(List, EquationsSayAllThatIsKnownOfThem) {
-    for (const auto& equation : nlohmann::json::parse(gloam("list equations --json").out)) {
+    for (const auto& equation : nlohmann::json::parse(gloam("list equations --json").out).at("equations")) {
         for (const char* member : {"name", "description", "function", "file", "formula", "error", "source"})
             EXPECT_NE(equation.at(member), "") << equation;
     }
