@@ -18,7 +18,7 @@ SOURCE, BUILD = (Path(argument).resolve() for argument in sys.argv[1:3])
 VERSION = re.search(r"project\(gloam VERSION ([\d.]+)", (SOURCE / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
 RELEASES = ("bookworm", "trixie")
 HERE = re.search(r"^VERSION_CODENAME=(\w+)", Path("/etc/os-release").read_text(encoding="utf-8"), re.M)[1]
-OTHER = RELEASES[HERE == RELEASES[1]]
+OTHER = RELEASES[HERE == RELEASES[0]]
 NAMES = {"gloam-common", "gloam-glsl", "libgloam-shader-test-dev", "gloam"}
 PROGRAM = ("gloam", "gloam-glsl", "gloam-common")
 FRAMEWORK = ("libgloam-shader-test-dev", "gloam-common")
