@@ -43,6 +43,7 @@ endforeach()
 set(spdx_libraries
   "gloam-shader-test|stb||MIT OR Unlicense"
   "gloam-shader-test|xxHash||BSD-2-Clause"
+  "gloam-shader-test|Vulkan-Hpp|${Vulkan_VERSION}|Apache-2.0 OR MIT"
   "gloam-shader-test|glm|${glm_VERSION}|MIT"
   "gloam-shader-test|nlohmann_json|${nlohmann_json_VERSION}|MIT")
 if(NOT GLOAM_FRAMEWORK_ONLY)
@@ -52,6 +53,9 @@ if(NOT GLOAM_FRAMEWORK_ONLY)
     "gloam|glslang|${glslang_VERSION}|${of_glslang}"
     "gloam|SPIRV-Tools|${SPIRV-Tools_VERSION}|Apache-2.0"
     "gloam|CLI11|${CLI11_VERSION}|BSD-3-Clause")
+  if(spirv_cross_target STREQUAL "spirv-cross-c")
+    list(APPEND spdx_libraries "gloam|SPIRV-Cross||Apache-2.0 OR MIT")
+  endif()
   gloam_spdx_relation(gloam STATIC_LINK gloam-shader-test)
   gloam_spdx_relation(gloam DEPENDS_ON gloam-glsl)
 endif()

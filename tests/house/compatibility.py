@@ -103,7 +103,7 @@ def layouts(effect):
                                    for i in effect["images"]]
 
 
-def current(root, program):
+def current(root, program, version):
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "probe.glsl").write_text(PROBE, encoding="utf-8")
         (Path(folder) / "race.comp").write_text(RACE, encoding="utf-8")
@@ -123,6 +123,8 @@ def current(root, program):
             text = done.stdout if file == "-" else (Path(folder) / file).read_text(encoding="utf-8")
             documents[what] = json.loads(text)
             found[f"json {what}"] = sorted(set(fields(documents[what])))
+            if documents[what].get("gloam", documents[what].get("version")) != version:
+                raise SystemExit(f"gloam {line or what}: the JSON does not name the version, {version}")
         found.update(names(documents["list"]))
         found.update(layouts(documents["pack --effect"]))
         for what, place in (("effect", "effect"), ("npm", "npm")):
@@ -159,7 +161,7 @@ def main():
     version = re.search(r"project\(gloam VERSION ([\d.]+)", (root / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
     text = file.read_text(encoding="utf-8") if file.exists() else ""
     old = re.match(r"# What gloam (\d+\.\d+)", text)
-    old, now = read(text) if old and version.startswith(old[1] + ".") else {}, current(root, program)
+    old, now = read(text) if old and version.startswith(old[1] + ".") else {}, current(root, program, version)
     gone = missing(old, now)
     print("".join(f"promised by {version.rsplit('.', 1)[0]}, gone or changed: {line}\n" for line in gone), end="")
     if not gone and "--update" in sys.argv:

@@ -14,7 +14,8 @@ using nlohmann::json;
 
 json vulkan_devices(const std::string& list) {
     json vulkan = json::array();
-    for (const json& device : json::parse(list).at("devices"))
+    const json all = json::parse(list).at("devices");
+    for (const json& device : all)
         if (!device.at("index").is_null()) vulkan.push_back(device);
     return vulkan;
 }
@@ -181,7 +182,8 @@ std::vector<std::string> names() {
     const CommandResult result = gloam("devices --json");
     expect_success(result);
     std::vector<std::string> all;
-    for (const json& device : json::parse(result.out).at("devices")) {
+    const json listed = json::parse(result.out).at("devices");
+    for (const json& device : listed) {
         const std::string name = device.at("name");
         if (!name.starts_with("gl:") && !name.starts_with("es:")) continue;
         EXPECT_TRUE(device.at("index").is_null());

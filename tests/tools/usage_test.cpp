@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "base/version.hpp"
 #include "tools/expect.hpp"
 
 namespace gloam::test::usage_test {
@@ -19,6 +20,17 @@ TEST_F(Usage, HelpNamesEveryCommand) {
         EXPECT_THAT(help, HasSubstr(command));
         EXPECT_THAT(help, HasSubstr("Examples:\n  "));
     }
+}
+
+TEST_F(Usage, OutputsNameTheVersion) {
+    EXPECT_THAT(output_of(gloam("--version")), StartsWith("gloam " + base::version() + ", glslang "));
+    EXPECT_EQ(nlohmann::json::parse(output_of(gloam("list views --json"))).at("gloam"), base::version());
+    const auto one = nlohmann::json::parse(output_of(gloam("list presets fast --json")));
+    EXPECT_EQ(one.at("gloam"), base::version());
+    EXPECT_EQ(one.at("name"), "fast");
+    expect_success(gloam("list equations --html {}", path("page.html")));
+    EXPECT_THAT(read_file(path("page.html")),
+                HasSubstr("<meta name=\"generator\" content=\"gloam " + base::version() + "\">"));
 }
 
 TEST_F(Usage, UnknownOptionIsNamed) {
@@ -150,7 +162,8 @@ TEST_F(List, APresetSaysWhatItSets) {
 }
 
 TEST_F(List, EquationsSayAllThatIsKnownOfThem) {
-    for (const auto& equation : nlohmann::json::parse(gloam("list equations --json").out).at("equations")) {
+    const auto equations = nlohmann::json::parse(gloam("list equations --json").out).at("equations");
+    for (const auto& equation : equations) {
         for (const char* member : {"name", "description", "function", "file", "formula", "error", "source"})
             EXPECT_NE(equation.at(member), "") << equation;
     }

@@ -40,7 +40,7 @@ def made_here(folder):
 def made_there(folder):
     machine = Path(os.environ.get("GLOAM_DEBIAN_MACHINE", f"/var/tmp/gloam-{OTHER}"))
     run(SOURCE / "tools" / "bare-machine", OTHER, machine, "bash", "-c",
-        "tools/build program && apt-get -q -y install --no-install-recommends file dpkg-dev && "
+        "tools/setup && tools/build program && "
         "rm -rf build/packages && cpack -G DEB --config build/release/CPackConfig.cmake -B build/packages")
     for package in (machine / "gloam" / "build" / "packages").glob("*.deb"):
         shutil.copy(package, folder)
@@ -125,6 +125,7 @@ class Debian(unittest.TestCase):
 if __name__ == "__main__":
     lacking = [what for what, there in (("GLOAM_DEBIAN=1", os.environ.get("GLOAM_DEBIAN")), ("root", os.geteuid() == 0),
                                         ("debootstrap", shutil.which("debootstrap")),
+                                        ("dpkg-dev", shutil.which("dpkg-shlibdeps")), ("file", shutil.which("file")),
                                         ("Debian 12 or 13", HERE in RELEASES)) if not there]
     if lacking:
         print("skipped: needs " + ", ".join(lacking))
