@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 # gloam_add_shader_test(NAME SHADERS folder SOURCES file...)
 # A program with GoogleTest's main that tests shader functions with gloam::shader_test. In its sources SHADER_DIR is the
-# folder of its GLSL files and GLOAM_GLSL_DIR that of gloam's library. Every TEST of it is a test of ctest. The program
-# is linked again when a GLSL file of the folder changes, so whatever depends on the program sees the change.
+# folder of its GLSL files. Where gloam's own library is installed too, GLOAM_GLSL_DIR is its folder. Every TEST of
+# it is a test of ctest. The program is linked again when a GLSL file of the folder changes, so whatever depends on the
+# program sees the change.
 function(gloam_add_shader_test NAME)
   cmake_parse_arguments(PARSE_ARGV 1 TEST "" "SHADERS" "SOURCES")
   if(TEST_UNPARSED_ARGUMENTS OR NOT TEST_SHADERS OR NOT TEST_SOURCES)
@@ -17,7 +18,8 @@ function(gloam_add_shader_test NAME)
   file(GLOB_RECURSE shaders CONFIGURE_DEPENDS
     ${folder}/*.glsl ${folder}/*.comp ${folder}/*.frag ${folder}/*.vert)
   add_executable(${NAME} ${TEST_SOURCES})
-  target_link_libraries(${NAME} PRIVATE gloam::shader_test gloam::glsl GTest::gmock GTest::gtest_main)
+  target_link_libraries(${NAME} PRIVATE
+    gloam::shader_test $<TARGET_NAME_IF_EXISTS:gloam::glsl> GTest::gmock GTest::gtest_main)
   target_compile_definitions(${NAME} PRIVATE SHADER_DIR="${folder}")
   set_property(TARGET ${NAME} APPEND PROPERTY LINK_DEPENDS ${shaders})
   gtest_discover_tests(${NAME} DISCOVERY_TIMEOUT 60)

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
-# The package: find_package(gloam) gives gloam::shader_test (the generic test framework) and gloam::glsl (the shaders).
+# The package: find_package(gloam COMPONENTS shader_test glsl) gives gloam::shader_test (the generic test framework) and
+# gloam::glsl (the shaders). What is installed has four components: common, shader_test, glsl and program. Each of the
+# last three needs common, and the program needs glsl.
 include(CMakePackageConfigHelpers)
 include(cmake/gloam_add_shader_test.cmake)
 
@@ -15,9 +17,12 @@ target_link_libraries(gloam_shader_test INTERFACE ${package_targets})
 foreach(room ${package_rooms})
   set_target_properties(gloam_${room} PROPERTIES EXPORT_NAME ${room})
 endforeach()
-install(TARGETS gloam_shader_test gloam_glsl ${package_targets} EXPORT gloam-targets
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(EXPORT gloam-targets NAMESPACE gloam:: DESTINATION ${package_cmake_dir})
+install(TARGETS gloam_shader_test ${package_targets} EXPORT gloam-shader_test-targets
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT shader_test)
+install(TARGETS gloam_glsl EXPORT gloam-glsl-targets)
+foreach(component shader_test glsl)
+  install(EXPORT gloam-${component}-targets NAMESPACE gloam:: DESTINATION ${package_cmake_dir} COMPONENT ${component})
+endforeach()
 
 # Public headers, as <gloam/ROOM/FILE.hpp>: those of a room but for its folders internal/.
 set(header_stage ${PROJECT_BINARY_DIR}/package/include)
@@ -37,21 +42,30 @@ install(CODE "
   set(rooms ${package_rooms})
   set(source \"${PROJECT_SOURCE_DIR}/harness/framework\")
   set(stage \"${header_stage}\")
-  include(\"${PROJECT_SOURCE_DIR}/cmake/stage_headers.cmake\")")
-install(DIRECTORY ${header_stage}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  include(\"${PROJECT_SOURCE_DIR}/cmake/stage_headers.cmake\")" COMPONENT shader_test)
+install(DIRECTORY ${header_stage}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT shader_test)
+install(FILES cmake/gloam_add_shader_test.cmake DESTINATION ${package_cmake_dir} COMPONENT shader_test)
 
-install(DIRECTORY glsl/ DESTINATION ${CMAKE_INSTALL_DATADIR}/gloam/glsl)
-install(DIRECTORY experiments/ DESTINATION ${CMAKE_INSTALL_DATADIR}/gloam/experiments)
-install(DIRECTORY tools/stress/shaders/ DESTINATION ${CMAKE_INSTALL_DATADIR}/gloam/stress)
-install(DIRECTORY tools/site/effect tools/site/npm tools/site/page tools/site/shaders tools/site/third-party
-  DESTINATION ${CMAKE_INSTALL_DATADIR}/gloam/site)
-install(FILES tools/site/method.html tools/site/template.html DESTINATION ${CMAKE_INSTALL_DATADIR}/gloam/site)
-install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
+set(data ${CMAKE_INSTALL_DATADIR}/gloam)
+install(DIRECTORY glsl/ DESTINATION ${data}/glsl COMPONENT glsl)
+if(NOT GLOAM_FRAMEWORK_ONLY)
+  install(DIRECTORY docs experiments DESTINATION ${data} COMPONENT program)
+  install(DIRECTORY tools/stress/shaders/ DESTINATION ${data}/stress COMPONENT program)
+  install(DIRECTORY tools/site/effect tools/site/npm tools/site/page tools/site/shaders tools/site/third-party
+    DESTINATION ${data}/site COMPONENT program)
+  install(FILES tools/site/method.html tools/site/template.html DESTINATION ${data}/site COMPONENT program)
+endif()
 
+include(cmake/spdx.cmake)
+install(FILES README.md LICENSE ${spdx_document} DESTINATION ${data} COMPONENT common)
+
+list(JOIN spirv_cross_packages " " spirv_cross_packages)
 configure_package_config_file(cmake/gloam-config.cmake.in ${PROJECT_BINARY_DIR}/gloam-config.cmake
   INSTALL_DESTINATION ${package_cmake_dir})
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/gloam-config-version.cmake COMPATIBILITY SameMinorVersion)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/gloam-config-version.cmake COMPATIBILITY SameMinorVersion
+  ARCH_INDEPENDENT)
 install(FILES ${PROJECT_BINARY_DIR}/gloam-config.cmake ${PROJECT_BINARY_DIR}/gloam-config-version.cmake
-  cmake/gloam_add_shader_test.cmake
-  DESTINATION ${package_cmake_dir})
+  DESTINATION ${package_cmake_dir} COMPONENT common)
+if(PROJECT_IS_TOP_LEVEL)
+  include(cmake/packages.cmake)
+endif()

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "base/version.hpp"
 #include "check/audit.hpp"
 #include "check/explain.hpp"
 #include "check/own_domain.hpp"
@@ -243,6 +244,7 @@ PYBIND11_MODULE(_gloam, module) {
     using namespace gloam;
     using python::File;
     using python::Function;
+    module.attr("__version__") = base::version();
     py::class_<python::Variable>(module, "Variable")
         .def_readonly("name", &python::Variable::name)
         .def_readonly("glsl", &python::Variable::glsl)

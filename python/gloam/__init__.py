@@ -19,6 +19,7 @@ from . import _gloam
 
 __all__ = ["Answer", "File", "Function"]
 
+__version__ = _gloam.__version__
 Answer = _gloam.Answer  # true if it passed; str() tells the rest; passed, inputs, outside, worst_ulp
 
 

@@ -132,7 +132,7 @@ def uncited(root, gloam):
     known = (root / "docs" / "glossary.md").read_text(encoding="utf-8")
     listed = subprocess.run([gloam, "list", "equations", "--json"], check=True, capture_output=True)
     cited = set()
-    for equation in json.loads(listed.stdout):
+    for equation in json.loads(listed.stdout)["equations"]:
         names = CITED.findall(equation["source"])
         cited.update(re.sub(r"^(?:AO|GTAO|SSDO), ", "", name) for name in names)
     return [f"docs/glossary.md does not have {name}" for name in sorted(cited) if name not in known]

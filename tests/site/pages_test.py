@@ -115,7 +115,7 @@ class PagesTest(SiteCase):
         names = self.browser.evaluate("[...document.querySelectorAll('tbody a')].map((a) => a.textContent)")
         self.assertEqual(METHODS, names)
         listed = json.loads(subprocess.run([GLOAM, "list", "presets", "--json"], check=True, capture_output=True,
-                                           text=True).stdout)
+                                           text=True).stdout)["presets"]
         self.assertIn("reference", self.text("tbody tr:nth-child(2)"))
         for name, equation in (("gtao", "GTAO-gather"), ("sweep", "SWEEP-gather")):
             self.open(f"method-{name}")

@@ -126,7 +126,7 @@ class WgslTest(unittest.TestCase):
     def test_everything_compiles_or_is_refused_in_one_line(self):
         files = sorted([*GLSL.rglob("gloam/**/*.glsl"), *GLSL.rglob("passes/**/*.comp")])
         texts, refused = self.packed({str(file.relative_to(GLSL)): [file] for file in files})
-        for preset in (one["name"] for one in json.loads(run("list", "presets", "--json").stdout)):
+        for preset in (one["name"] for one in json.loads(run("list", "presets", "--json").stdout)["presets"]):
             texts.update(self.passes(self.effect("preset-" + preset, "--preset", preset)))
         for method in run("list", "methods").stdout.split():
             texts.update(self.passes(self.effect("method-" + method, "--method", method)))

@@ -14,7 +14,8 @@ using nlohmann::json;
 
 json vulkan_devices(const std::string& list) {
     json vulkan = json::array();
-    for (const json& device : json::parse(list))
+    const json all = json::parse(list).at("devices");
+    for (const json& device : all)
         if (!device.at("index").is_null()) vulkan.push_back(device);
     return vulkan;
 }
@@ -24,7 +25,7 @@ json devices(std::vector<std::string> arguments = {}, const CommandOptions& opti
     arguments.insert(arguments.begin(), {"devices", "--json"});
     const CommandResult result = run_command(arguments, options);
     expect_success(result);
-    EXPECT_EQ(json::parse(result.out).back().at("name"), "interpreter");
+    EXPECT_EQ(json::parse(result.out).at("devices").back().at("name"), "interpreter");
     return vulkan_devices(result.out);
 }
 
@@ -181,7 +182,8 @@ std::vector<std::string> names() {
     const CommandResult result = gloam("devices --json");
     expect_success(result);
     std::vector<std::string> all;
-    for (const json& device : json::parse(result.out)) {
+    const json listed = json::parse(result.out).at("devices");
+    for (const json& device : listed) {
         const std::string name = device.at("name");
         if (!name.starts_with("gl:") && !name.starts_with("es:")) continue;
         EXPECT_TRUE(device.at("index").is_null());

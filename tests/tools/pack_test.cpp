@@ -5,6 +5,7 @@
 #include <set>
 #include <sstream>
 
+#include "base/version.hpp"
 #include "tools/expect.hpp"
 
 namespace gloam::test::pack_test {
@@ -19,6 +20,7 @@ TEST_F(Pack, OneSelfContainedTextInEachVersion) {
           std::pair("300es", "#version 300 es"), std::pair("310es", "#version 310 es")}) {
         const std::string result = output_of(gloam("pack {} --version {}", halton, version));
         EXPECT_THAT(result, StartsWith(first_line));
+        EXPECT_EQ(result.find("\n// Packed by gloam " + base::version() + ".\n"), result.find('\n'));
         EXPECT_THAT(result, HasSubstr("float gloam_radical_inverse_base2(uint index)"));
         EXPECT_THAT(result, Not(HasSubstr("#include")));
     }
@@ -57,6 +59,7 @@ TEST_F(Pack, OneFunctionAlone) {
 TEST_F(Pack, OtherLanguages) {
     const CommandResult hlsl = gloam("pack {} --target hlsl", halton);
     expect_success(hlsl);
+    EXPECT_THAT(hlsl.out, StartsWith("// Packed by gloam "));
     EXPECT_THAT(hlsl.out, HasSubstr("float gloam_radical_inverse_base2(uint index)\n{"));
     EXPECT_THAT(hlsl.out, HasSubstr("// index: number of the sample;"));
     EXPECT_THAT(hlsl.out, Not(HasSubstr("main")));

@@ -133,7 +133,7 @@ TEST_F(RenderSequence, TruthOfTheLastFrameOrOfEach) {
 
 // What is set by name is what was used, and what is listed is what can be set.
 TEST_F(RenderSequence, SettingsByName) {
-    const json settings = json::parse(output_of(gloam("list settings --json")));
+    const json settings = json::parse(output_of(gloam("list settings --json"))).at("settings");
     expect_success(render("plain", "corner --radius 1"));
     const json used = report("plain").at("settings");
     ASSERT_EQ(used.size(), settings.size());

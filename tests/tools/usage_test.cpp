@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "base/version.hpp"
 #include "tools/expect.hpp"
 
 namespace gloam::test::usage_test {
@@ -19,6 +20,17 @@ TEST_F(Usage, HelpNamesEveryCommand) {
         EXPECT_THAT(help, HasSubstr(command));
         EXPECT_THAT(help, HasSubstr("Examples:\n  "));
     }
+}
+
+TEST_F(Usage, OutputsNameTheVersion) {
+    EXPECT_THAT(output_of(gloam("--version")), StartsWith("gloam " + base::version() + ", glslang "));
+    EXPECT_EQ(nlohmann::json::parse(output_of(gloam("list views --json"))).at("gloam"), base::version());
+    const auto one = nlohmann::json::parse(output_of(gloam("list presets fast --json")));
+    EXPECT_EQ(one.at("gloam"), base::version());
+    EXPECT_EQ(one.at("name"), "fast");
+    expect_success(gloam("list equations --html {}", path("page.html")));
+    EXPECT_THAT(read_file(path("page.html")),
+                HasSubstr("<meta name=\"generator\" content=\"gloam " + base::version() + "\">"));
 }
 
 TEST_F(Usage, UnknownOptionIsNamed) {
@@ -43,7 +55,7 @@ TEST(Devices, AreListedWithTheirFloatControls) {
     EXPECT_THAT(text, StartsWith("0: "));
     EXPECT_THAT(text, HasSubstr("subnormals"));
 
-    const auto devices = nlohmann::json::parse(output_of(gloam("devices --json")));
+    const auto devices = nlohmann::json::parse(output_of(gloam("devices --json"))).at("devices");
     ASSERT_GE(devices.size(), 2U);
     // Those of Vulkan have a number and float controls; then those of OpenGL, and the interpreter as the
     // last.
@@ -90,7 +102,7 @@ TEST_F(List, NamesOneALine) {
             names.push_back(more ? line.substr(0, line.find(' ')) : line);
         EXPECT_FALSE(names.empty()) << kind;
 
-        const auto json = nlohmann::json::parse(gloam("list {} --json", kind).out);
+        const auto json = nlohmann::json::parse(gloam("list {} --json", kind).out).at(kind);
         ASSERT_EQ(json.size(), names.size()) << kind;
         EXPECT_EQ(json[0].contains("copies"), more) << kind;
         for (std::size_t i = 0; i < names.size(); ++i) {
@@ -108,7 +120,7 @@ TEST_F(List, SettingsWithDefaultAndRange) {
           "skip_open          off: tiles that nothing can block are sampled, to the same result (on; "
           "on or off)"})
         EXPECT_THAT(result.out, HasSubstr(line));
-    const auto settings = nlohmann::json::parse(gloam("list settings --json").out);
+    const auto settings = nlohmann::json::parse(gloam("list settings --json").out).at("settings");
     EXPECT_EQ(line_count(result.out), static_cast<int>(settings.size()));
     const CommandResult one = gloam("list settings samples");
     EXPECT_THAT(one.out, HasSubstr("name: samples\n"));
@@ -150,7 +162,8 @@ TEST_F(List, APresetSaysWhatItSets) {
 }
 
 TEST_F(List, EquationsSayAllThatIsKnownOfThem) {
-    for (const auto& equation : nlohmann::json::parse(gloam("list equations --json").out)) {
+    const auto equations = nlohmann::json::parse(gloam("list equations --json").out).at("equations");
+    for (const auto& equation : equations) {
         for (const char* member : {"name", "description", "function", "file", "formula", "error", "source"})
             EXPECT_NE(equation.at(member), "") << equation;
     }

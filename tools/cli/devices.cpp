@@ -12,6 +12,7 @@
 #include "backend/vulkan/device.hpp"
 #include "base/process.hpp"
 #include "base/text.hpp"
+#include "base/version.hpp"
 #include "check/lab.hpp"
 #include "cli/check/checker.hpp"
 #include "cli/open_device.hpp"
@@ -97,7 +98,7 @@ void run_devices(bool json) {
             for (const report::DeviceSummary& device : executor.devices) all.push_back(opengl_json(device));
         all.push_back(to_json(check::interpreter()->info()));
         all.back()["index"] = nullptr;
-        fmt::print("{}\n", all.dump(2));
+        fmt::print("{}\n", nlohmann::ordered_json{{"gloam", base::version()}, {"devices", all}}.dump(2));
     } else {
         print_opengl(opengl);
         fmt::print("interpreter: for `gloam check --device interpreter`\n");

@@ -62,7 +62,7 @@ fs::path site_directory() {
 }
 
 fs::path documents_directory() {
-    return data_in("doc/gloam/docs", GLOAM_DOCUMENTS, "drivers.md");
+    return data_in("gloam/docs", GLOAM_DOCUMENTS, "drivers.md");
 }
 
 fs::path experiments_directory() {

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "base/version.hpp"
 #include "catalogue/catalogue.hpp"
 #include "cli/environment.hpp"
 #include "cli/names.hpp"
@@ -182,7 +183,7 @@ void run_list(const ListOptions& options) {
         report::OutputFile(options.html).write(equations_page());
         return;
     }
-    nlohmann::ordered_json json = nlohmann::ordered_json::object();
+    nlohmann::ordered_json json{{"gloam", base::version()}};
     std::vector<std::string> known;
     for (const auto& [kind, names] : all_kinds()) {
         known.push_back(kind);
@@ -195,11 +196,15 @@ void run_list(const ListOptions& options) {
         if (!options.name.empty()) print_one(json[kind]);
         if (options.name.empty()) print_names(all, options.kind);
     }
-    if (json.empty()) {
+    if (json.size() == 1) {
         throw std::invalid_argument(
             fmt::format("unknown kind \"{}\": expected {}", options.kind, fmt::join(known, ", ")));
     }
-    if (options.json) fmt::print("{}\n", options.kind.empty() ? json.dump(2) : json[options.kind].dump(2));
+    if (!options.name.empty()) {
+        json.update(nlohmann::ordered_json(json[options.kind]));
+        json.erase(options.kind);
+    }
+    if (options.json) fmt::print("{}\n", json.dump(2));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "base/text.hpp"
+#include "base/version.hpp"
 #include "effect/methods.hpp"
 #include "effect/settings.hpp"
 #include "scene/scene.hpp"
@@ -70,7 +71,7 @@ std::vector<shader::Variant> select_variants(const std::string& name) {
 }
 
 std::string versions() {
-    return "gloam " GLOAM_VERSION ", " + base::one_line(shader::compiler_version());
+    return "gloam " + base::version() + ", " + base::one_line(shader::compiler_version());
 }
 
 }  // namespace gloam::cli

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/version.hpp"
 #include "cli/names.hpp"
 #include "cli/settings.hpp"
 #include "effect/methods.hpp"
@@ -137,7 +138,8 @@ std::string work_lines(const FrameReport& frame) {
 
 std::string to_json(const RenderReport& report) {
     const FrameReport& last = report.frames.back();
-    ordered_json json{{"device",
+    ordered_json json{{"gloam", base::version()},
+                      {"device",
                        {{"name", report.device.name},
                         {"driver", report.device.driver},
                         {"type", report.device.type},

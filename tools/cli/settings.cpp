@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "base/text.hpp"
+#include "base/version.hpp"
 #include "cli/arguments.hpp"
 #include "effect/methods.hpp"
 
@@ -54,8 +55,11 @@ using nlohmann::ordered_json;
 
 std::string preset_json(const std::string& name, const std::string& description,
                         const effect::Settings& settings) {
-    return ordered_json{{"name", name}, {"description", description}, {"settings", json_of(settings)}}.dump(
-               2) +
+    return ordered_json{{"gloam", base::version()},
+                        {"name", name},
+                        {"description", description},
+                        {"settings", json_of(settings)}}
+               .dump(2) +
            "\n";
 }
 

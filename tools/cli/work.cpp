@@ -60,8 +60,8 @@ class Here {
         std::vector<std::string> arguments{"devices", "--json"};
         arguments.insert(arguments.end(), drivers.begin(), drivers.end());
         const auto all = nlohmann::json::parse(run_gloam(arguments).output, nullptr, false);
-        if (all.is_array())
-            for (const auto& device : all)
+        if (all.is_object())
+            for (const auto& device : all.value("devices", nlohmann::json::array()))
                 known->second += fmt::format("{}\n{}\n{}\n", device.value("name", ""),
                                              device.value("driver", ""), device.value("api_version", ""));
         return known->second;

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "base/version.hpp"
 #include "stress/long_run.hpp"
 
 namespace gloam::stress {
@@ -71,7 +72,8 @@ std::string to_json(const gpu::DeviceInfo& device, const Rows& rows, const std::
                        {"bound", row.bound ? number(*row.bound) : ordered_json(nullptr)},
                        {"passed", row.passed()}});
     }
-    ordered_json document{{"device", {{"name", device.name}, {"driver", device.driver}}}};
+    ordered_json document{{"gloam", base::version()},
+                          {"device", {{"name", device.name}, {"driver", device.driver}}}};
     if (!versions.empty()) document["versions"] = versions;
     document["rows"] = std::move(all);
     return document.dump(2) + "\n";

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/version.hpp"
 #include "experiment/internal/quantities.hpp"
 
 namespace gloam::experiment {
@@ -59,7 +60,7 @@ ordered_json json_of(const Experiment& experiment, const CaseResult& one) {
 
 std::string to_json(const Experiment& experiment, const std::vector<SizeResult>& results,
                     const Record& record, const std::string& versions) {
-    ordered_json document{{"versions", versions}};
+    ordered_json document{{"gloam", base::version()}, {"versions", versions}};
     document.update(ordered_json::parse(record.heading()));
     document["sizes"] = ordered_json::array();
     for (const SizeResult& result : results) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/version.hpp"
 #include "report/audit_report.hpp"
 #include "report/internal/json_fields.hpp"
 
@@ -78,7 +79,8 @@ ordered_json audit_json(const check::Audit& audit) {
 }  // namespace
 
 std::string to_audit_json(const AuditReport& report) {
-    ordered_json json{{"file", report.file}, {"functions", ordered_json::array()}};
+    ordered_json json{
+        {"gloam", base::version()}, {"file", report.file}, {"functions", ordered_json::array()}};
     for (const check::Audit& audit : report.audits) json["functions"].push_back(audit_json(audit));
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "base/text.hpp"
+#include "base/version.hpp"
 #include "numeric/numbers.hpp"
 #include "report/internal/json_fields.hpp"
 
@@ -81,7 +82,7 @@ std::string to_json(const std::vector<CheckReport>& reports) {
     for (const CheckReport& report : reports) {
         ordered_json results = ordered_json::array();
         for (const check::Answer& row : report.rows) results.push_back(internal::answer_json(row));
-        ordered_json object{{"device", device_json(report.device)}};
+        ordered_json object{{"gloam", base::version()}, {"device", device_json(report.device)}};
         if (!report.versions.empty()) object["versions"] = report.versions;
         if (report.inputs > 0) {
             object["inputs"] = report.inputs;

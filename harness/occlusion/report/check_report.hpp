@@ -77,7 +77,8 @@ struct OutcomeCounts {
 [[nodiscard]] std::string table_line(const check::Answer& row, const std::string& verdict);
 [[nodiscard]] std::string table_legend();
 
-// {"device": {...}, "versions": "gloam 0.1.0, glslang ...", "inputs": 65536, "seed": 1, "results":
+// {"gloam": "0.2.0", "device": {...}, "versions": "gloam 0.2.0, glslang ...", "inputs": 65536, "seed": 1,
+// "results":
 // [{"equation", "function", "file", "variant", "verdict", "outcome", "not_judged_because", "inputs",
 // "judged", "outside", "recorded", "by_rules", "forbidden", "bounded", "unbounded", "differs", "max_ulp",
 // "max_abs", "width_fraction", "budget_fraction", "guarantee", "unbounded_at", "budget", "classes", "worst",

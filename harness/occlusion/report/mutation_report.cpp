@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "base/text.hpp"
+#include "base/version.hpp"
 #include "report/page.hpp"
 
 namespace gloam::report {
@@ -119,7 +120,8 @@ std::string to_text(const MutationReport& report) {
 
 std::string to_mutation_json(const MutationReport& report) {
     using nlohmann::ordered_json;
-    ordered_json json{{"command", report.command}, {"mutants", ordered_json::array()}};
+    ordered_json json{
+        {"gloam", base::version()}, {"command", report.command}, {"mutants", ordered_json::array()}};
     for (const MutantRow& row : report.mutants) {
         ordered_json one{{"file", report.files.at(row.file).name},
                          {"line", row.mutation.line},

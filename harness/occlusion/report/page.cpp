@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/text.hpp"
+#include "base/version.hpp"
 #include "report/page_assets.hpp"
 
 namespace gloam::report {
@@ -197,10 +198,11 @@ std::string Page::html() const {
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src 'self' file:; "
         "style-src 'unsafe-inline'; script-src 'sha256-{}'\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+        "<meta name=\"generator\" content=\"gloam {}\">\n<title>{}</title>\n"
         "<style>\n{}</style>\n</head>\n<body>\n{}<script>{}</script>\n</body>\n</html>\n",
-        base64_of_hex(internal::page_script_sha256), escaped_html(title_), internal::page_style, body_,
-        internal::page_script);
+        base64_of_hex(internal::page_script_sha256), base::version(), escaped_html(title_),
+        internal::page_style, body_, internal::page_script);
 }
 
 }  // namespace gloam::report

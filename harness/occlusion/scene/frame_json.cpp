@@ -9,6 +9,7 @@
 
 #include "base/files.hpp"
 #include "base/text.hpp"
+#include "base/version.hpp"
 
 namespace gloam::scene {
 namespace {
@@ -179,8 +180,10 @@ std::string frame_json(const GBuffer& gbuffer, int frame) {
     const CameraFrame& camera = gbuffer.camera;
     const Planes planes = planes_of(camera.proj_vk);
     const glm::dvec2 scale = glm::abs(glm::dvec2(camera.p00_p11()));
-    nlohmann::ordered_json root{
-        {"width", gbuffer.extent.width}, {"height", gbuffer.extent.height}, {"frame", frame}};
+    nlohmann::ordered_json root{{"gloam", base::version()},
+                                {"width", gbuffer.extent.width},
+                                {"height", gbuffer.extent.height},
+                                {"frame", frame}};
     if (gbuffer.ao_radius) root["ao_radius"] = *gbuffer.ao_radius;
     if (gbuffer.border != gpu::Extent{}) root["border"] = {gbuffer.border.width, gbuffer.border.height};
     root["camera"] = {{"near", finite_or_null(planes.near)}, {"far", finite_or_null(planes.far)}};

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Installs the build, moves the package elsewhere, builds the consumer against it, and runs the consumer twice. Its
-# shader must pass as it is. Broken, it must fail with a verdict and not with any other error.
+# shader must pass as it is. Broken, it must fail with a verdict and not with any other error. Before that the framework
+# alone is installed, without the shaders; and what 0.2 promises of C++ compiles against the package.
 set(prefix "${WORK}/moved here")
 set(consumer "${WORK}/own_function")
 set(shader "${consumer}/shaders/tone.glsl")
@@ -30,9 +31,41 @@ endfunction()
 
 file(REMOVE_RECURSE "${WORK}")
 file(MAKE_DIRECTORY "${WORK}")
+foreach(component common shader_test)
+  run("install ${component}" "${CMAKE_COMMAND}" --install "${BUILD}" --component ${component}
+    --prefix "${WORK}/framework")
+endforeach()
+file(GLOB_RECURSE of_occlusion "${WORK}/framework/*.glsl" "${WORK}/framework/*.comp" "${WORK}/framework/bin/*")
+if(of_occlusion)
+  message(FATAL_ERROR "the framework alone has files of ambient occlusion: ${of_occlusion}")
+endif()
+execute_process(COMMAND "${CMAKE_COMMAND}" -S "${CONSUMER}" -B "${WORK}/without" "-DCMAKE_PREFIX_PATH=${WORK}/framework"
+  "-DCMAKE_CXX_COMPILER=${COMPILER}" RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+if(status EQUAL 0 OR NOT output MATCHES "without its component glsl")
+  message(FATAL_ERROR "expected find_package to miss the component glsl, exit status ${status}\n${output}")
+endif()
+
 run("install" "${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${WORK}/installed")
 file(RENAME "${WORK}/installed" "${prefix}")
 file(COPY "${CONSUMER}" DESTINATION "${WORK}")
+run("what 0.2 promises of C++" "${COMPILER}" -std=c++20 -fsyntax-only "-I${prefix}/include"
+  "${CMAKE_CURRENT_LIST_DIR}/api_0_2.cpp")
+file(GLOB_RECURSE version_file "${prefix}/*/gloam-config-version.cmake")
+foreach(asked 0.1 0.2 0.3 1.0)
+  string(REPLACE "." ";" parts ${asked})
+  list(GET parts 0 PACKAGE_FIND_VERSION_MAJOR)
+  list(GET parts 1 PACKAGE_FIND_VERSION_MINOR)
+  set(PACKAGE_FIND_VERSION ${asked})
+  set(PACKAGE_VERSION_COMPATIBLE FALSE)
+  include("${version_file}")
+  if(NOT PACKAGE_VERSION STREQUAL VERSION)
+    message(FATAL_ERROR "${version_file}: version ${PACKAGE_VERSION}, expected ${VERSION}")
+  endif()
+  string(FIND "${VERSION}" "${asked}." same)
+  if((same EQUAL 0 AND NOT PACKAGE_VERSION_COMPATIBLE) OR (NOT same EQUAL 0 AND PACKAGE_VERSION_COMPATIBLE))
+    message(FATAL_ERROR "find_package(gloam ${asked}): compatible with ${VERSION}: ${PACKAGE_VERSION_COMPATIBLE}")
+  endif()
+endforeach()
 
 set(flags "")
 if(SANITIZE)

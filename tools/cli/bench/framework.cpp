@@ -19,6 +19,7 @@
 
 #include "backend/vulkan/commands.hpp"
 #include "backend/vulkan/resources.hpp"
+#include "base/version.hpp"
 #include "catalogue/catalogue.hpp"
 #include "check/lab.hpp"
 #include "cli/environment.hpp"
@@ -218,7 +219,8 @@ int run_framework(const FrameworkOptions& options) {
     gpu::Device device = open_device(options.device, options.validation);
     const std::vector<Figure> figures =
         framework_figures(options.device, options.repeat, progress_bar("framework"));
-    nlohmann::ordered_json document{{"versions", versions()},
+    nlohmann::ordered_json document{{"gloam", base::version()},
+                                    {"versions", versions()},
                                     {"device", device.info().name},
                                     {"framework", nlohmann::ordered_json::array()}};
     fmt::print("| figure | value |\n| --- | --- |\n");

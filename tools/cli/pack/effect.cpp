@@ -9,6 +9,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "base/version.hpp"
 #include "cli/arguments.hpp"
 #include "cli/environment.hpp"
 #include "cli/render.hpp"
@@ -159,18 +160,24 @@ void pack_effect(const EffectPackOptions& options) {
     report::OutputFolder folder(options.out);
     PackedEffect effect = packed_effect(settings, plan, scene::PassLibrary(glsl_directory()), *language);
     effect.preset = options.preset;
-    effect.version = GLOAM_VERSION;
+    effect.version = base::version();
     effect.target = options.target;
     for (const PackedPass& pass : effect.passes) {
-        folder.write(pass.file, pass.text);
+        folder.write(pass.file, with_version(pass.text));
         if (options.target)
-            folder.write(pass.plan.name + shader::suffix(*options.target),
-                         shader::translated({.name = pass.file, .text = pass.text}, *options.target));
+            folder.write(
+                pass.plan.name + shader::suffix(*options.target),
+                with_version(shader::translated({.name = pass.file, .text = pass.text}, *options.target)));
     }
     folder.write("gloam_effect.h", effect_header(effect));
     folder.write("effect.json", effect_json(effect));
     folder.write("README.md", effect_page(effect));
     folder.keep();
+}
+
+std::string with_version(std::string text) {
+    const std::size_t place = text.starts_with("#version") ? text.find('\n') + 1 : 0;
+    return text.insert(place, "// Packed by gloam " + base::version() + ".\n");
 }
 
 std::string vulkan_format(gpu::Format format) {

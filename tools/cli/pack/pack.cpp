@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "base/text.hpp"
+#include "base/version.hpp"
 #include "cli/environment.hpp"
 #include "cli/pack/effect.hpp"
 #include "effect/methods.hpp"
@@ -142,7 +143,7 @@ void pack_files(const PackOptions& options) {
     const shader::PackRequest request{
         .language = *language, .functions = options.functions, .stage = stage_of(files)};
     const std::string text =
-        in_language(shader::pack(files, request, roots), files.front(), target, request.stage);
+        with_version(in_language(shader::pack(files, request, roots), files.front(), target, request.stage));
     if (options.out.empty()) {
         fmt::print("{}", isatty(STDOUT_FILENO) != 0 ? base::for_terminal(text) : text);
     } else {
@@ -156,7 +157,7 @@ void pack_npm(const PackOptions& options) {
          site::npm_package({.library = glsl_directory(),
                             .files = site_directory(),
                             .licence = documents_directory().parent_path() / "LICENSE",
-                            .version = GLOAM_VERSION}))
+                            .version = base::version()}))
         folder.write(name, text);
     folder.keep();
 }

@@ -1,0 +1,197 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""release_test.py SOURCE BUILD: what a release consists of, but for the Debian packages (debian.py).
+
+One version everywhere, the SPDX document, the source archive, the recipes of vcpkg and Conan, the commits since the
+last release.
+"""
+import fnmatch
+import importlib.util
+import json
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import types
+import unittest
+from pathlib import Path
+
+SOURCE, BUILD = (Path(argument).resolve() for argument in sys.argv[1:3])
+LONGEST_SUBJECT = 72
+EXPRESSION = re.compile(r"\(?[A-Za-z0-9.-]+\)?(?: (?:AND|OR|WITH) \(?[A-Za-z0-9.-]+\)?)*")
+
+
+def text(*parts):
+    return SOURCE.joinpath(*parts).read_text(encoding="utf-8")
+
+
+VERSION = re.search(r"project\(gloam VERSION ([\d.]+)", text("CMakeLists.txt"))[1]
+RELEASED = re.findall(r"^## (\d+\.\d+\.\d+), (\d{4}-\d\d-\d\d)$", text("CHANGELOG.md"), re.M)
+
+
+def run(*command, **options):
+    done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                          check=False, **options)
+    if done.returncode:
+        raise AssertionError(f"{' '.join(map(str, command))}: exit status {done.returncode}\n{done.stdout[-4000:]}")
+    return done.stdout
+
+
+def configured(source, build, *options):
+    """Configures a tree, for which every source must be there. Returns what it can build."""
+    run("cmake", "-G", "Ninja", "-S", source, "-B", build, "-DGLOAM_QUICK_TOOLS=OFF", *options)
+    return run("ninja", "-C", build, "-t", "targets", "all")
+
+
+class Versions(unittest.TestCase):
+    def test_the_change_log_begins_with_the_version(self):
+        self.assertEqual(VERSION, RELEASED[0][0])
+        self.assertEqual(sorted(RELEASED, key=lambda one: [int(n) for n in one[0].split(".")], reverse=True), RELEASED)
+
+    def test_every_other_place_has_it(self):
+        minor = VERSION.rsplit(".", 1)[0]
+        self.assertIn(f'CPACK_PACKAGE_VERSION "{VERSION}"', (BUILD / "CPackConfig.cmake").read_text(encoding="utf-8"))
+        self.assertEqual(VERSION, json.loads(text("packaging", "vcpkg", "vcpkg.json"))["version"])
+        self.assertTrue(text("tests", "house", "compatibility.txt").startswith(f"# What gloam {minor}."))
+        self.assertIn(f"find_package(gloam {minor} ", text("examples", "own_function", "CMakeLists.txt"))
+        self.assertTrue((SOURCE / "tests" / "house" / "package" / f"api_{minor.replace('.', '_')}.cpp").exists())
+
+
+class Spdx(unittest.TestCase):
+    """The document by the clauses of SPDX 2.3: 6 (creation), 7 (packages), 11 (relationships)."""
+
+    def setUp(self):
+        self.document = json.loads((BUILD / "gloam.spdx.json").read_text(encoding="utf-8"))
+        self.packages = {one["SPDXID"]: one for one in self.document["packages"]}
+
+    def test_its_head(self):
+        head = self.document
+        self.assertEqual(("SPDX-2.3", "CC0-1.0", "SPDXRef-DOCUMENT", f"gloam-{VERSION}"),
+                         tuple(head[key] for key in ("spdxVersion", "dataLicense", "SPDXID", "name")))
+        self.assertRegex(head["documentNamespace"], r"^https://[^#\s]+$")
+        self.assertRegex(head["creationInfo"]["created"], r"^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ$")
+        self.assertTrue(all(one.startswith("Tool: ") for one in head["creationInfo"]["creators"]))
+
+    def test_its_packages(self):
+        self.assertEqual(len(self.document["packages"]), len(self.packages))
+        for name, package in self.packages.items():
+            with self.subTest(name):
+                self.assertRegex(name, r"^SPDXRef-[A-Za-z0-9.-]+$")
+                for key in ("name", "downloadLocation", "copyrightText"):
+                    self.assertTrue(package[key])
+                self.assertIs(False, package["filesAnalyzed"])
+                for key in ("licenseConcluded", "licenseDeclared"):
+                    self.assertTrue(EXPRESSION.fullmatch(package[key]), package[key])
+        for name in ("gloam", "gloam-glsl", "gloam-shader-test"):
+            self.assertEqual((VERSION, "MIT"), tuple(self.packages[f"SPDXRef-{name}"][key]
+                                                     for key in ("versionInfo", "licenseDeclared")))
+
+    def test_its_relationships(self):
+        known = {"SPDXRef-DOCUMENT", *self.packages}
+        related = set()
+        for one in self.document["relationships"]:
+            self.assertIn(one["relationshipType"], ("DESCRIBES", "CONTAINS", "STATIC_LINK", "DEPENDS_ON"))
+            self.assertLessEqual({one["spdxElementId"], one["relatedSpdxElement"]}, known)
+            related.add(one["relatedSpdxElement"])
+        self.assertEqual(set(self.packages), related)
+
+    def test_the_copies_in_the_site_are_in_it(self):
+        folder = SOURCE / "tools" / "site" / "third-party"
+        rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in
+                (folder / "README.md").read_text(encoding="utf-8").splitlines() if line.startswith("| `")]
+        listed = {"README.md"}
+        for files, package, version, licence in rows:
+            identifier, file = re.fullmatch(r"(\S+), `(\S+)`", licence).groups()
+            listed.update(re.findall(r"`([^`]+)`", files), [file])
+            found = self.packages["SPDXRef-" + re.match(r"`([^`]+)`", package)[1]]
+            self.assertEqual((version, identifier), (found["versionInfo"], found["licenseDeclared"]))
+        self.assertEqual({path.name for path in folder.iterdir()}, listed)
+
+
+class SourceArchive(unittest.TestCase):
+    def test_it_builds_outside_git(self):
+        with tempfile.TemporaryDirectory() as folder:
+            run("cpack", "--config", BUILD / "CPackSourceConfig.cmake", "-B", folder)
+            name = f"gloam-{VERSION}"
+            run("tar", "-xzf", f"{folder}/{name}.tar.gz", "-C", folder)
+            tree = Path(folder) / name
+            for left_out in (".git", "build", "compile_commands.json"):
+                self.assertFalse((tree / left_out).exists(), left_out)
+            targets = configured(tree, Path(folder) / "build", "-DBUILD_TESTING=ON")
+            self.assertIn("bin/gloam", targets)
+            self.assertIn("bin/cli_tests", targets)
+
+
+class Recipes(unittest.TestCase):
+    """Neither vcpkg nor Conan need be here: what they would run is run, with the options that they give."""
+
+    def recipe(self):
+        """The Conan recipe, with the modules of Conan that it imports replaced by what it calls of them."""
+        def copy(_recipe, pattern, source, target):
+            for path in Path(source).rglob("*"):
+                name = path.relative_to(source)
+                if path.is_file() and fnmatch.fnmatch(str(name), pattern) and name.parts[0] != "build":
+                    (Path(target) / name).parent.mkdir(parents=True, exist_ok=True)
+                    shutil.copy(path, Path(target) / name)
+
+        modules = {"conan": {"ConanFile": object},
+                   "conan.tools.cmake": dict.fromkeys(("CMake", "CMakeDeps", "CMakeToolchain", "cmake_layout")),
+                   "conan.tools.files": {"copy": copy, "load": lambda _recipe, path: path.read_text(encoding="utf-8")}}
+        for name, members in modules.items():
+            sys.modules[name] = types.ModuleType(name)
+            vars(sys.modules[name]).update(members)
+        file = SOURCE / "packaging" / "conan" / "conanfile.py"
+        spec = importlib.util.spec_from_file_location("conanfile", file)
+        module = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(module)
+        recipe = module.Gloam()
+        recipe.recipe_folder = str(file.parent)
+        recipe.set_version()
+        return module, recipe
+
+    def test_conan_configures_what_it_exports(self):
+        module, recipe = self.recipe()
+        self.assertEqual(VERSION, recipe.version)
+        with tempfile.TemporaryDirectory() as folder:
+            recipe.export_sources_folder = f"{folder}/sources"
+            recipe.export_sources()
+            targets = configured(f"{folder}/sources", f"{folder}/build",
+                               *(f"-D{name}={'ON' if on else 'OFF'}" for name, on in module.OPTIONS.items()))
+            self.assertIn("libgloam_check.a", targets)
+
+    def test_vcpkg_configures_with_a_static_spirv_cross(self):
+        options = re.findall(r"-DGLOAM_\w+=\w+", text("packaging", "vcpkg", "portfile.cmake"))
+        self.assertEqual({f"-D{name}={'ON' if on else 'OFF'}" for name, on in self.recipe()[0].OPTIONS.items()},
+                         set(options))
+        with tempfile.TemporaryDirectory() as build:
+            targets = configured(SOURCE, build, *options, "-DCMAKE_DISABLE_FIND_PACKAGE_spirv_cross_c_shared=ON")
+            self.assertIn("libgloam_check.a", targets)
+            config = (Path(build) / "gloam-config.cmake").read_text(encoding="utf-8")
+            self.assertIn("spirv_cross_reflect spirv_cross_c ", config)
+
+
+def fault_of(subject, body):
+    """What is wrong with the message of a commit; empty: nothing."""
+    if len(subject) > LONGEST_SUBJECT:
+        return f"{len(subject)} characters, expected at most {LONGEST_SUBJECT}: {subject}"
+    return "" if body.strip() else f"no body that says why: {subject}"
+
+
+class Commits(unittest.TestCase):
+    def test_faults_are_found(self):
+        self.assertIn("73 characters", fault_of("x" * 73, "why"))
+        self.assertIn("no body", fault_of("x" * 72, "\n"))
+        self.assertEqual("", fault_of("x" * 72, "why"))
+
+    def test_those_since_the_last_release_have_none(self):
+        listed = subprocess.run(["git", "-C", SOURCE, "log", "--no-merges", f"--since={RELEASED[0][1]} 23:59",
+                                 "--format=%s%x01%b%x02"], capture_output=True, text=True, check=False)
+        if listed.returncode:
+            self.skipTest("no git here")
+        commits = [one.strip("\n").split("\x01") for one in listed.stdout.split("\x02") if "\x01" in one]
+        self.assertEqual([], [fault for fault in (fault_of(*one) for one in commits) if fault])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
