@@ -33,6 +33,7 @@ GloamEstimate gloam_sweep(vec3 position, vec3 normal, GloamCamera camera, GloamK
     vec3 view = gloam_toward_eye(position, camera.orthographic);
     GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
     float turns = gloam_turns(kernel.angle);
+    vec2 reach = footprint.reach * footprint.size;
     uint steps = max(settings.steps, 1u);
     uint slices = gloam_whole_samples(kernel.count, 2u * steps) / (2u * steps);
     GloamFootprintProduct above = gloam_footprint_product(footprint, position, n);
@@ -50,8 +51,8 @@ GloamEstimate gloam_sweep(vec3 position, vec3 normal, GloamCamera camera, GloamK
             GloamSlice half_plane = gloam_sweep_slice(slice, towards);
             GloamSweepSide side = gloam_sweep_side(-half_plane.normal.y);
             for (uint k = 0u; k < steps; ++k) {
-                float share = (float(k) + random.jitter) / float(steps);
-                ivec2 at = gloam_footprint_pixel(footprint, towards * share * share * random.direction);
+                float place = gloam_slice_place((float(k) + random.jitter) / float(steps), max(reach.x, reach.y));
+                ivec2 at = gloam_footprint_pixel(footprint, towards * place * random.direction);
                 float first = gloam_fetch_depth(at);
                 vec3 further = kernel.layers > 1 ? gloam_fetch_layers(at) : vec3(0.0);
                 float before = side.before;
