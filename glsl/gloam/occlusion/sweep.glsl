@@ -71,28 +71,6 @@ GloamSlice gloam_sweep_slice(GloamSlice slice, float towards) {
                       towards * slice.angle, slice.weight);
 }
 
-// What a tap shows of a side.
-struct GloamSweepSight {
-    bool uncovers;   // whether it is the first surface along any direction
-    float cosine;    // of its angle from the view vector
-    float behind;    // amount between the tangent plane and its direction
-    float here;      // its distance, in radii
-    float added;     // what it uncovers, with the falloff; 0 where it uncovers nothing
-};
-
-// Parameters as of gloam_sweep_uncover. Error of the amounts: 8e-7.
-GloamSweepSight gloam_sweep_sight(GloamSweepSide side, GloamSlice slice, vec2 offset, bool tells, bool rises,
-                                  uint falloff) {
-    float squared = dot(offset, offset);
-    float inverse = inversesqrt(max(squared, GLOAM_LEAST_SQUARE));
-    float here = squared * inverse;
-    vec2 direction = offset * inverse;
-    float weight = gloam_falloff_at(falloff, gloam_sweep_distance(side.before, here));
-    float behind = gloam_sweep_behind(direction, slice);
-    bool uncovers = tells && rises && direction.x > side.horizon && weight > 0.0;
-    return GloamSweepSight(uncovers, direction.x, behind, here, uncovers ? weight * (behind - side.behind) : 0.0);
-}
-
 // a side of a slice with what one more tap uncovers (SWEEP-uncover): `sum + D(rho) (I(H) - I(h)), horizon h, where h <
 // H` [gloam; the inner integral of Jimenez et al. 2016].
 // Adds what a tap uncovers to a side, as a solid surface. It leaves features alone.
@@ -104,9 +82,16 @@ GloamSweepSight gloam_sweep_sight(GloamSweepSide side, GloamSlice slice, vec2 of
 // case later taps can still cover its directions. Error: 8e-7.
 GloamSweepSide gloam_sweep_uncover(GloamSweepSide side, GloamSlice slice, vec2 offset, bool tells, bool rises,
                                    uint falloff) {
-    GloamSweepSight tap = gloam_sweep_sight(side, slice, offset, tells, rises, falloff);
-    return GloamSweepSide(tap.uncovers ? tap.cosine : side.horizon, tap.uncovers ? tap.behind : side.behind,
-                          tells ? min(tap.here, 1.0) : side.before, side.occluded + tap.added, side.feature, side.rise,
+    float squared = dot(offset, offset);
+    float inverse = inversesqrt(max(squared, GLOAM_LEAST_SQUARE));
+    float here = squared * inverse;
+    vec2 direction = offset * inverse;
+    float weight = gloam_falloff_at(falloff, gloam_sweep_distance(side.before, here));
+    float behind = gloam_sweep_behind(direction, slice);
+    bool uncovers = tells && rises && direction.x > side.horizon && weight > 0.0;
+    float added = uncovers ? weight * (behind - side.behind) : 0.0;
+    return GloamSweepSide(uncovers ? direction.x : side.horizon, uncovers ? behind : side.behind,
+                          tells ? min(here, 1.0) : side.before, side.occluded + added, side.feature, side.rise,
                           side.start, side.last);
 }
 
@@ -140,12 +125,16 @@ GloamSweepSide gloam_sweep_tap(GloamSweepSide side, GloamSlice slice, vec2 offse
                                uint falloff, float thickness) {
     vec2 at = tells ? vec2(offset.x, abs(offset.y)) : side.last;  // nothing changes at the same place
     GloamSweepSide passed = gloam_sweep_end(side, at, thickness);
-    GloamSweepSight tap = gloam_sweep_sight(side, slice, offset, tells, rises, falloff);
-    bool begins = tap.uncovers && !(passed.rise > 0.0);
-    return GloamSweepSide(tap.uncovers ? tap.cosine : side.horizon, tap.uncovers ? tap.behind : side.behind,
-                          tells ? min(tap.here, 1.0) : side.before, passed.occluded, passed.feature + tap.added,
-                          begins ? max(at.x - side.last.x, 1e-4) : passed.rise,
-                          begins ? 0.5 * (at.y + side.last.y) : side.start, at);
+    float before = passed.occluded;
+    passed.occluded = 0.0;
+    GloamSweepSide seen = gloam_sweep_uncover(passed, slice, offset, tells, rises, falloff);
+    bool begins = seen.horizon > passed.horizon && !(passed.rise > 0.0);
+    seen.feature += seen.occluded;
+    seen.occluded = before;
+    seen.rise = begins ? max(at.x - side.last.x, 1e-4) : passed.rise;
+    seen.start = begins ? 0.5 * (at.y + side.last.y) : passed.start;
+    seen.last = at;
+    return seen;
 }
 
 #endif
