@@ -47,7 +47,7 @@ layout(constant_id = 9) const bool orthographic = false;    // the camera; else 
 layout(constant_id = 12) const bool skip_closed = false;    // end marches that no tap to come can change
 layout(constant_id = 14) const bool keeps_history = true;   // else each frame stands by itself
 layout(constant_id = 20) const bool shows_alone = false;    // neither history nor filter: only binding 10 is written
-layout(constant_id = 21) const bool along_curve = false;    // kernels are rotated by Hilbert's curve; else by a hash
+layout(constant_id = 21) const bool on_lattice = false;    // kernels are rotated on a lattice; else by a hash
 // Numbers that loops end by: compilers unroll those whose length they know.
 layout(constant_id = 15) const uint samples_asked = 32u;      // k_1, for each pixel that has not converged
 layout(constant_id = 16) const uint samples_converged = 16u;  // k_2, for each pixel that has

@@ -9,7 +9,7 @@
 #include "gloam/sampling/count_by_distance.glsl"
 #include "gloam/sampling/count_by_radius.glsl"
 #include "gloam/sampling/hash_rotation.glsl"
-#include "gloam/sampling/hilbert_rotation.glsl"
+#include "gloam/sampling/lattice_rotation.glsl"
 #include "gloam/temporal/convergence.glsl"
 #include "gloam/temporal/history.glsl"
 #include "gloam/temporal/rotation_switch.glsl"
@@ -19,7 +19,7 @@
 // preparation passes include this file, so that they agree.
 // The user defines a block `parameters` with the members that this file reads, this_camera() and method_values. The
 // user's constants are samples_asked, samples_converged, fewer_samples (which makes it read samples_distance,
-// samples_radius and samples_least), caps_radius (radius_cap), along_curve, reject_taps, layers and ends_marches.
+// samples_radius and samples_least), caps_radius (radius_cap), on_lattice, reject_taps, layers and ends_marches.
 
 // Half-axes of the projected radius, pixels. depth: eye-linear, world units.
 vec2 reach_at(float depth) {
@@ -58,7 +58,7 @@ uint samples_at(GloamHistory before, float depth) {
 
 // Another angle for each pixel, radians.
 float rotation_of(ivec2 pixel) {
-    return along_curve ? gloam_hilbert_rotation(pixel) : gloam_hash_rotation(pixel);
+    return on_lattice ? gloam_lattice_rotation(pixel) : gloam_hash_rotation(pixel);
 }
 
 // The kernel of a pixel. samples: as samples_at returns it.

@@ -225,7 +225,7 @@ TEST_F(SampleSettings, RejectedStepsAreOpen) {
 
 // The mean of two frames with the same number of samples, (a + b) / 2, determines the second one.
 // The slices of neighbouring pixels are spread evenly over all directions and jitters.
-TEST_F(SampleSettings, AlongHilbertsCurveAFilterLeavesLessNoise) {
+TEST_F(SampleSettings, OnALatticeAFilterLeavesLessNoise) {
     const scene::GBuffer view = groove({96, 64});
     const auto noise_after_filter = [&](Rotation rotation) {
         Settings settings = with_radius(preset_named("balanced").settings, 0.4F);
@@ -234,7 +234,7 @@ TEST_F(SampleSettings, AlongHilbertsCurveAFilterLeavesLessNoise) {
         settings.samples = settings.samples_converged = 1024;
         return errors_of(filtered, run(view, settings).occlusion).rmse;
     };
-    EXPECT_LT(noise_after_filter(Rotation::hilbert), 0.8 * noise_after_filter(Rotation::hash));
+    EXPECT_LT(noise_after_filter(Rotation::lattice), 0.8 * noise_after_filter(Rotation::hash));
 }
 
 // What passes prepare is rotated as what reads it.
@@ -253,10 +253,10 @@ TEST_F(SampleSettings, PreparedDirectionsAreRotatedAlike) {
         return std::pair(prepared, shown);
     };
     const auto hash = prepared_and_shown(Rotation::hash);
-    const auto hilbert = prepared_and_shown(Rotation::hilbert);
+    const auto lattice = prepared_and_shown(Rotation::lattice);
     EXPECT_FALSE(hash.first.empty());
-    EXPECT_NE(hash.first, hilbert.first);
-    EXPECT_NE(hash.second, hilbert.second);
+    EXPECT_NE(hash.first, lattice.first);
+    EXPECT_NE(hash.second, lattice.second);
 }
 
 TEST_F(SampleSettings, SmoothingIsAnExponentialMean) {

@@ -148,7 +148,7 @@ const std::map<std::string, Case>& cases() {
         {"table_size", {"64"}},
         {"weight_max", {"64"}},
         {"c_rot", {"0.1"}},
-        {"rotation", {"hilbert"}},
+        {"rotation", {"lattice"}},
         {"c_adaptive", {"0.6"}},
         {"filter_cap", {"1", {{"c_adaptive", "1"}}}},
         {"depth_tolerance", {"1e-4"}},

@@ -63,6 +63,36 @@ vec3 gloam_footprint_position(GloamFootprint footprint, ivec2 pixel, float depth
     return vec3(footprint.orthographic ? ray : ray * depth, -depth);
 }
 
+// Product of a vector with the offset from the shaded point to the surface of a tap, as an affine function of the tap's
+// pixel and depth. It takes no division at a tap. Both are counted from the pixel of the point, so where the point is
+// that pixel's surface, nothing of its own position is rounded.
+struct GloamFootprintProduct {
+    vec2 across;    // for each pixel to the right and down, at depth 1
+    float further;  // for each unit of depth
+    float rest;     // of the surface at the point's pixel and depth
+};
+
+// position: of the shaded point, the one of gloam_footprint. vector: view space.
+// Returns the product. Error: 3 ULP of its largest term.
+GloamFootprintProduct gloam_footprint_product(GloamFootprint footprint, vec3 position, vec3 vector) {
+    vec2 ray = gloam_footprint_ray(footprint, footprint.pixel);
+    vec2 rest = (footprint.orthographic ? ray : -position.z * ray) - position.xy;
+    float further = (footprint.orthographic ? 0.0 : dot(ray, vector.xy)) - vector.z;
+    return GloamFootprintProduct(2.0 / footprint.size / footprint.p00_p11 * vector.xy, further, dot(rest, vector.xy));
+}
+
+// The surface of a tap, for products.
+// pixel: of the tap. depth: there, eye-linear, world units. center: depth of the shaded point.
+// Returns (pixels to the right times its scale, pixels down likewise, depth beyond the point's). Error: 1 ULP.
+vec3 gloam_footprint_tap(GloamFootprint footprint, ivec2 pixel, float depth, float center) {
+    return vec3((footprint.orthographic ? 1.0 : depth) * vec2(pixel - footprint.pixel), depth - center);
+}
+
+// Value of a product. tap: of gloam_footprint_tap. Error: 3 ULP of its largest term.
+float gloam_footprint_value(GloamFootprintProduct product, vec3 tap) {
+    return dot(product.across, tap.xy) + (product.further * tap.z + product.rest);
+}
+
 // Depth at which the view ray of a pixel meets the plane through a point (gloam_plane_depth).
 float gloam_footprint_plane_depth(GloamFootprint footprint, ivec2 pixel, vec3 point, vec3 normal) {
     return gloam_plane_depth(gloam_footprint_ray(footprint, pixel), point, normal, footprint.orthographic);

@@ -33,9 +33,10 @@ GloamEstimate gloam_sweep(vec3 position, vec3 normal, GloamCamera camera, GloamK
     vec3 view = gloam_toward_eye(position, camera.orthographic);
     GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
     float turns = gloam_turns(kernel.angle);
+    vec2 reach = footprint.reach * footprint.size;
     uint steps = max(settings.steps, 1u);
     uint slices = gloam_whole_samples(kernel.count, 2u * steps) / (2u * steps);
-    float scale = 1.0 / kernel.radius;
+    GloamFootprintProduct above = gloam_footprint_product(footprint, position, n);
     float thickness = settings.feature_thickness > 0.0 ? min(settings.feature_thickness, GLOAM_FARTHEST) : 0.0;
     float occluded = 0.0;
     float whole = 0.0;
@@ -43,24 +44,26 @@ GloamEstimate gloam_sweep(vec3 position, vec3 normal, GloamCamera camera, GloamK
         GloamSliceSample random = gloam_slice_sample(kernel.first / (2u * steps) + i + 1u, turns);
         GloamSlice slice = gloam_slice(random.direction * gloam_upright(camera), view, n);
         GloamSliceAxes axes = gloam_slice_axes(slice, n);
+        GloamFootprintProduct toward = gloam_footprint_product(footprint, position, axes.view / kernel.radius);
+        GloamFootprintProduct along = gloam_footprint_product(footprint, position, axes.tangent / kernel.radius);
         for (int part = 0; part < 2; ++part) {
             float towards = part == 0 ? 1.0 : -1.0;
             GloamSlice half_plane = gloam_sweep_slice(slice, towards);
             GloamSweepSide side = gloam_sweep_side(-half_plane.normal.y);
             for (uint k = 0u; k < steps; ++k) {
-                float share = (float(k) + random.jitter) / float(steps);
-                ivec2 at = gloam_footprint_pixel(footprint, towards * share * share * random.direction);
+                float place = gloam_slice_place((float(k) + random.jitter) / float(steps), max(reach.x, reach.y));
+                ivec2 at = gloam_footprint_pixel(footprint, towards * place * random.direction);
                 float first = gloam_fetch_depth(at);
                 vec3 further = kernel.layers > 1 ? gloam_fetch_layers(at) : vec3(0.0);
                 float before = side.before;
                 float nearest = before;  // of the first layer: what lies further behind does not change what follows
                 for (int layer = 0; layer < kernel.layers; ++layer) {
                     float depth = gloam_layer_depth(first, further, layer);
-                    vec3 seen = gloam_footprint_position(footprint, at, depth) - position;
-                    vec2 offset = scale * vec2(dot(seen, axes.view), dot(seen, axes.tangent));
+                    vec3 tap = gloam_footprint_tap(footprint, at, depth, -position.z);
+                    vec2 offset = vec2(gloam_footprint_value(toward, tap), gloam_footprint_value(along, tap));
                     bool tells = gloam_tap_sees(depth) && at != footprint.pixel &&
                                  !gloam_tap_rejected(-position.z, depth, kernel.farthest);
-                    bool rises = dot(seen, n) > kernel.bias;
+                    bool rises = gloam_footprint_value(above, tap) > kernel.bias;
                     side.before = before;
                     if (layer > 0)
                         side = gloam_sweep_uncover(side, half_plane, offset, tells, rises, settings.falloff);

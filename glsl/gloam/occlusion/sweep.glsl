@@ -107,11 +107,12 @@ float gloam_sweep_share(float width, float rise, float thickness) {
 // at: the tap, (along view, along tangent), the latter >= 0, in radii. thickness: of features, in widths, in [0, 1e18].
 // Returns the side; unchanged where no feature ends. Error: 1e-6, but for falls within rounding of the share.
 GloamSweepSide gloam_sweep_end(GloamSweepSide side, vec2 at, float thickness) {
-    if (!(side.rise > 0.0 && at.x < side.last.x - GLOAM_SWEEP_FALL * side.rise)) return side;
+    bool ends = side.rise > 0.0 && at.x < side.last.x - GLOAM_SWEEP_FALL * side.rise;
     float width = max(0.5 * (at.y + side.last.y) - side.start, 0.0);
-    side.occluded += side.feature * gloam_sweep_share(width, side.rise, thickness);
-    side.feature = 0.0;
-    side.rise = 0.0;
+    float passed = side.feature * gloam_sweep_share(width, side.rise, thickness);
+    side.occluded += ends ? passed : 0.0;
+    side.feature = ends ? 0.0 : side.feature;
+    side.rise = ends ? 0.0 : side.rise;
     return side;
 }
 
@@ -122,13 +123,14 @@ GloamSweepSide gloam_sweep_end(GloamSweepSide side, vec2 at, float thickness) {
 // Returns the side. Error: 2e-6, but for taps within rounding of where a feature ends.
 GloamSweepSide gloam_sweep_tap(GloamSweepSide side, GloamSlice slice, vec2 offset, bool tells, bool rises,
                                uint falloff, float thickness) {
-    if (!tells) return side;
-    vec2 at = vec2(offset.x, abs(offset.y));
+    vec2 at = tells ? vec2(offset.x, abs(offset.y)) : side.last;  // nothing changes at the same place
     GloamSweepSide passed = gloam_sweep_end(side, at, thickness);
+    float before = passed.occluded;
+    passed.occluded = 0.0;
     GloamSweepSide seen = gloam_sweep_uncover(passed, slice, offset, tells, rises, falloff);
     bool begins = seen.horizon > passed.horizon && !(passed.rise > 0.0);
-    seen.feature += seen.occluded - passed.occluded;
-    seen.occluded = passed.occluded;
+    seen.feature += seen.occluded;
+    seen.occluded = before;
     seen.rise = begins ? max(at.x - side.last.x, 1e-4) : passed.rise;
     seen.start = begins ? 0.5 * (at.y + side.last.y) : passed.start;
     seen.last = at;

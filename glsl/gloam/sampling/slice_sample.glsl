@@ -25,4 +25,14 @@ GloamSliceSample gloam_slice_sample(uint index, float turns) {
     return GloamSliceSample(gloam_sincos_turns(0.5 * fract(point.x + turns)), fract(point.y + shift), point.z);
 }
 
+// place of a step along half of a slice (SLICE-place): `l + (1 - l) s (0.4 + 0.6 s), l = min(1.3 / r, 1)` [gloam; l as
+// XeGTAO has it].
+// Steps lie denser near the point, but none so near that it sees only the point's own pixel, which shows nothing.
+// share: s, of all steps, [0, 1]. reach: r, of the radius of influence, pixels, > 0.
+// Returns a place in [0, 1], in radii. Error: 4 ULP.
+float gloam_slice_place(float share, float reach) {
+    float least = min(1.3 / reach, 1.0);
+    return least + (1.0 - least) * share * (0.4 + 0.6 * share);
+}
+
 #endif

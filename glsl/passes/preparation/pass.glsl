@@ -31,7 +31,7 @@ layout(constant_id = 2) const bool keeps_history = true;    // false: each frame
 layout(constant_id = 3) const uint samples_asked = 32u;      // k_1, for each pixel that has not converged
 layout(constant_id = 4) const uint samples_converged = 16u;  // k_2, for each pixel that has
 layout(constant_id = 5) const uint method_steps = 4u;        // replaces MethodValues::steps
-layout(constant_id = 6) const bool along_curve = false;      // kernels are rotated by Hilbert's curve; else by a hash
+layout(constant_id = 6) const bool on_lattice = false;      // kernels are rotated on a lattice; else by a hash
 const bool fewer_samples = true;
 const bool caps_radius = true;
 const bool ends_marches = false;

@@ -237,6 +237,8 @@ void append_slice_parts(Entries& entries) {
         {.domain = {log_integers(16777216), uniform(0, 1)},
          .budget = {.absolute = 5e-7, .backward_ulp = 2},
          .codomain = {-1.000001, 1.000001}});
+    add(entries, "SLICE-place", &reference::gloam_slice_place,
+        {.domain = {uniform(0, 1), log_uniform(0.01, 1e6)}, .budget = {.ulp = 4}, .codomain = {0, 1}});
     add(entries, "SAMPLES-whole", &reference::gloam_whole_samples,
         {.domain = {log_integers(100'000).and_near_integers({64, 4294967295}), integers(0, 64)}});
 }

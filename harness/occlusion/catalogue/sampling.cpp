@@ -124,11 +124,10 @@ void append_hash(Entries& entries) {
         {.domain = {vector(2, coordinate.and_near_integers({0, 65536, 2147483647}))},
          .budget = {.ulp = 3, .absolute = 4e-9},
          .codomain = {0, 6.2831853}});
-    const Values place = vector(2, coordinate.and_near_integers({0, 32, 64, 2147483647}));
-    add(entries, "HILBERT-index", &reference::gloam_hilbert_index,
-        {.domain = {place}, .codomain = {0, 4095}});
-    add(entries, "HILBERT-ROT", &reference::gloam_hilbert_rotation,
-        {.domain = {place}, .budget = {.ulp = 3, .absolute = 4e-9}, .codomain = {0, 6.2831853}});
+    add(entries, "LATTICE-ROT", &reference::gloam_lattice_rotation,
+        {.domain = {vector(2, coordinate.and_near_integers({0, 65536, 2147483647}))},
+         .budget = {.ulp = 3, .absolute = 4e-9},
+         .codomain = {0, 6.2831855}});
 }
 
 void append_sample_rotations(Entries& entries) {

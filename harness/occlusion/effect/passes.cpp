@@ -81,7 +81,7 @@ bool takes_fewer_samples(const Settings& settings) {
 // Whether the loops over samples have a length that is a constant, and so few rounds that their code stays
 // small. Points that each sample computes itself have loops of their own.
 bool has_short_loops(const Settings& settings) {
-    constexpr std::uint32_t few = 48;
+    constexpr std::uint32_t few = 96;
     return settings.samples == settings.samples_converged && settings.samples <= few &&
            !takes_fewer_samples(settings) && tabulates_samples(settings);
 }
@@ -223,7 +223,7 @@ PassSource occlusion_source(const Moment& moment, List list) {
                         {.id = 18, .bits = unit_of(method, settings.own.steps)},
                         {.id = 19, .bits = flag(method.unit == SampleUnit::pair)},
                         {.id = 20, .bits = flag(shows_alone(settings))},
-                        {.id = 21, .bits = flag(settings.rotation == Rotation::hilbert)}};
+                        {.id = 21, .bits = flag(settings.rotation == Rotation::lattice)}};
     std::ranges::copy(constants_of(list), std::back_inserter(source.constants));
     source.constants.push_back({.id = open_tiles_constant, .bits = moment.open_tiles_each});
     source.unrolls = has_short_loops(settings);
@@ -298,7 +298,7 @@ PassSource preparation_source(const Moment& moment, const std::string& file) {
                           {.id = 3, .bits = settings.samples},
                           {.id = 4, .bits = settings.samples_converged},
                           {.id = 5, .bits = settings.own.steps},
-                          {.id = 6, .bits = flag(settings.rotation == Rotation::hilbert)}}};
+                          {.id = 6, .bits = flag(settings.rotation == Rotation::lattice)}}};
 }
 
 PassSource sample_table_source(const std::string& samples) {

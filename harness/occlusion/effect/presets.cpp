@@ -22,14 +22,14 @@ constexpr float slices_filtered = 8.0F;
 constexpr float frames_filtered = 8.0F;
 
 // The horizon sweep, `count` slices a frame, in a mean over so many samples: a longer one lags behind what
-// the camera uncovers. Kernels are always rotated, along Hilbert's curve, from whose neighbours a filter
+// the camera uncovers. Kernels are always rotated, on a lattice, from whose neighbours a filter
 // leaves the least noise. For a single slice the filter's window is nearly a box; with more there is less
 // noise to remove than detail to keep (docs/measurements.md).
 Settings swept(std::uint32_t count, std::uint32_t steps, float mean = 128.0F) {
     Settings settings = slices(method_named("sweep"), count, steps);
     settings.weight_max = mean;
     settings.c_rot = 2.0F;
-    settings.rotation = Rotation::hilbert;
+    settings.rotation = Rotation::lattice;
     settings.filter = Filter::convergence;
     settings.c_adaptive = slices_filtered * static_cast<float>(2 * steps) / settings.weight_max;
     if (count == 1) settings.filter_sigma = 0.4F;
@@ -48,17 +48,12 @@ Settings fast() {
     return settings;
 }
 
-// With so many samples, lag causes more error than noise: a mean over two frames.
-Settings reference() {
-    return swept(4, 12, 192.0F);
-}
-
 std::vector<Preset> own_presets() {
     return {
         {"fast", "half the resolution, 1 slice of 6 steps to each side a frame: for the least time", fast()},
-        {"balanced", "1 slice of 6 steps to each side a frame: the default", swept(1, 6)},
-        {"quality", "4 slices of 6 steps to each side a frame", swept(4, 6)},
-        {"reference", "4 slices of 12 steps to each side a frame: for the least error", reference()}};
+        {"balanced", "1 slice of 5 steps to each side a frame: the default", swept(1, 5)},
+        {"quality", "2 slices of 6 steps to each side a frame", swept(2, 6)},
+        {"reference", "4 slices of 8 steps to each side a frame: for the least error", swept(4, 8)}};
 }
 
 struct Measured {

@@ -156,8 +156,8 @@ void add_samples(std::vector<Setting>& table) {
     table.push_back(number("c_rot", "",
                            "kernels are rotated by pixel below this convergence; 0: never, above 1: always",
                            &S::c_rot, any_from_0));
-    table.push_back(choice("rotation", "of a pixel's kernel: by a hash, or by its place on Hilbert's curve",
-                           &S::rotation, {"hash", "hilbert"}));
+    table.push_back(choice("rotation", "of a pixel's kernel: by a hash, or by its place on a lattice",
+                           &S::rotation, {"hash", "lattice"}));
     table.push_back(number(
         "filter_cap", "", "the filter's neighbours weigh at most this many times the pixel's own convergence",
         &S::filter_cap, SettingRange{.least = 1, .most = largest}));

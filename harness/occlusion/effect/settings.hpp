@@ -48,7 +48,7 @@ enum class OutputFormat { r32f, r16f, r8 };
 // What rotates the kernels of neighbouring pixels.
 enum class Rotation {
     hash,    // McGuire's hash of the pixel (HASH-ROT)
-    hilbert  // its place on Hilbert's curve (HILBERT-ROT): a filter leaves less of the noise
+    lattice  // its place on a lattice (LATTICE-ROT): a filter leaves less of the noise
 };
 
 // The size of the images that the passes run over.

@@ -208,17 +208,18 @@ struct SliceTap {
 };
 
 // The estimate of all slices of a kernel. add(slice, n, tap) gives (occluded, whole) of a slice, n the unit
-// normal; tap(side, i, layer) is tap i to the side 1 or -1, at the share ((i + jitter) / steps)^2 of the
-// radius.
-template <class Add>
+// normal; tap(side, i, layer) is tap i to the side 1 or -1, at place((i + jitter) / steps, the radius in
+// pixels) of the radius.
+template <class Place, class Add>
 GloamEstimate gather_slices(dvec3 position, dvec3 normal, const GloamCamera& camera,
                             const GloamKernel& kernel, unsigned steps, const Fetch<dvec4>& fetch_layers,
-                            const Add& add) {
+                            const Place& place, const Add& add) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return {};
     const dvec3 n = gloam_safe_normalize(normal, dvec3(0.0));
     const dvec3 view = camera.orthographic ? dvec3(0.0, 0.0, 1.0) : normalize(-position);
     const dvec2 uv = gloam_camera_uv(position, camera);
     const dvec2 axes = gloam_camera_radius(kernel.radius, -position.z, camera);
+    const dvec2 reach = axes * dvec2(camera.size);
     const unsigned slices = gloam_whole_samples(kernel.count, 2U * steps) / (2U * steps);
     dvec2 sum(0.0);
     for (unsigned s = 1; s <= slices; ++s) {
@@ -226,8 +227,9 @@ GloamEstimate gather_slices(dvec3 position, dvec3 normal, const GloamCamera& cam
             gloam_slice_sample(kernel.first / (2U * steps) + s, gloam_turns(kernel.angle));
         const dvec2 upright(1.0, camera.p00_p11.y < 0.0 ? -1.0 : 1.0);
         const auto tap = [&](double side, unsigned i, int layer) {
-            const double share = side * pow((i + sample.jitter) / steps, 2);
-            const glm::ivec2 pixel = gloam_nearest_pixel(uv + share * axes * sample.direction, camera.size);
+            const double share = place((i + sample.jitter) / steps, max(reach.x, reach.y));
+            const glm::ivec2 pixel =
+                gloam_nearest_pixel(uv + side * share * axes * sample.direction, camera.size);
             const double depth = depth_of_layer(fetch_layers(pixel), layer);
             const dvec3 point = gloam_camera_position(pixel, depth, camera);
             const bool own_pixel = pixel == gloam_nearest_pixel(uv, camera.size);
@@ -268,7 +270,8 @@ inline GloamEstimate gloam_gtao(dvec3 position, dvec3 normal, const GloamCamera&
             gloam_gtao_side(horizon(1.0), slice.angle, slice.normal);
         return slice.weight * dvec2(occluded, gloam_slice_whole(slice));
     };
-    return gather_slices(position, normal, camera, kernel, steps, fetch_layers, add);
+    const auto squared = [](double share, double) { return share * share; };
+    return gather_slices(position, normal, camera, kernel, steps, fetch_layers, squared, add);
 }
 
 struct GloamSweep {
@@ -316,7 +319,7 @@ inline GloamEstimate gloam_sweep(dvec3 position, dvec3 normal, const GloamCamera
         if (!(slice.weight > 0.0)) return dvec2(0.0);
         return slice.weight * dvec2(occluded(1.0) + occluded(-1.0), gloam_slice_whole(slice));
     };
-    return gather_slices(position, normal, camera, kernel, steps, fetch_layers, add);
+    return gather_slices(position, normal, camera, kernel, steps, fetch_layers, gloam_slice_place, add);
 }
 
 }  // namespace gloam::reference

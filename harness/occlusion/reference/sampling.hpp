@@ -120,29 +120,10 @@ inline double gloam_hash_rotation(glm::ivec2 pixel) {
     return within < 0.0 ? within + two_pi : within;
 }
 
-// Walks along the curve, and reports the number of the place where it meets the pixel.
-inline unsigned gloam_hilbert_index(glm::ivec2 pixel) {
-    const glm::uvec2 wanted = glm::uvec2(pixel) % 64U;
-    for (unsigned index = 0; index < 4096; ++index) {
-        glm::uvec2 place(0);
-        unsigned rest = index;
-        for (unsigned side = 1; side < 64; side *= 2, rest /= 4) {
-            const bool right = (rest & 2U) != 0;
-            const bool down = ((rest ^ (rest >> 1U)) & 1U) != 0;
-            if (!down) {
-                if (right) place = (side - 1U) - place;
-                place = {place.y, place.x};
-            }
-            place += side * glm::uvec2(right ? 1 : 0, down ? 1 : 0);
-        }
-        if (place == wanted) return index;
-    }
-    return 0;
-}
-
-// 1 / p with p^3 = p + 1, as a fraction of 32 bits.
-inline double gloam_hilbert_rotation(glm::ivec2 pixel) {
-    return 2.0 * std::numbers::pi * 0x1p-32 * (gloam_hilbert_index(pixel) * 3'242'174'889U);
+// The golden ratio's powers as fractions of 32 bits.
+inline double gloam_lattice_rotation(glm::ivec2 pixel) {
+    const std::int64_t turns = std::int64_t{pixel.x} * 1'013'904'243 + std::int64_t{pixel.y} * 2'654'435'769;
+    return 2.0 * std::numbers::pi * 0x1p-32 * static_cast<std::uint32_t>(turns);
 }
 
 inline dvec3 gloam_hemisphere_lift(dvec2 disc) {
@@ -207,6 +188,12 @@ struct GloamSliceSample {
 inline GloamSliceSample gloam_slice_sample(unsigned index, double turns) {
     const dvec3 point = gloam_halton_3d(index);
     return {on_circle(pi * fract(point.x + turns)), fract(point.y + 14.0 * turns), point.z};
+}
+
+// From the end of the point's own pixel on, 0.4 of the way evenly and the rest by squares.
+inline double gloam_slice_place(double share, double reach) {
+    const double own = std::min(1.3 / reach, 1.0);
+    return std::lerp(own, 1.0, 0.4 * share + 0.6 * share * share);
 }
 
 inline dvec3 gloam_eye_march(dvec3 position, dvec3 direction, double radius, unsigned index, unsigned count,

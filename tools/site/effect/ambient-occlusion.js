@@ -176,7 +176,7 @@ class AmbientOcclusion {
         const {settings} = this;
         this.passes.draw(this.occlusionProgram(), {...settings, ...now, depth_image: now.depth,
             normal_image: now.normal, history_before: before.image, border: [0, 0], samples_asked: settings.samples,
-            along_curve: settings.rotation === "hilbert"}, this.history);
+            on_lattice: settings.rotation === "lattice"}, this.history);
     }
 
     // What is shown of the history: filtered in the frames that the settings say, at the size of the view.

@@ -37,7 +37,7 @@ uniform uint samples_unit;
 uniform bool rounds_up;
 uniform uint table_size;
 uniform bool reject_taps;
-uniform bool along_curve;
+uniform bool on_lattice;
 layout(constant_id = 0) const bool orthographic = false;  // the camera; else perspective
 const bool fewer_samples = true;
 const bool caps_radius = true;

@@ -41,18 +41,24 @@ struct Step {
     [[nodiscard]] double angle() const { return std::atan2(along, up); }  // from the axis
 };
 
+// How the steps of a slice lie: evenly, by squares, or as gloam_slice_place has them.
+enum class Places { even, squared, mixed };
+
 // The samples of one side (+1 or -1). A surface seen beside the slice is moved into it without changing its
 // height over the tangent plane.
 std::vector<Step> taps_of(const SeenSurface& seen, const Settings& settings, const Slice& slice, double side,
-                          double jitter, bool even) {
+                          double jitter, Places places) {
     const glm::dvec3& n = seen.normal();
     const glm::dvec3 aside = glm::cross(slice.along, glm::dvec3(0, 0, 1));
     const double turned = glm::dot(aside, n);
     const glm::dvec3 across = (aside - turned * n) / (1.0 - turned * turned);
+    const double own = std::min(1.3 * seen.pitch() / seen.reach(), 1.0);
     std::vector<Step> found;
     for (std::uint32_t i = 0; i < settings.own.steps; ++i) {
         const double share = (i + jitter) / settings.own.steps;
-        const double place = even ? share : share * share;
+        const double place = places == Places::even      ? share
+                             : places == Places::squared ? share * share
+                                                         : own + (1.0 - own) * share * (0.4 + 0.6 * share);
         const Seen surface = seen.at(side * place * seen.reach() * glm::dvec2(slice.along));
         if (surface.background || surface.own_pixel) continue;
         const glm::dvec3 offset = surface.offset - glm::dot(surface.offset, aside) * across;
@@ -64,8 +70,8 @@ std::vector<Step> taps_of(const SeenSurface& seen, const Settings& settings, con
 
 // The samples that rise above the tangent plane by more than the bias.
 std::vector<Step> steps_of(const SeenSurface& seen, const Settings& settings, const Slice& slice, double side,
-                           double jitter, bool even = false) {
-    std::vector<Step> found = taps_of(seen, settings, slice, side, jitter, even);
+                           double jitter, Places places = Places::squared) {
+    std::vector<Step> found = taps_of(seen, settings, slice, side, jitter, places);
     std::erase_if(found, [](const Step& step) { return !step.rises; });
     return found;
 }
@@ -193,7 +199,7 @@ Integrand hbao_study(const SeenSurface& seen, const Settings& s) {
         for (const double side : {1.0, -1.0}) {
             const double start =
                 std::atan(side * slope / seen.normal().z + std::tan(double{s.own.angle_bias}));
-            occlusion += 0.5 * hbao_side(steps_of(seen, s, slice, side, u[1], true), start);
+            occlusion += 0.5 * hbao_side(steps_of(seen, s, slice, side, u[1], Places::even), start);
         }
         return glm::dvec2(std::min(double{s.own.intensity} * occlusion, 1.0), 1.0);
     };
@@ -218,8 +224,8 @@ Integrand sweep(const SeenSurface& seen, const Settings& s) {
         const Slice slice = slice_at(seen, pi * u[0]);
         double occluded = 0.0;
         for (const double side : {1.0, -1.0})
-            occluded += sweep_side(taps_of(seen, s, slice, side, u[1], false), side, slice.normal_angle,
-                                   double{s.own.feature_thickness});
+            occluded += sweep_side(taps_of(seen, s, slice, side, u[1], Places::mixed), side,
+                                   slice.normal_angle, double{s.own.feature_thickness});
         return slice.weight * glm::dvec2(occluded, cosine_whole(slice.normal_angle));
     };
 }
