@@ -206,7 +206,7 @@ TEST_F(HalfSize, SourcesKeepTheirValues) {
                 ASSERT_EQ(shown[y * extent.width + x],
                           (channels == 1 ? 1.0F : unit) *
                               of_half[channels * (y / 2 * half_of(extent).width + x / 2)]);
-        EXPECT_GT(*std::ranges::max_element(shown), 0.2F);
+        EXPECT_GT(*std::ranges::max_element(shown), 0.15F);
     }
 }
 

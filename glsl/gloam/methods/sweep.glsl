@@ -37,6 +37,7 @@ GloamEstimate gloam_sweep(vec3 position, vec3 normal, GloamCamera camera, GloamK
     uint steps = max(settings.steps, 1u);
     uint slices = gloam_whole_samples(kernel.count, 2u * steps) / (2u * steps);
     GloamFootprintProduct above = gloam_footprint_product(footprint, position, n);
+    float scale = 1.0 / kernel.radius;
     float thickness = settings.feature_thickness > 0.0 ? min(settings.feature_thickness, GLOAM_FARTHEST) : 0.0;
     float occluded = 0.0;
     float whole = 0.0;
@@ -44,8 +45,8 @@ GloamEstimate gloam_sweep(vec3 position, vec3 normal, GloamCamera camera, GloamK
         GloamSliceSample random = gloam_slice_sample(kernel.first / (2u * steps) + i + 1u, turns);
         GloamSlice slice = gloam_slice(random.direction * gloam_upright(camera), view, n);
         GloamSliceAxes axes = gloam_slice_axes(slice, n);
-        GloamFootprintProduct toward = gloam_footprint_product(footprint, position, axes.view / kernel.radius);
-        GloamFootprintProduct along = gloam_footprint_product(footprint, position, axes.tangent / kernel.radius);
+        GloamFootprintProduct toward = gloam_footprint_product(footprint, position, scale * axes.view);
+        GloamFootprintProduct along = gloam_footprint_product(footprint, position, scale * axes.tangent);
         for (int part = 0; part < 2; ++part) {
             float towards = part == 0 ? 1.0 : -1.0;
             GloamSlice half_plane = gloam_sweep_slice(slice, towards);
