@@ -2,7 +2,6 @@
 #include <nlohmann/json.hpp>
 
 #include "site/page_data.hpp"
-#include "site/pass_data.hpp"
 #include "support/test.hpp"
 
 namespace gloam::site {
