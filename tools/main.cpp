@@ -17,15 +17,12 @@
 
 #include "base/files.hpp"
 #include "base/text.hpp"
-#include "cli/bench.hpp"
 #include "cli/check.hpp"
 #include "cli/check/checker.hpp"
 #include "cli/check/smallest_module.hpp"
 #include "cli/commands.hpp"
 #include "cli/names.hpp"
 #include "cli/render.hpp"
-#include "cli/stress.hpp"
-#include "cli/tune.hpp"
 
 namespace {
 

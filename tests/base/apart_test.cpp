@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "base/process.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
-#include <cstdlib>
 #include <ctime>
-#include <thread>
-#include <vector>
 
-namespace gloam::base {
-namespace apart_test {
+namespace gloam::base::apart_test {
 
 using namespace std::chrono_literals;
-using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 constexpr ProcessLimits few{.memory_bytes = std::uint64_t{200} << 20, .cpu = 1s, .patience = 20s};
 
@@ -43,7 +37,7 @@ TEST(Apart, ACrashIsAnError) {
         std::raise(SIGSEGV);
         return "";
     };
-    EXPECT_THAT([&] { (void)run_apart(crash, few); }, ThrowsMessage<LimitError>(HasSubstr("SEGV")));
+    expect_error<LimitError>([&] { (void)run_apart(crash, few); }, {"SEGV"});
     EXPECT_THAT([] { (void)run_apart([]() -> std::string { _exit(0); }, few); },
                 testing::Throws<LimitError>());
 }
@@ -122,5 +116,4 @@ TEST(Apart, WorksFromManyThreads) {
     for (std::thread& thread : threads) thread.join();
 }
 
-}  // namespace apart_test
-}  // namespace gloam::base
+}  // namespace gloam::base::apart_test

@@ -1,17 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <set>
-#include <stdexcept>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "base/text.hpp"
+#include "support/test.hpp"
 
-namespace gloam::base {
-
-namespace text_test {
+namespace gloam::base::text_test {
 
 std::string of(std::string_view text) {
     return base64(std::vector<unsigned char>(text.begin(), text.end()));
@@ -71,9 +62,6 @@ TEST(Text, FileNamesLeadNowhereElse) {
     }
 }
 
-using testing::HasSubstr;
-using testing::ThrowsMessage;
-
 std::string repeated(const std::string& text, std::size_t count) {
     std::string all;
     for (std::size_t i = 0; i < count; ++i) all += text;
@@ -87,10 +75,10 @@ std::string object_of(std::size_t members) {
 TEST(JsonBounds, DepthEndsAtItsBound) {
     const JsonBounds bounds{.depth = 10};
     EXPECT_NO_THROW(require_bounded_json(repeated("[", 10) + repeated("]", 10), bounds));
-    EXPECT_THAT([&] { require_bounded_json("\n\n" + repeated("[", 11), bounds); },
-                ThrowsMessage<std::runtime_error>(HasSubstr("line 3: nested more than 10 deep")));
-    EXPECT_THAT([&] { require_bounded_json(repeated("{\"a\":", 11), bounds); },
-                ThrowsMessage<std::runtime_error>(HasSubstr("nested")));
+    expect_error<std::runtime_error>([&] { require_bounded_json("\n\n" + repeated("[", 11), bounds); },
+                                     {"line 3: nested more than 10 deep"});
+    expect_error<std::runtime_error>([&] { require_bounded_json(repeated("{\"a\":", 11), bounds); },
+                                     {"nested"});
 }
 
 TEST(JsonBounds, WhatIsClosedDoesNotCount) {
@@ -104,14 +92,14 @@ TEST(JsonBounds, BracketsInStringsAreText) {
 
 TEST(JsonBounds, AnObjectHasSoManyMembers) {
     EXPECT_NO_THROW(require_bounded_json(object_of(100), {.members = 100}));
-    EXPECT_THAT([] { require_bounded_json(object_of(101), {.members = 100}); },
-                ThrowsMessage<std::runtime_error>(HasSubstr("more than 100 members")));
+    expect_error<std::runtime_error>([] { require_bounded_json(object_of(101), {.members = 100}); },
+                                     {"more than 100 members"});
 }
 
 TEST(JsonBounds, BytesEndAtTheirBound) {
     EXPECT_NO_THROW(require_bounded_json("[1,2]", {.bytes = 5}));
-    EXPECT_THAT([] { require_bounded_json("[1, 2]", {.bytes = 5}); },
-                ThrowsMessage<std::runtime_error>(HasSubstr("6 bytes of JSON, expected at most 5")));
+    expect_error<std::runtime_error>([] { require_bounded_json("[1, 2]", {.bytes = 5}); },
+                                     {"6 bytes of JSON, expected at most 5"});
 }
 
 TEST(JsonBounds, WhatIsNoJsonIsLeftToTheParser) {
@@ -119,6 +107,4 @@ TEST(JsonBounds, WhatIsNoJsonIsLeftToTheParser) {
         EXPECT_NO_THROW(require_bounded_json(text)) << text;
 }
 
-}  // namespace text_test
-
-}  // namespace gloam::base
+}  // namespace gloam::base::text_test

@@ -1,19 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Every include compiles alone, unchanged and packed, in every GLSL version that the library supports.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <map>
-#include <optional>
-#include <set>
-#include <tuple>
-
 #include "backend/gl/program.hpp"
-#include "catalogue/catalogue.hpp"
 #include "check/run.hpp"
 #include "shader/compile.hpp"
-#include "shader/pack.hpp"
 #include "support/entries.hpp"
 #include "support/lab.hpp"
 #include "support/library_files.hpp"
@@ -167,7 +156,7 @@ TEST_P(OpenGlIncludes, EachCompiles) {
         try {
             const gl::Program program(*device, gl::Program::Stage::fragment, shader);
         } catch (const gl::LinkFailed& error) {  // of the prototypes, which an engine defines
-            EXPECT_THAT(error.what(), testing::HasSubstr("unresolved reference to function")) << file;
+            EXPECT_THAT(error.what(), HasSubstr("unresolved reference to function")) << file;
         } catch (const gl::CompileFailed& error) {
             ADD_FAILURE() << error.what();
         }

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The interpreter as a device: whole checks with no driver at all.
-#include <cmath>
-#include <optional>
-
 #include "backend/gl/device.hpp"
 #include "check/internal/kernel_text.hpp"
 #include "check/lab.hpp"
 #include "check/reproduction.hpp"
 #include "support/lab.hpp"
-#include "support/matchers.hpp"
 #include "support/test_name.hpp"
 
 namespace gloam::check::devices_test {
@@ -193,7 +189,7 @@ TEST_P(OpenGlDevice, ServesImagesAndReportsAnAccessOutside) {
     EXPECT_EQ(result.fault->count, 2U);
     EXPECT_EQ(result.fault->image, "fetch");
     EXPECT_EQ(result.fault->pixel.x, 3);
-    EXPECT_THAT(result.fault->input, testing::AnyOf(1U, 2U));
+    EXPECT_THAT(result.fault->input, AnyOf(1U, 2U));
 }
 
 TEST_P(OpenGlDevice, StoresToImagesWhereThereAreComputeShaders) {
@@ -237,7 +233,7 @@ TEST_P(OpenGlDevice, SpecialInputsAreRecordedOnly) {
     EXPECT_TRUE(answer.passed()) << answer;
     EXPECT_GT(answer.recorded(), 0U);
     EXPECT_EQ(answer.judged(), answer.inputs() - answer.recorded());
-    EXPECT_THAT(answer.not_promised(), testing::ElementsAre(InputClass::infinite, InputClass::nan));
+    EXPECT_THAT(answer.not_promised(), ElementsAre(InputClass::infinite, InputClass::nan));
 }
 
 // The sign of a zero may be lost, so the function is given +0, and the result is judged.
@@ -281,10 +277,11 @@ TEST_P(OpenGlDevice, RunsTextsOfChangedModules) {
 }
 
 TEST_P(OpenGlDevice, HasTheVariantShippedOnly) {
-    EXPECT_THAT([] { const Lab lab({.device = GetParam(), .variant = shader::variant("strict")}); },
-                ThrowsMessage<std::invalid_argument>(HasSubstr("have the variant shipped only")));
-    EXPECT_THAT([] { const Lab lab({.device = GetParam(), .validation = true}); },
-                ThrowsMessage<std::invalid_argument>(HasSubstr("validation layers")));
+    expect_error<std::invalid_argument>(
+        [] { const Lab lab({.device = GetParam(), .variant = shader::variant("strict")}); },
+        {"have the variant shipped only"});
+    expect_error<std::invalid_argument>([] { const Lab lab({.device = GetParam(), .validation = true}); },
+                                        {"validation layers"});
 }
 
 INSTANTIATE_TEST_SUITE_P(All, OpenGlDevice,

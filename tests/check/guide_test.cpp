@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The snippets of docs/testing.md. tests/house/guides.py compares the two.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <sstream>
-
 #include "check/matchers.hpp"
 #include "support/lab.hpp"
 
 #define GOLDEN_DIR FIXTURES "/guide"
 
 namespace gloam::check::guide_test {
-
-using testing::Each;
 
 Lab guide_lab() {
     return test::make_lab(std::string(FIXTURES) + "/guide");
@@ -72,9 +63,9 @@ TEST(Guide, AMatcherNamesTheWorstComponent) {
     testing::StringMatchResultListener words;
     EXPECT_FALSE(
         testing::ExplainMatchResult(WithinUlp(glm::dvec2(1, 2), 2), glm::vec2(1.0F, 2.00001F), &words));
-    EXPECT_THAT(words.str(), testing::HasSubstr("84 ulp off in component 1"));
+    EXPECT_THAT(words.str(), HasSubstr("84 ulp off in component 1"));
     EXPECT_FALSE(testing::ExplainMatchResult(WithinUlp(glm::dvec2(1), 2), 1.0F, &words));
-    EXPECT_THAT(words.str(), testing::HasSubstr("1 numbers, expected 2"));
+    EXPECT_THAT(words.str(), HasSubstr("1 numbers, expected 2"));
     const Answer failed{.error = "no driver"};
     EXPECT_FALSE(testing::ExplainMatchResult(Passes(), failed, &words));
 }
@@ -212,7 +203,7 @@ TEST(Guide, ANarrowBudgetFailsAndSaysWhere) {
     EXPECT_FALSE(answer.passed());
     std::ostringstream text;
     text << answer;
-    EXPECT_THAT(text.str(), testing::HasSubstr("tone_reinhard"));
+    EXPECT_THAT(text.str(), HasSubstr("tone_reinhard"));
 }
 
 }  // namespace gloam::check::guide_test

@@ -2,12 +2,8 @@
 // Every kind of failure that the judge can report, from a shader broken on purpose.
 #include <fmt/format.h>
 
-#include <cmath>
-#include <limits>
-
 #include "check/run.hpp"
 #include "support/lab.hpp"
-#include "support/matchers.hpp"
 
 namespace gloam::check::judge_test {
 
@@ -196,7 +192,7 @@ TEST_F(JudgeTest, AnExplanationIsBounded) {
     const std::string whole = to_text(all, all.steps.size());
     const std::string bounded = to_text(all, 2);
     EXPECT_GT(all.steps.size(), 2U);
-    EXPECT_THAT(whole, testing::Not(HasSubstr(" operations)")));
+    EXPECT_THAT(whole, Not(HasSubstr(" operations)")));
     EXPECT_THAT(bounded, HasSubstr(fmt::format("(2 of {} operations)", all.steps.size())));
     EXPECT_THAT(bounded, HasSubstr("most of the error"));
     EXPECT_LT(bounded.size(), whole.size());

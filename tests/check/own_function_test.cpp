@@ -5,7 +5,7 @@
 #include "shader/include.hpp"
 #include "support/lab.hpp"
 
-#include "support/matchers.hpp"
+#include "support/test.hpp"
 
 namespace gloam::check::own_function_test {
 

@@ -13,7 +13,7 @@
 #include "support/devices.hpp"
 #include "support/lab.hpp"
 
-#include "support/matchers.hpp"
+#include "support/test.hpp"
 
 namespace gloam::check::own_numbers_test {
 

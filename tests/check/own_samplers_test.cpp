@@ -10,7 +10,7 @@
 #include "support/changed_device.hpp"
 #include "support/lab.hpp"
 
-#include "support/matchers.hpp"
+#include "support/test.hpp"
 
 namespace gloam::check::own_samplers_test {
 

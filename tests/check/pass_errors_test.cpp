@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The messages of passes, and golden images.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "base/image_files.hpp"
-#include "support/environment.hpp"
 #include "support/files.hpp"
 #include "support/lab.hpp"
-#include "support/matchers.hpp"
 
 namespace gloam::check::pass_errors_test {
-
-using test::expect_error;
 
 Lab pass_lab() {
     return test::make_lab(std::string(FIXTURES) + "/passes");
@@ -29,7 +22,7 @@ PassInputs box_inputs() {
 class PassErrors : public testing::Test {
   protected:
     void expect_refused(const std::string& file, const std::string& name, const PassValue& value,
-                        std::initializer_list<const char*> parts, const PassOptions& options = {}) {
+                        std::initializer_list<std::string> parts, const PassOptions& options = {}) {
         PassInputs inputs = file == "box.comp" ? box_inputs() : PassInputs{};
         inputs.insert_or_assign(name, value);
         const Pass pass(lab_, file);
@@ -101,7 +94,7 @@ TEST_F(PassErrors, NameWhatHasNoSize) {
 
 TEST_F(PassErrors, NameTheVertices) {
     const Pass pass(lab_, "corners.vert", "shade.frag");
-    const auto refused = [&](const PassInputs& inputs, std::initializer_list<const char*> parts) {
+    const auto refused = [&](const PassInputs& inputs, std::initializer_list<std::string> parts) {
         expect_error<std::invalid_argument>([&] { (void)pass.run(inputs, {.size = {2, 2}}); }, parts);
     };
     const PassValue corners = std::vector<glm::vec2>(3);

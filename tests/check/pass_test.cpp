@@ -1,16 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <sstream>
-
 #include "support/lab.hpp"
-#include "support/matchers.hpp"
 
 namespace gloam::check::pass_test {
-
-using test::expect_error;
 
 Lab pass_lab() {
     return test::make_lab(std::string(FIXTURES) + "/passes");

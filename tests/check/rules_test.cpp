@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Verdicts by Vulkan's precision rules: permitted results pass, all others fail, and no tolerance is chosen
 // by hand.
-#include <cmath>
-#include <limits>
-#include <map>
-#include <set>
-#include <string>
-
 #include "check/domain.hpp"
 #include "check/interpreted_kernel.hpp"
 #include "check/question.hpp"
 #include "check/run.hpp"
 #include "numeric/numbers.hpp"
 #include "support/lab.hpp"
-#include "support/matchers.hpp"
 
 namespace gloam::check::rules_test {
 

@@ -5,15 +5,10 @@
 #include "check/own_function.hpp"
 #include "check/run.hpp"
 #include "interpreter/program.hpp"
-#include "shader/include.hpp"
 #include "support/changed_device.hpp"
 #include "support/lab.hpp"
 
-#include "support/matchers.hpp"
-
 namespace gloam::check::team_test {
-
-using testing::Each;
 
 Answer answer_of(const Lab& lab, const std::string& file, const std::string& name, const Ranges& ranges = {},
                  std::size_t inputs = 1024) {

@@ -1,25 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "effect/ambient_occlusion.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "effect/errors.hpp"
 #include "effect/methods.hpp"
 #include "on_device.hpp"
-#include "scene/scene.hpp"
-#include "support/matchers.hpp"
 #include "surface_views.hpp"
 
 namespace gloam::effect::ambient_occlusion_test {
-
-constexpr float inf = std::numeric_limits<float>::infinity();
 
 // Opens the device with validation, and fails on any message.
 class Effect : public OnDevice<testing::Test> {
@@ -35,7 +22,7 @@ TEST_F(Effect, OddSizesAndBackground) {
     for (const gpu::Extent extent : {gpu::Extent{1, 1}, gpu::Extent{3, 3}, gpu::Extent{17, 9}}) {
         const std::uint64_t pixels = std::uint64_t{extent.width} * extent.height;
         EXPECT_THAT(run(wall(extent, 3.0F), settings_for(1.0F)).filtered, Each(0.0F));
-        for (const float depth : {inf, 0.0F, -1.0F, std::numeric_limits<float>::quiet_NaN()}) {
+        for (const float depth : {infinity, 0.0F, -1.0F, nan}) {
             scene::GBuffer view = wall(extent, 3.0F);
             view.depth.assign(view.depth.size(), depth);
             const Frame frame = run(view, settings_for(1.0F), 2);
@@ -70,7 +57,7 @@ TEST_F(Effect, TwiceTheSameAndRepeatsChangeNothing) {
 TEST_F(Effect, SkippingLeavesTheOtherPixelsAsTheyWere) {
     scene::GBuffer view = corner({64, 36});
     for (std::size_t i = 0; i < view.depth.size(); ++i) {
-        if (i % 64 < 20) view.depth[i] = inf;
+        if (i % 64 < 20) view.depth[i] = infinity;
         if (i % 64 >= 44) view.depth[i] = 1e5F;
     }
     Settings skip = settings_for(1.0F);
@@ -124,7 +111,7 @@ TEST_F(Effect, WhatCannotBeIsRefused) {
     AmbientOcclusion effect(device_, passes_, {8, 8});
     EXPECT_THROW((void)effect.next(), std::logic_error);
     EXPECT_THROW(effect.begin(wall({8, 7}, 3.0F), settings_for(1.0F)), std::invalid_argument);
-    for (const float bad : {0.0F, -1.0F, inf, std::numeric_limits<float>::quiet_NaN()}) {
+    for (const float bad : {0.0F, -1.0F, infinity, nan}) {
         Settings settings;
         settings.radius = bad;
         EXPECT_THROW(effect.begin(view, settings), std::invalid_argument) << bad;

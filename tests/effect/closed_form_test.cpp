@@ -2,22 +2,11 @@
 // What every method makes of views in closed form, by the passes: it converges to the method's own value.
 #include <fmt/format.h>
 
-#include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <limits>
-#include <sstream>
-#include <string>
-
-#include "effect/ambient_occlusion.hpp"
 #include "effect/errors.hpp"
-#include "effect/methods.hpp"
 #include "effect/study/closed_form.hpp"
 #include "effect/study/own_value.hpp"
 #include "on_device.hpp"
 #include "scene/analytic_scene.hpp"
-#include "scene/rasterize.hpp"
-#include "support/matchers.hpp"
 #include "support/method_names.hpp"
 
 namespace gloam::effect::closed_form_test {
@@ -117,8 +106,7 @@ scene::GBuffer plane(gpu::Extent extent, const scene::Camera& camera, const scen
             const auto hit = camera.projection == scene::Projection::orthographic
                                  ? scene.first_hit({place, 0.0}, {0, 0, -1})
                                  : scene.first_hit({0, 0, 0}, {place, -1.0});
-            view.depth.push_back(hit ? static_cast<float>(hit->distance)
-                                     : std::numeric_limits<float>::infinity());
+            view.depth.push_back(hit ? static_cast<float>(hit->distance) : infinity);
             view.normal.emplace_back(hit ? glm::vec3(plane.normal) : glm::vec3(0.0F));
         }
     }

@@ -1,24 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Bent normals and light by direction, as their passes make them.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdlib>
-#include <limits>
-#include <numbers>
-#include <stdexcept>
-#include <string>
-
 #include "directions.hpp"
 #include "numeric/random.hpp"
 #include "reference/geometry_camera.hpp"
 #include "reference/occlusion.hpp"
 #include "reference/sampling.hpp"
 #include "reference/shading.hpp"
-#include "scene/gbuffer.hpp"
 #include "scene/mesh.hpp"
-#include "scene/rasterize.hpp"
 
 namespace gloam::effect::directional_test {
 
@@ -238,7 +226,7 @@ TEST_F(Directions, AWallTintsTheFloorBesideIt) {
 
 TEST_F(Directions, BackgroundHasNoBentNormal) {
     scene::GBuffer view = step(3.0F, 3.0F);
-    view.depth[100] = std::numeric_limits<float>::infinity();
+    view.depth[100] = infinity;
     for (const int interleave : {1, 4}) {
         const BentNormals bent = directional_.bent_normals(view, many(), {.interleave = interleave});
         EXPECT_EQ(bent.direction[100], glm::vec3(0)) << interleave;

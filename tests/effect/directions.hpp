@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <vector>
-
 #include "effect/directional.hpp"
 #include "on_device.hpp"
-#include "scene/gbuffer.hpp"
 
 // Bent normals and light of a step whose results are known.
 namespace gloam::effect {

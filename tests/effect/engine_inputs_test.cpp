@@ -1,25 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Depth and normals as engines store them: what the pass makes of them, and that the rest of the frame is
 // that of what it made. Output formats: the error that they add.
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <numeric>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 #include "backend/vulkan/commands.hpp"
 #include "effect/errors.hpp"
 #include "effect/internal/frame_images.hpp"
-#include "effect/internal/steps.hpp"
 #include "effect/methods.hpp"
 #include "on_device.hpp"
-#include "scene/camera.hpp"
-#include "scene/rasterize.hpp"
 #include "shader/reflection.hpp"
 #include "surface_views.hpp"
 
@@ -333,8 +319,6 @@ INSTANTIATE_TEST_SUITE_P(Of, InputImages,
                                          Variant{"gtao", HistoryPrecision::packed, Filter::geometry},
                                          Variant{"mssao", HistoryPrecision::float32, Filter::bilateral}),
                          [](const auto& info) { return std::string(info.param.method); });
-
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 TEST(Errors, OfKnownNumbers) {
     const Errors errors =

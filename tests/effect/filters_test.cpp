@@ -3,26 +3,16 @@
 // what they share once: beside the library's functions, pixel by pixel, it is the same to the bit. What these
 // functions do is shown in tests/glsl/filter_test.cpp. And the filters in the effect.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <limits>
-#include <string>
-#include <tuple>
-#include <vector>
 
 #include "backend/vulkan/commands.hpp"
-#include "effect/ambient_occlusion.hpp"
 #include "effect/errors.hpp"
 #include "effect/internal/passes.hpp"
-#include "effect/internal/steps.hpp"
 #include "effect/settings.hpp"
 #include "numeric/random.hpp"
 #include "on_device.hpp"
 #include "shader/compile.hpp"
-#include "support/matchers.hpp"
 
 namespace gloam::effect::filters_test {
 
@@ -167,8 +157,7 @@ struct Field {
 // Surfaces at two depths with holes of every kind between them, accumulated samples and occlusion of all
 // kinds, normals that are tilted.
 Field rough_field(glm::ivec2 size) {
-    constexpr float holes[] = {std::numeric_limits<float>::infinity(), 0.0F, -1.0F,
-                               std::numeric_limits<float>::quiet_NaN()};
+    constexpr float holes[] = {infinity, 0.0F, -1.0F, nan};
     numeric::Random random(7);
     const auto unit = [&] { return static_cast<float>(random.unit()); };
     Field field{.size = size, .occlusion = {}, .depth = {}, .normal = {}, .samples = {}};

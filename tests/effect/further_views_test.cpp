@@ -1,21 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <span>
-#include <stdexcept>
-#include <string>
-
-#include "effect/ambient_occlusion.hpp"
-#include "effect/errors.hpp"
 #include "effect/further_views.hpp"
-#include "effect/methods.hpp"
+#include "effect/errors.hpp"
 #include "on_device.hpp"
-#include "scene/gbuffer.hpp"
 #include "scene/mesh.hpp"
-#include "scene/rasterize.hpp"
 #include "scene/truth.hpp"
-#include "support/matchers.hpp"
 #include "support/method_names.hpp"
 #include "surface_views.hpp"
 
@@ -163,14 +151,14 @@ TEST_F(Further, WhatCannotBeUsedIsNamed) {
     const scene::GBuffer view = view_from(0, 50, {16, 16});
     const std::vector<float> once(view.depth.size());
     const scene::GBuffer others[] = {view};
-    EXPECT_THAT([&] { (void)further_.raised(view, once, others, settings_for("mssao")); },
-                ThrowsMessage<std::invalid_argument>(HasSubstr("mssao")));
-    EXPECT_THAT([&] { (void)further_.raised(view, {}, others, settings_for("gtao")); },
-                ThrowsMessage<std::invalid_argument>(HasSubstr("0 occlusions")));
+    expect_error<std::invalid_argument>(
+        [&] { (void)further_.raised(view, once, others, settings_for("mssao")); }, {"mssao"});
+    expect_error<std::invalid_argument>(
+        [&] { (void)further_.raised(view, {}, others, settings_for("gtao")); }, {"0 occlusions"});
     scene::GBuffer wide = view;
     wide.border = {1, 1};
-    EXPECT_THAT([&] { (void)further_.raised(wide, once, others, settings_for("gtao")); },
-                ThrowsMessage<std::invalid_argument>(HasSubstr("guard band")));
+    expect_error<std::invalid_argument>(
+        [&] { (void)further_.raised(wide, once, others, settings_for("gtao")); }, {"guard band"});
 }
 
 // Depth layers in the loops of all methods.
@@ -238,8 +226,7 @@ TEST_F(Layers, MoreThanTheViewHasAreRefused) {
     AmbientOcclusion effect(device_, passes_, view.extent);
     Settings settings;
     settings.layers = 3;
-    EXPECT_THAT([&] { effect.begin(view, settings); },
-                ThrowsMessage<std::invalid_argument>(HasSubstr("layers 3: the view has 2")));
+    expect_error<std::invalid_argument>([&] { effect.begin(view, settings); }, {"layers 3: the view has 2"});
     scene::GBuffer uneven = view;
     uneven.layers[0].pop_back();
     EXPECT_THROW(effect.begin(uneven, {}), std::invalid_argument);

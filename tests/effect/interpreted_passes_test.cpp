@@ -1,24 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Every pass of the effect on small images: the interpreter, one work group after the other, against the
 // device. Of each group it also finds races.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <bit>
-#include <cmath>
 #include <glm/gtc/packing.hpp>
-#include <map>
 
 #include "backend/vulkan/commands.hpp"
 #include "effect/composite.hpp"
 #include "effect/directional.hpp"
 #include "effect/further_views.hpp"
-#include "effect/internal/steps.hpp"
-#include "effect/methods.hpp"
 #include "interpreter/machine.hpp"
 #include "on_device.hpp"
-#include "scene/rasterize.hpp"
 #include "shader/spirv.hpp"
 #include "support/method_names.hpp"
 #include "surface_views.hpp"

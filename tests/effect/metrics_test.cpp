@@ -1,24 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <functional>
-#include <limits>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 #include "effect/errors.hpp"
 #include "effect/pixel_classes.hpp"
 #include "numeric/random.hpp"
-#include "support/matchers.hpp"
+#include "support/test.hpp"
 
 namespace gloam::effect::metrics_test {
 
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 using Image = std::vector<float>;
 
 Image noise(std::size_t pixels, std::uint64_t seed) {
@@ -164,7 +151,7 @@ TEST(HardPlaces, ThinIsWhatFallsOffToBothSides) {
             EXPECT_EQ(places.thin[column ? 25 * 60 + at : at * 60 + 25], at >= 18 && at < 25) << at;
         }
     }
-    const float none = std::numeric_limits<float>::infinity();
+    const float none = infinity;
     const HardPlaces places =
         hard_places(places_view([=](std::size_t x, auto) { return x == 20 ? 2.0F : none; }), 1.0);
     for (std::size_t x = 0; x < 60; ++x) EXPECT_EQ(places.thin[25 * 60 + x], x == 20) << "no background";

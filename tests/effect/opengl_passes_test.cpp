@@ -1,28 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The passes of a frame as compute shaders of OpenGL 4.5 and OpenGL ES 3.1: the picture is that of Vulkan.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
-#include <cstring>
-#include <map>
-#include <optional>
 #include <regex>
-#include <set>
-#include <string>
 
 #include "backend/gl/opened.hpp"
 #include "backend/gl/program.hpp"
-#include "effect/ambient_occlusion.hpp"
-#include "effect/methods.hpp"
 #include "effect/plan.hpp"
 #include "numeric/numbers.hpp"
 #include "on_device.hpp"
-#include "scene/pass_library.hpp"
-#include "scene/rasterize.hpp"
 #include "shader/compile.hpp"
 #include "shader/reflection.hpp"
 #include "support/method_names.hpp"

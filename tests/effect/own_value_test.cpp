@@ -3,16 +3,9 @@
 // closed forms.
 #include "effect/study/own_value.hpp"
 
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <initializer_list>
-#include <numbers>
-
 #include "effect/methods.hpp"
 #include "scene/gbuffer.hpp"
+#include "support/test.hpp"
 
 namespace gloam::effect::own_value_test {
 

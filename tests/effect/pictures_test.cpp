@@ -1,26 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What the presets' pictures must not show: an object's occlusion where the object has been, and single
 // pixels that differ from all pixels around them.
-#include <gtest/gtest.h>
-
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <filesystem>
-#include <limits>
-#include <map>
-#include <optional>
-#include <string>
-#include <vector>
-
-#include "effect/ambient_occlusion.hpp"
 #include "effect/errors.hpp"
 #include "effect/methods.hpp"
 #include "on_device.hpp"
 #include "scene/mesh_scene.hpp"
-#include "scene/rasterize.hpp"
 #include "scene/truth.hpp"
 
 namespace gloam::effect::pictures_test {
@@ -116,7 +102,7 @@ void inner_pixels(gpu::Extent size, int reach, int step, const Seen& seen) {
 // How far a pixel is above all its 8 neighbours, or below them all; 0 if it is neither. distance: of the
 // neighbours, in pixels.
 float isolation(const std::vector<float>& image, gpu::Extent size, int x, int y, int distance) {
-    float above = std::numeric_limits<float>::infinity();
+    float above = infinity;
     float below = above;
     for (int dy = -distance; dy <= distance; dy += distance) {
         for (int dx = -distance; dx <= distance; dx += distance) {
@@ -155,7 +141,7 @@ float patch_error(const std::vector<float>& image, const Truth& truth, const sce
     for (int dy = -2; dy <= 2; ++dy) {
         for (int dx = -2; dx <= 2; ++dx) {
             const std::size_t pixel = at(x + dx, y + dy, view.extent);
-            if (view.object[pixel] != 0) return std::numeric_limits<float>::quiet_NaN();
+            if (view.object[pixel] != 0) return nan;
             sum += image[pixel] - truth[pixel];
         }
     }

@@ -2,22 +2,10 @@
 // The plain loop over slices: a fair opponent estimates what the method estimates.
 #include <fmt/format.h>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <string>
-#include <vector>
-
-#include "effect/ambient_occlusion.hpp"
 #include "effect/errors.hpp"
 #include "effect/internal/method_families.hpp"
-#include "effect/methods.hpp"
 #include "effect/study/plain_slices.hpp"
 #include "on_device.hpp"
-#include "scene/rasterize.hpp"
 #include "shader/compile.hpp"
 #include "support/method_names.hpp"
 #include "surface_views.hpp"

@@ -1,29 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The plan is what the effect does: the same passes in the same order, over images of the same size.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <map>
-#include <set>
-#include <string>
-#include <type_traits>
-#include <vector>
-
-#include "effect/ambient_occlusion.hpp"
+#include "effect/plan.hpp"
 #include "effect/internal/passes.hpp"
 #include "effect/methods.hpp"
-#include "effect/plan.hpp"
 #include "on_device.hpp"
-#include "scene/rasterize.hpp"
-#include "shader/reflection.hpp"
 #include "support/laid_out.hpp"
 
 namespace gloam::effect::plan_test {
 
 using shader::LaidOut;
-using test::lines_of;
 
 class PlanTest : public OnDevice<testing::Test> {};
 
@@ -376,8 +361,7 @@ TEST_F(Layouts, SpecializationConstants) {
     }
     EXPECT_EQ(given.size(), 8U);
     for (const auto& [file, constants] : given)
-        for (const std::uint32_t constant : constants)
-            EXPECT_THAT(known[file], testing::Contains(constant)) << file;
+        for (const std::uint32_t constant : constants) EXPECT_THAT(known[file], Contains(constant)) << file;
 }
 
 }  // namespace gloam::effect::plan_test

@@ -3,19 +3,7 @@
 // known, and the passes themselves.
 #include "effect/methods.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <set>
-#include <string>
-#include <vector>
-
-#include "effect/ambient_occlusion.hpp"
 #include "on_device.hpp"
-#include "scene/gbuffer.hpp"
-#include "scene/rasterize.hpp"
-#include "support/matchers.hpp"
 #include "surface_views.hpp"
 
 namespace gloam::effect::preparation_test {
@@ -42,11 +30,10 @@ Frame follow(AmbientOcclusion& effect, const scene::GBuffer& view, const Setting
 }
 
 TEST_P(Prepared, NothingIsFoundWhereThereIsNothing) {
-    constexpr float infinity = std::numeric_limits<float>::infinity();
     const Settings settings = settings_for(GetParam(), 0.5F);
     for (const gpu::Extent extent : {gpu::Extent{1, 1}, gpu::Extent{3, 1}, gpu::Extent{17, 9}}) {
         AmbientOcclusion& effect = effect_for(extent);
-        for (const float depth : {infinity, 0.0F, -1.0F, std::numeric_limits<float>::quiet_NaN()}) {
+        for (const float depth : {infinity, 0.0F, -1.0F, nan}) {
             scene::GBuffer view = view_of(extent, false, [](glm::dvec2) { return 3.0; });
             view.depth.back() = depth;  // a surface before nothing
             EXPECT_THAT(follow(effect, view, settings, 2).occlusion, Each(0.0F));

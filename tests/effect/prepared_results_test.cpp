@@ -1,19 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What two of the prepared methods make of their images: area samples, and discs that count by their
 // visibility.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <vector>
-
-#include "effect/ambient_occlusion.hpp"
 #include "effect/methods.hpp"
 #include "on_device.hpp"
-#include "scene/rasterize.hpp"
 #include "surface_views.hpp"
 
 namespace gloam::effect::prepared_results_test {
@@ -84,7 +73,7 @@ TEST_F(PreparedResults, OneAreaSeesWhatOneLineMisses) {
 TEST_F(PreparedResults, AreasAreEmptyWhereNothingIsSeen) {
     scene::GBuffer view = view_of({65, 65}, true, [](glm::dvec2) { return 5.0; });
     for (std::size_t i = 0; i < view.depth.size(); ++i)
-        if (i % 65 % 2 == 1) view.depth[i] = std::numeric_limits<float>::infinity();
+        if (i % 65 % 2 == 1) view.depth[i] = infinity;
     const auto found = estimate(view, settings_for("volumetric_area", 0.5F, 2), 16);
     EXPECT_NEAR(double{found[65 * 32 + 32]}, 0.25, 0.01);
 }

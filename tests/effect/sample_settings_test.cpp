@@ -1,20 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Settings that decide how many samples a pixel takes, from how far, which of them count, and how frames are
 // averaged.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
-
-#include "comparisons.hpp"
-#include "effect/ambient_occlusion.hpp"
 #include "effect/errors.hpp"
-#include "effect/methods.hpp"
 #include "on_device.hpp"
-#include "scene/rasterize.hpp"
 #include "support/method_names.hpp"
 #include "surface_views.hpp"
 

@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "effect/ambient_occlusion.hpp"
 #include "effect/methods.hpp"
 #include "on_device.hpp"
-#include "scene/gbuffer.hpp"
-#include "scene/rasterize.hpp"
 
 // Frames with skips and the same frames without.
 namespace gloam::effect {

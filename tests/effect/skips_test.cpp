@@ -2,14 +2,6 @@
 // Skips change nothing: over several frames, images are bit-identical with each skip and without.
 #include "skips.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
-
-#include "effect/methods.hpp"
-#include "support/matchers.hpp"
 #include "support/method_names.hpp"
 #include "surface_views.hpp"
 
@@ -219,7 +211,7 @@ INSTANTIATE_TEST_SUITE_P(All, SkipsOf, testing::ValuesIn(test::method_names()), 
 TEST_F(Skips, GeometryAppearsWhereAllWasBackground) {
     const scene::GBuffer full = view("corner", 0);
     scene::GBuffer empty = full;
-    empty.depth.assign(empty.depth.size(), std::numeric_limits<float>::infinity());
+    empty.depth.assign(empty.depth.size(), infinity);
     scene::GBuffer follows = full;
     follows.camera.previous_from_current = glm::mat4(1.0F);
     empty.camera.previous_from_current = glm::mat4(1.0F);

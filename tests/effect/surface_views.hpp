@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
-#include <functional>
-#include <limits>
-
 #include "scene/camera.hpp"
 #include "scene/gbuffer.hpp"
+#include "support/test.hpp"
 
 // Views of surfaces whose occlusion is known.
 namespace gloam::effect {
@@ -56,7 +53,7 @@ inline scene::GBuffer floor_view(gpu::Extent extent, float bump) {
         const bool raised = x > extent.width / 2 && x < extent.width / 2 + 9 && y > 20 && y < 30;
         const float depth =
             (-2.0F + (raised ? bump : 0.0F)) / glm::dot(normal, glm::vec3(ndc / scale, -1.0F));
-        return depth > 0.0F && depth < 50.0F ? depth : std::numeric_limits<float>::infinity();
+        return depth > 0.0F && depth < 50.0F ? depth : infinity;
     });
     view.normal.assign(view.depth.size(), normal);
     return view;

@@ -1,19 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The history on moving cameras and objects: it survives what it should and dies when it must.
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <string>
-#include <vector>
-
-#include "effect/ambient_occlusion.hpp"
 #include "effect/errors.hpp"
 #include "effect/methods.hpp"
 #include "on_device.hpp"
 #include "scene/mesh.hpp"
-#include "scene/rasterize.hpp"
-#include "support/matchers.hpp"
 #include "surface_views.hpp"
 
 namespace gloam::effect::temporal_test {
@@ -354,24 +344,20 @@ TEST_F(Temporal, OutOfOrderAndOutOfRangeAreErrors) {
     EXPECT_THROW(effect.advance(first), std::logic_error);
     Settings settings = paper();
     settings.precision = HistoryPrecision::float16;
-    EXPECT_THAT([&] { effect.begin(first, settings); },
-                ThrowsMessage<std::invalid_argument>(HasSubstr("at most 2048")));
+    expect_error<std::invalid_argument>([&] { effect.begin(first, settings); }, {"at most 2048"});
     settings = paper();
     settings.precision = HistoryPrecision::packed;
     settings.weight_max = 4096.0F;
-    EXPECT_THAT([&] { effect.begin(first, settings); },
-                ThrowsMessage<std::invalid_argument>(
-                    HasSubstr("weight_max 4096: expected at most 4095 with a history in packed")));
+    expect_error<std::invalid_argument>([&] { effect.begin(first, settings); },
+                                        {"weight_max 4096: expected at most 4095 with a history in packed"});
     settings = paper();
     settings.depth_tolerance = 0.0F;
-    EXPECT_THAT([&] { effect.begin(first, settings); },
-                ThrowsMessage<std::invalid_argument>(HasSubstr("depth_tolerance")));
+    expect_error<std::invalid_argument>([&] { effect.begin(first, settings); }, {"depth_tolerance"});
     effect.begin(first, paper());
     scene::GBuffer wrong = first;
     wrong.camera.previous_from_current = glm::mat4(1.0F);
     wrong.previous_position.resize(7);
-    EXPECT_THAT([&] { effect.advance(wrong); },
-                ThrowsMessage<std::invalid_argument>(HasSubstr("previous positions: 7 pixels")));
+    expect_error<std::invalid_argument>([&] { effect.advance(wrong); }, {"previous positions: 7 pixels"});
 }
 
 }  // namespace gloam::effect::temporal_test

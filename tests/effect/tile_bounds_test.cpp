@@ -1,22 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What the search for open tiles rests on: a bound of the inverse depth that every surface of a tile keeps.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <numeric>
-#include <span>
-#include <stdexcept>
-#include <vector>
-
 #include "backend/vulkan/commands.hpp"
 #include "backend/vulkan/resources.hpp"
-#include "effect/ambient_occlusion.hpp"
 #include "effect/internal/passes.hpp"
-#include "effect/internal/steps.hpp"
 #include "effect/internal/tiles.hpp"
 #include "effect/pixel_classes.hpp"
 #include "numeric/random.hpp"
@@ -94,7 +80,7 @@ TEST_F(TileBounds, OfAPlaneIsThePlane) {
 }
 
 TEST_F(TileBounds, ATileWithoutSurfacesSaysSo) {
-    const std::vector<float> background(81, std::numeric_limits<float>::infinity());
+    const std::vector<float> background(81, infinity);
     for (const Bound& bound : bounds_of({9, 9}, background)) EXPECT_EQ(bound.any, 0.0F);
 }
 
@@ -130,9 +116,8 @@ TEST_F(TileBounds, EachPixelOfATileHasItsPlaneConsidered) {
 
 // Not even where whole blocks of the pyramid's coarser levels have no surface.
 TEST_F(TileBounds, BackgroundDisprovesNothing) {
-    const scene::GBuffer view = wall_of({320, 32}, [](std::uint32_t x, std::uint32_t) {
-        return x < 64 ? 5.0F : std::numeric_limits<float>::infinity();
-    });
+    const scene::GBuffer view =
+        wall_of({320, 32}, [](std::uint32_t x, std::uint32_t) { return x < 64 ? 5.0F : infinity; });
     EXPECT_EQ(open_tiles(view, {.radius = 2.0F, .bias = 0.01F, .skip_open = true}), 8U * 4U);
 }
 
@@ -145,7 +130,6 @@ TEST_F(TileBounds, ARaisedPixelClosesTheTilesAroundIt) {
     EXPECT_EQ(open_tiles(view, {.radius = three_pixels, .bias = 0.01F, .skip_open = true}), 144U - 9U);
 }
 
-constexpr float infinite = std::numeric_limits<float>::infinity();
 constexpr std::uint32_t width = 40;
 constexpr std::uint32_t height = 30;
 constexpr double camera_scale = 2.0;  // pixels for each world unit, at any depth
@@ -253,7 +237,7 @@ TEST(HistoryMap, FromMotionVectors) {
 
 TEST(HistoryMap, BackgroundHasNone) {
     scene::GBuffer view = square_view(10, 0, 10, 0);
-    view.depth[7] = infinite;
+    view.depth[7] = infinity;
     EXPECT_FALSE(HistoryMap(view, view).seen(7));
     scene::GBuffer small = view;
     small.depth.pop_back();
@@ -264,12 +248,12 @@ TEST(HistoryMap, BackgroundHasNone) {
 
 TEST(DistanceTransform, IsTheDistanceToTheNearest) {
     Mask mask(35 * 21, 0);
-    EXPECT_EQ(distance_to(mask, {35, 21})[0], infinite);
+    EXPECT_EQ(distance_to(mask, {35, 21})[0], infinity);
     const std::vector<std::size_t> set{3, 200, 201, 640, 734};
     for (const std::size_t i : set) mask[i] = 1;
     const std::vector<float> distance = distance_to(mask, {35, 21});
     for (std::size_t i = 0; i < mask.size(); ++i) {
-        double nearest = infinite;
+        double nearest = infinity;
         for (const std::size_t k : set)
             nearest = std::min(nearest,
                                std::hypot(double(i % 35) - double(k % 35), double(i / 35) - double(k / 35)));

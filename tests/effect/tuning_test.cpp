@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "effect/study/tuning.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
-namespace gloam::effect::test {
-namespace tuning_test {
+namespace gloam::effect::test::tuning_test {
 
 using scene::ViewHalf;
 using scene::ViewInfo;
-using testing::HasSubstr;
 
 const std::vector<ViewInfo> four_views{{"a", "kind", "", ViewHalf::tuning},
                                        {"b", "kind", "", ViewHalf::unseen},
@@ -188,5 +181,4 @@ TEST(Tuning, WhatCannotBeTunedIsNamed) {
                                           "no view of the tuning half");
 }
 
-}  // namespace tuning_test
-}  // namespace gloam::effect::test
+}  // namespace gloam::effect::test::tuning_test

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
-
 #include "experiment/results.hpp"
+#include "support/test.hpp"
 
 namespace gloam::experiment {
 

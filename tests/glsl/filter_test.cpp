@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The filters on synthetic rows and images: the convergence-aware one, the bilateral filter of ISSAO and the
 // study's geometry-aware blur, and those of half the resolution.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <vector>
-
 #include "numeric/random.hpp"
 #include "support/lab.hpp"
 
 namespace gloam::filter_test {
 
 using check::Function;
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 // An image of (occlusion, convergence) and depth, seen head-on: neighbouring pixels lie `spacing` apart.
 struct Pixels {

@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
-#include <limits>
-#include <string>
-#include <vector>
-
-#include "check/shader_test.hpp"
-#include "shader/pack.hpp"
-#include "support/method_functions.hpp"
+#include "support/method_names.hpp"
 
 // The methods as functions of one signature, and images for them.
 namespace gloam::test {
@@ -22,8 +15,7 @@ using GatherInputs = check::Function<Gather>::Inputs;
 // The methods as kernels of one lab. layers, farthest: as effect::MethodFunctions has them.
 class Gathers {
   public:
-    explicit Gathers(int layers = 1, float farthest = std::numeric_limits<float>::infinity())
-        : functions_(layers, farthest) {}
+    explicit Gathers(int layers = 1, float farthest = infinity) : functions_(layers, farthest) {}
 
     [[nodiscard]] check::Function<Gather> operator[](const std::string& method) const {
         return {lab_, functions_.file(method), effect::method_function};

@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Methods that search horizons: HBAO, GTAO and the visibility bitmask.
-#include <gtest/gtest.h>
-
-#include <bit>
-#include <cmath>
-#include <limits>
-#include <numbers>
-
 #include "support/lab.hpp"
 
 namespace gloam::horizons_test {
@@ -15,7 +8,6 @@ using check::Function;
 using glm::vec2;
 using glm::vec3;
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr double pi = std::numbers::pi;
 constexpr float degree = static_cast<float>(pi / 180.0);
 

@@ -10,19 +10,6 @@
 // matrix and a structure are the list of their components: (1, 0, 0). A single number stands for all
 // components. The values of out parameters follow the result. From # on a line is a comment.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <span>
-#include <stdexcept>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "support/lab.hpp"
 

@@ -1,28 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Every method of glsl/gloam/methods on scenes whose result is known in closed form.
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <functional>
-#include <map>
-#include <numbers>
 #include <regex>
-#include <set>
-#include <string>
-#include <vector>
 
 #include "gathers.hpp"
-#include "support/method_names.hpp"
 
 namespace gloam::method_gathers_test {
-
-using test::Camera;
-using test::Gather;
-using test::Method;
-using test::Samples;
 
 // A file of the folder that no descriptor names is tried by nothing.
 TEST(MethodFiles, EachHasADescriptor) {
@@ -292,8 +274,6 @@ TEST_P(Methods, PointsBehindTheEyeAreNotSamples) {
 
 TEST_P(Methods, NothingIsGatheredWhereThereIsNothing) {
     const Camera camera{glm::vec2(1, -1), glm::ivec2(5, 3), false};
-    const float nan = std::numeric_limits<float>::quiet_NaN();
-    const float infinity = std::numeric_limits<float>::infinity();
     for (const float depth : {infinity, 0.0F, nan}) {
         const auto image = test::view_of(camera.size, [&](glm::ivec2) { return depth; });
         const Samples samples{.radius = 0.5F, .bias = 0.0F, .angle = 0.0F, .first = 0, .count = 16};

@@ -1,27 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What follows, for every method, from the definition of its kernel: relations between its results on a rough
 // view, seen with other samples, lengths and units.
-#include <gtest/gtest.h>
-
-#include <limits>
-#include <map>
-#include <string>
-#include <vector>
-
 #include "effect/settings.hpp"
 #include "on_rough.hpp"
-#include "support/method_names.hpp"
 
 namespace gloam::method_kernels_test {
 
 namespace rough = test::rough_view;
-using test::Camera;
-using test::cameras;
-using test::Depths;
-using test::expect_same;
-using test::Method;
-using test::OnRough;
-using test::Surfaces;
 using Inputs = OnRough::Inputs;
 
 class Kernels : public testing::TestWithParam<std::string> {
@@ -123,7 +108,6 @@ TEST_P(Kernels, APartOfAUnitIsAUnit) {
 
 // Any depth that is no surface is read as background, in views that reach the eye as well.
 TEST_P(Kernels, AllBackgroundIsAlike) {
-    constexpr float infinity = std::numeric_limits<float>::infinity();
     for (const Camera& camera : cameras) {
         std::vector<Inputs> points = OnRough::points(camera);
         for (Inputs& point : points) std::get<test::Samples>(point).radius = 20.0F;
@@ -133,8 +117,7 @@ TEST_P(Kernels, AllBackgroundIsAlike) {
                           {[=](glm::ivec2 p) { return surface(p) > 0.0F ? surface(p) : background; }});
         };
         const test::Results open = with_background(infinity);
-        for (const float background :
-             {0.0F, -0.0F, -1.0F, -infinity, std::numeric_limits<float>::quiet_NaN()})
+        for (const float background : {0.0F, -0.0F, -1.0F, -infinity, nan})
             expect_same(with_background(background), open, camera, std::to_string(background));
     }
 }

@@ -1,35 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What follows, for every method, from the definitions of depth layers and of rejected taps: relations
 // between its results on a rough view whose surfaces change places.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <set>
-#include <string>
-#include <vector>
-
-#include "gathers.hpp"
 #include "on_rough.hpp"
-#include "support/lab.hpp"
-#include "support/method_names.hpp"
 
 namespace gloam::method_layers_test {
 
 namespace rough = test::rough_view;
-using test::calls;
-using test::Camera;
-using test::cameras;
-using test::Depths;
-using test::expect_same;
-using test::Gather;
-using test::Method;
-using test::OnRough;
-using test::Results;
-using test::Samples;
-using test::Surfaces;
 using Inputs = OnRough::Inputs;
 
 bool reads_layers(const effect::MethodInfo& method) {
@@ -153,7 +129,7 @@ class Rejection : public testing::TestWithParam<std::string> {
     static constexpr float farthest = 0.3F;
     // separable: the mean over its line has no part in what is rejected.
     const bool level = GetParam() == std::string("separable");
-    const OnRough every{GetParam(), 2, std::numeric_limits<float>::infinity(), level};
+    const OnRough every{GetParam(), 2, infinity, level};
     const OnRough near{GetParam(), 2, farthest, level};
     const bool of_slices = level || effect::method_named(GetParam()).unit == effect::SampleUnit::slice;
 

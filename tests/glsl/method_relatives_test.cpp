@@ -1,25 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Methods against what defines them where no closed form of a groove does: the sum over every pixel, another
 // method with the same taps, a bowl of known curvature.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <map>
-#include <numbers>
-#include <tuple>
-
 #include "gathers.hpp"
-#include "support/method_names.hpp"
 
 namespace gloam::method_relatives_test {
 
 using glm::dvec3;
-using test::Camera;
-using test::Gather;
-using test::Method;
-using test::Samples;
 
 // An orthographic eye whose pixels are `pixel` wide and high; the shaded point is in the middle of the middle
 // one.
@@ -324,7 +310,7 @@ TEST_F(Relatives, CeilingByAKernelOfUniformRadii) {
                               .first = b * batch,
                               .count = batch};
         inputs.emplace_back(glm::vec3(0, 0, -5), glm::vec3(0, 0, -1), camera, samples,
-                            Method{.range = std::numeric_limits<float>::infinity()});
+                            Method{.range = infinity});
     }
     double sum = 0.0;
     for (const glm::vec2 part : method("hemisphere")(inputs, ceiling)) {

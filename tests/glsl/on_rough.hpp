@@ -1,19 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <cstdint>
-#include <fstream>
-#include <limits>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "gathers.hpp"
 #include "library_calls.hpp"
-#include "support/lab.hpp"
 
 // A view in which no mistake hides behind a symmetry: a tilted plane with up to four rough surfaces before
 // and behind it, an image higher than wide, pixels that are not square, points up to its borders.
@@ -135,8 +124,7 @@ class OnRough {
                                      .disagreement = 0.05F,
                                      .feature_thickness = 1e18F};
 
-    OnRough(const std::string& method, int layers, float farthest = std::numeric_limits<float>::infinity(),
-            bool level = false)
+    OnRough(const std::string& method, int layers, float farthest = infinity, bool level = false)
         : gathers_(layers, farthest), gather_(gathers_[method]), level_(level) {}
     OnRough(const std::string& method, int layers, const Changes& changes)
         : gathers_(layers),

@@ -1,18 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What methods make of the images that are prepared for them, in closed form, and the pixels that a sample of
 // theirs has seen already.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <string>
-#include <tuple>
-#include <vector>
-
 #include "gathers.hpp"
-#include "support/lab.hpp"
 
 namespace gloam::prepared_methods_test {
 
@@ -20,10 +9,6 @@ using glm::ivec2;
 using glm::vec2;
 using glm::vec3;
 using glm::vec4;
-using test::Camera;
-using test::Gather;
-using test::Method;
-using test::Samples;
 
 // A bare plane through (0, 0, -5).
 struct Bare {
@@ -150,7 +135,7 @@ TEST_F(PreparedMethods, SmallPixelsOfTheSurfaceAreInterpolated) {
         EXPECT_NEAR(result({7, 15}, turned(one), level), three, 1e-4);
         EXPECT_NEAR(result({7, 15}, turned([](ivec2 p) { return p.x == 4; }), level), left, 1e-4);
         EXPECT_EQ(result({7, 15}, turned([](ivec2) { return true; }), level), 0.0);  // hbao of the plane
-        for (const float depth : {0.5F, std::numeric_limits<float>::infinity()})
+        for (const float depth : {0.5F, infinity})
             EXPECT_NEAR(result({7, 15}, ramp, [&](ivec2 p) { return p == 2 * other ? depth : 0.0F; }), three,
                         2e-4);
         // One at a height of a fiftieth of the radius counts a quarter, one whose normal is turned by w the

@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is related to occlusion, beyond its known values: bent normals and light by direction, curvature,
 // scalable obscurance, resolutions and layers, balls in the place of the scene.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <vector>
-
 #include "support/lab.hpp"
 
 namespace gloam::relatives_test {

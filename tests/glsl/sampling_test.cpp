@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Elementary functions, sequences of samples and what is made of them, beyond their known values.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <numbers>
-
 #include "numeric/numbers.hpp"
 #include "numeric/random.hpp"
 #include "support/lab.hpp"

@@ -1,17 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The horizon sweep on a wall, whose occlusion is known in closed form for every falloff.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <functional>
-#include <limits>
-
 #include "gathers.hpp"
-#include "support/lab.hpp"
 
 namespace gloam::sweep_test {
-
-using test::Camera;
 
 // As in gloam/occlusion/gather_kernel.glsl and gloam/methods/sweep.glsl.
 struct SweepKernel {
@@ -81,8 +72,7 @@ class SweepOfAWall : public testing::Test {
 
     double occlusion(const check::ImageSet& image, glm::vec3 position, glm::vec3 normal,
                      const Sweep& settings) const {
-        const SweepKernel kernel{
-            1.0F, 1e-5F, 0.0F, 0, 512 * 2 * settings.steps, std::numeric_limits<float>::infinity(), 1, false};
+        const SweepKernel kernel{1.0F, 1e-5F, 0.0F, 0, 512 * 2 * settings.steps, infinity, 1, false};
         return static_cast<double>(
             sweep.with_images(image, {position, normal, camera_, kernel, settings}).occlusion);
     }

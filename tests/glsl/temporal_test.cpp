@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Accumulation over frames, and what of the history may still be used: means over many frames, surfaces that
 // move, and what the equations give as printed.
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "numeric/random.hpp"

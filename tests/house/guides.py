@@ -34,7 +34,7 @@ WHY_NOT_RUN = {
     "package": "tests/house/package does the same",
     "long": "takes minutes",
     "ci": "installs packages",
-    "engine": "needs a cluster or a build: tests/laboratory, tests/tools/bisect_test.cpp",
+    "engine": "needs a cluster or a build: tests/laboratory, tests/tools/check_steps_test.cpp",
     "piglit": "needs a package and a failure",
 }
 BLOCK = re.compile(r"^```(\S*) ?(\S*)\n(.*?)^```$", re.S | re.M)

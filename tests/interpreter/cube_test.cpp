@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Samplers of cubes and of depths, against the geometry of a cube and a comparison written out.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <bit>
-#include <cmath>
-
 #include "interpreter/internal/cube.hpp"
 #include "interpreter/sampling.hpp"
 #include "numeric/random.hpp"
+#include "support/test.hpp"
 
 namespace gloam::cube_test {
 

@@ -1,24 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Invocations that run together: shared memory, barriers, subgroups and quads; races and barriers that not
 // all reach.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <bit>
-#include <numeric>
-
-#include "interpreter/machine.hpp"
 #include "interpreter/shader_run.hpp"
 
-namespace gloam {
-namespace group_test {
+namespace gloam::group_test {
 
 using interpreter::Error;
 using interpreter::Machine;
 using interpreter::Order;
 using interpreter::Program;
-using test::Word;
-using testing::HasSubstr;
 
 constexpr Word lanes = 16;
 
@@ -267,5 +257,4 @@ TEST(Group, AnInvocationAloneHasNoNeighbours) {
     EXPECT_THROW(machine.set_group({.group_size = {64, 64, 1}}), Error);
 }
 
-}  // namespace group_test
-}  // namespace gloam
+}  // namespace gloam::group_test

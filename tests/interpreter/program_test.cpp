@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Control flow, memory and what goes wrong.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <bit>
 #include <glm/gtc/packing.hpp>
 
 #include "interpreter/shader_run.hpp"
 
-namespace gloam {
-namespace program_test {
+namespace gloam::program_test {
 
 using interpreter::Error;
 using interpreter::Machine;
 using interpreter::Program;
-using test::Word;
-using testing::HasSubstr;
 
 shader::Spirv compiled(const std::string& text, const char* variant = "shipped") {
     return shader::compile({.name = "test", .text = text}, {.variant = shader::variant(variant)});
@@ -181,7 +174,7 @@ TEST(Program, ImagesAreReadAndWrittenByTexel) {
 TEST(Program, AnIndexOutsideIsAnErrorThatSaysWhere) {
     const Error array = error_of("uint a[3] = uint[3](1u, 2u, 3u); put(0u, a[word(0)]);\n", {3, 0, 0, 0});
     EXPECT_EQ(array.kind(), Error::Kind::out_of_bounds);
-    EXPECT_THAT(array.what(), testing::AllOf(HasSubstr("element 3 of 3"), HasSubstr("main")));
+    EXPECT_THAT(array.what(), AllOf(HasSubstr("element 3 of 3"), HasSubstr("main")));
     const Error buffer = error_of("put(7u, 1u);\n", {0, 0, 0, 0});
     EXPECT_EQ(buffer.kind(), Error::Kind::out_of_bounds);
     EXPECT_THAT(buffer.what(), HasSubstr("word 7 of the 1"));
@@ -235,7 +228,7 @@ TEST(Program, AnInstructionThatIsNotKnownIsNamed) {
         ADD_FAILURE() << "no error";
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), Error::Kind::unknown_instruction);
-        EXPECT_THAT(error.what(), testing::AllOf(HasSubstr("opcode"), HasSubstr("in odd")));
+        EXPECT_THAT(error.what(), AllOf(HasSubstr("opcode"), HasSubstr("in odd")));
     }
 }
 
@@ -249,8 +242,7 @@ TEST(Program, WhatIsNoModuleIsRefused) {
 
 TEST(Program, AMissingBufferIsNamed) {
     Machine<float> machine{Program(compiled(test::row_shader(4, 1, "put(0u, word(0));\n")))};
-    EXPECT_THAT([&] { machine.run(); }, testing::ThrowsMessage<Error>(HasSubstr("binding 0")));
+    expect_error<Error>([&] { machine.run(); }, {"binding 0"});
 }
 
-}  // namespace program_test
-}  // namespace gloam
+}  // namespace gloam::program_test

@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What a sampler returns, against the equations of the Vulkan specification written out for one row of
 // texels.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <bit>
-#include <cmath>
-#include <limits>
-
 #include "interpreter/sampling.hpp"
 #include "numeric/random.hpp"
+#include "support/test.hpp"
 
-namespace gloam {
-namespace sampling_test {
+namespace gloam::sampling_test {
 
 using backend::SampledHeader;
 using backend::Word;
@@ -21,7 +14,6 @@ using interpreter::Precision;
 using interpreter::SampledView;
 using interpreter::SamplePoint;
 using numeric::Bounds;
-using testing::ElementsAre;
 
 constexpr std::array wraps{Wrap::repeat, Wrap::mirrored, Wrap::edge, Wrap::border};
 
@@ -241,5 +233,4 @@ TEST(Sampling, WordsThatDisagreeAreRefused) {
     EXPECT_THROW((void)interpreter::sampled_view_of({}, {}), std::invalid_argument);
 }
 
-}  // namespace sampling_test
-}  // namespace gloam
+}  // namespace gloam::sampling_test

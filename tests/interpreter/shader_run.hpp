@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
-#include <cstdint>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "backend/vulkan/commands.hpp"
 #include "backend/vulkan/resources.hpp"
 #include "interpreter/machine.hpp"
 #include "numeric/paths.hpp"
 #include "shader/compile.hpp"
+#include "support/test.hpp"
 
 namespace gloam::test {
 

@@ -2,25 +2,16 @@
 // Operations on doubles, float16 and integers of 8, 16 and 64 bits: compared with C++, with the device, and
 // with what the rules permit.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <bit>
-#include <cmath>
-#include <functional>
-#include <limits>
 
 #include "interpreter/shader_run.hpp"
 #include "numeric/numbers.hpp"
 #include "numeric/random.hpp"
-#include "support/matchers.hpp"
 #include "support/shared_device.hpp"
 
 namespace gloam::sizes_test {
 
 using interpreter::Machine;
 using interpreter::Program;
-using test::Rows;
-using test::Word;
 
 constexpr std::size_t input_words = 8;
 

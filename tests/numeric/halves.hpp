@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <vector>
-
 // Every float16, by its bits: an account of the format that shares nothing with the code under test.
+#include "support/test.hpp"
+
 namespace gloam::numeric::halves {
 
 inline double decode(std::uint16_t bits) {

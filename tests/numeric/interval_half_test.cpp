@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Intervals in float16 against every value of the format.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <numbers>
-#include <string>
-
 #include "halves.hpp"
 #include "numeric/interval.hpp"
 #include "numeric/paths.hpp"
 
-namespace gloam::numeric {
-namespace interval_half_test {
+namespace gloam::numeric::interval_half_test {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -165,5 +156,4 @@ TEST(IntervalHalf, IntegersAndPartsAreExact) {
     }
 }
 
-}  // namespace interval_half_test
-}  // namespace gloam::numeric
+}  // namespace gloam::numeric::interval_half_test

@@ -1,16 +1,50 @@
 // SPDX-License-Identifier: MIT
-// Printed equations against what they solve: an integral, an inverse, a search over all points.
-#include "reference/printed.hpp"
+#include "numeric/random.hpp"
+#include "reference/builtin.hpp"
 #include "reference/filter.hpp"
 #include "reference/geometry.hpp"
 #include "reference/geometry_camera.hpp"
+#include "reference/math.hpp"
 #include "reference/numeric.hpp"
 #include "reference/occlusion.hpp"
 #include "reference/occlusion_slices.hpp"
 #include "reference/sampling.hpp"
 #include "reference/shading.hpp"
+#include "reference/temporal.hpp"
+#include "support/test.hpp"
 
 namespace gloam::reference::test {
+
+constexpr int draws = 2000;
+
+// Calls check(random) for many states of one random generator.
+template <class Check>
+void for_random(Check check) {
+    numeric::Random random(1);
+    for (int i = 0; i < draws; ++i) check(random);
+}
+
+inline double log_uniform(numeric::Random& random, double low, double high) {
+    return std::exp(random.uniform(std::log(low), std::log(high)));
+}
+inline dvec3 point3(numeric::Random& random, double extent = 1.0) {
+    return dvec3(random.uniform(-extent, extent), random.uniform(-extent, extent),
+                 random.uniform(-extent, extent));
+}
+
+// Equal but for the rounding of doubles, relative to the larger of the value and `scale`.
+inline void expect_same(double got, double want, double scale = 0.0) {
+    EXPECT_NEAR(got, want, 1e-12 * std::max(std::abs(want), scale));
+}
+// Vectors, relative to their largest component (or `scale`).
+template <glm::length_t N>
+void expect_same(const glm::vec<N, double>& got, const glm::vec<N, double>& want, double scale = 0.0) {
+    for (glm::length_t i = 0; i < N; ++i) scale = std::max(scale, std::abs(want[i]));
+    for (glm::length_t i = 0; i < N; ++i) expect_same(got[i], want[i], scale);
+}
+
+// Printed equations against what they solve: an integral, an inverse, a search over all points.
+
 namespace printed_test {
 
 const double whole_turn = 2 * pi;
@@ -182,4 +216,140 @@ TEST(Printed, TheHashsAngleLosesNoDigitOfItsTurns) {
 }
 
 }  // namespace printed_test
+
+// The references of GLSL's own functions that are more than a call, in double.
+
+namespace builtin_test {
+
+TEST(Builtin, RoundEvenTakesHalvesToEven) {
+    for (const auto& [x, want] :
+         {std::pair{0.5, 0.0}, {1.5, 2.0}, {2.5, 2.0}, {-0.5, 0.0}, {-1.5, -2.0}, {3.4, 3.0}}) {
+        EXPECT_EQ(builtin_round_even(x), want) << x;
+    }
+}
+
+TEST(Builtin, QuantizeGivesTheNearestHalf) {
+    const double ulp = 0x1p-10;
+    EXPECT_EQ(builtin_quantize(1.0 + 0.49 * ulp), 1.0);
+    EXPECT_EQ(builtin_quantize(1.0 + 0.5 * ulp), 1.0);  // to even
+    EXPECT_EQ(builtin_quantize(1.0 + 1.5 * ulp), 1.0 + 2 * ulp);
+    EXPECT_EQ(builtin_quantize(0x1.8p-25), 0x1p-24);  // the smallest subnormal
+    EXPECT_EQ(builtin_quantize(0x1p-25), 0.0);
+    EXPECT_EQ(builtin_quantize(-65519.9), -65504.0);
+    EXPECT_EQ(builtin_quantize(65520.0), infinity);
+    EXPECT_TRUE(std::isnan(builtin_quantize(std::nan(""))));
+}
+
+TEST(Builtin, FrexpIsThatOfTheStandardLibrary) {
+    for_random([](numeric::Random& random) {
+        const double x = log_uniform(random, 1e-37, 1e38) * (random.below(2) == 0 ? 1 : -1);
+        int exponent = 0;
+        int want = 0;
+        EXPECT_EQ(builtin_frexp(x, exponent), std::frexp(x, &want));
+        EXPECT_EQ(exponent, want);
+    });
+}
+
+TEST(Builtin, InverseTimesTheMatrixIsOne) {
+    for_random([](numeric::Random& random) {
+        dmat3 m(1.0);
+        for (int column = 0; column < 3; ++column) {
+            m[column] = point3(random) + 3.0 * dvec3(column == 0, column == 1, column == 2);
+        }
+        const dmat3 one = builtin_matrix_matrix(builtin_inverse(m), m);
+        for (int column = 0; column < 3; ++column) {
+            expect_same(dvec3(one[column]), dvec3(column == 0, column == 1, column == 2), 100.0);
+        }
+    });
+}
+
+TEST(Builtin, RefractionKeepsSnellsLaw) {
+    for_random([](numeric::Random& random) {
+        const dvec3 n(0, 0, 1);
+        const double angle = random.uniform(0, 1.5);
+        const double eta = random.uniform(0.5, 0.99);
+        const dvec3 out = builtin_refract(dvec3(std::sin(angle), 0, -std::cos(angle)), n, eta);
+        expect_same(out.x, eta * std::sin(angle), 1.0);
+        expect_same(length(out), 1.0);
+    });
+    EXPECT_EQ(builtin_refract(dvec3(1, 0, 0), dvec3(0, 0, 1), 1.5), dvec3(0));  // total reflection
+}
+
+TEST(Builtin, SignBitsAreThoseOfEachComponent) {
+    EXPECT_EQ(probe_normalize_sign(dvec3(-0.0, 1, -2)), 5.0);
+}
+
+}  // namespace builtin_test
+
+// What gloam/temporal/packed_history.glsl states of its 64 bits.
+
+namespace packed_history_test {
+
+using History = GloamHistory;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+TEST(PackedHistory, HoldsItsLimitsExactly) {
+    for (const double occlusion : {0.0, 0.25, 1.0}) {
+        for (const double weight : {0.0625, 1.0, 500.0, 4095.0}) {
+            for (const unsigned index : {0U, 2049U, 65535U}) {
+                const History h =
+                    gloam_history_decode(gloam_history_encode(History{occlusion, weight, index, 8.0}));
+                EXPECT_EQ(h.occlusion, occlusion);
+                EXPECT_EQ(h.weight, weight);
+                EXPECT_EQ(h.index, index);
+                EXPECT_EQ(h.depth, 8.0);
+            }
+        }
+    }
+    EXPECT_EQ(gloam_history_encode(History{0.5, 5000.0, 65536U, 8.0}),
+              (GloamPackedHistory{16384, 65520, 0, gloam_depth_to_code(8.0)}));
+}
+
+TEST(PackedHistory, FitsSixteenBitsWhateverItIs) {
+    for (const double depth : {0x1p-126, 1e-12, 1.0, 1e12, 0x1.fffffep127, infinity, -1.0}) {
+        const GloamPackedHistory packed = gloam_history_encode(History{1.0, 1e30, 4294967295U, depth});
+        EXPECT_LE(packed.occlusion, 65535U);
+        EXPECT_LE(packed.weight, 65535U);
+        EXPECT_LE(packed.index, 65535U);
+        EXPECT_LE(packed.depth, 65535U);
+    }
+}
+
+TEST(PackedHistory, DepthsAreWithinTheirBound) {
+    double worst = 0.0;
+    for (float depth = 0x1p-31F; depth < 0x1p32F; depth *= 1.0003F) {
+        const double exact{depth};
+        worst = std::max(worst, std::abs(gloam_depth_from_code(gloam_depth_to_code(exact)) / exact - 1.0));
+    }
+    EXPECT_LE(worst, 0x1p-11);
+    EXPECT_GT(worst, 0x1p-12);
+    EXPECT_EQ(gloam_depth_to_code(infinity), 65535U);
+    EXPECT_EQ(gloam_depth_from_code(65535U), infinity);
+    for (unsigned code = 1; code <= gloam_depth_to_code(1e30); ++code)
+        ASSERT_EQ(gloam_depth_to_code(gloam_depth_from_code(code)), code);
+}
+
+// Where a mean stops, of as many frames as it takes to fill it many times over.
+double stops_short(double k, double weight_max) {
+    History h{0.0, 0.0, 0U, 8.0};
+    for (int frame = 0; frame < 60000; ++frame) {
+        const dvec2 blended = gloam_blend(h.occlusion, h.weight, frame < 100 ? 0.1 : 0.9, k, weight_max);
+        h = gloam_history_decode(gloam_history_encode(History{blended.x, blended.y, 0U, 8.0}));
+    }
+    return 0.9 - h.occlusion;
+}
+
+TEST(PackedHistory, TheMeanStopsShortByNoMoreThanIsStated) {
+    for (const double k : {1.0, 8.0, 32.0}) {
+        for (const double weight_max : {64.0, 500.0, 1500.0}) {
+            const double stated = 1.6e-5 * (weight_max + k) / k;
+            EXPECT_LE(stops_short(k, weight_max), stated) << k << " of " << weight_max;
+            EXPECT_GT(stops_short(k, weight_max), 0.3 * stated) << k << " of " << weight_max;
+        }
+    }
+}
+
+}  // namespace packed_history_test
+
 }  // namespace gloam::reference::test

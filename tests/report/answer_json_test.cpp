@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/check_report.hpp"
-
-#include <cmath>
-#include <stdexcept>
-
 #include "report/rows.hpp"
-#include "support/matchers.hpp"
 
 namespace gloam::report::answer_json_test {
 

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <stdexcept>
-
+#include "report/check_report.hpp"
 #include "report/accuracy.hpp"
 #include "report/check_page.hpp"
-#include "report/check_report.hpp"
 #include "report/rows.hpp"
-#include "support/matchers.hpp"
 
 namespace gloam::report::check_report_test {
 

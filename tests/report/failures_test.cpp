@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
-#include <limits>
-#include <set>
-#include <sstream>
-
 #include "report/failures.hpp"
 #include "report/rows.hpp"
-#include "support/matchers.hpp"
 
 namespace gloam::report::failures_test {
 

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Results of many machines, in a stream.
-
-#include <algorithm>
-
 #include "report/results_database.hpp"
 #include "report/rows.hpp"
 #include "support/files.hpp"
-#include "support/matchers.hpp"
 
 namespace gloam::report::laboratory_test {
 

@@ -1,17 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <cstdio>
-#include <fstream>
-#include <functional>
-#include <iterator>
-#include <stdexcept>
-#include <string>
-#include <thread>
-#include <vector>
-
 #include "report/output.hpp"
 #include "support/files.hpp"
 #include "support/full_disk.hpp"
-#include "support/matchers.hpp"
 
 namespace gloam::report::output_test {
 
@@ -21,9 +11,10 @@ auto names(const fs::path& path) {
     return ThrowsMessage<std::runtime_error>(HasSubstr(path.string()));
 }
 
-TEST(OutputFile, ReplacesAFileAsAWhole) {
-    const test::TemporaryDirectory scratch;
-    const fs::path path = scratch.path() / "a.json";
+using OutputFileTest = InFolder;
+
+TEST_F(OutputFileTest, ReplacesAFileAsAWhole) {
+    const fs::path path = folder.path() / "a.json";
     std::ofstream(path) << "something longer than what comes";
     const OutputFile file(path);
     EXPECT_EQ(test::read_file(path),
@@ -33,22 +24,20 @@ TEST(OutputFile, ReplacesAFileAsAWhole) {
     EXPECT_FALSE(fs::exists(path.string() + ".part"));
 }
 
-TEST(OutputFile, AnEmptyPathWritesNothing) {
+TEST_F(OutputFileTest, AnEmptyPathWritesNothing) {
     const OutputFile file{fs::path{}};
     EXPECT_NO_THROW(file.write("text"));
 }
 
-TEST(OutputFile, WhatCannotBeWrittenIsNamedBeforeTheWork) {
-    const test::TemporaryDirectory scratch;
-    const fs::path missing = scratch.path() / "no" / "a.json";
+TEST_F(OutputFileTest, WhatCannotBeWrittenIsNamedBeforeTheWork) {
+    const fs::path missing = folder.path() / "no" / "a.json";
     EXPECT_THAT([&] { OutputFile file(missing); }, names(missing));
-    EXPECT_THAT([&] { OutputFile file(scratch.path()); }, names(scratch.path()));
+    EXPECT_THAT([&] { OutputFile file(folder.path()); }, names(folder.path()));
 }
 
-TEST(OutputFile, ALinkStaysOne) {
-    const test::TemporaryDirectory scratch;
-    const fs::path target = scratch.path() / "target";
-    const fs::path link = scratch.path() / "link";
+TEST_F(OutputFileTest, ALinkStaysOne) {
+    const fs::path target = folder.path() / "target";
+    const fs::path link = folder.path() / "link";
     std::ofstream(target) << "something longer than what comes";
     fs::create_symlink(target, link);
     OutputFile(link).write("new");
@@ -57,10 +46,9 @@ TEST(OutputFile, ALinkStaysOne) {
 }
 
 // What a link leads to is replaced as a whole, too.
-TEST(OutputFile, WhatALinkLeadsToIsNeverHalfWritten) {
-    const test::TemporaryDirectory scratch;
-    const fs::path target = scratch.path() / "target";
-    const fs::path link = scratch.path() / "link";
+TEST_F(OutputFileTest, WhatALinkLeadsToIsNeverHalfWritten) {
+    const fs::path target = folder.path() / "target";
+    const fs::path link = folder.path() / "link";
     std::ofstream(target) << "precious";
     fs::create_symlink("target", link);
     const OutputFile file(link);
@@ -71,24 +59,22 @@ TEST(OutputFile, WhatALinkLeadsToIsNeverHalfWritten) {
     EXPECT_EQ(test::read_file(target), "precious");
 }
 
-TEST(OutputFile, OpenFilesAreWrittenTo) {
-    const test::TemporaryDirectory scratch;
-    const fs::path path = scratch.path() / "a";
+TEST_F(OutputFileTest, OpenFilesAreWrittenTo) {
+    const fs::path path = folder.path() / "a";
     std::FILE* open = std::fopen(path.c_str(), "w");
     OutputFile("/proc/self/fd/" + std::to_string(fileno(open))).write("text");
     std::fclose(open);
     EXPECT_EQ(test::read_file(path), "text");
-    EXPECT_EQ(std::distance(fs::directory_iterator(scratch.path()), {}), 1);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
 }
 
-TEST(OutputFile, AFullDiskIsNamedAndLeavesNothing) {
+TEST_F(OutputFileTest, AFullDiskIsNamedAndLeavesNothing) {
     const OutputFile full("/dev/full");
     EXPECT_THAT([&] { full.write("text"); }, names("/dev/full"));
 }
 
-TEST(OutputFile, AFolderThatCameInTheWayIsNamedAndNothingIsLeftBeside) {
-    const test::TemporaryDirectory scratch;
-    const fs::path path = scratch.path() / "a.json";
+TEST_F(OutputFileTest, AFolderThatCameInTheWayIsNamedAndNothingIsLeftBeside) {
+    const fs::path path = folder.path() / "a.json";
     const OutputFile file(path);
     fs::create_directories(path / "below");
     EXPECT_THAT([&] { file.write("text"); }, names(path));
@@ -105,9 +91,10 @@ std::string message_of(const std::function<void()>& action) {
     return "nothing thrown";
 }
 
-TEST(OutputFolder, FilesAppearWhenKept) {
-    const test::TemporaryDirectory scratch;
-    const fs::path out = scratch.path() / "a" / "b";
+using OutputFolderTest = InFolder;
+
+TEST_F(OutputFolderTest, FilesAppearWhenKept) {
+    const fs::path out = folder.path() / "a" / "b";
     OutputFolder folder(out);
     folder.write("x", "one");
     EXPECT_FALSE(fs::exists(out / "x"));
@@ -118,37 +105,33 @@ TEST(OutputFolder, FilesAppearWhenKept) {
     EXPECT_FALSE(fs::exists(out / "x.part"));
 }
 
-TEST(OutputFolder, NothingIsLeftOfWhatWasNotKept) {
-    const test::TemporaryDirectory scratch;
+TEST_F(OutputFolderTest, NothingIsLeftOfWhatWasNotKept) {
     {
-        OutputFolder(scratch.path() / "a" / "b").write("x", "one");
+        OutputFolder(folder.path() / "a" / "b").write("x", "one");
     }
-    EXPECT_TRUE(fs::is_empty(scratch.path()));
+    EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
-TEST(OutputFolder, WhatWasThereStaysUntilKept) {
-    const test::TemporaryDirectory scratch;
-    std::ofstream(scratch.path() / "x") << "old";
+TEST_F(OutputFolderTest, WhatWasThereStaysUntilKept) {
+    std::ofstream(folder.path() / "x") << "old";
     {
-        OutputFolder(scratch.path()).write("x", "new");
+        OutputFolder(folder.path()).write("x", "new");
     }
-    EXPECT_EQ(test::read_file(scratch.path() / "x"), "old");
+    EXPECT_EQ(test::read_file(folder.path() / "x"), "old");
 }
 
-TEST(OutputFolder, AFullDiskIsNamedAndLeavesNothing) {
-    const test::TemporaryDirectory scratch;
+TEST_F(OutputFolderTest, AFullDiskIsNamedAndLeavesNothing) {
     const test::FullDisk disk(1000);
     const std::string message =
-        message_of([&] { OutputFolder(scratch.path()).write("x", std::string(5000, 'x')); });
-    EXPECT_THAT(message, HasSubstr((scratch.path() / "x").string()));
+        message_of([&] { OutputFolder(folder.path()).write("x", std::string(5000, 'x')); });
+    EXPECT_THAT(message, HasSubstr((folder.path() / "x").string()));
     EXPECT_THAT(message, HasSubstr("File too large"));
-    EXPECT_TRUE(fs::is_empty(scratch.path()));
+    EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
-TEST(OutputFolder, NoLinkIsFollowed) {
-    const test::TemporaryDirectory scratch;
-    const fs::path victim = scratch.path() / "victim";
-    const fs::path out = scratch.path() / "out";
+TEST_F(OutputFolderTest, NoLinkIsFollowed) {
+    const fs::path victim = folder.path() / "victim";
+    const fs::path out = folder.path() / "out";
     fs::create_directory(out);
     std::ofstream(victim) << "precious";
     fs::create_symlink(victim, out / "x.part");
@@ -160,17 +143,15 @@ TEST(OutputFolder, NoLinkIsFollowed) {
     EXPECT_EQ(test::read_file(out / "x"), "one");
 }
 
-TEST(OutputFolder, NoNameLeadsOutOfIt) {
-    const test::TemporaryDirectory scratch;
-    OutputFolder folder(scratch.path() / "out");
+TEST_F(OutputFolderTest, NoNameLeadsOutOfIt) {
+    OutputFolder output(folder.path() / "out");
     for (const char* name : {"../x", "/x", "a/b", "..", ".", ""})
-        EXPECT_THROW(folder.write(name, "one"), std::invalid_argument) << name;
+        EXPECT_THROW(output.write(name, "one"), std::invalid_argument) << name;
 }
 
 // Runs with one folder: each keeps its files all at once or not at all, and none fails for another.
-TEST(OutputFolder, RunsWithOneFolderNeverMix) {
-    const test::TemporaryDirectory scratch;
-    const fs::path out = scratch.path() / "out";
+TEST_F(OutputFolderTest, RunsWithOneFolderNeverMix) {
+    const fs::path out = folder.path() / "out";
     for (int round = 0; round < 25; ++round) {
         std::vector<std::thread> runs;
         for (const char* text : {"a", "b", "c"}) {
@@ -190,13 +171,58 @@ TEST(OutputFolder, RunsWithOneFolderNeverMix) {
     EXPECT_EQ(std::distance(fs::directory_iterator(out), {}), 4);
 }
 
-TEST(OutputFolder, AFileInTheWayIsNamed) {
-    const test::TemporaryDirectory scratch;
-    const fs::path file = scratch.path() / "file";
+TEST_F(OutputFolderTest, AFileInTheWayIsNamed) {
+    const fs::path file = folder.path() / "file";
     std::ofstream(file) << "x";
     EXPECT_THAT(message_of([&] { OutputFolder folder(file); }), HasSubstr(file.string()));
     EXPECT_THAT(message_of([&] { OutputFolder folder(file / "below"); }), HasSubstr(file.string()));
     EXPECT_THAT(message_of([&] { OutputFolder folder("/proc/gloam"); }), HasSubstr("/proc/gloam"));
 }
+
+namespace line_journal_test {
+
+class LineJournalTest : public testing::Test {
+  protected:
+    [[nodiscard]] LineJournal open(bool resume, const std::string& heading = "head") const {
+        return {file_, heading, resume};
+    }
+    [[nodiscard]] std::string text() const { return base::read_file(file_, 1'000'000); }
+
+    test::TemporaryDirectory folder_;
+    std::filesystem::path file_ = folder_.path() / "journal.jsonl";
+};
+
+TEST_F(LineJournalTest, TakesUpWhereItWasLeftWithoutALineThatWasBeingWritten) {
+    open(false).add("one");
+    open(true).add("two");
+    const std::string whole = text();
+    std::ofstream(file_, std::ios::app) << "thr";
+    const LineJournal journal = open(true);
+    EXPECT_THAT(journal.lines(), ElementsAre("one", "two"));
+    EXPECT_EQ(text(), whole);
+    journal.add("three");
+    EXPECT_EQ(text(), "head\none\ntwo\nthree\n");
+}
+
+TEST_F(LineJournalTest, StartsEmptyWhereNothingIsToBeResumed) {
+    open(false).add("one");
+    EXPECT_THAT(open(false).lines(), IsEmpty());
+    std::filesystem::remove(file_);
+    EXPECT_THAT(open(true).lines(), IsEmpty());
+    EXPECT_EQ(text(), "head\n");
+    std::ofstream(file_).close();
+    EXPECT_THAT(open(true).lines(), IsEmpty());
+}
+
+TEST_F(LineJournalTest, RefusesWhatWasMeasuredOtherwise) {
+    open(false).add("one");
+    const std::string whole = text();
+    expect_error<std::runtime_error>([&] { (void)open(true, "another"); }, {"cannot resume"});
+    EXPECT_EQ(text(), whole);
+    EXPECT_THROW(LineJournal("/no/such/folder/journal.jsonl", "head", false), std::runtime_error);
+    EXPECT_NO_THROW(LineJournal({}, "head", true).add("nowhere"));
+}
+
+}  // namespace line_journal_test
 
 }  // namespace gloam::report::output_test

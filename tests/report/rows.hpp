@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <limits>
-#include <string>
-
 #include "report/check_report.hpp"
+#include "support/test.hpp"
 
 namespace gloam::report {
 

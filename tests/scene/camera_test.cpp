@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
-#include <limits>
-
 #include "scene/camera.hpp"
 #include "scene/gbuffer.hpp"
 #include "scene/mesh.hpp"
 #include "scene/rasterize.hpp"
 #include "scene/support.hpp"
-#include "support/matchers.hpp"
 
 namespace gloam::scene::test::camera_test {
 

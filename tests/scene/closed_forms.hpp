@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <numbers>
-#include <string>
-#include <vector>
-
 #include "scene/mesh.hpp"
 #include "scene/occlusion_tracer.hpp"
+#include "support/test.hpp"
 
 // Meshes whose occlusion is known, at the points where it is: what the ray tracer is checked against.
 namespace gloam::scene::test {

@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "scene/lighting.hpp"
 
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numeric>
-
 #include "scene/gbuffer.hpp"
 #include "scene/mesh.hpp"
 #include "scene/support.hpp"
 #include "scene/truth.hpp"
 
 namespace gloam::scene::test::depth_field_test {
-
-constexpr float infinite = std::numeric_limits<float>::infinity();
 
 // A view whose depths are those of planes n . x = c in view space, the nearest first; rounded to float.
 struct Plane {
@@ -32,7 +23,7 @@ GBuffer view_of(const std::vector<Plane>& planes, gpu::Extent extent, Projection
     for (std::size_t i = 0; i < std::size_t{extent.width} * extent.height; ++i) {
         const glm::dvec3 near = positions.at(i, 1.0);
         const glm::dvec3 far = positions.at(i, 2.0);
-        double depth = infinite;
+        double depth = infinity;
         glm::dvec3 normal(0.0);
         for (const Plane& plane : planes) {
             // Along the view ray, position = near + t (far - near), depth = 1 + t.
@@ -76,7 +67,7 @@ TEST(DepthField, OfAPlaneIsOpen) {
 TEST(DepthField, AgreesWithTheGeometryWhereNothingIsHidden) {
     Scene scene{.name = "edge", .mesh = make_parallelogram({-9, -1, -5}, {0, 0, 9}, {18, 0, 0}, 1.0)};
     append(scene.mesh, make_parallelogram({-9, -1, -5}, {18, 0, 0}, {0, 9, 0}, 1.0));
-    scene.camera = {.far = infinite};
+    scene.camera = {.far = infinity};
     const GBuffer view = view_of({{{0, 1, 0}, -1.0}, {{0, 0, 1}, -5.0}}, {96, 64}, Projection::perspective);
     // The same camera, by default.
     ASSERT_EQ(view.camera.p00_p11(), make_frame(scene.camera, 1.5).p00_p11());
@@ -129,7 +120,7 @@ TEST(DepthField, BackgroundIsOpenAndTheEdgeOfAnObjectShadesNothing) {
     GBuffer view = view_of({{{0, 0, 1}, -5.0}}, {32, 32}, Projection::perspective);
     for (std::size_t i = 0; i < view.depth.size(); ++i) {
         if (i % 32 >= 8 && i % 32 < 24) continue;
-        view.depth[i] = infinite;
+        view.depth[i] = infinity;
         view.normal[i] = glm::vec3(0);
     }
     const TracedTruth truth = trace_depth(view, few_rays);
@@ -146,7 +137,7 @@ TEST(DepthField, ViewsThatCannotBe) {
     view.normal.pop_back();
     expect_error<std::invalid_argument>([&] { (void)trace_depth(view, few_rays); }, {"15 normals"});
     view = good;
-    std::ranges::fill(view.depth, infinite);
+    std::ranges::fill(view.depth, infinity);
     expect_error<std::invalid_argument>([&] { (void)trace_depth(view, few_rays); }, {"no geometry"});
     expect_error<std::invalid_argument>([&] { (void)depth_field(good, 0.0); }, {"thickness"});
     expect_error<std::invalid_argument>([&] { (void)depth_field(good, std::nan("")); }, {"thickness"});

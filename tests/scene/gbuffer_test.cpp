@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
-#include <limits>
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfOutputFile.h>
 #include <nlohmann/json.hpp>
 
-#include "scene/read_gbuffer.hpp"
+#include "scene/image_files.hpp"
 #include "scene/support.hpp"
 
 namespace gloam::scene::test::gbuffer_test {
 
-namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
+namespace fs = std::filesystem;
 
 // 3 x 2; the third pixel is background.
 GBuffer example(const Camera& camera = {}) {
@@ -37,8 +38,9 @@ void expect_same(const GBuffer& got, const GBuffer& want) {
     EXPECT_EQ(got.border, want.border);
 }
 
-TEST(GBuffer, WhatIsWrittenIsRead) {
-    const TemporaryDirectory folder;
+using GBufferTest = InFolder;
+
+TEST_F(GBufferTest, WhatIsWrittenIsRead) {
     int frame = 0;
     for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
         for (const bool reversed : {false, true}) {
@@ -53,8 +55,7 @@ TEST(GBuffer, WhatIsWrittenIsRead) {
     EXPECT_EQ(frames_of(folder.path()), (std::vector{0, 1, 2, 3}));
 }
 
-TEST(GBuffer, InfiniteFarPlane) {
-    const TemporaryDirectory folder;
+TEST_F(GBufferTest, InfiniteFarPlane) {
     for (const bool reversed : {false, true}) {
         const GBuffer gbuffer =
             example({.far = std::numeric_limits<double>::infinity(), .reversed_z = reversed});
@@ -63,8 +64,7 @@ TEST(GBuffer, InfiniteFarPlane) {
     }
 }
 
-TEST(GBuffer, WithoutNormalsMotionAndRadius) {
-    const TemporaryDirectory folder;
+TEST_F(GBufferTest, WithoutNormalsMotionAndRadius) {
     GBuffer gbuffer = example();
     gbuffer.normal.clear();
     gbuffer.motion.clear();
@@ -88,7 +88,7 @@ void expect_close(const glm::mat4& got, const glm::mat4& want) {
     for (int i = 0; i < 16; ++i) EXPECT_NEAR(got[i / 4][i % 4], want[i / 4][i % 4], 1e-6F) << i;
 }
 
-TEST(GBuffer, EitherProjectionWillDo) {
+TEST_F(GBufferTest, EitherProjectionWillDo) {
     for (const Camera& camera :
          {Camera{}, Camera{.reversed_z = true}, Camera{.projection = Projection::orthographic}}) {
         const CameraFrame want = make_frame(camera, 1.0);
@@ -102,7 +102,7 @@ TEST(GBuffer, EitherProjectionWillDo) {
     }
 }
 
-TEST(GBuffer, PlanesAndAngleWhenThereIsNoProjection) {
+TEST_F(GBufferTest, PlanesAndAngleWhenThereIsNoProjection) {
     const auto lens = [](json& description, const json& far) {
         json& camera = description["camera"];
         camera = {{"view", camera["view"]}, {"near", 0.25}, {"far", far}, {"fovy_rad", 1.1}, {"aspect", 1.0}};
@@ -115,7 +115,7 @@ TEST(GBuffer, PlanesAndAngleWhenThereIsNoProjection) {
     expect_close(unused.camera.proj_vk, make_frame({}, 1.0).proj_vk);
 }
 
-TEST(GBuffer, OptionalKeys) {
+TEST_F(GBufferTest, OptionalKeys) {
     const auto without = one_pixel([](json& description) {
         description["camera"]["prev_view"] = nullptr;
         description["unknown"] = {{"key", "is ignored"}};
@@ -126,11 +126,9 @@ TEST(GBuffer, OptionalKeys) {
     EXPECT_EQ(without.depth, std::vector{2.5F});
 }
 
-TEST(GBuffer, DepthThatIsNoneIsBackground) {
-    const TemporaryDirectory folder;
+TEST_F(GBufferTest, DepthThatIsNoneIsBackground) {
     GBuffer gbuffer = example();
     write_frame(folder, 0, gbuffer);
-    const float nan = std::numeric_limits<float>::quiet_NaN();
     folder.write("f0000_depth.pfm",
                  "Pf\n3 2\n-1\n" + bytes({0.0F, -0.0F, -1.0F, nan, 3.0F, -infinity}, true));
     const GBuffer read = read_gbuffer(folder.path(), 0);
@@ -138,10 +136,8 @@ TEST(GBuffer, DepthThatIsNoneIsBackground) {
     for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(read.normal[i] == glm::vec3(0), i != 1) << i;
 }
 
-TEST(GBuffer, NormalsAreUnitOrZeroAndMotionFinite) {
-    const TemporaryDirectory folder;
+TEST_F(GBufferTest, NormalsAreUnitOrZeroAndMotionFinite) {
     GBuffer gbuffer = example();
-    const float nan = std::numeric_limits<float>::quiet_NaN();
     gbuffer.depth.assign(6, 1.0F);
     gbuffer.normal = {{0, 0, 1.001F},   {nan, 0, 1},    {0, 0, 0},
                       {infinity, 0, 0}, {0, 0.999F, 0}, {0.6F, 0, 0.8F}};
@@ -154,8 +150,7 @@ TEST(GBuffer, NormalsAreUnitOrZeroAndMotionFinite) {
     EXPECT_EQ(read.motion[1], glm::vec3(0));
 }
 
-TEST(GBuffer, FramesAreFoundByName) {
-    const TemporaryDirectory folder;
+TEST_F(GBufferTest, FramesAreFoundByName) {
     for (const char* name : {"f0010.json", "f0002.json", "f0003_depth.pfm", "f12.json", "f00001.json",
                              "xf0001.json", "f0004.json.part"})
         folder.write(name, "{}");
@@ -165,7 +160,7 @@ TEST(GBuffer, FramesAreFoundByName) {
 const std::string depth_2x1 = "Pf\n2 1\n-1\n" + bytes({1.0F, 2.0F}, true);
 
 // A folder with a frame 0 of 2 x 1 pixels that can be read.
-class GBufferError : public ::testing::Test {
+class GBufferError : public InFolder {
   protected:
     GBufferError() {
         folder.write("f0000.json", description().dump());
@@ -177,20 +172,18 @@ class GBufferError : public ::testing::Test {
         return json::parse(frame_json({.extent = {2, 1}, .camera = make_frame({}, 2.0)}, 0));
     }
 
-    void expect(std::initializer_list<const char*> parts) const {
+    void expect(std::initializer_list<std::string> parts) const {
         expect_error<std::runtime_error>([&] { (void)read_gbuffer(folder.path(), 0); }, parts);
     }
 
     // The error of a description that was changed at a place.
-    void expect_json(const char* pointer, const json& value, std::initializer_list<const char*> parts) const {
+    void expect_json(const char* pointer, const json& value, std::initializer_list<std::string> parts) const {
         SCOPED_TRACE(std::string(pointer) + " = " + value.dump());
         json changed = description();
         changed[json::json_pointer(pointer)] = value;
         folder.write("f0000.json", changed.dump());
         expect(parts);
     }
-
-    TemporaryDirectory folder;
 };
 
 TEST_F(GBufferError, MissingFiles) {
@@ -279,6 +272,96 @@ TEST_F(GBufferError, NeitherProjectionNorPlanes) {
     changed["camera"]["fovy_rad"] = 4.0;
     folder.write("f0000.json", changed.dump());
     expect({"f0000.json", "field of view"});
+}
+
+namespace fs = std::filesystem;
+
+// Writes `names.size()` channels, interleaved in `texels`, rows from the top, in a window that begins at
+// `origin`.
+void write_exr(const fs::path& file, int width, int height, const std::vector<const char*>& names,
+               std::vector<float> texels, Imf::PixelType type = Imf::FLOAT, Imath::V2i origin = {0, 0}) {
+    const Imath::Box2i window(origin, origin + Imath::V2i(width - 1, height - 1));
+    Imf::Header header(window, window);
+    std::vector<half> halves(texels.begin(), texels.end());
+    const std::size_t bytes = type == Imf::HALF ? sizeof(half) : sizeof(float);
+    char* data =
+        type == Imf::HALF ? reinterpret_cast<char*>(halves.data()) : reinterpret_cast<char*>(texels.data());
+    Imf::FrameBuffer frame;
+    const std::size_t pixel = names.size() * bytes;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        header.channels().insert(names[i], Imf::Channel(type));
+        frame.insert(names[i], Imf::Slice::Make(type, data + i * bytes, window, pixel,
+                                                pixel * static_cast<std::size_t>(width)));
+    }
+    Imf::OutputFile output(file.c_str(), header);
+    output.setFrameBuffer(frame);
+    output.writePixels(height);
+}
+
+// Values that half precision holds.
+const std::vector<float> six{1.0F, -0.5F, 2048.0F, 0.25F, 65504.0F, 0x1p-24F};
+
+using Exr = InFolder;
+
+TEST_F(Exr, FloatAndHalf) {
+    const fs::path file = folder.path() / "a.exr";
+    for (const auto type : {Imf::FLOAT, Imf::HALF}) {
+        for (const char* name : {"Y", "R"}) {
+            write_exr(file, 3, 2, {name}, six, type);
+            const auto image = read_exr(file, 1);
+            EXPECT_EQ(image.width, 3U);
+            EXPECT_EQ(image.height, 2U);
+            EXPECT_EQ(image.channels, 1);
+            EXPECT_EQ(image.texels, six);
+        }
+        write_exr(file, 1, 2, {"R", "G", "B"}, six, type);
+        const auto image = read_exr(file, 3);
+        EXPECT_EQ(image.width, 1U);
+        EXPECT_EQ(image.height, 2U);
+        EXPECT_EQ(image.channels, 3);
+        EXPECT_EQ(image.texels, six);
+    }
+}
+
+TEST_F(Exr, FloatKeepsEveryBit) {
+    const fs::path file = folder.path() / "a.exr";
+    const std::vector<float> values{0.1F, -0.0F, 0x1.fffffep127F, 0x1p-149F};
+    write_exr(file, 2, 2, {"Y"}, values);
+    EXPECT_EQ(bits(read_exr(file, 1).texels), bits(values));
+}
+
+TEST_F(Exr, AWindowAwayFromTheOrigin) {
+    const fs::path file = folder.path() / "a.exr";
+    for (const Imath::V2i& origin : {Imath::V2i(100, 50), Imath::V2i(-7, -3)}) {
+        write_exr(file, 2, 3, {"Y"}, six, Imf::FLOAT, origin);
+        EXPECT_EQ(read_exr(file, 1).texels, six);
+    }
+}
+
+TEST_F(Exr, OtherChannelsAreNotRead) {
+    const fs::path file = folder.path() / "a.exr";
+    write_exr(file, 1, 1, {"A", "R", "G", "B"}, {9, 1, 2, 3});
+    EXPECT_EQ(read_exr(file, 3).texels, (std::vector<float>{1, 2, 3}));
+}
+
+TEST_F(Exr, WhatIsMissing) {
+    const fs::path file = folder.path() / "a.exr";
+    write_exr(file, 1, 1, {"Q", "S"}, {1, 2});
+    expect_error<std::runtime_error>([&] { (void)read_exr(file, 1); }, {"a.exr", "expected", "Q, S"});
+    expect_error<std::runtime_error>([&] { (void)read_exr(file, 3); }, {"a.exr", "R, G, B", "Q, S"});
+    expect_error<std::runtime_error>([&] { (void)read_exr(folder.path() / "none.exr", 1); }, {"none.exr"});
+}
+
+TEST_F(Exr, Damaged) {
+    const fs::path file = folder.path() / "a.exr";
+    write_exr(file, 64, 64, {"Y"}, std::vector<float>(64 * 64, 0.5F));
+    const std::string whole = read_file(file);
+    for (const std::size_t length : {std::size_t{0}, std::size_t{3}, std::size_t{40}, whole.size() / 2}) {
+        const auto cut = folder.write("cut.exr", whole.substr(0, length));
+        expect_error<std::runtime_error>([&] { (void)read_exr(cut, 1); }, {"cut.exr"});
+    }
+    const auto text = folder.write("text.exr", "this is no image at all\n");
+    expect_error<std::runtime_error>([&] { (void)read_exr(text, 1); }, {"text.exr"});
 }
 
 }  // namespace gloam::scene::test::gbuffer_test

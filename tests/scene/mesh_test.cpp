@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "scene/mesh.hpp"
 #include "scene/mesh_scene.hpp"
 #include "scene/support.hpp"
@@ -13,8 +9,9 @@ namespace gloam::scene::test::mesh_test {
 
 constexpr const char* triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
-TEST(LoadMesh, TriangleWithAFlatNormal) {
-    const TemporaryDirectory folder;
+using LoadMesh = InFolder;
+
+TEST_F(LoadMesh, TriangleWithAFlatNormal) {
     const Mesh mesh = load_mesh(folder.write("a.obj", triangle));
     EXPECT_EQ(mesh.triangle_count(), 1U);
     ASSERT_EQ(mesh.positions.size(), 3U);
@@ -22,8 +19,7 @@ TEST(LoadMesh, TriangleWithAFlatNormal) {
     for (const glm::vec3& normal : mesh.normals) EXPECT_EQ(normal, glm::vec3(0, 0, 1));
 }
 
-TEST(LoadMesh, PolygonsBecomeTriangles) {
-    const TemporaryDirectory folder;
+TEST_F(LoadMesh, PolygonsBecomeTriangles) {
     const Mesh mesh = load_mesh(folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"));
     EXPECT_EQ(mesh.triangle_count(), 2U);
     EXPECT_EQ(mesh.positions.size(), 4U);  // the diagonal's ends are shared
@@ -36,8 +32,7 @@ std::string roof(double slope) {
 }
 
 // At 23 degrees: the ridge's normals are the mean, the eaves' their face's.
-TEST(LoadMesh, SmoothNormalsWhereFacesMeetAtASmallAngle) {
-    const TemporaryDirectory folder;
+TEST_F(LoadMesh, SmoothNormalsWhereFacesMeetAtASmallAngle) {
     constexpr float slope = 0.2F;
     const Mesh mesh = load_mesh(folder.write("a.obj", roof(slope)));
     EXPECT_EQ(mesh.triangle_count(), 4U);
@@ -49,8 +44,7 @@ TEST(LoadMesh, SmoothNormalsWhereFacesMeetAtASmallAngle) {
 }
 
 // At 90 degrees: each face keeps its own, so that the ridge is an edge.
-TEST(LoadMesh, FacesThatMeetAtALargeAngleKeepTheirOwnNormals) {
-    const TemporaryDirectory folder;
+TEST_F(LoadMesh, FacesThatMeetAtALargeAngleKeepTheirOwnNormals) {
     const Mesh mesh = load_mesh(folder.write("a.obj", roof(1.0)));
     EXPECT_EQ(mesh.positions.size(), 8U);
     for (const glm::vec3& normal : mesh.normals) EXPECT_NEAR(std::abs(normal.x), std::sqrt(0.5F), 1e-6F);
@@ -78,7 +72,7 @@ std::string cube(const CubeFile& format) {
     return text;
 }
 
-TEST(LoadMesh, ACubeHasFlatFacesInEveryFormat) {
+TEST_F(LoadMesh, ACubeHasFlatFacesInEveryFormat) {
     constexpr std::array<CubeFile, 3> formats{
         {{"a.obj", "", "v", "f", 1},
          {"a.off", "OFF\n8 6 0\n", "", "4", 0},
@@ -101,21 +95,19 @@ TEST(LoadMesh, ACubeHasFlatFacesInEveryFormat) {
     }
 }
 
-TEST(LoadMesh, LinesAreLeftOut) {
-    const TemporaryDirectory folder;
+TEST_F(LoadMesh, LinesAreLeftOut) {
     const Mesh mesh = load_mesh(folder.write(
         "a.obj", std::string("v 9 9 9\nv 8 8 8\nl 1 2\n") + "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 3 4 5\n"));
     EXPECT_EQ(mesh.triangle_count(), 1U);
     EXPECT_EQ(mesh.positions.size(), 3U);
 }
 
-TEST(LoadMesh, DegenerateTrianglesHaveUnitNormals) {
-    const TemporaryDirectory folder;
+TEST_F(LoadMesh, DegenerateTrianglesHaveUnitNormals) {
     const Mesh mesh = load_mesh(folder.write("a.obj", std::string(triangle) + "v 5 5 5\nf 4 4 4\n"));
     for (const glm::vec3& normal : mesh.normals) EXPECT_NEAR(glm::length(normal), 1.0F, 1e-6F);
 }
 
-TEST(LoadMesh, Bunny) {
+TEST_F(LoadMesh, Bunny) {
     const std::filesystem::path file = "/usr/share/glmark2/models/bunny.obj";
     if (!std::filesystem::exists(file)) GTEST_SKIP() << "glmark2-data is not installed";
     const Mesh mesh = load_mesh(file);
@@ -126,9 +118,8 @@ TEST(LoadMesh, Bunny) {
     for (const std::uint32_t index : mesh.indices) ASSERT_LT(index, mesh.positions.size());
 }
 
-TEST(LoadMesh, Unreadable) {
-    const TemporaryDirectory folder;
-    const auto expect = [](const std::filesystem::path& file, std::initializer_list<const char*> parts) {
+TEST_F(LoadMesh, Unreadable) {
+    const auto expect = [](const std::filesystem::path& file, std::initializer_list<std::string> parts) {
         expect_error<std::runtime_error>([&] { (void)load_mesh(file); }, parts);
     };
     expect(folder.path() / "none.obj", {"none.obj", "no such file"});
@@ -138,16 +129,14 @@ TEST(LoadMesh, Unreadable) {
     expect(folder.write("text.ply", "not a mesh\n"), {"text.ply"});
 }
 
-TEST(LoadMesh, WithoutATriangle) {
-    const TemporaryDirectory folder;
+TEST_F(LoadMesh, WithoutATriangle) {
     for (const char* text : {"v 0 0 0\nv 1 0 0\nv 0 1 0\n", "v 0 0 0\nv 1 0 0\nl 1 2\n"}) {
         const auto file = folder.write("points.obj", text);
         expect_error<std::runtime_error>([&] { (void)load_mesh(file); }, {"points.obj"});
     }
 }
 
-TEST(LoadMesh, VerticesThatAreNoNumbers) {
-    const TemporaryDirectory folder;
+TEST_F(LoadMesh, VerticesThatAreNoNumbers) {
     for (const char* bad : {"nan", "inf", "-inf", "1e39"}) {
         const auto file =
             folder.write("bad.obj", std::string("v 0 0 0\nv 1 ") + bad + " 0\nv 0 1 0\nf 1 2 3\n");

@@ -1,17 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
-#include <limits>
-
+#include "scene/occlusion_tracer.hpp"
 #include "scene/closed_forms.hpp"
 #include "scene/internal/ray_scene.hpp"
 #include "scene/lighting.hpp"
-#include "scene/mesh.hpp"
-#include "scene/occlusion_tracer.hpp"
 #include "scene/scene.hpp"
 #include "scene/support.hpp"
 
@@ -161,7 +152,7 @@ TEST(OcclusionTracer, ConvergesFasterThanIndependentRays) {
 
 TEST(OcclusionTracer, SettingsThatAreNotPossible) {
     const Mesh mesh = ground(1.0);
-    const auto expect = [&](const RaySettings& settings, std::initializer_list<const char*> parts) {
+    const auto expect = [&](const RaySettings& settings, std::initializer_list<std::string> parts) {
         expect_error<std::invalid_argument>([&] { (void)OcclusionTracer(mesh, settings); }, parts);
     };
     expect({.rays = 0}, {"0 rays", "32"});
@@ -174,7 +165,7 @@ TEST(OcclusionTracer, SettingsThatAreNotPossible) {
 }
 
 TEST(OcclusionTracer, MeshesThatCannotBeTraced) {
-    const auto expect = [&](const Mesh& mesh, std::initializer_list<const char*> parts) {
+    const auto expect = [&](const Mesh& mesh, std::initializer_list<std::string> parts) {
         expect_error<std::invalid_argument>([&] { (void)OcclusionTracer(mesh, {}); }, parts);
     };
     expect({}, {"nothing to trace"});
@@ -185,7 +176,7 @@ TEST(OcclusionTracer, MeshesThatCannotBeTraced) {
     mesh.indices[2] = 99;
     expect(mesh, {"index 99"});
     mesh = ground(1.0);
-    mesh.positions[1].z = std::numeric_limits<float>::quiet_NaN();
+    mesh.positions[1].z = nan;
     expect(mesh, {"vertex 1", "nan", "finite"});
 }
 
@@ -262,8 +253,8 @@ TEST(Lighting, ALampLightsWhatFacesIt) {
 TEST(Lighting, TheBackgroundIsSkyAndHasNoOcclusion) {
     const Scene scene = ball_on_floor();
     GBuffer view = floor_view(scene);
-    view.depth[0] = std::numeric_limits<float>::infinity();
-    view.depth[1] = std::nanf("");
+    view.depth[0] = infinity;
+    view.depth[1] = nan;
     const SplitLight light = light_of(view, &scene);
     for (const std::size_t i : {0, 1}) {
         EXPECT_EQ(light.ambient[i], glm::vec3(0));

@@ -1,17 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
-#include <filesystem>
-#include <limits>
-
+#include "scene/rasterize.hpp"
 #include "scene/internal/peel.hpp"
 #include "scene/mesh.hpp"
-#include "scene/pass_library.hpp"
-#include "scene/rasterize.hpp"
 #include "scene/support.hpp"
 #include "support/laid_out.hpp"
 
@@ -193,7 +183,6 @@ TEST_F(RasterizeTest, NormalsFaceTheViewer) {
 }
 
 TEST_F(RasterizeTest, NormalsWithoutADirectionComeFromTheTriangle) {
-    const float nan = std::numeric_limits<float>::quiet_NaN();
     for (const Variant& variant : variants) {
         for (const glm::vec3 none : {glm::vec3(0), glm::vec3(nan)}) {
             Scene scene{.name = "slope",
@@ -238,7 +227,7 @@ TEST_F(RasterizeTest, SizesThatAreNotPossible) {
 }
 
 TEST_F(RasterizeTest, MeshesThatDoNotFit) {
-    const auto expect = [&](const Mesh& mesh, std::initializer_list<const char*> parts) {
+    const auto expect = [&](const Mesh& mesh, std::initializer_list<std::string> parts) {
         expect_error<std::invalid_argument>([&] { (void)shot({.name = "odd", .mesh = mesh}, {4, 4}); },
                                             parts);
     };

@@ -1,12 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <bit>
-#include <cmath>
-#include <utility>
-
 #include "scene/mesh.hpp"
 #include "scene/rasterize.hpp"
 #include "scene/scene.hpp"

@@ -1,29 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <bit>
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include "backend/vulkan/gpu_test.hpp"
 #include "scene/pass_library.hpp"
 #include "scene/read_gbuffer.hpp"
 
 namespace gloam::scene::test {
 
-using gloam::test::read_file;
-using gloam::test::TemporaryDirectory;
-using gpu::test::expect_error;
-
 // A test that draws.
 class SceneTest : public gpu::test::GpuTest {
   protected:
     const PassLibrary passes_{GLOAM_GLSL_DIR, gloam::test::cache_directory()};
 };
-
-using gloam::test::bits;
-using gloam::test::bytes;
 
 inline std::vector<float> components(const std::vector<glm::vec3>& vectors) {
     std::vector<float> values;

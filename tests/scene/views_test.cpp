@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A sequence read from files is linked as the rasterizer links it.
-#include <cmath>
-#include <limits>
-#include <map>
-#include <optional>
-#include <set>
-
 #include "scene/gbuffer.hpp"
 #include "scene/rasterize.hpp"
 #include "scene/scene.hpp"
 #include "scene/support.hpp"
-#include "support/matchers.hpp"
 
 namespace gloam::scene::test::views_test {
 
@@ -108,8 +101,6 @@ glm::vec3 earlier(const glm::vec3& motion, std::vector<float> previous_depth, fl
 }
 
 TEST(FrameLinkOf, MotionThatIsNotValid) {
-    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-    constexpr float infinity = std::numeric_limits<float>::infinity();
     const glm::vec3 none(0);
     EXPECT_EQ(earlier({0, 0, 0}, {}), none) << "it leads into the image, so nothing is known";
     EXPECT_EQ(earlier({-1, 0, 0}, {}), none);

@@ -1,29 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <chrono>
 #include <csignal>
-#include <functional>
-#include <iterator>
-#include <thread>
 
-#include "base/files.hpp"
-#include "shader/compile.hpp"
 #include "shader/include.hpp"
 #include "support.hpp"
 
 namespace gloam::shader::cache_test {
-
-using test::fixture;
-using test::kernel;
-using test::TemporaryDirectory;
-using test::with_fixtures;
 
 const Source source = kernel("#include \"math/hypot.glsl\"", "fx_hypot(3.0, 4.0)");
 
@@ -39,24 +25,24 @@ std::vector<std::string> prototypes(const std::vector<Function>& functions) {
     return texts;
 }
 
-TEST(SpirvCache, GivesWhatTheCompilerGives) {
-    const TemporaryDirectory dir;
-    const SpirvCache cache(dir.path() / "new" / "folder");
+using SpirvCacheTest = InFolder;
+
+TEST_F(SpirvCacheTest, GivesWhatTheCompilerGives) {
+    const SpirvCache cache(folder.path() / "new" / "folder");
     const Spirv expected = compile(source, with_fixtures());
     EXPECT_EQ(cache.compile(source, with_fixtures()), expected);
     EXPECT_EQ(cache.compile(source, with_fixtures()), expected);
-    EXPECT_EQ(files_in(dir.path() / "new" / "folder"), 1u);
+    EXPECT_EQ(files_in(folder.path() / "new" / "folder"), 1u);
 }
 
 // An entry that is exchanged for another valid one is what comes back: so it is really read.
-TEST(SpirvCache, ReadsTheEntryInsteadOfCompiling) {
-    const TemporaryDirectory dir;
-    const auto lib = dir.write("lib.glsl", "float f() { return 1.0; }\n");
+TEST_F(SpirvCacheTest, ReadsTheEntryInsteadOfCompiling) {
+    const auto lib = folder.write("lib.glsl", "float f() { return 1.0; }\n");
     const Source user = kernel("#include \"lib.glsl\"", "f()");
-    const CompileOptions options{.include_roots = {dir.path()}};
-    const SpirvCache cache(dir.path() / "cache");
+    const CompileOptions options{.include_roots = {folder.path()}};
+    const SpirvCache cache(folder.path() / "cache");
     const Spirv stored = cache.compile(user, options);
-    const auto entry = std::filesystem::directory_iterator(dir.path() / "cache")->path();
+    const auto entry = std::filesystem::directory_iterator(folder.path() / "cache")->path();
     const auto written = std::filesystem::last_write_time(entry);
     std::filesystem::last_write_time(entry, written - std::chrono::hours(1));
     EXPECT_EQ(cache.compile(user, options), stored);
@@ -64,9 +50,8 @@ TEST(SpirvCache, ReadsTheEntryInsteadOfCompiling) {
         << "the entry was written again";
 }
 
-TEST(SpirvCache, FunctionsSurviveTheRoundTrip) {
-    const TemporaryDirectory dir;
-    const SpirvCache cache(dir.path());
+TEST_F(SpirvCacheTest, FunctionsSurviveTheRoundTrip) {
+    const SpirvCache cache(folder.path());
     for (const char* name : {"types.glsl", "fetch.glsl"}) {
         const Source text{"text", "#version 450\n#include \"" + std::string(name) +
                                       "\"\nfloat f(float a[2], out double d) { d = 1.0LF; return a[0]; }\n"};
@@ -74,12 +59,11 @@ TEST(SpirvCache, FunctionsSurviveTheRoundTrip) {
         EXPECT_EQ(prototypes(cache.functions(text, with_fixtures())), expected);
         EXPECT_EQ(prototypes(cache.functions(text, with_fixtures())), expected);
     }
-    EXPECT_EQ(files_in(dir.path()), 2u);
+    EXPECT_EQ(files_in(folder.path()), 2u);
 }
 
-TEST(SpirvCache, KeepsApartWhateverDiffers) {
-    const TemporaryDirectory dir;
-    const SpirvCache cache(dir.path());
+TEST_F(SpirvCacheTest, KeepsApartWhateverDiffers) {
+    const SpirvCache cache(folder.path());
     Source renamed = source;
     renamed.name = "other";
     Source changed = source;
@@ -97,77 +81,72 @@ TEST(SpirvCache, KeepsApartWhateverDiffers) {
     static_cast<void>(cache.compile(renamed, with_fixtures()));
     static_cast<void>(cache.compile(changed, with_fixtures()));
     static_cast<void>(cache.functions(source, with_fixtures()));
-    EXPECT_EQ(files_in(dir.path()), 9u);
+    EXPECT_EQ(files_in(folder.path()), 9u);
     CompileOptions strict = with_fixtures();
     strict.variant = variant("strict");
     static_cast<void>(cache.functions(source, strict));
-    EXPECT_EQ(files_in(dir.path()), 9u) << "functions are those of every variant";
+    EXPECT_EQ(files_in(folder.path()), 9u) << "functions are those of every variant";
 
     const Source any_stage{"any", "#version 450\nvoid main() {}\n"};
     for (const Stage stage : {Stage::compute, Stage::vertex, Stage::fragment})
         EXPECT_EQ(cache.compile(any_stage, {.stage = stage}), compile(any_stage, {.stage = stage}));
 }
 
-TEST(SpirvCache, ChangedIncludeIsCompiledAgain) {
-    const TemporaryDirectory dir;
-    const SpirvCache cache(dir.path() / "cache");
-    const CompileOptions options{.include_roots = {dir.path()}};
+TEST_F(SpirvCacheTest, ChangedIncludeIsCompiledAgain) {
+    const SpirvCache cache(folder.path() / "cache");
+    const CompileOptions options{.include_roots = {folder.path()}};
     const Source user = kernel("#include \"outer.glsl\"", "f()");
-    dir.write("outer.glsl", "#include \"inner.glsl\"\n");
-    dir.write("inner.glsl", "float f() { return 1.0; }\n");
+    folder.write("outer.glsl", "#include \"inner.glsl\"\n");
+    folder.write("inner.glsl", "float f() { return 1.0; }\n");
     const Spirv one = cache.compile(user, options);
-    dir.write("inner.glsl", "float f() { return 2.0; }\n");
+    folder.write("inner.glsl", "float f() { return 2.0; }\n");
     const Spirv two = cache.compile(user, options);
     EXPECT_NE(one, two);
     EXPECT_EQ(two, compile(user, options));
-    dir.write("inner.glsl", "float f() { return 1.0; }\n");
+    folder.write("inner.glsl", "float f() { return 1.0; }\n");
     EXPECT_EQ(cache.compile(user, options), one);
-    dir.write("inner.glsl", "float f() { return x; }\n");
+    folder.write("inner.glsl", "float f() { return x; }\n");
     EXPECT_THROW(static_cast<void>(cache.compile(user, options)), CompileError);
 }
 
-TEST(SpirvCache, AFileThatHidesAnotherIsNoticed) {
-    const TemporaryDirectory dir;
-    const SpirvCache cache(dir.path() / "cache");
-    const CompileOptions options{.include_roots = {dir.path() / "first", dir.path() / "second"}};
+TEST_F(SpirvCacheTest, AFileThatHidesAnotherIsNoticed) {
+    const SpirvCache cache(folder.path() / "cache");
+    const CompileOptions options{.include_roots = {folder.path() / "first", folder.path() / "second"}};
     const Source user = kernel("#include \"f.glsl\"", "f()");
-    dir.write("second/f.glsl", "float f() { return 1.0; }\n");
+    folder.write("second/f.glsl", "float f() { return 1.0; }\n");
     static_cast<void>(cache.compile(user, options));
-    dir.write("first/f.glsl", "float f() { return 2.0; }\n");
+    folder.write("first/f.glsl", "float f() { return 2.0; }\n");
     EXPECT_EQ(cache.compile(user, options), compile(user, options));
 }
 
-TEST(SpirvCache, IncludeBesideTheSourceCounts) {
-    const TemporaryDirectory dir;
-    const SpirvCache cache(dir.path() / "cache");
+TEST_F(SpirvCacheTest, IncludeBesideTheSourceCounts) {
+    const SpirvCache cache(folder.path() / "cache");
     Source user = kernel("#include \"f.glsl\"", "f()");
-    user.name = (dir.path() / "user.comp").string();
-    dir.write("f.glsl", "float f() { return 1.0; }\n");
+    user.name = (folder.path() / "user.comp").string();
+    folder.write("f.glsl", "float f() { return 1.0; }\n");
     const Spirv one = cache.compile(user, {});
-    dir.write("f.glsl", "float f() { return 2.0; }\n");
+    folder.write("f.glsl", "float f() { return 2.0; }\n");
     EXPECT_NE(cache.compile(user, {}), one);
 }
 
-TEST(SpirvCache, ErrorsAreThrownEveryTimeAndNotStored) {
-    const TemporaryDirectory dir;
-    const SpirvCache cache(dir.path());
+TEST_F(SpirvCacheTest, ErrorsAreThrownEveryTimeAndNotStored) {
+    const SpirvCache cache(folder.path());
     const Source bad = kernel("#include \"broken/outer.glsl\"", "1.0");
     for (int i = 0; i < 2; ++i) {
         EXPECT_THROW(static_cast<void>(cache.compile(bad, with_fixtures())), CompileError);
         EXPECT_THROW(static_cast<void>(cache.functions(bad, with_fixtures())), CompileError);
     }
-    EXPECT_EQ(files_in(dir.path()), 0u);
+    EXPECT_EQ(files_in(folder.path()), 0u);
 }
 
-TEST(SpirvCache, WithoutAFolderNothingIsKept) {
+TEST_F(SpirvCacheTest, WithoutAFolderNothingIsKept) {
     const SpirvCache cache;
     EXPECT_EQ(cache.compile(source, with_fixtures()), compile(source, with_fixtures()));
     EXPECT_FALSE(cache.functions(source, with_fixtures()).empty());
 }
 
-TEST(SpirvCache, ThreadsMayShareIt) {
-    const TemporaryDirectory dir;
-    const SpirvCache cache(dir.path());
+TEST_F(SpirvCacheTest, ThreadsMayShareIt) {
+    const SpirvCache cache(folder.path());
     const Spirv expected = compile(source, with_fixtures());
     std::array<Spirv, 4> results;
     {
@@ -176,13 +155,12 @@ TEST(SpirvCache, ThreadsMayShareIt) {
             threads.emplace_back([&] { result = cache.compile(source, with_fixtures()); });
     }
     for (const Spirv& result : results) EXPECT_EQ(result, expected);
-    EXPECT_EQ(files_in(dir.path()), 1u);
+    EXPECT_EQ(files_in(folder.path()), 1u);
 }
 
 // The children start together on an empty folder and remove the entry now and then, so that reads meet
 // writes.
-TEST(SpirvCache, ProcessesMayShareIt) {
-    const TemporaryDirectory dir;
+TEST_F(SpirvCacheTest, ProcessesMayShareIt) {
     const Spirv expected = compile(source, with_fixtures());
     std::vector<pid_t> children;
     for (int child = 0; child < 2; ++child) {
@@ -191,10 +169,10 @@ TEST(SpirvCache, ProcessesMayShareIt) {
         if (pid == 0) {
             bool right = true;
             for (int i = 0; i < 40; ++i) {
-                right = right && SpirvCache(dir.path()).compile(source, with_fixtures()) == expected;
+                right = right && SpirvCache(folder.path()).compile(source, with_fixtures()) == expected;
                 std::error_code ignored;
                 if (i % 3 == child)
-                    for (const auto& entry : std::filesystem::directory_iterator(dir.path(), ignored))
+                    for (const auto& entry : std::filesystem::directory_iterator(folder.path(), ignored))
                         if (entry.path().extension() == ".spv")
                             std::filesystem::remove(entry.path(), ignored);
             }
@@ -208,7 +186,7 @@ TEST(SpirvCache, ProcessesMayShareIt) {
         EXPECT_TRUE(WIFEXITED(status));
         EXPECT_EQ(WEXITSTATUS(status), 0);
     }
-    EXPECT_LE(files_in(dir.path()), 1u) << "temporary files stay behind";
+    EXPECT_LE(files_in(folder.path()), 1u) << "temporary files stay behind";
 }
 
 const Source doubling = kernel("float f(float x) { return x * 2.0; }", "f(3.0)");

@@ -1,24 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <array>
-#include <cstdlib>
-#include <optional>
-#include <thread>
-
 #include "shader/compile.hpp"
 #include "shader/include.hpp"
 #include "shader/internal/compiler_process.hpp"
-#include "shader/spirv.hpp"
 #include "support.hpp"
 #include "support/environment.hpp"
-#include "support/matchers.hpp"
 
 namespace gloam::shader::compile_test {
-
-using test::fixture;
-using test::kernel;
-using test::message_of;
-using test::TemporaryDirectory;
-using test::with_fixtures;
 
 TEST(Compile, MakesAModuleForVulkan12) {
     const Spirv module = compile(kernel("", "1.0"), {});
@@ -106,10 +93,10 @@ TEST(Compile, TakesHlsl) {
         "SV_DispatchThreadID) { result[id.x] = ";
     EXPECT_THAT(disassemble(compile_hlsl({"h", text + "frac(1.5f); }\n"}, Stage::compute)),
                 AllOf(HasSubstr("Binding 3"), HasSubstr("StorageBuffer")));
-    EXPECT_THAT(test::message_of<CompileError>(
-                    [&] { (void)compile_hlsl({"h", text + "no_such; }\n"}, Stage::compute); }),
-                HasSubstr("h:3: "));
-    EXPECT_THAT(test::message_of<CompileError>([&] {
+    EXPECT_THAT(
+        message_of<CompileError>([&] { (void)compile_hlsl({"h", text + "no_such; }\n"}, Stage::compute); }),
+        HasSubstr("h:3: "));
+    EXPECT_THAT(message_of<CompileError>([&] {
                     (void)compile_hlsl({"h", "cbuffer B { float y; };\n" + text + "y; }\n"}, Stage::compute);
                 }),
                 HasSubstr("uniform buffers"));
@@ -249,66 +236,63 @@ std::vector<std::filesystem::path> paths(const std::vector<IncludedFile>& files)
     return result;
 }
 
-TEST(Include, ReadsATextWhole) {
-    const TemporaryDirectory dir;
-    EXPECT_EQ(read_text(dir.write("a.glsl", "one\r\ntwo")), "one\r\ntwo");
-    EXPECT_EQ(read_text(dir.write("empty.glsl", "")), "");
-    EXPECT_EQ(read_text(dir.write("marked.glsl", "\xef\xbb\xbfone")), "one");
+using Include = InFolder;
+
+TEST_F(Include, ReadsATextWhole) {
+    EXPECT_EQ(read_text(folder.write("a.glsl", "one\r\ntwo")), "one\r\ntwo");
+    EXPECT_EQ(read_text(folder.write("empty.glsl", "")), "");
+    EXPECT_EQ(read_text(folder.write("marked.glsl", "\xef\xbb\xbfone")), "one");
 }
 
-TEST(Include, UnreadableTextIsNamed) {
-    const TemporaryDirectory dir;
+TEST_F(Include, UnreadableTextIsNamed) {
     const auto read = [](const std::filesystem::path& file) {
         return message_of<std::runtime_error>([&] { static_cast<void>(read_text(file)); });
     };
-    EXPECT_THAT(read(dir.path() / "none.glsl"), HasSubstr((dir.path() / "none.glsl").string()));
-    EXPECT_THAT(read(dir.path()), AllOf(HasSubstr(dir.path().string()), HasSubstr("folder")));
+    EXPECT_THAT(read(folder.path() / "none.glsl"), HasSubstr((folder.path() / "none.glsl").string()));
+    EXPECT_THAT(read(folder.path()), AllOf(HasSubstr(folder.path().string()), HasSubstr("folder")));
 }
 
-TEST(Include, FilesThatWereReadAreListedOnceEach) {
-    const TemporaryDirectory dir;
-    const auto file = dir.write("a.glsl", "");
+TEST_F(Include, FilesThatWereReadAreListedOnceEach) {
+    const auto file = folder.write("a.glsl", "");
     const char* before = std::getenv("GLOAM_DEPENDENCIES_OUTPUT");
     const std::optional<std::string> kept = before ? std::optional<std::string>(before) : std::nullopt;
-    const auto list = dir.path() / "list";
+    const auto list = folder.path() / "list";
     ::setenv("GLOAM_DEPENDENCIES_OUTPUT", list.c_str(), 1);
     static_cast<void>(read_text(file));
-    static_cast<void>(read_text(dir.path() / "." / "a.glsl"));
-    ::setenv("GLOAM_DEPENDENCIES_OUTPUT", (dir.path() / "none" / "list").c_str(), 1);
+    static_cast<void>(read_text(folder.path() / "." / "a.glsl"));
+    ::setenv("GLOAM_DEPENDENCIES_OUTPUT", (folder.path() / "none" / "list").c_str(), 1);
     EXPECT_EQ(read_text(file), "") << "a list that cannot be written stops nothing";
     if (kept) ::setenv("GLOAM_DEPENDENCIES_OUTPUT", kept->c_str(), 1);
     if (!kept) ::unsetenv("GLOAM_DEPENDENCIES_OUTPUT");
     EXPECT_EQ(read_text(list), std::filesystem::canonical(file).string() + "\n");
 }
 
-TEST(Include, AFileOfAnOverlaidFolderIsReadFromTheCopy) {
-    const TemporaryDirectory dir;
-    const auto changed = dir.write("original/a/changed.glsl", "one");
-    const auto missing = dir.write("original/missing.glsl", "one");
-    const auto outside = dir.write("changed.glsl", "one");
-    const auto copy = dir.write("copy/a/changed.glsl", "two");
-    (void)dir.write("copy/changed.glsl", "two");
-    const gloam::test::ScopedVariable shaders("GLOAM_SHADERS", (dir.path() / "copy").c_str());
+TEST_F(Include, AFileOfAnOverlaidFolderIsReadFromTheCopy) {
+    const auto changed = folder.write("original/a/changed.glsl", "one");
+    const auto missing = folder.write("original/missing.glsl", "one");
+    const auto outside = folder.write("changed.glsl", "one");
+    const auto copy = folder.write("copy/a/changed.glsl", "two");
+    (void)folder.write("copy/changed.glsl", "two");
+    const gloam::test::ScopedVariable shaders("GLOAM_SHADERS", (folder.path() / "copy").c_str());
     EXPECT_EQ(read_text(changed), "one") << "a copy of which folder?";
-    const gloam::test::ScopedVariable of("GLOAM_SHADERS_OF", (dir.path() / "original").c_str());
+    const gloam::test::ScopedVariable of("GLOAM_SHADERS_OF", (folder.path() / "original").c_str());
     EXPECT_EQ(read_text(changed), "two");
-    EXPECT_EQ(read_text(dir.path() / "copy" / ".." / "original" / "a" / "changed.glsl"), "two");
+    EXPECT_EQ(read_text(folder.path() / "copy" / ".." / "original" / "a" / "changed.glsl"), "two");
     EXPECT_EQ(read_text(missing), "one");
     EXPECT_EQ(read_text(outside), "one");
-    const auto closure = include_closure("#include \"a/changed.glsl\"\n", {dir.path() / "original"});
+    const auto closure = include_closure("#include \"a/changed.glsl\"\n", {folder.path() / "original"});
     ASSERT_EQ(closure.size(), 1U);
     EXPECT_EQ(closure[0].path, changed);
     EXPECT_EQ(closure[0].text, "two");
     EXPECT_EQ(overlaid(changed), copy);
 }
 
-TEST(Include, OwnFolderComesBeforeTheRootsAndTheyInOrder) {
-    const TemporaryDirectory dir;
-    const auto own = dir.write("own/a.glsl", "");
-    const auto first = dir.write("first/a.glsl", "");
-    const auto second = dir.write("second/a.glsl", "");
-    const auto last = dir.write("second/b.glsl", "");
-    const std::vector roots{first.parent_path(), second.parent_path(), dir.path()};
+TEST_F(Include, OwnFolderComesBeforeTheRootsAndTheyInOrder) {
+    const auto own = folder.write("own/a.glsl", "");
+    const auto first = folder.write("first/a.glsl", "");
+    const auto second = folder.write("second/a.glsl", "");
+    const auto last = folder.write("second/b.glsl", "");
+    const std::vector roots{first.parent_path(), second.parent_path(), folder.path()};
     EXPECT_EQ(resolve_include("a.glsl", own.parent_path(), roots), own);
     EXPECT_EQ(resolve_include("a.glsl", {}, roots), first);
     EXPECT_EQ(resolve_include("b.glsl", own.parent_path(), roots), last);
@@ -319,7 +303,7 @@ TEST(Include, OwnFolderComesBeforeTheRootsAndTheyInOrder) {
         HasSubstr("outside the include roots, expected a file below " + first.parent_path().string()));
 }
 
-TEST(Include, MissingIncludeListsWhereItLooked) {
+TEST_F(Include, MissingIncludeListsWhereItLooked) {
     const auto message = message_of<std::runtime_error>(
         [] { static_cast<void>(resolve_include("x/y.glsl", "/from", {"/one", "/two"})); });
     EXPECT_THAT(message, AllOf(HasSubstr("\"x/y.glsl\""), HasSubstr("/from/x/y.glsl"),
@@ -327,7 +311,7 @@ TEST(Include, MissingIncludeListsWhereItLooked) {
     EXPECT_THROW(static_cast<void>(resolve_include("x", {}, {})), std::runtime_error);
 }
 
-TEST(Include, AFolderIsNoInclude) {
+TEST_F(Include, AFolderIsNoInclude) {
     EXPECT_THROW(static_cast<void>(resolve_include("math", {}, {FIXTURES})), std::runtime_error);
 }
 

@@ -2,13 +2,9 @@
 #include "shader/pack.hpp"
 
 #include "support.hpp"
-#include "support/matchers.hpp"
 
 namespace gloam::shader::pack_test {
 
-using test::fixture;
-using test::message_of;
-using test::TemporaryDirectory;
 using Files = std::vector<std::filesystem::path>;
 
 std::string packed(const std::string& text, const PackRequest& request = {}) {

@@ -1,20 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
-
-#include <array>
-
-#include "disassembly.hpp"
+#include "shader/spirv.hpp"
 #include "shader/internal/lines.hpp"
 #include "shader/reflection.hpp"
-#include "shader/spirv.hpp"
 #include "support.hpp"
-#include "support/matchers.hpp"
 
 namespace gloam::shader::spirv_test {
-
-using test::Disassembly;
-using test::kernel;
-using test::message_of;
 
 Spirv module() {
     return compile(kernel("", "sqrt(float(gl_GlobalInvocationID.x))"), {});

@@ -1,23 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "shader/steps.hpp"
-
-#include <fstream>
+#include <sys/stat.h>
 
 #include "shader/include.hpp"
 #include "shader/metamorphic.hpp"
-#include "shader/spirv.hpp"
+#include "shader/pack.hpp"
+#include "shader/steps.hpp"
 #include "support.hpp"
-#include "support/files.hpp"
-
-#include "support/matchers.hpp"
 
 namespace gloam::shader::steps_test {
-
-using test::kernel;
-using test::message_of;
-using testing::Contains;
-using testing::EndsWith;
-using testing::Not;
 
 const Spirv& module() {
     static const Spirv made = compile(
@@ -46,7 +36,7 @@ TEST(Steps, ATranslationCompilesAgain) {
 }
 
 TEST(Steps, AFileReplacesTheModule) {
-    const test::TemporaryDirectory folder;
+    const TemporaryDirectory folder;
     const auto file = folder.path() / "other.spv";
     const Spirv other = after("spirv-opt -O");
     std::ofstream(file, std::ios::binary)
@@ -73,11 +63,11 @@ TEST(Steps, OfALibraryThatCrashesOrErrsCostThemselvesAlone) {
          {std::pair{"loop_peeling.comp", "spirv-opt --relax-float-ops --loop-peeling"},
           std::pair{"dead_constant.comp",
                     "spirv-opt --eliminate-local-single-store --amd-ext-to-khr --eliminate-dead-const"}}) {
-        const Spirv before = compile({file, read_text(test::fixture(file))}, {});
+        const Spirv before = compile({file, read_text(fixture(file))}, {});
         try {
             validate(after(step, before));
         } catch (const StepError& error) {
-            EXPECT_THAT(error.what(), testing::StartsWith(step));
+            EXPECT_THAT(error.what(), StartsWith(step));
         }
     }
 }
@@ -117,16 +107,16 @@ TEST(Steps, ATextStandsForEachPassOrForRandomOnes) {
     EXPECT_EQ(random.size(), 3U);
     EXPECT_NE(random[0], random[1]);
     EXPECT_THAT(random[0], EndsWith("{in} -o {out}"));
-    EXPECT_THAT(steps_from("metamorphic", 5, 2), testing::ElementsAre("metamorphic 5", "metamorphic 6"));
+    EXPECT_THAT(steps_from("metamorphic", 5, 2), ElementsAre("metamorphic 5", "metamorphic 6"));
 }
 
 TEST(Steps, HavePartsThatCanBeLeftOut) {
     const std::string program = "/opt/spirv-opt --ccp --merge-blocks {in} -o {out}";
-    EXPECT_THAT(parts_of(program), testing::ElementsAre("--ccp", "--merge-blocks"));
+    EXPECT_THAT(parts_of(program), ElementsAre("--ccp", "--merge-blocks"));
     EXPECT_EQ(with_parts(program, {"--merge-blocks"}), "/opt/spirv-opt --merge-blocks {in} -o {out}");
     EXPECT_EQ(parts_of("metamorphic 3").size(), metamorphic_changes);
     EXPECT_EQ(with_parts("metamorphic 3", {"4", "9"}), "metamorphic 3 only 4 9");
-    EXPECT_THAT(parts_of("metamorphic 3 only 4 9"), testing::ElementsAre("4", "9"));
+    EXPECT_THAT(parts_of("metamorphic 3 only 4 9"), ElementsAre("4", "9"));
     EXPECT_TRUE(parts_of("spirv-cross glsl").empty());
 }
 
@@ -155,6 +145,111 @@ TEST(Metamorphic, MakesEveryKindOfChange) {
 TEST(Metamorphic, RefusesWhatIsNoModule) {
     EXPECT_THAT(message_of<std::runtime_error>([] { (void)metamorphic({1, 2, 3}, 1, {0}); }),
                 HasSubstr("no SPIR-V module"));
+}
+
+// Texts that exhaust or mislead the compiler: each is a CompileError that names the text, and the next text
+// compiles.
+
+std::string repeated(const std::string& text, std::size_t count) {
+    std::string all;
+    for (std::size_t i = 0; i < count; ++i) all += text;
+    return all;
+}
+
+using Hostile = InFolder;
+
+TEST_F(Hostile, AnExpressionThatIsTooDeep) {
+    const Source source{"bad.comp", "#version 450\nfloat f(float x) { return " + repeated("x-", 200'000) +
+                                        "x; }\nvoid main() { f(1.0); }\n"};
+    const std::string why = "bad.comp: the compiler ended by signal 11";
+    EXPECT_THAT(message_of<CompileError>([&] { (void)compile(source, {}); }), StartsWith(why));
+    EXPECT_THAT(message_of<CompileError>([&] { (void)functions(source, {}); }), StartsWith(why));
+    EXPECT_NO_THROW((void)compile(kernel("", "1.0"), {})) << "the next text is another process's";
+}
+
+TEST_F(Hostile, MacrosThatDouble) {
+    std::string macros = "#define M0 x\n";
+    for (int i = 1; i <= 40; ++i) {
+        const std::string inner = "M" + std::to_string(i - 1);
+        macros += "#define M" + std::to_string(i) + " " + inner + " + " + inner + "\n";
+    }
+    const Source source{"bad.comp", "#version 450\n" + macros + "float f(float x) { return M40; }\n"};
+    const std::string why = "bad.comp: the compiler takes more than ";
+    EXPECT_THAT(message_of<CompileError>([&] { (void)functions(source, {}); }), StartsWith(why));
+    EXPECT_THAT(message_of<CompileError>([&] { (void)pack({source}, {}, {}); }), StartsWith(why));
+}
+
+TEST_F(Hostile, IncludesFromOutsideTheRoots) {
+    const auto secret = folder.write("secret.glsl", "float secret;\n");
+    const std::filesystem::path home = folder.write("home/deep/top.comp", "").parent_path();
+    std::filesystem::create_symlink(secret, home / "link.glsl");
+    std::filesystem::create_symlink(folder.path(), home / "folder");
+    for (const std::string& directive :
+         {"#include \"" + secret.string() + "\"", std::string("#include \"../../secret.glsl\""),
+          "#include <" + secret.string() + ">", std::string("#include <../../secret.glsl>"),
+          std::string("#include \"link.glsl\""), std::string("#include \"folder/secret.glsl\"")}) {
+        const Source source{(home / "top.comp").string(),
+                            "#version 450\n" + directive + "\nvoid main() {}\n"};
+        const CompileOptions options{.include_roots = {home}};
+        for (const auto& message :
+             {message_of<CompileError>([&] { (void)compile(source, options); }),
+              message_of<CompileError>([&] { (void)pack({source}, {}, options.include_roots); })})
+            EXPECT_THAT(message, AllOf(HasSubstr(":2: include \""), HasSubstr(home.string()),
+                                       HasSubstr("outside the include roots, expected a file below")))
+                << directive;
+        EXPECT_TRUE(include_closure(source.text, options.include_roots, home).empty()) << directive;
+        const CompileOptions wide{.include_roots = {home, folder.path()}};
+        if (directive.find("<..") != std::string::npos) continue;  // found in no root
+        EXPECT_NO_THROW((void)compile(source, wide)) << directive;
+    }
+}
+
+// #line can name any file; an include is not searched beside it.
+TEST_F(Hostile, ALineDirectiveOpensNoFolder) {
+    (void)folder.write("secret.glsl", "float secret;\n");
+    const Source source{(folder.path() / "home" / "top.comp").string(),
+                        "#version 450\n#line 2 \"" + (folder.path() / "x.glsl").string() +
+                            "\"\n#include \"secret.glsl\"\nvoid main() {}\n"};
+    EXPECT_THROW((void)compile(source, {}), CompileError);
+    EXPECT_THROW((void)pack({source}, {}, {}), CompileError);
+}
+
+TEST_F(Hostile, IncludesThatAreNestedWithoutEnd) {
+    constexpr int length = 3000;
+    for (int i = 0; i < length; ++i)
+        folder.write("i" + std::to_string(i), "#include \"i" + std::to_string(i + 1) + "\"\n");
+    folder.write("i" + std::to_string(length), "\n");
+    const CompileOptions options{.include_roots = {folder.path()}};
+    EXPECT_EQ(include_closure("#include \"i0\"\n", options.include_roots).size(), length + 1U);
+    EXPECT_THAT(message_of<CompileError>([&] { (void)compile(kernel("#include \"i0\"", "1.0"), options); }),
+                HasSubstr("includes are nested more than 256 deep"));
+}
+
+TEST_F(Hostile, IncludesThatAreLongTogether) {
+    std::string all;
+    for (int i = 0; i < 5; ++i) {
+        folder.write("i" + std::to_string(i), std::string(15U << 20U, ' '));
+        all += "#include \"i" + std::to_string(i) + "\"\n";
+    }
+    EXPECT_THAT(message_of<std::runtime_error>([&] { (void)include_closure(all, {folder.path()}); }),
+                AllOf(HasSubstr("i4"), HasSubstr("longer than")));
+}
+
+TEST_F(Hostile, FilesThatAreNoText) {
+    const auto why = [](const std::filesystem::path& file) {
+        const std::string message = message_of<std::runtime_error>([&] { (void)read_text(file); });
+        EXPECT_THAT(message, HasSubstr(file.string()));
+        return message;
+    };
+    EXPECT_THAT(why(folder.write("utf16.glsl", std::string("\xff\xfe"
+                                                           "f\0",
+                                                           4))),
+                HasSubstr("NUL"));
+    EXPECT_THAT(why(folder.write("long.glsl", std::string((64U << 20U) + 1, ' '))), HasSubstr("longer than"));
+    const auto fifo = folder.path() / "fifo.glsl";
+    ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+    EXPECT_THAT(why(fifo), HasSubstr("no regular file"));
+    EXPECT_THAT(why("/dev/zero"), HasSubstr("no regular file"));
 }
 
 }  // namespace gloam::shader::steps_test

@@ -7,11 +7,8 @@
 #include "shader/spirv.hpp"
 #include "shader/steps.hpp"
 #include "support.hpp"
-#include "support/matchers.hpp"
 
 namespace gloam::shader::wgsl_test {
-
-using test::message_of;
 
 // The functions of a text.
 std::string functions_of(const std::string& glsl) {
@@ -31,12 +28,6 @@ std::string shader_of(const std::string& rest) {
 
 std::string refusal_of(const std::string& glsl) {
     return message_of<WgslError>([&] { (void)shader_of(glsl); });
-}
-
-TEST(Wgsl, ExpressionsAreWrittenWhereTheyAreUsed) {
-    EXPECT_EQ(
-        body_of("float f(vec2 v, float s) { float t = v.x * s; return max(t, -v.y) / (t - (s - 1.0)); }"),
-        "    let t = v.x * s;\n    return max(t, -v.y) / (t - (s - 1.0));\n}\n");
 }
 
 // An optimiser leaves such operations on constants.
@@ -69,79 +60,94 @@ TEST(Wgsl, WhatMeansTheSameIsTranslatedAsWell) {
             << seed;
 }
 
-TEST(Wgsl, CountsOfBitsAreSignedAsInTheText) {
-    EXPECT_EQ(body_of("int f(uint x) { return bitCount(x); }"),
-              "    return bitcast<i32>(countOneBits(x));\n}\n");
-    EXPECT_EQ(body_of("int f(int x) { return bitCount(x); }"), "    return countOneBits(x);\n}\n");
-    EXPECT_EQ(body_of("int f(uint x) { return findMSB(x); }"),
-              "    return bitcast<i32>(firstLeadingBit(x));\n}\n");
-}
-
-TEST(Wgsl, AValueIsReadBeforeItsVariableChanges) {
-    EXPECT_EQ(body_of("float f(float x) { float a = x; float b = a++ * a; return a - b; }"),
-              "    var a = x;\n    let t = a;\n    a += 1.0;\n    let b = t * a;\n    return a - b;\n}\n");
-}
-
-TEST(Wgsl, BracketsKeepTheOrder) {
-    EXPECT_EQ(body_of("float f(float a, float b, float c) { return a - (b - c) * (a / (b / c)); }"),
-              "    return a - (b - c) * (a / (b / c));\n}\n");
-    EXPECT_EQ(body_of("uint f(uint a, uint b) { return ((a & b) | (a ^ 3u)) + (b << 2u); }"),
-              "    return ((a & b) | (a ^ 3u)) + (b << 2u);\n}\n");
-    EXPECT_EQ(body_of("bool f(float a, bool b, bool c) { return (a > 1.0 || b) && !c; }"),
-              "    return (a > 1.0 || b) && !c;\n}\n");
+// What a function is about, its text, and its body in WGSL.
+struct Body {
+    const char* name;
+    const char* glsl;
+    const char* wgsl;
+};
+constexpr Body bodies[] = {
+    {"ExpressionsAreWrittenWhereTheyAreUsed",
+     "float f(vec2 v, float s) { float t = v.x * s; return max(t, -v.y) / (t - (s - 1.0)); }",
+     "    let t = v.x * s;\n    return max(t, -v.y) / (t - (s - 1.0));\n}\n"},
+    {"AValueIsReadBeforeItsVariableChanges",
+     "float f(float x) { float a = x; float b = a++ * a; return a - b; }",
+     "    var a = x;\n    let t = a;\n    a += 1.0;\n    let b = t * a;\n    return a - b;\n}\n"},
+    {"CountsOfBitsAreSignedAsInTheText1", "int f(uint x) { return bitCount(x); }",
+     "    return bitcast<i32>(countOneBits(x));\n}\n"},
+    {"CountsOfBitsAreSignedAsInTheText2", "int f(int x) { return bitCount(x); }",
+     "    return countOneBits(x);\n}\n"},
+    {"CountsOfBitsAreSignedAsInTheText3", "int f(uint x) { return findMSB(x); }",
+     "    return bitcast<i32>(firstLeadingBit(x));\n}\n"},
+    {"BracketsKeepTheOrder1", "float f(float a, float b, float c) { return a - (b - c) * (a / (b / c)); }",
+     "    return a - (b - c) * (a / (b / c));\n}\n"},
+    {"BracketsKeepTheOrder2", "uint f(uint a, uint b) { return ((a & b) | (a ^ 3u)) + (b << 2u); }",
+     "    return ((a & b) | (a ^ 3u)) + (b << 2u);\n}\n"},
+    {"BracketsKeepTheOrder3", "bool f(float a, bool b, bool c) { return (a > 1.0 || b) && !c; }",
+     "    return (a > 1.0 || b) && !c;\n}\n"},
     // Without brackets WGSL reads `a < b, c > d` as a list of types.
-    EXPECT_EQ(body_of("float f(float a, float b) { return a < b ? float(a > 2.0) : 3.0; }"),
-              "    return select(3.0, select(0.0, 1.0, a > 2.0), a < b);\n}\n");
+    {"BracketsKeepTheOrder4", "float f(float a, float b) { return a < b ? float(a > 2.0) : 3.0; }",
+     "    return select(3.0, select(0.0, 1.0, a > 2.0), a < b);\n}\n"},
+    {"LoopsAreTheseOfTheText",
+     "int f(int n) { int s = 0; for (int i = 1; i < n; i += 2) { if (i == 5) continue; s += i; }"
+     " while (s > 9 && n > 0) { s -= 3; if (s == 4) break; } do { ++s; } while (s < 3);"
+     " return s; }",
+     "    var s = 0;\n"
+     "    for (var i = 1; i < n; i += 2) {\n"
+     "        if (i == 5) {\n            continue;\n        }\n"
+     "        s += i;\n    }\n"
+     "    while (s > 9 && n > 0) {\n"
+     "        s -= 3;\n"
+     "        if (s == 4) {\n            break;\n        }\n    }\n"
+     "    loop {\n        s += 1;\n        continuing {\n            break if !(s < 3);\n        }\n    "
+     "}\n"
+     "    return s;\n}\n"},
+    {"CasesThatFallThroughAreRepeated",
+     "int f(int n) { int s = n; switch (n) { case 1: case -2: s = 7; case 3: s *= 2; break;"
+     " default: s = 0; } return s; }",
+     "    var s = n;\n"
+     "    switch (n) {\n"
+     "        case 1, -2: {\n            s = 7;\n            s *= 2;\n        }\n"
+     "        case 3: {\n            s *= 2;\n        }\n"
+     "        default: {\n            s = 0;\n        }\n    }\n"
+     "    return s;\n}\n"},
+    // A variable that is declared outside of a loop keeps its value from one round to the next.
+    {"VariablesAreDeclaredWhereTheyKeepTheirValues",
+     "float f(int n) { float last; float s = 0.0; for (int i = 0; i < n; ++i) {"
+     " if (i == 0) last = 1.0; float x = last * 2.0; last = x; s += x; } return s; }",
+     "    var s = 0.0;\n"
+     "    var last: f32;\n"
+     "    for (var i = 0; i < n; i += 1) {\n"
+     "        if (i == 0) {\n            last = 1.0;\n        }\n"
+     "        let x = last * 2.0;\n"
+     "        last = x;\n        s += x;\n    }\n"
+     "    return s;\n}\n"},
+    {"TheBranchesOfAChoiceWithCallsStayBranches",
+     "float g(float x) { return sin(x); } float f(float x) { float y = x > 0.0 ? g(x) : 1.0;"
+     " return x < 9.0 && g(y) > 0.0 ? y : x; }",
+     "    var y: f32;\n"
+     "    if (x > 0.0) {\n        y = g(x);\n    } else {\n        y = 1.0;\n    }\n"
+     "    return select(x, y, x < 9.0 && g(y) > 0.0);\n}\n"},
+    {"ConstantParametersAreValues", "float f(const in float x, const in vec2 v) { return x * v.y; }",
+     "    return x * v.y;\n}\n"},
+    {"FunctionsWithTwoResultsGiveBoth1", "float f(float x, out float whole) { return modf(x, whole); }",
+     "    let t = modf(x);\n    *whole = t.whole;\n    return t.fract;\n}\n"},
+    {"FunctionsWithTwoResultsGiveBoth2",
+     "uint f(uint a, uint b, out uint carry) { return uaddCarry(a, b, carry); }",
+     "    let t = add_carry(a, b);\n    *carry = t.y;\n    return t.x;\n}\n"},
+    {"NamesThatWgslKeepsAreChanged",
+     "float f(float target, float abs_) { float from = target; { float step = from * abs_;"
+     " return step + abs(from); } }",
+     "    let from_ = target_;\n    let step = from_ * abs_;\n    return step + abs(from_);\n}\n"}};
+
+class WgslBody : public testing::TestWithParam<Body> {};
+
+TEST_P(WgslBody, IsThatOfTheText) {
+    EXPECT_EQ(body_of(GetParam().glsl), GetParam().wgsl);
 }
 
-TEST(Wgsl, LoopsAreTheseOfTheText) {
-    EXPECT_EQ(
-        body_of("int f(int n) { int s = 0; for (int i = 1; i < n; i += 2) { if (i == 5) continue; s += i; }"
-                " while (s > 9 && n > 0) { s -= 3; if (s == 4) break; } do { ++s; } while (s < 3);"
-                " return s; }"),
-        "    var s = 0;\n"
-        "    for (var i = 1; i < n; i += 2) {\n"
-        "        if (i == 5) {\n            continue;\n        }\n"
-        "        s += i;\n    }\n"
-        "    while (s > 9 && n > 0) {\n"
-        "        s -= 3;\n"
-        "        if (s == 4) {\n            break;\n        }\n    }\n"
-        "    loop {\n        s += 1;\n        continuing {\n            break if !(s < 3);\n        }\n    "
-        "}\n"
-        "    return s;\n}\n");
-}
-
-TEST(Wgsl, CasesThatFallThroughAreRepeated) {
-    EXPECT_EQ(body_of("int f(int n) { int s = n; switch (n) { case 1: case -2: s = 7; case 3: s *= 2; break;"
-                      " default: s = 0; } return s; }"),
-              "    var s = n;\n"
-              "    switch (n) {\n"
-              "        case 1, -2: {\n            s = 7;\n            s *= 2;\n        }\n"
-              "        case 3: {\n            s *= 2;\n        }\n"
-              "        default: {\n            s = 0;\n        }\n    }\n"
-              "    return s;\n}\n");
-}
-
-// A variable that is declared outside of a loop keeps its value from one round to the next.
-TEST(Wgsl, VariablesAreDeclaredWhereTheyKeepTheirValues) {
-    EXPECT_EQ(body_of("float f(int n) { float last; float s = 0.0; for (int i = 0; i < n; ++i) {"
-                      " if (i == 0) last = 1.0; float x = last * 2.0; last = x; s += x; } return s; }"),
-              "    var s = 0.0;\n"
-              "    var last: f32;\n"
-              "    for (var i = 0; i < n; i += 1) {\n"
-              "        if (i == 0) {\n            last = 1.0;\n        }\n"
-              "        let x = last * 2.0;\n"
-              "        last = x;\n        s += x;\n    }\n"
-              "    return s;\n}\n");
-}
-
-TEST(Wgsl, TheBranchesOfAChoiceWithCallsStayBranches) {
-    EXPECT_EQ(body_of("float g(float x) { return sin(x); } float f(float x) { float y = x > 0.0 ? g(x) : 1.0;"
-                      " return x < 9.0 && g(y) > 0.0 ? y : x; }"),
-              "    var y: f32;\n"
-              "    if (x > 0.0) {\n        y = g(x);\n    } else {\n        y = 1.0;\n    }\n"
-              "    return select(x, y, x < 9.0 && g(y) > 0.0);\n}\n");
-}
+INSTANTIATE_TEST_SUITE_P(Functions, WgslBody, testing::ValuesIn(bodies),
+                         [](const auto& info) { return info.param.name; });
 
 TEST(Wgsl, OutputsArePointersAndOtherParametersAreNot) {
     EXPECT_THAT(
@@ -164,24 +170,6 @@ TEST(Wgsl, WhatWgslLacksIsWrittenByHelpers) {
         "    let t = frexp(x);\n    *e = t.exp;\n    return ldexp(t.fract, -(*e)) + float_mod(x, 2.0);\n}\n");
     EXPECT_EQ(body_of("int f(int a, int b) { return (a % b) >> 2; }"),
               "    return int_mod(a, b) >> 2u;\n}\n");
-}
-
-TEST(Wgsl, ConstantParametersAreValues) {
-    EXPECT_EQ(body_of("float f(const in float x, const in vec2 v) { return x * v.y; }"),
-              "    return x * v.y;\n}\n");
-}
-
-TEST(Wgsl, FunctionsWithTwoResultsGiveBoth) {
-    EXPECT_EQ(body_of("float f(float x, out float whole) { return modf(x, whole); }"),
-              "    let t = modf(x);\n    *whole = t.whole;\n    return t.fract;\n}\n");
-    EXPECT_EQ(body_of("uint f(uint a, uint b, out uint carry) { return uaddCarry(a, b, carry); }"),
-              "    let t = add_carry(a, b);\n    *carry = t.y;\n    return t.x;\n}\n");
-}
-
-TEST(Wgsl, NamesThatWgslKeepsAreChanged) {
-    EXPECT_EQ(body_of("float f(float target, float abs_) { float from = target; { float step = from * abs_;"
-                      " return step + abs(from); } }"),
-              "    let from_ = target_;\n    let step = from_ * abs_;\n    return step + abs(from_);\n}\n");
 }
 
 constexpr const char* resources = R"(
@@ -255,7 +243,7 @@ TEST(Wgsl, WhatItCannotExpressIsOneLine) {
 }
 
 std::string translated_fixture(const std::string& name) {
-    const std::filesystem::path file = test::fixture("wgsl/" + name);
+    const std::filesystem::path file = fixture("wgsl/" + name);
     return translated({name, pack(std::vector{file}, {}, {})}, Target::wgsl);
 }
 

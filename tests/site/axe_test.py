@@ -5,15 +5,14 @@
 Left with status 77 where there is no Chromium, no npm, or no registry within reach of npm."""
 import json
 import subprocess
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-from browser import Browser, program
+from browser import Browser
 from npm_packages import NoPackages, install
+from site_case import GLOAM, main, skip
 
-GLOAM = sys.argv[1]
 PAGES = ["index", "check", "methods", "method-sweep", "gallery", "drivers", "measurements", "licences"]
 PACKAGE = "axe-core@4.10.3"
 SERIOUS = ("serious", "critical")
@@ -58,13 +57,9 @@ class AxeTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if program() is None:
-        print("no Chromium")
-        sys.exit(77)
     with tempfile.TemporaryDirectory() as INSTALLED:
         try:
             AXE = axe_script(INSTALLED)
         except NoPackages as reason:
-            print(reason)
-            sys.exit(77)
-    unittest.main(argv=sys.argv[:1] + sys.argv[2:])
+            skip(reason)
+    main()

@@ -34,7 +34,25 @@ KEYS = {"Tab": (9, None), "Enter": (13, "\r"), "Space": (32, " "), "ArrowRight":
         "Minus": (189, "-")}
 
 
-class Browser:
+class Page:
+    """What tests do with the page of either browser, by its evaluate() and its timeout."""
+
+    def __enter__(self):
+        return self
+
+    def wait(self, condition):
+        """Waits until an expression in the page is true."""
+        deadline = time.monotonic() + self.timeout
+        while not self.evaluate(condition):
+            if time.monotonic() > deadline:
+                raise BrowserError(f"after {self.timeout} s still not: {condition}")
+            time.sleep(0.05)
+
+    def text(self, identifier):
+        return self.evaluate(f"document.getElementById('{identifier}').textContent")
+
+
+class Browser(Page):
     """One browser with one page. Use it in a `with` statement."""
 
     def __init__(self, timeout=60, without=()):
@@ -56,9 +74,6 @@ class Browser:
         self.session = None
         self.events = []
         self._attach()
-
-    def __enter__(self):
-        return self
 
     def __exit__(self, *_):
         try:
@@ -120,14 +135,6 @@ class Browser:
             details = answer["exceptionDetails"]
             raise BrowserError(details.get("exception", {}).get("description", details["text"]))
         return answer["result"].get("value")
-
-    def wait(self, condition):
-        """Waits until an expression in the page is true."""
-        deadline = time.monotonic() + self.timeout
-        while not self.evaluate(condition):
-            if time.monotonic() > deadline:
-                raise BrowserError(f"after {self.timeout} s still not: {condition}")
-            time.sleep(0.05)
 
     def key(self, name, until="true", modifiers=0):
         """Presses a key until an expression in the page is true: one of KEYS."""

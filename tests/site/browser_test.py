@@ -6,17 +6,11 @@ Left with status 77 where there is no Chromium."""
 import json
 import subprocess
 import sys
-import tempfile
-import unittest
-from pathlib import Path
 
-from browser import Browser, program
-from check_page import NATIVE, CheckPage, Gloam, Spoiled, compare
+from check_page import NATIVE, CheckCase, CheckPage, compare, run
+from site_case import main
 
-GLOAM, JUDGE_CASES = sys.argv[1:3]
-run = Gloam(GLOAM)
-# Some of each kind: with images, with many outputs, integers, inputs that the budget moves.
-EQUATIONS = ["GTAO-a*", "GTAO-gather", "TSSAO-10*", "TSSAO-RP-h*", "CS-Q-b*", "HALTON*", "NORMAL*", "FINITE*"]
+JUDGE_CASES = sys.argv[2]
 
 # What the judge of the page says of the outputs in gloam.cases, beside what the framework said of them.
 JUDGE_ALL = """gloam.cases.map(({check, outputs, answer}) => {
@@ -48,21 +42,9 @@ CONTRASTS = """(() => {
 })()"""
 
 
-class SiteTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.folder_owner = tempfile.TemporaryDirectory()
-        cls.folder = Path(cls.folder_owner.name)
-        cls.site = cls.folder / "site"
-        written = run("site", cls.site, *EQUATIONS, "--method", "sweep", "--no-pictures")
-        assert written.returncode == 0, written.stderr
-        cls.spoiled = Spoiled(run, cls.folder)
-        cls.browser = Browser()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.__exit__()
-        cls.folder_owner.cleanup()
+class SiteTest(CheckCase):
+    # Some of each kind: with images, with many outputs, integers, inputs that the budget moves.
+    EQUATIONS = ["GTAO-a*", "GTAO-gather", "TSSAO-10*", "TSSAO-RP-h*", "CS-Q-b*", "HALTON*", "NORMAL*", "FINITE*"]
 
     def setUp(self):
         self.browser.look(1200, 900)
@@ -93,7 +75,7 @@ class SiteTest(unittest.TestCase):
 
     def test_the_results_agree_with_those_of_the_program(self):
         file = self.folder / "native.json"
-        native = run("check", *EQUATIONS, "--device", NATIVE, "--inputs", 512, "--json", file)
+        native = run("check", *self.EQUATIONS, "--device", NATIVE, "--inputs", 512, "--json", file)
         if native.returncode == 2:
             self.skipTest(native.stderr)
         known = {row["equation"]: row for row in json.loads(file.read_text(encoding="utf-8"))["results"]}
@@ -332,7 +314,4 @@ class SiteTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if program() is None:
-        print("no Chromium")
-        sys.exit(77)
-    unittest.main(argv=sys.argv[:1] + sys.argv[3:])
+    main(2)

@@ -6,28 +6,25 @@ import subprocess
 import tempfile
 from pathlib import Path
 
+from site_case import GLOAM, SiteCase
+
 NATIVE = "es:llvmpipe-3.0"  # the device whose verdicts a browser's must be
 
 
-class Gloam:
-    """The program: call it with its arguments."""
-
-    def __init__(self, program):
-        self.program = program
-
-    def __call__(self, *arguments):
-        return subprocess.run([self.program, *map(str, arguments)], capture_output=True, text=True, check=False)
+def run(*arguments):
+    """The program with these arguments."""
+    return subprocess.run([GLOAM, *map(str, arguments)], capture_output=True, text=True, check=False)
 
 
 class Spoiled:
     """Copies of a small site in which the kernel of a function of the filters is changed in one place: call it with the
     old and the new text."""
 
-    def __init__(self, gloam, folder):
+    def __init__(self, folder):
         self.folder = folder
         self.site = folder / "few"
-        written = gloam("site", self.site, "TSSAO-10", "TSSAO-10-g", "TSSAO-11", "GTAO-arc", "--method",
-                        "sweep", "--no-pictures")
+        written = run("site", self.site, "TSSAO-10", "TSSAO-10-g", "TSSAO-11", "GTAO-arc", "--method", "sweep",
+                      "--no-pictures")
         assert written.returncode == 0, written.stderr
 
     def __call__(self, old, new):
@@ -74,7 +71,7 @@ class CheckPage:
         return True
 
     def text(self, identifier):
-        return self.browser.evaluate(f"document.getElementById('{identifier}').textContent")
+        return self.browser.text(identifier)
 
     def click(self, identifier):
         self.browser.evaluate(f"document.getElementById('{identifier}').click()")
@@ -104,3 +101,16 @@ class CheckPage:
         return self.browser.evaluate(
             "[...document.querySelectorAll('tbody tr:not(.more)')].filter((row) => !row.hidden)"
             f".map((row) => row.cells[{column}].textContent)")
+
+
+class CheckCase(SiteCase):
+    """Tests of the page on the checks of EQUATIONS."""
+
+    @classmethod
+    def words(cls):
+        return [*cls.EQUATIONS, "--method", "sweep", "--no-pictures"]
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.spoiled = Spoiled(cls.folder)

@@ -7,25 +7,12 @@ Left with status 77 where there is no Chromium."""
 import array
 import base64
 import subprocess
-import sys
 import tempfile
-import unittest
 from pathlib import Path
 
-from browser import program
-from site_case import GLOAM, SHADE, SiteCase
+from site_case import GLOAM, SHADE, SiteCase, main, read_pfm
 
 WIDTH, HEIGHT, FRAMES = 192, 108, 4
-
-
-def read_pfm(file):
-    """The values of a PFM image, the top row first."""
-    head, size, scale, data = file.read_bytes().split(b"\n", 3)
-    assert head == b"Pf" and float(scale) < 0
-    width, height = map(int, size.split())
-    values = array.array("f", data)
-    rows = [values[y * width:(y + 1) * width] for y in range(height)]
-    return [value for row in reversed(rows) for value in row]
 
 
 class EffectTest(SiteCase):
@@ -47,7 +34,7 @@ class EffectTest(SiteCase):
             subprocess.run([GLOAM, "render", "columns", "--size", "{}x{}".format(*size), "--frames", str(frames),
                             "--method", method, "--preset", preset, "--set", "precision=float32", *options, "--out",
                             out, "--quiet"], check=True)
-            return read_pfm(Path(out) / f"f{frames - 1:04}_ao.pfm")
+            return read_pfm(Path(out) / f"f{frames - 1:04}_ao.pfm")[0]
 
     def compare(self, got, want):
         """The G-buffers are of two rasterizers, so pixels at edges may differ at all: means and percentiles are
@@ -127,9 +114,6 @@ class EffectTest(SiteCase):
                                                              ("same", "left", "right", "differs", "forgotten")))
         self.assertGreater(state["error"], 0.01)
 
-    def told(self, identifier):
-        return self.browser.evaluate(f"document.getElementById('{identifier}').textContent")
-
     def test_a_converged_picture_is_kept(self):
         self.browser.evaluate("document.getElementById('keep').click()")
         self.browser.wait("gloam.live.state.keeping > 3")
@@ -180,7 +164,7 @@ class EffectTest(SiteCase):
         before = self.browser.evaluate("gloam.live.state.number")
         self.choose()
         self.assertEqual(before, self.browser.evaluate("gloam.live.state.number"))
-        self.assertIn("ms from frame to frame", self.browser.evaluate("document.getElementById('timing').textContent"))
+        self.assertIn("ms from frame to frame", self.browser.text("timing"))
         self.assertEqual([], self.browser.problems())
         asked = [url for url in self.browser.requests() if not url.startswith(("file:", "data:", "about:"))]
         self.assertEqual([], asked)
@@ -189,8 +173,7 @@ class EffectTest(SiteCase):
         self.browser.evaluate("gloam.method('sweep', 'webgl2').then(({text}) =>"
                               " gloam.addMethodPass('sweep', 'webgl2', text + 'no_such;')).then(() => 0)")
         self.choose(method="sweep")
-        self.assertIn("occlusion by sweep does not compile",
-                      self.browser.evaluate("document.getElementById('told').textContent"))
+        self.assertIn("occlusion by sweep does not compile", self.browser.text("told"))
 
     def test_every_method_draws(self):
         names = self.browser.evaluate("gloam.effectData.methods.map((method) => method.name)")
@@ -205,7 +188,4 @@ class EffectTest(SiteCase):
 
 
 if __name__ == "__main__":
-    if program() is None:
-        print("no Chromium")
-        sys.exit(77)
-    unittest.main(argv=sys.argv[:1] + sys.argv[2:])
+    main()

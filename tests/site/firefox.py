@@ -11,6 +11,8 @@ import tempfile
 import time
 from pathlib import Path
 
+from browser import BrowserError, Page
+
 # WebGL in software counts as too slow unless it is asked for; nothing is sent anywhere.
 PREFERENCES = {
     "marionette.port": 0, "webgl.force-enabled": True, "webgl.disable-fail-if-major-performance-caveat": True,
@@ -24,16 +26,12 @@ PROBLEMS = """return Services.console.getMessageArray().filter((one) => one inst
     && one.sourceName.startsWith("file:") && !(one.flags & Ci.nsIScriptError.warningFlag)).map(String)"""
 
 
-class FirefoxError(Exception):
-    """Firefox did not do what was asked, or the page threw."""
-
-
 def program():
     """The path of Firefox, or None where it or Xvfb is missing."""
     return shutil.which("firefox-esr") if shutil.which("Xvfb") else None
 
 
-class Firefox:
+class Firefox(Page):
     """One browser with one page. Use it in a `with` statement."""
 
     def __init__(self, timeout=90):
@@ -53,9 +51,6 @@ class Firefox:
         except BaseException:
             self.close()
             raise
-
-    def __enter__(self):
-        return self
 
     def __exit__(self, *_):
         self.close()
@@ -81,7 +76,7 @@ class Firefox:
         with os.fdopen(to_read) as pipe:
             number = pipe.readline().strip()
         if not number:
-            raise FirefoxError("Xvfb has opened no display")
+            raise BrowserError("Xvfb has opened no display")
         return ":" + number
 
     def _connect(self):
@@ -89,7 +84,7 @@ class Firefox:
         deadline = time.monotonic() + self.timeout
         while not (file.is_file() and file.read_text(encoding="ascii").strip()):
             if time.monotonic() > deadline or self.processes[-1].poll() is not None:
-                raise FirefoxError("Firefox has opened no port")
+                raise BrowserError("Firefox has opened no port")
             time.sleep(0.05)
         self.socket = socket.create_connection(("127.0.0.1", int(file.read_text(encoding="ascii"))), self.timeout)
         self._message()  # its greeting
@@ -107,7 +102,7 @@ class Firefox:
         while len(data) < count:
             part = self.socket.recv(count - len(data))
             if not part:
-                raise FirefoxError("Firefox ended")
+                raise BrowserError("Firefox ended")
             data += part
         return data
 
@@ -117,7 +112,7 @@ class Firefox:
         self.socket.sendall(b"%d:" % len(text) + text)
         _, _, error, result = self._message()
         if error:
-            raise FirefoxError(f"{command}: {error.get('message')}")
+            raise BrowserError(f"{command}: {error.get('message')}")
         return result
 
     def open(self, file, behind=""):
@@ -132,16 +127,8 @@ class Firefox:
         asked = {"script": text, "args": [script], "sandbox": None}
         fine, value = self.call("WebDriver:ExecuteAsyncScript", asked)["value"]
         if not fine:
-            raise FirefoxError(value)
+            raise BrowserError(value)
         return value
-
-    def wait(self, condition):
-        """Waits until an expression in the page is true."""
-        deadline = time.monotonic() + self.timeout
-        while not self.evaluate(condition):
-            if time.monotonic() > deadline:
-                raise FirefoxError(f"after {self.timeout} s still not: {condition}")
-            time.sleep(0.1)
 
     def problems(self):
         """Errors of the pages' scripts so far."""

@@ -5,12 +5,10 @@
 Left with status 77 where there is no firefox-esr, no Xvfb or no Chromium."""
 import array
 import base64
-import sys
-import unittest
 
 import browser
 import firefox
-from site_case import SHADE, SiteCase
+from site_case import SHADE, SiteCase, main
 
 HASH = "#scene=columns&size=320x180"
 
@@ -44,8 +42,8 @@ class FirefoxTest(SiteCase):
 
     def test_every_page_works(self):
         self.begin(self.browser)
-        self.assertEqual("", self.browser.evaluate("document.getElementById('told').textContent"))
-        self.assertRegex(self.browser.evaluate("document.getElementById('timing').textContent"),
+        self.assertEqual("", self.browser.text("told"))
+        self.assertRegex(self.browser.text("timing"),
                          "^WebGL2: .* ms from frame to frame")
         for page, ready in (("methods", "document.querySelectorAll('tbody tr').length === 1"),
                             ("method-sweep", "document.querySelector('.source').textContent.includes('gloam_sweep')"),
@@ -75,7 +73,5 @@ class FirefoxTest(SiteCase):
 
 
 if __name__ == "__main__":
-    if firefox.program() is None or browser.program() is None:
-        print("no firefox-esr, no Xvfb or no Chromium")
-        sys.exit(77)
-    unittest.main(argv=sys.argv[:1] + sys.argv[2:])
+    have_both = firefox.program() and browser.program()
+    main(missing=None if have_both else "no firefox-esr, no Xvfb or no Chromium")

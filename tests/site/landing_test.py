@@ -5,14 +5,11 @@
 Left with status 77 where there is no Chromium."""
 import json
 import subprocess
-import sys
 import tempfile
-import unittest
 from pathlib import Path
 from urllib.parse import unquote, urlparse
 
-from browser import program
-from site_case import GLOAM, SiteCase
+from site_case import GLOAM, SiteCase, main
 
 MOST_BYTES = 300_000  # of files, without compression, before the first interaction
 NUMBERS = "gloam.live.state.orbit.numbers"
@@ -22,15 +19,12 @@ SMALL = "#size=320x180"
 class LandingTest(SiteCase):
     @classmethod
     def words(cls):
-        return ["--method", "sweep", "gtao", "--address", "https://example.org/gloam/", "--no-pictures"]
+        return ["TSSAO-5", "--method", "sweep", "gtao", "--address", "https://example.org/gloam/", "--no-pictures"]
 
     def open(self, behind=SMALL):
         self.browser.look(1000, 900)
         self.browser.open(self.site / "index.html", behind)
         self.browser.wait("gloam.live.state.effect?.frames > 1")
-
-    def told(self, identifier):
-        return self.browser.evaluate(f"document.getElementById('{identifier}').textContent")
 
     def middle(self):
         return self.browser.evaluate("(({left, top, width, height}) => [left + width / 2, top + height / 2])"
@@ -115,7 +109,7 @@ class LandingTest(SiteCase):
         asked = ("#scene=knot&preset=quality&method=gtao&radius=2&view=visibility&size=320x180&left=hbao&split=25"
                  "&camera=0.5,0.25,3,0,0.5,0")
         self.open(asked)
-        self.assertEqual("", self.told("told"))
+        self.assertEqual("", self.browser.text("told"))
         settings = self.browser.evaluate("gloam.live.state.effect.settings")
         self.assertEqual(("gtao", 48), (settings["method"], settings["samples"]))
         self.assertEqual("hbao", self.browser.evaluate("gloam.live.state.effect.left.settings.method"))
@@ -138,7 +132,7 @@ class LandingTest(SiteCase):
                 self.browser.wait(f"document.getElementById('told').textContent.includes({json.dumps(words)})")
                 self.assertEqual("room", self.browser.evaluate("gloam.live.state.effect.scene.name"))
         self.open(f"{SMALL}&radius=7")
-        self.assertIn("radius the value", self.told("told"))
+        self.assertIn("radius the value", self.browser.text("told"))
         self.assertEqual([], self.browser.problems())
 
     def test_nothing_moves_for_who_wants_no_motion(self):
@@ -181,7 +175,7 @@ class LandingTest(SiteCase):
         commands = self.browser.evaluate("[...document.querySelectorAll('pre.command')].map((one) => one.textContent)")
         self.assertEqual(3, len(commands))
         with tempfile.TemporaryDirectory() as folder:
-            Path(folder, "luminance.glsl").write_text(self.told("luminance"), encoding="utf-8")
+            Path(folder, "luminance.glsl").write_text(self.browser.text("luminance"), encoding="utf-8")
             for command in commands:
                 name, *words = command.split()
                 self.assertEqual("gloam", name)
@@ -204,7 +198,4 @@ class LandingTest(SiteCase):
 
 
 if __name__ == "__main__":
-    if program() is None:
-        print("no Chromium")
-        sys.exit(77)
-    unittest.main(argv=sys.argv[:1] + sys.argv[2:])
+    main()

@@ -7,11 +7,8 @@ import base64
 import copy
 import json
 import struct
-import sys
-import unittest
 
-from browser import program
-from site_case import SiteCase
+from site_case import SiteCase, main
 
 CORNERS = [(0, 0, 0), (2, 0, 0), (0, 2, 0), (0, 0, 2)]
 FACES = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
@@ -179,7 +176,4 @@ class ModelTest(SiteCase):
 
 
 if __name__ == "__main__":
-    if program() is None:
-        print("no Chromium")
-        sys.exit(77)
-    unittest.main(argv=sys.argv[:1] + sys.argv[2:])
+    main()

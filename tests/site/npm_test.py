@@ -9,32 +9,23 @@ import shutil
 import subprocess
 import sys
 import tempfile
-import unittest
 from pathlib import Path
 
-from browser import Browser, program
+from browser import program
 from npm_packages import NoPackages, install
+from site_case import GLOAM, BrowserCase, main, skip
 
-GLOAM, EXAMPLE = sys.argv[1], Path(sys.argv[2])
+EXAMPLE = Path(sys.argv[2])
 HERE = Path(__file__).resolve().parent
 FOR_TYPES = ["typescript@5.9.3", "@types/three@0.180.0"]
 
 
-def skip(reason):
-    print(reason)
-    sys.exit(77)
-
-
-class NpmTest(unittest.TestCase):
+class NpmTest(BrowserCase):
     @classmethod
     def setUpClass(cls):
-        cls.browser = Browser()
+        super().setUpClass()
         cls.browser.look(800, 600)
         cls.browser.open(FOLDER / "test.html")
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.__exit__()
 
     def tearDown(self):
         self.assertEqual([], self.browser.problems())
@@ -256,4 +247,4 @@ if __name__ == "__main__":
         subprocess.run(["npx", "esbuild", "page.js", "--bundle", "--outfile=page-bundle.js", "--log-level=warning"],
                        cwd=FOLDER, check=True)
         (FOLDER / "test.html").write_text('<!DOCTYPE html><script src="page-bundle.js"></script>', encoding="utf-8")
-        unittest.main(argv=sys.argv[:1] + sys.argv[3:])
+        main(2)

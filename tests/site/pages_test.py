@@ -7,11 +7,9 @@ Left with status 77 where there is no Chromium."""
 import json
 import subprocess
 import sys
-import unittest
 from pathlib import Path
 
-from browser import program
-from site_case import GLOAM, SiteCase
+from site_case import GLOAM, SiteCase, main
 
 DOCS = Path(sys.argv[2])
 PAGES = ["index", "check", "methods", "gallery", "drivers", "measurements", "licences"]
@@ -36,7 +34,7 @@ class PagesTest(SiteCase):
     def words(cls):
         measured = cls.folder / "measured.md"
         measured.write_text(MEASURED, encoding="utf-8")
-        return ["--measured", measured, "--method", *METHODS]
+        return ["TSSAO-5", "--measured", measured, "--method", *METHODS]
 
     def open(self, page, dark=False, width=1000):
         self.browser.look(width, 900, dark)
@@ -166,7 +164,7 @@ class PagesTest(SiteCase):
     def test_the_gallery_has_sliders(self):
         self.open("gallery")
         if self.count("img-comparison-slider") == 0:
-            self.assertIn("no pictures", self.browser.evaluate("document.getElementById('device').textContent"))
+            self.assertIn("no pictures", self.browser.text("device"))
             self.skipTest("there is no Vulkan device")
         self.browser.wait("[...document.images].every((image) => image.complete || image.loading === 'lazy')")
         self.assertEqual(3, self.count("img-comparison-slider.rendered"))
@@ -180,19 +178,16 @@ class PagesTest(SiteCase):
         folder = self.site.parent / "plain"
         subprocess.run([GLOAM, "site", folder, "TSSAO-5", "--method", "sweep", "--quiet", "--no-pictures"], check=True)
         self.browser.open(folder / "gallery.html")
-        self.assertIn("no pictures", self.browser.evaluate("document.getElementById('device').textContent"))
+        self.assertIn("no pictures", self.browser.text("device"))
         self.assertEqual([], list(folder.glob("*.png")))
 
     def test_the_licences_are_in_the_page(self):
         self.open("licences")
-        text = self.browser.evaluate("document.getElementById('licences').textContent")
+        text = self.browser.text("licences")
         for words in ("uPlot 1.6.32", "Leon Sorokin", "img-comparison-slider 8.0.7", "Dmitry Snisarenko",
                       "Permission is hereby granted"):
             self.assertIn(words, text)
 
 
 if __name__ == "__main__":
-    if program() is None:
-        print("no Chromium")
-        sys.exit(77)
-    unittest.main(argv=sys.argv[:1] + sys.argv[3:])
+    main(2)

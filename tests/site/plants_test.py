@@ -3,15 +3,14 @@
 """plants_test.py GLOAM: the page that checks the browser notices wrong results in every check of the site.
 
 Left with status 77 where there is no Chromium."""
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-from browser import Browser, program
-from check_page import CheckPage, Gloam
+from browser import Browser
+from check_page import CheckPage, run
+from site_case import main
 
-run = Gloam(sys.argv[1])
 # Replaces what each kernel returns, judges that as the page does, and keeps in gloam.missed what does not fail.
 PLANT = """(() => {
     const constant = {f: 0x42280000, i: 42, u: 42, b: 1};  // 42.0
@@ -75,7 +74,4 @@ class PlantsTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if program() is None:
-        print("no Chromium")
-        sys.exit(77)
-    unittest.main(argv=sys.argv[:1] + sys.argv[2:])
+    main()

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Tests of a site that `gloam site` writes once for all of them, in one browser."""
+"""Tests in one browser, most of them of a site that `gloam site` writes once for all of them."""
+import array
 import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-from browser import Browser
+from browser import Browser, program
 
 GLOAM = sys.argv[1]
 
@@ -24,20 +25,51 @@ SHADE = """(async () => {{
 }})()"""
 
 
-class SiteCase(unittest.TestCase):
-    open_browser = Browser
+def read_pfm(file):
+    """The floats of a picture, upper row first, and its channels."""
+    head, size, scale, data = Path(file).read_bytes().split(b"\n", 3)
+    width, height = map(int, size.split())
+    assert float(scale) < 0
+    channels = 3 if head == b"PF" else 1
+    values = array.array("f", data)
+    row = width * channels
+    return [v for y in reversed(range(height)) for v in values[y * row:(y + 1) * row]], channels
 
-    @classmethod
-    def words(cls):
-        """What `gloam site` takes behind the folder and the one equation."""
-        return ["--method", "sweep", "--no-pictures"]
+
+class BrowserCase(unittest.TestCase):
+    """Tests that share a browser and a folder."""
+    open_browser = Browser
 
     @classmethod
     def setUpClass(cls):
         owner = tempfile.TemporaryDirectory()
         cls.addClassCleanup(owner.cleanup)
         cls.folder = Path(owner.name)
-        cls.site = cls.folder / "site"
-        subprocess.run([GLOAM, "site", cls.site, "TSSAO-5", "--quiet", *cls.words()], check=True)
         cls.browser = cls.open_browser()
         cls.addClassCleanup(cls.browser.__exit__)
+
+
+class SiteCase(BrowserCase):
+    @classmethod
+    def words(cls):
+        """What `gloam site` takes behind the folder."""
+        return ["TSSAO-5", "--method", "sweep", "--no-pictures"]
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.site = cls.folder / "site"
+        subprocess.run([GLOAM, "site", cls.site, "--quiet", *cls.words()], check=True)
+
+
+def skip(reason):
+    print(reason)
+    sys.exit(77)
+
+
+def main(arguments=1, missing=None):
+    """Runs the tests of the script, which takes so many arguments; skips them where what they need is missing."""
+    missing = missing or (None if program() else "no Chromium")
+    if missing:
+        skip(missing)
+    unittest.main("__main__", argv=sys.argv[:1] + sys.argv[1 + arguments:])

@@ -4,31 +4,20 @@
 
 Left with status 77 where there is no Chromium."""
 import subprocess
-import sys
-import tempfile
-import unittest
-from pathlib import Path
 
-from browser import Browser, program
+from site_case import GLOAM, BrowserCase, main
 
-GLOAM = sys.argv[1]
 SHOWN = "[...document.querySelectorAll('tbody tr')].filter((row) => !row.hidden).map((row) => row.cells[0].textContent)"
 
 
-class TablePageTest(unittest.TestCase):
+class TablePageTest(BrowserCase):
     @classmethod
     def setUpClass(cls):
-        cls.folder_owner = tempfile.TemporaryDirectory()
-        cls.file = Path(cls.folder_owner.name, "equations.html")
+        super().setUpClass()
+        cls.file = cls.folder / "equations.html"
         subprocess.run([GLOAM, "list", "equations", "--html", cls.file], check=True)
         listed = subprocess.run([GLOAM, "list", "equations"], check=True, capture_output=True, text=True)
         cls.names = listed.stdout.split()
-        cls.browser = Browser()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.__exit__()
-        cls.folder_owner.cleanup()
 
     def setUp(self):
         self.browser.open(self.file)
@@ -67,7 +56,4 @@ class TablePageTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if program() is None:
-        print("no Chromium")
-        sys.exit(77)
-    unittest.main(argv=sys.argv[:1])
+    main()

@@ -6,11 +6,9 @@ WebGL2 takes its place where there is no WebGPU, or none any more.
 Left with status 77 where there is no Chromium, or none with WebGPU."""
 import array
 import base64
-import sys
-import unittest
 
-from browser import Browser, program
-from site_case import SiteCase
+from browser import Browser
+from site_case import SiteCase, main, skip
 
 WEBGPU_FLAGS = ("--enable-unsafe-webgpu", "--use-webgpu-adapter", "--enable-features", "--use-vulkan")
 # Both APIs run the same GLSL on the same SwiftShader, but two compilers choose the order of its operations. A pixel is
@@ -66,8 +64,7 @@ class WebGpuEffectTest(SiteCase):
         super().setUpClass()
         cls.browser.open(cls.site / "licences.html")
         if not cls.browser.evaluate("navigator.gpu?.requestAdapter().then((adapter) => adapter !== null)"):
-            print("no WebGPU")
-            sys.exit(77)
+            skip("no WebGPU")
 
     def open(self, behind, browser=None):
         browser = browser or self.browser
@@ -80,9 +77,6 @@ class WebGpuEffectTest(SiteCase):
         if self.browser.evaluate("window.effects === undefined"):
             self.open("#scene=columns&size=320x180&preset=fast")
             self.browser.evaluate(PREPARED)
-
-    def told(self, browser=None):
-        return (browser or self.browser).evaluate("document.getElementById('told').textContent")
 
     def api(self):
         return self.browser.evaluate("gloam.live.state.effect.api")
@@ -221,13 +215,13 @@ class WebGpuEffectTest(SiteCase):
             self.browser.wait(f"location.hash.includes('api={api}')")
         self.choose("size", "480x270")
         self.browser.wait("gloam.live.state.effect.images.width === 480 && gloam.live.state.effect.frames > 1")
-        self.assertEqual(("webgpu", "", []), (self.api(), self.told(), self.browser.problems()))
+        self.assertEqual(("webgpu", "", []), (self.api(), self.browser.text("told"), self.browser.problems()))
 
     def test_a_lost_device_is_told_and_webgl2_goes_on(self):
         self.open("#scene=knot&size=320x180&camera=0.5,0.25,3,0,0.5,0")
         self.browser.evaluate("gloam.live.state.effect.passes.device.destroy()")
         self.browser.wait("gloam.live.state.effect.api === 'webgl2' && gloam.live.state.effect.frames > 2")
-        self.assertRegex(self.told(), r"^WebGPU: .*[^.]\. The picture runs in WebGL2\.$")
+        self.assertRegex(self.browser.text("told"), r"^WebGPU: .*[^.]\. The picture runs in WebGL2\.$")
         self.assertEqual([[0.5, 0.25, 3, 0, 0.5, 0], "knot", "webgl2", False], self.browser.evaluate(
             "[gloam.live.state.orbit.numbers, gloam.live.state.effect.scene.name,"
             " document.getElementById('api').value, gloam.live.state.failed]"))
@@ -239,21 +233,18 @@ class WebGpuEffectTest(SiteCase):
         self.choose("method", "sweep")
         self.browser.evaluate("document.getElementById('method').dispatchEvent(new Event('input'))")
         self.browser.wait("gloam.live.state.effect.api === 'webgl2' && gloam.live.state.effect.frames > 1")
-        self.assertRegex(self.told(), r"^WebGPU: occlusion by sweep does not compile: .*:\d+:1 error: .*\. "
-                         r"The picture runs in WebGL2\.$")
+        self.assertRegex(self.browser.text("told"), r"^WebGPU: occlusion by sweep does not compile: "
+                         r".*:\d+:1 error: .*\. The picture runs in WebGL2\.$")
 
     def test_without_webgpu_it_is_webgl2(self):
         with Browser(without=WEBGPU_FLAGS) as other:
             self.open("#scene=columns&size=320x180&preset=fast", other)
-            self.assertEqual(("webgl2", ""), (other.evaluate("gloam.live.state.effect.api"), self.told(other)))
+            self.assertEqual(("webgl2", ""), (other.evaluate("gloam.live.state.effect.api"), other.text("told")))
             other.wait("document.getElementById('timing').textContent.startsWith('WebGL2: ')")
             self.open("#scene=columns&size=320x180&preset=fast&api=webgpu", other)
-            self.assertEqual("WebGPU: this browser has no WebGPU. The picture runs in WebGL2.", self.told(other))
+            self.assertEqual("WebGPU: this browser has no WebGPU. The picture runs in WebGL2.", other.text("told"))
             self.assertEqual([], other.problems())
 
 
 if __name__ == "__main__":
-    if program() is None:
-        print("no Chromium")
-        sys.exit(77)
-    unittest.main(argv=sys.argv[:1] + sys.argv[2:])
+    main()

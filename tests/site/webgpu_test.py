@@ -4,39 +4,23 @@
 
 Left with status 77 where there is no Chromium, or none with WebGPU."""
 import json
-import sys
-import tempfile
-import unittest
-from pathlib import Path
 
-from browser import Browser, program
-from check_page import NATIVE, CheckPage, Gloam, Spoiled, compare
+from check_page import NATIVE, CheckCase, CheckPage, compare, run
+from site_case import main, skip
 
-run = Gloam(sys.argv[1])
-# Some of each kind: with images, with many outputs, integers, structures.
 # The four of FINITE* are not judged: no input whose result is false is.
 NOT_JUDGED = 4
-EQUATIONS = ["GTAO-a*", "GTAO-gather", "TSSAO-10*", "TSSAO-RP-h*", "HALTON*", "NORMAL*", "FINITE*"]
 
 
-class WebGpuTest(unittest.TestCase):
+class WebGpuTest(CheckCase):
+    # Some of each kind: with images, with many outputs, integers, structures.
+    EQUATIONS = ["GTAO-a*", "GTAO-gather", "TSSAO-10*", "TSSAO-RP-h*", "HALTON*", "NORMAL*", "FINITE*"]
+
     @classmethod
     def setUpClass(cls):
-        cls.folder_owner = tempfile.TemporaryDirectory()
-        cls.folder = Path(cls.folder_owner.name)
-        cls.site = cls.folder / "site"
-        written = run("site", cls.site, *EQUATIONS, "--method", "sweep", "--no-pictures")
-        assert written.returncode == 0, written.stderr
-        cls.spoiled = Spoiled(run, cls.folder)
-        cls.browser = Browser()
+        super().setUpClass()
         if not CheckPage(cls.browser, cls.site).choose("webgpu"):
-            print("no WebGPU")
-            sys.exit(77)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.__exit__()
-        cls.folder_owner.cleanup()
+            skip("no WebGPU")
 
     def checked(self, site=None):
         """A page whose checks have run in WebGPU; that of an earlier test where it is still open."""
@@ -49,7 +33,7 @@ class WebGpuTest(unittest.TestCase):
 
     def test_the_results_agree_with_those_of_the_program(self):
         file = self.folder / "native.json"
-        native = run("check", *EQUATIONS, "--device", NATIVE, "--inputs", 512, "--json", file)
+        native = run("check", *self.EQUATIONS, "--device", NATIVE, "--inputs", 512, "--json", file)
         if native.returncode == 2:
             self.skipTest(native.stderr)
         known = {row["equation"]: row for row in json.loads(file.read_text(encoding="utf-8"))["results"]}
@@ -121,7 +105,4 @@ class WebGpuTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if program() is None:
-        print("no Chromium")
-        sys.exit(77)
-    unittest.main(argv=sys.argv[:1] + sys.argv[2:])
+    main()

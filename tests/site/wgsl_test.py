@@ -9,30 +9,17 @@ import json
 import os
 import re
 import sys
-import tempfile
 import unittest
 from array import array
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from browser import Browser, program
-from check_page import Gloam
+from check_page import run
 from random_program import Program
+from site_case import BrowserCase, main, read_pfm, skip
 
-GLOAM, GLSL = sys.argv[1], Path(sys.argv[2])
+GLSL = Path(sys.argv[2])
 WIDTH, HEIGHT = 64, 48
-run = Gloam(GLOAM)
-
-
-def read_pfm(file):
-    """The floats of a picture, upper row first, and its channels."""
-    head, size, scale, data = Path(file).read_bytes().split(b"\n", 3)
-    width, height = map(int, size.split())
-    assert float(scale) < 0
-    channels = 3 if head == b"PF" else 1
-    values = array("f", data)
-    row = width * channels
-    return [v for y in reversed(range(height)) for v in values[y * row:(y + 1) * row]], channels
 
 
 def defined(text):
@@ -41,25 +28,17 @@ def defined(text):
     return re.sub(r"^// (fn \w+\([^\n>]*\))$", r"\1 { }", text, flags=re.M)
 
 
-class WgslTest(unittest.TestCase):
+class WgslTest(BrowserCase):
     @classmethod
     def setUpClass(cls):
-        cls.folder_owner = tempfile.TemporaryDirectory()
-        cls.folder = Path(cls.folder_owner.name)
+        super().setUpClass()
         page = cls.folder / "page.html"
         scripts = [(Path(__file__).parent / name).read_text(encoding="utf-8")
                    for name in ("run_effect.js", "run_program.js")]
         page.write_text("".join(f"<script>{script}</script>" for script in scripts), encoding="utf-8")
-        cls.browser = Browser()
         cls.browser.open(page)
         if not cls.browser.evaluate("navigator.gpu?.requestAdapter().then((adapter) => adapter !== null)"):
-            print("no WebGPU")
-            sys.exit(77)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.__exit__()
-        cls.folder_owner.cleanup()
+            skip("no WebGPU")
 
     def compiled(self, texts):
         """What the browser's compiler says of texts by their names, without those that it accepts."""
@@ -193,7 +172,4 @@ class WgslTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if program() is None:
-        print("no Chromium")
-        sys.exit(77)
-    unittest.main(argv=sys.argv[:1] + sys.argv[3:])
+    main(2)

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
-#include <memory>
-#include <utility>
-
 #include "backend/backend.hpp"
+#include "support/test.hpp"
 
 namespace gloam::test {
 

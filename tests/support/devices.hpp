@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
-#include <vector>
-
 #include "backend/vulkan/device.hpp"
+#include "support/test.hpp"
 
 namespace gloam::test {
 

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdlib>
-#include <filesystem>
-#include <optional>
-#include <string>
+#include "support/test.hpp"
 
 namespace gloam::test {
 

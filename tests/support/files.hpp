@@ -1,17 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <bit>
-#include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <stdexcept>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "base/files.hpp"
+#include "support/test.hpp"
 
 namespace gloam::test {
 
@@ -30,6 +21,19 @@ class TemporaryDirectory : public base::TemporaryFolder {
         if (!stream) throw std::runtime_error("cannot write " + file.string());
         return file;
     }
+};
+
+// Tests with a folder of their own.
+class InFolder : public testing::Test {
+  protected:
+    [[nodiscard]] std::filesystem::path path(const std::string& name) const { return folder.path() / name; }
+
+    // Where the file with that text is.
+    std::filesystem::path write(const std::string& name, std::string_view text) const {
+        return folder.write(name, text);
+    }
+
+    const TemporaryDirectory folder;
 };
 
 // All bytes of a file; "" where it cannot be read.

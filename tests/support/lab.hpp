@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <filesystem>
-
 #include "check/shader_test.hpp"
 #include "shader/include.hpp"
 #include "shader/pack.hpp"

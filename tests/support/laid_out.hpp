@@ -3,14 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
 #include <glm/glm.hpp>
-#include <string>
-#include <vector>
 
 #include "shader/reflection.hpp"
+#include "support/test.hpp"
 
 namespace gloam::test {
 

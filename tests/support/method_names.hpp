@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <string>
-#include <vector>
-
+#include "effect/method_functions.hpp"
 #include "effect/methods.hpp"
+#include "support/lab.hpp"
 
 namespace gloam::test {
 
@@ -29,5 +26,13 @@ inline std::vector<std::string> method_names() {
 inline std::string parameter_name(const testing::TestParamInfo<std::string>& info) {
     return info.param;
 }
+
+// With a lab that finds them.
+class MethodFunctions : public effect::MethodFunctions {
+  public:
+    using effect::MethodFunctions::MethodFunctions;
+
+    [[nodiscard]] check::Lab lab() const { return make_lab(folder()); }
+};
 
 }  // namespace gloam::test

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <memory>
-
 #include "backend/vulkan/device.hpp"
 #include "support/environment.hpp"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cctype>
-#include <string>
+
+#include "support/test.hpp"
 
 namespace gloam::test {
 

@@ -1,22 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The experiments of `gloam bench`: descriptions in experiments/, and a user's own.
-#include <cmath>
-#include <fstream>
 #include <iomanip>
-#include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "tools/expect.hpp"
-#include "tools/installation.hpp"
+#include "tools/gloam.hpp"
 
-namespace gloam::test {
-namespace bench_experiments_test {
-
-namespace fs = std::filesystem;
-using nlohmann::json;
-using testing::HasSubstr;
-using testing::Not;
-using Arguments = std::vector<std::string>;
+namespace gloam::test::bench_experiments_test {
 
 std::string fixed(double value, int digits) {
     std::ostringstream text;
@@ -25,10 +13,10 @@ std::string fixed(double value, int digits) {
 }
 
 // Runs `gloam bench` with the validation layers, and reads what it writes.
-class BenchExperiments : public testing::Test {
+class BenchExperiments : public InFolder {
   protected:
     json measured(Arguments arguments) {
-        const fs::path file = folder_.path() / "results.json";
+        const fs::path file = path("results.json");
         arguments.insert(arguments.begin(), "bench");
         for (const char* word : {"--validation", "--json"}) arguments.emplace_back(word);
         arguments.push_back(file.string());
@@ -36,11 +24,6 @@ class BenchExperiments : public testing::Test {
         expect_success(result);
         out_ = result.out;
         return json::parse(read_file(file));
-    }
-
-    [[nodiscard]] fs::path write(const std::string& name, const std::string& text) const {
-        std::ofstream(folder_.path() / name) << text;
-        return folder_.path() / name;
     }
 
     // The result of a candidate in a case at the only size.
@@ -51,9 +34,6 @@ class BenchExperiments : public testing::Test {
     }
 
     std::string out_;
-
-  private:
-    TemporaryDirectory folder_;
 };
 
 TEST_F(BenchExperiments, PassesTimesEachPassOfEachState) {
@@ -313,7 +293,7 @@ TEST_F(BenchExperiments, WhatGrowsIsPlotted) {
     for (const fs::directory_entry& entry : fs::directory_iterator(out)) {
         if (entry.path().extension() != ".svg" && entry.path().extension() != ".png") continue;
         ++plots;
-        EXPECT_THAT(entry.path().filename().string(), testing::StartsWith("mine-"));
+        EXPECT_THAT(entry.path().filename().string(), StartsWith("mine-"));
     }
     EXPECT_EQ(plots, 2U);
     EXPECT_FALSE(fs::exists(out.parent_path() / "up.svg"));
@@ -383,5 +363,4 @@ TEST_F(BenchExperiments, WrongOptionsAreNamed) {
     expect({write("broken.json", "{\"sizes\": [").string()}, "no JSON");
 }
 
-}  // namespace bench_experiments_test
-}  // namespace gloam::test
+}  // namespace gloam::test::bench_experiments_test

@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 // gloam check --compiler, --variant metamorphic, random functions: what a compiler's engineer asks.
-#include <fstream>
-#include <nlohmann/json.hpp>
-
-#include "tools/expect.hpp"
-#include "tools/installation.hpp"
+#include "tools/gloam.hpp"
 
 namespace gloam::test::check_steps_test {
-
-namespace fs = std::filesystem;
 
 CommandResult check(const std::string& what, const std::vector<std::string>& steps,
                     const std::vector<std::string>& more = {}) {
@@ -29,7 +23,9 @@ std::string broken_compiler(const fs::path& folder) {
     return script.string() + " {in} {out}";
 }
 
-TEST(CheckSteps, RightPassesAreOkAndUnchangedModulesAreCounted) {
+using CheckSteps = InFolder;
+
+TEST_F(CheckSteps, RightPassesAreOkAndUnchangedModulesAreCounted) {
     const CommandResult result = check("HALTON-2D", {"spirv-opt -O", "spirv-opt --wrap-opkill"});
     EXPECT_EQ(result.status, 0) << result.out << result.err;
     EXPECT_THAT(result.out, HasSubstr("device: interpreter"));  // no driver is needed
@@ -38,8 +34,7 @@ TEST(CheckSteps, RightPassesAreOkAndUnchangedModulesAreCounted) {
 }
 
 // The module before the step reads outside of its array for them too.
-TEST(CheckSteps, UndefinedInputsAreNotJudged) {
-    const TemporaryDirectory folder;
+TEST_F(CheckSteps, UndefinedInputsAreNotJudged) {
     const auto file = folder.write("f.glsl",
                                    "float f(int i, float x) {\n    float a[4] = float[4](1.0, x, 3.0, 4.0);\n"
                                    "    return a[i] + x;\n}\n");
@@ -48,11 +43,11 @@ TEST(CheckSteps, UndefinedInputsAreNotJudged) {
     EXPECT_THAT(result.out, HasSubstr("the result is undefined for"));
 }
 
-TEST(CheckSteps, NothingChangedIsNoVerdict) {
+TEST_F(CheckSteps, NothingChangedIsNoVerdict) {
     EXPECT_EQ(check("HALTON-2D", {"spirv-opt --wrap-opkill"}).status, 2);
 }
 
-TEST(CheckSteps, MetamorphicVariantsRunOnADriverAndThroughACompiler) {
+TEST_F(CheckSteps, MetamorphicVariantsRunOnADriverAndThroughACompiler) {
     const CommandResult result = check("random:3-4", {}, words("--variant metamorphic --seeds 2"));
     EXPECT_EQ(result.status, 0) << result.out << result.err;
     EXPECT_THAT(result.out, HasSubstr("shipped | metamorphic 2"));
@@ -85,8 +80,7 @@ void expect_reproduced_by_its_program(const fs::path& folder) {
                 testing::Not(HasSubstr("OUTSIDE")));
 }
 
-TEST(CheckSteps, ABrokenCompilerIsHandedOverWithTheFewestStepsAndAProgram) {
-    const TemporaryDirectory folder;
+TEST_F(CheckSteps, ABrokenCompilerIsHandedOverWithTheFewestStepsAndAProgram) {
     const fs::path at = handed_over(
         folder.path(), "int f(int a, int b) {\n    int c = a * 3;\n    return c > 7 ? c - b : b;\n}\n");
     EXPECT_THAT(read_file(at / "report.txt"),
@@ -98,8 +92,7 @@ TEST(CheckSteps, ABrokenCompilerIsHandedOverWithTheFewestStepsAndAProgram) {
     EXPECT_EQ(run_program(at / "repro", {"no such device"}).status, 2);
 }
 
-TEST(CheckSteps, TheProgramHasTheImagesOfSamplers) {
-    const TemporaryDirectory folder;
+TEST_F(CheckSteps, TheProgramHasTheImagesOfSamplers) {
     expect_reproduced_by_its_program(handed_over(folder.path(), R"(
         uniform sampler2D flat_one;
         uniform isamplerCube sky;
@@ -111,8 +104,7 @@ TEST(CheckSteps, TheProgramHasTheImagesOfSamplers) {
         })"));
 }
 
-TEST(CheckSteps, ABudgetOfTimeLeavesChecksForALaterRun) {
-    const TemporaryDirectory folder;
+TEST_F(CheckSteps, ABudgetOfTimeLeavesChecksForALaterRun) {
     const auto file = folder.path() / "r.json";
     const auto more = [&file](const std::string& words_of_it) {
         return words(words_of_it + " --json {}", file);
@@ -124,16 +116,16 @@ TEST(CheckSteps, ABudgetOfTimeLeavesChecksForALaterRun) {
     const CommandResult second = check("random:1-40", {"spirv-opt -O"}, more("--resume"));
     EXPECT_EQ(second.status, 0) << second.out << second.err;
     EXPECT_THAT(second.out, HasSubstr("40 checks, 0 failed"));
-    EXPECT_THAT(second.out, testing::Not(HasSubstr("not run")));
+    EXPECT_THAT(second.out, Not(HasSubstr("not run")));
 }
 
-TEST(CheckSteps, AStepThatFailsFailsTheCheckInOneLine) {
+TEST_F(CheckSteps, AStepThatFailsFailsTheCheckInOneLine) {
     const CommandResult result = check("HALTON-2D", {"/bin/false {in} {out}"});
     EXPECT_EQ(result.status, 1);
     EXPECT_THAT(result.out, HasSubstr("/bin/false ended with status 1"));
 }
 
-TEST(CheckSteps, BadWordsAreNamed) {
+TEST_F(CheckSteps, BadWordsAreNamed) {
     for (const auto& [what, step, named] :
          {std::array{"HALTON-2D", "spirv-opt --no-pass", "--no-pass"},
           std::array{"HALTON-2D", "spirv-opt -O | metamorphic 1", "metamorphic steps before"},
@@ -144,6 +136,97 @@ TEST(CheckSteps, BadWordsAreNamed) {
         EXPECT_THAT(result.err, HasSubstr(named));
         EXPECT_EQ(line_count(result.err), 1) << result.err;
     }
+}
+
+// `gloam check --exit-code`, and what `git bisect run` makes of it.
+
+constexpr int skip_this_build = 125;
+
+class Bisect : public InFolder {
+  protected:
+    [[nodiscard]] static std::string manifest_of(const std::string& library) {
+        return json{{"file_format_version", "1.0.0"},
+                    {"ICD", {{"library_path", library}, {"api_version", "1.3.0"}}}}
+            .dump();
+    }
+    // Git in a repository of its own, without the settings of this machine.
+    template <class... Texts>
+    [[nodiscard]] CommandResult git(std::string_view line, const Texts&... arguments) const {
+        const std::string path =
+            fs::path(GLOAM_BUILT_BINARY).parent_path().string() + ":" + std::getenv("PATH");
+        return run_program(
+            "/usr/bin/git", words(line, arguments...),
+            {.environment = {"GIT_CONFIG_GLOBAL=/dev/null", "GIT_CONFIG_SYSTEM=/dev/null",
+                             "GIT_AUTHOR_NAME=a", "GIT_AUTHOR_EMAIL=a", "GIT_COMMITTER_NAME=a",
+                             "GIT_COMMITTER_EMAIL=a", "BUILD=cp source.json icd.json", "PATH=" + path},
+             .working_directory = this->path("")});
+    }
+    // Commits a revision of the driver; returns its hash.
+    [[nodiscard]] std::string commit(int number, const std::string& manifest) const {
+        write("number", std::to_string(number));
+        if (manifest.empty()) fs::remove(path("source.json"));
+        if (!manifest.empty()) write("source.json", manifest);
+        EXPECT_EQ(git("add --all").status, 0);
+        EXPECT_EQ(git("commit --quiet --message {}", "revision " + std::to_string(number)).status, 0);
+        return git("rev-parse HEAD").out.substr(0, 40);
+    }
+};
+
+// The manifest of Mesa's lavapipe; empty: it is not here.
+std::string lavapipe() {
+    const fs::path folder = "/usr/share/vulkan/icd.d";
+    if (fs::exists(folder))
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+            if (entry.path().filename().string().starts_with("lvp_icd")) return read_file(entry.path());
+    return "";
+}
+
+TEST_F(Bisect, TheStatusIsGoodBadOrSkip) {
+    EXPECT_EQ(gloam("check HALTON-base2 --inputs 64 --exit-code --device interpreter").status, 0);
+    const Installation installation;
+    installation.spoil_radical_inverse_base2();
+    EXPECT_EQ(installation.gloam("check HALTON-base2 --inputs 64 --exit-code").status, 1);
+    for (const char* line : {"check nonsense --exit-code", "check HALTON-base2 --exit-code --nonsense",
+                             "check HALTON-base2 --exit-code --device nonsense"}) {
+        const CommandResult result = run_command(words(line));
+        EXPECT_EQ(result.status, skip_this_build) << line;
+        EXPECT_EQ(line_count(result.err), 1) << result.err;
+    }
+    EXPECT_EQ(gloam("check HALTON-base2 --device nonsense").status, 2) << "without the option";
+}
+
+TEST_F(Bisect, ADriverThatCrashesIsBadAndOneThatIsMissingIsSkipped) {
+    const auto status_with = [&](const fs::path& manifest) {
+        const std::string driver = manifest.string();
+        return run_command(words("check HALTON-base2 --inputs 64 --exit-code"),
+                           {.environment = {"VK_DRIVER_FILES=" + driver, "VK_ICD_FILENAMES=" + driver}})
+            .status;
+    };
+    EXPECT_EQ(status_with(write("crashing.json", manifest_of(GLOAM_CRASHING_DRIVER))), 1);
+    EXPECT_EQ(status_with(write("text.json", "no manifest")), skip_this_build);
+    EXPECT_EQ(status_with(path("missing.json")), skip_this_build);
+}
+
+TEST_F(Bisect, GitNamesTheRevisionThatBrokeADriver) {
+    const std::string good = lavapipe();
+    if (good.empty()) GTEST_SKIP() << "no lavapipe here (Debian: mesa-vulkan-drivers)";
+    if (!fs::exists("/usr/bin/git")) GTEST_SKIP() << "no git here";
+    ASSERT_EQ(git("init --quiet").status, 0);
+    write(".gitignore", "icd.json\n");
+    std::string first_bad;
+    for (int number = 0; number < 12; ++number) {
+        const bool bad = number >= 7;
+        const bool builds = number != 5 && number != 8;
+        const std::string hash = commit(number, !builds ? ""
+                                                : bad   ? manifest_of(GLOAM_CRASHING_DRIVER)
+                                                        : good);
+        if (number == 7) first_bad = hash;
+    }
+    ASSERT_EQ(git("bisect start HEAD HEAD~11").status, 0);
+    const CommandResult result =
+        git("bisect run {} icd.json HALTON-base2 --inputs 64", GLOAM_EXAMPLES "/laboratory/bisect.sh");
+    EXPECT_EQ(result.status, 0) << result.out << result.err;
+    EXPECT_THAT(result.out, HasSubstr(first_bad + " is the first bad commit"));
 }
 
 }  // namespace gloam::test::check_steps_test

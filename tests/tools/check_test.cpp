@@ -3,24 +3,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <chrono>
 #include <csignal>
-#include <fstream>
-#include <map>
-#include <nlohmann/json.hpp>
-#include <set>
-#include <sstream>
-#include <thread>
 
 #include "cli/check/worker_session.hpp"
-#include "tools/expect.hpp"
-#include "tools/installation.hpp"
+#include "tools/gloam.hpp"
 
 namespace gloam::test::check_test {
-
-namespace fs = std::filesystem;
-using nlohmann::json;
 
 constexpr const char* function = "gloam_radical_inverse_base2";
 

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 // What a driver does to a worker of `gloam check` costs one check.
 #include <csignal>
-#include <map>
-#include <nlohmann/json.hpp>
-#include <thread>
 
 #include "base/process.hpp"
-#include "tools/expect.hpp"
-#include "tools/installation.hpp"
+#include "cli/check/worker_session.hpp"
+#include "support/run_command.hpp"
+#include "tools/gloam.hpp"
 
 namespace gloam::test::check_worker_test {
 
-namespace fs = std::filesystem;
-using namespace std::chrono_literals;
 using base::WorkerProcess;
-using nlohmann::json;
+using check::Reason;
+using cli::NoWorker;
+using cli::Reply;
+using cli::WorkerSession;
+using namespace std::chrono_literals;
 
 constexpr const char* hanging = "HALTON-base2";
 
@@ -161,6 +161,156 @@ TEST(CheckWorker, WrongOptionsAreNamed) {
     expect_could_not_run(gloam("check --jobs 0"), "--jobs");
     expect_could_not_run(gloam("check --jobs -1"), "--jobs");
     expect_could_not_run(gloam("check --in-process=maybe"), "--in-process");
+}
+
+std::vector<std::string> shell(const std::string& script) {
+    return {"/bin/sh", "-c", script};
+}
+
+// Greets, then executes the commands that it receives.
+const std::vector<std::string> obedient = shell("echo hello; while read -r line; do eval \"$line\"; done");
+
+TEST(WorkerSession, OneWorkerAnswersManyQuestions) {
+    WorkerSession session(obedient, 20s);
+    EXPECT_EQ(session.greeting(), "hello");
+    const std::string first = session.ask("echo $$").line;
+    EXPECT_EQ(session.ask("echo $$").line, first);
+    EXPECT_EQ(session.ask("echo $((6 * 7))").line, "42");
+}
+
+TEST(WorkerSession, ACrashCostsOneQuestion) {
+    WorkerSession session(obedient, 20s);
+    const std::string first = session.ask("echo $$").line;
+    const Reply crashed = session.ask("echo oh no >&2; kill -ABRT $$");
+    EXPECT_EQ(crashed.reason, Reason::crash);
+    EXPECT_EQ(crashed.error, "the process ended by signal 6 (ABRT: Aborted): oh no");
+    const Reply next = session.ask("echo $$");
+    EXPECT_EQ(next.reason, Reason::none);
+    EXPECT_EQ(next.error, "");
+    EXPECT_NE(next.line, first);
+}
+
+TEST(WorkerSession, AnExitWithoutAnAnswerIsACrashToo) {
+    WorkerSession session(obedient, 20s);
+    const Reply answer = session.ask("exit 0");
+    EXPECT_EQ(answer.reason, Reason::crash);
+    EXPECT_THAT(answer.error, HasSubstr("ended with status 0"));
+}
+
+TEST(WorkerSession, SilenceIsAHangAndCostsOneQuestion) {
+    WorkerSession session(obedient, 300ms);
+    const auto start = std::chrono::steady_clock::now();
+    const Reply hung = session.ask("exec sleep 1000");
+    EXPECT_EQ(hung.reason, Reason::hang);
+    EXPECT_EQ(hung.error, "not finished after 0.3 s, the time limit");
+    EXPECT_LT(std::chrono::steady_clock::now() - start, 10s);
+    EXPECT_EQ(session.ask("echo alive").line, "alive");
+}
+
+TEST(WorkerSession, AWorkerThatWasDismissedIsReplaced) {
+    WorkerSession session(obedient, 20s);
+    const std::string first = session.ask("echo $$").line;
+    session.dismiss();
+    EXPECT_NE(session.ask("echo $$").line, first);
+}
+
+TEST(WorkerSession, AWorkerThatNeverGreetsIsTriedTwiceAndNoMore) {
+    const test::TemporaryDirectory folder;
+    const std::string log = (folder.path() / "log").string();
+    WorkerSession session(shell("echo start >> " + log + "; echo no driver >&2; kill -9 $$"), 20s);
+    EXPECT_THAT([&] { (void)session.ask("echo"); },
+                ThrowsMessage<NoWorker>("the process ended by signal 9 (KILL: Killed): no driver"));
+    std::ifstream stream(log);
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(stream), {}), "start\nstart\n");
+}
+
+TEST(WorkerSession, AWorkerThatFailsOnceBeforeItsGreetingIsForgiven) {
+    const test::TemporaryDirectory folder;
+    const std::string mark = (folder.path() / "mark").string();
+    WorkerSession session(
+        shell("[ -e " + mark + " ] || { touch " + mark + "; exit 1; }; echo hello; read line; echo $line"),
+        20s);
+    EXPECT_EQ(session.ask("word").line, "word");
+}
+
+TEST(WorkerSession, AGreetingMayTakeAsLongAsAnAnswer) {
+    WorkerSession session(shell("exec sleep 1000"), 100ms);
+    try {
+        (void)session.greeting();
+        FAIL() << "nothing thrown";
+    } catch (const NoWorker& none) {
+        EXPECT_EQ(none.reason, Reason::hang);
+    }
+}
+
+TEST(WorkerSession, ARefusalIsNotTriedAgain) {
+    int asked = 0;
+    WorkerSession session(shell("echo no; read line"), 20s, [&](const std::string& greeting) {
+        ++asked;
+        return greeting == "no" ? "it says no" : "";
+    });
+    try {
+        (void)session.ask("word");
+        FAIL() << "nothing thrown";
+    } catch (const NoWorker& none) {
+        EXPECT_EQ(none.reason, Reason::error);
+        EXPECT_STREQ(none.what(), "it says no");
+    }
+    EXPECT_EQ(asked, 1);
+}
+
+TEST(RunProgram, KeepsStatusOutputAndErrorsApart) {
+    const CommandResult result = run_program("/bin/sh", {"-c", "echo out; echo err >&2; exit 3"});
+    EXPECT_EQ(result.status, 3);
+    EXPECT_EQ(result.out, "out\n");
+    EXPECT_EQ(result.err, "err\n");
+}
+
+TEST(RunProgram, ReportsASignalAsShellsDo) {
+    EXPECT_EQ(run_program("/bin/sh", {"-c", "kill -SEGV $$"}).status, 128 + 11);
+}
+
+TEST(RunProgram, PassesArgumentsUnchanged) {
+    EXPECT_EQ(run_program("printf", {"%s|%s", "a b", "$HOME *"}).out, "a b|$HOME *");
+}
+
+TEST(RunProgram, ReplacesTheNamedVariablesOnly) {
+    const CommandResult result = run_program("/bin/sh", {"-c", "echo $GLOAM_TEST_A${PATH:+ path}"},
+                                             {.environment = {"GLOAM_TEST_A=1"}});
+    EXPECT_EQ(result.out, "1 path\n");
+}
+
+TEST(RunProgram, RunsInTheGivenDirectory) {
+    const TemporaryDirectory directory;
+    ASSERT_EQ(run_program("touch", words("here"), {.working_directory = directory.path()}).status, 0);
+    EXPECT_TRUE(std::filesystem::exists(directory.path() / "here"));
+}
+
+TEST(RunProgram, StandsMoreOutputThanAPipeHolds) {
+    EXPECT_EQ(run_program("/bin/sh", {"-c", "head -c 300000 /dev/zero | tr '\\0' x"}).out.size(), 300000U);
+}
+
+TEST(RunProgram, ThrowsWhenTheProgramCannotStartOrDoesNotEnd) {
+    EXPECT_THROW(static_cast<void>(run_program("/no/such/program", {})), std::runtime_error);
+    EXPECT_THROW(static_cast<void>(run_program("sleep", words("60"), {.timeout = std::chrono::seconds(0)})),
+                 std::runtime_error);
+}
+
+TEST(TemporaryDirectory, LeavesNothingBehind) {
+    std::filesystem::path path;
+    {
+        const TemporaryDirectory directory;
+        path = directory.path();
+        std::ofstream(path / "file") << "text";
+        ASSERT_TRUE(std::filesystem::exists(path / "file"));
+    }
+    EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+TEST(LineCount, CountsALastLineWithoutItsNewline) {
+    EXPECT_EQ(line_count(""), 0);
+    EXPECT_EQ(line_count("a\n"), 1);
+    EXPECT_EQ(line_count("a\nb"), 2);
 }
 
 }  // namespace gloam::test::check_worker_test

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The first minute: `gloam demo`, its page and its pictures.
-#include <algorithm>
-
 #include "tools/rendering.hpp"
 
 namespace gloam::test::demo_test {
-
-namespace fs = std::filesystem;
 
 std::vector<std::string> files_in(const fs::path& folder) {
     std::vector<std::string> names;
@@ -103,7 +99,7 @@ TEST_F(Gallery, PresetsAreComparedOnACroppedSheet) {
     EXPECT_LT(width, 4 * 8 * 32 + 64);
     EXPECT_GT(height, 2 * 8 * 16 + 20);
     const auto preset = [&](const std::string& name) {
-        return nlohmann::json::parse(read_file(path("out") / (name + "_render.json"))).at("preset");
+        return json::parse(read_file(path("out") / (name + "_render.json"))).at("preset");
     };
     EXPECT_EQ(preset("fast"), "fast");
     EXPECT_EQ(preset("tssao-paper"), "tssao-paper");
@@ -169,10 +165,10 @@ TEST_F(Gallery, WrongViewsAreNamed) {
 class SiteTest : public InFolder {};
 
 // The JSON between the first and the last of two characters of a file.
-nlohmann::json json_in(const fs::path& file, char begin, char end) {
+json json_in(const fs::path& file, char begin, char end) {
     const std::string text = read_file(file);
     const std::size_t first = text.find(begin);
-    return nlohmann::json::parse(text.substr(first, text.rfind(end) - first + 1));
+    return json::parse(text.substr(first, text.rfind(end) - first + 1));
 }
 
 TEST_F(SiteTest, WritesPagesAndTheChecksOfEachPart) {
@@ -185,10 +181,10 @@ TEST_F(SiteTest, WritesPagesAndTheChecksOfEachPart) {
     EXPECT_THAT(read_file(site / "check.html"),
                 AllOf(StartsWith("<!DOCTYPE html>\n"), HasSubstr("<title>gloam: check this browser</title>"),
                       HasSubstr("<main>\n<h1>Check this browser</h1>\n"), Not(HasSubstr("<!-- main -->"))));
-    const nlohmann::json index = json_in(site / "site.js", '{', '}');
-    EXPECT_EQ(index.at("files"), (nlohmann::json{"checks-filter.js", "checks-sampling.js"}));
+    const json index = json_in(site / "site.js", '{', '}');
+    EXPECT_EQ(index.at("files"), (json{"checks-filter.js", "checks-sampling.js"}));
     EXPECT_EQ(index.at("inputs"), 40);
-    const nlohmann::json checks = json_in(site / "checks-filter.js", '[', ']');
+    const json checks = json_in(site / "checks-filter.js", '[', ']');
     ASSERT_EQ(checks.size(), 1U);
     EXPECT_EQ(checks.front().at("equation"), "TSSAO-11");
     EXPECT_EQ(checks.front().at("scenarios").front().at("count"), 40);

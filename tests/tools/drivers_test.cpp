@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <fstream>
-#include <nlohmann/json.hpp>
-
 #include "backend/gl/device.hpp"
 #include "backend/vulkan/device.hpp"
-#include "tools/expect.hpp"
-#include "tools/installation.hpp"
+#include "tools/gloam.hpp"
 
 namespace gloam::test::drivers_test {
-
-using nlohmann::json;
 
 json vulkan_devices(const std::string& list) {
     json vulkan = json::array();
@@ -175,8 +168,6 @@ TEST_F(Drivers, TheEnvironmentsChoiceIsRespected) {
 
 // OpenGL devices on the command line.
 
-namespace fs = std::filesystem;
-
 // The names of the OpenGL devices here.
 std::vector<std::string> names() {
     const CommandResult result = gloam("devices --json");
@@ -223,7 +214,7 @@ TEST_F(OpenGlCommands, TheListIsAlsoForPeople) {
 }
 
 TEST_F(OpenGlCommands, ResultsSayWhichInterfaceItWas) {
-    const std::filesystem::path file = path("results.json");
+    const fs::path file = path("results.json");
     expect_success(
         gloam("check HALTON-2D --inputs 64 --device {} --json {} --variant all", names_.front(), file));
     const std::string result = output_of(gloam("report {}", file));

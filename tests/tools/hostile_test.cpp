@@ -2,17 +2,9 @@
 // Hostile files: each soon ends with one line on standard error and status 2, and leaves nothing behind.
 #include <sys/stat.h>
 
-#include <fstream>
-#include <iterator>
-#include <nlohmann/json.hpp>
-#include <random>
-
-#include "tools/expect.hpp"
-#include "tools/installation.hpp"
+#include "tools/gloam.hpp"
 
 namespace gloam::test::hostile_test {
-
-namespace fs = std::filesystem;
 
 class HostileFiles : public InFolder {
   protected:

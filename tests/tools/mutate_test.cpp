@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `gloam mutate FILE... -- COMMAND`.
-#include <nlohmann/json.hpp>
-
-#include <fstream>
-
-#include "tools/expect.hpp"
+#include "tools/gloam.hpp"
 
 namespace gloam::test::mutate_test {
 
@@ -29,8 +25,8 @@ class Mutate : public InFolder {
     }
 
     std::string script(const std::string& name, const std::string& text) {
-        const std::filesystem::path file = write(name, "#!/bin/sh\n" + text);
-        std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+        const fs::path file = write(name, "#!/bin/sh\n" + text);
+        fs::permissions(file, fs::perms::owner_all);
         return file.string();
     }
 
@@ -43,11 +39,11 @@ class Mutate : public InFolder {
 };
 
 TEST_F(Mutate, AGoodTestKillsAndWhatItMissesSurvives) {
-    const std::string json = path("faults.json").string();
-    const CommandResult result = gloam("mutate {} --json {} -- {}", tone(), json, test());
+    const std::string file = path("faults.json").string();
+    const CommandResult result = gloam("mutate {} --json {} -- {}", tone(), file, test());
     EXPECT_EQ(result.status, 1) << result.err;
     std::map<std::string, int> fates;
-    const nlohmann::json all = nlohmann::json::parse(read_file(json));
+    const json all = json::parse(read_file(file));
     for (const auto& one : all.at("mutants")) {
         const std::string fate = one.at("fate");
         ++fates[one.at("function").get<std::string>() + " " + fate];
@@ -114,10 +110,10 @@ TEST_F(Mutate, GoesOnWithItsJournal) {
     const std::string count = path("count").string();
     const std::string command = script("command.sh", "echo >> " + count + "\n");
     const auto run = [&](const std::string& options) {
-        std::filesystem::remove(count);
+        fs::remove(count);
         const CommandResult result =
             gloam("mutate {} --journal {} --jobs 1" + options + " -- {}", file, journal, command);
-        return std::pair(result, std::filesystem::exists(count) ? line_count(read_file(count)) : 0);
+        return std::pair(result, fs::exists(count) ? line_count(read_file(count)) : 0);
     };
     const auto [few, tried_few] = run(" --count 3");
     EXPECT_EQ(tried_few, 1 + 3) << "without a fault, and with three" << few.err;
@@ -138,10 +134,10 @@ TEST_F(Mutate, CountsWhatTakesTooLongApartAndLeavesNothingBehind) {
     const std::string file = tone();
     const std::string command = script(
         "command.sh", "grep -q '1.0 + x' $GLOAM_SHADERS/$GLOAM_SHADERS_CHANGED || sleep 1000 & wait $!\n");
-    std::filesystem::create_directory(path("temporary"));
+    fs::create_directory(path("temporary"));
     const CommandResult result = run_command(words("mutate {} --count 40 --jobs 2 -- {}", file, command),
                                              {.environment = {"TMPDIR=" + path("temporary").string()}});
-    EXPECT_TRUE(std::filesystem::is_empty(path("temporary")));
+    EXPECT_TRUE(fs::is_empty(path("temporary")));
     EXPECT_THAT(result.out, HasSubstr("tone.glsl"));
     const std::vector<std::string> lines = lines_of(result);
     ASSERT_GT(lines.size(), 1U) << result.err;

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Somebody's shader file: `gloam check FILE` and `gloam explain`.
-#include <nlohmann/json.hpp>
-
-#include "tools/expect.hpp"
-#include "tools/installation.hpp"
+#include "tools/gloam.hpp"
 
 namespace gloam::test::own_file_test {
 
@@ -15,7 +12,7 @@ TEST_F(OwnFile, EveryFunctionIsJudgedByTheRules) {
     const std::string report = path("own.json").string();
     EXPECT_THAT(output_of(gloam("check {} --inputs 512 --json {}", file, report)),
                 HasSubstr("2 checks, 0 failed"));
-    const nlohmann::json rows = nlohmann::json::parse(read_file(report)).at("results");
+    const json rows = json::parse(read_file(report)).at("results");
     ASSERT_EQ(rows.size(), 2U);
     EXPECT_EQ(rows[0].at("function"), "own_root");
     EXPECT_EQ(rows[0].at("verdict"), "rules");
@@ -42,7 +39,7 @@ TEST_F(OwnFile, AWholeShaderIsCheckedFunctionByFunction) {
     EXPECT_THAT(all.out, testing::ContainsRegex("seen\\(\\) was left out: it uses \"image\".*whole.frag:9"));
     EXPECT_THAT(all.out, testing::ContainsRegex("table shipped: the result is undefined for .* of 64 inputs.*"
                                                 "element .* of 2, in table .*whole.frag:7"));
-    const nlohmann::json rows = nlohmann::json::parse(read_file(report)).at("results");
+    const json rows = json::parse(read_file(report)).at("results");
     ASSERT_EQ(rows.size(), 4U);
     EXPECT_EQ(rows[0].at("equation"), "luma(vec3)");
     EXPECT_EQ(rows[1].at("equation"), "luma(vec4)");
@@ -129,14 +126,14 @@ TEST_F(OwnFile, OneFunctionInAllVariantsFromItsRange) {
 // Each function in a worker: a hang is reported, and the other functions are checked.
 TEST_F(OwnFile, AHangCostsOneFunction) {
     const std::string spins = std::string(GLOAM_TOOLS_FIXTURES) + "/own_spins.glsl";
-    const std::string json = path("own.json").string();
+    const std::string report = path("own.json").string();
     const std::string failures = path("failures").string();
     const CommandResult result =
-        gloam("check {} --inputs 4096 --timeout 6 --json {} --failures {}", spins, json, failures);
+        gloam("check {} --inputs 4096 --timeout 6 --json {} --failures {}", spins, report, failures);
     EXPECT_EQ(result.status, 1);
     EXPECT_THAT(result.out, HasSubstr("3 checks, 1 failed"));
     EXPECT_THAT(result.out, testing::ContainsRegex("run it again: gloam check .*own_spins.glsl own_spins"));
-    const nlohmann::json rows = nlohmann::json::parse(read_file(json)).at("results");
+    const json rows = json::parse(read_file(report)).at("results");
     ASSERT_EQ(rows.size(), 3U);
     EXPECT_EQ(rows[1].at("reason"), "hang");
     EXPECT_EQ(rows[1].at("function"), "own_spins");
@@ -144,14 +141,14 @@ TEST_F(OwnFile, AHangCostsOneFunction) {
     EXPECT_EQ(rows[2].at("inputs"), 4096);
     EXPECT_EQ(rows[2].at("by_rules"), 4096);
     EXPECT_EQ(rows[2].at("bounded"), 2048);  // Bounds are calculated for at most 2,048 inputs of a run.
-    EXPECT_FALSE(std::filesystem::is_empty(failures));
+    EXPECT_FALSE(fs::is_empty(failures));
 }
 
 TEST_F(OwnFile, CoverageIsReportedOnRequest) {
-    const std::string json = path("own.json").string();
-    EXPECT_THAT(output_of(gloam("check {} own_swap --inputs 64 --coverage --json {}", file, json)),
+    const std::string report = path("own.json").string();
+    EXPECT_THAT(output_of(gloam("check {} own_swap --inputs 64 --coverage --json {}", file, report)),
                 HasSubstr("own_swap shipped: lines 1 of 1, ways of branches 2 of 2"));
-    const nlohmann::json row = nlohmann::json::parse(read_file(json)).at("results").at(0);
+    const json row = json::parse(read_file(report)).at("results").at(0);
     EXPECT_EQ(row.at("coverage").at("points").at(0).at("text"), "return really ? v.yx : v;");
 }
 
@@ -171,6 +168,77 @@ TEST_F(OwnFile, ExplainNamesTheLineWhereTheErrorEnters) {
     EXPECT_THAT(result, testing::ContainsRegex("own.glsl:4 own_root +OpFMul"));
     EXPECT_THAT(result, testing::ContainsRegex("own.glsl:5 own_root +OpFSub.*most of the error"));
     EXPECT_THAT(result, HasSubstr("grows most at"));
+}
+
+// `gloam audit FILE`.
+
+class AuditCommand : public InFolder {
+  protected:
+    std::string lit() {
+        return write("lit.glsl",
+                     "// <script>alert(1)</script>\n"
+                     "float angle(vec3 n, vec3 l) { return acos(dot(n, l)); }\n"
+                     "// x in [0, 1]\n"
+                     "float curve(float x) { return x / (1.0 + x); }\n")
+            .string();
+    }
+};
+
+TEST_F(AuditCommand, SaysWhatGoesWrongAndWhere) {
+    const CommandResult all = gloam("audit {} --inputs 2048", lit());
+    EXPECT_EQ(all.status, 1) << "some input gives NaN";
+    EXPECT_THAT(all.out, StartsWith("lit.glsl: float angle(vec3 n, vec3 l)\n  n  "));
+    EXPECT_THAT(all.out, HasSubstr("not finite"));
+    EXPECT_THAT(all.out, HasSubstr("arises at lit.glsl:2 (acos)"));
+    EXPECT_THAT(all.out, HasSubstr("acos(clamp(dot(n, l), -1.0, 1.0))"));
+    EXPECT_THAT(all.out, HasSubstr("x               0 to 1 (comment)"));
+    EXPECT_THAT(output_of(gloam("audit {} curve", lit())), HasSubstr("well            no input gives NaN"));
+    EXPECT_EQ(gloam("audit {} curve --range x=-2:0", lit()).status, 1) << "it divides by zero at -1";
+}
+
+TEST_F(AuditCommand, RunsTheWorstInputsOnADevice) {
+    const std::string report = path("audit.json").string();
+    const CommandResult all = gloam("audit {} angle --device interpreter --json {}", lit(), report);
+    EXPECT_EQ(all.status, 1);
+    EXPECT_THAT(all.out, HasSubstr("NaN on interpreter"));
+    const json function = json::parse(read_file(report)).at("functions").at(0);
+    EXPECT_EQ(function.at("function"), "angle");
+    EXPECT_EQ(function.at("broken"), true);
+    EXPECT_EQ(function.at("domain").at(0).at("reason"), "name");
+    const json finding = function.at("findings").at(0);
+    EXPECT_EQ(finding.at("concern"), "not finite");
+    EXPECT_EQ(finding.at("words").size(), 6U);
+    EXPECT_EQ(finding.at("place").at("line"), 2);
+    EXPECT_EQ(finding.at("devices").at(0).at("value"), "nan");
+    // The words are a call of explain, which shows the same.
+    std::string words;
+    for (const auto& word : finding.at("words")) words += fmt::format(" 0x{:08x}", word.get<unsigned>());
+    EXPECT_THAT(output_of(gloam("explain {} angle" + words, lit())), HasSubstr("nan"));
+    expect_could_not_run(gloam("audit {} angle --device nothing-like-it", lit()), "nothing-like-it");
+}
+
+TEST_F(AuditCommand, WritesAPage) {
+    const std::string page = path("audit.html").string();
+    EXPECT_EQ(gloam("audit {} --inputs 512 --html {}", lit(), page).status, 1);
+    const std::string html = read_file(page);
+    EXPECT_THAT(html, HasSubstr("&lt;script&gt;alert(1)")) << "the source is text";
+    EXPECT_THAT(html, Not(HasSubstr("<script>alert")));
+    EXPECT_THAT(html, HasSubstr("<span class=\"heat4\"><b>   2</b> float angle"));
+    EXPECT_THAT(html, HasSubstr("domain = domain.and_words({0x"));
+    EXPECT_THAT(html, HasSubstr("+ acos(clamp(dot(n, l), -1.0, 1.0))"));
+}
+
+TEST_F(AuditCommand, RefusesWhatItCannotAudit) {
+    expect_could_not_run(gloam("audit {}", path("missing.glsl").string()), "missing.glsl");
+    expect_could_not_run(gloam("audit {} none", lit()), "no function none; it defines: angle, curve");
+    expect_could_not_run(gloam("audit {} --range y=0:1", lit()), "no parameter has this name");
+    expect_could_not_run(gloam("audit {} --range x=1", lit()), "expected NAME=LOW:HIGH");
+    expect_could_not_run(gloam("audit {} --inputs 1", lit()), "--inputs");
+    expect_could_not_run(gloam("audit {} --html {}", lit(), "/no/such/folder/a.html"), "/no/such/folder");
+    const std::string broken = write("broken.glsl", "float f(float x) { return y; }\n").string();
+    const CommandResult result = gloam("audit {}", broken);
+    EXPECT_EQ(result.status, 2);
+    EXPECT_THAT(result.out, HasSubstr("f(float) was left out: it does not compile"));
 }
 
 }  // namespace gloam::test::own_file_test

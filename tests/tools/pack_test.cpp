@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <fstream>
-#include <iterator>
-#include <nlohmann/json.hpp>
-#include <set>
-#include <sstream>
-
 #include "base/version.hpp"
-#include "tools/expect.hpp"
+#include "tools/gloam.hpp"
 
 namespace gloam::test::pack_test {
 
@@ -27,13 +21,13 @@ TEST_F(Pack, OneSelfContainedTextInEachVersion) {
 }
 
 TEST_F(Pack, WritesTheFileItIsTold) {
-    const std::filesystem::path out = path("packed.glsl");
+    const fs::path out = path("packed.glsl");
     expect_success(gloam("pack {} --out {}", halton, out));
     EXPECT_EQ(read_file(out), gloam("pack {}", halton).out);
 }
 
 TEST_F(Pack, TakesOnesOwnFile) {
-    const std::filesystem::path own = path("own.glsl");
+    const fs::path own = path("own.glsl");
     std::ofstream(own) << "#include \"" << halton
                        << "\"\nfloat own() { return gloam_radical_inverse_base2(1u); }\n";
     EXPECT_THAT(output_of(gloam("pack {}", own)), HasSubstr("float own()"));
@@ -73,15 +67,14 @@ TEST_F(Pack, OtherLanguages) {
     EXPECT_THAT(wgsl.out, HasSubstr("// index: number of the sample;"));
     EXPECT_THAT(output_of(gloam("pack {} --target wgsl", GLOAM_GLSL_DIR "/passes/gbuffer.frag")),
                 HasSubstr("@fragment\nfn main("));
-    const std::filesystem::path shadow =
+    const fs::path shadow =
         write("shadow.glsl", "float lit(sampler2DShadow s, vec3 at) { return textureLod(s, at, 0.0); }\n");
     expect_could_not_run(gloam("pack {} --target wgsl", shadow),
                          "shadow.glsl: gloam does not translate to WGSL yet");
     expect_could_not_run(gloam("pack {} --target cg", halton), "hlsl, msl or wgsl");
     expect_could_not_run(gloam("pack {} --target hlsl --version 330", halton), "--version");
     expect_could_not_run(gloam("pack {} --lines --target hlsl", halton), "--lines");
-    const std::filesystem::path own =
-        write("own.glsl", "float own(sampler2D s) { return texture(s, vec2(0.5)).x; }\n");
+    const fs::path own = write("own.glsl", "float own(sampler2D s) { return texture(s, vec2(0.5)).x; }\n");
     expect_could_not_run(gloam("pack {} --target msl", own), "sampler2D");
 }
 
@@ -120,7 +113,7 @@ TEST_F(Pack, BadInputIsNamed) {
     expect_could_not_run(gloam("pack {} --npm {}", halton, path("npm").string()), "file excludes --npm");
     expect_could_not_run(gloam("pack --effect --npm {}", path("npm").string()), "--effect excludes --npm");
     expect_could_not_run(gloam("pack --npm /proc/npm"), "/proc/npm");
-    EXPECT_FALSE(std::filesystem::exists(path("npm")));
+    EXPECT_FALSE(fs::exists(path("npm")));
     expect_could_not_run(gloam("pack gloam/no/such.glsl"), "gloam/no/such.glsl");
     expect_could_not_run(gloam("pack {} --version 110", halton), "110");
     expect_could_not_run(gloam("pack {} --out /no/such/folder/file", halton), "/no/such/folder/file");
@@ -128,12 +121,12 @@ TEST_F(Pack, BadInputIsNamed) {
 }
 
 TEST_F(Pack, TextThatDoesNotCompileNamesFileAndLine) {
-    const std::filesystem::path own = write("own.glsl", "float own() {\n    return no_such_variable;\n}\n");
+    const fs::path own = write("own.glsl", "float own() {\n    return no_such_variable;\n}\n");
     expect_could_not_run(gloam("pack {}", own), "no_such_variable");
 }
 
 TEST_F(Pack, AnErrorNamesTheFileAndItsLine) {
-    const std::filesystem::path own = path("own.glsl");
+    const fs::path own = path("own.glsl");
     std::ofstream(own) << "#version 450\n#include \"" << halton << "\"\n\nfloat own() { return wrong; }\n";
     const CommandResult result = gloam("pack {}", own);
     expect_could_not_run(result, own.string() + ":4:");
@@ -141,12 +134,12 @@ TEST_F(Pack, AnErrorNamesTheFileAndItsLine) {
 }
 
 TEST_F(Pack, AVersionThatIsNoneIsNamed) {
-    const std::filesystem::path own = write("own.glsl", "#version banana\nfloat own() { return 1.0; }\n");
+    const fs::path own = write("own.glsl", "#version banana\nfloat own() { return 1.0; }\n");
     expect_could_not_run(gloam("pack {}", own), own.string() + ":1: #version banana");
 }
 
 // A chain of includes: each file includes the next one. Returns the first.
-std::string chain_of_includes(const std::filesystem::path& folder, int depth) {
+std::string chain_of_includes(const fs::path& folder, int depth) {
     const auto name = [](int i) { return "i" + std::to_string(i) + ".glsl"; };
     for (int i = 0; i < depth; ++i)
         std::ofstream(folder / name(i))
@@ -176,8 +169,6 @@ TEST_F(Pack, IncludesThatDoubleAreStopped) {
 // What `gloam pack --effect` writes, as its reader takes it: compiled by glslang's own program, the header by
 // a C compiler.
 
-namespace fs = std::filesystem;
-
 class PackEffect : public InFolder {
   protected:
     void pack(std::vector<std::string> options) {
@@ -187,9 +178,7 @@ class PackEffect : public InFolder {
     }
 
     [[nodiscard]] fs::path out() const { return path("effect"); }
-    [[nodiscard]] nlohmann::json json() const {
-        return nlohmann::json::parse(read_file(out() / "effect.json"));
-    }
+    [[nodiscard]] json description() const { return json::parse(read_file(out() / "effect.json")); }
 
     // Every pass by glslangValidator, the header as C and as C++.
     void expect_compiles() const {
@@ -215,8 +204,8 @@ class PackEffect : public InFolder {
     }
 };
 
-nlohmann::json named(const nlohmann::json& list, const std::string& name) {
-    for (const nlohmann::json& each : list)
+json named(const json& list, const std::string& name) {
+    for (const json& each : list)
         if (each["name"] == name) return each;
     ADD_FAILURE() << "no " << name;
     return {};
@@ -239,14 +228,14 @@ TEST_F(PackEffect, AnotherLanguageBesideGlsl) {
           std::tuple("wgsl", ".wgsl", "@group(0) @binding(0) var depth_image: texture_2d<f32>;")}) {
         SCOPED_TRACE(target);
         pack(words("--target {}", target));
-        for (const nlohmann::json& pass : json()["passes"]) {
+        for (const json& pass : description()["passes"]) {
             const std::string name = pass["name"];
             EXPECT_TRUE(fs::exists(out() / (name + ".comp"))) << name;
             EXPECT_THAT(read_file(out() / (name + suffix)),
                         HasSubstr(name == "ambient_occlusion" ? first : "main("))
                 << name;
         }
-        const std::string last = json()["passes"].back()["name"];
+        const std::string last = description()["passes"].back()["name"];
         EXPECT_THAT(read_file(out() / "README.md"), HasSubstr("as `" + last + suffix + "`"));
     }
 }
@@ -270,12 +259,12 @@ TEST_F(PackEffect, EveryOptionCompiles) {
 TEST_F(PackEffect, FormatsAreThoseOfThePreset) {
     pack(words("--preset balanced"));
     EXPECT_THAT(read_file(out() / "ambient_occlusion.comp"), HasSubstr("#define GLOAM_HISTORY rgba16ui\n"));
-    EXPECT_EQ(named(json()["images"], "history_after")["format"], "VK_FORMAT_R16G16B16A16_UINT");
+    EXPECT_EQ(named(description()["images"], "history_after")["format"], "VK_FORMAT_R16G16B16A16_UINT");
     EXPECT_THAT(read_file(out() / "gloam_effect.h"),
                 HasSubstr("{\"history_after\", VK_FORMAT_R16G16B16A16_UINT,"));
-    const nlohmann::json all = json();
-    for (const nlohmann::json& pass : all.at("passes")) {
-        for (const nlohmann::json& binding : pass.at("bindings")) {
+    const json all = description();
+    for (const json& pass : all.at("passes")) {
+        for (const json& binding : pass.at("bindings")) {
             if (!binding["resource"].get<std::string>().starts_with("history")) continue;
             if (binding["writes"])
                 EXPECT_EQ(binding["format"], "rgba16ui") << pass["name"];
@@ -284,7 +273,7 @@ TEST_F(PackEffect, FormatsAreThoseOfThePreset) {
         }
     }
     pack(words("--preset tssao-paper"));
-    EXPECT_EQ(named(json()["images"], "history_after")["format"], "VK_FORMAT_R32G32B32A32_SFLOAT");
+    EXPECT_EQ(named(description()["images"], "history_after")["format"], "VK_FORMAT_R32G32B32A32_SFLOAT");
 }
 
 // Each binding is to a resource that is listed, each image is used, and what one pass writes and another
@@ -292,21 +281,21 @@ TEST_F(PackEffect, FormatsAreThoseOfThePreset) {
 TEST_F(PackEffect, TheTablesAgree) {
     for (const char* method : {"hemisphere", "mssao", "separable"}) {
         pack(words("--method {} --preset tssao-paper --tiles", method));
-        const nlohmann::json all = json();
+        const json all = description();
         std::set<std::string> resources;
         for (const char* kind : {"images", "buffers"})
-            for (const nlohmann::json& each : all[kind]) EXPECT_TRUE(resources.insert(each["name"]).second);
+            for (const json& each : all[kind]) EXPECT_TRUE(resources.insert(each["name"]).second);
         std::set<std::string> bound{all["result"]["image"]};
         std::set<std::string> written;
-        for (const nlohmann::json& pass : all["passes"]) {
+        for (const json& pass : all["passes"]) {
             std::set<std::string> guarded;
-            for (const nlohmann::json& barrier : pass["barriers"]) guarded.insert(barrier["resource"]);
-            for (const nlohmann::json& binding : pass["bindings"]) {
+            for (const json& barrier : pass["barriers"]) guarded.insert(barrier["resource"]);
+            for (const json& binding : pass["bindings"]) {
                 const std::string name = binding["resource"];
                 bound.insert(name);
                 EXPECT_TRUE(!written.contains(name) || guarded.contains(name)) << pass["name"] << " " << name;
             }
-            for (const nlohmann::json& binding : pass["bindings"]) {
+            for (const json& binding : pass["bindings"]) {
                 const std::string name = binding["resource"];
                 if (binding["writes"] && !name.starts_with("nothing") && pass["turn"] != "once")
                     written.insert(name);
@@ -323,7 +312,7 @@ TEST_F(PackEffect, PreparationComesWithTheMethod) {
     EXPECT_LT(page.find("`surface_1.comp`"), page.find("`occlusion_4.comp`"));
     EXPECT_LT(page.find("`occlusion_1.comp`"), page.find("`ambient_occlusion.comp`"));
     EXPECT_TRUE(fs::exists(out() / "occlusion_1.comp"));
-    EXPECT_FALSE(named(json()["images"], "prepared").is_null());
+    EXPECT_FALSE(named(description()["images"], "prepared").is_null());
 }
 
 // tests/effect/opengl_passes_test.cpp compiles them with a driver.

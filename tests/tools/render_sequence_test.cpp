@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: MIT
 // `gloam render` on scenes that move and on sequences of G-buffers: the history follows them, and dies where
 // it must.
-#include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <set>
-
 #include "tools/rendering.hpp"
 
 namespace gloam::test::render_sequence_test {
-
-namespace fs = std::filesystem;
-using nlohmann::json;
 
 class RenderSequence : public Rendering {
   protected:

@@ -6,9 +6,6 @@
 
 namespace gloam::test::render_test {
 
-namespace fs = std::filesystem;
-using nlohmann::json;
-
 class RenderErrors : public Rendering {
   protected:
     // A G-buffer of one small frame, as gloam writes it.

@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <filesystem>
-#include <nlohmann/json.hpp>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "base/image_files.hpp"
-#include "tools/expect.hpp"
+#include "tools/gloam.hpp"
 
 namespace gloam::test {
 
@@ -34,11 +28,11 @@ class Rendering : public InFolder {
     // One line with that text, status 2, and nothing in --out.
     void expect_refused(const std::vector<std::string>& arguments, const std::string& named) const {
         expect_could_not_run(render("out", arguments), named);
-        EXPECT_FALSE(std::filesystem::exists(path("out"))) << named;
+        EXPECT_FALSE(fs::exists(path("out"))) << named;
     }
 
-    [[nodiscard]] nlohmann::json report(const std::string& out) const {
-        return nlohmann::json::parse(read_file(path(out) / "render.json"));
+    [[nodiscard]] json report(const std::string& out) const {
+        return json::parse(read_file(path(out) / "render.json"));
     }
 
     [[nodiscard]] std::vector<float> picture(const std::string& out, const std::string& name) const {

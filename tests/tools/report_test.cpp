@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <nlohmann/json.hpp>
-
-#include "tools/expect.hpp"
-#include "tools/installation.hpp"
+#include "tools/gloam.hpp"
 
 namespace gloam::test::report_test {
-
-namespace fs = std::filesystem;
-using nlohmann::json;
 
 class ReportCommand : public InFolder {
   protected:
@@ -159,6 +153,143 @@ TEST_F(ReportSummary, WrongOptionsAreNamed) {
     expect_could_not_run(gloam("report {} --summary", path("nowhere")), "nowhere is not what");
     expect_could_not_run(gloam("report --summary"), "expected files, or --sqlite");
     expect_could_not_run(gloam("report --summary --sqlite {}", path("none.sqlite")), "none.sqlite");
+}
+
+// A failure is handed over ready to report.
+
+class Failures : public testing::Test {
+  protected:
+    // Of a check of one function: `more` are further words.
+    [[nodiscard]] CommandResult check(const std::vector<std::string>& more = {}) const {
+        std::vector<std::string> all = words("check gloam_radical_inverse_base2 --inputs 65536 --failures {}",
+                                             installation_.file("failures"));
+        all.insert(all.end(), more.begin(), more.end());
+        return run_program(installation_.program(), all);
+    }
+
+    // The folder of the only failure, of whatever device.
+    [[nodiscard]] fs::path folder() const {
+        std::vector<fs::path> found;
+        if (fs::exists(installation_.file("failures")))
+            for (const auto& device : fs::directory_iterator(installation_.file("failures")))
+                for (const auto& failure : fs::directory_iterator(device)) found.push_back(failure);
+        EXPECT_EQ(found.size(), 1U);
+        return found.empty() ? fs::path() : found.front();
+    }
+
+    [[nodiscard]] std::string text(const char* file) const { return read_file(folder() / file); }
+
+    const Installation installation_;
+};
+
+void expect_valid(const fs::path& module) {
+    const CommandResult valid = run_program("spirv-val", words("--target-env vulkan1.2 {}", module));
+    EXPECT_EQ(valid.status, 0) << valid.err;
+}
+
+void expect_assembles(const fs::path& assembly) {
+    const fs::path module = assembly.parent_path() / "again.spv";
+    const CommandResult assembled =
+        run_program("spirv-as", words("--target-env spv1.5 {} -o {}", assembly, module));
+    EXPECT_EQ(assembled.status, 0) << assembled.err;
+    expect_valid(module);
+}
+
+TEST_F(Failures, AWrongResultIsHandedOverWhole) {
+    installation_.spoil_radical_inverse_base2();
+    for (const std::vector<std::string>& how :
+         {std::vector<std::string>{}, {"--in-process"}, {"--jobs", "2"}}) {
+        fs::remove_all(installation_.file("failures"));
+        const CommandResult result = check(how);
+        EXPECT_EQ(result.status, 1);
+        EXPECT_EQ(result.err, "");
+        EXPECT_EQ(folder().filename(), "halton-base2-shipped");
+        EXPECT_THAT(text("report.txt"),
+                    HasSubstr("uint 1 (0x00000001)"));  // no simpler index has an odd result
+        EXPECT_THAT(text("report.txt"), HasSubstr("want 0.5"));
+        EXPECT_THAT(text("shader.comp"), HasSubstr("float gloam_radical_inverse_base2(uint index)"));
+        EXPECT_THAT(text("repro.amber"), HasSubstr("EXPECT floats IDX 0 GE 0.500000000"));
+        expect_valid(folder() / "shader.spv");
+        expect_assembles(folder() / "shader.spvasm");
+    }
+}
+
+// The command in report.txt is complete: run unchanged in a shell, it finds exactly the same failure.
+TEST_F(Failures, RunItAgainReproducesToTheBit) {
+    installation_.spoil_radical_inverse_base2();
+    const fs::path first = installation_.file("first.json");
+    EXPECT_EQ(check(words("--seed 12345 --variant optimized --json {}", first)).status, 1);
+    const std::string report = text("report.txt");
+    for (const char* part : {"Versions: gloam ", "glslang ", "SPIRV-Tools "})
+        EXPECT_THAT(report, HasSubstr(part));
+    const std::string mark = "Run it again: gloam ";
+    const std::size_t begin = report.find(mark) + mark.size();
+    const std::string command = report.substr(begin, report.find('\n', begin) - begin);
+    for (const char* part : {"--variant optimized", "--device ", "--inputs 65536", "--seed 12345"})
+        EXPECT_THAT(command, HasSubstr(part));
+    const fs::path second = installation_.file("second.json");
+    const CommandResult again = run_program(
+        "/bin/sh",
+        words("-c {}", installation_.program().string() + " " + command + " --json " + second.string()));
+    EXPECT_EQ(again.status, 1) << again.err;
+    EXPECT_THAT(again.out, HasSubstr("run it again: gloam " + command));
+    auto one = json::parse(read_file(first));
+    auto other = json::parse(read_file(second));
+    one["results"][0].erase("seconds");
+    other["results"][0].erase("seconds");
+    EXPECT_EQ(one, other);
+}
+
+TEST_F(Failures, TheAssemblyInTheAmberScriptIsAModule) {
+    installation_.spoil_radical_inverse_base2();
+    EXPECT_EQ(check().status, 1);
+    const std::string script = text("repro.amber");
+    const std::size_t begin = script.find('\n', script.find("SHADER compute")) + 1;
+    const fs::path assembly = installation_.file("amber.spvasm");
+    std::ofstream(assembly) << script.substr(begin, script.find("END", begin) - begin);
+    expect_assembles(assembly);
+}
+
+TEST_F(Failures, AHangIsHandedOverWithoutRunningItAgain) {
+    installation_.make_radical_inverse_base2_hang();
+    EXPECT_EQ(check(words("--timeout 1.5")).status, 1);
+    // The worker's processor time and its wait for the device are limited alike: either may end first.
+    EXPECT_THAT(text("report.txt"),
+                AnyOf(HasSubstr("hang: not finished after 1.5 s"), HasSubstr("submission within 1.5 s")));
+    EXPECT_THAT(text("repro.amber"), HasSubstr("not judged"));
+    EXPECT_THAT(text("shader.comp"), HasSubstr("spin"));
+}
+
+TEST_F(Failures, WhatDoesNotCompileHasAReportThatSaysSo) {
+    installation_.replace("gloam/sampling/radical_inverse.glsl",
+                          "uint bits = ", "uint bits = no_such_variable + ");
+    EXPECT_EQ(check().status, 1);
+    EXPECT_THAT(text("report.txt"), HasSubstr("could not be made"));
+    EXPECT_FALSE(fs::exists(folder() / "shader.spv"));
+}
+
+TEST_F(Failures, AnAccessOutsideAnImageComesWithTheImage) {
+    installation_.replace("gloam/geometry/normal_from_depth.glsl", "gloam_fetch_depth(pixel)",
+                          "gloam_fetch_depth(pixel - ivec2(1, 0))");
+    const fs::path failures = installation_.file("failures");
+    const CommandResult result =
+        installation_.gloam("check gloam_normal_from_depth* --inputs 4096 --failures {}", failures);
+    EXPECT_EQ(result.status, 1) << result.out << result.err;
+    ASSERT_TRUE(fs::exists(failures));
+    const fs::path device = fs::directory_iterator(failures)->path();
+    EXPECT_THAT(read_file(fs::directory_iterator(device)->path() / "repro.amber"),
+                HasSubstr("BUFFER image0 DATA_TYPE uint32"));
+}
+
+TEST_F(Failures, WithoutAnyNothingIsLeft) {
+    expect_success(check());
+    EXPECT_FALSE(fs::exists(installation_.file("failures")));
+}
+
+TEST_F(Failures, AFolderThatCannotBeIsNamed) {
+    const fs::path file = installation_.file("file");
+    std::ofstream(file) << "x";
+    expect_could_not_run(gloam("check HALTON --failures {}", file / "below"), file.string());
 }
 
 }  // namespace gloam::test::report_test

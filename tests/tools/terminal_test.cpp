@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What people see on a terminal: colour, completion, examples, and nothing where they want quiet.
 #include <fcntl.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
-#include <nlohmann/json.hpp>
-
 #include "support/full_disk.hpp"
-#include "tools/expect.hpp"
+#include "tools/gloam.hpp"
 
 namespace gloam::test::terminal_test {
-
-namespace fs = std::filesystem;
 
 constexpr const char* quick_check = "check gloam_radical_inverse_base2 --inputs 64";
 
@@ -176,7 +168,7 @@ TEST_F(Streams, ClosedStreamsFailNoCheck) {
     const CommandResult result = run_command(with_json(small_check, file), {.closed_streams = true});
     EXPECT_EQ(result.status, 2);  // its table went nowhere
     EXPECT_THAT(result.err, HasSubstr("standard output"));
-    const auto report = nlohmann::json::parse(read_file(file));
+    const auto report = json::parse(read_file(file));
     EXPECT_EQ(report.at("results").at(0).at("error"), "");
     EXPECT_EQ(report.at("results").at(0).at("outside"), 0);
 }

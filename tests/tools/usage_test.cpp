@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <fstream>
-#include <iterator>
-#include <nlohmann/json.hpp>
-#include <sstream>
-
 #include "base/version.hpp"
-#include "tools/expect.hpp"
+#include "tools/gloam.hpp"
 
 namespace gloam::test::usage_test {
 
@@ -55,7 +50,7 @@ TEST(Devices, AreListedWithTheirFloatControls) {
     EXPECT_THAT(text, StartsWith("0: "));
     EXPECT_THAT(text, HasSubstr("subnormals"));
 
-    const auto devices = nlohmann::json::parse(output_of(gloam("devices --json"))).at("devices");
+    const auto devices = json::parse(output_of(gloam("devices --json"))).at("devices");
     ASSERT_GE(devices.size(), 2U);
     // Those of Vulkan have a number and float controls; then those of OpenGL, and the interpreter as the
     // last.
@@ -63,7 +58,7 @@ TEST(Devices, AreListedWithTheirFloatControls) {
         const std::string type = devices[i].at("type");
         const bool is_interpreter = i + 1 == devices.size();
         const bool is_opengl = type == "opengl" || type == "opengl es";
-        EXPECT_EQ(devices[i].at("index"), is_interpreter || is_opengl ? nlohmann::json() : nlohmann::json(i));
+        EXPECT_EQ(devices[i].at("index"), is_interpreter || is_opengl ? json() : json(i));
         EXPECT_EQ(devices[i].at("name") == "interpreter", is_interpreter);
         EXPECT_NE(devices[i].at("name"), "");
         EXPECT_EQ(devices[i].contains("float32"), !is_opengl);
@@ -102,7 +97,7 @@ TEST_F(List, NamesOneALine) {
             names.push_back(more ? line.substr(0, line.find(' ')) : line);
         EXPECT_FALSE(names.empty()) << kind;
 
-        const auto json = nlohmann::json::parse(gloam("list {} --json", kind).out).at(kind);
+        const auto json = json::parse(gloam("list {} --json", kind).out).at(kind);
         ASSERT_EQ(json.size(), names.size()) << kind;
         EXPECT_EQ(json[0].contains("copies"), more) << kind;
         for (std::size_t i = 0; i < names.size(); ++i) {
@@ -120,7 +115,7 @@ TEST_F(List, SettingsWithDefaultAndRange) {
           "skip_open          off: tiles that nothing can block are sampled, to the same result (on; "
           "on or off)"})
         EXPECT_THAT(result.out, HasSubstr(line));
-    const auto settings = nlohmann::json::parse(gloam("list settings --json").out).at("settings");
+    const auto settings = json::parse(gloam("list settings --json").out).at("settings");
     EXPECT_EQ(line_count(result.out), static_cast<int>(settings.size()));
     const CommandResult one = gloam("list settings samples");
     EXPECT_THAT(one.out, HasSubstr("name: samples\n"));
@@ -138,7 +133,7 @@ TEST_F(List, APresetSaysWhatItSets) {
     const std::string result = output_of(gloam("list presets balanced"));
     EXPECT_THAT(result, StartsWith("name: balanced\ndescription: "));
     const CommandResult as_json = gloam("list presets balanced --json");
-    EXPECT_EQ(nlohmann::json::parse(as_json.out).at("settings").at("method"), "sweep");
+    EXPECT_EQ(json::parse(as_json.out).at("settings").at("method"), "sweep");
     const std::string file = write("same.json", as_json.out).string();
     std::vector<std::string> by_settings;
     std::istringstream lines(result);
@@ -151,7 +146,7 @@ TEST_F(List, APresetSaysWhatItSets) {
         std::vector<std::string> all = words("render corner --radius 1 --size 16x9 --out {}", path("out"));
         all.insert(all.end(), options.begin(), options.end());
         expect_success(run_command(all));
-        return nlohmann::json::parse(read_file(path("out") / "render.json")).at("settings");
+        return json::parse(read_file(path("out") / "render.json")).at("settings");
     };
     const auto expected = used(words("--preset balanced"));
     EXPECT_NE(used(words("--preset tssao-paper")), expected);
@@ -162,7 +157,7 @@ TEST_F(List, APresetSaysWhatItSets) {
 }
 
 TEST_F(List, EquationsSayAllThatIsKnownOfThem) {
-    const auto equations = nlohmann::json::parse(gloam("list equations --json").out).at("equations");
+    const auto equations = json::parse(gloam("list equations --json").out).at("equations");
     for (const auto& equation : equations) {
         for (const char* member : {"name", "description", "function", "file", "formula", "error", "source"})
             EXPECT_NE(equation.at(member), "") << equation;

@@ -48,6 +48,24 @@ void add_report(CLI::App& app, int& status);
 // which are. `status` receives 0, or 2 if an item has no result.
 void add_work(CLI::App& app, int& status);
 
+// Adds the subcommand `bench` with a subcommand for each description in experiments_directory(), for a user's
+// own file, and for the framework. `status` receives the exit status: 0; 1 if the validation layers reported
+// messages, if no candidate is within --budget or --error, if a target is missed and --fail-if-missed is
+// given, or if something got worse and --fail-if-worse is given.
+void add_bench(CLI::App& app, int& status);
+
+// The arguments of the program with the name of the subcommand of a user's own file before it: "bench
+// mine.json".
+[[nodiscard]] std::vector<std::string> with_own_experiment(std::vector<std::string> arguments);
+
+// `gloam tune`: fits settings of a preset on the tuning half of the views, and reports the error on both
+// halves. `status` receives 0, or 1 if the validation layers reported messages.
+void add_tune(CLI::App& app, int& status);
+
+// `gloam stress`: the searches of tools/stress, a line for each number. `status` receives 0, or 1 if a bound
+// is broken.
+void add_stress(CLI::App& app, int& status);
+
 // `gloam pack FILE...`: one self-contained GLSL file on standard output.
 void add_pack(CLI::App& app);
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <bit>
 #include <charconv>
 #include <filesystem>
 #include <memory>

@@ -8,7 +8,6 @@
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
-#include <utility>
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"

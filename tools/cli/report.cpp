@@ -16,7 +16,6 @@
 #include "base/text.hpp"
 #include "base/threads.hpp"
 #include "cli/arguments.hpp"
-#include "cli/laboratory.hpp"
 #include "cli/progress.hpp"
 #include "report/accuracy.hpp"
 #include "report/check_page.hpp"
@@ -30,6 +29,17 @@ namespace {
 
 namespace fs = std::filesystem;
 using report::LaboratorySummary;
+
+struct ReportOptions {
+    std::vector<std::string> files;  // and, with --summary, folders of which all *.json files count
+    std::filesystem::path json;
+    std::filesystem::path html;
+    bool markdown = false;
+    bool accuracy = false;
+    bool summary = false;
+    std::filesystem::path since;     // a database of earlier results; empty: none
+    std::filesystem::path database;  // receives the results; empty: none
+};
 
 constexpr std::size_t most_rejected = 20;  // named; the others are counted
 
@@ -104,20 +114,22 @@ std::vector<std::string> shortened(std::vector<std::string> lines) {
     return lines;
 }
 
-}  // namespace
-
-int run_summary(const SummaryOptions& options) {
+// Adds the results of many machines to the database, summarises what it holds, and prints that. Files that
+// are no results are named on standard error, and the others count. Returns the exit status: 0; 1 if a check
+// failed or a file is no result. Throws std::runtime_error if no file is a result; then the database remains
+// as it was.
+int run_summary(const ReportOptions& options) {
     using report::ResultsDatabase;
     const report::OutputFile html(options.html);
     std::optional<LaboratorySummary> earlier;
     if (!options.since.empty())
         earlier = ResultsDatabase(options.since, ResultsDatabase::Access::read).summary();
-    if (options.paths.empty() && options.database.empty())
+    if (options.files.empty() && options.database.empty())
         throw std::invalid_argument("report --summary: expected files, or --sqlite FILE with results");
-    const bool reads = options.paths.empty();
+    const bool reads = options.files.empty();
     ResultsDatabase database(options.database,
                              reads ? ResultsDatabase::Access::read : ResultsDatabase::Access::add);
-    const std::vector<fs::path> files = files_of(options.paths);
+    const std::vector<fs::path> files = files_of(options.files);
     const std::vector<std::string> all_rejected = Gathering(files, database).run();
     const std::vector<std::string> rejected = shortened(all_rejected);
     if (files.size() == 1 && !rejected.empty()) throw std::runtime_error(rejected.front());
@@ -135,19 +147,6 @@ int run_summary(const SummaryOptions& options) {
         std::ranges::any_of(summary, [](const auto& group) { return group.second.failing() > 0; });
     return failed || !rejected.empty() ? 1 : 0;
 }
-
-namespace {
-
-struct ReportOptions {
-    std::vector<std::string> files;
-    std::filesystem::path json;
-    std::filesystem::path html;
-    bool markdown = false;
-    bool accuracy = false;
-    bool summary = false;
-    std::filesystem::path since;
-    std::filesystem::path database;
-};
 
 std::vector<report::ReportFile> read_reports(const std::vector<std::string>& files) {
     std::vector<report::ReportFile> all;
@@ -171,11 +170,7 @@ std::string page_of(const report::MergedReports& merged, const ReportOptions& op
 }
 
 int run_report(const ReportOptions& options) {
-    if (options.summary)
-        return run_summary({.paths = options.files,
-                            .database = options.database,
-                            .since = options.since,
-                            .html = options.html});
+    if (options.summary) return run_summary(options);
     if (options.files.empty()) throw std::invalid_argument("report: expected at least one file");
     const report::OutputFile json(options.json);
     const report::OutputFile html(options.html);

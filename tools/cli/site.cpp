@@ -3,19 +3,195 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
+#include <cstddef>
+#include <exception>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
+#include <vector>
 
+#include "base/text.hpp"
 #include "cli/environment.hpp"
 #include "cli/names.hpp"
 #include "cli/progress.hpp"
-#include "cli/site_pictures.hpp"
+#include "cli/render.hpp"
+#include "cli/render_pictures.hpp"
+#include "cli/renderer.hpp"
+#include "effect/methods.hpp"
+#include "report/image.hpp"
 #include "report/output.hpp"
+#include "scene/truth.hpp"
 #include "shader/steps.hpp"
 #include "site/site.hpp"
 
 namespace gloam::cli {
 namespace {
+
+// Which pictures of a site to render.
+struct PictureOptions {
+    bool pictures = true;              // without: the gallery is empty and says so
+    std::string device;                // name or index; empty: the default
+    std::vector<std::string> methods;  // each gets a picture; empty: all
+};
+
+struct RenderedPictures {
+    site::SitePictures of_site;
+    std::size_t bytes = 0;
+};
+
+using nlohmann::ordered_json;
+
+struct Shown {
+    const char* name;
+    const char* title;
+};
+
+// Scenes that show much occlusion, each in its own light.
+constexpr Shown scenes[] = {{"columns", "A hall of columns, lit by a lamp"},
+                            {"knot", "A knot on a plane, in the sun"},
+                            {"room", "A room, lit by a lamp"}};
+
+ordered_json empty_gallery(const std::string& reason) {
+    return {{"device", "There are no pictures: " + reason}, {"scenes", ordered_json::array()}};
+}
+
+// Writes pictures and counts their bytes.
+class PictureFolder {
+  public:
+    explicit PictureFolder(report::OutputFolder& folder) : folder_(folder) {}
+
+    // Returns the name.
+    std::string write(const std::string& name, const base::RgbBytes& rgb, gpu::Extent extent) {
+        const std::string png = base::to_rgb_png(rgb, extent.width, extent.height);
+        folder_.write(name, png);
+        bytes_ += png.size();
+        return name;
+    }
+    [[nodiscard]] std::size_t bytes() const { return bytes_; }
+
+  private:
+    report::OutputFolder& folder_;
+    std::size_t bytes_ = 0;
+};
+
+ordered_json render_scene(const Shown& shown, const PictureOptions& options, RenderBench& bench,
+                          PictureFolder& folder) {
+    const RenderOptions render_options{
+        .source = shown.name, .frames = 16, .size = "640x360", .device = options.device, .quiet = true};
+    const RenderInput input = open_input(render_options);
+    bench.forget_light();
+    const Rendered run = render(render_options, input, bench, {});
+    const Pictures& last = run.pictures.back();
+    const std::string prefix = std::string("gallery-") + shown.name + "-";
+    return {{"title", shown.title},
+            {"before", folder.write(prefix + "plain.png", last.plain, last.extent)},
+            {"after", folder.write(prefix + "shaded.png", last.shaded, last.extent)},
+            {"occlusion", folder.write(prefix + "occlusion.png", last.visibility, last.extent)},
+            {"caption", caption_of(run.report)}};
+}
+
+// The device, or why there is none.
+std::unique_ptr<RenderBench> open_bench(const PictureOptions& options, std::string& reason) {
+    try {
+        return std::make_unique<RenderBench>(RenderOptions{.device = options.device});
+    } catch (const std::exception& error) {
+        if (!options.device.empty()) throw;  // it was asked for
+        reason = base::one_line(error.what());
+        return nullptr;
+    }
+}
+
+// Room and light as the first page begins, in the size that other sites show previews in.
+std::string render_preview(const PictureOptions& options, RenderBench& bench, PictureFolder& folder) {
+    const RenderOptions render_options{.source = "room",
+                                       .frames = 16,
+                                       .still = true,
+                                       .size = "1200x630",
+                                       .device = options.device,
+                                       .quiet = true};
+    bench.forget_light();
+    const Rendered run = render(render_options, open_input(render_options), bench, {});
+    return folder.write("preview.png", run.pictures.back().shaded, run.pictures.back().extent);
+}
+
+constexpr int rays_of_truth = 256;
+
+// The first view of a scene, and its ray-traced truth as a script for the page: a picture of a file cannot be
+// read by the scripts of another file.
+void write_truth_script(const std::string& name, RenderBench& bench, report::OutputFolder& folder) {
+    const RenderOptions render_options{.source = name, .frames = 1, .still = true, .size = "480x270"};
+    const RenderInput input = open_input(render_options);
+    const scene::GBuffer view = scene::cropped(input.load(bench.device, bench.passes, input.views.front()));
+    const scene::TruthSettings settings{.rays = {.radius = *view.ao_radius, .rays = rays_of_truth}};
+    const scene::TracedTruth truth =
+        scene::TruthCache(truth_cache_directory()).geometry(*input.scene, input.first_frame, view, settings);
+    const std::string png = report::to_visibility_png(truth.occlusion, view.extent.width, view.extent.height);
+    const std::vector<unsigned char> bytes(png.begin(), png.end());
+    const ordered_json json{{"picture", base::base64(bytes)},
+                            {"width", view.extent.width},
+                            {"height", view.extent.height},
+                            {"rays", truth.rays}};
+    folder.write("truth-" + name + ".js", "gloam.truths.set(\"" + name + "\", " + json.dump() + ");\n");
+}
+
+// What a method makes of the room, in the preset that the page begins with.
+site::MethodPicture render_method(const std::string& name, const PictureOptions& options, RenderBench& bench,
+                                  PictureFolder& folder) {
+    const RenderOptions render_options{.source = "room",
+                                       .method = name,
+                                       .frames = 8,
+                                       .still = true,
+                                       .size = "480x270",
+                                       .device = options.device,
+                                       .quiet = true};
+    const Rendered run = render(render_options, open_input(render_options), bench, {});
+    const Pictures& last = run.pictures.back();
+    return {
+        folder.write("method-" + name + ".png", last.visibility, last.extent),
+        fmt::format(
+            "The room, {}x{} pixels: visibility after {} frames of the preset {} with this method, on {}.",
+            last.extent.width, last.extent.height, run.report.frames.size(), run.report.preset,
+            bench.device.info().name)};
+}
+
+// The names of the methods that get a picture.
+std::vector<std::string> methods_of(const PictureOptions& options) {
+    std::vector<std::string> names = options.methods;
+    if (names.empty())
+        for (const effect::MethodInfo& method : effect::methods()) names.push_back(method.name);
+    for (const std::string& name : names) (void)effect::method_named(name);
+    return names;
+}
+
+// Renders the pictures of the gallery and of the methods, traces the truth of the scenes that the first page
+// shows, and writes all into the folder. Without a Vulkan device there are none, and the gallery says why.
+// Throws std::invalid_argument for an unknown method.
+RenderedPictures write_site_pictures(const PictureOptions& options, report::OutputFolder& folder) {
+    RenderedPictures all;
+    const std::vector<std::string> methods = methods_of(options);
+    std::string reason = "the site was written without them.";
+    const std::unique_ptr<RenderBench> bench = options.pictures ? open_bench(options, reason) : nullptr;
+    if (!bench) {
+        all.of_site.gallery = empty_gallery(reason).dump();
+        return all;
+    }
+    ordered_json json{{"device", "Rendered on " + bench->device.info().name + "."},
+                      {"scenes", ordered_json::array()}};
+    PictureFolder pictures(folder);
+    for (const Shown& shown : scenes) {
+        json["scenes"].push_back(render_scene(shown, options, *bench, pictures));
+        write_truth_script(shown.name, *bench, folder);
+        all.of_site.truths.emplace_back(shown.name);
+    }
+    all.of_site.gallery = json.dump();
+    all.of_site.preview = render_preview(options, *bench, pictures);
+    bench->forget_light();
+    for (const std::string& name : methods)
+        all.of_site.methods[name] = render_method(name, options, *bench, pictures);
+    all.bytes = pictures.bytes();
+    return all;
+}
 
 struct SiteCommand {
     std::filesystem::path folder;
@@ -54,10 +230,6 @@ void run_site(SiteCommand command) {
     if (written.left_out > 0)
         fmt::print("{} entries have no accuracy to judge and are left out\n", written.left_out);
 }
-
-}  // namespace
-
-namespace {
 
 // Empty for an address that a page can be appended to, otherwise what is wrong.
 std::string is_address(const std::string& text) {

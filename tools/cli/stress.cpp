@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/stress.hpp"
+#include "cli/commands.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -19,6 +19,18 @@
 namespace gloam::cli {
 namespace {
 
+// The options of `gloam stress`.
+struct StressOptions {
+    std::string only;
+    std::vector<std::string> equations;  // name of one run; empty: all
+    std::string device;                  // name or index; empty: the default
+    std::uint64_t seed = 1;
+    std::uint64_t frames = 1'000'000;
+    bool brief = false;
+    bool validation = false;
+    std::filesystem::path json;
+};
+
 // Shows one line on a terminal, which is overwritten; prints nothing elsewhere.
 void show_progress(const std::string& text) {
     if (on_terminal()) fmt::print(stderr, "\r\033[K{}", text);
@@ -35,8 +47,6 @@ stress::Rows make_runs(const std::vector<stress::Run>& runs, const stress::Conte
     }
     return all;
 }
-
-}  // namespace
 
 int run_stress(const StressOptions& options) {
     const std::vector<stress::Run> runs = stress::select_runs(options.only);
@@ -65,6 +75,8 @@ int run_stress(const StressOptions& options) {
     json.write(stress::to_json(device, rows, versions()));
     return broken == 0 ? 0 : 1;
 }
+
+}  // namespace
 
 void add_stress(CLI::App& app, int& status) {
     auto options = std::make_shared<StressOptions>();

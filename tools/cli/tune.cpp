@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/tune.hpp"
+#include "cli/commands.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -28,6 +28,28 @@ using effect::TunedView;
 using effect::TuneOutcome;
 using effect::TuneTask;
 using scene::ViewHalf;
+
+// The options of `gloam tune`.
+struct TuneOptions {
+    std::string preset = "quality";       // where the search begins: a name or a file
+    std::string method;                   // instead of the preset's
+    std::vector<std::string> set;         // NAME=VALUE, fixed; lengths for a radius of 1
+    std::vector<std::string> parameters;  // NAME=LEAST:MOST[:log]
+    std::string objective = "mean";       // or "relative"
+    int evaluations = 60;
+    std::optional<double> copies;    // largest mean time of a frame
+    bool sequence = false;           // frames in sequence, not alone
+    std::vector<std::string> views;  // empty: all
+    std::string size = "160x90";
+    int frames = 16;
+    int scored = 2;
+    int rays = 128;
+    std::filesystem::path meshes;
+    std::string device;
+    bool validation = false;
+    std::filesystem::path out;     // the preset; empty: not written
+    std::filesystem::path report;  // in Markdown; empty: not written
+};
 
 std::string parameters_text(const TuneOutcome& outcome, const TuneTask& task) {
     std::string text = "| parameter | from | to | start | tuned |\n|---|--:|--:|--:|--:|\n";
@@ -223,8 +245,6 @@ std::string to_text(const TuneOutcome& outcome, const TuneTask& task, const Tune
            "\n## The search\n\nPoints that were better than all before.\n\n" + course_text(outcome, task);
 }
 
-}  // namespace
-
 int run_tune(const TuneOptions& options) {
     const std::vector<scene::ViewInfo> views = views_named(options.views);
     const effect::TuneTask task = task_of(options);
@@ -245,6 +265,8 @@ int run_tune(const TuneOptions& options) {
     out.write(preset_json(name, description_of(outcome, options), outcome.settings));
     return validation_status(device);
 }
+
+}  // namespace
 
 void add_tune(CLI::App& app, int& status) {
     auto options = std::make_shared<TuneOptions>();

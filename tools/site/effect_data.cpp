@@ -10,7 +10,6 @@
 #include "effect/settings.hpp"
 #include "shader/pack.hpp"
 #include "site/page_data.hpp"
-#include "site/pass_data.hpp"
 
 namespace gloam::site {
 

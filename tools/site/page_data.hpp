@@ -5,6 +5,7 @@
 #include <bit>
 #include <filesystem>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "check/prepared_check.hpp"
 #include "effect/methods.hpp"
 #include "scene/scene.hpp"
+#include "shader/compile.hpp"
 #include "site/site.hpp"
 
 namespace gloam::site {
@@ -124,5 +126,26 @@ inline constexpr const char* vulkan_text = "GLSL 4.50";
 // A GLSL text without its comments, indents and blank lines. Other lines stay lines of their own. Where it
 // defines no macro, it is also without #undef lines.
 [[nodiscard]] std::string condensed(std::string_view text);
+
+// A pass of the page: a text with loose uniforms, as OpenGL ES has them, and the specialization constants of
+// Vulkan.
+struct PassText {
+    std::string name;
+    std::string text;
+    shader::Stage stage = shader::Stage::fragment;
+};
+
+// The pass as an executor of the API takes it, packed. WebGL2: its text in GLSL ES 3.00. WebGPU: an object:
+//   text       in WGSL
+//   bytes      of its uniform buffer, which has binding 0; 0: it has none
+//   values     of the buffer: [name, type of GLSL, offset] of each, those of structures by their own names
+//   images     [name, binding] of each
+//   constants  {name: number} of those that the user may set
+// The group of a vertex shader is 1, that of a fragment shader 0. Throws like shader::pack() and
+// shader::translated().
+[[nodiscard]] nlohmann::ordered_json pass_json(const PassText& pass, Api api, const ShaderFolders& folders);
+
+// The text as Vulkan has it: uniforms in one buffer, with numbers of bindings and locations.
+[[nodiscard]] std::string for_vulkan(const PassText& pass);
 
 }  // namespace gloam::site

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "site/pass_data.hpp"
+#include "site/page_data.hpp"
 
 #include <regex>
 #include <sstream>

@@ -2,22 +2,88 @@
 #include "site/site.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
+#include <string>
 
 #include "base/files.hpp"
 #include "catalogue/catalogue.hpp"
 #include "effect/methods.hpp"
+#include "report/output.hpp"
 #include "report/page.hpp"
 #include "site/page_data.hpp"
-#include "site/pages.hpp"
 
 namespace gloam::site {
 namespace {
 
 namespace fs = std::filesystem;
+
+// Writes the files of a site and counts their bytes.
+class Files {
+  public:
+    explicit Files(report::OutputFolder& folder) : folder_(folder) {}
+    void write(const std::string& name, const std::string& text) {
+        folder_.write(name, text);
+        bytes_ += text.size();
+    }
+    [[nodiscard]] std::size_t bytes() const { return bytes_; }
+
+  private:
+    report::OutputFolder& folder_;
+    std::size_t bytes_ = 0;
+};
+
+// The text between two others; throws with the name of the page that lacks it.
+std::string between(const std::string& text, const std::string& begin, const std::string& end,
+                    const std::string& page) {
+    const std::size_t at = text.find(begin);
+    const std::size_t to = at == std::string::npos ? at : text.find(end, at + begin.size());
+    if (to == std::string::npos) throw std::runtime_error(page + ": expected " + begin + " ... " + end);
+    return text.substr(at + begin.size(), to - at - begin.size());
+}
+
+// How other sites show a link to a page.
+std::string preview_of(const std::string& title, const std::string& description, const std::string& page,
+                       const SiteOptions& options) {
+    const auto meta = [](const std::string& property, const std::string& content) {
+        return "<meta property=\"" + property + "\" content=\"" + content + "\">\n";
+    };
+    std::string text =
+        meta("og:type", "website") + meta("og:title", title) + meta("og:description", description);
+    const std::string address = report::escaped_html(options.address);
+    if (!address.empty()) text += meta("og:url", address + page);
+    if (!options.pictures.preview.empty()) text += meta("og:image", address + options.pictures.preview);
+    return text;
+}
+
+// A page of the template with the text of its file, which has a title, a description, further elements of the
+// head, then the main element. Other sites that link to it show title, description and preview. Throws
+// std::runtime_error with the page's name for a text without these.
+std::string page_text(const std::string& name, const std::string& text, const SiteOptions& options) {
+    const std::string title = between(text, "<title>", "</title>", name);
+    const std::string description = between(text, "<meta name=\"description\" content=\"", "\">", name);
+    const std::size_t head = text.find("<title>");
+    std::string page = base::read_file(options.files / "template.html");
+    const auto put = [&page, &name](const std::string& marker, const std::string& part) {
+        const std::size_t at = page.find(marker);
+        if (at == std::string::npos) throw std::runtime_error(name + ": no " + marker + " in the template");
+        page.replace(at, marker.size(), part);
+    };
+    put("<!-- head -->\n",
+        preview_of(title, description, name, options) + text.substr(head, text.find("<main>\n") - head));
+    put("<!-- main -->\n", between(text, "<main>\n", "</main>", name));
+    return page;
+}
+
+// A text with other words in the place of each marker.
+std::string replaced(std::string text, const std::string& marker, const std::string& words) {
+    for (std::size_t at = 0; (at = text.find(marker, at)) != std::string::npos; at += words.size())
+        text.replace(at, marker.size(), words);
+    return text;
+}
 
 // The part of the library that a file belongs to: "temporal" of "gloam/temporal/blend.glsl".
 std::string part_of(const std::string& file) {

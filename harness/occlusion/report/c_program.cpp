@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <algorithm>
 #include <cmath>
 
 #include "check/kernel_code.hpp"

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "base/text.hpp"
 #include "numeric/numbers.hpp"
 #include "report/accuracy.hpp"

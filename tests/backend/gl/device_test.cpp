@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "backend/gl/device.hpp"
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-
 #include "backend/gl/opened.hpp"
+#include "backend/gl/program.hpp"
+#include "support/test_name.hpp"
 
 namespace gloam::gl {
-namespace device_test {
 
-using testing::HasSubstr;
-using testing::ThrowsMessage;
+namespace device_test {
 
 class OpenDevice : public Opened {};
 
@@ -53,9 +47,8 @@ TEST_F(OpenDevice, TheEnvironmentStaysAsItWas) {
 
 TEST_F(OpenDevice, AnotherExecutorMustWait) {
     GLOAM_OPEN_OR_SKIP("es:softpipe-3.0");
-    EXPECT_THAT(
-        [] { const Device other("es:llvmpipe-3.0"); },
-        ThrowsMessage<Unavailable>(HasSubstr("runs softpipe: close its devices before one of llvmpipe")));
+    expect_error<Unavailable>([] { const Device other("es:llvmpipe-3.0"); },
+                              {"runs softpipe: close its devices before one of llvmpipe"});
     EXPECT_NO_THROW(const Device same("es:softpipe-3.1"));
 }
 
@@ -63,14 +56,14 @@ TEST_F(OpenDevice, AVersionThatTheDriverLacksIsRefused) {
     GLOAM_OPEN_OR_SKIP("es:softpipe-3.0");
     close();
     // If a later softpipe has it, another refusal has to be found for this test.
-    EXPECT_THAT([] { const Device device("gl:softpipe-4.5"); },
-                ThrowsMessage<VersionRefused>(
-                    HasSubstr("gl:softpipe-4.5: the driver makes no context of OpenGL 4.5 (EGL error 0x")));
+    expect_error<VersionRefused>(
+        [] { const Device device("gl:softpipe-4.5"); },
+        {"gl:softpipe-4.5: the driver makes no context of OpenGL 4.5 (EGL error 0x"});
 }
 
 TEST(OpenDeviceNames, WhatIsNoNameIsNoDevice) {
-    EXPECT_THAT([] { const Device device("gl:nonsense-4.5"); },
-                ThrowsMessage<std::invalid_argument>(HasSubstr("no OpenGL device \"gl:nonsense-4.5\"")));
+    expect_error<std::invalid_argument>([] { const Device device("gl:nonsense-4.5"); },
+                                        {"no OpenGL device \"gl:nonsense-4.5\""});
 }
 
 TEST_F(OpenDevice, AListHasWhatCanBeOpened) {
@@ -85,4 +78,219 @@ TEST_F(OpenDevice, AListHasWhatCanBeOpened) {
 }
 
 }  // namespace device_test
+
+namespace device_name_test {
+
+TEST(DeviceNames, EveryNameIsReadBack) {
+    std::set<std::string> names;
+    for (const std::string& executor : executors()) {
+        for (const Version& version : versions()) {
+            const DeviceName name{executor, version};
+            EXPECT_EQ(device_name_from(to_string(name)), name);
+            EXPECT_TRUE(is_device_name(to_string(name)));
+            names.insert(to_string(name));
+        }
+    }
+    EXPECT_EQ(names.size(), executors().size() * versions().size());
+    EXPECT_TRUE(names.contains("gl:llvmpipe-4.5"));
+    EXPECT_TRUE(names.contains("es:softpipe-3.1"));
+}
+
+TEST(DeviceNames, OthersAreNone) {
+    for (const char* text : {"", "gl", "gl:", "gl:llvmpipe", "gl:llvmpipe-4.6", "es:llvmpipe-3.3",
+                             "GL:llvmpipe-4.5", "gl:llvmpipe-4.5 ", "llvmpipe"})
+        EXPECT_FALSE(device_name_from(text)) << text;
+    for (const char* text : {"", "gl", "llvmpipe", "interpreter", "0"})
+        EXPECT_FALSE(is_device_name(text)) << text;
+}
+
+TEST(DeviceNames, ComputeShadersBeginWithTheirVersions) {
+    EXPECT_TRUE(has_compute({Api::gl, 4, 5}));
+    EXPECT_FALSE(has_compute({Api::gl, 3, 3}));
+    EXPECT_TRUE(has_compute({Api::es, 3, 2}));
+    EXPECT_TRUE(has_compute({Api::es, 3, 1}));
+    EXPECT_FALSE(has_compute({Api::es, 3, 0}));
+    EXPECT_EQ(to_string(Version{Api::es, 3, 1}), "OpenGL ES 3.1");
+    EXPECT_EQ(to_string(Version{Api::gl, 4, 5}), "OpenGL 4.5");
+}
+
+}  // namespace device_name_test
+
+namespace program_test {
+
+class OpenGlProgram : public Opened {};
+
+constexpr const char* head = "#version 300 es\nprecision highp float;\nout highp uvec4 target;\n";
+
+TEST_F(OpenGlProgram, ARejectedTextIsNamedWithItsLine) {
+    GLOAM_OPEN_OR_SKIP("es:llvmpipe-3.0");
+    const ShaderText text{"wrong.frag", std::string(head) + "void main() {\n    target = vec3(1.0);\n}\n"};
+    expect_error<CompileFailed>([&] { const Program program(device(), Program::Stage::fragment, text); },
+                                {"wrong.frag: line 5: ", "error", "[    target = vec3(1.0);]"});
+}
+
+TEST_F(OpenGlProgram, WhatDoesNotLinkIsNamed) {
+    GLOAM_OPEN_OR_SKIP("es:llvmpipe-3.0");
+    const ShaderText text{
+        "unlinked.frag",
+        std::string(head) + "float missing(float x);\nvoid main() { target = uvec4(missing(1.0)); }\n"};
+    expect_error<LinkFailed>([&] { const Program program(device(), Program::Stage::fragment, text); },
+                             {"unlinked.frag: does not link: ", "missing"});
+}
+
+TEST_F(OpenGlProgram, AVersionThatTheContextLacksIsRejected) {
+    GLOAM_OPEN_OR_SKIP("gl:softpipe-3.3");
+    const ShaderText text{"new.comp", "#version 450\nlayout(local_size_x = 1) in;\nvoid main() {}\n"};
+    EXPECT_THROW(const Program program(device(), Program::Stage::compute, text), CompileFailed);
+}
+
+}  // namespace program_test
+
+namespace run_test {
+
+// Whether a device passes words on bit by bit: NaN with a payload, subnormals, -0, infinity among them.
+const std::vector<Word> awkward{0x7fc01234U, 0xffffffffU, 0x00000001U, 0x80000000U,
+                                0x7f800000U, 0x3f800000U, 0x807fffffU, 0U};
+
+class OpenGlRuns : public Opened, public testing::WithParamInterface<const char*> {};
+
+class OpenGlDispatches : public OpenGlRuns {};
+class OpenGlDraws : public OpenGlRuns {};
+
+TEST_P(OpenGlDispatches, ReadsAndWritesStorageBuffers) {
+    GLOAM_OPEN_OR_SKIP(GetParam());
+    const std::string version = device().info().id.version.api == Api::gl ? "450" : "310 es";
+    const Program program(device(), Program::Stage::compute, {"add.comp", "#version " + version + R"(
+layout(local_size_x = 4) in;
+layout(std140, binding = 5) uniform Settings { uint more; };
+layout(std430, binding = 0) readonly buffer From { uint from[]; };
+layout(std430, binding = 1) buffer To { uint to[]; };
+void main() { to[gl_GlobalInvocationID.x] = from[gl_GlobalInvocationID.x] + more; }
+)"});
+    Buffer from(device(), awkward.size());
+    from.write(0, awkward);
+    const Buffer to(device(), awkward.size() + 1);
+    Buffer settings(device(), 4);
+    settings.write(0, std::vector<Word>{3});
+    dispatch(device(), {.program = program,
+                        .storage = {from, to},
+                        .uniforms = settings,
+                        .uniform_binding = 5,
+                        .groups = static_cast<std::uint32_t>(awkward.size() / 4)});
+    std::vector<Word> want;
+    for (const Word word : awkward) want.push_back(word + 3);
+    want.push_back(0);
+    EXPECT_EQ(to.read(), want);
+    EXPECT_EQ(from.read(), awkward);
+}
+
+TEST_P(OpenGlDispatches, LoadsAndStoresImages) {
+    GLOAM_OPEN_OR_SKIP(GetParam());
+    const bool es = device().info().id.version.api == Api::es;
+    const Program program(
+        device(), Program::Stage::compute,
+        {"copy.comp", std::string(es ? "#version 310 es\nprecision highp float;\n" : "#version 450\n") +
+                          R"(
+precision highp image2D;
+layout(local_size_x = 1) in;
+layout(binding = 1, r32f) uniform readonly image2D from;
+layout(binding = 3, rgba32f) uniform writeonly image2D to;
+layout(std430, binding = 2) buffer Seen { uint seen[]; };
+void main() {
+    ivec2 pixel = ivec2(gl_WorkGroupID.xy);
+    seen[pixel.x + 3 * pixel.y] = gl_WorkGroupID.z + 7u;
+    imageStore(to, pixel, vec4(2.0 * imageLoad(from, pixel).x, vec2(pixel), 0.5));
+}
+)"});
+    Image from(device(), Image::Format::r32f, 3, 2);
+    const Image to(device(), Image::Format::rgba32f, 3, 2);
+    EXPECT_THAT(to.read(), Each(0.0F));
+    from.write(std::vector<float>{0.0F, 1.0F, 2.0F, 3.0F, 4.0F, 5.0F});
+    EXPECT_THROW(from.write(std::vector<float>(7)), std::invalid_argument);
+    const Buffer seen(device(), 6);
+    dispatch(device(), ImageDispatch{.program = program,
+                                     .images = {{1, from}, {3, to}},
+                                     .storage = {{2, seen}},
+                                     .uniforms = {},
+                                     .groups = {3, 2, 1}});
+    std::vector<float> want;
+    for (int i = 0; i < 6; ++i) {
+        const float x = static_cast<float>(i % 3);
+        const float y = static_cast<float>(i / 3);
+        want.insert(want.end(), {2.0F * static_cast<float>(i), x, y, 0.5F});
+    }
+    EXPECT_EQ(to.read(), want);
+    EXPECT_EQ(seen.read(), std::vector<Word>(6, 7U));
+    EXPECT_EQ(from.read()[4 * 5], 5.0F);
+}
+
+TEST_P(OpenGlDraws, ReadsTexturesAndWritesEveryTargetBitByBit) {
+    GLOAM_OPEN_OR_SKIP(GetParam());
+    const bool es = device().info().id.version.api == Api::es;
+    const Program program(
+        device(), Program::Stage::fragment,
+        {"copy.frag",
+         std::string(es ? "#version 300 es\nprecision highp float;\n" : "#version 330 core\n") + R"(
+uniform highp usampler2D words;
+uniform uint first;
+layout(location = 0) out highp uvec4 one;
+layout(location = 1) out highp uvec4 two;
+uint word(uint at) {
+    return floatBitsToUint(uintBitsToFloat(texelFetch(words, ivec2(int(at & 2047u), int(at >> 11u)), 0).x));
+}
+void main() {
+    uint at = first + 8u * (uint(gl_FragCoord.y) * 2u + uint(gl_FragCoord.x));
+    one = uvec4(word(at), word(at + 1u), word(at + 2u), word(at + 3u));
+    two = uvec4(word(at + 4u), word(at + 5u), word(at + 6u), word(at + 7u));
+}
+)"});
+    std::vector<Word> words(2047, 9U);  // the first fragment reads over the end of a row
+    for (Word i = 0; i < 6; ++i)
+        for (const Word word : awkward) words.push_back(word + (i << 8U));
+    const WordTexture texture(device(), words);
+    const auto targets = draw(device(), {.program = program,
+                                         .textures = {{"words", &texture}, {"not_used", &texture}},
+                                         .uniforms = {{"first", 2047}},
+                                         .width = 2,
+                                         .height = 3,
+                                         .targets = 2});
+    ASSERT_EQ(targets.size(), 2U);
+    for (std::size_t pixel = 0; pixel < 6; ++pixel) {
+        for (std::size_t k = 0; k < 8; ++k) {
+            EXPECT_EQ(targets[k / 4].at(pixel * 4 + k % 4), words[2047 + pixel * 8 + k]) << pixel << " " << k;
+        }
+    }
+}
+
+TEST_P(OpenGlDraws, ADrawNeedsPixelsAndTargetsThatThereAre) {
+    GLOAM_OPEN_OR_SKIP(GetParam());
+    const bool es = device().info().id.version.api == Api::es;
+    const Program program(device(), Program::Stage::fragment,
+                          {"one.frag", std::string(es ? "#version 300 es\n" : "#version 330 core\n") +
+                                           "out highp uvec4 target;\nvoid main() { target = uvec4(7u); }\n"});
+    EXPECT_THROW((void)draw(device(), {.program = program, .textures = {}, .uniforms = {}, .width = 0}),
+                 std::invalid_argument);
+    EXPECT_THROW((void)draw(device(), {.program = program, .textures = {}, .uniforms = {}, .targets = 1000}),
+                 std::invalid_argument);
+    const auto targets = draw(device(), {.program = program, .textures = {}, .uniforms = {}, .width = 3});
+    EXPECT_THAT(targets.at(0), Each(7U));
+    EXPECT_THROW(WordTexture(device(), std::vector<Word>(WordTexture::most_words(device().info()) + 1)),
+                 std::invalid_argument);
+}
+
+std::string name_of(const testing::TestParamInfo<const char*>& info) {
+    return test::test_name(info.param);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, OpenGlDispatches,
+                         testing::Values("gl:llvmpipe-4.5", "es:llvmpipe-3.2", "es:llvmpipe-3.1",
+                                         "es:softpipe-3.1"),
+                         name_of);
+INSTANTIATE_TEST_SUITE_P(All, OpenGlDraws,
+                         testing::Values("gl:llvmpipe-3.3", "es:llvmpipe-3.0", "gl:softpipe-3.3",
+                                         "es:softpipe-3.0", "gl:llvmpipe-4.5"),
+                         name_of);
+
+}  // namespace run_test
+
 }  // namespace gloam::gl

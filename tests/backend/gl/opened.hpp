@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <optional>
-#include <string>
-
 #include "backend/gl/device.hpp"
+#include "support/test.hpp"
 
 namespace gloam::gl {
 

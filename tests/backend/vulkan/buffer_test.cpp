@@ -1,13 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
-#include <limits>
-#include <numeric>
-
 #include "backend/vulkan/gpu_test.hpp"
 #include "backend/vulkan/internal/half.hpp"
 #include "backend/vulkan/resources.hpp"
@@ -151,9 +142,9 @@ TEST_F(ImageTest, FloatsKeepTheirBits) {
                                     -0.0f,
                                     std::numeric_limits<float>::denorm_min(),
                                     std::numeric_limits<float>::max(),
-                                    std::numeric_limits<float>::infinity(),
-                                    -std::numeric_limits<float>::infinity(),
-                                    std::numeric_limits<float>::quiet_NaN(),
+                                    infinity,
+                                    -infinity,
+                                    nan,
                                     1.0f / 3.0f};
     image.upload(texels);
     const auto back = image.download();
@@ -167,7 +158,6 @@ TEST_F(ImageTest, HalvesAreRoundedToNearest) {
     Image image(device(), {1, 2}, Format::rgba16f);
     image.upload(std::vector{1.0f + 0x1p-11f, 1.0f + 3 * 0x1p-11f, 65519.0f, 65520.0f,  //
                              0x1p-25f, 3 * 0x1p-25f, -0.0f, -1e10f});
-    const auto infinity = std::numeric_limits<float>::infinity();
     EXPECT_EQ(image.download(), (std::vector{1.0f, 1.0f + 0x1p-9f, 65504.0f, infinity,  //
                                              0.0f, 0x1p-23f, -0.0f, -infinity}));
 }
@@ -276,10 +266,10 @@ TEST(Half, OutOfRange) {
     EXPECT_EQ(to_half(65519.996f), 0x7bff);
     EXPECT_EQ(to_half(65520.0f), infinite);
     EXPECT_EQ(to_half(std::numeric_limits<float>::max()), infinite);
-    EXPECT_EQ(to_half(std::numeric_limits<float>::infinity()), infinite);
-    EXPECT_EQ(to_half(-std::numeric_limits<float>::infinity()), 0xfc00);
-    EXPECT_EQ(from_half(infinite), std::numeric_limits<float>::infinity());
-    EXPECT_EQ(from_half(0xfc00), -std::numeric_limits<float>::infinity());
+    EXPECT_EQ(to_half(infinity), infinite);
+    EXPECT_EQ(to_half(-infinity), 0xfc00);
+    EXPECT_EQ(from_half(infinite), infinity);
+    EXPECT_EQ(from_half(0xfc00), -infinity);
     EXPECT_EQ(to_half(0x1p-25f), 0);
     EXPECT_EQ(to_half(std::numeric_limits<float>::denorm_min()), 0);
     EXPECT_EQ(to_half(-std::numeric_limits<float>::denorm_min()), 0x8000);

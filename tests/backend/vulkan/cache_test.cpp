@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The pipeline cache on disk: the file format by itself, then a device that finds the file in every state.
-#include <algorithm>
-#include <array>
-#include <filesystem>
-#include <fstream>
-#include <functional>
-#include <iterator>
-
 #include "backend/vulkan/gpu_test.hpp"
 #include "backend/vulkan/internal/pipeline_cache.hpp"
 #include "base/cached_file.hpp"
@@ -15,7 +8,6 @@
 namespace gloam::gpu::test::cache_test {
 
 namespace fs = std::filesystem;
-using gloam::test::read_file;
 
 void write_all(const fs::path& file, const std::string& content) {
     std::ofstream(file, std::ios::binary | std::ios::trunc) << content;
@@ -35,8 +27,9 @@ std::vector<fs::path> files_in(const fs::path& folder) {
     return {fs::directory_iterator(folder), fs::directory_iterator()};
 }
 
-TEST(CacheFile, ComesBackAsItWas) {
-    const TemporaryDirectory folder;
+using CacheFile = InFolder;
+
+TEST_F(CacheFile, ComesBackAsItWas) {
     const auto file = folder.path() / "made" / "on the way" / "cache";
     for (const std::size_t size : {0u, 1u, 1000u}) {
         ASSERT_TRUE(base::write_cached(file, key, some_bytes(size)));
@@ -45,19 +38,17 @@ TEST(CacheFile, ComesBackAsItWas) {
     EXPECT_EQ(files_in(file.parent_path()).size(), 1u) << "a temporary file was left behind";
 }
 
-TEST(CacheFile, MissingIsEmpty) {
+TEST_F(CacheFile, MissingIsEmpty) {
     EXPECT_FALSE(base::read_cached("/nonexistent/cache", key));
 }
 
-TEST(CacheFile, AnotherKeyIsMissing) {
-    const TemporaryDirectory folder;
+TEST_F(CacheFile, AnotherKeyIsMissing) {
     const auto file = folder.path() / "cache";
     ASSERT_TRUE(base::write_cached(file, key, some_bytes(40)));
     EXPECT_FALSE(base::read_cached(file, {1, 3}));
 }
 
-TEST(CacheFile, AnyFlippedBitShows) {
-    const TemporaryDirectory folder;
+TEST_F(CacheFile, AnyFlippedBitShows) {
     const auto file = folder.path() / "cache";
     ASSERT_TRUE(base::write_cached(file, key, some_bytes(40)));
     const auto good = read_file(file);
@@ -69,8 +60,7 @@ TEST(CacheFile, AnyFlippedBitShows) {
     }
 }
 
-TEST(CacheFile, AnyOtherLengthShows) {
-    const TemporaryDirectory folder;
+TEST_F(CacheFile, AnyOtherLengthShows) {
     const auto file = folder.path() / "cache";
     ASSERT_TRUE(base::write_cached(file, key, some_bytes(40)));
     const auto good = read_file(file);
@@ -82,8 +72,7 @@ TEST(CacheFile, AnyOtherLengthShows) {
     EXPECT_FALSE(base::read_cached(file, key));
 }
 
-TEST(CacheFile, AFolderThatCannotBeWrittenIsNoError) {
-    const TemporaryDirectory folder;
+TEST_F(CacheFile, AFolderThatCannotBeWrittenIsNoError) {
     folder.write("file", "");
     EXPECT_FALSE(base::write_cached(folder.path() / "file" / "cache", key, some_bytes(4)));
     fs::create_directory(folder.path() / "taken");

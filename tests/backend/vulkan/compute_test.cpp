@@ -1,11 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <bit>
-#include <chrono>
-#include <cmath>
-#include <numeric>
-
-#include "backend/vulkan/commands.hpp"
 #include "backend/vulkan/gpu_test.hpp"
 #include "shaders/chain_comp.h"
 #include "shaders/count_comp.h"

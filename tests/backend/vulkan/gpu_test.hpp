@@ -1,24 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <optional>
-#include <string>
-#include <type_traits>
-#include <utility>
-#include <vector>
-
 #include "backend/vulkan/commands.hpp"
 #include "support/environment.hpp"
 #include "support/files.hpp"
-#include "support/matchers.hpp"
 
 namespace gloam::gpu::test {
-
-using gloam::test::ScopedVariable;
-using gloam::test::TemporaryDirectory;
-using gloam::test::variable;
 
 // Opens devices with validation, and fails on any message, those of closing the device included.
 class GpuTest : public ::testing::Test {
@@ -62,7 +49,5 @@ inline void run(const Device& device, const ComputePipeline& pipeline, const std
     commands.dispatch(pipeline, resources, groups, push_constants);
     commands.submit();
 }
-
-using gloam::test::expect_error;
 
 }  // namespace gloam::gpu::test

@@ -2,12 +2,7 @@
 // What does not fit a pipeline or a device is refused before Vulkan hears of it.
 #include <unistd.h>
 
-#include <array>
-#include <chrono>
-#include <cstdlib>
 #include <iostream>
-#include <numeric>
-#include <thread>
 
 #include "backend/vulkan/gpu_test.hpp"
 #include "base/process.hpp"
@@ -37,7 +32,7 @@ class MismatchTest : public GpuTest {
 
 void expect_refused(Commands& commands, const ComputePipeline& pipeline,
                     const std::vector<Resource>& resources, std::array<std::uint32_t, 3> groups,
-                    std::span<const std::byte> push_constants, std::initializer_list<const char*> parts) {
+                    std::span<const std::byte> push_constants, std::initializer_list<std::string> parts) {
     expect_error<std::invalid_argument>(
         [&] { commands.dispatch(pipeline, resources, groups, push_constants); }, parts);
 }

@@ -1,8 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "backend/vulkan/commands.hpp"
-
-#include <algorithm>
-#include <numeric>
 
 #include "backend/vulkan/gpu_test.hpp"
 #include "shaders/behind_frag.h"
@@ -261,7 +257,7 @@ TEST_F(RasterTest, HalfFloatTargets) {
 class RasterMismatchTest : public RasterTest {
   protected:
     void expect_refused(std::span<const std::reference_wrapper<const Image>> colors, const Image& depth,
-                        std::span<const Draw> draws, std::initializer_list<const char*> parts) {
+                        std::span<const Draw> draws, std::initializer_list<std::string> parts) {
         const RasterPipeline pipeline(device(), program(false));
         Commands commands(device());
         expect_error<std::invalid_argument>([&] { render(commands, pipeline, colors, depth, 0.0f, draws); },

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "effect/ambient_occlusion.hpp"
-#include "stress/run.hpp"
 #include "stress/views.hpp"
 #include "support/method_names.hpp"
-#include "tools/installation.hpp"
+#include "tools/gloam.hpp"
 #include "tools/stress/support.hpp"
 
 namespace gloam::stress::test::robust_test {
-
-using gloam::test::Installation;
 
 class PoisonOf : public EachMethod {
   protected:
@@ -88,7 +85,7 @@ TEST(Footprint, IsTheBallAsTheEyeSeesIt) {
     scene::GBuffer view = plane({101, 101});
     view.camera.proj_vk[0][0] = 1.0F;
     view.camera.proj_vk[1][1] = -1.0F;
-    view.depth.assign(view.depth.size(), std::numeric_limits<float>::infinity());
+    view.depth.assign(view.depth.size(), infinity);
     view.depth[50 * 101 + 50] = 4.0F;
     // 0.2582 * 50.5 = 13.04 pixels, and one and a half more.
     const auto reached_from = [&](int x) { return depth_footprint(view, 1.0, {x, 50})[50 * 101 + 50]; };

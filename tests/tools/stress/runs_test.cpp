@@ -1,18 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
-
-#include <fstream>
-#include <limits>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <stdexcept>
 
 #include "stress/long_run.hpp"
 #include "stress/reprojected.hpp"
-#include "stress/run.hpp"
 #include "support/entries.hpp"
-#include "support/matchers.hpp"
-#include "tools/installation.hpp"
+#include "tools/gloam.hpp"
 #include "tools/stress/support.hpp"
 
 namespace gloam::stress::test::runs_test {

@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <iterator>
-#include <optional>
-#include <string>
-
 #include "effect/method_functions.hpp"
 #include "stress/run.hpp"
 #include "support/lab.hpp"

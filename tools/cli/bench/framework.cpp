@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/bench/framework.hpp"
+#include "cli/bench/options.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "cli/bench.hpp"
+#include "cli/commands.hpp"
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <memory>
-#include <optional>
 #include <set>
 #include <stdexcept>
 
 #include "cli/arguments.hpp"
 #include "cli/bench/files.hpp"
-#include "cli/bench/framework.hpp"
 #include "cli/bench/options.hpp"
 #include "cli/environment.hpp"
 #include "cli/names.hpp"

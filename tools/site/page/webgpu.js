@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Runs the passes of the page in WebGPU, as gloam.WebGl2 does in WebGL2: with the same methods and values. A shader is
-// an object as tools/site/pass_data.hpp has it. A draw is submitted at once, so its values may stand where those of the
+// an object as tools/site/page_data.hpp has it. A draw is submitted at once, so its values may stand where those of the
 // last one stood.
 "use strict";
 

@@ -1,11 +1,59 @@
 // SPDX-License-Identifier: MIT
-#include "site/pass_data.hpp"
+#include <nlohmann/json.hpp>
 
-#include <gtest/gtest.h>
-
-#include "support/matchers.hpp"
+#include "site/page_data.hpp"
+#include "support/test.hpp"
 
 namespace gloam::site {
+
+using nlohmann::json;
+
+namespace document_data_test {
+
+json blocks(const std::string& markdown) {
+    return json::parse(document_json(markdown));
+}
+
+TEST(DocumentDataTest, HeadingsAndParagraphs) {
+    EXPECT_EQ(blocks("# Title\n\nOne line\nand another.\n\n## Part\nText"),
+              json::parse(R"([{"kind": "heading", "level": 1, "text": "Title"},
+                              {"kind": "paragraph", "text": "One line and another."},
+                              {"kind": "heading", "level": 2, "text": "Part"},
+                              {"kind": "paragraph", "text": "Text"}])"));
+}
+
+TEST(DocumentDataTest, LinksAndEmphasisBecomeTheirWords) {
+    EXPECT_EQ(
+        blocks("See [the page](page.md) for **bold** and *copies*, and `a * b * c`.").front().at("text"),
+        "See the page for bold and copies, and `a * b * c`.");
+}
+
+TEST(DocumentDataTest, ListsJoinTheLinesOfAnItem) {
+    EXPECT_EQ(blocks("- one\n  more\n- two\n\n1. first\n2. second\n"),
+              json::parse(R"([{"kind": "list", "items": ["one more", "two"]},
+                              {"kind": "list", "items": ["first", "second"]}])"));
+}
+
+TEST(DocumentDataTest, TablesKeepTheirCells) {
+    EXPECT_EQ(
+        blocks("| a | `b|c` |\n| --- | ---: |\n| 1 | <b>x</b> |\n| - | |\ntext"),
+        json::parse(R"([{"kind": "table", "head": ["a", "`b|c`"], "rows": [["1", "<b>x</b>"], ["-", ""]]},
+                              {"kind": "paragraph", "text": "text"}])"));
+}
+
+TEST(DocumentDataTest, CodeIsAsItStands) {
+    EXPECT_EQ(blocks("```sh\n# no heading\n| no table |\n```\n\n    indented\n    twice\n"),
+              json::parse(R"([{"kind": "code", "text": "# no heading\n| no table |\n"},
+                              {"kind": "code", "text": "indented\ntwice\n"}])"));
+}
+
+TEST(DocumentDataTest, PicturesAndNothingAreLeftOut) {
+    EXPECT_EQ(blocks("![a plot](plot.svg)\n"), json::array());
+    EXPECT_EQ(blocks(""), json::array());
+}
+
+}  // namespace document_data_test
+
 namespace pass_data_test {
 
 const std::string fragments =
@@ -57,7 +105,7 @@ TEST(PassDataTest, APassOfWebGpuSaysWhatItReads) {
 
 TEST(PassDataTest, APassOfWebGl2IsItsText) {
     const std::string text = made({"pass", fragments}, Api::webgl2);
-    EXPECT_THAT(text, AllOf(testing::StartsWith("#version 300 es\n"), HasSubstr("const int WIDTH = 3;\n"),
+    EXPECT_THAT(text, AllOf(StartsWith("#version 300 es\n"), HasSubstr("const int WIDTH = 3;\n"),
                             HasSubstr("uniform Parameters parameters;\n"), Not(HasSubstr("constant_id"))));
 }
 
@@ -67,4 +115,30 @@ TEST(PassDataTest, ATextThatDoesNotCompileIsTold) {
 }
 
 }  // namespace pass_data_test
+
+namespace document_data_test {
+
+TEST(ShaderTextTest, CommentsAndBlankLinesGo) {
+    EXPECT_EQ(
+        condensed(
+            "#version 300 es\n\n  // a comment\nfloat f() { /* of\n two lines */ return 1.0; }  // end"),
+        "#version 300 es\nfloat f() {   return 1.0; }\n");
+}
+
+TEST(ShaderTextTest, AnOperatorIsNoComment) {
+    EXPECT_EQ(condensed("float x = a / b;\nfloat y = a\n/ b;\n"), "float x = a / b;\nfloat y = a\n/ b;\n");
+}
+
+TEST(ShaderTextTest, UndefsStayWhereAMacroIsDefined) {
+    EXPECT_EQ(condensed("#undef a\nint x;\n"), "int x;\n");
+    EXPECT_EQ(condensed("#define a b\n#undef a\nint x;\n"), "#define a b\n#undef a\nint x;\n");
+}
+
+TEST(ShaderTextTest, AnOpenCommentEndsTheText) {
+    EXPECT_EQ(condensed("int x; /* open\nint y;"), "int x;\n");
+    EXPECT_EQ(condensed(""), "");
+}
+
+}  // namespace document_data_test
+
 }  // namespace gloam::site

@@ -1,16 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <nlohmann/json.hpp>
+#include "tools/gloam.hpp"
 
-#include "tools/expect.hpp"
-#include "tools/installation.hpp"
-
-namespace gloam::test {
-namespace bench_benchmark_test {
-
-using nlohmann::json;
-using testing::HasSubstr;
-using Arguments = std::vector<std::string>;
+namespace gloam::test::bench_test {
 
 // Two methods at two counts, as small as images may be useful.
 Arguments tiny(const Arguments& more) {
@@ -38,18 +29,18 @@ void expect_plausible(const json& row) {
     EXPECT_EQ(row.at("flicker").is_number(), temporal);
 }
 
-json results_in(const std::filesystem::path& file) {
+json results_in(const fs::path& file) {
     return json::parse(read_file(file)).at("sizes").at(0).at("cases").at(0).at("results");
 }
 
-void expect_compared(const std::filesystem::path& file, const std::filesystem::path& second) {
+void expect_compared(const fs::path& file, const fs::path& second) {
     const CommandResult comparison = run_command({"bench", "--compare", file.string(), second.string()});
     expect_success(comparison);
     EXPECT_THAT(comparison.out, HasSubstr("8 configurations in both"));
     EXPECT_THAT(comparison.out, HasSubstr("error 1.000"));
 }
 
-void expect_answered(const std::filesystem::path& file) {
+void expect_answered(const fs::path& file) {
     const CommandResult answered =
         run_command({"bench", "--from", file.string(), "--budget", "1000000copies", "--error", "0.3"});
     expect_success(answered);
@@ -60,8 +51,9 @@ void expect_answered(const std::filesystem::path& file) {
     EXPECT_THAT(none.out, HasSubstr("no configuration"));
 }
 
-TEST(Bench, MeasuresResumesAnswersAndCompares) {
-    const TemporaryDirectory folder;
+using Bench = InFolder;
+
+TEST_F(Bench, MeasuresResumesAnswersAndCompares) {
     const auto out = folder.path() / "out";
     const auto file = folder.path() / "a.json";
     const CommandResult first =
@@ -100,8 +92,7 @@ TEST(Bench, MeasuresResumesAnswersAndCompares) {
 }
 
 // A result file changed by hand: errors that rise are found, and another device is no obstacle.
-TEST(Bench, ComparesWithWhatGotWorse) {
-    const TemporaryDirectory folder;
+TEST_F(Bench, ComparesWithWhatGotWorse) {
     const auto file = folder.path() / "a.json";
     const auto worse = folder.path() / "b.json";
     const auto page = folder.path() / "page.md";
@@ -128,8 +119,7 @@ TEST(Bench, ComparesWithWhatGotWorse) {
     expect_success(run_command({"bench", "--compare", worse.string(), worse.string(), "--fail-if-worse"}));
 }
 
-TEST(Bench, FrameworkIsMeasuredAlone) {
-    const TemporaryDirectory folder;
+TEST_F(Bench, FrameworkIsMeasuredAlone) {
     const auto file = folder.path() / "a.json";
     expect_success(run_command({"bench", "framework", "--repeat", "1", "--json", file.string()}));
     const json document = json::parse(read_file(file));
@@ -137,13 +127,12 @@ TEST(Bench, FrameworkIsMeasuredAlone) {
     for (const json& figure : document.at("framework")) EXPECT_GT(double{figure.at("value")}, 0.0) << figure;
 }
 
-TEST(Bench, BadInputIsOneClearLine) {
-    const TemporaryDirectory folder;
+TEST_F(Bench, BadInputIsOneClearLine) {
     const auto bad = folder.path() / "bad.json";
     std::ofstream(bad) << R"({"experiment": "e", "device": 7})";
     const auto out = folder.path() / "out";
     expect_could_not_run(run_command({"bench", "--scene", "nowhere", "--out", out.string()}), "nowhere");
-    EXPECT_FALSE(std::filesystem::exists(out));
+    EXPECT_FALSE(fs::exists(out));
     expect_could_not_run(run_command({"bench", "--method", "magic"}), "magic");
     expect_could_not_run(run_command({"bench", "--preset", "magic"}), "magic");
     expect_could_not_run(run_command({"bench", "--method", "gtao", "gtao"}), "twice");
@@ -165,5 +154,127 @@ TEST(Bench, BadInputIsOneClearLine) {
     expect_could_not_run(run_command({"bench", "--out", "/proc/out"}), "/proc/out");
 }
 
-}  // namespace bench_benchmark_test
-}  // namespace gloam::test
+fs::path page_with(const fs::path& folder, const Arguments& blocks) {
+    std::ofstream page(folder / "methods.md");
+    for (const std::string& name : blocks)
+        page << "before " << name << "\n<!-- begin " << name << " -->\nold\n<!-- end " << name << " -->\n";
+    return folder / "methods.md";
+}
+
+void expect_plausible(const json& point, const std::string& candidate) {
+    EXPECT_EQ(double{point.at("truth")}, 0.0);
+    if (candidate == "truth") return;
+    const double open = candidate.find("volumetric") != std::string::npos ? 0.5 : 0.0;
+    for (const char* what : {"occlusion", "own"})
+        EXPECT_NEAR(double{point.at(what)}, open, 1e-5) << candidate;
+}
+
+TEST(BenchMethods, WritesTablesPicturesAndNumbers) {
+    const TemporaryDirectory folder;
+    const auto page = page_with(folder.path(), {"views", "bias", "scenes"});
+    const auto file = folder.path() / "methods.json";
+    const auto out = folder.path() / "pictures";
+    const CommandResult result =
+        run_command({"bench",    "methods",     "--case",     "corner",     "plane 0", "wall 0.25",
+                     "--method", "gtao",        "volumetric", "--size",     "32x18",   "--rays",
+                     "32",       "--frames",    "4",          "--rounds",   "1",       "--validation",
+                     "--json",   file.string(), "--out",      out.string(), "--page",  page.string()});
+    expect_success(result);
+    const std::string text = read_file(page);
+    EXPECT_THAT(text, Not(HasSubstr("old")));
+    EXPECT_THAT(text, HasSubstr("| configuration, with its own value | planes | wall 0.25 | furthest"));
+    EXPECT_THAT(text, HasSubstr("| truth | 0.000 | 0."));
+    EXPECT_THAT(text, HasSubstr("| volumetric | 0.500 |"));
+    EXPECT_THAT(text, HasSubstr("| truth of the depth buffer (D) | 0."));
+    EXPECT_THAT(text, Not(HasSubstr("| truth | - |"))) << "a row in which nothing is known";
+    for (const char* name : {"volumetric-converged", "truth-visibility"})
+        EXPECT_THAT(read_file(out / ("corner-" + std::string(name) + ".png")), HasSubstr("PNG"));
+    const json document = json::parse(read_file(file));
+    std::size_t converged = 0;
+    for (const json& visit : document.at("visits")) {
+        const std::string candidate = visit.at("candidate");
+        if (visit.at("case") == "plane 0" && visit.contains("point"))
+            expect_plausible(visit.at("point"), candidate);
+        if (!visit.contains("quality") || !visit.at("quality").contains("converged")) continue;
+        const json& quality = visit.at("quality").at("converged");
+        EXPECT_GT(quality.at("geometry").at("rmse"), 0.0);
+        EXPECT_LE(quality.at("remapped").at("rmse"), quality.at("geometry").at("rmse"));
+        EXPECT_EQ(quality.contains("own"), candidate == "gtao") << candidate;
+        ++converged;
+    }
+    EXPECT_EQ(converged, 4U) << "both methods, the preset of one, and (D)";
+}
+
+TEST(BenchMethods, BadInputIsOneClearLine) {
+    const TemporaryDirectory folder;
+    const auto page = page_with(folder.path(), {"views", "bias"});
+    const std::string before = read_file(page);
+    const auto bench = [](Arguments arguments) {
+        arguments.insert(arguments.begin(), {"bench", "methods"});
+        return run_command(arguments);
+    };
+    expect_could_not_run(bench({"--case", "nowhere"}), "nowhere");
+    expect_could_not_run(bench({"--method", "magic"}), "magic");
+    expect_could_not_run(bench({"--size", "1x1"}), "--size 1x1");
+    expect_could_not_run(bench({"--frames", "1"}), "plane 0: 1 frames, expected 2 or more");
+    expect_could_not_run(bench({"--json", "/no/such/folder/a.json"}), "/no/such/folder");
+    expect_could_not_run(bench({"--page", "/no/such/page.md"}), "/no/such/page.md");
+    expect_could_not_run(bench({"--page", page.string()}), "begin scenes");
+    EXPECT_EQ(read_file(page), before);
+}
+
+Arguments temporal(const Arguments& more) {
+    Arguments arguments{"bench",  "temporal", "--case",   "moving",      "moving, still",
+                        "--size", "32x18",    "--frames", "9",           "--scored",
+                        "5",      "--rays",   "32",       "--validation"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+TEST(BenchTemporal, WritesWhatItMeasured) {
+    const TemporaryDirectory folder;
+    const auto file = folder.path() / "temporal.json";
+    const auto out = folder.path() / "out";
+    const CommandResult result = run_command(temporal({"--json", file.string(), "--out", out.string()}));
+    expect_success(result);
+    EXPECT_THAT(result.out, HasSubstr("| moving | neighbourhood (9) off: the history counts in full | 0."));
+    EXPECT_THAT(result.out, HasSubstr("| moving, still | 16 | "));
+    EXPECT_THAT(result.out, HasSubstr(", at most 0.01: "));
+    EXPECT_THAT(read_file(out / "moving-still-convergence.svg"), HasSubstr("<svg"));
+    EXPECT_THAT(read_file(out / "moving-near_moving.svg"), HasSubstr("same view, still"));
+    for (const char* kind : {"visibility", "error", "convergence", "samples", "limit"})
+        EXPECT_THAT(read_file(out / (std::string("moving-full-") + kind + ".png")), HasSubstr("PNG"));
+    const json document = json::parse(read_file(file));
+    std::size_t sequences = 0;
+    for (const json& visit : document.at("visits")) {
+        const json& scores = visit.at("quality").at("by_class");
+        const bool still = visit.at("case") == "moving, still";
+        ASSERT_EQ(scores.at("frames").size(), still ? 32U : 2U) << visit.at("candidate");
+        EXPECT_EQ(scores.at("frames").back().at("frame"), still ? 32 : 9);
+        for (const json& frame : scores.at("frames")) {
+            const json& first = frame.at("classes").at(0);
+            EXPECT_EQ(first.at("pixels"), "all");
+            EXPECT_EQ(first.at("against"), "limit");
+            EXPECT_GT(first.at("raw_squares"), 0.0) << visit.at("candidate");
+        }
+        sequences += scores.at("flicker").empty() ? 0 : 1;
+    }
+    EXPECT_EQ(sequences, 18U) << "but for single frames and what stands still";
+
+    // The same tables from the journal, with the pictures that were drawn before.
+    const CommandResult again = run_command(temporal({"--resume", "--out", out.string()}));
+    expect_success(again);
+    EXPECT_EQ(again.out, result.out);
+    EXPECT_THAT(read_file(out / "moving-full-error.png"), HasSubstr("PNG"));
+}
+
+TEST(BenchTemporal, BadInputIsOneClearLine) {
+    expect_could_not_run(run_command({"bench", "temporal", "--case", "nowhere"}), "nowhere");
+    expect_could_not_run(run_command({"bench", "temporal", "--size", "8x8"}), "--size 8x8");
+    expect_could_not_run(run_command({"bench", "temporal", "--frames", "0"}), "--frames");
+    expect_could_not_run(run_command({"bench", "temporal", "--frames", "4", "--scored", "5"}), "5 scored");
+    expect_could_not_run(run_command({"bench", "temporal", "--json", "/no/such/folder/a.json"}),
+                         "/no/such/folder");
+}
+
+}  // namespace gloam::test::bench_test

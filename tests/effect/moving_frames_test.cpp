@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: MIT
+// Projections that move by a part of a pixel from frame to frame, as temporal antialiasing wants them: TAA,
+// DLSS, FSR.
+#include "effect/errors.hpp"
+#include "effect/internal/executor.hpp"
+#include "effect/internal/frame_images.hpp"
+#include "effect/internal/passes.hpp"
+#include "effect/methods.hpp"
+#include "effect/plan.hpp"
+#include "on_device.hpp"
+#include "surface_views.hpp"
+
+namespace gloam::effect::moving_frames_test {
+
+constexpr gpu::Extent extent{240, 150};
+constexpr int frame_count = 48;
+
+double radical_inverse(int index, int base) {
+    double sum = 0.0;
+    for (double place = 1.0 / base; index > 0; index /= base, place /= base) sum += index % base * place;
+    return sum;
+}
+
+// From the middle of a pixel to a point of it, in pixels: Halton's.
+glm::dvec2 point_of(int frame) {
+    return {radical_inverse(frame + 1, 2) - 0.5, radical_inverse(frame + 1, 3) - 0.5};
+}
+
+// Depth of a box on a floor before a wall. ray: of a pixel, at depth 1. eye: how far it has moved to the
+// right.
+double depth_under(glm::dvec2 ray, double eye) {
+    const double wall = 5.0;
+    const double floor = ray.y < 0.0 ? -1.0 / ray.y : wall;
+    double near = 3.2;
+    double far = 4.0;
+    const auto clip = [&near, &far](double slope, double low, double high) {
+        const double a = low / slope;
+        const double b = high / slope;
+        near = std::max(near, std::min(a, b));
+        far = std::min(far, std::max(a, b));
+    };
+    clip(ray.x, -0.5 - eye, 0.5 - eye);
+    clip(ray.y, -1.0, -0.2);
+    return std::min({wall, floor, near <= far ? near : wall});
+}
+
+// What an engine does with its jitter.
+enum class Case { none, left_out, reprojected };
+
+// The jitter of a frame, in view space at depth 1.
+glm::dvec2 jitter_of(int frame) {
+    const glm::dvec2 scale(wall(extent, 1.0F).camera.p00_p11());
+    return 2.0 * point_of(std::max(frame, 0)) / glm::dvec2(extent.width, extent.height) / scale;
+}
+
+// To the view space in which the jittered image has its camera in the middle.
+glm::dmat4 sheared(glm::dvec2 jitter) {
+    glm::dmat4 shear(1.0);
+    shear[2] = glm::dvec4(jitter, 1.0, 0.0);
+    return shear;
+}
+
+// A frame of a camera that moves so far to the right each frame; its normals come from depth.
+scene::GBuffer view_of_frame(int frame, double speed, Case jitters) {
+    const glm::dvec2 jitter = jitters == Case::none ? glm::dvec2(0.0) : jitter_of(frame);
+    scene::GBuffer view =
+        view_of(extent, false, [&](glm::dvec2 ray) { return depth_under(ray + jitter, speed * frame); });
+    view.normal.clear();
+    const glm::dvec2 element = jitter * glm::dvec2(view.camera.p00_p11());
+    view.camera.proj_vk[2][0] = static_cast<float>(element.x);
+    view.camera.proj_vk[2][1] = static_cast<float>(element.y);
+    glm::dmat4 moved(1.0);
+    moved[3][0] = speed;
+    if (jitters == Case::reprojected) moved = sheared(jitter_of(frame - 1)) * moved * sheared(-jitter);
+    view.camera.previous_from_current = glm::mat4(moved);
+    return view;
+}
+
+class Jitter : public OnDevice<testing::Test> {
+  protected:
+    // The last of the frames, with history.
+    [[nodiscard]] Frame last(double speed, Case jitters, const char* preset) const {
+        std::vector<scene::GBuffer> views;
+        for (int i = 0; i < frame_count; ++i) views.push_back(view_of_frame(i, speed, jitters));
+        return run(views, with_radius(preset_named(preset).settings, 0.5F)).back();
+    }
+};
+
+TEST_F(Jitter, LeftOutOfReprojectionChangesLittle) {
+    for (const char* preset : {"balanced", "fast"}) {
+        for (const double speed : {0.0, 0.004}) {
+            SCOPED_TRACE(testing::Message() << preset << ' ' << speed);
+            const Frame plain = last(speed, Case::none, preset);
+            const Frame jittered = last(speed, Case::left_out, preset);
+            const double rmse = errors_of(jittered.filtered, plain.filtered).rmse;
+            const double kept = mean_of(jittered.convergence) / mean_of(plain.convergence);
+            std::printf("%s, %g a frame: RMSE %.4f, share of the convergence %.3f\n", preset, speed, rmse,
+                        kept);
+            EXPECT_LT(rmse, 0.011);
+            EXPECT_GT(kept, 0.93);
+        }
+    }
+}
+
+// A history that is interpolated in every frame blurs.
+TEST_F(Jitter, IsBetterLeftOutThanReprojected) {
+    const Frame plain = last(0.0, Case::none, "balanced");
+    const double left_out = errors_of(last(0.0, Case::left_out, "balanced").filtered, plain.filtered).rmse;
+    const double reprojected =
+        errors_of(last(0.0, Case::reprojected, "balanced").filtered, plain.filtered).rmse;
+    std::printf("RMSE with the jitter left out %.4f, reprojected %.4f\n", left_out, reprojected);
+    EXPECT_LT(1.5 * left_out, reprojected);
+}
+
+// positions_from_motion.comp: where surface points were, from an engine's motion vectors.
+
+constexpr gpu::Extent small{96, 54};
+constexpr int first_frame = 20;
+
+class MotionVectors : public OnDevice<testing::Test> {
+  protected:
+    [[nodiscard]] scene::GBuffer frame(int number) const {
+        return rasterized("moving", extent, {.frame = first_frame + number, .motion = true});
+    }
+
+    // What the pass writes for a view. unit: of the vectors, pixels.
+    [[nodiscard]] std::vector<glm::vec3> positions(const scene::GBuffer& view, const scene::GBuffer& previous,
+                                                   glm::vec2 unit = {1, 1}) {
+        constexpr float unknown = nan;
+        std::vector<float> motion;
+        for (const glm::vec3& m : view.motion) {
+            const bool valid = m.z > 0.5F;
+            motion.insert(motion.end(),
+                          {valid ? m.x / unit.x : unknown, valid ? m.y / unit.y : unknown, 0, 0});
+        }
+        Resources resources(device_);
+        resources.image("depth", extent, gpu::Format::r32f).upload(view.depth);
+        resources.image("motion", extent, gpu::Format::rgba32f).upload(motion);
+        gpu::Image& written = resources.image("previous_position", extent, gpu::Format::rgba32f);
+        const View now{view.camera, extent, {}};
+        const View before{previous.camera, extent, {}};
+        MotionParameters parameters = motion_parameters(now, before);
+        parameters.motion_unit = unit;
+        const PlannedPass pass =
+            single_pass("positions_from_motion", motion_source(now, before),
+                        {"depth", "motion", "previous_position"}, parameters, groups_for(extent));
+        Executor(device_, passes_).run(std::span(&pass, 1), resources, {});
+        return vectors_of(written.download());
+    }
+};
+
+// The camera and objects move, across the image for the most part.
+TEST_F(MotionVectors, GiveThePositionsOfMovingObjects) {
+    const scene::GBuffer previous = frame(0);
+    scene::GBuffer view = frame(1);
+    view.previous_depth.clear();  // as of an engine that has none
+    scene::GBuffer linked = view;
+    linked.previous_position.clear();
+    link(linked, previous);
+    const std::vector<glm::vec3> found = positions(view, previous);
+    const std::vector<glm::vec3> scaled =
+        positions(view, previous, {-48, 27});  // vectors from -1 to 1, turned
+    std::size_t known = 0;
+    std::size_t close = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        ASSERT_LE(glm::distance(found[i], linked.previous_position[i]), 2e-4F) << i;
+        ASSERT_LE(glm::distance(scaled[i], found[i]), 2e-4F) << i;
+        if (found[i] == glm::vec3(0)) continue;
+        ++known;
+        close += glm::distance(found[i], view.previous_position[i]) < 0.01F ? 1 : 0;
+    }
+    EXPECT_GT(known, found.size() * 9 / 10);
+    EXPECT_GT(close, known * 95 / 100) << "of the points themselves, whose depth has changed as well";
+}
+
+TEST_F(MotionVectors, WithoutAVectorOnlyWhatTheCameraBroughtInIsKnown) {
+    const scene::GBuffer previous = frame(0);
+    scene::GBuffer view = frame(1);
+    view.previous_depth.clear();
+    glm::mat4 change(1.0F);  // the eye has moved to the right, and what was beyond the right edge comes in
+    change[3].x = 0.5F;
+    view.camera.previous_from_current = change;
+    for (glm::vec3& motion : view.motion) motion.z = 0.0F;
+    std::size_t entered = 0;
+    const scene::PixelPositions then(previous);
+    for (const glm::vec3& position : positions(view, previous)) {
+        if (position == glm::vec3(0)) continue;
+        ++entered;
+        const glm::dvec2 place = then.pixel_of(position);
+        const bool inside = place.x > 0 && place.y > 0 && place.x < extent.width && place.y < extent.height;
+        ASSERT_FALSE(inside);
+    }
+    EXPECT_GT(entered, 10U);
+}
+
+// The plan has the pass before all that reads positions, and the engine's image in the place of theirs.
+TEST(MotionVectorsOfAPlan, TakeThePlaceOfPositions) {
+    const Plan plan = plan_of({}, {.motion_vectors = true});
+    const auto image = [&](const char* name) {
+        return std::ranges::find(plan.images, name, &PlannedImage::name)->origin;
+    };
+    EXPECT_EQ(image("motion"), PlannedImage::Origin::engine);
+    EXPECT_EQ(image("previous_position"), PlannedImage::Origin::frame);
+    const auto place = [&](const char* name) {
+        return std::ranges::find(plan.passes, name, &PlannedPass::name);
+    };
+    ASSERT_NE(place("positions_from_motion"), plan.passes.end());
+    EXPECT_LT(place("positions_from_motion"), place("reproject"));
+    EXPECT_EQ(place("reproject")->resources.at(1), "previous_position");
+}
+
+// A filter that runs in the first frames after a cut alone: until then the frames are those of a filter that
+// always runs, and from then on those without a filter, to the bit.
+
+constexpr gpu::Extent odd{83, 45};
+constexpr std::size_t filtered_frames = 3;
+
+class FilterFrames : public OnDevice<testing::Test> {
+  protected:
+    static Settings settings_of(Filter filter, float frames) {
+        Settings settings = with_radius(with_method(preset_named("balanced").settings, "alchemy"),
+                                        static_cast<float>(scene::make_scene("moving").ao_radius));
+        settings.filter = filter;
+        settings.filter_frames = frames;
+        settings.remap_b = 0.9F;  // the remapped images have skips of their own
+        return settings;
+    }
+
+    [[nodiscard]] scene::GBuffer view(int frame) const {
+        return rasterized("moving", extent, {.frame = frame, .motion = true});
+    }
+
+    // Frames of a camera that moves, then stands still until nothing changes, then is cut.
+    [[nodiscard]] std::vector<Frame> run(const Settings& settings) const {
+        AmbientOcclusion& effect = effect_for(extent);
+        std::vector<Frame> frames;
+        effect.begin(view(0), settings);
+        frames.push_back(effect.next());
+        for (int i = 1; i < 3; ++i) {
+            effect.advance(view(i));
+            frames.push_back(effect.next());
+        }
+        for (int i = 0; i < 4; ++i) frames.push_back(effect.next(2));
+        effect.begin(view(1), settings);
+        for (int i = 0; i < 5; ++i) frames.push_back(effect.next());
+        return frames;
+    }
+
+    void expect_switch(Settings first) const {
+        const std::vector<Frame> found = run(first);
+        first.filter_frames = every_frame;
+        const std::vector<Frame> always = run(first);
+        first.filter = Filter::none;
+        const std::vector<Frame> never = run(first);
+        constexpr std::size_t cut = 7;
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            SCOPED_TRACE(i);
+            const bool filtered = i % cut < filtered_frames;
+            const bool full = first.resolution == Resolution::full;
+            if (full) expect_same_images(found[i], never[i], {&Frame::occlusion});
+            expect_same_images(found[i], (filtered ? always : never)[i], {&Frame::filtered});
+            EXPECT_TRUE(filtered || found[i].work.tiles_filtered == 0);
+            EXPECT_FALSE(filtered && bits_of(always[i].filtered) == bits_of(never[i].filtered));
+        }
+    }
+};
+
+TEST_F(FilterFrames, AreTheFirstAfterACut) {
+    expect_switch(settings_of(Filter::convergence, static_cast<float>(filtered_frames)));
+}
+
+// Tiles that have settled are left out of the frame in which the filter stops, and show what is not filtered.
+TEST_F(FilterFrames, EndInASettledViewAsWell) {
+    Settings settings = settings_of(Filter::bilateral, static_cast<float>(filtered_frames));
+    settings.freeze = true;
+    settings.weight_max = 3.0F;  // one frame's samples
+    expect_switch(settings);
+}
+
+TEST_F(FilterFrames, AreTheFirstAtHalfTheResolutionAsWell) {
+    Settings settings = settings_of(Filter::convergence, static_cast<float>(filtered_frames));
+    settings.resolution = Resolution::half;
+    expect_switch(settings);
+    std::vector<std::string> turns;
+    for (const PlannedPass& pass : plan_of(settings, {.tiles = true}).passes)
+        if (pass.name.starts_with("upsample"))
+            turns.push_back(pass.name + (pass.turn == Turn::early ? " early" : ""));
+    EXPECT_EQ(turns, (std::vector<std::string>{"upsample", "upsample_filtered early"}));
+}
+
+TEST_F(FilterFrames, ArePlanned) {
+    for (const bool remapped : {false, true}) {
+        Settings settings = preset_named("balanced").settings;
+        settings.filter_frames = 2.5F;
+        settings.output = remapped ? OutputFormat::r8 : OutputFormat::r32f;
+        const Plan plan = plan_of(settings, {.tiles = true});
+        EXPECT_EQ(plan.filter_frames, 3U);
+        EXPECT_EQ(plan.result, remapped ? "filtered_mapped" : "filtered");
+        EXPECT_EQ(plan.later_result, remapped ? "mapped" : "history_after");
+        EXPECT_EQ(plan.result_unit, 1.0F);
+        EXPECT_EQ(plan.later_unit == 1.0F, remapped);
+        for (const PlannedPass& pass : plan.passes) {
+            const bool of_filter = pass.name.find("filter") != std::string::npos;
+            EXPECT_EQ(pass.turn == Turn::early, of_filter) << pass.name;
+        }
+    }
+    EXPECT_EQ(plan_of(preset_named("tssao-paper").settings, {}).filter_frames, 0U);
+}
+
+}  // namespace gloam::effect::moving_frames_test

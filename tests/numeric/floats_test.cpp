@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+#include <rapidcheck.h>
+
+#include "halves.hpp"
+#include "numeric/numbers.hpp"
+#include "numeric/random.hpp"
+
+namespace gloam::numeric {
+
+namespace ulp_test {
+
+constexpr float inf = std::numeric_limits<float>::infinity();
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr float largest = std::numeric_limits<float>::max();
+constexpr float denorm_min = std::numeric_limits<float>::denorm_min();
+
+TEST(UlpSize, FollowsHarrison) {
+    EXPECT_EQ(ulp_size(1.0), 0x1p-24) << "at a power of two the smaller gap";
+    EXPECT_EQ(ulp_size(1.5), 0x1p-23);
+    EXPECT_EQ(ulp_size(-1.5), 0x1p-23);
+    EXPECT_EQ(ulp_size(2.0), 0x1p-23);
+    EXPECT_EQ(ulp_size(0.0), 0x1p-149);
+    EXPECT_EQ(ulp_size(0x1p-126), 0x1p-149);
+    EXPECT_EQ(ulp_size(0x1p-130), 0x1p-149) << "below the smallest normal its gap";
+    EXPECT_EQ(ulp_size(largest), 0x1p104);
+    EXPECT_TRUE(std::isnan(ulp_size(inf)));
+}
+
+TEST(UlpError, CountsFromTheExactResult) {
+    EXPECT_EQ(ulp_error(1.0F, 1.0), 0.0);
+    EXPECT_EQ(ulp_error(std::nextafter(1.5F, 2.0F), 1.5), 1.0);
+    EXPECT_EQ(ulp_error(1.5F, 1.5 + 0x1p-24), 0.5);
+}
+
+TEST(UlpError, SpecialValuesHaveNoDistance) {
+    EXPECT_EQ(ulp_error(nan, nan), 0.0);
+    EXPECT_EQ(ulp_error(nan, 1.0), std::numeric_limits<double>::infinity());
+    EXPECT_EQ(ulp_error(1.0F, nan), std::numeric_limits<double>::infinity());
+    EXPECT_EQ(ulp_error(inf, inf), 0.0);
+    EXPECT_EQ(ulp_error(-inf, inf), std::numeric_limits<double>::infinity());
+    EXPECT_EQ(ulp_error(inf, largest), std::numeric_limits<double>::infinity()) << "not one ULP apart";
+    EXPECT_EQ(ulp_error(largest, inf), std::numeric_limits<double>::infinity());
+}
+
+TEST(UlpError, OverflowAllowsTheLargestValueOrInfinity) {
+    EXPECT_EQ(ulp_error(inf, 1e39), 0.0);
+    EXPECT_EQ(ulp_error(largest, 1e39), 0.0);
+    EXPECT_EQ(ulp_error(-inf, 1e39), std::numeric_limits<double>::infinity());
+    EXPECT_EQ(ulp_error(1e38F, 1e39), std::numeric_limits<double>::infinity());
+}
+
+TEST(UlpError, SubnormalResultsMayBeFlushed) {
+    EXPECT_EQ(ulp_error(0.0F, 1e-40), 0.0);
+    EXPECT_EQ(ulp_error(denorm_min, -static_cast<double>(denorm_min)), 2.0)
+        << "across zero the distance is 2";
+    EXPECT_GT(ulp_error(0.0F, 0x1p-126), 1e6) << "a normal result may not";
+}
+
+TEST(Step, MovesThroughAllFloats) {
+    EXPECT_EQ(step(1.0F, 1), std::nextafter(1.0F, 2.0F));
+    EXPECT_EQ(step(-1.0F, -1), std::nextafter(-1.0F, -2.0F));
+    EXPECT_EQ(step(denorm_min, -2), -denorm_min) << "+0 and -0 are one value";
+    EXPECT_EQ(step(largest, 1), inf);
+    EXPECT_EQ(step(inf, 1), inf);
+    EXPECT_TRUE(std::isnan(step(nan, 1)));
+}
+
+TEST(UlpError, Properties) {
+    const auto any = [](unsigned bits) { return std::bit_cast<float>(bits); };
+    EXPECT_TRUE(rc::check("a finite float is 0 from itself", [&](unsigned bits) {
+        RC_PRE(std::isfinite(any(bits)));
+        RC_ASSERT(ulp_error(any(bits), any(bits)) == 0.0);
+    }));
+    EXPECT_TRUE(
+        rc::check("n steps are at most n ULP, and n or n/2 next to a power of two", [&](unsigned bits) {
+            const float x = any(bits);
+            const int n = *rc::gen::inRange(1, 1000);
+            RC_PRE(std::isfinite(x) && std::isfinite(step(x, n)));
+            const double error = ulp_error(x, step(x, n));
+            RC_ASSERT(error >= 0.0);
+            RC_ASSERT(error <= 2.0 * n);
+            RC_ASSERT(error >= 0.25 * n || x == 0.0F ||
+                      std::abs(step(x, n)) < std::numeric_limits<float>::min());
+        }));
+    EXPECT_TRUE(rc::check("steps undo each other", [&](unsigned bits) {
+        const float x = any(bits);
+        RC_PRE(std::isfinite(x) && std::isfinite(step(x, 77)));
+        RC_ASSERT(step(step(x, 77), -77) == x);
+    }));
+}
+
+}  // namespace ulp_test
+
+namespace float_class_test {
+
+TEST(FloatClass, EveryClassHasItsValues) {
+    EXPECT_EQ(classify(0.0F), FloatClass::zero);
+    EXPECT_EQ(classify(-0.0F), FloatClass::zero);
+    EXPECT_EQ(classify(0x1p-149F), FloatClass::subnormal);
+    EXPECT_EQ(classify(-0x1.fffffcp-127F), FloatClass::subnormal);
+    EXPECT_EQ(classify(0x1p-126F), FloatClass::ordinary);
+    EXPECT_EQ(classify(0x1.fffffep63F), FloatClass::ordinary);
+    EXPECT_EQ(classify(-0x1p64F), FloatClass::huge);
+    EXPECT_EQ(classify(std::numeric_limits<float>::infinity()), FloatClass::infinite);
+    EXPECT_EQ(classify(std::numeric_limits<float>::quiet_NaN()), FloatClass::nan);
+}
+
+TEST(Text, ShowsDecimalAndBits) {
+    EXPECT_EQ(to_text(0.1F), "0.1 (0x3dcccccd)");
+    EXPECT_EQ(to_text(-0.0F), "-0 (0x80000000)");
+    EXPECT_EQ(to_text(0.1), "0.1 (0x1.999999999999ap-4)");
+    EXPECT_EQ(to_text(0.0), "0 (0x0p+0)");
+    EXPECT_EQ(to_text(-0.0), "-0 (-0x0p+0)");
+    EXPECT_EQ(to_short_text(0.678), "0.68");
+    EXPECT_EQ(to_short_text(1.5e41), "1.5e+41");  // once 44 digits
+    EXPECT_EQ(to_short_text(-1.0 / 0.0), "-inf");
+}
+
+TEST(Random, IsTheSameOnEveryMachine) {
+    Random random(1);
+    EXPECT_EQ(random.bits(), 2469588189546311528U) << "the first number of mt19937_64 from seed 1";
+    Random unit(2);
+    for (int i = 0; i < 10'000; ++i) {
+        const double x = unit.unit();
+        ASSERT_GE(x, 0.0);
+        ASSERT_LT(x, 1.0);
+    }
+}
+
+}  // namespace float_class_test
+
+namespace float_format_test {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+TEST(FloatFormat, KnowsItsLimits) {
+    EXPECT_EQ(float32.largest(), std::numeric_limits<float>::max());
+    EXPECT_EQ(float32.smallest_normal(), std::numeric_limits<float>::min());
+    EXPECT_EQ(float32.smallest_subnormal(), std::numeric_limits<float>::denorm_min());
+    EXPECT_EQ(float16.largest(), 65504.0);
+    EXPECT_EQ(float16.smallest_normal(), 0x1p-14);
+    EXPECT_EQ(float16.smallest_subnormal(), 0x1p-24);
+}
+
+TEST(FloatFormat, EveryHalfIsItsOwnNeighbour) {
+    for (const double value : halves::finite()) {
+        ASSERT_EQ(float16.round_down(value), value);
+        ASSERT_EQ(float16.round_up(value), value);
+        ASSERT_EQ(float16.ulp(value), halves::gap(value)) << value;
+    }
+}
+
+TEST(FloatFormat, NumbersBetweenTwoHalvesGoToBoth) {
+    const auto& all = halves::finite();
+    for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+        for (const double part : {0x1p-30, 0.5, 1.0 - 0x1p-30}) {
+            const double between = all[i] + part * (all[i + 1] - all[i]);
+            ASSERT_EQ(float16.round_down(between), all[i]) << between;
+            ASSERT_EQ(float16.round_up(between), all[i + 1]) << between;
+        }
+    }
+}
+
+TEST(FloatFormat, BeyondTheLargestValueLieItAndInfinity) {
+    for (const FloatFormat& format : {float32, float16}) {
+        const double beyond = std::nextafter(format.largest(), infinity);
+        EXPECT_EQ(format.round_down(beyond), format.largest());
+        EXPECT_EQ(format.round_up(beyond), infinity);
+        EXPECT_EQ(format.round_down(-beyond), -infinity);
+        EXPECT_EQ(format.round_up(-beyond), -format.largest());
+        EXPECT_EQ(format.round_down(infinity), infinity);
+        EXPECT_EQ(format.round_up(-infinity), -infinity);
+    }
+}
+
+TEST(FloatFormat, RoundsToTheNeighboursOfFloat32) {
+    Random random(1);
+    for (int i = 0; i < 100'000; ++i) {
+        const double x = std::ldexp(random.uniform(-2, 2), static_cast<int>(random.below(290)) - 150);
+        const double down = float32.round_down(x);
+        const double up = float32.round_up(x);
+        ASSERT_TRUE(down <= x && x <= up) << x;
+        ASSERT_EQ(static_cast<float>(down), down);
+        const double next = std::nextafter(static_cast<float>(down), std::numeric_limits<float>::infinity());
+        ASSERT_TRUE(up == down || up == next) << x;
+    }
+}
+
+TEST(FloatFormat, UlpIsTheGapBelowAPowerOfTwo) {
+    EXPECT_EQ(float32.ulp(1.0), 0x1p-24);
+    EXPECT_EQ(float32.ulp(std::nextafter(1.0, 2.0)), 0x1p-23);
+    EXPECT_EQ(float32.ulp(0.0), 0x1p-149);
+    EXPECT_EQ(float32.ulp(0x1p-126), 0x1p-149);
+    EXPECT_EQ(float32.ulp(1e300), 0x1p104);
+}
+
+}  // namespace float_format_test
+
+namespace spread_test {
+
+TEST(Spread, IsMedianAndQuartiles) {
+    const Spread spread = spread_of(std::array{5.0, 1.0, 4.0, 2.0, 3.0});
+    EXPECT_EQ(spread.median, 3.0);
+    EXPECT_EQ(spread.low, 2.0);
+    EXPECT_EQ(spread.high, 4.0);
+    const Spread two = spread_of(std::array{1.0, 2.0});
+    EXPECT_EQ(two.median, 1.5);
+    EXPECT_EQ(two.low, 1.25);
+    EXPECT_EQ(two.high, 1.75);
+    EXPECT_EQ(spread_of(std::array{7.0}).high, 7.0);
+}
+
+TEST(Spread, LeavesOutWhatIsNotFinite) {
+    EXPECT_EQ(spread_of(std::array{1.0, std::nan(""), HUGE_VAL}).median, 1.0);
+    EXPECT_TRUE(std::isnan(spread_of({}).median));
+    EXPECT_TRUE(std::isnan(spread_of(std::array{std::nan("")}).low));
+}
+
+TEST(Exponent, FitsTheExponent) {
+    std::vector<std::pair<double, double>> points;
+    for (const double x : {1.0, 2.0, 5.0, 30.0}) points.emplace_back(x, 3.0 * std::pow(x, 1.7));
+    EXPECT_NEAR(exponent_of(points), 1.7, 1e-12);
+    points = {{1, 2}, {10, 2}, {100, 2}};
+    EXPECT_NEAR(exponent_of(points), 0.0, 1e-12);
+    points = {{1, 1}, {1, 4}, {4, 2}, {4, 8}};  // least squares: between the two
+    EXPECT_NEAR(exponent_of(points), 0.5, 1e-12);
+}
+
+TEST(Exponent, LeavesOutWhatHasNoLogarithm) {
+    const std::vector<std::pair<double, double>> points{{0, 5},    {1, 1}, {-1, 2}, {3, std::nan("")},
+                                                        {10, 100}, {5, 0}};
+    EXPECT_NEAR(exponent_of(points), 2.0, 1e-12);
+    EXPECT_TRUE(std::isnan(exponent_of({})));
+    const std::vector<std::pair<double, double>> same{{2, 1}, {2, 3}};
+    EXPECT_TRUE(std::isnan(exponent_of(same)));
+}
+
+}  // namespace spread_test
+
+}  // namespace gloam::numeric
