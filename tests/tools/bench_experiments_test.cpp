@@ -132,6 +132,13 @@ TEST_F(BenchExperiments, AHalfAloneWithoutTimes) {
     EXPECT_TRUE(result_of(document, 0, "fast, single").at("copies").is_null());
 }
 
+TEST_F(BenchExperiments, TimesWithoutErrors) {
+    const json document = measured({"views", "--size", "48x27", "--frames", "1", "--scored", "1", "--rays",
+                                    "0", "--view", "room", "--single", "fast", "--rounds", "1"});
+    EXPECT_THAT(out_, HasSubstr("| room | scene | unseen | - | - |"));
+    EXPECT_GT(result_of(document, 0, "fast, single").at("copies").get<double>(), 0.0);
+}
+
 // The mean over the cases of a size: of errors arithmetic, of times geometric.
 double mean_of(const json& size, std::size_t run, const char* what) {
     double sum = 0.0;

@@ -111,7 +111,7 @@ TEST_F(List, SettingsWithDefaultAndRange) {
     const CommandResult result = gloam("list settings");
     expect_success(result);
     for (const char* line :
-         {"samples            k_1: for each pixel that has not converged, in each frame (12 samples; ",
+         {"samples            k_1: for each pixel that has not converged, in each frame (10 samples; ",
           "skip_open          off: tiles that nothing can block are sampled, to the same result (on; "
           "on or off)"})
         EXPECT_THAT(result.out, HasSubstr(line));
@@ -119,7 +119,7 @@ TEST_F(List, SettingsWithDefaultAndRange) {
     EXPECT_EQ(line_count(result.out), static_cast<int>(settings.size()));
     const CommandResult one = gloam("list settings samples");
     EXPECT_THAT(one.out, HasSubstr("name: samples\n"));
-    EXPECT_THAT(one.out, HasSubstr("default: 12\n"));
+    EXPECT_THAT(one.out, HasSubstr("default: 10\n"));
 }
 
 TEST_F(List, AMethodSaysWhatItMeasures) {

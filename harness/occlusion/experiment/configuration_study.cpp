@@ -359,7 +359,7 @@ ConfigurationVisit PlainRun::visit(BenchmarkViews& views, effect::CopyClock& clo
 }
 
 ConfigurationVisit depth_truth_of(const BenchmarkViews& views, int round) {
-    if (round > 0) return {};
+    if (round > 0 || views.frames().rays == 0) return {};
     const BenchmarkFrames& frames = views.frames();
     FrameQuality quality;
     for (int i = views.first_scored(); i < frames.frames; i += frames.every) {
