@@ -307,7 +307,7 @@ void add_file_options(CLI::App& command, CheckOptions& options) {
         "print only the failures and the count");
     command.add_option("--failures", options.failures,
                        "folder that receives each failure ready to report: the smallest input found, the "
-                       "shader, an AmberScript");
+                       "shader, a program in C, an AmberScript");
 }
 
 }  // namespace

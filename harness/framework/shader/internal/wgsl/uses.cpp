@@ -61,6 +61,7 @@ class Arguments {
         if (load + 1 >= block.body.size()) return;
         const Instruction& store = block.body[load + 1];
         if (store.opcode != SpvOpStore || store.word(2) != block.body[load].word(2)) return;
+        if (!is_used_once(store.word(2))) return;
         const Id other = store.word(1);
         if (!is_local(other) || facts_.base_of(other) != other) return;
         if (!only_copies(block, given.call + 1, load)) return;
@@ -70,6 +71,15 @@ class Arguments {
         shape_.idle.insert(block.body[load].at);
         shape_.idle.insert(store.at);
         if (stored) shape_.idle.insert(block.body[*stored].at);
+    }
+
+    [[nodiscard]] bool is_used_once(Id value) const {
+        std::ptrdiff_t uses = 0;
+        for (const auto& [label, block] : function_.blocks) {
+            for (const Instruction& i : block.body) uses += std::ranges::count(operands(i), value);
+            uses += std::ranges::count(operands(block.end), value);
+        }
+        return uses == 1;
     }
 
     // A variable of the function, or one of its parameters that is a pointer in WGSL.
