@@ -69,9 +69,9 @@ class EffectTest(SiteCase):
 
     def test_samples_accumulate_and_converge(self):
         weights = self.history("hemisphere", frames=20, moves=False)[1::4]
-        self.assertEqual(128.0, max(weights))  # 12 samples a frame, 128 in the mean
-        self.assertEqual(240.0, max(self.history("hemisphere", frames=20, moves=False)[2::4]))
-        self.assertEqual(48.0, sorted(self.history("hemisphere", frames=4, moves=False)[1::4])[WIDTH * HEIGHT // 2])
+        self.assertEqual(128.0, max(weights))  # 10 samples a frame, 128 in the mean
+        self.assertEqual(200.0, max(self.history("hemisphere", frames=20, moves=False)[2::4]))
+        self.assertEqual(40.0, sorted(self.history("hemisphere", frames=4, moves=False)[1::4])[WIDTH * HEIGHT // 2])
 
     def test_the_views_and_the_slider_differ(self):
         self.history("gtao")  # ends the page's own loop: from here on nothing else changes
@@ -153,7 +153,7 @@ class EffectTest(SiteCase):
 
     def test_the_controls_choose(self):
         self.choose(size="320x180", preset="quality")
-        self.assertEqual(("sweep", 48), (self.setting("method"), self.setting("samples")))
+        self.assertEqual(("sweep", 24), (self.setting("method"), self.setting("samples")))
         self.choose(method="sweep", radius=2)
         self.assertEqual(("sweep", 1.0), (self.setting("method"), self.setting("radius")))
         self.assertAlmostEqual(0.001, self.setting("bias"), 6)

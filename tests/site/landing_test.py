@@ -111,7 +111,7 @@ class LandingTest(SiteCase):
         self.open(asked)
         self.assertEqual("", self.browser.text("told"))
         settings = self.browser.evaluate("gloam.live.state.effect.settings")
-        self.assertEqual(("gtao", 48), (settings["method"], settings["samples"]))
+        self.assertEqual(("gtao", 24), (settings["method"], settings["samples"]))
         self.assertEqual("hbao", self.browser.evaluate("gloam.live.state.effect.left.settings.method"))
         self.assertEqual([0.5, 0.25, 3, 0, 0.5, 0], self.numbers())
         self.assertEqual(asked, self.browser.evaluate("location.hash"))

@@ -4,6 +4,7 @@
 
 #include "gloam/geometry/camera.glsl"
 #include "gloam/geometry/plane_depth.glsl"
+#include "gloam/numeric/precise.glsl"
 
 // The image of the ball of influence around a shaded point, and the mapping from a tap in it to its pixel and to the
 // surface there. Computed once a pixel; requires gloam_can_gather.
@@ -94,7 +95,8 @@ vec3 gloam_footprint_tap(GloamFootprint footprint, ivec2 pixel, float depth, flo
 
 // Value of a product. tap: of gloam_footprint_tap. Error: 3 ULP of its largest term.
 float gloam_footprint_value(GloamFootprintProduct product, vec3 tap) {
-    return dot(product.across, tap.xy) + (product.further * tap.z + product.rest);
+    GLOAM_PRECISE float value = dot(product.across, tap.xy) + (product.further * tap.z + product.rest);
+    return value;
 }
 
 // Depth at which the view ray of a pixel meets the plane through a point (gloam_plane_depth).

@@ -5,6 +5,7 @@
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
 #include "gloam/geometry/slice.glsl"
+#include "gloam/numeric/precise.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/layers.glsl"
@@ -39,7 +40,7 @@ GloamEstimate gloam_sweep(vec3 position, vec3 normal, GloamCamera camera, GloamK
     GloamFootprintProduct above = gloam_footprint_product(footprint, position, n);
     float scale = 1.0 / kernel.radius;
     float thickness = settings.feature_thickness > 0.0 ? min(settings.feature_thickness, GLOAM_FARTHEST) : 0.0;
-    float occluded = 0.0;
+    GLOAM_PRECISE float occluded = 0.0;  // so that an unrolled loop has the same bits
     float whole = 0.0;
     for (uint i = 0u; i < slices; ++i) {
         GloamSliceSample random = gloam_slice_sample(kernel.first / (2u * steps) + i + 1u, turns);

@@ -107,12 +107,12 @@ float gloam_sweep_share(float width, float rise, float thickness) {
 // at: the tap, (along view, along tangent), the latter >= 0, in radii. thickness: of features, in widths, in [0, 1e18].
 // Returns the side; unchanged where no feature ends. Error: 1e-6, but for falls within rounding of the share.
 GloamSweepSide gloam_sweep_end(GloamSweepSide side, vec2 at, float thickness) {
-    bool ends = side.rise > 0.0 && at.x < side.last.x - GLOAM_SWEEP_FALL * side.rise;
+    // A return and no choices of members: Filament 1.9's matc crashes on those.
+    if (!(side.rise > 0.0 && at.x < side.last.x - GLOAM_SWEEP_FALL * side.rise)) return side;
     float width = max(0.5 * (at.y + side.last.y) - side.start, 0.0);
-    float passed = side.feature * gloam_sweep_share(width, side.rise, thickness);
-    side.occluded += ends ? passed : 0.0;
-    side.feature = ends ? 0.0 : side.feature;
-    side.rise = ends ? 0.0 : side.rise;
+    side.occluded += side.feature * gloam_sweep_share(width, side.rise, thickness);
+    side.feature = 0.0;
+    side.rise = 0.0;
     return side;
 }
 

@@ -221,16 +221,21 @@ TEST_F(RasterTest, TimesOfLaterDispatchesAreTheirOwn) {
     const ComputePipeline slow(
         device(), {.spirv = slow_comp, .bindings = {BindingKind::storage_buffer}, .push_constant_bytes = 4});
     const Buffer buffer(device(), 4);
-    Commands commands(device());
     const std::vector<Resource> resources{buffer};
-    commands.timestamp();
-    commands.dispatch(slow, resources, {10, 20, 1}, bytes_of(std::uint32_t{60'000}));
-    commands.timestamp();
-    commands.dispatch(slow, resources, {1, 1, 1}, bytes_of(std::uint32_t{1'000}));
-    commands.timestamp();
-    commands.submit();
-    const auto times = commands.times_ms();
-    EXPECT_GT(times[1], 4.0 * (times[2] - times[1]));  // 12,000 times the work
+    double share =
+        1.0;  // of the second dispatch, the least of several tries: other programs may interrupt it
+    for (int i = 0; i < 8 && share > 0.2; ++i) {
+        Commands commands(device());
+        commands.timestamp();
+        commands.dispatch(slow, resources, {10, 20, 1}, bytes_of(std::uint32_t{60'000}));
+        commands.timestamp();
+        commands.dispatch(slow, resources, {1, 1, 1}, bytes_of(std::uint32_t{1'000}));
+        commands.timestamp();
+        commands.submit();
+        const auto times = commands.times_ms();
+        share = std::min(share, (times[2] - times[1]) / times[2]);
+    }
+    EXPECT_LT(share, 0.2);  // the first has 12,000 times the work
 }
 
 TEST_F(RasterTest, HalfFloatTargets) {

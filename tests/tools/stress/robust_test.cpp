@@ -60,8 +60,8 @@ TEST(Poison, NoticesWhatIsBroken) {
     for (const Fault& fault :
          {Fault{"gloam/filter/weighted_mean.glsl", "if (!(value >= 0.0 && value <= 1.0 &&", "if (!(",
                 "results outside their range", poisoned_filters},
-          Fault{"gloam/gather/footprint.glsl", "vec2(0.0), footprint.size - 1.0",
-                "vec2(-9.0), footprint.size + 9.0", "fetches outside the image", poisoned_gathers},
+          Fault{"gloam/gather/footprint.glsl", "footprint.size - 1.0", "footprint.size + 9.0",
+                "fetches outside the image", poisoned_gathers},
           Fault{"gloam/temporal/blend.glsl", "return vec2(old, w);", "return vec2(contribution, w);",
                 "damage other than stated", poisoned_history},
           Fault{"gloam/temporal/history.glsl", "return gloam_history_empty(h.depth);\n    return",
