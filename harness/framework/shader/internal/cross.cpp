@@ -278,6 +278,16 @@ Spirv round_trip(const Spirv& module, Stage stage, const std::string& name, Vari
     }
 }
 
+std::string cross_version() {
+    unsigned major = 0;
+    unsigned minor = 0;
+    unsigned patch = 0;
+    spvc_get_version(&major, &minor, &patch);
+    const char* commit = spvc_get_commit_revision_and_timestamp();
+    return "SPIRV-Cross " + std::to_string(major) + "." + std::to_string(minor) + "." +
+           std::to_string(patch) + (commit != nullptr && *commit != '\0' ? std::string(" ") + commit : "");
+}
+
 }  // namespace gloam::shader::internal
 
 namespace gloam::shader {
@@ -297,17 +307,3 @@ std::string opengl_text(const Spirv& module, Language language, unsigned push_co
 }
 
 }  // namespace gloam::shader
-
-namespace gloam::shader::internal {
-
-std::string cross_version() {
-    unsigned major = 0;
-    unsigned minor = 0;
-    unsigned patch = 0;
-    spvc_get_version(&major, &minor, &patch);
-    const char* commit = spvc_get_commit_revision_and_timestamp();
-    return "SPIRV-Cross " + std::to_string(major) + "." + std::to_string(minor) + "." +
-           std::to_string(patch) + (commit != nullptr && *commit != '\0' ? std::string(" ") + commit : "");
-}
-
-}  // namespace gloam::shader::internal
