@@ -184,11 +184,12 @@ class Commits(unittest.TestCase):
         self.assertIn("no body", fault_of("x" * 72, "\n"))
         self.assertEqual("", fault_of("x" * 72, "why"))
 
+    @unittest.skipUnless(shutil.which("git"), "no git here")
     def test_those_since_the_last_release_have_none(self):
         listed = subprocess.run(["git", "-C", SOURCE, "log", "--no-merges", f"--since={RELEASED[0][1]} 23:59",
                                  "--format=%s%x01%b%x02"], capture_output=True, text=True, check=False)
         if listed.returncode:
-            self.skipTest("no git here")
+            self.skipTest("no repository here")
         commits = [one.strip("\n").split("\x01") for one in listed.stdout.split("\x02") if "\x01" in one]
         self.assertEqual([], [fault for fault in (fault_of(*one) for one in commits) if fault])
 
