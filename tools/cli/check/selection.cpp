@@ -139,7 +139,7 @@ std::string step_summary(const std::vector<report::CheckReport>& reports) {
     std::map<std::string, Count> counts;
     for (const report::CheckReport& report : reports) {
         for (const check::Answer& row : report.rows) {
-            if (row.variant.find(shader::step_separator) == std::string::npos) continue;
+            if (row.steps().empty()) continue;
             Count& count = counts[row.variant];
             const bool changed = row.reason != check::Reason::unchanged;
             ++count.modules;
