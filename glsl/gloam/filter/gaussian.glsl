@@ -3,7 +3,9 @@
 #define GLOAM_FILTER_GAUSSIAN_GLSL
 
 #include "gloam/geometry/background.glsl"
+#include "gloam/geometry/finite.glsl"
 #include "gloam/numeric/constants.glsl"
+#include "gloam/numeric/precise.glsl"
 
 // scale of distances for the Gaussian (TSSAO-10-g-scale): `s = sqrt(log2(e) / 2) / sigma` [TSSAO (Mattausch et al.), eq
 // 10].
@@ -12,9 +14,9 @@
 // sigma: standard deviation, world units, >= 0.
 // Returns the scale, in 1 / world units, from 2^-101 to 2^126 for all but three kinds of sigma: a zero, subnormal or
 // negative one is read as 2^-126, of which no distance but 0 counts; above 2^100 (and for infinity) 0, with which
-// every finite distance counts wholly; for NaN infinity, with which nothing counts. Error: 1.5 ULP.
+// every finite distance counts wholly; for NaN infinity, with which nothing counts. Error: 2.5 ULP.
 float gloam_gaussian_scale(float sigma) {
-    if (!(abs(sigma) >= 0.0)) return uintBitsToFloat(0x7F800000u);
+    if (gloam_is_nan(sigma)) return uintBitsToFloat(0x7F800000u);
     return sigma <= 1.2676506e30 ? 0.8493218003 / max(sigma, GLOAM_SMALLEST) : 0.0;
 }
 
@@ -28,7 +30,8 @@ float gloam_gaussian_scale(float sigma) {
 // Error: 3e-7; 5e-7 by any device that keeps Vulkan's rules for exp2(), 3 + 2 x ULP of a weight of 2^-x: the smallest
 // weights hold to 3e-5 of themselves.
 float gloam_gaussian_scaled(float squared_distance, float scale) {
-    float x = abs(squared_distance) * scale * scale;
+    // In this order: the square of the scale may be beyond the largest float, or subnormal.
+    GLOAM_PRECISE float x = abs(squared_distance) * scale * scale;
     float weight = min(exp2(-x), 1.0);
     return x <= 99.5 ? weight : 0.0;
 }
@@ -53,7 +56,7 @@ float gloam_gaussian(float squared_distance, float sigma) {
 // height of the view.
 // Returns sigma in world units, in [0, FLT_MAX]; 0 for background depth, for any other argument that is not positive or
 // NaN, and where infinite ones leave the quotient unknown.
-// Error: 2.5 ULP.
+// Error: 4 ULP.
 float gloam_filter_sigma(float depth, float tan_half_fovy, float height, float sigma_pixels) {
     if (gloam_is_background(depth) || !(tan_half_fovy > 0.0 && height >= GLOAM_SMALLEST && sigma_pixels > 0.0))
         return 0.0;

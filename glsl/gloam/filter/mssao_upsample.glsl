@@ -2,6 +2,7 @@
 #ifndef GLOAM_FILTER_MSSAO_UPSAMPLE_GLSL
 #define GLOAM_FILTER_MSSAO_UPSAMPLE_GLSL
 
+#include "gloam/geometry/finite.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 #include "gloam/shading/remap.glsl"
 
@@ -14,7 +15,7 @@
 float gloam_mssao_upsample_weight(float bilinear, float depth_difference, float normal_cosine, float depth_power,
                                   float normal_power) {
     float apart = abs(depth_difference);
-    bool known = apart <= 1e30 && abs(normal_cosine) >= 0.0 && depth_power >= 0.0 && normal_power >= 0.0;
+    bool known = apart <= 1e30 && !gloam_is_nan(normal_cosine) && depth_power >= 0.0 && normal_power >= 0.0;
     if (!known) return 0.0;
     float depth = gloam_remap(1.0 / (1.0 + apart), 0.0, 1.0, depth_power);
     float facing = gloam_unit_interval(0.5 * normal_cosine + 0.5);

@@ -37,7 +37,7 @@ GloamWeightedMean gloam_weighted_mean_add(GloamWeightedMean mean, float value, f
 // The mean of the values added.
 // mean: of weights below 1e30. fallback: what to return where the weights sum to less than 1e-8; taken to the nearer
 // end outside [0, 1], NaN to 0.
-// Returns the mean, between the smallest and the largest value, both included. Error: 0.5 ULP of the quotient.
+// Returns the mean, between the smallest and the largest value, both included. Error: 2.5 ULP of the quotient.
 float gloam_weighted_mean_value(GloamWeightedMean mean, float fallback) {
     if (mean.weight >= 1e-8) return clamp(mean.sum / mean.weight, mean.low, mean.high);
     return fallback > 0.0 ? (fallback < 1.0 ? fallback : 1.0) : 0.0;

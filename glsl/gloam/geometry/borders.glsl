@@ -34,18 +34,18 @@ ivec2 gloam_guard_band_border(ivec2 size, float guard) {
 // guard actually rendered (TSSAO-BORDER-guard): `border / size` [TSSAO (Mattausch et al.), frame borders].
 // size: size of the cropped image in pixels, at most 2^22 a side. guard: part of the image asked for on each side, 0
 // to 1.
-// Returns the guard along x and y, for the functions below; 0 along an axis of size below 1. Error: at most 1.5 ulp,
+// Returns the guard along x and y, for the functions below; 0 along an axis of size below 1. Error: at most 2.5 ulp,
 // 5 ulp for sides beyond 2^21 pixels.
 // No method or pass here calls it: it is TSSAO, the frame borders, for the engine that renders the band.
 vec2 gloam_guard_band_guard(ivec2 size, float guard) {
-    return vec2(gloam_guard_band_border(size, guard)) / vec2(max(size, ivec2(1)));
+    return min(vec2(gloam_guard_band_border(size, guard)) / vec2(max(size, ivec2(1))), 1.0);
 }
 
 // half field of view with the guard band (TSSAO-BORDER-tan): `tan' = (1 + 2 g) tan` [TSSAO (Mattausch et al.), frame
 // borders].
 // tan_half_fov: tangent of half the field of view of the cropped image, along one axis. guard: g of
 // gloam_guard_band_guard, that axis.
-// Returns the tangent for the image with the band; 0 where it is not finite. Error: at most 3 ulp.
+// Returns the tangent for the image with the band; 0 where it is not finite. Error: at most 3 ulp, above 1e-30.
 // No method or pass here calls it: it is TSSAO, the frame borders, for the engine that renders the band.
 float gloam_guard_band_tan_half_fov(float tan_half_fov, float guard) {
     float wider = tan_half_fov * (1.0 + 2.0 * guard);

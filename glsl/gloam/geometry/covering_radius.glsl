@@ -15,7 +15,7 @@
 // position: centre of the disc, view space, world units. radius: R, world units, >= 0. largest: upper bound of the
 // result, >= 0.
 // Returns a radius in [0, largest]; 0 for a position behind the eye or not finite and for R not positive or NaN.
-// Error: 1 ULP.
+// Error: 2.5 ULP.
 float gloam_covering_radius_parallel(vec3 position, float radius, float largest) {
     if (!gloam_is_finite3(position) || gloam_is_background(-position.z) || !(radius > 0.0 && largest > 0.0)) return 0.0;
     float depth = clamp(-position.z, GLOAM_SMALLEST, GLOAM_LARGEST_DIVISOR);

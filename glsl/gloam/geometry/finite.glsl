@@ -10,6 +10,13 @@ bool gloam_is_finite(float x) {
     return (floatBitsToUint(x) & 0x7F800000u) != 0x7F800000u;
 }
 
+// not a number (NAN): `x is NaN` [convention].
+// A test of the bits: a driver was seen to take abs(x) >= 0 for true, although it keeps NaN.
+// x: any float. Error: none.
+bool gloam_is_nan(float x) {
+    return (floatBitsToUint(x) & 0x7FFFFFFFu) > 0x7F800000u;
+}
+
 // vector that is neither infinite nor NaN (FINITE-2): `|v_i| <= FLT_MAX` [convention].
 // v: any vector. Error: none.
 bool gloam_is_finite2(vec2 v) {

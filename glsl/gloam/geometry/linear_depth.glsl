@@ -4,6 +4,7 @@
 
 #include "gloam/geometry/background.glsl"
 #include "gloam/numeric/constants.glsl"
+#include "gloam/numeric/precise.glsl"
 
 // A depth-buffer value b is the projection of the eye-linear depth d = -z. With the projection's elements P22 =
 // P[2][2] and P32 = P[3][2] (column-major), clip z is P22 z + P32 and clip w is -z (perspective) or 1 (orthographic).
@@ -16,7 +17,7 @@
 // The quotient of the formulas below, or the background depth +infinity where it is not a depth: zero, subnormal or
 // huge denominator (a far plane at infinity), result not positive, not finite, NaN.
 // numerator, denominator: any floats.
-// Returns numerator / denominator, or +infinity. Error: at most 1.5 ulp; Vulkan's bound for a quotient is 2.5.
+// Returns numerator / denominator, or +infinity. Error: at most 2.5 ulp.
 float gloam_depth_quotient(float numerator, float denominator) {
     if (!(abs(denominator) >= GLOAM_SMALLEST && abs(denominator) <= GLOAM_LARGEST_DIVISOR))
         return gloam_background_depth();
@@ -48,7 +49,8 @@ float gloam_linear_depth_perspective_vk(float b, float p22, float p32) {
 // Error: at most 3.5 ulp, for |p22| >= 1 (every projection with 0 < near < far).
 // No method or pass here calls it: it is OpenGL's projection; the passes read depth buffers of the range [0, 1].
 float gloam_linear_depth_perspective_gl(float b, float p22, float p32) {
-    float denominator = p22 < 0.0 ? (2.0 * b - 1.0) + p22 : 2.0 * b + (p22 - 1.0);
+    // In this order: the sum of both constants would round away what the depth adds.
+    GLOAM_PRECISE float denominator = p22 < 0.0 ? (2.0 * b - 1.0) + p22 : 2.0 * b + (p22 - 1.0);
     return gloam_depth_quotient(p32, denominator);
 }
 
@@ -72,7 +74,8 @@ float gloam_linear_depth_orthographic_vk(float b, float p22, float p32) {
 // Error: at most 4 ulp, for |p32| >= 1 (every projection with 0 <= near < far).
 // No method or pass here calls it: it is OpenGL's projection; the passes read depth buffers of the range [0, 1].
 float gloam_linear_depth_orthographic_gl(float b, float p22, float p32) {
-    float numerator = p32 < 0.0 ? (p32 + 1.0) - 2.0 * b : (p32 - 1.0) + 2.0 * (1.0 - b);
+    // In this order: the sum of both constants would round away what the depth adds.
+    GLOAM_PRECISE float numerator = p32 < 0.0 ? (p32 + 1.0) - 2.0 * b : (p32 - 1.0) + 2.0 * (1.0 - b);
     return gloam_depth_quotient(numerator, p22);
 }
 

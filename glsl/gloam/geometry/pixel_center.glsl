@@ -29,7 +29,7 @@ ivec2 gloam_nearest_pixel(vec2 uv, ivec2 resolution) {
 // al.), eq 7 corrected].
 // The brackets of the printed equation are a floor.
 // uv: texture coordinates, [0, 1]^2 inside the image. resolution: image size in pixels, at most 2^22 a side.
-// Returns a point in (0, 1)^2, its own pixel centre; a resolution below 1 is read as 1. Error: at most 1.5 ulp, for
+// Returns a point in (0, 1)^2, its own pixel centre; a resolution below 1 is read as 1. Error: at most 2.5 ulp, for
 // the pixel that gloam_nearest_pixel gives.
 vec2 gloam_pixel_center(vec2 uv, ivec2 resolution) {
     ivec2 size = max(resolution, ivec2(1));

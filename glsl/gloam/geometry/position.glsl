@@ -13,7 +13,7 @@
 // centre].
 // pixel: integer pixel; one outside the image gives coordinates outside [-1, 1].
 // size: image size in pixels, 1 to 2^22; a size below 1 gives (0, 0).
-// Returns coordinates in (-1, 1) for a pixel of the image. Error: at most 1 ulp, for pixels below 2^22.
+// Returns coordinates in (-1, 1) for a pixel of the image. Error: at most 3 ulp, for pixels below 2^22.
 vec2 gloam_ndc_from_pixel(ivec2 pixel, ivec2 size) {
     if (size.x < 1 || size.y < 1) return vec2(0.0);
     vec2 extent = vec2(size);
@@ -43,7 +43,7 @@ vec3 gloam_view_position_perspective(vec2 ndc, float depth, vec2 p00_p11) {
 // the projection].
 // ndc: normalised device coordinates. depth: eye-linear, world units. p00_p11: projection elements, not zero.
 // Returns the position in world units; the zero vector, which is read as background everywhere, for background depth
-// and wherever the position would not be finite. Error: at most 1 ulp in each component.
+// and wherever the position would not be finite. Error: at most 2.5 ulp in each component.
 vec3 gloam_view_position_orthographic(vec2 ndc, float depth, vec2 p00_p11) {
     if (gloam_is_background(depth)) return vec3(0.0);
     vec3 position = vec3(ndc / p00_p11, -depth);

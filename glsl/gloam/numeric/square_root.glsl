@@ -8,7 +8,7 @@
 // Vulkan derives sqrt() from 1 / inversesqrt(): 4.5 ulp, and undefined at 0.
 // x: any float.
 // Returns the square root; 0 for a number that is zero, subnormal, negative or NaN, infinity for infinity.
-// Error: 7 ulp whatever the rounding, 2 ulp where it is to nearest.
+// Error: 7 ulp whatever the rounding, 2.5 ulp where it is to nearest.
 float gloam_sqrt(float x) {
     return x >= GLOAM_SMALLEST ? (x <= GLOAM_LARGEST ? x * inversesqrt(x) : x) : 0.0;
 }

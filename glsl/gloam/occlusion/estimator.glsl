@@ -16,7 +16,7 @@ vec2 gloam_estimator_add(vec2 accumulated, float contribution) {
 
 // mean of the contributions (TSSAO-2): `AO = (1 / n) sum of C(p, s_i)` [TSSAO (Mattausch et al.), eqs 2 and 4].
 // accumulated: (sum, count).
-// Returns sum / count inside [0, 1], the occlusion; 0 for a count below 1 and for NaN. Error: 0.5 ULP.
+// Returns sum / count inside [0, 1], the occlusion; 0 for a count below 1 and for NaN. Error: 2.5 ULP.
 float gloam_estimator_mean(vec2 accumulated) {
     if (!(accumulated.y >= 1.0 && accumulated.x > 0.0)) return 0.0;
     return accumulated.x < accumulated.y ? min(accumulated.x / accumulated.y, 1.0) : 1.0;

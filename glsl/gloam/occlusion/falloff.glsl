@@ -13,7 +13,7 @@
 // linear falloff (FALLOFF-linear): `D = max(1 - d / R, 0)` [Aalund and Baerentzen 2013, reference images].
 // What TSSAO's kernel of uniform radii implies, and the usual ray-traced reference.
 // hit_distance: d, world units. radius: R, world units, > 0.
-// Returns a weight in [0, 1]; 0 for R = 0. Error: 1.5 ULP.
+// Returns a weight in [0, 1]; 0 for R = 0. Error: 3 ULP.
 float gloam_falloff_linear(float hit_distance, float radius) {
     float d = abs(hit_distance);
     if (!(d < radius && radius >= GLOAM_SMALLEST)) return 0.0;
@@ -28,7 +28,7 @@ float gloam_falloff_linear(float hit_distance, float radius) {
 // quadratic falloff (FALLOFF-quadratic): `D = max(1 - d^2 / R^2, 0)` [horizon-based AO, Bavoil and Sainz 2008].
 // With a = 1 - d / R it is a (2 - a).
 // hit_distance: d, world units. radius: R, world units, > 0.
-// Returns a weight in [0, 1]; 0 for R = 0. Error: 3 ULP.
+// Returns a weight in [0, 1]; 0 for R = 0. Error: 4.5 ULP.
 float gloam_falloff_quadratic(float hit_distance, float radius) {
     float a = gloam_falloff_linear(hit_distance, radius);
     return min(a * (2.0 - a), 1.0);

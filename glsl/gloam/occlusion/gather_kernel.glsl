@@ -71,7 +71,7 @@ const GloamEstimate GLOAM_NO_ESTIMATE = GloamEstimate(0.0, 0.0, 0u, 1.0);
 
 // estimate of a weighted mean (TSSAO-2-estimate): `min(sum / weight, 1)` [TSSAO (Mattausch et al.), eq 2].
 // occluded: sum of occlusion times weight, >= 0. whole: sum of weights, >= 0. samples: taken.
-// Returns occlusion occluded / whole inside [0, 1]; 0 where nothing has a weight, and for NaN. Error: 0.5 ULP.
+// Returns occlusion occluded / whole inside [0, 1]; 0 where nothing has a weight, and for NaN. Error: 2.5 ULP.
 GloamEstimate gloam_estimate(float occluded, float whole, uint samples) {
     bool known = whole >= GLOAM_SMALLEST && occluded > 0.0;
     float mean = known ? (occluded < whole ? occluded / whole : 1.0) : 0.0;
@@ -85,7 +85,7 @@ GloamEstimate gloam_estimate(float occluded, float whole, uint samples) {
 // occluded: sum of occlusion times weight, >= 0. whole: sum of weights, in [0, pi / 2] for each slice. slices: their
 // number. steps: taps of a slice to each side, >= 1.
 // Returns occlusion occluded / whole inside [0, 1], 2 slices steps samples, and their mean weight; occlusion and weight
-// 0 where nothing has a weight. Error: 0.5 ULP.
+// 0 where nothing has a weight. Error: 2.5 ULP.
 GloamEstimate gloam_slice_estimate(float occluded, float whole, uint slices, uint steps) {
     GloamEstimate estimate = gloam_estimate(occluded, whole, slices * 2u * steps);
     estimate.weight = whole / float(max(slices, 1u));

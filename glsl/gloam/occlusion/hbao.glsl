@@ -2,6 +2,7 @@
 #ifndef GLOAM_OCCLUSION_HBAO_GLSL
 #define GLOAM_OCCLUSION_HBAO_GLSL
 
+#include "gloam/geometry/finite.glsl"
 #include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/sincos.glsl"
 
@@ -52,7 +53,7 @@ vec2 gloam_hbao_horizon(vec3 normal, vec2 direction, vec2 bias) {
 // slope: tan t, of the tangent plane, any float. bias: radians, [0, 1.57079625).
 // Returns (sin h_0, 0). (1, 0), which nothing exceeds, for a bias outside and NaN. Error: 5e-7.
 vec2 gloam_hbao_start_slope(float slope, float bias) {
-    if (!(bias >= 0.0 && bias < 1.570796251 && abs(slope) >= 0.0)) return vec2(1.0, 0.0);
+    if (!(bias >= 0.0 && bias < 1.570796251) || gloam_is_nan(slope)) return vec2(1.0, 0.0);
     vec2 turned = gloam_sincos(bias);
     return vec2(gloam_sine_of_tangent(slope + turned.y / turned.x), 0.0);
 }

@@ -25,7 +25,7 @@ float gloam_contribution_issao_basic(vec3 offset, vec3 normal, float radius) {
 // hit_distance: |v|, world units. phi: world units, >= 0, how dark. mu: world units, > 0, bounds the distance from
 // below.
 // Returns a weight >= 0, at most phi / mu; phi / |v| beyond mu. 0 at distance 0, for mu or the larger of the two
-// outside [2^-126, 2^126], for phi not positive, and for NaN in any argument. Error: 2.5 ULP.
+// outside [2^-126, 2^126], for phi not positive, and for NaN in any argument. Error: 5 ULP.
 float gloam_issao_attenuation(float hit_distance, float phi, float mu) {
     float d = abs(hit_distance);
     float larger = d > mu ? d : mu;

@@ -10,16 +10,12 @@
 // radius: r, pixels. reference_radius: r_ref, pixels, > 0: from this size on every sample is taken. least, most: 0 <=
 // least <= most <= 2^20.
 // Returns a count in [least, most]; least for r = 0, negative or NaN, most for r_ref not positive, subnormal or NaN.
-// Error: none, but for radii within 2 ULP of a half.
+// Error: none for r_ref up to 2^126, but for radii within 2 ULP of a half.
 int gloam_count_by_radius(float radius, float reference_radius, int least, int most) {
     if (!(reference_radius >= GLOAM_SMALLEST)) return most;
     if (!(radius > 0.0)) return least;
     if (radius >= reference_radius) return most;
-    // Less than 2^126 on either side of the division.
-    float share =
-        reference_radius > GLOAM_LARGEST_DIVISOR ? (radius * 0.25) / (reference_radius * 0.25)
-                                                 : radius / reference_radius;
-    return clamp(int(floor(float(most) * share + 0.5)), least, most);
+    return clamp(int(floor(float(most) * (radius / reference_radius) + 0.5)), least, most);
 }
 
 #endif

@@ -3,6 +3,7 @@
 #define GLOAM_SAMPLING_POISSON_GLSL
 
 #include "gloam/geometry/safe_normalize.glsl"
+#include "gloam/numeric/precise.glsl"
 #include "gloam/numeric/square_root.glsl"
 
 // disc point lifted onto the hemisphere (POISSON-lift): `(x, y, sqrt(1 - x^2 - y^2))` [Sourimant et al. 2011].
@@ -16,7 +17,7 @@ vec3 gloam_hemisphere_lift(vec2 disc) {
     // 1 - x^2 - y^2 cancels near the rim. With a 12-bit head h of each coordinate, 1 - h.x^2 - h.y^2 is exact, and
     // x^2 = h.x^2 + (x - h.x) (x + h.x).
     vec2 head = floor(disc * 4096.0) * 0.000244140625;
-    float height_squared = ((1.0 - head.x * head.x) - head.y * head.y) - dot(disc - head, disc + head);
+    GLOAM_PRECISE float height_squared = ((1.0 - head.x * head.x) - head.y * head.y) - dot(disc - head, disc + head);
     return height_squared > 0.0 ? vec3(disc, gloam_sqrt(height_squared)) : vec3(rim.xy, 0.0);
 }
 

@@ -25,7 +25,7 @@ float gloam_radical_inverse_base2(uint index) {
 // The digits a_m of the index mirrored at the point.
 // index: number of the sample; only its 24 low bits count (index modulo 2^24).
 // base: 2 to 2^24, taken to the nearer end outside; the Halton bases are primes.
-// Returns a number in [0, 1). Error: at most 2 ulp.
+// Returns a number in [0, 1). Error: at most 3 ulp.
 float gloam_radical_inverse(uint index, uint base) {
     uint radix = clamp(base, 2u, 0x01000000u);
     uint rest = index & 0x00FFFFFFu;

@@ -57,7 +57,7 @@ vec3 gloam_ssdo_bounce(vec3 offset, vec3 normal, vec3 sender_normal, vec3 radian
 // sum: of the terms of gloam_ssdo_direct or of gloam_ssdo_bounce, each component in [0, FLT_MAX]. count: of the
 // samples, blocked ones included. albedo: rho, diffuse, [0, 1]; outside, the nearer end; 0 for NaN.
 // Returns radiance >= 0; 0 for a count outside [1, 2^24] and for components of the sum that are negative or not
-// finite. Error: 2 ULP.
+// finite. Error: 3 ULP.
 vec3 gloam_ssdo_light(vec3 sum, float count, vec3 albedo) {
     if (!(count >= 1.0 && count <= 16777216.0)) return vec3(0.0);
     vec3 inside = vec3(gloam_unit_interval(albedo.x), gloam_unit_interval(albedo.y), gloam_unit_interval(albedo.z));

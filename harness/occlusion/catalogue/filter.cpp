@@ -28,19 +28,19 @@ void append_gaussian(Entries& entries) {
         either(uniform(0, 1), log_uniform(1e-37, 1e38)).and_near({0.2, 0x1p-126}).and_special();
     add(entries, "TSSAO-11", &reference::gloam_shrink,
         {.domain = Domain{convergence, threshold}.tied(0, 1).tied(0, 1, 0.5),
-         .budget = {.ulp = 1.5},
+         .budget = {.ulp = 3},
          .codomain = {0, 1}});
     const Values squares = either(uniform(0, 1), lengths()).and_near({99.5}).and_special();
     add(entries, "TSSAO-10-g", &reference::gloam_gaussian,
         {.domain = {squares, lengths()}, .budget = {.absolute = 3e-7}, .codomain = {0, 1}});
     add(entries, "TSSAO-10-g-scale", &reference::gloam_gaussian_scale,
-        {.domain = {lengths().and_near({0x1p100})}, .budget = {.ulp = 1.5}, .codomain = {0, infinity}});
+        {.domain = {lengths().and_near({0x1p100})}, .budget = {.ulp = 2.5}, .codomain = {0, infinity}});
     add(entries, "TSSAO-10-g-scaled", &reference::gloam_gaussian_scaled,
         {.domain = {squares, lengths()}, .budget = {.absolute = 3e-7}, .codomain = {0, 1}});
     add(entries, "TSSAO-10-sigma", &reference::gloam_filter_sigma,
         {.domain = {log_uniform(1e-3, 1e6).and_special(), uniform(0.1, 2).and_special(),
                     log_uniform(1, 16384).and_special(), uniform(0.25, 8).and_special()},
-         .budget = {.ulp = 2.5},
+         .budget = {.ulp = 4},
          .codomain = {0, float_max}},
         [](double d, double tangent, double height, double pixels) {
             return moderate(1e-9, 1e9, d, tangent, height, pixels);
@@ -63,7 +63,7 @@ void append_mean(Entries& entries) {
         {.domain = {mean, value, weight}, .budget = {.ulp = 1.5}, .codomain = {0, float_max}});
     add(entries, "TSSAO-10-mean", &reference::gloam_weighted_mean_value,
         {.domain = {mean.and_value(glm::vec4(0.5E-8F, 1e-8F, 0, 1), true), value},
-         .budget = {.ulp = 0.5, .backward_ulp = 1},
+         .budget = {.ulp = 2.5, .backward_ulp = 1},
          .codomain = {0, 1}});
 }
 

@@ -130,14 +130,14 @@ void append_volumetric(Entries& entries) {
 void append_estimates(Entries& entries) {
     const Values sum = either(uniform(0, 64), log_uniform(1e-37, 1e30)).and_special();
     add(entries, "TSSAO-2-estimate", &reference::gloam_estimate,
-        {.domain = {sum, sum, integers(0, 2048)}, .budget = {.ulp = 0.5}, .codomain = {0, 2048}},
+        {.domain = {sum, sum, integers(0, 2048)}, .budget = {.ulp = 2.5}, .codomain = {0, 2048}},
         [](double occluded, double whole, unsigned) {
             return !(whole > 8.5e37) && moderate(1e-30, 3e37, occluded);
         });
     const Values weights = either(uniform(0, 64), log_uniform(1e-37, 64));
     add(entries, "SLICE-estimate", &reference::gloam_slice_estimate,
         {.domain = {sum, weights, integers(0, 64), integers(1, 64)},
-         .budget = {.ulp = 0.5},
+         .budget = {.ulp = 2.5},
          .codomain = {0, 8192}},
         [](double occluded, double, unsigned, unsigned) { return moderate(1e-30, 3e37, occluded); });
     add(entries, "TSSAO-2-sees", &reference::gloam_tap_sees,
@@ -167,7 +167,7 @@ void append_gathers(Entries& entries) {
     append_estimates(entries);
     append_shared_points(entries);
     add_method(entries, "TSSAO-2-hemisphere", &reference::gloam_hemisphere, vector({gather_length()}),
-               {.ulp = 1, .backward_ulp = 4});
+               {.ulp = 2.5, .backward_ulp = 4});
     append_tap_pixel(entries);
     add_method(entries, "TSSAO-2-disc", &reference::gloam_disc, vector({gather_length()}),
                {.absolute = 2e-6, .backward_ulp = 4});
@@ -259,7 +259,7 @@ void append_ray_gathers(Entries& entries) {
         {.domain = {log_integers(16777216).and_near_integers({64, 16777216, 4294967295})},
          .codomain = {-1, 1}});
     add_method(entries, "RAY-gather", &reference::gloam_poisson, vector({gather_length(), integers(1, 4)}),
-               {.ulp = 1, .backward_ulp = 4});
+               {.ulp = 2.5, .backward_ulp = 4});
     add_method(entries, "PROXY-gather", &reference::gloam_sphere_proxy, vector({uniform(0, 2).and_special()}),
                {.absolute = 1e-5, .backward_ulp = 4});
 }

@@ -147,7 +147,7 @@ void append_lines(Entries& entries) {
         {.domain = Domain{either(uniform(-2, 2), signed_log_uniform(1e-37, 1e38)).and_special(), lengths()}
                        .tied(0, 1)
                        .tied(0, 1, -1.0),
-         .budget = {.ulp = 1.5, .absolute = 2e-7}},
+         .budget = {.ulp = 3, .absolute = 2e-7}},
         [](double height, double half_height) {
             return !std::isfinite(height) || !(std::abs(height) > 1e38 * half_height);
         });

@@ -132,7 +132,7 @@ void append_results(Entries& entries) {
     add(entries, "CS-D-light", &reference::gloam_ssdo_light,
         {.domain = {either(vector(3, uniform(0, 64)), vector(3, any_float())).and_special(),
                     either(count, any_float()).and_special(), vector(3, uniform(0, 1)).and_special()},
-         .budget = {.ulp = 2},
+         .budget = {.ulp = 3},
          .codomain = {0, 0x1.fffffep127}},
         [](glm::dvec3 sum, double n, glm::dvec3 albedo) {
             return moderate(1e-9, 1e9, sum, albedo) && moderate(1e-9, 1e9, n);

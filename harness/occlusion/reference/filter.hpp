@@ -109,7 +109,7 @@ inline double gloam_geometry_blur(glm::ivec2 pixel, glm::ivec2 axis, glm::ivec2 
 inline double gloam_shrink(double convergence, double c_adaptive) {
     if (!(c_adaptive >= 1e-30)) return 0.0;
     if (std::isnan(convergence)) return 1.0;
-    if (std::isinf(c_adaptive)) return std::isinf(convergence) && convergence > 0.0 ? 0.0 : 1.0;
+    if (c_adaptive > 0x1p126) return convergence >= c_adaptive ? 0.0 : 1.0;
     return max(c_adaptive - max(convergence, 0.0), 0.0) / c_adaptive;
 }
 

@@ -12,6 +12,10 @@ inline bool gloam_is_finite(double x) {
     return is_finite(x);
 }
 
+inline bool gloam_is_nan(double x) {
+    return std::isnan(x);
+}
+
 inline bool gloam_is_finite2(dvec2 v) {
     return is_finite(v);
 }
