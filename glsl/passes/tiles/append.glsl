@@ -12,14 +12,52 @@ layout(binding = GLOAM_LIST_BINDING, std430) buffer TileLists {
     uint listed_tiles[];  // one list after the other, each with room for all tiles
 };
 
-// Appends a tile to a list.
-// tiles: of the image, along x and y.
-void append(uint list, uvec2 tile, uvec2 tiles) {
-    uint position = atomicAdd(tile_lists[list].tiles, 1u);
-    uint group = position / tiles_of_group(list);
-    atomicMax(tile_lists[list].columns, min(group + 1u, LIST_COLUMNS));
-    atomicMax(tile_lists[list].rows, group / LIST_COLUMNS + 1u);
-    listed_tiles[list * tiles.x * tiles.y + position] = entry_of(tile);
+// Where a tile goes: a sum of IN_LIST << list and of COUNT_SKIPPED << which.
+const uint IN_LIST = 1u;
+const uint COUNT_SKIPPED = IN_LIST << SKIPPED_TILES;
+const uint SKIPPED_BACKGROUND = 0u;  // counted in `columns` of SKIPPED_TILES
+const uint SKIPPED_SETTLED = 1u;     // in its `rows`
+const uint SKIPPED_UNFILTERED = 2u;  // in its `tiles`
+const uint COUNTERS = SKIPPED_TILES + 3u;
+
+shared uint group_tiles[COUNTERS];  // of the group: how many go into each list, and are counted
+shared uint group_first[COUNTERS];  // position of the first of them in the list
+
+// Adds the group's tiles to a list or a count.
+void add_group(uint which) {
+    uint tiles = group_tiles[which];
+    if (tiles == 0u) return;
+    if (which == SKIPPED_TILES + SKIPPED_BACKGROUND) {
+        atomicAdd(tile_lists[SKIPPED_TILES].columns, tiles);
+    } else if (which == SKIPPED_TILES + SKIPPED_SETTLED) {
+        atomicAdd(tile_lists[SKIPPED_TILES].rows, tiles);
+    } else if (which == SKIPPED_TILES + SKIPPED_UNFILTERED) {
+        atomicAdd(tile_lists[SKIPPED_TILES].tiles, tiles);
+    } else {
+        uint first = atomicAdd(tile_lists[which].tiles, tiles);
+        uint groups = (first + tiles - 1u) / tiles_of_group(which) + 1u;
+        atomicMax(tile_lists[which].columns, min(groups, LIST_COLUMNS));
+        atomicMax(tile_lists[which].rows, (groups - 1u) / LIST_COLUMNS + 1u);
+        group_first[which] = first;
+    }
+}
+
+// Adds the invocation's tile to lists and counts. All invocations of the group must call it: the group asks for its
+// places at once, because a GPU takes additions to one number one after the other.
+// places: where the tile goes, 0 for none. tiles: of the image, along x and y.
+void append(uint places, uvec2 tile, uvec2 tiles) {
+    uint invocation = gl_LocalInvocationIndex;
+    if (invocation < COUNTERS) group_tiles[invocation] = 0u;
+    barrier();
+    uint within[COUNTERS];
+    for (uint i = 0u; i < COUNTERS; ++i)
+        if ((places >> i & 1u) != 0u) within[i] = atomicAdd(group_tiles[i], 1u);
+    barrier();
+    if (invocation < COUNTERS) add_group(invocation);
+    barrier();
+    for (uint list = 0u; list < SKIPPED_TILES; ++list)
+        if ((places >> list & 1u) != 0u)
+            listed_tiles[list * tiles.x * tiles.y + group_first[list] + within[list]] = entry_of(tile);
 }
 
 #endif

@@ -45,11 +45,8 @@ bool without_geometry(uvec2 tile) {
     return true;
 }
 
-void main() {
-    uvec2 tiles = tiles_of(parameters.size);
-    uvec2 at = gl_GlobalInvocationID.xy;
-    if (at.x >= tiles.x || at.y >= tiles.y) return;
-    uint tile = at.y * tiles.x + at.x;
+// Where the tile goes (append.glsl). Writes its state.
+uint places_of(uvec2 at, uint tile) {
     TileState before = states_before[tile];
     uint written = parameters.written << STATE_BLANK_SHIFT;
     uint blank_images = before.flags >> STATE_BLANK_SHIFT << STATE_BLANK_SHIFT;
@@ -59,14 +56,21 @@ void main() {
     bool blank = parameters.background != 0u && (settled ? blank_images != 0u : without_geometry(at));
     uint kept = blank ? blank_images : 0u;
     if (blank && (blank_images & written) == written) {
-        atomicAdd(tile_lists[SKIPPED_TILES].columns, 1u);
         states_after[tile] = TileState(kept | STATE_BACKGROUND, 0u, before.pixels);
-    } else if (settled) {
-        atomicAdd(tile_lists[SKIPPED_TILES].rows, 1u);
-        states_after[tile] = TileState(kept, 0u, before.pixels);
-    } else {
-        append(SHADED_TILES, at, tiles);
-        if (parameters.open_tiles != 0u) append(open_tile[tile] != 0u ? OPEN_TILES : SAMPLED_TILES, at, tiles);
-        states_after[tile] = TileState(STATE_SHADED | (blank ? kept | written : 0u), 0u, 0u);
+        return COUNT_SKIPPED << SKIPPED_BACKGROUND;
     }
+    if (settled) {
+        states_after[tile] = TileState(kept, 0u, before.pixels);
+        return COUNT_SKIPPED << SKIPPED_SETTLED;
+    }
+    states_after[tile] = TileState(STATE_SHADED | (blank ? kept | written : 0u), 0u, 0u);
+    if (parameters.open_tiles == 0u) return IN_LIST << SHADED_TILES;
+    return IN_LIST << SHADED_TILES | IN_LIST << (open_tile[tile] != 0u ? OPEN_TILES : SAMPLED_TILES);
+}
+
+void main() {
+    uvec2 tiles = tiles_of(parameters.size);
+    uvec2 at = gl_GlobalInvocationID.xy;
+    bool inside = at.x < tiles.x && at.y < tiles.y;
+    append(inside ? places_of(at, at.y * tiles.x + at.x) : 0u, at, tiles);
 }

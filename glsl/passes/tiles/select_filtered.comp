@@ -47,23 +47,24 @@ bool any_filtered(ivec2 at, ivec2 around, ivec2 tiles) {
     return false;
 }
 
-void main() {
-    ivec2 tiles = ivec2(tiles_of(parameters.size));
-    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-    if (at.x >= tiles.x || at.y >= tiles.y) return;
+// Where the tile goes (append.glsl).
+uint places_of(ivec2 at, ivec2 tiles) {
     TileState state = states[at.y * tiles.x + at.x];
-    if ((state.flags & STATE_BACKGROUND) != 0u) return;  // no filter changes background
+    if ((state.flags & STATE_BACKGROUND) != 0u) return 0u;  // no filter changes background
     ivec2 side = ivec2(TILE_SIDE);
     ivec2 around = (parameters.reach + side - 1) / side;
     // Along x: every tile whose result may be read, because what is stored there is of an earlier frame with another
     // list.
-    if (any_filtered(at, ivec2(0, around.y), tiles) && any_shaded(at, ivec2(around.x, 2 * around.y), tiles)) {
-        append(FILTERED_X_TILES, uvec2(at), uvec2(tiles));
-    }
-    if (!any_shaded(at, around, tiles)) return;
-    if (unfiltered(state)) {
-        atomicAdd(tile_lists[SKIPPED_TILES].tiles, 1u);
-    } else {
-        append(FILTERED_Y_TILES, uvec2(at), uvec2(tiles));
-    }
+    bool along_x =
+        any_filtered(at, ivec2(0, around.y), tiles) && any_shaded(at, ivec2(around.x, 2 * around.y), tiles);
+    uint places = along_x ? IN_LIST << FILTERED_X_TILES : 0u;
+    if (!any_shaded(at, around, tiles)) return places;
+    return places | (unfiltered(state) ? COUNT_SKIPPED << SKIPPED_UNFILTERED : IN_LIST << FILTERED_Y_TILES);
+}
+
+void main() {
+    ivec2 tiles = ivec2(tiles_of(parameters.size));
+    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+    bool inside = at.x < tiles.x && at.y < tiles.y;
+    append(inside ? places_of(at, tiles) : 0u, uvec2(at), uvec2(tiles));
 }
