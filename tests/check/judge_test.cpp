@@ -113,7 +113,9 @@ TEST_F(JudgeTest, TheCodomainHoldsWhereNothingElseIsPromised) {
     question.codomain = {-1, 3};
     EXPECT_TRUE(run(lab, question).passed());
     question.codomain = {0, 1};
-    EXPECT_TRUE(run(lab, question).failed());
+    const Answer outside = run(lab, question);
+    EXPECT_TRUE(outside.failed());
+    EXPECT_THAT(outside.story, HasSubstr("the worst result is outside the codomain [0, 1]\n"));
 }
 
 TEST_F(JudgeTest, TheCodomainHoldsForIntegers) {

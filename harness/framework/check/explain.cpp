@@ -219,19 +219,27 @@ std::string permitted_text(const numeric::Bounds& bounds, int digits) {
                        bounds.nan ? " or NaN" : "");
 }
 
+// The sign of a NaN means nothing.
+std::string value_text(double value, int digits) {
+    return std::isnan(value) ? "NaN" : fmt::format("{:.{}g}", value, digits);
+}
+
+std::string place_of(const ExplainedStep& step) {
+    return fmt::format("{}:{}", base::one_line(std::filesystem::path(step.file).filename().string()),
+                       step.line);
+}
+
 constexpr std::string_view line_format = "{:<34} {:<24} {:>15} {:>22} {:>10} {:>11} {:>11}  {}\n";
 
 std::string line_of(const ExplainedStep& step, bool is_worst) {
-    const std::string place =
-        fmt::format("{}:{} {}", base::one_line(std::filesystem::path(step.file).filename().string()),
-                    step.line, step.function);
+    const std::string place = place_of(step) + " " + step.function;
     const std::string operation = step.component == 0
                                       ? step.operation
                                       : fmt::format("{} .{}", step.operation, "xyzw"[step.component % 4]);
     return fmt::format(
-        line_format, place, operation, fmt::format("{:.{}g}", step.value, step.digits),
-        fmt::format("{:.17g}", step.exact), fmt::format("{:.3g}", step.ulps),
-        fmt::format("{:.2e}", step.local), fmt::format("{:.2e}", step.inherited()),
+        line_format, place, operation, value_text(step.value, step.digits), value_text(step.exact, 17),
+        fmt::format("{:.3g}", step.ulps), fmt::format("{:.2e}", step.local),
+        fmt::format("{:.2e}", step.inherited()),
         permitted_text(step.permitted, step.digits) + (is_worst ? "  <-- most of the error" : ""));
 }
 
@@ -303,11 +311,16 @@ std::string to_text(const Explanation& explanation, std::size_t most) {
     for (const std::size_t i : shown) text += line_of(steps[i], i == explanation.worst);
     if (shown.size() < steps.size())
         text += fmt::format("({} of {} operations)\n", shown.size(), steps.size());
-    if (explanation.worst == steps.size()) return text + "no operation adds an error\n";
+    if (explanation.worst == steps.size()) {
+        const auto first =
+            std::ranges::find_if(steps, [](const auto& step) { return std::isnan(step.value); });
+        if (first == steps.end()) return text + "no operation adds an error\n";
+        return text + fmt::format("no operation adds an error; the first NaN is the result of {}, {}\n",
+                                  place_of(*first), first->operation);
+    }
     const ExplainedStep& worst = steps[explanation.worst];
     const bool cancels = std::abs(worst.inherited()) > std::abs(worst.local);
-    return text + fmt::format("the error in ULP grows most at {}:{}, {}: {}\n", worst.file, worst.line,
-                              worst.operation,
+    return text + fmt::format("the error in ULP grows most at {}, {}: {}\n", place_of(worst), worst.operation,
                               cancels ? "the result is small beside its operands, whose errors it keeps"
                                       : "its own rounding");
 }
