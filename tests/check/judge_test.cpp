@@ -222,6 +222,15 @@ TEST(OutcomeTest, EnoughJudgedInputsAreOk) {
     EXPECT_THAT(answer.not_judged_because(), IsEmpty());
 }
 
+TEST(OutcomeTest, AResultBetweenTwoPermittedOnesIsSaidToBe) {
+    Answer answer{.function = "atan_of_zeros"};
+    answer.worst = Sample{.got = {0}, .want = {-3.0}, .permitted = {{-3.0, 3.0, false}}, .forbidden = true};
+    const Signature signature = SignatureOf<float(float)>::describe();
+    EXPECT_THAT(describe(signature, answer), HasSubstr("3 (0x1.8p+1)], but not all in between\n"));
+    answer.worst->got = {std::bit_cast<Word>(4.0F)};
+    EXPECT_THAT(describe(signature, answer), HasSubstr("3 (0x1.8p+1)]\n"));
+}
+
 TEST(OutcomeTest, TooFewAreNotJudged) {
     const Answer answer = answer_of({.inputs = 100, .recorded = 70, .open = 6});
     EXPECT_EQ(answer.outcome(), Outcome::not_judged);

@@ -169,7 +169,8 @@ TEST_F(OwnFile, ExplainNamesTheLineWhereTheErrorEnters) {
     EXPECT_THAT(result, testing::ContainsRegex("own.glsl:5 own_root +OpFSub.*most of the error"));
     EXPECT_THAT(result, HasSubstr("grows most at own.glsl:5, OpFSub: "));
     EXPECT_THAT(output_of(gloam("explain {} own_root 0 1", file)),
-                testing::EndsWith("the first NaN is the result of own.glsl:4, GLSL.std.450 Sqrt\n"));
+                AllOf(Not(HasSubstr("nan")),
+                      testing::EndsWith("the first NaN is the result of own.glsl:4, GLSL.std.450 Sqrt\n")));
 }
 
 // `gloam audit FILE`.
@@ -215,7 +216,8 @@ TEST_F(AuditCommand, RunsTheWorstInputsOnADevice) {
     // The words are a call of explain, which shows the same.
     std::string words;
     for (const auto& word : finding.at("words")) words += fmt::format(" 0x{:08x}", word.get<unsigned>());
-    EXPECT_THAT(output_of(gloam("explain {} angle" + words, lit())), HasSubstr("nan"));
+    EXPECT_THAT(output_of(gloam("explain {} angle" + words, lit())),
+                HasSubstr("the first NaN is the result of lit.glsl:2, GLSL.std.450 Acos"));
     expect_could_not_run(gloam("audit {} angle --device nothing-like-it", lit()), "nothing-like-it");
 }
 
