@@ -161,6 +161,8 @@ TEST_F(OwnFile, BadInputIsNamed) {
     expect_could_not_run(gloam("explain {} own_root 1", file), "takes 2 values");
     expect_could_not_run(gloam("explain {} own_root 1 x", file), "x");
     expect_could_not_run(gloam("explain no_such.glsl f 1"), "no_such.glsl");
+    expect_could_not_run(gloam("explain"), "(gloam explain --help tells more)");
+    expect_could_not_run(gloam("chek"), "chek (gloam --help tells more)");
 }
 
 TEST_F(OwnFile, ExplainNamesTheLineWhereTheErrorEnters) {
