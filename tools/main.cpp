@@ -66,6 +66,16 @@ int fail(const std::exception& error) {
     return could_not_run;
 }
 
+// The command whose arguments are wrong, with --help.
+std::string help_of(const CLI::App& app) {
+    std::string words = "gloam";
+    for (const CLI::App* command = &app; !command->get_subcommands().empty();) {
+        command = command->get_subcommands().front();
+        words += " " + command->get_name();
+    }
+    return words + " --help";
+}
+
 int run(int argc, char** argv) {
     int status = 0;
     std::vector<std::string> arguments = gloam::cli::with_own_experiment({argv + 1, argv + argc});
@@ -106,7 +116,7 @@ int run(int argc, char** argv) {
     } catch (const CLI::CallForAllHelp& help) {
         return app.exit(help);
     } catch (const CLI::ParseError& error) {
-        complain(std::string(error.what()) + " (gloam --help tells more)");
+        complain(fmt::format("{} ({} tells more)", error.what(), help_of(app)));
         return could_not_run;
     }
     return status;

@@ -113,7 +113,9 @@ TEST_F(JudgeTest, TheCodomainHoldsWhereNothingElseIsPromised) {
     question.codomain = {-1, 3};
     EXPECT_TRUE(run(lab, question).passed());
     question.codomain = {0, 1};
-    EXPECT_TRUE(run(lab, question).failed());
+    const Answer outside = run(lab, question);
+    EXPECT_TRUE(outside.failed());
+    EXPECT_THAT(outside.story, HasSubstr("the worst result is outside the codomain [0, 1]\n"));
 }
 
 TEST_F(JudgeTest, TheCodomainHoldsForIntegers) {
@@ -218,6 +220,15 @@ TEST(OutcomeTest, EnoughJudgedInputsAreOk) {
     EXPECT_EQ(answer.judged(), 25U);
     EXPECT_EQ(answer.outcome(), Outcome::ok);
     EXPECT_THAT(answer.not_judged_because(), IsEmpty());
+}
+
+TEST(OutcomeTest, AResultBetweenTwoPermittedOnesIsSaidToBe) {
+    Answer answer{.function = "atan_of_zeros"};
+    answer.worst = Sample{.got = {0}, .want = {-3.0}, .permitted = {{-3.0, 3.0, false}}, .forbidden = true};
+    const Signature signature = SignatureOf<float(float)>::describe();
+    EXPECT_THAT(describe(signature, answer), HasSubstr("3 (0x1.8p+1)], but not all in between\n"));
+    answer.worst->got = {std::bit_cast<Word>(4.0F)};
+    EXPECT_THAT(describe(signature, answer), HasSubstr("3 (0x1.8p+1)]\n"));
 }
 
 TEST(OutcomeTest, TooFewAreNotJudged) {

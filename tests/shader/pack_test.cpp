@@ -51,6 +51,14 @@ TEST(Pack, HoldsEachFileOnceInAnyOrder) {
     }
 }
 
+TEST(Pack, AFileThatAnotherOneIncludesFirstIsStillGiven) {
+    const Source first{"first", "#include \"math/neighbour.glsl\"\nfloat one() { return fx_square(1.0); }\n"};
+    const std::filesystem::path second = fixture("math/neighbour.glsl");
+    EXPECT_THAT(pack({first}, {}, {FIXTURES}), Not(HasSubstr("fx_cube")));
+    EXPECT_EQ(count_of(pack({first, {second.string(), read_text(second)}}, {}, {FIXTURES}), "float fx_cube("),
+              1U);
+}
+
 // A condition is decided for the version that is asked for, a comment that shares its line with a directive
 // stays.
 TEST(Pack, DecidesConditionsAndKeepsComments) {

@@ -89,7 +89,9 @@ TEST_F(CheckSteps, ABrokenCompilerIsHandedOverWithTheFewestStepsAndAProgram) {
         EXPECT_EQ(run_program("spirv-val", words("--target-env vulkan1.2 {}", at / file)).status, 0) << file;
     EXPECT_LT(fs::file_size(at / "smallest.spv"), fs::file_size(at / "before.spv"));
     expect_reproduced_by_its_program(at);
-    EXPECT_EQ(run_program(at / "repro", {"no such device"}).status, 2);
+    const CommandResult nowhere = run_program(at / "repro", {"no such device"});
+    EXPECT_EQ(nowhere.status, 2);
+    EXPECT_THAT(nowhere.err, AllOf(HasSubstr("contains \"no such device\""), HasSubstr("VK_DRIVER_FILES")));
 }
 
 TEST_F(CheckSteps, TheProgramHasTheImagesOfSamplers) {

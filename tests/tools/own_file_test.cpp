@@ -161,13 +161,18 @@ TEST_F(OwnFile, BadInputIsNamed) {
     expect_could_not_run(gloam("explain {} own_root 1", file), "takes 2 values");
     expect_could_not_run(gloam("explain {} own_root 1 x", file), "x");
     expect_could_not_run(gloam("explain no_such.glsl f 1"), "no_such.glsl");
+    expect_could_not_run(gloam("explain"), "(gloam explain --help tells more)");
+    expect_could_not_run(gloam("chek"), "chek (gloam --help tells more)");
 }
 
 TEST_F(OwnFile, ExplainNamesTheLineWhereTheErrorEnters) {
     const std::string result = output_of(gloam("explain {} own_root 1 1e-4", file));
     EXPECT_THAT(result, testing::ContainsRegex("own.glsl:4 own_root +OpFMul"));
     EXPECT_THAT(result, testing::ContainsRegex("own.glsl:5 own_root +OpFSub.*most of the error"));
-    EXPECT_THAT(result, HasSubstr("grows most at"));
+    EXPECT_THAT(result, HasSubstr("grows most at own.glsl:5, OpFSub: "));
+    EXPECT_THAT(output_of(gloam("explain {} own_root 0 1", file)),
+                AllOf(Not(HasSubstr("nan")),
+                      testing::EndsWith("the first NaN is the result of own.glsl:4, GLSL.std.450 Sqrt\n")));
 }
 
 // `gloam audit FILE`.
@@ -213,7 +218,8 @@ TEST_F(AuditCommand, RunsTheWorstInputsOnADevice) {
     // The words are a call of explain, which shows the same.
     std::string words;
     for (const auto& word : finding.at("words")) words += fmt::format(" 0x{:08x}", word.get<unsigned>());
-    EXPECT_THAT(output_of(gloam("explain {} angle" + words, lit())), HasSubstr("nan"));
+    EXPECT_THAT(output_of(gloam("explain {} angle" + words, lit())),
+                HasSubstr("the first NaN is the result of lit.glsl:2, GLSL.std.450 Acos"));
     expect_could_not_run(gloam("audit {} angle --device nothing-like-it", lit()), "nothing-like-it");
 }
 
@@ -231,7 +237,9 @@ TEST_F(AuditCommand, WritesAPage) {
 TEST_F(AuditCommand, RefusesWhatItCannotAudit) {
     expect_could_not_run(gloam("audit {}", path("missing.glsl").string()), "missing.glsl");
     expect_could_not_run(gloam("audit {} none", lit()), "no function none; it defines: angle, curve");
-    expect_could_not_run(gloam("audit {} --range y=0:1", lit()), "no parameter has this name");
+    expect_could_not_run(gloam("audit {} --range y=0:1", lit()), "no parameter has this name, only: l, n, x");
+    expect_could_not_run(gloam("audit {}", write("main.frag", "void main() {}\n")),
+                         "nothing was audited: it defines no function but main");
     expect_could_not_run(gloam("audit {} --range x=1", lit()), "expected NAME=LOW:HIGH");
     expect_could_not_run(gloam("audit {} --inputs 1", lit()), "--inputs");
     expect_could_not_run(gloam("audit {} --html {}", lit(), "/no/such/folder/a.html"), "/no/such/folder");

@@ -209,6 +209,7 @@ TEST_F(Failures, AWrongResultIsHandedOverWhole) {
         EXPECT_THAT(text("report.txt"), HasSubstr("want 0.5"));
         EXPECT_THAT(text("shader.comp"), HasSubstr("float gloam_radical_inverse_base2(uint index)"));
         EXPECT_THAT(text("repro.amber"), HasSubstr("EXPECT floats IDX 0 GE 0.500000000"));
+        EXPECT_THAT(text("repro.c"), testing::ContainsRegex("#define FOUND_ON \"[^\"]+\"\n"));
         expect_valid(folder() / "shader.spv");
         expect_assembles(folder() / "shader.spvasm");
     }

@@ -44,7 +44,8 @@ class AuditedFile {
             fmt::print("{}\n", base::one_line(fmt::format("{}: {} was left out: {}", command.file.string(),
                                                           function.name, function.why)));
         if (functions().empty())
-            throw std::runtime_error(fmt::format("{}: nothing was audited", command.file.string()));
+            throw std::runtime_error(fmt::format("{}: nothing was audited: {}", command.file.string(),
+                                                 why_nothing(own_.functions.left_out)));
     }
 
     [[nodiscard]] const std::vector<check::OwnFunction>& functions() const { return own_.functions.found; }

@@ -13,6 +13,7 @@
 #include "base/text.hpp"
 #include "check/answer.hpp"
 #include "check/interpreted_kernel.hpp"
+#include "check/scalars.hpp"
 #include "numeric/numbers.hpp"
 #include "numeric/paths.hpp"
 
@@ -51,22 +52,26 @@ std::string numbers_text(const std::vector<Scalar>& scalars, const std::vector<d
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-// The bounds of each output; empty if there are none.
-std::string permitted_text(const std::vector<Scalar>& scalars,
-                           const std::vector<numeric::Bounds>& permitted) {
+// The bounds of each output; empty if there are none. What is permitted may lie at both ends alone: pi or
+// -pi, where a zero may lose its sign.
+std::string permitted_text(const std::vector<Scalar>& scalars, const Sample& sample) {
+    const std::vector<numeric::Bounds>& permitted = sample.permitted;
     if (permitted.empty()) return {};
+    bool between = sample.forbidden;
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < permitted.size(); ++i) {
         const numeric::Bounds& bounds = permitted[i];
         if (i < scalars.size() && scalars[i] == Scalar::upper) continue;
         const numeric::Bounds& next = permitted[std::min(i + 1, permitted.size() - 1)];
+        between = between && bounds.contains(number_at(scalars, sample.got, i));
         const std::string range = bounds.empty()
                                       ? std::string("nothing but NaN")
                                       : fmt::format("[{}, {}]", number_text(scalars, i, bounds.low, next.low),
                                                     number_text(scalars, i, bounds.high, next.high));
         texts.push_back(bounds.nan && !bounds.empty() ? range + " or NaN" : range);
     }
-    return fmt::format("    permitted {}\n", fmt::join(texts, ", "));
+    return fmt::format("    permitted {}{}\n", fmt::join(texts, ", "),
+                       between ? ", but not all in between" : "");
 }
 
 std::string sample_text(const Signature& signature, const Sample& sample) {
@@ -75,7 +80,7 @@ std::string sample_text(const Signature& signature, const Sample& sample) {
         sample.index, name_of(sample.input_class), sample.scenario.empty() ? "" : ", images ",
         sample.scenario, sample.values, words_text(signature.output_scalars(), sample.got),
         numbers_text(signature.output_scalars(), sample.want),
-        permitted_text(signature.output_scalars(), sample.permitted), sample.ulp, sample.absolute);
+        permitted_text(signature.output_scalars(), sample), sample.ulp, sample.absolute);
 }
 
 }  // namespace
@@ -219,20 +224,47 @@ std::string permitted_text(const numeric::Bounds& bounds, int digits) {
                        bounds.nan ? " or NaN" : "");
 }
 
+// The sign of a NaN means nothing.
+std::string value_text(double value, int digits) {
+    return std::isnan(value) ? "NaN" : fmt::format("{:.{}g}", value, digits);
+}
+
+std::string share_text(double error) {
+    return std::isnan(error) ? "NaN" : fmt::format("{:.2e}", error);
+}
+
+std::string place_of(const ExplainedStep& step) {
+    return fmt::format("{}:{}", base::one_line(std::filesystem::path(step.file).filename().string()),
+                       step.line);
+}
+
 constexpr std::string_view line_format = "{:<34} {:<24} {:>15} {:>22} {:>10} {:>11} {:>11}  {}\n";
 
 std::string line_of(const ExplainedStep& step, bool is_worst) {
-    const std::string place =
-        fmt::format("{}:{} {}", base::one_line(std::filesystem::path(step.file).filename().string()),
-                    step.line, step.function);
+    const std::string place = place_of(step) + " " + step.function;
     const std::string operation = step.component == 0
                                       ? step.operation
                                       : fmt::format("{} .{}", step.operation, "xyzw"[step.component % 4]);
     return fmt::format(
-        line_format, place, operation, fmt::format("{:.{}g}", step.value, step.digits),
-        fmt::format("{:.17g}", step.exact), fmt::format("{:.3g}", step.ulps),
-        fmt::format("{:.2e}", step.local), fmt::format("{:.2e}", step.inherited()),
+        line_format, place, operation, value_text(step.value, step.digits), value_text(step.exact, 17),
+        fmt::format("{:.3g}", step.ulps), share_text(step.local), share_text(step.inherited()),
         permitted_text(step.permitted, step.digits) + (is_worst ? "  <-- most of the error" : ""));
+}
+
+// Where the error grows most, and where the first NaN arises.
+std::string last_lines(const Explanation& explanation) {
+    const std::vector<ExplainedStep>& steps = explanation.steps;
+    std::string text = "no operation adds an error\n";
+    if (explanation.worst < steps.size()) {
+        const ExplainedStep& worst = steps[explanation.worst];
+        const bool cancels = std::abs(worst.inherited()) > std::abs(worst.local);
+        text = fmt::format(
+            "the error in ULP grows most at {}, {}: {}\n", place_of(worst), worst.operation,
+            cancels ? "the result is small beside its operands, whose errors it keeps" : "its own rounding");
+    }
+    const auto nan = std::ranges::find_if(steps, [](const auto& step) { return std::isnan(step.value); });
+    if (nan == steps.end()) return text;
+    return text + fmt::format("the first NaN is the result of {}, {}\n", place_of(*nan), nan->operation);
 }
 
 }  // namespace
@@ -303,13 +335,7 @@ std::string to_text(const Explanation& explanation, std::size_t most) {
     for (const std::size_t i : shown) text += line_of(steps[i], i == explanation.worst);
     if (shown.size() < steps.size())
         text += fmt::format("({} of {} operations)\n", shown.size(), steps.size());
-    if (explanation.worst == steps.size()) return text + "no operation adds an error\n";
-    const ExplainedStep& worst = steps[explanation.worst];
-    const bool cancels = std::abs(worst.inherited()) > std::abs(worst.local);
-    return text + fmt::format("the error in ULP grows most at {}:{}, {}: {}\n", worst.file, worst.line,
-                              worst.operation,
-                              cancels ? "the result is small beside its operands, whose errors it keeps"
-                                      : "its own rounding");
+    return text + last_lines(explanation);
 }
 
 }  // namespace gloam::check

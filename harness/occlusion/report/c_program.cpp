@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <cctype>
 #include <cmath>
 
 #include "check/kernel_code.hpp"
@@ -31,6 +32,19 @@ std::string in_comment(std::string text) {
     return text;
 }
 
+// A literal of C. A driver may give its device any name.
+std::string literal(const std::string& text) {
+    constexpr std::string_view as_it_is = " ()[]<>.,:;+-_/@#=";
+    std::string literal = "\"";
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool plain = byte < 0x80 && std::isalnum(byte) != 0;
+        literal += plain || as_it_is.find(c) != std::string_view::npos ? std::string(1, c)
+                                                                       : fmt::format("\\{:03o}", byte);
+    }
+    return literal + "\"";
+}
+
 std::string outputs_of(const KernelReplay& replay) {
     std::string text =
         "struct output {\n    int is_float;\n    double low, high;\n    int nan;\n};\n"
@@ -53,6 +67,7 @@ std::string to_c_program(const KernelReplay& replay, const std::vector<ReplayedM
     text +=
         " */\n#include <math.h>\n#include <stdint.h>\n#include <stdio.h>\n#include <stdlib.h>\n"
         "#include <string.h>\n#include <vulkan/vulkan.h>\n\n";
+    text += fmt::format("#define FOUND_ON {}\n", literal(replay.device));
     text += fmt::format("#define ROW_LENGTH {}u\n#define SPECIALIZED {}\n#define IMAGES {}\n\n",
                         check::kernel_group_size, replay.specialized ? 1 : 0, replay.images.size());
     text += array("inputs", replay.inputs);

@@ -15,6 +15,7 @@ namespace gloam::report {
 // it.
 struct KernelReplay {
     std::vector<std::string> comments;  // lines at the top: what, where, how to run
+    std::string device;                 // where it failed; empty: on none
     std::string assembly;               // SPIR-V 1.5
     std::vector<std::uint32_t> inputs;
     bool specialized = false;  // the inputs are also specialization constants, counted from 0
@@ -41,9 +42,9 @@ struct ReplayedModule {
     std::vector<std::uint32_t> words;
 };
 
-// A program in C, on the Vulkan loader alone, that runs these modules on the first device, or on one that its
-// argument names, and prints each output beside what is allowed. Its exit status is 1 if an output of the
-// first module is outside, and 2 if it could not run. Build it with `cc FILE -lvulkan -lm`.
+// A program in C, on the Vulkan loader alone, that runs these modules on the device where it failed, or on
+// one that its argument names, and prints each output beside what is allowed. Its exit status is 1 if an
+// output of the first module is outside, and 2 if it could not run. Build it with `cc FILE -lvulkan -lm`.
 [[nodiscard]] std::string to_c_program(const KernelReplay& replay,
                                        const std::vector<ReplayedModule>& modules);
 

@@ -67,6 +67,13 @@ foreach(asked 0.1 0.2 0.3 1.0)
   endif()
 endforeach()
 
+execute_process(COMMAND "${CMAKE_COMMAND}" -S "${consumer}" -B "${WORK}/alone" "-DCMAKE_PREFIX_PATH=${prefix}"
+  "-DCMAKE_CXX_COMPILER=${COMPILER}" -DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON
+  RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+if(status EQUAL 0 OR NOT output MATCHES "expected GoogleTest with")
+  message(FATAL_ERROR "expected the consumer to miss GoogleTest, exit status ${status}\n${output}")
+endif()
+
 set(flags "")
 if(SANITIZE)
   set(flags "-fsanitize=address,undefined")

@@ -2,6 +2,7 @@
 #include "cli/check/checker.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <charconv>
 #include <new>
@@ -32,13 +33,13 @@ check::Ranges ranges_from(const std::vector<std::string>& texts) {
 namespace {
 
 void require_known(const check::Ranges& ranges, const std::vector<check::OwnFunction>& functions) {
+    std::set<std::string> names;
+    for (const check::OwnFunction& own : functions)
+        for (const shader::Parameter& parameter : own.function.parameters) names.insert(parameter.name);
     for (const auto& range : ranges) {
-        const std::string& name = range.first;
-        const bool known = std::ranges::any_of(functions, [&](const check::OwnFunction& own) {
-            return std::ranges::find(own.function.parameters, name, &shader::Parameter::name) !=
-                   own.function.parameters.end();
-        });
-        if (!known) throw std::invalid_argument(fmt::format("--range {}: no parameter has this name", name));
+        if (!names.contains(range.first))
+            throw std::invalid_argument(fmt::format("--range {}: no parameter has this name, only: {}",
+                                                    range.first, fmt::join(names, ", ")));
     }
 }
 
@@ -101,6 +102,12 @@ OwnFile own_file(const std::string& file, const std::vector<std::string>& names,
     return own;
 }
 
+std::string why_nothing(const std::vector<check::LeftOut>& left_out) {
+    if (left_out.empty()) return "it defines no function but main, or its #if conditions leave none";
+    if (left_out.size() == 1) return left_out.front().name + ": " + left_out.front().why;
+    return fmt::format("all {} functions were left out", left_out.size());
+}
+
 OwnSelection own_selection(const std::vector<std::string>& words, const std::vector<std::string>& ranges,
                            const std::vector<std::string>& includes) {
     const std::string& file = words.front();
@@ -117,13 +124,9 @@ OwnSelection own_selection(const std::vector<std::string>& words, const std::vec
     }
     for (const check::OwnFunction& function : own.functions.found) selection.names.push_back(function.name);
     if (!selection.names.empty()) return selection;
-    std::string why = "it defines no function but main, or its #if conditions leave none";
-    if (left_out.size() == 1) why = left_out.front().name + ": " + left_out.front().why;
-    if (left_out.size() > 1) {
-        why = fmt::format("all {} functions were left out", left_out.size());
+    if (left_out.size() > 1)
         for (const std::string& note : selection.notes) fmt::print("{}\n", note);
-    }
-    throw std::runtime_error(fmt::format("{}: nothing was checked: {}", file, why));
+    throw std::runtime_error(fmt::format("{}: nothing was checked: {}", file, why_nothing(left_out)));
 }
 
 check::Question own_question(const check::Lab& lab, const CheckTask& task) {

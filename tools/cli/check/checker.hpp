@@ -54,6 +54,9 @@ struct OwnFile {
                                const std::vector<std::string>& ranges,
                                const std::vector<std::string>& includes);
 
+// Why nothing is left of a file of which these functions were left out.
+[[nodiscard]] std::string why_nothing(const std::vector<check::LeftOut>& left_out);
+
 // What `gloam check FILE [FUNCTION...]` checks.
 struct OwnSelection {
     std::vector<std::string> names;

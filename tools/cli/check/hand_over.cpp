@@ -16,6 +16,7 @@
 #include "backend/sampled.hpp"
 #include "base/text.hpp"
 #include "check/answer.hpp"
+#include "check/lab.hpp"
 #include "check/reproduction.hpp"
 #include "cli/check/smallest_module.hpp"
 #include "numeric/numbers.hpp"
@@ -64,14 +65,16 @@ std::vector<check::Word> encoded(const std::vector<check::Word>& image) {
 }
 
 report::KernelReplay replay_of(const check::Reproduction& all, const check::Question& question,
-                               const CheckTask& task, const std::string& device, const std::string& how) {
+                               const CheckTask& task, const backend::DeviceInfo& device,
+                               const std::string& how) {
     report::KernelReplay replay{
         .assembly = all.assembly, .inputs = all.inputs, .specialized = all.specialized};
     replay.comments = {fmt::format("{}: {} of {}, variant {}", task.equation, question.function,
                                    question.file, task.variant),
-                       fmt::format("Found on: {}", device),
+                       fmt::format("Found on: {} ({})", device.name, device.driver),
                        fmt::format("Input: {}", check::describe_inputs(question.signature, all.inputs)),
                        "Run it with: " + how};
+    if (device.name != check::interpreter_name) replay.device = device.name;
     if (!all.scenario.empty()) replay.comments.push_back("Images: " + all.scenario);
     for (const check::Reproduction::ImageBuffer& image : all.images)
         replay.images.push_back({.name = image.name,
@@ -188,7 +191,7 @@ HandOverRequest request_for(const CheckTask& task, const check::Answer& row) {
 HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
                         const HandOverRequest& request, const check::RunOptions& options) {
     const check::Reproduction all = reproduction_of(lab, question, request, options);
-    const std::string device = lab.info().name + " (" + lab.info().driver + ")";
+    const backend::DeviceInfo& device = lab.info();
     // The scripts have storage buffers and no images; the program has images for samplers as well.
     const bool has_images = std::ranges::any_of(all.images, &check::Reproduction::ImageBuffer::bound);
     const bool has_layers =

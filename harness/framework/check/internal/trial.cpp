@@ -10,6 +10,7 @@
 
 #include "check/explain.hpp"
 #include "check/internal/budget_judge.hpp"
+#include "check/scalars.hpp"
 
 namespace gloam::check::internal {
 Trial::Trial(const Lab& lab, const Question& question, const KernelCore& kernel,
@@ -131,11 +132,28 @@ std::string explanation_of(const Lab& lab, const Question& question, const Sampl
     }
 }
 
+// Why a result has an infinite error although it is finite. NaN is outside every codomain, and says so
+// itself.
+std::string codomain_text(const Question& question, const Sample& sample) {
+    const std::vector<shader::Scalar> scalars = question.signature.output_scalars();
+    const Codomain& range = question.codomain;
+    for (std::size_t i = 0; i < sample.got.size(); ++i) {
+        if (scalars[i] == shader::Scalar::bool_ || scalars[i] == shader::Scalar::upper) continue;
+        const double value = number_at(scalars, sample.got, i);
+        if (value < range.low || value > range.high)
+            return fmt::format("  the worst result is outside the codomain [{}, {}]\n", range.low,
+                               range.high);
+    }
+    return {};
+}
+
 }  // namespace
 
 void tell_story(const Lab& lab, const Question& question, std::uint64_t seed, Answer& answer) {
     if (!answer.failed()) return;
     answer.story = describe(question.signature, answer);
+    if (answer.worst && answer.verdict == Verdict::budget)
+        answer.story += codomain_text(question, *answer.worst);
     if (answer.outside() > 0 && answer.worst)
         answer.story += explanation_of(lab, question, *answer.worst, seed);
 }

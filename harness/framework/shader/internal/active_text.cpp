@@ -126,6 +126,14 @@ std::string added(ActiveText& all, Source source, const IncludeFolders& folders)
     return marked(file, all.files.size() - 1, folders);
 }
 
+// The number of this file among those given; all.given: it is none of them.
+std::size_t given_as(const ActiveText& all, const std::filesystem::path& path) {
+    const std::string name = std::filesystem::absolute(path).lexically_normal().string();
+    std::size_t file = 0;
+    while (file < all.given && all.files[file].name != name) ++file;
+    return file;
+}
+
 // The number at the front, which goes, and the '_' behind it.
 std::size_t take_number(std::string_view& text) {
     std::size_t number = 0;
@@ -160,6 +168,9 @@ ActiveText active_text(std::vector<Source> given, Language language, Stage stage
         pieces.push_back({name, added(all, std::move(source), folders)});
     }
     Includer includer(folders, [&](const std::filesystem::path& path, std::string text) {
+        // A file that another one includes first is still one of those given.
+        const std::size_t same = given_as(all, path);
+        if (same < all.given) return marked(all.files[same], same, folders);
         return added(all, {path.string(), std::move(text)}, folders);
     });
     const std::string text = preprocessed(pieces, stage, client_of(language), includer);

@@ -156,7 +156,7 @@ const std::vector<OwnValue>& own_values() {
 }
 
 const OwnValue& own_value_of(std::string_view method) {
-    return named(own_values(), method, "method");
+    return named(own_values(), method, "own value of the method");
 }
 
 std::optional<Estimate> own_value(const scene::ClosedFormView& view, const Settings& settings,

@@ -33,7 +33,13 @@ static void open_device(const char *wanted) {
         if (strstr(properties.deviceName, wanted) != NULL) physical = all[i];
     }
     if (physical == VK_NULL_HANDLE) {
-        fprintf(stderr, "no Vulkan device whose name contains \"%s\"\n", wanted);
+        fprintf(stderr, "no Vulkan device whose name contains \"%s\", expected one of these names as argument:\n",
+                wanted);
+        for (uint32_t i = 0; i < count; ++i) {
+            vkGetPhysicalDeviceProperties(all[i], &properties);
+            fprintf(stderr, "    %s\n", properties.deviceName);
+        }
+        fprintf(stderr, "or in VK_DRIVER_FILES the manifest of a driver that the Vulkan loader does not look for\n");
         exit(2);
     }
     printf("device: %s, driver version 0x%x\n", properties.deviceName, (unsigned)properties.driverVersion);
@@ -371,7 +377,7 @@ static int run_module(const struct module *module) {
 /* PROGRAM [PART OF A DEVICE'S NAME]: exit status 1 if an output of the first module is outside, 2 if it could
    not run. */
 int main(int argc, char **argv) {
-    open_device(argc > 1 ? argv[1] : "");
+    open_device(argc > 1 ? argv[1] : FOUND_ON);
     int outside = 0;
     for (size_t i = 0; i < COUNT(modules); ++i) {
         const int here = run_module(&modules[i]);
