@@ -13,7 +13,9 @@ mat3 gloam_tangent_frame(vec3 n) {
     float side = n.z < 0.0 ? -1.0 : 1.0;
     float a = -1.0 / (side + n.z);
     float b = n.x * n.y * a;
-    vec3 tangent = vec3(1.0 + side * n.x * n.x * a, side * b, -side * n.x);
+    // A name for the product: NVIDIA's OpenGL 580 negates the bits of -side * n.x as an integer.
+    float x = side * n.x;
+    vec3 tangent = vec3(1.0 + x * n.x * a, side * b, -x);
     vec3 bitangent = vec3(b, side + n.y * n.y * a, -n.y);
     return mat3(tangent, bitangent, n);
 }

@@ -79,7 +79,7 @@ void AmbientOcclusion::Impl::decide() {
     moment.moved = progress.history_lags();
     moment.settled = progress.settled();
     moment.filtered = filters(moment.settings, progress.frames_since_cut());
-    moment.listed = selects_tiles(moment.settings) && listing.due(moment.moved);
+    moment.listed = selects_tiles(moment.settings) && moment.settings.history && listing.due(moment.moved);
     moment.finds_open = moment.listed && open_search.searches(moment.watches());
     moment.searches_open = moment.finds_open && !open_search.known();
     moment.tabulated = tabulated.missing();
