@@ -63,11 +63,10 @@ struct GloamSliceAxes {
 // there. Error: 3e-6 where (axis . normal)^2 < 0.9; 3e-4 beyond.
 GloamSliceAxes gloam_slice_axes(GloamSlice slice, vec3 normal) {
     vec3 axis = cross(slice.tangent, slice.view);
-    float turned = dot(axis, normal);
-    float steep = 1.0 - turned * turned;
-    vec3 across = steep > 1e-3 ? (axis - turned * normal) / steep : axis;
-    return GloamSliceAxes(slice.view - dot(across, slice.view) * axis,
-                          slice.tangent - dot(across, slice.tangent) * axis);
+    vec2 part = vec2(dot(normal, slice.view), dot(normal, slice.tangent));
+    float squared = dot(part, part);  // 1 - (axis . normal)^2
+    vec2 moved = squared > 1e-3 ? part * (dot(axis, normal) / squared) : vec2(0.0);
+    return GloamSliceAxes(slice.view + moved.x * axis, slice.tangent + moved.y * axis);
 }
 
 #endif

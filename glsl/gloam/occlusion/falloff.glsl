@@ -3,6 +3,7 @@
 #define GLOAM_OCCLUSION_FALLOFF_GLSL
 
 #include "gloam/numeric/constants.glsl"
+#include "gloam/numeric/precise.glsl"
 
 // Weight of a hit by its distance (the D of TSSAO-1): 1 at the shaded point, 0 at the radius of influence. All
 // functions use the magnitude of the distance and return 0 for NaN. With a radius that is zero, subnormal, negative or
@@ -22,7 +23,9 @@ float gloam_falloff_linear(float hit_distance, float radius) {
     float scale =
         radius > 1.8446744e19 ? 5.421010862427522e-20 : (radius < 5.421010862427522e-20 ? 1.8446744073709552e19 : 1.0);
     float r = radius * scale;
-    return min((r - d * scale) / r, 1.0);
+    // In this order: 1 - d / r loses the digits of a small difference.
+    GLOAM_PRECISE float left = (r - d * scale) / r;
+    return min(left, 1.0);
 }
 
 // quadratic falloff (FALLOFF-quadratic): `D = max(1 - d^2 / R^2, 0)` [horizon-based AO, Bavoil and Sainz 2008].
