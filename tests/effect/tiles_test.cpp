@@ -128,9 +128,10 @@ layout(local_size_x = 8, local_size_y = 8) in;
 void main() {
     uvec2 at = gl_GlobalInvocationID.xy;
     uvec2 tiles = tiles_of(ivec2(37, 22));
-    if (at.x >= tiles.x || at.y >= tiles.y) return;
-    if ((at.x + at.y) % 2u == 0u) append(OPEN_TILES, at, tiles);
-    if (at.x < 3u && at.y == 1u) append(FILTERED_Y_TILES, at, tiles);
+    bool inside = at.x < tiles.x && at.y < tiles.y;
+    uint open = inside && (at.x + at.y) % 2u == 0u ? IN_LIST << OPEN_TILES : 0u;
+    uint filtered = inside && at.x < 3u && at.y == 1u ? IN_LIST << FILTERED_Y_TILES : 0u;
+    append_group(open | filtered, at, tiles);
 }
 )";
 

@@ -42,10 +42,10 @@ void add_group(uint which) {
     }
 }
 
-// Adds the invocation's tile to lists and counts. All invocations of the group must call it: the group asks for its
-// places at once, because a GPU takes additions to one number one after the other.
-// places: where the tile goes, 0 for none. tiles: of the image, along x and y.
-void append(uint places, uvec2 tile, uvec2 tiles) {
+// Adds the tiles of a group to lists and counts. All its invocations must call it: the group asks for its places
+// at once, because a GPU takes additions to one number one after the other.
+// places: where the tile of the invocation goes, 0 for none. tiles: of the image, along x and y.
+void append_group(uint places, uvec2 tile, uvec2 tiles) {
     uint invocation = gl_LocalInvocationIndex;
     if (invocation < COUNTERS) group_tiles[invocation] = 0u;
     barrier();

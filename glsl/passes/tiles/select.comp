@@ -72,5 +72,5 @@ void main() {
     uvec2 tiles = tiles_of(parameters.size);
     uvec2 at = gl_GlobalInvocationID.xy;
     bool inside = at.x < tiles.x && at.y < tiles.y;
-    append(inside ? places_of(at, at.y * tiles.x + at.x) : 0u, at, tiles);
+    append_group(inside ? places_of(at, at.y * tiles.x + at.x) : 0u, at, tiles);
 }

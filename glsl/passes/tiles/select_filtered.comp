@@ -66,5 +66,5 @@ void main() {
     ivec2 tiles = ivec2(tiles_of(parameters.size));
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
     bool inside = at.x < tiles.x && at.y < tiles.y;
-    append(inside ? places_of(at, tiles) : 0u, uvec2(at), uvec2(tiles));
+    append_group(inside ? places_of(at, tiles) : 0u, uvec2(at), uvec2(tiles));
 }

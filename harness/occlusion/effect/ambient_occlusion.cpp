@@ -79,8 +79,11 @@ void AmbientOcclusion::Impl::decide() {
     moment.moved = progress.history_lags();
     moment.settled = progress.settled();
     moment.filtered = filters(moment.settings, progress.frames_since_cut());
-    moment.listed = selects_tiles(moment.settings) && moment.settings.history && listing.due(moment.moved);
-    moment.finds_open = moment.listed && open_search.searches(moment.watches());
+    // Before the first frame nothing is known that a list could leave out, except by a search.
+    const bool searches = open_search.searches(moment.watches());
+    const bool known = searches || progress.frames_since_cut() > 0;
+    moment.listed = selects_tiles(moment.settings) && known && listing.due(moment.moved);
+    moment.finds_open = moment.listed && searches;
     moment.searches_open = moment.finds_open && !open_search.known();
     moment.tabulated = tabulated.missing();
     plan.passes = planned_passes(moment, plan);
