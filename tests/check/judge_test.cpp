@@ -226,9 +226,9 @@ TEST(OutcomeTest, AResultBetweenTwoPermittedOnesIsSaidToBe) {
     Answer answer{.function = "atan_of_zeros"};
     answer.worst = Sample{.got = {0}, .want = {-3.0}, .permitted = {{-3.0, 3.0, false}}, .forbidden = true};
     const Signature signature = SignatureOf<float(float)>::describe();
-    EXPECT_THAT(describe(signature, answer), HasSubstr("3 (0x1.8p+1)], but not all in between\n"));
-    answer.worst->got = {std::bit_cast<Word>(4.0F)};
-    EXPECT_THAT(describe(signature, answer), HasSubstr("3 (0x1.8p+1)]\n"));
+    EXPECT_THAT(describe(signature, answer), HasSubstr("permitted [-3 (-0x1.8p+1), 3 (0x1.8p+1)]\n"));
+    answer.worst->outcomes = {{numeric::Bounds::point(-3.0)}, {numeric::Bounds::point(3.0)}};
+    EXPECT_THAT(describe(signature, answer), HasSubstr("permitted -3 (-0x1.8p+1); or 3 (0x1.8p+1)\n"));
 }
 
 TEST(OutcomeTest, TooFewAreNotJudged) {

@@ -29,9 +29,11 @@ TEST(Reproduction, AFailureComesWithItsSimplestInputAndAShaderOfItsOwn) {
     EXPECT_EQ(all.inputs, (std::vector<Word>{0U, to_word(1.0F)}));  // at the centre, radius 1
     ASSERT_TRUE(all.failure);
     EXPECT_EQ(all.failure->inputs, all.inputs);
-    ASSERT_EQ(all.allowed.size(), 1U);
-    EXPECT_FALSE(all.allowed[0].contains(static_cast<double>(from_word<float>(all.failure->got[0]))));
-    EXPECT_TRUE(all.allowed[0].contains(1.0));
+    ASSERT_EQ(all.outcomes.size(), 1U);
+    EXPECT_EQ(all.failure->permitted, all.outcomes.front());
+    const Bounds allowed = all.outcomes.front().at(0);
+    EXPECT_FALSE(allowed.contains(static_cast<double>(from_word<float>(all.failure->got[0]))));
+    EXPECT_TRUE(allowed.contains(1.0));
 
     EXPECT_EQ(all.glsl.find("#include"), std::string::npos);
     EXPECT_TRUE(all.glsl.starts_with("#version 450\n"));
@@ -60,7 +62,7 @@ TEST(Reproduction, WithoutRunningThereIsTheFirstInput) {
     const Reproduction all = reproduce(lab, wrong_weight(), {.inputs = 1000});
     EXPECT_EQ(all.inputs.size(), 2U);
     EXPECT_FALSE(all.failure);
-    EXPECT_TRUE(all.allowed.empty());
+    EXPECT_TRUE(all.outcomes.empty());
     EXPECT_EQ(all.outputs.size(), 1U);
 }
 
@@ -111,13 +113,14 @@ TEST(Reproduction, AnAccessOutsideAnImageComesWithTheImageAndThePixel) {
     EXPECT_EQ(from_word<float>(all.images[0].words[8]), 12.0F);
 }
 
-TEST(AllowedOutputs, AreTheBudgetAroundTheReference) {
+TEST(AllowedOutcomes, AreTheBudgetAroundTheReference) {
     const Question question{.signature = SignatureOf<float(float)>::describe(),
                             .reference = make_reference<float(float)>([](double x) { return x; }),
                             .budget = {.ulp = 2, .absolute = 1e-9},
                             .codomain = {.low = 0.0, .high = 1.0}};
     const auto allowed = [&](const Question& by, float x) {
-        return allowed_outputs(by, {}, {.inputs = {to_word(x)}, .want = {static_cast<double>(x)}}).at(0);
+        const Sample sample{.inputs = {to_word(x)}, .want = {static_cast<double>(x)}};
+        return allowed_outcomes(by, {}, sample).at(0).at(0);
     };
     const double ulp = std::ldexp(1.0, -24);  // between 0.5 and 1
     EXPECT_EQ(allowed(question, 0.75F), (Bounds{0.75 - 2 * ulp, 0.75 + 2 * ulp, false}));
@@ -131,13 +134,29 @@ TEST(AllowedOutputs, AreTheBudgetAroundTheReference) {
     EXPECT_EQ(allowed(elsewhere, 0.75F), (Bounds{0.0, 1.0, false}));
 }
 
-TEST(AllowedOutputs, SpecialsAndIntegersAreExact) {
+// One that the rules permit fails by what the function documents for it.
+TEST(AllowedOutcomes, AreThoseOfTheRulesWhereTheyForbidTheResult) {
+    const Question question{.signature = SignatureOf<float(float)>::describe(),
+                            .reference = make_reference<float(float)>([](double x) { return x; }),
+                            .budget = {.ulp = 0}};
+    Sample sample{.inputs = {to_word(0.75F)},
+                  .want = {0.75},
+                  .permitted = {{.low = 0.5, .high = 1.0, .nan = false}},
+                  .outcomes = {}};
+    EXPECT_EQ(allowed_outcomes(question, {}, sample), (std::vector<Sample::Outcome>{{Bounds::point(0.75)}}));
+    sample.forbidden = true;
+    EXPECT_EQ(allowed_outcomes(question, {}, sample), (std::vector<Sample::Outcome>{sample.permitted}));
+    sample.outcomes = {{Bounds::point(0.5)}, {Bounds::point(1.0)}};
+    EXPECT_EQ(allowed_outcomes(question, {}, sample), sample.outcomes);
+}
+
+TEST(AllowedOutcomes, SpecialsAndIntegersAreExact) {
     const Question question{
         .signature = SignatureOf<void(Out<float>, Out<float>, Out<int>)>::describe(),
         .reference = [](const ImageSet&, std::span<const Word>,
                         std::vector<double>& outputs) { outputs = {NAN, INFINITY, -3.0}; },
         .budget = {.ulp = 2}};
-    const std::vector<Bounds> allowed = allowed_outputs(question, {}, {.want = {NAN, INFINITY, -3.0}});
+    const std::vector<Bounds> allowed = allowed_outcomes(question, {}, {.want = {NAN, INFINITY, -3.0}}).at(0);
     ASSERT_EQ(allowed.size(), 3U);
     EXPECT_TRUE(allowed[0].empty() && allowed[0].nan);
     EXPECT_EQ(allowed[1], Bounds::point(INFINITY));

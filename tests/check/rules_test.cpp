@@ -11,6 +11,7 @@
 namespace gloam::check::rules_test {
 
 using glm::vec3;
+using numeric::Bounds;
 
 class RulesTest : public testing::Test {
   protected:
@@ -129,6 +130,36 @@ TEST_F(TamperedTest, AFailureTellsWhatWasPermitted) {
     EXPECT_TRUE(answer.worst->forbidden);
     EXPECT_THAT(describe(SignatureOf<float(float, float)>::describe(), answer),
                 AllOf(HasSubstr("permitted [2.99999"), HasSubstr("Vulkan's precision rules")));
+}
+
+// Each half is one of the two beside 1.0003.
+TEST_F(TamperedTest, AFailureHasEachOutcome) {
+    const Domain input{constant(1.0003F), constant(0.0F)};
+    const Answer answer = moved("strict", "as_half", input, 100);
+    ASSERT_TRUE(answer.worst);
+    const Sample& one = *answer.worst;
+    EXPECT_EQ(one.outcomes,
+              (std::vector<Sample::Outcome>{{Bounds::point(1.0)}, {Bounds::point(1.0 + 0x1p-10)}}));
+    EXPECT_EQ(one.permitted, (Sample::Outcome{{.low = 1.0, .high = 1.0 + 0x1p-10, .nan = false}}));
+    EXPECT_THAT(describe(SignatureOf<float(float, float)>::describe(), answer),
+                HasSubstr("permitted 1 (0x1p+0); or 1.00097656 (0x1.004p+0)\n"));
+    EXPECT_THAT(moved("strict", "quotient", input, 9).worst->outcomes, IsEmpty()) << "there is one";
+}
+
+TEST_F(TamperedTest, OfManyOutcomesNeighboursAreMergedButNotAroundAForbiddenResult) {
+    const Answer answer = moved("strict", "whole_power", {constant(9.0F), constant(0.0F)}, 1);
+    ASSERT_TRUE(answer.worst) << answer;
+    const auto got = static_cast<double>(from_word<float>(answer.worst->got.front()));
+    const Bounds all = answer.worst->permitted.front();
+    EXPECT_TRUE(all.contains(got));
+    EXPECT_EQ(answer.worst->outcomes.size(), Sample::most_outcomes);
+    EXPECT_GT(all.high - all.low, Sample::most_outcomes);
+    for (double permitted = all.low; permitted <= all.high; ++permitted)
+        EXPECT_TRUE(std::ranges::any_of(answer.worst->outcomes, [=](const Sample::Outcome& outcome) {
+            return outcome.front().contains(permitted);
+        })) << permitted;
+    for (const Sample::Outcome& outcome : answer.worst->outcomes)
+        EXPECT_FALSE(outcome.front().contains(got)) << outcome.front().low << " " << outcome.front().high;
 }
 
 TEST_F(TamperedTest, WhatIsForbiddenFailsHoweverWideTheBudgetIs) {

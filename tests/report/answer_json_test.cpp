@@ -59,6 +59,18 @@ TEST(AnswerJson, SaysTheOutcomeAndHowManyInputsWereJudged) {
     EXPECT_THAT(to_json(failing_row()), HasSubstr("\"outcome\":\"failed\""));
 }
 
+TEST(AnswerJson, SeveralOutcomesAreListedBesideTheirHull) {
+    check::Answer row = failing_row();
+    EXPECT_THAT(to_json(row), Not(HasSubstr("\"outcomes\"")));
+    row.worst->outcomes = {{numeric::Bounds::point(0.0)}, {{.low = 0.25, .high = 0.25, .nan = true}}};
+    const std::string text = to_json(row);
+    EXPECT_THAT(text, HasSubstr("\"allowed\":[{\"low\":0.0,\"high\":0.25,\"nan\":true}]"));
+    EXPECT_EQ(answer_from_json(text).worst->outcomes, row.worst->outcomes);
+    row.worst->outcomes.back().push_back(numeric::Bounds::point(0.0));
+    EXPECT_THAT([&] { (void)answer_from_json(to_json(row)); },
+                says("worst.outcomes[1]: expected a range for each of \"allowed\""));
+}
+
 // Files of earlier versions do not say the outcome.
 TEST(AnswerJson, TheOutcomeFollowsFromTheCounts) {
     std::string text = to_json(unjudged_row("A"));

@@ -1,35 +1,62 @@
 // SPDX-License-Identifier: MIT
 #include "report/failures.hpp"
-#include "report/rows.hpp"
+#include "support/test.hpp"
 
 namespace gloam::report::failures_test {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-KernelReplay replay(std::vector<KernelReplay::Output> outputs) {
-    return {.comments = {"a comment"},
-            .assembly = "; SPIR-V\nOpName %BLEND \"BLEND\"\n",
-            .inputs = {0x3f800000U, 7U},
-            .images = {},
-            .outputs = std::move(outputs)};
+struct Expected {
+    KernelReplay::Output output;
+    numeric::Bounds allowed;
+};
+
+KernelReplay replay(const std::vector<Expected>& all) {
+    KernelReplay made{.comments = {"a comment"},
+                      .assembly = "; SPIR-V\nOpName %BLEND \"BLEND\"\n",
+                      .inputs = {0x3f800000U, 7U},
+                      .images = {},
+                      .outputs = {},
+                      .outcomes = {{}}};
+    for (const Expected& one : all) {
+        made.outputs.push_back(one.output);
+        made.outcomes.front().push_back(one.allowed);
+    }
+    return made;
 }
 
-KernelReplay::Output number(double low, double high, bool nan = false) {
-    return {.is_float = true, .allowed = {{.low = low, .high = high, .nan = nan}}, .comment = "c"};
+Expected number(double low, double high, bool nan = false) {
+    return {{.is_float = true, .found = 0x7fc00000U, .comment = "c"}, {.low = low, .high = high, .nan = nan}};
 }
 
-KernelReplay::Output integer(double value) {
-    return {.is_float = false, .allowed = {{.low = value, .high = value}}, .comment = "c"};
+Expected integer(double low, double high) {
+    return {{.is_float = false, .found = 99U, .comment = "c"}, {.low = low, .high = high, .nan = false}};
+}
+Expected integer(double value) {
+    return integer(value, value);
 }
 
-// The EXPECT lines, and nothing else.
-std::vector<std::string> expectations(const KernelReplay::Output& output) {
-    std::istringstream lines(to_amber(replay({output})));
+// A number and an integer that are permitted together: 0 and 1, or 1 and 2, or 4 and 1.
+KernelReplay three_outcomes(float found, std::uint32_t integer_found) {
+    KernelReplay made = replay({number(0, 0), integer(1)});
+    made.outcomes.push_back({numeric::Bounds::point(1), numeric::Bounds::point(2)});
+    made.outcomes.push_back({numeric::Bounds::point(4), numeric::Bounds::point(1)});
+    made.outputs[0].found = std::bit_cast<std::uint32_t>(found);
+    made.outputs[1].found = integer_found;
+    return made;
+}
+
+// The EXPECT lines for the first output, and nothing else.
+std::vector<std::string> expectations(const KernelReplay& of) {
+    std::istringstream lines(to_amber(of));
     std::vector<std::string> found;
     for (std::string line; std::getline(lines, line);) {
         if (line.starts_with("EXPECT") && line.find(" IDX 0 ") != std::string::npos) found.push_back(line);
     }
     return found;
+}
+std::vector<std::string> expectations(const Expected& output) {
+    return expectations(replay({output}));
 }
 
 // A check of the script's grammar, as far as to_amber() uses it: every name is declared once before it is
@@ -170,6 +197,29 @@ TEST(Amber, IntegersAreExactWords) {
     EXPECT_THAT(expectations(integer(4294967295.0)), ElementsAre("EXPECT words IDX 0 EQ 4294967295"));
 }
 
+TEST(Amber, ARangeOfIntegersIsOneOfWordsUnlessItCrossesZero) {
+    EXPECT_THAT(expectations(integer(3, 5)),
+                ElementsAre("EXPECT words IDX 0 GE 3", "EXPECT words IDX 0 LE 5"));
+    EXPECT_THAT(expectations(integer(-2, -1)),
+                ElementsAre("EXPECT words IDX 0 GE 4294967294", "EXPECT words IDX 0 LE 4294967295"));
+    EXPECT_THAT(expectations(integer(-2, 1)), IsEmpty());
+    EXPECT_THAT(expectations(integer(0, infinity)),
+                ElementsAre("EXPECT words IDX 0 GE 0", "EXPECT words IDX 0 LE 4294967295"));
+}
+
+// A script has no word for "or".
+TEST(Amber, OfSeveralOutcomesTheHullIsExpectedAndNotWhatFailedBetweenThem) {
+    EXPECT_THAT(expectations(three_outcomes(2.5F, 2)),
+                ElementsAre("EXPECT floats IDX 0 NE nan", "EXPECT floats IDX 0 GE 0.00000000",
+                            "EXPECT floats IDX 0 LE 4.00000000", "EXPECT floats IDX 0 NE 2.50000000"));
+    // 1 is permitted, but not with 1.
+    EXPECT_THAT(expectations(three_outcomes(1.0F, 1)), Not(Contains("EXPECT floats IDX 0 NE 1.00000000")));
+    const std::string script = to_amber(three_outcomes(2.5F, 2));
+    const Grammar grammar(script);
+    EXPECT_THAT(script, HasSubstr("# one of 3 outcomes is allowed (report.txt); this expects their hull\n"));
+    EXPECT_THAT(script, HasSubstr("EXPECT words IDX 4 GE 1\nEXPECT words IDX 4 LE 2\n"));
+}
+
 TEST(Amber, AFunctionOfFloatsAndIntegersIsRunOnceForEachView) {
     const std::string script = to_amber(replay({number(0, 1), integer(3), number(2, 2)}));
     const Grammar grammar(script);
@@ -204,7 +254,10 @@ TEST(Amber, SpecializationConstantsAreTheInputs) {
 }
 
 TEST(Amber, WhatWasNotJudgedMustOnlyEnd) {
-    const std::string script = to_amber(replay({{.is_float = true, .allowed = {}, .comment = "not judged"}}));
+    KernelReplay not_judged = replay({number(0, 1)});
+    not_judged.outputs.front().comment = "not judged";
+    not_judged.outcomes.clear();
+    const std::string script = to_amber(not_judged);
     const Grammar grammar(script);
     EXPECT_THAT(script, HasSubstr("# output 0: not judged"));
     EXPECT_THAT(script, Not(HasSubstr("EXPECT floats IDX 0")));
@@ -225,76 +278,19 @@ TEST(Amber, AFunctionWithoutInputsHasABufferAllTheSame) {
     EXPECT_TRUE(grammar.buffers.contains("inputs"));
 }
 
-TEST(FailureText, TellsAllThatAReportNeeds) {
-    const check::Answer row = failing_row();
-    check::Sample smallest = *row.worst;
-    smallest.values = "float 1 (0x3f800000)";
-    const std::string text = failure_text(report_of("GPU", {}).device, row, smallest, "");
-    for (const char* part : {"EQ-1: f of gloam/f.glsl, variant strict", "line one", "float 1 (0x3f800000)",
-                             "float 0.5 (0x3f000000)", "3 x 3", "got 0x7fc00000", "want 0.1",
-                             "permitted 0 (0x0p+0) to 0.25 (0x1p-2), or NaN", "GPU", "driver 1.2",
-                             "Vulkan 1.3.0", "precision rules", "4 ulp or 1e-07 absolute",
-                             "gloam check EQ-1 --variant strict", "amber -v 1.2 -t spv1.5 repro.amber"}) {
-        EXPECT_THAT(text, HasSubstr(part));
-    }
-}
-
-TEST(FailureText, OfACheckThatDidNotRunGivesTheReason) {
-    check::Answer row = passing_row("EQ-2");
-    row.reason = check::Reason::hang;
-    row.error = "not finished after 5 s";
-    const std::string text = failure_text(report_of("GPU", {}).device, row, std::nullopt, "A note.");
-    EXPECT_THAT(text, HasSubstr("hang: not finished after 5 s"));
-    EXPECT_THAT(text, HasSubstr("A note."));
-    EXPECT_THAT(text, Not(HasSubstr("input  ")));
-}
-
-TEST(FailureText, NamesVersionsAndTheWholeCommand) {
-    const std::string text =
-        failure_text(report_of("GPU", {}).device, failing_row(), std::nullopt, "",
-                     {.command = "gloam check EQ-1 --seed 7", .versions = "gloam 1, glslang 2"});
-    EXPECT_THAT(text, HasSubstr("Run it again: gloam check EQ-1 --seed 7\n"));
-    EXPECT_THAT(text, HasSubstr("Versions: gloam 1, glslang 2"));
-}
-
-TEST(FailureText, WholeNumbersAreWrittenAsOneWritesThem) {
-    check::Answer row = failing_row();
-    row.worst->want.assign(row.worst->want.size(), 129'708'002.0);
-    const std::string text = failure_text(report_of("GPU", {}).device, row, std::nullopt, "");
-    EXPECT_THAT(text, HasSubstr("want 129708002"));
-    EXPECT_THAT(text, Not(HasSubstr("129708002 (0x1.eecbf88p+26)")));
-}
-
-TEST(ShellWord, IsOneWordForAShell) {
-    EXPECT_EQ(shell_word("HALTON-base2"), "HALTON-base2");
-    EXPECT_EQ(shell_word("llvmpipe (LLVM 15.0.6, 256 bits)"), "'llvmpipe (LLVM 15.0.6, 256 bits)'");
-    EXPECT_EQ(shell_word("it's; $(id)"), "'it'\\''s; $(id)'");
-    EXPECT_EQ(shell_word(""), "''");
-    EXPECT_EQ(shell_word("a\n\x1b'b"), R"($'a\x0a\x1b\'b')");
-}
-
-TEST(Slug, IsFitForAFolder) {
-    EXPECT_EQ(slug("llvmpipe (LLVM 15.0.6, 256 bits)"), "llvmpipe-llvm-15-0-6-256-bits");
-    EXPECT_EQ(slug("../../etc/passwd"), "etc-passwd");
-    EXPECT_EQ(slug("Zwölf"), "zw-lf");
-    EXPECT_EQ(slug("//"), "unnamed");
-    EXPECT_EQ(slug(""), "unnamed");
-}
-
 ShaderReplay shader_replay(bool compute) {
-    return {
-        .glsl = "#version 310 es\nvoid main() {}\n",
-        .compute = compute,
-        .version = "GL ES >= 3.1",
-        .glsl_version = "GLSL ES >= 3.10",
-        .kernel = {
-            .comments = {"a comment"},
-            .assembly = {},
-            .inputs = {0x3f800000U, 0xffffffffU},
-            .images = {{.name = "fetch", .words = {1U, 1U, 0U, 9U}}},
-            .outputs = {
-                {.is_float = true, .allowed = {{.low = 0.5, .high = 2, .nan = false}}, .comment = "c"},
-                {.is_float = false, .allowed = {{.low = -1, .high = -1, .nan = false}}, .comment = "d"}}}};
+    return {.glsl = "#version 310 es\nvoid main() {}\n",
+            .compute = compute,
+            .version = "GL ES >= 3.1",
+            .glsl_version = "GLSL ES >= 3.10",
+            .kernel = {.comments = {"a comment"},
+                       .assembly = {},
+                       .inputs = {0x3f800000U, 0xffffffffU},
+                       .images = {{.name = "fetch", .words = {1U, 1U, 0U, 9U}}},
+                       .outputs = {{.is_float = true, .found = 0x40800000U, .comment = "c"},
+                                   {.is_float = false, .found = 2U, .comment = "d"}},
+                       .outcomes = {
+                           {{.low = 0.5, .high = 2, .nan = false}, {.low = -1, .high = -1, .nan = false}}}}};
 }
 
 TEST(ShaderTest, AComputeShaderIsProbed) {
@@ -313,12 +309,21 @@ TEST(ShaderTest, AComputeShaderIsProbed) {
 
 TEST(ShaderTest, WhatIsNotJudgedIsNotProbed) {
     ShaderReplay one = shader_replay(true);
-    one.kernel.outputs.front().allowed.clear();
+    one.kernel.outcomes.front().front() = {.low = 1, .high = 2, .nan = true};
     EXPECT_THAT(to_shader_test(one), Not(HasSubstr("probe ssbo float")));
-    one.kernel.outputs.front().allowed = {{.low = 1, .high = 2, .nan = true}};
-    EXPECT_THAT(to_shader_test(one), Not(HasSubstr("probe ssbo float")));
-    one.kernel.outputs.front().allowed = {{.low = 1, .high = infinity, .nan = false}};
+    one.kernel.outcomes.front().front() = {.low = 1, .high = infinity, .nan = false};
     EXPECT_THAT(to_shader_test(one), AllOf(HasSubstr("probe ssbo float 1 0 >= 1\n"), Not(HasSubstr("<="))));
+    one.kernel.outcomes.clear();
+    EXPECT_THAT(to_shader_test(one), Not(HasSubstr("probe ssbo float")));
+}
+
+TEST(ShaderTest, OfSeveralOutcomesTheHullIsProbedAndNotWhatFailedBetweenThem) {
+    ShaderReplay three = shader_replay(true);
+    three.kernel = three_outcomes(2.5F, 3);
+    EXPECT_THAT(to_shader_test(three),
+                AllOf(HasSubstr("probe ssbo float 1 0 >= 0\nprobe ssbo float 1 0 <= 4\n"
+                                "probe ssbo uint 1 0 != 0x40200000\n"),
+                      HasSubstr("probe ssbo uint 1 4 >= 0x1\nprobe ssbo uint 1 4 <= 0x2\n")));
 }
 
 TEST(ShaderTest, AFragmentShaderDrawsGreen) {

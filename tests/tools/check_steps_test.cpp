@@ -12,13 +12,20 @@ CommandResult check(const std::string& what, const std::vector<std::string>& ste
     return run_command(all);
 }
 
-// A compiler that exchanges what it subtracts: assembly between two programs of SPIRV-Tools.
-std::string broken_compiler(const fs::path& folder) {
+// What a broken compiler makes of the assembly between two programs of SPIRV-Tools: it exchanges what it
+// subtracts, leaves out the rounding to half precision, makes the second of two equal components 0.
+constexpr const char* exchanges = R"(sed 's/OpISub \(%[a-z]*\) \(%[0-9]*\) \(%[0-9]*\)/OpISub \1 \3 \2/')";
+constexpr const char* keeps_digits =
+    R"(awk '/ PackHalf2x16/ {from[$1] = $NF}
+            / UnpackHalf2x16/ {$0 = $1 " = OpCopyObject " $4 " " from[$NF]} {print}')";
+constexpr const char* loses_second =
+    R"(sed 's/\(OpCompositeConstruct %v2float \(%[0-9]*\)\) \2$/\1 %float_0/')";
+
+std::string broken_compiler(const fs::path& folder, const std::string& edits) {
     const fs::path script = folder / "broken";
-    std::ofstream(script)
-        << "#!/bin/sh\nset -e\nspirv-dis \"$1\" -o \"$2.txt\"\n"
-           "sed -i 's/OpISub \\(%[a-z]*\\) \\(%[0-9]*\\) \\(%[0-9]*\\)/OpISub \\1 \\3 \\2/' \"$2.txt\"\n"
-           "spirv-as --target-env spv1.5 \"$2.txt\" -o \"$2\"\n";
+    std::ofstream(script) << "#!/bin/sh\nset -e\nspirv-dis \"$1\" -o \"$2.txt\"\n"
+                          << edits << " \"$2.txt\" >\"$2.changed\"\n"
+                          << "spirv-as --target-env spv1.5 \"$2.changed\" -o \"$2\"\n";
     fs::permissions(script, fs::perms::owner_all);
     return script.string() + " {in} {out}";
 }
@@ -55,12 +62,15 @@ TEST_F(CheckSteps, MetamorphicVariantsRunOnADriverAndThroughACompiler) {
 }
 
 // The folder of the failure of a shader after a broken compiler among other steps.
-fs::path handed_over(const fs::path& folder, const std::string& glsl) {
+fs::path handed_over(const fs::path& folder, const std::string& glsl, const std::string& edits = exchanges,
+                     const Arguments& options = {}) {
     std::ofstream(folder / "f.glsl") << glsl;
-    const CommandResult result =
-        check((folder / "f.glsl").string(),
-              {"spirv-opt --merge-return --ccp | " + broken_compiler(folder) + " | spirv-opt --ssa-rewrite"},
-              words("--failures {} --json {}", folder / "failures", folder / "r.json"));
+    Arguments more = words("--failures {} --json {}", folder / "failures", folder / "r.json");
+    more.insert(more.end(), options.begin(), options.end());
+    const CommandResult result = check(
+        (folder / "f.glsl").string(),
+        {"spirv-opt --merge-return --ccp | " + broken_compiler(folder, edits) + " | spirv-opt --ssa-rewrite"},
+        more);
     EXPECT_EQ(result.status, 1) << result.out << result.err;
     EXPECT_THAT(result.out, HasSubstr("run it again: gloam check"));
     EXPECT_THAT(result.out, HasSubstr("--variant shipped --compiler 'spirv-opt --merge-return --ccp | "));
@@ -69,7 +79,7 @@ fs::path handed_over(const fs::path& folder, const std::string& glsl) {
     return {};
 }
 
-void expect_reproduced_by_its_program(const fs::path& folder) {
+std::string expect_reproduced_by_its_program(const fs::path& folder) {
     const CommandResult built = run_program(
         "cc", words("-Wall -Wextra -Werror {} -o {} -lvulkan -lm", folder / "repro.c", folder / "repro"));
     EXPECT_EQ(built.status, 0) << built.err;
@@ -78,13 +88,14 @@ void expect_reproduced_by_its_program(const fs::path& folder) {
     EXPECT_THAT(reproduced.out, HasSubstr("OUTSIDE"));
     EXPECT_THAT(reproduced.out.substr(reproduced.out.find("before the steps")),
                 testing::Not(HasSubstr("OUTSIDE")));
+    return reproduced.out;
 }
 
 TEST_F(CheckSteps, ABrokenCompilerIsHandedOverWithTheFewestStepsAndAProgram) {
     const fs::path at = handed_over(
         folder.path(), "int f(int a, int b) {\n    int c = a * 3;\n    return c > 7 ? c - b : b;\n}\n");
     EXPECT_THAT(read_file(at / "report.txt"),
-                HasSubstr("The fewest steps that fail: " + broken_compiler(folder.path()) + "\n"));
+                HasSubstr("The fewest steps that fail: " + broken_compiler(folder.path(), exchanges) + "\n"));
     for (const char* file : {"before.spv", "shader.spv", "smallest.spv"})
         EXPECT_EQ(run_program("spirv-val", words("--target-env vulkan1.2 {}", at / file)).status, 0) << file;
     EXPECT_LT(fs::file_size(at / "smallest.spv"), fs::file_size(at / "before.spv"));
@@ -92,6 +103,39 @@ TEST_F(CheckSteps, ABrokenCompilerIsHandedOverWithTheFewestStepsAndAProgram) {
     const CommandResult nowhere = run_program(at / "repro", {"no such device"});
     EXPECT_EQ(nowhere.status, 2);
     EXPECT_THAT(nowhere.err, AllOf(HasSubstr("contains \"no such device\""), HasSubstr("VK_DRIVER_FILES")));
+}
+
+// Between 16 and 17 times the smallest half. A half so small may also be flushed.
+const Arguments between{"--range", "x=9.9e-7:1e-6"};
+constexpr const char* either_half = ", expected 0, or 9.5367431640625e-07, or 1.0132789611816406e-06: ";
+
+TEST_F(CheckSteps, AValueBetweenTwoOutcomesIsOutsideForTheProgramToo) {
+    const fs::path at = handed_over(
+        folder.path(), "float f(float x) { return unpackHalf2x16(packHalf2x16(vec2(x, 0.0))).x; }\n",
+        keeps_digits, between);
+    const std::string report = read_file(at / "report.txt");
+    EXPECT_THAT(
+        report,
+        HasSubstr("permitted 0 (0x0p+0), or 9.53674316e-07 (0x1p-20), or 1.01327896e-06 (0x1.1p-20)\n"));
+    EXPECT_THAT(
+        report,
+        HasSubstr("permitted 0 (0x0p+0); or 9.53674316e-07 (0x1p-20); or 1.01327896e-06 (0x1.1p-20)\n"));
+    EXPECT_THAT(read_file(at / "repro.amber"), HasSubstr("EXPECT floats IDX 0 NE 9."));
+    EXPECT_THAT(expect_reproduced_by_its_program(at), HasSubstr(either_half + std::string("OUTSIDE\n")));
+}
+
+TEST_F(CheckSteps, TwoOutputsOfDifferentOutcomesAreOutsideForTheProgramToo) {
+    const fs::path at = handed_over(
+        folder.path(),
+        "vec2 f(float x) { float y = unpackHalf2x16(packHalf2x16(vec2(x, 0.0))).x; return vec2(y); }\n",
+        loses_second, between);
+    EXPECT_THAT(
+        read_file(at / "report.txt"),
+        AllOf(HasSubstr("  permitted together: 0 (0x0p+0); 0 (0x0p+0)\n"),
+              HasSubstr("  or together:        1.01327896e-06 (0x1.1p-20); 1.01327896e-06 (0x1.1p-20)\n")));
+    EXPECT_THAT(expect_reproduced_by_its_program(at),
+                AllOf(HasSubstr(either_half + std::string("ok\n  output 1: 0x00000000 0")),
+                      HasSubstr("  no outcome has all outputs together: OUTSIDE\n")));
 }
 
 TEST_F(CheckSteps, TheProgramHasTheImagesOfSamplers) {

@@ -68,6 +68,9 @@ inline constexpr std::size_t input_class_count = 7;
 
 // One evaluated input, with its errors.
 struct Sample {
+    // The bounds of each output word that one way through the function permits together.
+    using Outcome = std::vector<numeric::Bounds>;
+
     std::size_t index = 0;  // position in its run
     InputClass input_class = InputClass::ordinary;
     std::string scenario;  // the images that it ran with; empty without images
@@ -79,9 +82,19 @@ struct Sample {
     double absolute = 0.0;
     double budget_fraction = 0.0;  // of the budget
     double fraction =
-        0.0;  // of what the verdict allows: the budget, or the permitted width; above 1 is outside
-    std::vector<numeric::Bounds> permitted;  // for each output word, if the rules were asked
-    bool forbidden = false;                  // the rules do not permit the outputs
+        0.0;            // of what the verdict allows: the budget, or the permitted width; above 1 is outside
+    Outcome permitted;  // the hull of all outcomes, if the rules were asked
+    bool forbidden = false;  // the rules do not permit the outputs
+    // If these are forbidden and there are several: each outcome. Beyond most_outcomes, neighbours are merged
+    // as long as their hull does not contain the outputs.
+    std::vector<Outcome> outcomes = {};
+    static constexpr std::size_t most_outcomes = 16;
+
+    // `outcomes`, or `permitted` alone; none if the rules were not asked.
+    [[nodiscard]] std::vector<Outcome> permitted_outcomes() const {
+        if (!outcomes.empty() || permitted.empty()) return outcomes;
+        return {permitted};
+    }
 };
 
 // The inputs of a class. A recorded or open input was not judged.

@@ -52,26 +52,28 @@ std::string numbers_text(const std::vector<Scalar>& scalars, const std::vector<d
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-// The bounds of each output; empty if there are none. What is permitted may lie at both ends alone: pi or
-// -pi, where a zero may lose its sign.
-std::string permitted_text(const std::vector<Scalar>& scalars, const Sample& sample) {
-    const std::vector<numeric::Bounds>& permitted = sample.permitted;
-    if (permitted.empty()) return {};
-    bool between = sample.forbidden;
+// The bounds of each output.
+std::string outcome_text(const std::vector<Scalar>& scalars, const Sample::Outcome& permitted) {
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < permitted.size(); ++i) {
         const numeric::Bounds& bounds = permitted[i];
         if (i < scalars.size() && scalars[i] == Scalar::upper) continue;
         const numeric::Bounds& next = permitted[std::min(i + 1, permitted.size() - 1)];
-        between = between && bounds.contains(number_at(scalars, sample.got, i));
-        const std::string range = bounds.empty()
-                                      ? std::string("nothing but NaN")
-                                      : fmt::format("[{}, {}]", number_text(scalars, i, bounds.low, next.low),
-                                                    number_text(scalars, i, bounds.high, next.high));
+        const std::string low = number_text(scalars, i, bounds.low, next.low);
+        const std::string high = number_text(scalars, i, bounds.high, next.high);
+        const std::string range = bounds.empty() ? "nothing but NaN"
+                                  : low == high  ? low
+                                                 : fmt::format("[{}, {}]", low, high);
         texts.push_back(bounds.nan && !bounds.empty() ? range + " or NaN" : range);
     }
-    return fmt::format("    permitted {}{}\n", fmt::join(texts, ", "),
-                       between ? ", but not all in between" : "");
+    return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+// A line with every outcome; empty if there are none.
+std::string permitted_text(const std::vector<Scalar>& scalars, const std::vector<Sample::Outcome>& outcomes) {
+    std::vector<std::string> texts;
+    for (const Sample::Outcome& outcome : outcomes) texts.push_back(outcome_text(scalars, outcome));
+    return texts.empty() ? "" : fmt::format("    permitted {}\n", fmt::join(texts, "; or "));
 }
 
 std::string sample_text(const Signature& signature, const Sample& sample) {
@@ -80,7 +82,7 @@ std::string sample_text(const Signature& signature, const Sample& sample) {
         sample.index, name_of(sample.input_class), sample.scenario.empty() ? "" : ", images ",
         sample.scenario, sample.values, words_text(signature.output_scalars(), sample.got),
         numbers_text(signature.output_scalars(), sample.want),
-        permitted_text(signature.output_scalars(), sample), sample.ulp, sample.absolute);
+        permitted_text(signature.output_scalars(), sample.permitted_outcomes()), sample.ulp, sample.absolute);
 }
 
 }  // namespace

@@ -149,7 +149,6 @@ class Judge {
             return false;
         }
         const bool anything = permitted_->measure(sample);
-        sample.forbidden = sample.fraction > 1.0;
         if (bounded) add_bounds(answer, sample, anything, promised);
         if (options_.verdict == Verdict::budget)
             sample.fraction = sample.forbidden ? infinity : sample.budget_fraction;
@@ -236,6 +235,7 @@ Answer judge(const Question& question, const JudgeOptions& options, const Domain
             sample.got.assign(got.begin(), got.end());
             sample.want.clear();
             sample.permitted.clear();
+            sample.outcomes.clear();
             sample.fraction = 0.0;
             sample.forbidden = false;
             judge.add(answer, sample, inputs.branch[i]);

@@ -86,7 +86,9 @@ void add_opengl(const Lab& lab, const KernelSource& source, Reproduction& all) {
     if (!language) return;
     all.opengl = all.opengl_replay = internal::gl_kernel_code(*language, source, lab.options().include_roots);
     if (internal::has_compute(*language)) return;
-    internal::GlReplay replay{.image_words = {}, .outputs = all.outputs, .allowed = all.allowed};
+    // Without compute shaders there are no precision rules, so no more than one outcome.
+    internal::GlReplay replay{.image_words = {}, .outputs = all.outputs, .allowed = {}};
+    if (!all.outcomes.empty()) replay.allowed = all.outcomes.front();
     for (const Reproduction::ImageBuffer& image : all.images)
         replay.image_words.push_back(image.words.size());
     all.opengl_replay = internal::gl_replay_code(*language, source, replay, lab.options().include_roots);
@@ -183,9 +185,10 @@ Reproduction reproduce_with(const Lab& lab, const Question& question, const RunO
                             .evaluate = [&stage](std::span<const Word> inputs,
                                                  std::size_t count) { return stage.run(inputs, count); },
                             .at_once = stage.at_once()};
-    const Sample smallest = shrink(scope, failing);
+    Sample smallest = shrink(scope, failing);
     Reproduction all = without_verdict(lab, question, failing.scenario, stage.images(), smallest.inputs);
-    all.allowed = allowed_outputs(question, stage.images(), smallest);
+    all.outcomes = allowed_outcomes(question, stage.images(), smallest);
+    if (!smallest.forbidden) smallest.permitted = all.outcomes.front();
     add_opengl(lab, lab.source(question.file, question.function, question.signature), all);
     all.failure = smallest;
     try {
@@ -284,13 +287,14 @@ std::vector<Bounds> around(const Question& question, const std::vector<double>& 
 
 }  // namespace
 
-std::vector<Bounds> allowed_outputs(const Question& question, const ImageSet& images, const Sample& sample) {
-    if (!sample.permitted.empty()) return sample.permitted;
+std::vector<Sample::Outcome> allowed_outcomes(const Question& question, const ImageSet& images,
+                                              const Sample& sample) {
+    if (sample.forbidden) return sample.permitted_outcomes();
     const std::vector<Scalar> scalars = question.signature.output_scalars();
     const Bounds codomain{question.codomain.low, question.codomain.high, false};
     std::vector<Bounds> bounds(scalars.size(), codomain);
     // Elsewhere only the codomain is promised.
-    if (question.promised && !question.promised(sample.inputs)) return bounds;
+    if (question.promised && !question.promised(sample.inputs)) return {bounds};
     bounds = around(question, sample.want);
     std::vector<double> want;
     const auto add = [&](const std::vector<Word>& inputs) {
@@ -304,7 +308,7 @@ std::vector<Bounds> allowed_outputs(const Question& question, const ImageSet& im
         bounds[i].low = std::max(bounds[i].low, codomain.low);
         bounds[i].high = std::min(bounds[i].high, codomain.high);
     }
-    return bounds;
+    return {bounds};
 }
 
 }  // namespace gloam::check

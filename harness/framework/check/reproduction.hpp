@@ -70,10 +70,9 @@ struct Reproduction {
     std::vector<Word> inputs;
     bool specialized = false;  // the inputs are specialization constants: word i has the constant_id i
     std::vector<shader::Scalar> outputs;
-    // The permitted results of each output word; empty if no failing input is known.
-    std::vector<numeric::Bounds> allowed;
-    std::optional<Sample> failure;        // the failure for these inputs
-    std::vector<std::string> rules = {};  // rules_of() its operations; empty: it cannot be explained
+    std::vector<Sample::Outcome> outcomes;  // that are allowed; empty if no failing input is known
+    std::optional<Sample> failure;          // the failure for these inputs
+    std::vector<std::string> rules = {};    // rules_of() its operations; empty: it cannot be explained
 };
 
 // The shader and the first input of a check. Nothing is run; use it if the check crashed its driver.
@@ -101,10 +100,10 @@ struct Reproduction {
 [[nodiscard]] bool breaks_rules(const Lab& lab, KernelModule module, std::span<const Word> inputs,
                                 const std::vector<shader::Scalar>& outputs);
 
-// The permitted results of each output word: what Vulkan permits; or the budget around `want`, and around the
-// reference's results for the neighbouring inputs that the budget covers. Each word has one range; where the
-// function jumps, it includes the values in between.
-[[nodiscard]] std::vector<numeric::Bounds> allowed_outputs(const Question& question, const ImageSet& images,
-                                                           const Sample& sample);
+// The outcomes that a failing sample does not have: of one that the rules forbid, those that Vulkan permits;
+// else one, the budget around `want`, and around the reference's results for the neighbouring inputs that the
+// budget covers. Where the function jumps, it includes the values in between.
+[[nodiscard]] std::vector<Sample::Outcome> allowed_outcomes(const Question& question, const ImageSet& images,
+                                                            const Sample& sample);
 
 }  // namespace gloam::check

@@ -96,21 +96,38 @@ void require_agreement(const JsonReader& json, const Answer& answer) {
         json.member("outcome").expected(fmt::format("{}, by its counts", name_of(answer.outcome())));
 }
 
+ordered_json outcome_json(const check::Sample::Outcome& outcome) {
+    ordered_json json = ordered_json::array();
+    for (const numeric::Bounds& a : outcome)
+        json.push_back({{"low", number_json(a.low)}, {"high", number_json(a.high)}, {"nan", a.nan}});
+    return json;
+}
+
 ordered_json sample_json(const std::optional<check::Sample>& sample) {
     if (!sample) return nullptr;
-    ordered_json allowed = ordered_json::array();
-    for (const numeric::Bounds& a : sample->permitted)
-        allowed.push_back({{"low", number_json(a.low)}, {"high", number_json(a.high)}, {"nan", a.nan}});
-    return {{"input", sample->index},
-            {"class", name_of(sample->input_class)},
-            {"images", sample->scenario},
-            {"values", sample->values},
-            {"input_words", sample->inputs},
-            {"got_words", sample->got},
-            {"want", numbers_json(sample->want)},
-            {"allowed", allowed},
-            {"ulp", number_json(sample->ulp)},
-            {"abs", number_json(sample->absolute)}};
+    ordered_json json{{"input", sample->index},
+                      {"class", name_of(sample->input_class)},
+                      {"images", sample->scenario},
+                      {"values", sample->values},
+                      {"input_words", sample->inputs},
+                      {"got_words", sample->got},
+                      {"want", numbers_json(sample->want)},
+                      {"allowed", outcome_json(sample->permitted)},
+                      {"ulp", number_json(sample->ulp)},
+                      {"abs", number_json(sample->absolute)}};
+    for (const check::Sample::Outcome& outcome : sample->outcomes)
+        json["outcomes"].push_back(outcome_json(outcome));
+    return json;
+}
+
+check::Sample::Outcome read_outcome(const JsonReader& json) {
+    check::Sample::Outcome outcome;
+    for (const JsonReader& allowed : json.elements()) {
+        outcome.push_back({.low = allowed.member("low").number(),
+                           .high = allowed.member("high").number(),
+                           .nan = allowed.member("nan").flag()});
+    }
+    return outcome;
 }
 
 std::optional<check::Sample> read_sample(const JsonReader& json) {
@@ -123,11 +140,13 @@ std::optional<check::Sample> read_sample(const JsonReader& json) {
                          .got = json.member("got_words").words(),
                          .want = json.member("want").numbers(),
                          .ulp = json.member("ulp").number(),
-                         .absolute = json.member("abs").number()};
-    for (const JsonReader& allowed : json.member("allowed").elements()) {
-        sample.permitted.push_back({.low = allowed.member("low").number(),
-                                    .high = allowed.member("high").number(),
-                                    .nan = allowed.member("nan").flag()});
+                         .absolute = json.member("abs").number(),
+                         .permitted = read_outcome(json.member("allowed"))};
+    if (!json.has("outcomes")) return sample;
+    for (const JsonReader& outcome : json.member("outcomes").elements()) {
+        sample.outcomes.push_back(read_outcome(outcome));
+        if (sample.outcomes.back().size() != sample.permitted.size())
+            outcome.expected("a range for each of \"allowed\"");
     }
     return sample;
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 
@@ -46,15 +48,29 @@ std::string literal(const std::string& text) {
 }
 
 std::string outputs_of(const KernelReplay& replay) {
-    std::string text =
-        "struct output {\n    int is_float;\n    double low, high;\n    int nan;\n};\n"
-        "static const struct output outputs[] = {\n";
-    for (const KernelReplay::Output& output : replay.outputs) {
-        const numeric::Bounds allowed =
-            output.allowed.empty() ? numeric::Bounds{-INFINITY, INFINITY, true} : output.allowed.front();
-        text +=
-            fmt::format("    {{{}, {}, {}, {}}}, /* {} */\n", output.is_float ? 1 : 0, number(allowed.low),
-                        number(allowed.high), allowed.nan ? 1 : 0, in_comment(output.comment));
+    std::string text = "static const int is_float[] = {\n";
+    for (const KernelReplay::Output& output : replay.outputs)
+        text += fmt::format("    {}, /* {} */\n", output.is_float ? 1 : 0, in_comment(output.comment));
+    text += fmt::format(
+        "}};\n/* The outputs lie in the ranges of one of these. */\n"
+        "struct range {{\n    double low, high;\n    int nan, repeated; /* as the range of an earlier "
+        "outcome */\n}};\n"
+        "static const struct range outcomes[][{}] = {{\n",
+        replay.outputs.size());
+    const std::vector<check::Sample::Outcome> anything{
+        check::Sample::Outcome(replay.outputs.size(), numeric::Bounds::anything())};
+    const std::vector<check::Sample::Outcome>& all = replay.outcomes.empty() ? anything : replay.outcomes;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        std::vector<std::string> ranges;
+        for (std::size_t i = 0; i < all[k].size(); ++i) {
+            const numeric::Bounds& allowed = all[k][i];
+            const bool repeated =
+                std::any_of(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(k),
+                            [&](const check::Sample::Outcome& earlier) { return earlier[i] == allowed; });
+            ranges.push_back(fmt::format("{{{}, {}, {}, {}}}", number(allowed.low), number(allowed.high),
+                                         allowed.nan ? 1 : 0, repeated ? 1 : 0));
+        }
+        text += fmt::format("    {{{}}},\n", fmt::join(ranges, ", "));
     }
     return text + "};\n";
 }

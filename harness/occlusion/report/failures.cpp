@@ -2,17 +2,12 @@
 #include "report/failures.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <bit>
-#include <cctype>
 #include <cmath>
 #include <limits>
-#include <string_view>
-
-#include "base/text.hpp"
-#include "numeric/numbers.hpp"
+#include <utility>
 
 namespace gloam::report {
 
@@ -80,10 +75,57 @@ std::string expect_float(std::size_t byte, const numeric::Bounds& allowed) {
     return text;
 }
 
-// Integers are exact; a word holds negative ones in two's complement.
+// The hull of an output's ranges, as it is expected where a script cannot say "or".
+numeric::Bounds hull_at(const KernelReplay& replay, std::size_t output) {
+    numeric::Bounds all = replay.outcomes.front().at(output);
+    for (const check::Sample::Outcome& outcome : replay.outcomes)
+        all = numeric::hull(all, outcome.at(output));
+    return all;
+}
+
+bool is_inside(const KernelReplay::Output& output, const numeric::Bounds& bounds) {
+    if (output.is_float) return bounds.contains(static_cast<double>(std::bit_cast<float>(output.found)));
+    const std::int64_t number =
+        bounds.low < 0.0 ? std::bit_cast<std::int32_t>(output.found) : std::int64_t{output.found};
+    return bounds.contains(static_cast<double>(number));
+}
+
+// Whether what was found is inside the hull, but in no outcome's range.
+bool is_between(const KernelReplay& replay, std::size_t i) {
+    const KernelReplay::Output& output = replay.outputs[i];
+    return is_inside(output, hull_at(replay, i)) &&
+           std::ranges::none_of(replay.outcomes,
+                                [&](const auto& outcome) { return is_inside(output, outcome.at(i)); });
+}
+
+// The comparisons of a word with a range of integers, as unsigned: in two's complement a range from below 0
+// to above it has none.
+std::vector<std::pair<const char*, std::uint32_t>> word_comparisons(const numeric::Bounds& allowed) {
+    const auto word = [](double x) {
+        return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::clamp(x, -0x1p31, 0x1p32 - 1.0)));
+    };
+    if (allowed.is_point()) return {{"==", word(allowed.low)}};
+    if (allowed.low < 0.0 && allowed.high >= 0.0) return {};
+    return {{">=", word(allowed.low)}, {"<=", word(allowed.high)}};
+}
+
+// The same for Amber.
 std::string expect_word(std::size_t byte, const numeric::Bounds& allowed) {
-    const auto word = static_cast<std::uint32_t>(static_cast<std::int64_t>(allowed.low));
-    return fmt::format("EXPECT words IDX {} EQ {}\n", byte, word);
+    std::string text;
+    for (const auto& [comparison, word] : word_comparisons(allowed))
+        text += fmt::format("EXPECT words IDX {} {} {}\n", byte,
+                            *comparison == '='   ? "EQ"
+                            : *comparison == '>' ? "GE"
+                                                 : "LE",
+                            word);
+    return text;
+}
+
+// A comment behind the one of an output.
+std::string several_outcomes(const KernelReplay& replay) {
+    if (replay.outcomes.size() < 2) return "";
+    return fmt::format("# one of {} outcomes is allowed (report.txt); this expects their hull\n",
+                       replay.outcomes.size());
 }
 
 std::string pipeline(const KernelReplay& replay, const std::string& view) {
@@ -119,9 +161,14 @@ std::string view_of(const KernelReplay& replay, bool floats) {
         const KernelReplay::Output& output = replay.outputs[i];
         if (output.is_float != floats) continue;
         text += fmt::format("# output {}: {}\n", i, output.comment);
-        if (output.allowed.empty()) continue;
-        const numeric::Bounds& allowed = output.allowed.front();
+        if (replay.outcomes.empty()) continue;
+        const numeric::Bounds allowed = hull_at(replay, i);
+        text += several_outcomes(replay);
         text += floats ? expect_float(4 * i, allowed) : expect_word(4 * i, allowed);
+        if (is_between(replay, i))
+            text += fmt::format(
+                "EXPECT {} IDX {} NE {}\n", view, 4 * i,
+                floats ? number(std::bit_cast<float>(output.found)) : std::to_string(output.found));
     }
     return text + "\n";
 }
@@ -167,16 +214,12 @@ std::string storage(unsigned binding, const Words& words, std::size_t count) {
     return text;
 }
 
-std::string probe_word(std::size_t word, std::uint32_t value) {
-    return fmt::format("probe ssbo uint 1 {} == 0x{:x}\n", 4 * word, value);
+std::string probe_word(std::size_t word, const char* comparison, std::uint32_t value) {
+    return fmt::format("probe ssbo uint 1 {} {} 0x{:x}\n", 4 * word, comparison, value);
 }
 
 // NaN fails every comparison of a probe.
-std::string probe(std::size_t word, const KernelReplay::Output& output) {
-    if (output.allowed.empty()) return "";
-    const numeric::Bounds& allowed = output.allowed.front();
-    if (!output.is_float)
-        return probe_word(word, static_cast<std::uint32_t>(static_cast<std::int64_t>(allowed.low)));
+std::string probe_float(std::size_t word, const numeric::Bounds& allowed) {
     if (allowed.nan) return "";
     const auto bound = [word](const char* comparison, double end) {
         return std::isinf(end) ? ""
@@ -185,6 +228,19 @@ std::string probe(std::size_t word, const KernelReplay::Output& output) {
     const bool anything = std::isinf(allowed.low) && std::isinf(allowed.high);
     if (anything) return fmt::format("probe ssbo float 1 {0} >= -inf\n", 4 * word);
     return bound(">=", allowed.low) + bound("<=", allowed.high);
+}
+
+std::string probe(const KernelReplay& kernel, std::size_t word) {
+    if (kernel.outcomes.empty()) return "";
+    const KernelReplay::Output& output = kernel.outputs[word];
+    const numeric::Bounds allowed = hull_at(kernel, word);
+    std::string text = several_outcomes(kernel);
+    if (output.is_float)
+        text += probe_float(word, allowed);
+    else
+        for (const auto& [comparison, value] : word_comparisons(allowed))
+            text += probe_word(word, comparison, value);
+    return is_between(kernel, word) ? text + probe_word(word, "!=", output.found) : text;
 }
 
 std::string run_compute(const KernelReplay& kernel) {
@@ -202,9 +258,9 @@ std::string run_compute(const KernelReplay& kernel) {
         "uniform uint gloam_kernel_count 1\nuniform uint gloam_kernel_row_length 64\n"
         "uniform uint gloam_kernel_canary {}\ncompute 1 1 1\n",
         end_mark);
-    text += "# the kernel ran to its end\n" + probe_word(kernel.outputs.size(), end_mark);
+    text += "# the kernel ran to its end\n" + probe_word(kernel.outputs.size(), "==", end_mark);
     for (std::size_t i = 0; i < kernel.outputs.size(); ++i)
-        text += fmt::format("# output {}: {}\n", i, kernel.outputs[i].comment) + probe(i, kernel.outputs[i]);
+        text += fmt::format("# output {}: {}\n", i, kernel.outputs[i].comment) + probe(kernel, i);
     if (!kernel.images.empty()) text += "# no access fell outside an image\nprobe ssbo uint 2 0 == 0x0\n";
     return text;
 }
@@ -240,116 +296,6 @@ std::string to_shader_test(const ShaderReplay& replay) {
             "\nin vec4 piglit_vertex;\nvoid main() { gl_Position = piglit_vertex; }\n\n";
     return text + "[fragment shader]\n" + replay.glsl + "\n[test]\nclear color 0.0 0.0 1.0 1.0\nclear\n" +
            draw(replay.kernel);
-}
-
-namespace {
-
-std::string allowed_text(const numeric::Bounds& allowed) {
-    if (allowed.low > allowed.high) return allowed.nan ? "NaN" : "nothing";
-    return fmt::format("{} to {}{}", numeric::to_text(allowed.low), numeric::to_text(allowed.high),
-                       allowed.nan ? ", or NaN" : "");
-}
-
-// Integers with many digits in decimal alone; their bits as a double carry no information.
-std::string wanted_text(double number) {
-    constexpr double many_digits = 65'536.0;
-    constexpr double exact = 9'007'199'254'740'992.0;
-    const double size = std::abs(number);
-    const bool whole = size >= many_digits && size <= exact && number == std::floor(number);
-    return whole ? fmt::format("{:.0f}", number) : numeric::to_text(number);
-}
-
-std::string input_text(const std::string& title, const check::Sample& input) {
-    std::string text = fmt::format("{}\n  input   {}\n", title, input.values);
-    if (!input.scenario.empty()) text += fmt::format("  images  {}\n", input.scenario);
-    for (std::size_t i = 0; i < input.got.size(); ++i) {
-        const std::uint32_t word = input.got[i];
-        text += fmt::format("  output {}: got 0x{:08x} (as a float {}, as an integer {})", i, word,
-                            numeric::to_text(std::bit_cast<float>(word)), std::bit_cast<std::int32_t>(word));
-        if (i < input.want.size()) text += fmt::format(", want {}", wanted_text(input.want[i]));
-        if (i < input.permitted.size())
-            text += fmt::format(", permitted {}", allowed_text(input.permitted[i]));
-        text += "\n";
-    }
-    return text + fmt::format("  error   {:.6g} ulp, {:.6g} absolute\n\n", input.ulp, input.absolute);
-}
-
-std::string yes_no(bool flag) {
-    return flag ? "yes" : "no";
-}
-
-}  // namespace
-
-std::string failure_text(const DeviceSummary& device, const check::Answer& row,
-                         const std::optional<check::Sample>& smallest, const std::string& note,
-                         const RunAgain& again) {
-    std::string text =
-        fmt::format("{}: {} of {}, variant {}\n\n", row.equation, row.function, row.file, row.variant);
-    text += row.ran() ? row.story + "\n" : fmt::format("{}: {}\n\n", name_of(row.reason), row.error);
-    if (smallest) text += input_text("The simplest input found that fails:", *smallest);
-    if (row.worst) text += input_text("The input with the largest error:", *row.worst);
-    text += fmt::format(
-        "Judged by: {}; documented accuracy: {}\n\n"
-        "Device: {}\n  driver {}, {}, type {}\n"
-        "  float32: keeps signed zero, infinity and NaN: {}; keeps subnormals: {}; flushes them: {}; "
-        "rounds to even: {}\n\n",
-        row.verdict == check::Verdict::rules ? "what Vulkan's precision rules permit"
-                                             : "the documented accuracy",
-        to_text(row.budget), device.name, device.driver, api_of(device), device.type,
-        yes_no(device.preserves_signed_zero_inf_nan), yes_no(device.preserves_denormals),
-        yes_no(device.flushes_denormals), yes_no(device.rounds_to_even));
-    if (!again.versions.empty()) text += "Versions: " + again.versions + "\n\n";
-    if (!note.empty()) text += note + "\n\n";
-    const std::string command = again.command.empty()
-                                    ? fmt::format("gloam check {} --variant {}", row.equation, row.variant)
-                                    : again.command;
-    text += fmt::format("Run it again: {}\n", command);
-    if (again.amber)
-        text +=
-            "Run it without gloam: amber -v 1.2 -t spv1.5 repro.amber (https://github.com/google/amber)\n";
-    if (row.verdict == check::Verdict::rules && !again.rules.empty())
-        text += fmt::format(
-            "Vulkan specification, \"Precision and Operation of SPIR-V Instructions\", float32:\n  {}\n\n",
-            fmt::join(again.rules, "\n  "));
-    if (!again.steps.empty())
-        text += fmt::format("The fewest steps that fail: {}\n", fmt::join(again.steps, " | "));
-    if (again.program)
-        text += "Run it on the Vulkan loader alone: cc repro.c -o repro -lvulkan -lm && ./repro\n";
-    return text;
-}
-
-std::string shell_word(const std::string& text) {
-    const auto is_plain = [](char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-               std::string_view("-_./=,:+").find(c) != std::string_view::npos;
-    };
-    const auto is_control = [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; };
-    if (!text.empty() && std::ranges::all_of(text, is_plain)) return text;
-    if (std::ranges::any_of(text, is_control)) {
-        std::string word = "$'";
-        for (const char c : text)
-            word += is_control(c)            ? fmt::format("\\x{:02x}", static_cast<unsigned char>(c))
-                    : c == '\'' || c == '\\' ? std::string("\\") + c
-                                             : std::string(1, c);
-        return word + "'";
-    }
-    std::string word = "'";
-    for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
-    return word + "'";
-}
-
-std::string slug(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (std::isalnum(byte) != 0 && byte < 0x80) {
-            out += static_cast<char>(std::tolower(byte));
-        } else if (!out.empty() && out.back() != '-') {
-            out += '-';
-        }
-    }
-    while (!out.empty() && out.back() == '-') out.pop_back();
-    return out.empty() ? "unnamed" : base::file_name_of(out);
 }
 
 }  // namespace gloam::report

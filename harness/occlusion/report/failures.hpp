@@ -26,15 +26,18 @@ struct KernelReplay {
     };
     std::vector<Image> images;  // in the order of their bindings
     struct Output {
-        bool is_float = true;                  // false: compared as words
-        std::vector<numeric::Bounds> allowed;  // one range, or none: not judged
+        bool is_float = true;     // false: compared as words
+        std::uint32_t found = 0;  // the word that failed, if the outputs are judged
         std::string comment;
     };
     std::vector<Output> outputs;
+    std::vector<check::Sample::Outcome>
+        outcomes;  // the outputs lie in one of them; none: they are not judged
 };
 
 // An AmberScript (https://github.com/google/amber) that runs the kernel and expects each output in its range,
-// ends included; NaN only if it is allowed. Run it with `amber -v 1.2 -t spv1.5 FILE`.
+// ends included; NaN only if it is allowed. Of several outcomes it expects the hull, and not what was found
+// where that is in no outcome's range. Run it with `amber -v 1.2 -t spv1.5 FILE`.
 [[nodiscard]] std::string to_amber(const KernelReplay& replay);
 
 struct ReplayedModule {
@@ -43,8 +46,9 @@ struct ReplayedModule {
 };
 
 // A program in C, on the Vulkan loader alone, that runs these modules on the device where it failed, or on
-// one that its argument names, and prints each output beside what is allowed. Its exit status is 1 if an
-// output of the first module is outside, and 2 if it could not run. Build it with `cc FILE -lvulkan -lm`.
+// one that its argument names, and prints each output beside what is allowed. Its exit status is 1 if no
+// outcome contains the outputs of the first module, and 2 if it could not run. Build it with `cc FILE -lvulkan
+// -lm`.
 [[nodiscard]] std::string to_c_program(const KernelReplay& replay,
                                        const std::vector<ReplayedModule>& modules);
 
@@ -57,8 +61,8 @@ struct ShaderReplay {
     KernelReplay kernel;       // its comments, inputs, images and outputs
 };
 
-// A script for piglit's shader_runner (https://piglit.freedesktop.org). With a compute shader it probes that
-// each output lies in its range, ends included; with a fragment shader that the picture is green. Run it with
+// A script for piglit's shader_runner (https://piglit.freedesktop.org). With a compute shader it probes what
+// to_amber() expects; with a fragment shader that the picture is green. Run it with
 // `shader_runner -auto -fbo -ignore-missing-uniforms FILE`, or shader_runner_gles3 for OpenGL ES.
 [[nodiscard]] std::string to_shader_test(const ShaderReplay& replay);
 

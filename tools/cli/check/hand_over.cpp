@@ -81,14 +81,11 @@ report::KernelReplay replay_of(const check::Reproduction& all, const check::Ques
                                  .words = image.bound ? encoded(image.words) : image.words,
                                  .sampled = image.bound});
     for (std::size_t i = 0; i < all.outputs.size(); ++i) {
-        report::KernelReplay::Output output{.is_float = all.outputs[i] == shader::Scalar::float_,
-                                            .allowed = {},
-                                            .comment = output_comment(all, i)};
-        if (i < all.allowed.size()) {
-            output.allowed.push_back(all.allowed[i]);
-        }
-        replay.outputs.push_back(std::move(output));
+        replay.outputs.push_back({.is_float = all.outputs[i] == shader::Scalar::float_,
+                                  .found = all.failure ? all.failure->got[i] : 0,
+                                  .comment = output_comment(all, i)});
     }
+    replay.outcomes = all.outcomes;
     return replay;
 }
 
@@ -224,10 +221,7 @@ HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
         hand_over.smallest_module = smallest_module(lab, all);
     }
     hand_over.rules = all.rules;
-    if (all.failure) {
-        hand_over.smallest = all.failure;
-        hand_over.smallest->permitted = all.allowed;
-    }
+    hand_over.smallest = all.failure;
     return hand_over;
 }
 

@@ -148,6 +148,11 @@ namespace {
 
 using numeric::infinity;
 
+// Whether each of the bounds contains the other one.
+bool covers(std::span<const numeric::Bounds> bounds, std::span<const numeric::Bounds> others) {
+    return std::ranges::equal(bounds, others, [](const auto& a, const auto& b) { return a.contains(b); });
+}
+
 }  // namespace
 
 bool RulesJudge::permits(const Sample& sample) {
@@ -162,7 +167,36 @@ bool RulesJudge::measure(Sample& sample) {
     for (std::size_t i = 0; !permitted_.anything && i < permitted_.count(); ++i) {
         sample.fraction = std::min(sample.fraction, fraction_of(sample, permitted_.outcome(i)));
     }
+    sample.forbidden = sample.fraction > 1.0;
+    if (sample.forbidden) sample.outcomes = outcomes_beside(sample.got);
     return std::ranges::any_of(sample.permitted, [](const auto& bounds) { return bounds.is_anything(); });
+}
+
+// Sample::outcomes.
+std::vector<Sample::Outcome> RulesJudge::outcomes_beside(std::span<const Word> got) const {
+    std::vector<Sample::Outcome> all;
+    for (std::size_t i = 0; i < permitted_.count(); ++i) {
+        const std::span<const numeric::Bounds> outcome = permitted_.outcome(i);
+        if (std::ranges::any_of(all, [&](const auto& other) { return covers(other, outcome); })) continue;
+        std::erase_if(all, [&](const auto& other) { return covers(outcome, other); });
+        all.emplace_back(outcome.begin(), outcome.end());
+    }
+    if (all.size() < 2) return {};
+    std::ranges::sort(all, [](const auto& a, const auto& b) {
+        return std::ranges::lexicographical_compare(a, b, {}, &numeric::Bounds::low, &numeric::Bounds::low);
+    });
+    for (bool merged = true; merged && all.size() > Sample::most_outcomes;) {
+        merged = false;
+        for (std::size_t i = 0; i + 1 < all.size() && all.size() > Sample::most_outcomes; ++i) {
+            Sample::Outcome both = all[i];
+            std::ranges::transform(both, all[i + 1], both.begin(), numeric::hull);
+            if (interpretation_.holds(both, got)) continue;
+            all[i] = std::move(both);
+            all.erase(all.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+            merged = true;
+        }
+    }
+    return all;
 }
 
 bool RulesJudge::permits_every(const Sample& sample) const {

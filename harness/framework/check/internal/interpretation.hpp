@@ -51,6 +51,9 @@ class Interpretation {
     // first path that does, and tries rearranged sums only if the order of the module does not yield them.
     [[nodiscard]] bool is_permitted(const InputRow& input, std::span<const Word> got);
 
+    // Whether an outcome contains these outputs.
+    [[nodiscard]] bool holds(std::span<const numeric::Bounds> outcome, std::span<const Word> got) const;
+
     // Calculates everything that Vulkan permits.
     void all_permitted(const InputRow& input, Permitted& permitted);
 
@@ -75,7 +78,6 @@ class Interpretation {
     template <class N>
     void explore(InterpretedKernel<N>& kernel, const InputRow& input, std::size_t index,
                  std::span<const Word> until, Permitted& permitted);
-    [[nodiscard]] bool holds(std::span<const numeric::Bounds> outcome, std::span<const Word> got) const;
 
     const Decoded& decoded_;
     const std::vector<shader::Scalar>& outputs_;
@@ -94,8 +96,9 @@ class RulesJudge {
     // Whether the outputs are permitted.
     [[nodiscard]] bool permits(const Sample& sample);
 
-    // Sets the sample's permitted bounds and its fraction of their width; the fraction is above 1 if no
-    // outcome contains the outputs. Returns whether the rules permit every value for some output.
+    // Sets the sample's permitted bounds, its fraction of their width, and whether it is forbidden; then the
+    // fraction is above 1, and its outcomes are set. Returns whether the rules permit every value for some
+    // output.
     bool measure(Sample& sample);
 
     // Whether the rules permit every result of the last measured sample, but for NaN: any number for each
@@ -109,6 +112,7 @@ class RulesJudge {
 
   private:
     [[nodiscard]] double fraction_of(const Sample& sample, std::span<const numeric::Bounds> outcome) const;
+    [[nodiscard]] std::vector<Sample::Outcome> outcomes_beside(std::span<const Word> got) const;
 
     const Scalars& scalars_;
     Interpretation interpretation_;
