@@ -174,7 +174,8 @@ TEST_F(Skips, NoListsWhereNothingIsLeftOutUntilTheViewStandsStill) {
     for (int i = 0; i < 30; ++i) stays.push_back({view("room", i)});
     stays.back().frames = 8;
     const std::vector<Frame> frames = expect_same(stays, settings);
-    for (std::size_t i = 0; i < 30; ++i) EXPECT_EQ(listed(frames[i]), (i >= 1 && i < 5) || (i >= 25 && i < 29)) << i;
+    for (std::size_t i = 0; i < 30; ++i)
+        EXPECT_EQ(listed(frames[i]), (i >= 1 && i < 5) || (i >= 25 && i < 29)) << i;
     for (std::size_t i = 30; i < frames.size(); ++i) EXPECT_TRUE(listed(frames[i])) << i;
     EXPECT_EQ(frames.back().work.tiles_shaded, 0U);
     EXPECT_EQ(frames[5].work.tiles_shaded, frames[5].work.tiles);

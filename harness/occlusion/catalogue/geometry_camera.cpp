@@ -201,7 +201,9 @@ void append_guard_field_of_view(Entries& entries) {
         {.domain = {log_uniform(0.05, 10).and_special(), uniform(0, 1).and_special()},
          .budget = {.ulp = 3},
          .codomain = {-huge, huge}},
-        [](double tangent, double guard) { return moderate(1e-30, huge, tangent) && guard >= 0 && guard <= 1; });
+        [](double tangent, double guard) {
+            return moderate(1e-30, huge, tangent) && guard >= 0 && guard <= 1;
+        });
 }
 
 void append_nearest(Entries& entries) {

@@ -146,11 +146,12 @@ void append_issao_contributions(Entries& entries) {
          .codomain = {0, float_max}},
         [](double d, double phi, double mu) { return moderate(1e-9, 1e9, d, phi, mu); });
     add(entries, "ISSAO-3", &reference::gloam_contribution_issao_basic,
-        {.domain = {point_offsets(), normals(), lengths()}, 
+        {.domain = {point_offsets(), normals(), lengths()},
          .budget = {.absolute = 4e-7, .backward_ulp = 4},
          .codomain = {0, 1}},
         [](glm::dvec3 v, glm::dvec3 n, double radius) {
-            return ordinary(v) && std::isfinite(glm::dot(n, n)) && moderate(1e-9, 2, n) && moderate(1e-9, 1e9, radius);
+            return ordinary(v) && std::isfinite(glm::dot(n, n)) && moderate(1e-9, 2, n) &&
+                   moderate(1e-9, 1e9, radius);
         });
     add(entries, "ISSAO-4", &reference::gloam_contribution_issao_attenuated,
         {.domain = {point_offsets(), normals(), lengths(), log_uniform(0.1, 1).and_special(),

@@ -191,7 +191,8 @@ void append_disocclusion(Entries& entries) {
          .budget = {.absolute = 2e-6, .backward_ulp = 4},
          .codomain = {0, float_max}},
         [](glm::dvec3 now, glm::dvec3 before, glm::dvec3 normal, double reach) {
-            return moderate(1e-15, 16, now) && moderate(1e-15, 16, before) && moderate(1e-15, 1, normal) && moderate(1e-15, 16, reach);
+            return moderate(1e-15, 16, now) && moderate(1e-15, 16, before) && moderate(1e-15, 1, normal) &&
+                   moderate(1e-15, 16, reach);
         });
 }
 

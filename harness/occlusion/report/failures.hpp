@@ -47,8 +47,8 @@ struct ReplayedModule {
 
 // A program in C, on the Vulkan loader alone, that runs these modules on the device where it failed, or on
 // one that its argument names, and prints each output beside what is allowed. Its exit status is 1 if no
-// outcome contains the outputs of the first module, and 2 if it could not run. Build it with `cc FILE -lvulkan
-// -lm`.
+// outcome contains the outputs of the first module, and 2 if it could not run. Build it with `cc FILE
+// -lvulkan -lm`.
 [[nodiscard]] std::string to_c_program(const KernelReplay& replay,
                                        const std::vector<ReplayedModule>& modules);
 
