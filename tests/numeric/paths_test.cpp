@@ -190,6 +190,15 @@ TEST_F(RearrangedTest, WhatIsExactInEveryOrderStaysAPoint) {
     EXPECT_LT(y.interval().low(), y.interval().high());
 }
 
+TEST_F(RearrangedTest, APartialProductMayUnderflowAlthoughTheResultIsExact) {
+    const Rearranged scale = leaf(0x1p-64F);
+    const Interval small = ((leaf(0x1p24F) * scale) * scale).interval();
+    EXPECT_TRUE(small.bounds().contains(0x1p-104));
+    EXPECT_TRUE(small.bounds().contains(0.0)) << "2^-64 2^-64 is subnormal, and may be flushed";
+    EXPECT_FALSE(small.bounds().contains(0x1p-90));
+    EXPECT_TRUE(((leaf(0x1p24F) * leaf(0x1p-32F)) * leaf(0x1p-32F)).interval().bounds().is_point());
+}
+
 TEST_F(RearrangedTest, WhatMayOverflowInSomeOrderIsAnything) {
     EXPECT_TRUE((leaf(3e38F) + leaf(-3e38F) + leaf(3e38F)).interval().bounds().is_anything());
 }

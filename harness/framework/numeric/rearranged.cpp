@@ -50,6 +50,7 @@ Rearranged::Rearranged(const Interval& leaf) : in_order_(leaf) {
     magnitude_ = largest_magnitude(bounds);
     largest_ = std::max(1.0, magnitude_);
     if (bounds.is_point()) grid_ = bounds.low == 0.0 ? infinity : lowest_bit(bounds.low);
+    least_grid_ = std::min(1.0, grid_);
 }
 
 Interval Rearranged::interval() const {
@@ -57,7 +58,8 @@ Interval Rearranged::interval() const {
     const FloatFormat& format = *format_;
     const Bounds& bounds = in_order_.bounds();
     if (!(largest_ <= format.largest()) || bounds.empty()) return Interval::anything();
-    const bool exact = magnitude_ <= std::ldexp(grid_, format.precision) && grid_ >= format.smallest_normal();
+    const bool exact = magnitude_ <= std::ldexp(grid_, format.precision) &&
+                       std::min(grid_, least_grid_) >= format.smallest_normal();
     if (exact) return in_order_;
     const double unit = std::ldexp(1.0, 1 - format.precision);
     const double count = terms_ - 1.0 + roundings_;
@@ -80,6 +82,7 @@ Rearranged operator+(const Rearranged& a, const Rearranged& b) {
     result.magnitude_ = a.magnitude_ + b.magnitude_;
     result.largest_ = a.largest_ + b.largest_;
     result.grid_ = std::min(a.grid_, b.grid_);
+    result.least_grid_ = std::min(a.least_grid_, b.least_grid_);
     result.terms_ = a.terms_ + b.terms_;
     result.roundings_ = std::max(a.roundings_, b.roundings_);
     result.operations_ = a.operations_ + b.operations_ + 1;
@@ -98,6 +101,7 @@ Rearranged operator*(const Rearranged& a, const Rearranged& b) {
     result.largest_ = a.largest_ * b.largest_;
     // If a factor has no grid, the product has none; if one is zero, nothing is lost.
     result.grid_ = a.grid_ == 0.0 || b.grid_ == 0.0 ? 0.0 : a.grid_ * b.grid_;
+    result.least_grid_ = a.least_grid_ * b.least_grid_;
     result.terms_ = a.terms_ * b.terms_;
     result.roundings_ = a.roundings_ + b.roundings_ + 1.0;
     result.operations_ = a.operations_ + b.operations_ + 1;

@@ -28,10 +28,11 @@ class Rearranged {
     friend Rearranged operator/(const Rearranged& a, const Rearranged& b);
 
   private:
-    Interval in_order_;       // for the shader's order
-    double magnitude_ = 0.0;  // the sum of the magnitudes of the polynomial's terms
-    double largest_ = 1.0;    // bound of any partial result
-    double grid_ = 0.0;       // a power of two that divides all terms; 0: unknown
+    Interval in_order_;        // for the shader's order
+    double magnitude_ = 0.0;   // the sum of the magnitudes of the polynomial's terms
+    double largest_ = 1.0;     // bound of any partial result
+    double grid_ = 0.0;        // a power of two that divides all terms; 0: unknown
+    double least_grid_ = 1.0;  // the same for all partial results, at most 1
     double terms_ = 1.0;
     double roundings_ = 0.0;  // of one term, by its products and quotients
     int operations_ = 0;
