@@ -100,10 +100,7 @@ std::size_t count_of(const WorkItem& item, std::string_view mark) {
 }
 
 void replace(WorkItem& item, std::string_view mark, const std::string& value) {
-    for (std::string& argument : item)
-        for (std::size_t at = argument.find(mark); at != std::string::npos;
-             at = argument.find(mark, at + value.size()))
-            argument.replace(at, mark.size(), value);
+    for (std::string& argument : item) argument = base::replaced(std::move(argument), mark, value);
 }
 
 // Throws std::invalid_argument if this cannot be an item.

@@ -10,6 +10,8 @@
 #include <regex>
 #include <vector>
 
+#include "base/text.hpp"
+
 namespace gloam::check::internal {
 namespace {
 
@@ -24,13 +26,6 @@ std::size_t sentence_end(std::string_view text) {
             end = at;
     }
     return end;
-}
-
-std::string lower(std::string_view text) {
-    std::string result(text);
-    std::ranges::transform(result, result.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return result;
 }
 
 // Names that most shaders use for the same thing, for parameters with so many components.
@@ -171,7 +166,8 @@ std::optional<Meaning> meaning_of_comment(std::string_view comment, const std::s
         std::size_t end = sentence_end(rest);
         for (const std::string& other : others)
             if (other != name) end = std::min(end, find_word(rest, other, 0));
-        if (const auto meaning = meaning_of_words(lower(rest.substr(0, end)), is_vector)) return meaning;
+        if (const auto meaning = meaning_of_words(base::lower(std::string(rest.substr(0, end))), is_vector))
+            return meaning;
     }
     return std::nullopt;
 }
