@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <regex>
 #include <vector>
 
+#include "base/number.hpp"
 #include "base/text.hpp"
 
 namespace gloam::check::internal {
@@ -89,11 +89,8 @@ std::optional<double> number_of(std::string text) {
     if (text == "-pi" || text == "-π") return -pi;
     if (text == "2pi" || text == "2π") return 2.0 * pi;
     if (text.starts_with("+")) text.erase(0, 1);
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-        return std::nullopt;
-    return value;
+    const auto number = base::number_from<double>(text);
+    return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 double after(double x, double towards) {
