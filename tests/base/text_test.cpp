@@ -37,6 +37,11 @@ TEST(Text, OneLineShowsWhatATerminalWouldObey) {
     EXPECT_EQ(for_terminal("a\n\tb\x1b]0;c\x07\r\n"), "a\n\tb ]0;c  \n");
 }
 
+TEST(Text, HasOtherWordsOrSmallLetters) {
+    EXPECT_EQ(replaced("aaba", "a", "aa"), "aaaabaa");
+    EXPECT_EQ(lower("AMD Radeon 7\u00c9"), "amd radeon 7\u00c9");
+}
+
 TEST(Text, NamesAreOneShortLine) {
     EXPECT_TRUE(is_name("llvmpipe (LLVM 15.0.6, 256 bits)"));
     for (const std::string& text :

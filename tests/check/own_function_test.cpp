@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Anybody's shader file: no reference, no C++ signature.
-#include "check/own_function.hpp"
+#include "check/fixture_functions.hpp"
 #include "check/function.hpp"
 #include "shader/include.hpp"
-#include "support/lab.hpp"
-
-#include "support/test.hpp"
 
 namespace gloam::check::own_function_test {
 
 class OwnFunctionTest : public testing::Test {
   protected:
-    static LabOptions options_of(const std::string& name, const shader::Variant& variant = {}) {
-        return test::options_for(FIXTURES, name, variant);
-    }
     static OwnFunctions functions_of(const std::string& file, const std::vector<std::string>& names = {}) {
         return own_functions(options_of(file), file, names);
     }
@@ -21,11 +15,6 @@ class OwnFunctionTest : public testing::Test {
         std::vector<std::string> names;
         for (const OwnFunction& own : functions.found) names.push_back(own.name);
         return names;
-    }
-    Answer answer_of(const std::string& file, const std::string& name, const Ranges& ranges = {}) const {
-        const Lab own(options_of(file), test::SharedDevice::get());
-        const OwnFunction function = functions_of(file, {name}).found.at(0);
-        return run(own, question_of(own, file, function, ranges), {.inputs = 512});
     }
     Lab lab{options_of("own.glsl"), test::SharedDevice::get()};
 };

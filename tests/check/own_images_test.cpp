@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Functions that load and store images: each input has its own, whose pixels are inputs and outputs.
 #include "check/explain.hpp"
-#include "check/own_function.hpp"
-#include "check/run.hpp"
+#include "check/fixture_functions.hpp"
 #include "interpreter/program.hpp"
 #include "support/changed_device.hpp"
-#include "support/lab.hpp"
 
 #include "support/test.hpp"
 
@@ -15,72 +13,56 @@ constexpr const char* file = "own_images.glsl";
 constexpr std::size_t width = image_sides[0];
 constexpr std::size_t height = image_sides[1];
 
-LabOptions options_of(const shader::Variant& variant = {}) {
-    return test::options_for(FIXTURES, file, variant);
-}
-
-OwnFunction function_of(const std::string& name) {
-    return own_functions(options_of(), file, {name}).found.at(0);
-}
-
-std::string reason_of(const std::string& name) {
-    return own_functions(options_of(), file, {name}).left_out.at(0).why;
-}
-
-Answer answer_of(const Lab& lab, const std::string& name, const Ranges& ranges, std::size_t inputs) {
-    return run(lab, question_of(lab, file, function_of(name), ranges), {.inputs = inputs});
-}
-
 const Ranges pixels{{"p", {0, 3}}};
 const std::vector<const char*> all_names{"loaded", "height",  "pair",        "blurred",
                                          "filled", "counted", "signed_least"};
 
 TEST(OwnImages, ArePixelsOfTheInput) {
-    const OwnFunction blurred = function_of("blurred");
+    const OwnFunction blurred = function_of(file, "blurred");
     ASSERT_EQ(blurred.function.parameters.size(), 2U);
     const shader::Parameter& picture = blurred.function.parameters[1];
     EXPECT_EQ(to_glsl(picture.type) + " " + picture.name, "vec4[4][5] picture");
     EXPECT_EQ(picture.direction, shader::Direction::inout);
     EXPECT_EQ(blurred.signature().output_words(), width * height * 4);
-    const OwnFunction of_heights = function_of("height");
+    const OwnFunction of_heights = function_of(file, "height");
     EXPECT_EQ(of_heights.function.parameters[1].direction, shader::Direction::in);
     EXPECT_EQ(to_glsl(of_heights.function.parameters[1].type), "float[4][5]");
-    EXPECT_EQ(function_of("loaded").function.parameters[1].direction, shader::Direction::in)
+    EXPECT_EQ(function_of(file, "loaded").function.parameters[1].direction, shader::Direction::in)
         << "nothing stores";
-    EXPECT_EQ(to_glsl(function_of("counted").function.parameters[2].type), "uint[4][5]");
+    EXPECT_EQ(to_glsl(function_of(file, "counted").function.parameters[2].type), "uint[4][5]");
 }
 
 TEST(OwnImages, EveryFunctionIsWithinTheRules) {
-    const Lab lab(options_of(), test::SharedDevice::get());
-    const Lab interpreted(options_of(), interpreter());
+    const Lab lab(options_of(file), test::SharedDevice::get());
+    const Lab interpreted(options_of(file), interpreter());
     for (const Lab* each : {&lab, &interpreted})
         for (const char* name : all_names) {
-            const Answer answer = answer_of(*each, name, pixels, 512);
+            const Answer answer = answer_of(*each, file, name, pixels, 512);
             EXPECT_TRUE(answer.passed()) << each->info().name << " " << name << "\n" << answer;
             EXPECT_EQ(answer.undefined, 0U) << name;
         }
-    EXPECT_TRUE(answer_of(lab, "size_of", {}, 64).passed());
+    EXPECT_TRUE(answer_of(lab, file, "size_of", {}, 64).passed());
     // More inputs than an image has layers.
-    EXPECT_TRUE(answer_of(lab, "height", pixels, 5000).passed());
+    EXPECT_TRUE(answer_of(lab, file, "height", pixels, 5000).passed());
 }
 
 TEST(OwnImages, APixelOutsideIsTheInputsFault) {
-    const Lab lab(options_of(), test::SharedDevice::get());
-    EXPECT_THROW((void)answer_of(lab, "loaded", {{"p", {0, 7}}, {"picture", {0, 1}}}, 512),
+    const Lab lab(options_of(file), test::SharedDevice::get());
+    EXPECT_THROW((void)answer_of(lab, file, "loaded", {{"p", {0, 7}}, {"picture", {0, 1}}}, 512),
                  interpreter::Error)
         << "all inputs are in ranges that were given";
-    const Answer any = answer_of(lab, "loaded", {}, 512);
+    const Answer any = answer_of(lab, file, "loaded", {}, 512);
     EXPECT_GT(any.undefined, 0U);
     EXPECT_EQ(any.outside(), 0U) << any;
 }
 
 TEST(OwnImages, AreJudgedInEveryVariant) {
     for (const shader::Variant& variant : shader::variants()) {
-        const Lab lab(options_of(variant), test::SharedDevice::get());
+        const Lab lab(options_of(file, variant), test::SharedDevice::get());
         // With constants each few inputs are a module of their own.
         const bool constants = variant.constants != shader::Variant::Constants::none;
         for (const char* name : {"blurred", "pair", "counted"}) {
-            const Answer answer = answer_of(lab, name, pixels, constants ? 4 : 48);
+            const Answer answer = answer_of(lab, file, name, pixels, constants ? 4 : 48);
             EXPECT_FALSE(answer.failed()) << variant.name << " " << name << "\n" << answer;
         }
     }
@@ -89,9 +71,9 @@ TEST(OwnImages, AreJudgedInEveryVariant) {
 // What the device returns for a pixel that the function does not touch, and for one that it stores.
 TEST(OwnImages, AWrongPixelIsNoticed) {
     const auto outside = [](const char* name, test::ChangedDevice::After after) {
-        const Lab lab(options_of(),
+        const Lab lab(options_of(file),
                       std::make_shared<test::ChangedDevice>(test::SharedDevice::get(), nullptr, after));
-        return answer_of(lab, name, pixels, 128).outside();
+        return answer_of(lab, file, name, pixels, 128).outside();
     };
     EXPECT_EQ(outside("blurred", [](std::span<Word> row) { row[width * height * 4 - 1] ^= 0x100U; }), 128U);
     EXPECT_EQ(
@@ -104,17 +86,17 @@ TEST(OwnImages, AWrongPixelIsNoticed) {
 }
 
 TEST(OwnImages, OtherOnesAreLeftOutWithTheReason) {
-    EXPECT_THAT(reason_of("of_bytes"),
+    EXPECT_THAT(reason_of(file, "of_bytes"),
                 HasSubstr("expected a single sampler, a single image2D with a format of 32"));
-    EXPECT_THAT(reason_of("of_several"), HasSubstr("it uses \"several\", an image or sampler"));
-    EXPECT_EQ(reason_of("sum_of"),
+    EXPECT_THAT(reason_of(file, "of_several"), HasSubstr("it uses \"several\", an image or sampler"));
+    EXPECT_EQ(reason_of(file, "sum_of"),
               "values of the parameter type image2D cannot be drawn: image2D is not supported");
-    EXPECT_EQ(reason_of("in_quad"),
+    EXPECT_EQ(reason_of(file, "in_quad"),
               "the image \"picture\" is shared by the invocations that run it together");
 }
 
 TEST(OwnImages, AnExplanationHasThePixels) {
-    const OwnFunction own = function_of("blurred");
+    const OwnFunction own = function_of(file, "blurred");
     const KernelSource source{
         .file = file, .function = own.function, .images = own.images, .text = own.excerpt};
     std::vector<Word> input(2 + width * height * 4, to_word(1.0F));

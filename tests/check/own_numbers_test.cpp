@@ -5,13 +5,11 @@
 #include <limits>
 
 #include "check/explain.hpp"
+#include "check/fixture_functions.hpp"
 #include "check/function.hpp"
-#include "check/own_function.hpp"
 #include "check/reproduction.hpp"
-#include "check/run.hpp"
 #include "support/changed_device.hpp"
 #include "support/devices.hpp"
-#include "support/lab.hpp"
 
 #include "support/test.hpp"
 
@@ -19,28 +17,19 @@ namespace gloam::check::own_numbers_test {
 
 using shader::Scalar;
 
+constexpr const char* file = "numbers.glsl";
+constexpr std::size_t inputs_of_each = 1024;
+
 constexpr std::array all_names{"double_sum",     "double_quotient", "double_vectors", "long_arithmetic",
                                "long_unsigned",  "byte_arithmetic", "byte_vectors",   "short_vectors",
                                "short_unsigned", "half_sum",        "half_vectors",   "numbers_changed",
                                "inside"};
 
-class OwnNumbers : public testing::Test {
-  protected:
-    static LabOptions options(const shader::Variant& variant = {}) {
-        return test::options_for(FIXTURES, "numbers.glsl", variant);
-    }
-    static OwnFunction function(const std::string& name) {
-        return own_functions(options(), "numbers.glsl", {name}).found.at(0);
-    }
-    static Answer answer(const Lab& lab, const std::string& name) {
-        return run(lab, question_of(lab, "numbers.glsl", function(name), {}), {.inputs = 1024});
-    }
-    // The answer to a device that changes the first output word.
-    static Answer changed(const std::string& name, const std::function<void(std::span<Word>)>& change) {
-        const auto device = std::make_shared<test::ChangedDevice>(test::SharedDevice::get(), nullptr, change);
-        return answer(Lab(options(), device), name);
-    }
-};
+// The answer to a device that changes the first output word.
+Answer changed(const std::string& name, const std::function<void(std::span<Word>)>& change) {
+    const auto device = std::make_shared<test::ChangedDevice>(test::SharedDevice::get(), nullptr, change);
+    return answer_of(Lab(options_of(file), device), file, name, {}, inputs_of_each);
+}
 
 struct Numbers {
     Float64 d;
@@ -50,21 +39,21 @@ struct Numbers {
     Float16 h;
 };
 
-TEST_F(OwnNumbers, GoInAndOutOfAKernel) {
+TEST(OwnNumbers, GoInAndOutOfAKernel) {
     const Lab lab = test::make_lab(FIXTURES);
-    const Function<Float64(Float64, Float64)> sum(lab, "numbers.glsl", "double_sum");
+    const Function<Float64(Float64, Float64)> sum(lab, file, "double_sum");
     EXPECT_EQ(sum(1.0, 0x1p-52), 1.0 + 0x1p-52);
     EXPECT_EQ(sum(1e300, -1e-300), 1e300);
     constexpr std::int64_t large = 0x1234'5678'9abc'def0;
-    const Function<std::int64_t(std::int64_t, std::int64_t)> longs(lab, "numbers.glsl", "long_arithmetic");
+    const Function<std::int64_t(std::int64_t, std::int64_t)> longs(lab, file, "long_arithmetic");
     EXPECT_EQ(longs(large, std::int64_t{-1}), -large + (large >> 3) - (-1 ^ ~large));
-    const Function<std::int8_t(std::int8_t, std::int8_t)> bytes(lab, "numbers.glsl", "byte_arithmetic");
+    const Function<std::int8_t(std::int8_t, std::int8_t)> bytes(lab, file, "byte_arithmetic");
     EXPECT_EQ(bytes(std::int8_t{100}, std::int8_t{-3}), std::int8_t(-300 + 2));
-    const Function<std::uint16_t(std::uint16_t, std::uint16_t)> shorts(lab, "numbers.glsl", "short_unsigned");
+    const Function<std::uint16_t(std::uint16_t, std::uint16_t)> shorts(lab, file, "short_unsigned");
     EXPECT_EQ(shorts(std::uint16_t{50000}, std::uint16_t{3}), std::uint16_t(150000));
-    const Function<Float16(Float16, Float16)> halves(lab, "numbers.glsl", "half_sum");
+    const Function<Float16(Float16, Float16)> halves(lab, file, "half_sum");
     EXPECT_EQ(halves(2048.0F, 1.0F), 2048.0F) << "rounded to float16";
-    const Function<Numbers(Numbers, std::array<Float64, 2>)> all(lab, "numbers.glsl", "numbers_changed");
+    const Function<Numbers(Numbers, std::array<Float64, 2>)> all(lab, file, "numbers_changed");
     const Numbers result = all(Numbers{0.1, large, 3.0F, {1, 250}, 0.5F}, std::array<Float64, 2>{7.0, 0.2});
     EXPECT_EQ(result.d, 0.1 + 0.2);
     EXPECT_EQ(result.l, large + 250);
@@ -72,16 +61,16 @@ TEST_F(OwnNumbers, GoInAndOutOfAKernel) {
     EXPECT_EQ(result.b, (glm::vec<2, std::uint8_t>(0, 250)));
     EXPECT_EQ(result.h, 1.0F);
     EXPECT_THAT(
-        [&] { (void)Function<float(float, float)>(lab, "numbers.glsl", "double_sum"); },
+        [&] { (void)Function<float(float, float)>(lab, file, "double_sum"); },
         testing::ThrowsMessage<std::invalid_argument>(HasSubstr("double double_sum(double a, double b)")));
 }
 
-TEST_F(OwnNumbers, AreJudgedInEveryVariant) {
+TEST(OwnNumbers, AreJudgedInEveryVariant) {
     for (const shader::Variant& variant : shader::variants()) {
-        const Lab lab(options(variant), test::SharedDevice::get());
+        const Lab lab(options_of(file, variant), test::SharedDevice::get());
         for (const char* name : all_names) {
             try {
-                const Answer all = answer(lab, name);
+                const Answer all = answer_of(lab, file, name, {}, inputs_of_each);
                 EXPECT_EQ(all.outside(), 0U) << variant.name << " " << name << "\n" << all;
                 EXPECT_GT(all.judged(), 0U) << variant.name << " " << name;
             } catch (const backend::Unsupported& error) {
@@ -93,7 +82,7 @@ TEST_F(OwnNumbers, AreJudgedInEveryVariant) {
     }
 }
 
-TEST_F(OwnNumbers, WrongResultsAreFound) {
+TEST(OwnNumbers, WrongResultsAreFound) {
     const auto words = [](Scalar scalar, std::int64_t steps) {
         return [=](std::span<Word> row) {
             if (shader::is_float(scalar)) return step_float(scalar, steps, row);
@@ -124,12 +113,12 @@ TEST_F(OwnNumbers, WrongResultsAreFound) {
     }
 }
 
-TEST_F(OwnNumbers, ADeviceWithoutThemSaysSo) {
+TEST(OwnNumbers, ADeviceWithoutThemSaysSo) {
     const auto devices = test::devices_at_hand();
     const auto found =
         std::ranges::find_if(devices, [](const auto& one) { return one.name.find("SwiftShader") == 0; });
     if (found == devices.end()) GTEST_SKIP() << "SwiftShader lacks them, and it is not here";
-    LabOptions of_device = options();
+    LabOptions of_device = options_of(file);
     of_device.device = found->name;
     const Lab lab(of_device);
     const std::vector<std::pair<std::string, std::string>> features{{"double_sum", "shaderFloat64"},
@@ -137,7 +126,7 @@ TEST_F(OwnNumbers, ADeviceWithoutThemSaysSo) {
                                                                     {"half_sum", "shaderFloat16"},
                                                                     {"byte_arithmetic", "shaderInt8"}};
     for (const auto& [name, feature] : features)
-        EXPECT_THAT([&] { (void)answer(lab, name); },
+        EXPECT_THAT([&] { (void)answer_of(lab, file, name, {}, inputs_of_each); },
                     testing::ThrowsMessage<backend::Unsupported>(AllOf(
                         HasSubstr(name + ": needs " + feature), HasSubstr("which device \"SwiftShader"))));
 }
@@ -149,11 +138,11 @@ std::vector<Word> drawn(Scalar scalar, const Values& values) {
     return inputs.words;
 }
 
-TEST_F(OwnNumbers, FloatsAreDrawnFromTheRangeOfTheirFormat) {
-    const Lab lab(options(), test::SharedDevice::get());
+TEST(OwnNumbers, FloatsAreDrawnFromTheRangeOfTheirFormat) {
+    const Lab lab(options_of(file), test::SharedDevice::get());
     for (const auto& [name, scalar] :
          {std::pair{"double_sum", Scalar::double_}, {"half_sum", Scalar::float16_}}) {
-        const Question question = question_of(lab, "numbers.glsl", function(name), {});
+        const Question question = question_of(lab, file, function_of(file, name), {});
         const std::vector<Word> words = drawn(scalar, question.domain.parameters().front());
         std::set<double> found;
         bool nan = false;
@@ -177,7 +166,7 @@ TEST_F(OwnNumbers, FloatsAreDrawnFromTheRangeOfTheirFormat) {
     }
 }
 
-TEST_F(OwnNumbers, IntegersAreDrawnUpToTheirLimits) {
+TEST(OwnNumbers, IntegersAreDrawnUpToTheirLimits) {
     const auto holds = [](Scalar scalar, std::int64_t least, std::uint64_t most) {
         const std::vector<Word> words = drawn(scalar, any_integer(scalar));
         std::set<std::uint64_t> found;
@@ -204,7 +193,7 @@ TEST_F(OwnNumbers, IntegersAreDrawnUpToTheirLimits) {
     holds(Scalar::uint64_, 0, std::numeric_limits<std::uint64_t>::max());
 }
 
-TEST_F(OwnNumbers, FixedValuesAreOfTheType) {
+TEST(OwnNumbers, FixedValuesAreOfTheType) {
     const Values doubles = uniform(0, 1, Scalar::double_);
     const Domain near({doubles.and_near({0.5}, Scalar::double_)});
     std::set<double> found;
@@ -217,9 +206,9 @@ TEST_F(OwnNumbers, FixedValuesAreOfTheType) {
                     "a fixed value is of another type than the values that are drawn"));
 }
 
-TEST_F(OwnNumbers, ARangeIsKept) {
-    const Lab lab(options(), test::SharedDevice::get());
-    const Question question = question_of(lab, "numbers.glsl", function("long_arithmetic"), {{"a", {-3, 5}}});
+TEST(OwnNumbers, ARangeIsKept) {
+    const Lab lab(options_of(file), test::SharedDevice::get());
+    const Question question = question_of(lab, file, function_of(file, "long_arithmetic"), {{"a", {-3, 5}}});
     const std::vector<Word> words = drawn(Scalar::int64_, question.domain.parameters().front());
     for (std::size_t i = 0; i < words.size(); i += 2) {
         const auto value = static_cast<std::int64_t>(bits_at(Scalar::int64_, std::span(words).subspan(i)));
@@ -227,18 +216,18 @@ TEST_F(OwnNumbers, ARangeIsKept) {
     }
 }
 
-TEST_F(OwnNumbers, AreComparedInTheirOwnUlp) {
+TEST(OwnNumbers, AreComparedInTheirOwnUlp) {
     const Lab lab = test::make_lab(FIXTURES);
     const Domain domain({uniform(0.5, 2.0, Scalar::double_)});
     const Budget budget{.ulp = 3};
     const auto exact = [](double x) { return 1.0 / x; };
-    const Answer wrong = Function<Float64(Float64)>(lab, "numbers.glsl", "double_reciprocal_wrong")
+    const Answer wrong = Function<Float64(Float64)>(lab, file, "double_reciprocal_wrong")
                              .compare(exact, domain, budget, {.inputs = 1024});
     EXPECT_GT(wrong.outside(), 500U);
     EXPECT_GT(wrong.max_ulp, 0x1p20) << "a float has 29 bits less";
     const Domain two({uniform(0.5, 2.0, Scalar::double_), uniform(0.5, 2.0, Scalar::double_)});
     const Answer right =
-        Function<Float64(Float64, Float64)>(lab, "numbers.glsl", "double_quotient")
+        Function<Float64(Float64, Float64)>(lab, file, "double_quotient")
             .compare([](double a, double b) { return a / b; }, two, budget, {.inputs = 1024});
     EXPECT_TRUE(right.passed()) << right;
     using Longs = Function<std::int64_t(std::int64_t, std::int64_t)>;
@@ -248,22 +237,22 @@ TEST_F(OwnNumbers, AreComparedInTheirOwnUlp) {
         return static_cast<std::int64_t>(product + static_cast<std::uint64_t>(a >> 3) -
                                          static_cast<std::uint64_t>(b ^ ~a));
     };
-    EXPECT_TRUE(Longs(lab, "numbers.glsl", "long_arithmetic").compare(reference, longs).passed());
+    EXPECT_TRUE(Longs(lab, file, "long_arithmetic").compare(reference, longs).passed());
     const auto off_by_one = [&](std::int64_t a, std::int64_t b) { return reference(a, b) ^ 1; };
-    EXPECT_GT(Longs(lab, "numbers.glsl", "long_arithmetic").compare(off_by_one, longs).outside(), 60'000U);
+    EXPECT_GT(Longs(lab, file, "long_arithmetic").compare(off_by_one, longs).outside(), 60'000U);
 }
 
-TEST_F(OwnNumbers, AFailureIsShrunkAndToldInTheirText) {
+TEST(OwnNumbers, AFailureIsShrunkAndToldInTheirText) {
     const auto second = [](std::span<Word> row) {
         set_bits(Scalar::int64_, bits_at(Scalar::int64_, row) + 1, row);
     };
     const auto device = std::make_shared<test::ChangedDevice>(test::SharedDevice::get(), nullptr, second);
-    const Lab lab(options(), device);
-    const Question question = question_of(lab, "numbers.glsl", function("long_arithmetic"), {});
+    const Lab lab(options_of(file), device);
+    const Question question = question_of(lab, file, function_of(file, "long_arithmetic"), {});
     const RunOptions few{.inputs = 256};
     const Reproduction longs = reproduce(lab, question, few, run(lab, question, few).worst.value());
     EXPECT_EQ(longs.inputs, (std::vector<Word>{0, 0, 0, 0}));
-    const Signature signature = function("double_sum").signature();
+    const Signature signature = function_of(file, "double_sum").signature();
     std::vector<Word> words;
     append_words(Float64(0.1), words);
     append_words(Float64(-2.0), words);
@@ -273,10 +262,9 @@ TEST_F(OwnNumbers, AFailureIsShrunkAndToldInTheirText) {
     EXPECT_EQ(text_at(Scalar::uint64_, std::array<Word, 2>{1, 1}), "4294967297 (0x0000000100000001)");
 }
 
-TEST_F(OwnNumbers, AnExplanationHasTheirDigits) {
-    const OwnFunction own = function("half_sum");
-    const KernelSource source{
-        .file = "numbers.glsl", .function = own.function, .images = {}, .text = own.excerpt};
+TEST(OwnNumbers, AnExplanationHasTheirDigits) {
+    const OwnFunction own = function_of(file, "half_sum");
+    const KernelSource source{.file = file, .function = own.function, .images = {}, .text = own.excerpt};
     const std::array words{to_word(2048.0F), to_word(1.0F)};
     const Explanation all = explain({.variant = shader::variant("strict")}, source, words);
     ASSERT_EQ(all.steps.size(), 1U);

@@ -3,12 +3,10 @@
 #include "backend/gl/device.hpp"
 #include "backend/sampled.hpp"
 #include "check/explain.hpp"
-#include "check/own_function.hpp"
+#include "check/fixture_functions.hpp"
 #include "check/reproduction.hpp"
-#include "check/run.hpp"
 #include "shader/include.hpp"
 #include "support/changed_device.hpp"
-#include "support/lab.hpp"
 
 #include "support/test.hpp"
 
@@ -17,23 +15,6 @@ namespace gloam::check::own_samplers_test {
 using testing::ElementsAre;
 
 constexpr const char* file = "samplers.glsl";
-
-LabOptions options_of(const shader::Variant& variant = {}) {
-    return test::options_for(FIXTURES, file, variant);
-}
-
-OwnFunction function_of(const std::string& name) {
-    return own_functions(options_of(), file, {name}).found.at(0);
-}
-
-std::string reason_of(const std::string& name) {
-    return own_functions(options_of(), file, {name}).left_out.at(0).why;
-}
-
-Answer answer_of(const Lab& lab, const std::string& name, const Ranges& ranges = {},
-                 std::size_t inputs = 384) {
-    return run(lab, question_of(lab, file, function_of(name), ranges), {.inputs = inputs});
-}
 
 // A device whose images are changed before it reads them.
 std::shared_ptr<backend::Backend> with_texels(void (*change)(std::span<Word> texels)) {
@@ -72,13 +53,13 @@ const std::vector<const char*> shadow_names{"of_shadow", "shadow_at_level", "sha
 const Ranges directions{{"p", {-1, 1}}};
 
 TEST(OwnSamplers, AreGlobalsAndParameters) {
-    const OwnFunctions all = own_functions(options_of(), file);
+    const OwnFunctions all = own_functions(options_of(file), file);
     std::vector<std::string> names;
     for (const OwnFunction& own : all.found) names.push_back(own.name);
     EXPECT_THAT(names, testing::IsSupersetOf(std::vector<std::string>(all_names.begin(), all_names.end())));
     const auto samplers = [](const char* name) {
         std::vector<std::string> texts;
-        for (const ImagePrototype& one : function_of(name).images)
+        for (const ImagePrototype& one : function_of(file, name).images)
             texts.push_back(one.sampler->type + " " + one.name);
         return texts;
     };
@@ -90,48 +71,48 @@ TEST(OwnSamplers, AreGlobalsAndParameters) {
 
 TEST(OwnSamplers, AreJudgedInEveryVariant) {
     for (const shader::Variant& variant : shader::variants()) {
-        const Lab lab(options_of(variant), test::SharedDevice::get());
+        const Lab lab(options_of(file, variant), test::SharedDevice::get());
         const bool constants = variant.constants != shader::Variant::Constants::none;
         for (const char* name : {"at_level", "gathered", "sampled", "two", "sheet", "biased", "one_of_cubes",
                                  "shadow_at_level", "shadow_around"}) {
-            const bool in_quads = function_of(name).team.kind == backend::Team::Kind::quad;
+            const bool in_quads = function_of(file, name).team.kind == backend::Team::Kind::quad;
             if (constants && in_quads) {
-                EXPECT_THROW((void)answer_of(lab, name, {}, 96), backend::Unsupported) << name;
+                EXPECT_THROW((void)answer_of(lab, file, name, {}, 96), backend::Unsupported) << name;
                 continue;
             }
             const bool of_cube = std::string_view(name).find("cube") != std::string_view::npos ||
                                  std::string_view(name) == "shadow_around";
-            const Answer answer = answer_of(lab, name, of_cube ? directions : Ranges{}, 96);
+            const Answer answer = answer_of(lab, file, name, of_cube ? directions : Ranges{}, 96);
             EXPECT_FALSE(answer.failed()) << variant.name << " " << name << "\n" << answer;
         }
     }
 }
 
 TEST(OwnSamplers, EveryFunctionIsWithinTheRules) {
-    const Lab lab(options_of(), test::SharedDevice::get());
-    const Lab interpreted(options_of(), interpreter());
+    const Lab lab(options_of(file), test::SharedDevice::get());
+    const Lab interpreted(options_of(file), interpreter());
     for (const char* name : all_names) {
         for (const Lab* each : {&lab, &interpreted}) {
-            const Answer answer = answer_of(*each, name);
+            const Answer answer = answer_of(*each, file, name);
             EXPECT_TRUE(answer.passed()) << each->info().name << " " << name << "\n" << answer;
             EXPECT_EQ(answer.undefined, 0U) << name;
         }
     }
     for (const Lab* each : {&lab, &interpreted}) {
         for (const char* name : cube_names) {
-            const Answer answer = answer_of(*each, name, directions, 1024);
+            const Answer answer = answer_of(*each, file, name, directions, 1024);
             EXPECT_TRUE(answer.passed()) << each->info().name << " " << name << "\n" << answer;
         }
         for (const char* name : shadow_names) {
-            const Answer answer = answer_of(*each, name, {}, 1024);
+            const Answer answer = answer_of(*each, file, name, {}, 1024);
             EXPECT_TRUE(answer.passed()) << each->info().name << " " << name << "\n" << answer;
         }
     }
-    const Answer fetched = answer_of(lab, "fetched", {{"p", {0, 3}}});
+    const Answer fetched = answer_of(lab, file, "fetched", {{"p", {0, 3}}});
     EXPECT_TRUE(fetched.passed()) << fetched;
-    const Answer beside = answer_of(lab, "fetched_beside", {{"p", {1, 2}}});
+    const Answer beside = answer_of(lab, file, "fetched_beside", {{"p", {1, 2}}});
     EXPECT_TRUE(beside.passed()) << beside;
-    const Answer outside = answer_of(lab, "fetched");
+    const Answer outside = answer_of(lab, file, "fetched");
     EXPECT_GT(outside.undefined, 0U) << "texels outside are the input's fault";
     EXPECT_EQ(outside.outside(), 0U) << outside;
 }
@@ -146,18 +127,18 @@ TEST(OwnSamplers, AWrongSamplerIsNoticed) {
          }},
         {"border", [](Header& h) { h.wrap = backend::Wrap::border; }}};
     for (const auto& [what, change] : plants) {
-        const Lab lab(options_of(), distorted(change));
-        const Answer answer = answer_of(lab, "sampled", {{"uv", {-1, 2}}});
+        const Lab lab(options_of(file), distorted(change));
+        const Answer answer = answer_of(lab, file, "sampled", {{"uv", {-1, 2}}});
         EXPECT_GT(answer.outside(), 0U) << what;
     }
     // The same device, unchanged, is right.
-    const Lab right(options_of(), distorted([](Header&) {}));
-    EXPECT_EQ(answer_of(right, "sampled", {{"uv", {-1, 2}}}).outside(), 0U);
+    const Lab right(options_of(file), distorted([](Header&) {}));
+    EXPECT_EQ(answer_of(right, file, "sampled", {{"uv", {-1, 2}}}).outside(), 0U);
 }
 
 // The rules of OpenGL 4.5 are those of Vulkan.
 TEST(OwnSamplers, OpenGlReadsTheSameImages) {
-    LabOptions options = options_of();
+    LabOptions options = options_of(file);
     options.device = "gl:llvmpipe-4.5";
     options.validation = false;
     std::shared_ptr<backend::Backend> opengl;
@@ -171,22 +152,22 @@ TEST(OwnSamplers, OpenGlReadsTheSameImages) {
          {"at_level", "graded", "gathered", "cube_at_level", "cube_gathered", "one_of_cubes", "cube_count",
           "shadow_at_level", "shadow_gathered", "sized", "levels"}) {
         const bool of_cube = std::string_view(name).find("cube") != std::string_view::npos;
-        const Answer answer = answer_of(lab, name, of_cube ? directions : Ranges{}, 512);
+        const Answer answer = answer_of(lab, file, name, of_cube ? directions : Ranges{}, 512);
         EXPECT_TRUE(answer.passed()) << name << "\n" << answer;
     }
-    EXPECT_THROW((void)answer_of(lab, "sampled"), backend::Unsupported) << "a quad";
+    EXPECT_THROW((void)answer_of(lab, file, "sampled"), backend::Unsupported) << "a quad";
     const auto change = [](std::vector<std::vector<Word>>& images) {
         for (std::vector<Word>& words : images) words[6] = 1 - words[6];  // SampledHeader::linear
     };
     const Lab changed(options, std::make_shared<test::ChangedDevice>(opengl, change, nullptr));
     for (const char* name : {"cube_at_level", "shadow_at_level"})
-        EXPECT_GT(answer_of(changed, name, directions, 512).outside(), 0U) << name;
+        EXPECT_GT(answer_of(changed, file, name, directions, 512).outside(), 0U) << name;
 }
 
 TEST(OwnSamplers, AWrongFaceOrEdgeOfACubeIsNoticed) {
     const auto outside = [](void (*change)(std::span<Word>), const char* name) {
-        const Lab lab(options_of(), with_texels(change));
-        return answer_of(lab, name, directions, 1024).outside();
+        const Lab lab(options_of(file), with_texels(change));
+        return answer_of(lab, file, name, directions, 1024).outside();
     };
     // The faces +x and -x of the largest level.
     const auto exchanged = [](std::span<Word> texels) {
@@ -216,14 +197,14 @@ TEST(OwnSamplers, AWrongComparisonIsNoticed) {
          }},
         {"filter", [](Header& h) { h.linear = 1 - h.linear; }}};
     for (const auto& [what, change] : plants) {
-        const Lab lab(options_of(), distorted(change));
-        EXPECT_GT(answer_of(lab, "shadow_at_level", {{"p", {0, 1}}}, 1024).outside(), 0U) << what;
+        const Lab lab(options_of(file), distorted(change));
+        EXPECT_GT(answer_of(lab, file, "shadow_at_level", {{"p", {0, 1}}}, 1024).outside(), 0U) << what;
     }
 }
 
 TEST(OwnSamplers, ScenariosDifferInFilterEdgesAndLevels) {
     std::vector<std::string> names;
-    for (const ImageScenario& scenario : random_scenarios(function_of("sampled").images)) {
+    for (const ImageScenario& scenario : random_scenarios(function_of(file, "sampled").images)) {
         names.push_back(scenario.name);
         numeric::Random random(1);
         for (const auto& [name, image] : scenario.make(scenario.size, random)) {
@@ -239,14 +220,15 @@ TEST(OwnSamplers, ScenariosDifferInFilterEdgesAndLevels) {
 }
 
 TEST(OwnSamplers, OtherOnesAreLeftOutWithTheReason) {
-    EXPECT_EQ(reason_of("of_several"),
+    EXPECT_EQ(reason_of(file, "of_several"),
               "values of the parameter type sampler2DMS cannot be drawn: sampler2DMS is not supported");
-    EXPECT_THAT(reason_of("of_many"), HasSubstr("it uses \"many\", an image or sampler"));
+    EXPECT_THAT(reason_of(file, "of_many"), HasSubstr("it uses \"many\", an image or sampler"));
 }
 
 TEST(OwnSamplers, AReproductionSaysWhichImagesAreSampled) {
-    const Lab lab(options_of(), test::SharedDevice::get());
-    const Reproduction all = reproduce(lab, question_of(lab, file, function_of("twice"), {}), {.inputs = 64});
+    const Lab lab(options_of(file), test::SharedDevice::get());
+    const Reproduction all =
+        reproduce(lab, question_of(lab, file, function_of(file, "twice"), {}), {.inputs = 64});
     ASSERT_EQ(all.images.size(), 2U);
     EXPECT_TRUE(all.images[0].bound && all.images[1].bound);
     EXPECT_EQ(all.team, backend::quad_team);
@@ -256,7 +238,7 @@ TEST(OwnSamplers, AReproductionSaysWhichImagesAreSampled) {
 
 // What a story of a failure shows.
 TEST(OwnSamplers, AnExplanationHasItsSamplers) {
-    const OwnFunction own = function_of("twice");
+    const OwnFunction own = function_of(file, "twice");
     const KernelSource source{
         .file = file, .function = own.function, .images = own.images, .text = own.excerpt, .team = own.team};
     numeric::Random random(1);

@@ -2,12 +2,10 @@
 // Functions whose inputs are more than vectors: arrays, nested structures, uniforms and buffers.
 #include <array>
 
+#include "check/fixture_functions.hpp"
 #include "check/function.hpp"
-#include "check/own_function.hpp"
-#include "check/run.hpp"
 #include "shader/include.hpp"
 #include "support/changed_device.hpp"
-#include "support/lab.hpp"
 
 #include "support/test.hpp"
 
@@ -23,29 +21,9 @@ std::shared_ptr<backend::Backend> shifted() {
     });
 }
 
-class OwnTypes : public testing::Test {
-  protected:
-    static LabOptions options_of(const std::string& name, const shader::Variant& variant = {}) {
-        return test::options_for(FIXTURES, name, variant);
-    }
-    static OwnFunction function_of(const std::string& file, const std::string& name) {
-        return own_functions(options_of(file), file, {name}).found.at(0);
-    }
-    static std::string reason_of(const std::string& file, const std::string& name) {
-        return own_functions(options_of(file), file, {name}).left_out.at(0).why;
-    }
-    static Answer answer_of(const Lab& lab, const std::string& file, const std::string& name,
-                            const Ranges& ranges = {}) {
-        return run(lab, question_of(lab, file, function_of(file, name), ranges), {.inputs = 256});
-    }
-    static Answer answer_of(const std::string& file, const std::string& name, const Ranges& ranges = {}) {
-        return answer_of(Lab(options_of(file), test::SharedDevice::get()), file, name, ranges);
-    }
-};
-
 using Row = std::array<float, 4>;
 
-TEST_F(OwnTypes, ArraysGoInAndOutOfAKernel) {
+TEST(OwnTypes, ArraysGoInAndOutOfAKernel) {
     const Lab lab = test::make_lab(FIXTURES);
     const Function<float(Row, Row)> dot(lab, "arrays.glsl", "array_dot");
     EXPECT_EQ(dot(Row{1, 2, 3, 4}, Row{1, 10, 100, 1000}), 4321.0F);
@@ -70,7 +48,7 @@ struct Scene {
     glm::mat2 turn;
 };
 
-TEST_F(OwnTypes, StructuresHoldArraysOfStructures) {
+TEST(OwnTypes, StructuresHoldArraysOfStructures) {
     const Lab lab = test::make_lab(FIXTURES);
     const Function<Scene(Scene, float)> swapped(lab, "arrays.glsl", "array_swapped");
     const Scene scene{{Light{{1, 2, 3}, {4, 5}}, Light{{6, 7, 8}, {9, 10}}}, glm::mat2(11, 12, 13, 14)};
@@ -83,7 +61,7 @@ TEST_F(OwnTypes, StructuresHoldArraysOfStructures) {
                     AllOf(HasSubstr("float[3], float[4]"), HasSubstr("float[4] a, float[4] b"))));
 }
 
-TEST_F(OwnTypes, ArraysAreComparedWithAReference) {
+TEST(OwnTypes, ArraysAreComparedWithAReference) {
     const Lab lab = test::make_lab(FIXTURES);
     using DoubleRow = std::array<double, 4>;
     const auto reference = [](DoubleRow a, DoubleRow b) {
@@ -99,17 +77,17 @@ TEST_F(OwnTypes, ArraysAreComparedWithAReference) {
     EXPECT_TRUE(wrong.failed()) << wrong;
 }
 
-TEST_F(OwnTypes, ArraysAreJudgedInEveryVariant) {
+TEST(OwnTypes, ArraysAreJudgedInEveryVariant) {
     for (const shader::Variant& variant : shader::variants()) {
         const Lab lab(options_of("arrays.glsl", variant), test::SharedDevice::get());
         for (const char* name : {"array_dot", "array_transposed", "array_swapped", "array_split"}) {
-            const Answer answer = answer_of(lab, "arrays.glsl", name);
+            const Answer answer = answer_of(lab, "arrays.glsl", name, {}, 256);
             EXPECT_TRUE(answer.passed()) << variant.name << " " << name << "\n" << answer;
         }
     }
 }
 
-TEST_F(OwnTypes, AWrongElementIsNoticed) {
+TEST(OwnTypes, AWrongElementIsNoticed) {
     const Lab lab(options_of("arrays.glsl"), shifted());
     for (const char* name : {"array_transposed", "array_swapped", "array_split"}) {
         const Answer answer = answer_of(lab, "arrays.glsl", name);
@@ -118,7 +96,7 @@ TEST_F(OwnTypes, AWrongElementIsNoticed) {
     }
 }
 
-TEST_F(OwnTypes, ARangeIsOfEveryElement) {
+TEST(OwnTypes, ARangeIsOfEveryElement) {
     const Lab lab(options_of("arrays.glsl"), test::SharedDevice::get());
     const Question question = question_of(lab, "arrays.glsl", function_of("arrays.glsl", "array_dot"),
                                           {{"a", {2, 3}}, {"b", {0, 1}}});
@@ -131,7 +109,7 @@ TEST_F(OwnTypes, ARangeIsOfEveryElement) {
         }
 }
 
-TEST_F(OwnTypes, LargeArraysAreRefused) {
+TEST(OwnTypes, LargeArraysAreRefused) {
     EXPECT_TRUE(answer_of("arrays.glsl", "array_large").passed());
     EXPECT_EQ(
         reason_of("arrays.glsl", "array_too_large"),
@@ -144,10 +122,10 @@ TEST_F(OwnTypes, LargeArraysAreRefused) {
 }
 
 // An index outside is not judged; the other inputs of the same kernel are.
-TEST_F(OwnTypes, AConstantIndexOutsideIsAnInputsFault) {
+TEST(OwnTypes, AConstantIndexOutsideIsAnInputsFault) {
     for (const char* name : {"literals", "specialization"}) {
         const Lab lab(options_of("undefined.glsl", shader::variant(name)), test::SharedDevice::get());
-        const Answer answer = answer_of(lab, "undefined.glsl", "undefined_table");
+        const Answer answer = answer_of(lab, "undefined.glsl", "undefined_table", {}, 256);
         EXPECT_GT(answer.undefined, 0U) << name;
         EXPECT_LT(answer.undefined, answer.inputs()) << name;
         EXPECT_EQ(answer.outside(), 0U) << answer;
@@ -164,7 +142,7 @@ std::vector<std::string> globals_of(const OwnFunction& own) {
     return texts;
 }
 
-TEST_F(OwnTypes, UniformsAreFurtherInputs) {
+TEST(OwnTypes, UniformsAreFurtherInputs) {
     const auto inputs_of = [](const char* name) { return globals_of(function_of("uniforms.glsl", name)); };
     EXPECT_THAT(inputs_of("exposed"), UnorderedElementsAre("float exposure", "float[2] bias"));
     EXPECT_THAT(inputs_of("graded"),
@@ -182,7 +160,7 @@ TEST_F(OwnTypes, UniformsAreFurtherInputs) {
     EXPECT_THAT(inputs_of("place"), ElementsAre("inout vec4 gloam_Position"));
 }
 
-TEST_F(OwnTypes, UniformsHaveTheValuesThatWereDrawn) {
+TEST(OwnTypes, UniformsHaveTheValuesThatWereDrawn) {
     const Lab lab(options_of("uniforms.glsl"), test::SharedDevice::get());
     const auto run_one = [&](const char* name, const std::vector<Word>& inputs) {
         const OwnFunction own = function_of("uniforms.glsl", name);
@@ -203,24 +181,24 @@ TEST_F(OwnTypes, UniformsHaveTheValuesThatWereDrawn) {
     EXPECT_THAT(shaded, testing::IsSupersetOf({to_word(1.0F), to_word(2.0F)}));
 }
 
-TEST_F(OwnTypes, UniformsAreJudgedInEveryVariant) {
+TEST(OwnTypes, UniformsAreJudgedInEveryVariant) {
     for (const shader::Variant& variant : shader::variants()) {
         const Lab lab(options_of("uniforms.glsl", variant), test::SharedDevice::get());
         for (const char* name : {"graded", "lamp", "store", "shade", "sum", "pixel", "place"}) {
-            const Answer answer = answer_of(lab, "uniforms.glsl", name, {{"i", {0, 15}}});
+            const Answer answer = answer_of(lab, "uniforms.glsl", name, {{"i", {0, 15}}}, 256);
             EXPECT_FALSE(answer.failed()) << variant.name << " " << name << "\n" << answer;
             EXPECT_EQ(answer.undefined, 0U) << variant.name << " " << name;
         }
     }
 }
 
-TEST_F(OwnTypes, AWrongUniformIsNoticed) {
+TEST(OwnTypes, AWrongUniformIsNoticed) {
     const Lab lab(options_of("uniforms.glsl"), shifted());
     for (const char* name : {"graded", "shade"})
         EXPECT_GT(answer_of(lab, "uniforms.glsl", name).outside(), 0U) << name;
 }
 
-TEST_F(OwnTypes, ARangeOfAUniformIsKept) {
+TEST(OwnTypes, ARangeOfAUniformIsKept) {
     const Lab lab(options_of("uniforms.glsl"), test::SharedDevice::get());
     const Question question = question_of(lab, "uniforms.glsl", function_of("uniforms.glsl", "timed"),
                                           {{"t", {0, 1}}, {"iTime", {5, 6}}});
@@ -233,7 +211,7 @@ TEST_F(OwnTypes, ARangeOfAUniformIsKept) {
     EXPECT_THAT(text, HasSubstr(", float iTime "));
 }
 
-TEST_F(OwnTypes, WhatCannotBeGivenIsNamed) {
+TEST(OwnTypes, WhatCannotBeGivenIsNamed) {
     EXPECT_EQ(reason_of("uniforms.glsl", "nothing"),
               "it has no result and no out parameter, and it writes no buffer or stage output");
     EXPECT_EQ(reason_of("uniforms.glsl", "assigns"), "it assigns to \"gain\", which a shader can only read");

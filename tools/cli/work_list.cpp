@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -13,6 +12,7 @@
 #include <utility>
 
 #include "base/cached_file.hpp"
+#include "base/number.hpp"
 #include "base/text.hpp"
 #include "cli/arguments.hpp"
 #include "cli/names.hpp"
@@ -46,19 +46,12 @@ std::vector<std::string> split(std::string_view text, char separator) {
     return parts;
 }
 
-std::optional<std::size_t> whole_number(std::string_view text) {
-    std::size_t value = 0;
-    const auto [end, error] = std::from_chars(text.begin(), text.end(), value);
-    if (text.empty() || error != std::errc{} || end != text.end()) return std::nullopt;
-    return value;
-}
-
 std::vector<std::string> values_of(const std::string& text) {
     if (text.starts_with('@')) return split(read_text(text.substr(1)), '\n');
     const std::size_t dots = text.find("..");
     if (dots == std::string::npos) return split(text, ',');
-    const auto low = whole_number(std::string_view(text).substr(0, dots));
-    const auto high = whole_number(std::string_view(text).substr(dots + 2));
+    const auto low = base::number_from<std::size_t>(std::string_view(text).substr(0, dots));
+    const auto high = base::number_from<std::size_t>(std::string_view(text).substr(dots + 2));
     if (!low || !high || *high < *low || *high - *low >= most_items)
         throw std::invalid_argument(
             fmt::format("expected LOW..HIGH, at most {} whole numbers, found {}", most_items, text));
@@ -100,10 +93,7 @@ std::size_t count_of(const WorkItem& item, std::string_view mark) {
 }
 
 void replace(WorkItem& item, std::string_view mark, const std::string& value) {
-    for (std::string& argument : item)
-        for (std::size_t at = argument.find(mark); at != std::string::npos;
-             at = argument.find(mark, at + value.size()))
-            argument.replace(at, mark.size(), value);
+    for (std::string& argument : item) argument = base::replaced(std::move(argument), mark, value);
 }
 
 // Throws std::invalid_argument if this cannot be an item.

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "base/files.hpp"
+#include "base/text.hpp"
 #include "catalogue/catalogue.hpp"
 #include "effect/methods.hpp"
 #include "report/output.hpp"
@@ -76,13 +77,6 @@ std::string page_text(const std::string& name, const std::string& text, const Si
         preview_of(title, description, name, options) + text.substr(head, text.find("<main>\n") - head));
     put("<!-- main -->\n", between(text, "<main>\n", "</main>", name));
     return page;
-}
-
-// A text with other words in the place of each marker.
-std::string replaced(std::string text, const std::string& marker, const std::string& words) {
-    for (std::size_t at = 0; (at = text.find(marker, at)) != std::string::npos; at += words.size())
-        text.replace(at, marker.size(), words);
-    return text;
 }
 
 // The part of the library that a file belongs to: "temporal" of "gloam/temporal/blend.glsl".
@@ -182,10 +176,10 @@ void write_methods(const fs::path& library, const SiteOptions& options, Files& f
                            known(failures, name), known(options.pictures.methods, name));
         files.write("source-" + name + ".js", "gloam.addSource(\"" + name + "\", " +
                                                   nlohmann::ordered_json(texts).dump(-1, ' ', true) + ");\n");
-        write_page(
-            "method-" + name + ".html",
-            replaced(replaced(form, "NAME", name), "DESCRIPTION", report::escaped_html(method.description)),
-            options, files);
+        write_page("method-" + name + ".html",
+                   base::replaced(base::replaced(form, "NAME", name), "DESCRIPTION",
+                                  report::escaped_html(method.description)),
+                   options, files);
     }
     files.write("methods-data.js", "gloam.methodPages = [\n" + all + "\n];\n");
 }

@@ -20,6 +20,12 @@ namespace gloam::base {
 // becomes a space.
 [[nodiscard]] std::string one_line(std::string_view text);
 
+// The text with small ASCII letters.
+[[nodiscard]] std::string lower(std::string text);
+
+// The text with other words wherever `from` stands, which is not empty.
+[[nodiscard]] std::string replaced(std::string text, std::string_view from, std::string_view to);
+
 // Whether a text is a name of at most 1000 bytes in one line, without control characters, and not empty.
 [[nodiscard]] bool is_name(std::string_view text);
 

@@ -37,9 +37,7 @@ std::string operation_text(const std::string& operation) {
     const auto is_upper = [](char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; };
     std::string name = operation.substr(set.size());
     if (name.size() > 1 && name[0] == 'F' && is_upper(name[1])) name.erase(0, 1);  // FMix
-    std::ranges::transform(name, name.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return name;
+    return base::lower(name);
 }
 
 std::string share_text(double share) {

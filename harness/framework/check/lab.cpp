@@ -30,11 +30,8 @@ std::vector<ImagePrototype> image_prototypes(const std::vector<shader::Function>
     return images;
 }
 
-// The other variants are ways to make a SPIR-V module, and an OpenGL driver is given text. A module after
-// steps becomes text again.
 void require_opengl_options(const LabOptions& options, shader::Language language) {
-    const bool steps = !options.variant.steps.empty();
-    if (options.variant.changes_the_module() || (steps && !internal::has_compute(language))) {
+    if (!options.variant.runs_on_opengl(internal::has_compute(language))) {
         throw std::invalid_argument(
             fmt::format("{}: OpenGL devices have the variant shipped only, and those with compute shaders "
                         "its steps, not {}",

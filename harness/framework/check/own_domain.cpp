@@ -14,6 +14,7 @@
 #include <span>
 #include <stdexcept>
 
+#include "base/number.hpp"
 #include "check/internal/parameter_meaning.hpp"
 
 namespace gloam::check {
@@ -91,11 +92,8 @@ Described without_meaning(const Type& type, int components) {
 }
 
 double number_from(std::string_view text, const std::string& whole) {
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size())
-        throw std::invalid_argument(fmt::format("--range {}: expected NAME=LOW:HIGH", whole));
-    return value;
+    if (const auto number = base::number_from<double>(text)) return *number;
+    throw std::invalid_argument(fmt::format("--range {}: expected NAME=LOW:HIGH", whole));
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 #include "check/random_function.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
 #include <initializer_list>
 
 #include "numeric/random.hpp"
@@ -34,85 +33,48 @@ class Writer {
     }
 
   private:
-    std::string pick(std::initializer_list<const char*> of) {
-        return *(of.begin() + random_.below(of.size()));
-    }
+    using Choices = std::initializer_list<const char*>;
+
+    std::string pick(Choices of) { return *(of.begin() + random_.below(of.size())); }
     std::string number() { return fmt::format("{:.1f}", static_cast<double>(random_.below(17)) / 2.0 - 4.0); }
 
+    // A leaf, or a rule with texts for its capitals: X and Y are of its own grammar, W is whole, R real, T
+    // true or false, D a divisor, N a number, I an integer.
+    std::string grown(int depth, Choices leaves, Choices rules) {
+        if (depth == 0) return pick(leaves);
+        const std::string x = grown(depth - 1, leaves, rules);
+        const std::string y = grown(depth - 1, leaves, rules);
+        std::string text;
+        for (const char c : pick(rules))
+            text += c == 'X'   ? x
+                    : c == 'Y' ? y
+                    : c == 'W' ? whole(depth - 1)
+                    : c == 'R' ? real(depth - 1)
+                    : c == 'T' ? truth(depth - 1)
+                    : c == 'D' ? pick({"3", "7", "12"})
+                    : c == 'N' ? number()
+                    : c == 'I' ? std::to_string(static_cast<int>(random_.below(40)) - 20)
+                               : std::string(1, c);
+        return text;
+    }
     std::string real(int depth) {
-        if (depth == 0) return pick({"f0", "f1", "f2", "v.x", "v.z", "a[2]", "m2[0][1]"});
-        const std::string x = real(depth - 1);
-        const std::string y = real(depth - 1);
-        switch (random_.below(14)) {
-            case 0:
-                return fmt::format("({} + {})", x, y);
-            case 1:
-                return fmt::format("({} - {})", x, y);
-            case 2:
-                return fmt::format("({} * {})", x, y);
-            case 3:
-                return fmt::format("min({}, {})", x, y);
-            case 4:
-                return fmt::format("max({}, {})", x, y);
-            case 5:
-                return fmt::format("abs({})", x);
-            case 6:
-                return fmt::format("floor({} * 0.5)", x);
-            case 7:
-                return fmt::format("({} ? {} : {})", truth(depth - 1), x, y);
-            case 8:
-                return fmt::format("float({})", whole(depth - 1));
-            case 9:
-                return fmt::format("clamp({}, -8.0, 8.0)", x);
-            case 10:
-                return fmt::format("a[{} & 3]", whole(depth - 1));
-            case 11:
-                return fmt::format("v[uint({}) % 3u]", whole(depth - 1));
-            case 12:
-                return fmt::format("trunc({} - {})", x, number());
-            default:
-                return number();
-        }
+        return grown(depth, {"f0", "f1", "f2", "v.x", "v.z", "a[2]", "m2[0][1]"},
+                     {"(X + Y)", "(X - Y)", "(X * Y)", "min(X, Y)", "max(X, Y)", "abs(X)", "floor(X * 0.5)",
+                      "(T ? X : Y)", "float(W)", "clamp(X, -8.0, 8.0)", "a[W & 3]", "v[uint(W) % 3u]",
+                      "trunc(X - N)", "N"});
     }
     std::string whole(int depth) {
-        if (depth == 0) return pick({"i0", "i1", "i2", "int(u0)"});
-        const std::string x = whole(depth - 1);
-        const std::string y = whole(depth - 1);
-        switch (random_.below(13)) {
-            case 0:
-                return fmt::format("({} + {})", x, y);
-            case 1:
-                return fmt::format("({} - {})", x, y);
-            case 2:
-                return fmt::format("({} * {})", x, y);
-            case 3:
-                return fmt::format("({} / ({} | 1))", x, pick({"3", "7", "12"}));
-            case 4:
-                return fmt::format("({} & {})", x, y);
-            case 5:
-                return fmt::format("({} ^ {})", x, y);
-            case 6:
-                return fmt::format("({} >> ({} & 15))", x, y);
-            case 7:
-                return fmt::format("({} << ({} & 7))", x, y);
-            case 8:
-                return fmt::format("({} ? {} : {})", truth(depth - 1), x, y);
-            case 9:
-                return fmt::format("int(clamp({}, -1000.0, 1000.0))", real(depth - 1));
-            case 10:
-                return fmt::format("bitfieldExtract({}, 2, 11)", x);
-            case 11:
-                return fmt::format("int(uint({}) % 13u)", x);
-            default:
-                return fmt::format("{}", static_cast<int>(random_.below(40)) - 20);
-        }
+        return grown(depth, {"i0", "i1", "i2", "int(u0)"},
+                     {"(X + Y)", "(X - Y)", "(X * Y)", "(X / (D | 1))", "(X & Y)", "(X ^ Y)",
+                      "(X >> (Y & 15))", "(X << (Y & 7))", "(T ? X : Y)", "int(clamp(R, -1000.0, 1000.0))",
+                      "bitfieldExtract(X, 2, 11)", "int(uint(X) % 13u)", "I"});
     }
     std::string truth(int depth) {
         switch (random_.below(5)) {
             case 0:
-                return fmt::format("{} < {}", real(std::max(depth, 0)), number());
+                return fmt::format("{} < {}", real(depth), number());
             case 1:
-                return fmt::format("({} > {} && {} != 3)", whole(std::max(depth, 0)), whole(0), whole(0));
+                return fmt::format("({} > {} && {} != 3)", whole(depth), whole(0), whole(0));
             case 2:
                 return fmt::format("{} == {}", whole(0), whole(0));
             case 3:

@@ -146,10 +146,11 @@ struct Variant {
     // What the kernel of a function goes through after that, in order (steps.hpp). compile() ignores them.
     std::vector<std::string> steps = {};
 
-    // Whether a module of it may differ from that of the front end as it is, before its steps.
-    [[nodiscard]] bool changes_the_module() const {
-        return optimization != Optimization::none || strict || relaxed || through != Through::none ||
-               constants != Constants::none;
+    // Whether an OpenGL device takes it: one that is given the text, or, with compute shaders, the front
+    // end's module after the steps as text again. The other variants are ways to make a module.
+    [[nodiscard]] bool runs_on_opengl(bool has_compute) const {
+        return optimization == Optimization::none && !strict && !relaxed && through == Through::none &&
+               constants == Constants::none && (has_compute || steps.empty());
     }
 };
 

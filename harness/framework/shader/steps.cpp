@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <optional>
 #include <random>
@@ -12,6 +11,7 @@
 #include <system_error>
 
 #include "base/files.hpp"
+#include "base/number.hpp"
 #include "base/process.hpp"
 #include "base/text.hpp"
 #include "shader/internal/cross.hpp"
@@ -39,12 +39,6 @@ std::string joined(const Words& words) {
     return fmt::format("{}", fmt::join(words, " "));
 }
 
-std::optional<std::uint64_t> number_from(const std::string& text) {
-    std::uint64_t number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc{} && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
-}
-
 [[noreturn]] void refuse(const std::string& step, const std::string& expected) {
     throw std::invalid_argument(fmt::format("\"{}\" is no step: expected {}", step, expected));
 }
@@ -63,12 +57,12 @@ std::vector<std::size_t> all_positions() {
 // "metamorphic SEED" or "metamorphic SEED only POSITION...".
 Seeded seeded_from(const std::string& step) {
     const Words words = words_of(step);
-    const auto seed = words.size() > 1 ? number_from(words[1]) : std::nullopt;
+    const auto seed = words.size() > 1 ? base::number_from<std::uint64_t>(words[1]) : std::nullopt;
     const bool some = words.size() > 3 && words[2] == "only";
     if (!seed || (words.size() > 2 && !some)) refuse(step, "metamorphic SEED, or metamorphic SEED only 3 5");
     Seeded seeded{*seed, some ? std::vector<std::size_t>{} : all_positions()};
     for (std::size_t w = 3; w < words.size(); ++w) {
-        const auto position = number_from(words[w]);
+        const auto position = base::number_from<std::uint64_t>(words[w]);
         if (!position || *position >= metamorphic_changes)
             refuse(step, fmt::format("positions below {}", metamorphic_changes));
         seeded.positions.push_back(*position);

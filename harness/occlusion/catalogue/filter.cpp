@@ -78,12 +78,6 @@ auto positions_of(const ImageSet& images) {
     return [&images](glm::ivec2 pixel) { return images.at(positions_name).at<glm::dvec3>(pixel); };
 }
 
-float occlusion_or_worse(numeric::Random& random) {
-    constexpr float bad[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
-                             -0.25F, 1.5F};
-    return random.below(32) == 0 ? bad[random.below(4)] : static_cast<float>(random.unit());
-}
-
 // Noisy occlusion, mostly unconverged, on a slanted surface with a step and background; some texels hold
 // invalid values.
 ImageSet noisy_surface(glm::ivec2 size, numeric::Random& random) {

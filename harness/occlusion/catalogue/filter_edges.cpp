@@ -20,12 +20,6 @@ auto scalars_of(const ImageSet& images, const char* name) {
     return [&images, name](glm::ivec2 pixel) { return images.at(name).at<double>(pixel); };
 }
 
-float occlusion_or_worse(numeric::Random& random) {
-    constexpr float bad[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
-                             -0.25F, 1.5F};
-    return random.below(32) == 0 ? bad[random.below(4)] : static_cast<float>(random.unit());
-}
-
 // Noisy occlusion on a slanted surface with a step and holes of background.
 ImageSet noisy_surface(glm::ivec2 size, numeric::Random& random) {
     const auto depth = [&](glm::ivec2 pixel) {

@@ -71,6 +71,12 @@ bool carried_near(glm::dvec4 point, std::initializer_list<glm::dmat4> chain, boo
     return true;
 }
 
+// Of a point in clip space and the matrices to the previous one.
+constexpr auto well_carried = [](const glm::dvec4& clip, const auto&... matrices) {
+    return moderate(smallest_entry, largest_entry, clip, matrices...) &&
+           carried_near(clip, {glm::dmat4(matrices)...}, true);
+};
+
 void append_clip(Entries& entries) {
     add(entries, "TSSAO-RP-uv", &reference::gloam_uv_from_clip,
         {.domain = {either(clip_points(), vector(4, signed_log_uniform(1e-30, 1e30))).and_special()},
@@ -90,10 +96,7 @@ void append_clip(Entries& entries) {
                     projection_matrices().and_special()},
          .budget = {.ulp = 4, .absolute = 4e-4, .of_largest_component = true},
          .codomain = {-huge, huge}},
-        [](const glm::dvec4& clip, const auto&... matrices) {
-            return moderate(smallest_entry, largest_entry, clip, matrices...) &&
-                   carried_near(clip, {glm::dmat4(matrices)...}, true);
-        });
+        well_carried);
     add(entries, "TSSAO-RP-moving", &reference::gloam_previous_clip_moving,
         {.domain = {clip_points().and_special(), inverse_projection_matrices().and_special(),
                     rigid_matrices(10).and_special(), rigid_matrices(10).and_special(),
@@ -101,10 +104,7 @@ void append_clip(Entries& entries) {
                     projection_matrices().and_special()},
          .budget = {.ulp = 4, .absolute = 5e-4, .of_largest_component = true},
          .codomain = {-huge, huge}},
-        [](const glm::dvec4& clip, const auto&... matrices) {
-            return moderate(smallest_entry, largest_entry, clip, matrices...) &&
-                   carried_near(clip, {glm::dmat4(matrices)...}, true);
-        });
+        well_carried);
 }
 
 // World positions in a scene of usual size.

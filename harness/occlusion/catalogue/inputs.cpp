@@ -139,6 +139,12 @@ std::vector<ImageScenario> image_scenarios(
     return scenarios;
 }
 
+float occlusion_or_worse(Random& random) {
+    constexpr float bad[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
+                             -0.25F, 1.5F};
+    return random.below(32) == 0 ? bad[random.below(4)] : static_cast<float>(random.unit());
+}
+
 std::vector<ImageScenario> depth_scenarios(const std::string& prototype) {
     auto scenarios = image_scenarios([prototype](glm::ivec2 size, numeric::Random& random) {
         return ImageSet{{prototype, surface_depth(size, random)}};

@@ -65,6 +65,9 @@ template <class... V>
 [[nodiscard]] std::vector<check::ImageScenario> image_scenarios(
     const std::function<check::ImageSet(glm::ivec2 size, numeric::Random& random)>& make);
 
+// An occlusion for an image; rarely NaN, infinity, or outside [0, 1].
+[[nodiscard]] float occlusion_or_worse(numeric::Random& random);
+
 inline constexpr const char* depth_prototype = "gloam_fetch_depth";
 
 // Eye-linear depth images (float) of those sizes for a prototype: a slanted surface with steps and holes of

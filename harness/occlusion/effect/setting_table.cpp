@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 #include <type_traits>
 
+#include "base/number.hpp"
 #include "effect/internal/named.hpp"
 #include "effect/methods.hpp"
 #include "effect/settings.hpp"
@@ -248,10 +248,8 @@ SettingValue value_of(const Setting& setting, std::string_view text) {
         const auto synonym = std::ranges::find(setting.synonyms, text, [](const auto& s) { return s.first; });
         return synonym == setting.synonyms.end() ? std::string(text) : synonym->second;
     }
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool number = error == std::errc{} && end == text.data() + text.size();
-    if (std::holds_alternative<double>(kind) && number) return value;
+    const auto number = base::number_from<double>(text);
+    if (std::holds_alternative<double>(kind) && number) return *number;
     throw std::invalid_argument(
         fmt::format("{} \"{}\": expected {}", setting.name, text, expected_of(setting)));
 }

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <stdexcept>
 #include <variant>
 
+#include "base/number.hpp"
 #include "effect/methods.hpp"
 #include "effect/settings.hpp"
 #include "experiment/table.hpp"
@@ -20,11 +20,9 @@ namespace {
 std::string value_text(const effect::Settings& settings, const std::string& name, const std::string& text) {
     if (!text.starts_with('x')) return text;
     const auto value = effect::setting_named(name).get(settings);
-    double factor = 0.0;
-    const char* end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data() + 1, end, factor);
-    if (!std::holds_alternative<double>(value) || error != std::errc{} || stop != end) return text;
-    return effect::text_of(factor * std::get<double>(value));
+    const auto factor = base::number_from<double>(std::string_view(text).substr(1));
+    if (!std::holds_alternative<double>(value) || !factor) return text;
+    return effect::text_of(*factor * std::get<double>(value));
 }
 
 void apply(effect::Settings& settings, const Layer& layer) {

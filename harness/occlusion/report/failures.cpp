@@ -30,16 +30,9 @@ std::string buffer_declaration(const std::string& name, const std::vector<std::u
     return text + "END\n\n";
 }
 
-// Amber reads a number without a point as an integer, and ends a shader at the first "END".
+// Amber reads a number without a point as an integer.
 std::string number(float value) {
     return fmt::format("{:#.9g}", value);
-}
-
-std::string without_end(std::string assembly) {
-    for (std::size_t at = 0; (at = assembly.find("END", at)) != std::string::npos; at += 3) {
-        assembly.replace(at, 3, "End");
-    }
-    return assembly;
 }
 
 // The ends of a range as floats inside it.
@@ -178,7 +171,9 @@ std::string view_of(const KernelReplay& replay, bool floats) {
 std::string to_amber(const KernelReplay& replay) {
     std::string text = "#!amber\n";
     for (const std::string& comment : replay.comments) text += "# " + comment + "\n";
-    text += "\nSHADER compute kernel SPIRV-ASM TARGET_ENV spv1.5\n" + without_end(replay.assembly);
+    // Amber ends a shader at the first "END".
+    text += "\nSHADER compute kernel SPIRV-ASM TARGET_ENV spv1.5\n" +
+            base::replaced(replay.assembly, "END", "End");
     if (!text.ends_with('\n')) text += '\n';
     text += "END\n\n";
     text += "# how many inputs, invocations in a row, the word to write behind the outputs\n";

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "base/text.hpp"
 
 namespace gloam::report {
 
@@ -20,12 +21,6 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 20> marks{
      {"radv", "AMD"},       {"intel", "Intel"},    {"adreno", "Qualcomm"},     {"qualcomm", "Qualcomm"},
      {"mali", "Arm"},       {"immortalis", "Arm"}, {"powervr", "Imagination"}, {"xclipse", "Samsung"},
      {"apple", "Apple"},    {"v3d", "Broadcom"},   {"videocore", "Broadcom"},  {"interpreter", "gloam"}}};
-
-std::string lower(std::string text) {
-    std::ranges::transform(text, text.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
 
 bool is_digit(char c) {
     return c >= '0' && c <= '9';
@@ -49,7 +44,7 @@ std::string trimmed(std::string_view text) {
 }  // namespace
 
 DriverGroup group_of(const DeviceSummary& device) {
-    const std::string names = lower(device.name + " " + device.driver);
+    const std::string names = base::lower(device.name + " " + device.driver);
     const auto* mark = std::ranges::find_if(
         marks, [&](const auto& each) { return names.find(each.first) != std::string::npos; });
     const std::string& text = device.driver.empty() ? device.name : device.driver;

@@ -62,13 +62,11 @@ std::vector<shader::Variant> variants_of(const CheckOptions& options) {
         variants.push_back(shader::variant(name));
     if (!is_opengl(options.device)) return variants;
     const std::optional<gl::DeviceName> named = gl::device_name_from(options.device);
-    const bool only_shipped = named && !gl::has_compute(named->version);
-    std::erase_if(variants, [&](const shader::Variant& variant) {
-        return variant.changes_the_module() || (only_shipped && !variant.steps.empty());
-    });
+    const bool compute = !named || gl::has_compute(named->version);
+    std::erase_if(variants, [&](const shader::Variant& variant) { return !variant.runs_on_opengl(compute); });
     if (variants.empty())
         throw std::invalid_argument(fmt::format("{}: expected the variant shipped{}, not {}", options.device,
-                                                only_shipped ? "" : " or metamorphic", options.variant));
+                                                compute ? " or metamorphic" : "", options.variant));
     return variants;
 }
 

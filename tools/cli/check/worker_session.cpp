@@ -2,9 +2,10 @@
 #include "cli/check/worker_session.hpp"
 
 #include <fmt/format.h>
-#include <charconv>
 #include <cstdlib>
 #include <string_view>
+
+#include "base/number.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -14,18 +15,12 @@ using base::WorkerProcess;
 constexpr const char* index_variable = "GTEST_SHARD_INDEX";
 constexpr const char* count_variable = "GTEST_TOTAL_SHARDS";
 
-bool read_number(std::string_view text, std::size_t& number) {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc() && end == text.data() + text.size();
-}
-
 Shard shard_of(std::string_view index, std::string_view count, const std::string& where) {
-    Shard shard;
-    if (!read_number(index, shard.index) || !read_number(count, shard.count) || shard.index >= shard.count) {
-        throw std::invalid_argument(where + ": expected INDEX/COUNT with 0 <= INDEX < COUNT, found " +
-                                    std::string(index) + "/" + std::string(count));
-    }
-    return shard;
+    const auto part = base::number_from<std::size_t>(index);
+    const auto of = base::number_from<std::size_t>(count);
+    if (part && of && *part < *of) return {.index = *part, .count = *of};
+    throw std::invalid_argument(where + ": expected INDEX/COUNT with 0 <= INDEX < COUNT, found " +
+                                std::string(index) + "/" + std::string(count));
 }
 
 }  // namespace

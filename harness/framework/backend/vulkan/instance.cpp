@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <stdexcept>
 #include <utility>
 
 #include "base/cached_file.hpp"
+#include "base/text.hpp"
 
 namespace gloam::gpu {
 namespace {
@@ -151,13 +151,6 @@ std::vector<vk::raii::PhysicalDevice> physical_devices(const vk::raii::Instance&
 
 namespace {
 
-std::string lower(std::string_view text) {
-    std::string result(text);
-    std::ranges::transform(result, result.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return result;
-}
-
 // Real GPUs first, in any order; software last.
 std::size_t default_device(std::span<const DeviceInfo> devices) {
     const auto rank = [](const DeviceInfo& device) {
@@ -176,9 +169,10 @@ std::optional<std::size_t> by_index(std::span<const DeviceInfo> devices, std::st
 }
 
 std::optional<std::size_t> by_name(std::span<const DeviceInfo> devices, std::string_view part) {
-    const auto found = std::ranges::find_if(devices, [wanted = lower(part)](const DeviceInfo& device) {
-        return lower(device.name).find(wanted) != std::string::npos;
-    });
+    const auto found =
+        std::ranges::find_if(devices, [wanted = base::lower(std::string(part))](const DeviceInfo& device) {
+            return base::lower(device.name).find(wanted) != std::string::npos;
+        });
     if (found == devices.end()) return std::nullopt;
     return static_cast<std::size_t>(found - devices.begin());
 }

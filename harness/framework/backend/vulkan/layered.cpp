@@ -33,26 +33,17 @@ ImageHandles create(Context& context, const LayeredImage::Layers& layers) {
     const auto features = context.physical.handle.getFormatProperties(format).optimalTilingFeatures;
     if (!(features & vk::FormatFeatureFlagBits::eStorageImage))
         throw backend::Unsupported("this device stores to no image of the format " + layers.format);
-    vk::raii::Image image(context.device, vk::ImageCreateInfo{.imageType = vk::ImageType::e2D,
-                                                              .format = format,
-                                                              .extent = {layers.width, layers.height, 1},
-                                                              .mipLevels = 1,
-                                                              .arrayLayers = layers.count,
-                                                              .samples = vk::SampleCountFlagBits::e1,
-                                                              .tiling = vk::ImageTiling::eOptimal,
-                                                              .usage = vk::ImageUsageFlagBits::eStorage,
-                                                              .initialLayout = vk::ImageLayout::eUndefined});
-    auto memory = allocate(context, image.getMemoryRequirements(),
-                           {vk::MemoryPropertyFlagBits::eDeviceLocal, {}}, "an image of layers");
-    image.bindMemory(*memory, 0);
-    vk::raii::ImageView view(
-        context.device,
-        vk::ImageViewCreateInfo{
-            .image = *image,
-            .viewType = vk::ImageViewType::e2DArray,
-            .format = format,
-            .subresourceRange = {.aspectMask = color, .levelCount = 1, .layerCount = layers.count}});
-    return {std::move(image), std::move(memory), std::move(view)};
+    return make_image(context,
+                      {.imageType = vk::ImageType::e2D,
+                       .format = format,
+                       .extent = {layers.width, layers.height, 1},
+                       .mipLevels = 1,
+                       .arrayLayers = layers.count,
+                       .samples = vk::SampleCountFlagBits::e1,
+                       .tiling = vk::ImageTiling::eOptimal,
+                       .usage = vk::ImageUsageFlagBits::eStorage,
+                       .initialLayout = vk::ImageLayout::eUndefined},
+                      vk::ImageViewType::e2DArray, color, "an image of layers");
 }
 
 }  // namespace

@@ -146,21 +146,27 @@ void check_size(const Context& context, Extent extent, Format format) {
 ImageHandles create(Context& context, Extent extent, Format format) {
     context.require_idle();  // a driver may wait for the work before it makes an image
     check_size(context, extent, format);
-    vk::raii::Image image(context.device, create_info(extent, format));
-    auto memory = allocate(context, image.getMemoryRequirements(),
-                           {vk::MemoryPropertyFlagBits::eDeviceLocal, {}}, describe(extent, format));
-    image.bindMemory(*memory, 0);
-    vk::raii::ImageView view(
-        context.device,
-        vk::ImageViewCreateInfo{
-            .image = *image,
-            .viewType = vk::ImageViewType::e2D,
-            .format = traits(format).format,
-            .subresourceRange = {.aspectMask = traits(format).aspect, .levelCount = 1, .layerCount = 1}});
-    return {std::move(image), std::move(memory), std::move(view)};
+    return make_image(context, create_info(extent, format), vk::ImageViewType::e2D, traits(format).aspect,
+                      describe(extent, format));
 }
 
 }  // namespace
+
+ImageHandles make_image(const Context& context, const vk::ImageCreateInfo& info, vk::ImageViewType type,
+                        vk::ImageAspectFlags aspect, const std::string& purpose) {
+    vk::raii::Image image(context.device, info);
+    auto memory = allocate(context, image.getMemoryRequirements(),
+                           {vk::MemoryPropertyFlagBits::eDeviceLocal, {}}, purpose);
+    image.bindMemory(*memory, 0);
+    vk::raii::ImageView view(context.device,
+                             vk::ImageViewCreateInfo{.image = *image,
+                                                     .viewType = type,
+                                                     .format = info.format,
+                                                     .subresourceRange = {.aspectMask = aspect,
+                                                                          .levelCount = info.mipLevels,
+                                                                          .layerCount = info.arrayLayers}});
+    return {std::move(image), std::move(memory), std::move(view)};
+}
 
 void begin_general_layout(const vk::raii::CommandBuffer& commands, vk::Image image,
                           const vk::ImageSubresourceRange& all_of_it) {

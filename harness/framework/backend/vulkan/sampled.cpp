@@ -110,20 +110,18 @@ vk::raii::Sampler sampler_of(const Context& context, const SampledHeader& header
                                                       : vk::BorderColor::eIntTransparentBlack}};
 }
 
-vk::raii::Image image_of(const Context& context, const SampledHeader& header) {
+vk::ImageCreateInfo info_of(const SampledHeader& header) {
     return {
-        context.device,
-        vk::ImageCreateInfo{.flags = is_cube(header.shape) ? vk::ImageCreateFlagBits::eCubeCompatible
-                                                           : vk::ImageCreateFlags{},
-                            .imageType = image_type(header.shape),
-                            .format = format_of(header.texel),
-                            .extent = {header.width, header.height, is_3d(header) ? header.depth : 1},
-                            .mipLevels = header.levels,
-                            .arrayLayers = layers_of(header),
-                            .samples = vk::SampleCountFlagBits::e1,
-                            .tiling = vk::ImageTiling::eOptimal,
-                            .usage = vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst,
-                            .initialLayout = vk::ImageLayout::eUndefined}};
+        .flags = is_cube(header.shape) ? vk::ImageCreateFlagBits::eCubeCompatible : vk::ImageCreateFlags{},
+        .imageType = image_type(header.shape),
+        .format = format_of(header.texel),
+        .extent = {header.width, header.height, is_3d(header) ? header.depth : 1},
+        .mipLevels = header.levels,
+        .arrayLayers = layers_of(header),
+        .samples = vk::SampleCountFlagBits::e1,
+        .tiling = vk::ImageTiling::eOptimal,
+        .usage = vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst,
+        .initialLayout = vk::ImageLayout::eUndefined};
 }
 
 SampledHandles create(Context& context, const SampledHeader& header) {
@@ -131,18 +129,9 @@ SampledHandles create(Context& context, const SampledHeader& header) {
     if (header.shape == SampledShape::cube_layers &&
         context.physical.handle.getFeatures().imageCubeArray == VK_FALSE)
         throw backend::Unsupported("this device has no samplers of arrays of cubes");
-    vk::raii::Image image = image_of(context, header);
-    auto memory = allocate(context, image.getMemoryRequirements(),
-                           {vk::MemoryPropertyFlagBits::eDeviceLocal, {}}, "a sampled image");
-    image.bindMemory(*memory, 0);
-    vk::raii::ImageView view(
-        context.device, vk::ImageViewCreateInfo{.image = *image,
-                                                .viewType = view_type(header.shape),
-                                                .format = format_of(header.texel),
-                                                .subresourceRange = {.aspectMask = aspect_of(header.texel),
-                                                                     .levelCount = header.levels,
-                                                                     .layerCount = layers_of(header)}});
-    return {std::move(image), std::move(memory), std::move(view), sampler_of(context, header)};
+    return {make_image(context, info_of(header), view_type(header.shape), aspect_of(header.texel),
+                       "a sampled image"),
+            sampler_of(context, header)};
 }
 
 std::size_t texel_bytes(SampledTexel texel) {

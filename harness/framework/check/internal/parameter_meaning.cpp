@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <regex>
 #include <vector>
+
+#include "base/number.hpp"
+#include "base/text.hpp"
 
 namespace gloam::check::internal {
 namespace {
@@ -24,13 +26,6 @@ std::size_t sentence_end(std::string_view text) {
             end = at;
     }
     return end;
-}
-
-std::string lower(std::string_view text) {
-    std::string result(text);
-    std::ranges::transform(result, result.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return result;
 }
 
 // Names that most shaders use for the same thing, for parameters with so many components.
@@ -94,11 +89,8 @@ std::optional<double> number_of(std::string text) {
     if (text == "-pi" || text == "-π") return -pi;
     if (text == "2pi" || text == "2π") return 2.0 * pi;
     if (text.starts_with("+")) text.erase(0, 1);
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-        return std::nullopt;
-    return value;
+    const auto number = base::number_from<double>(text);
+    return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 double after(double x, double towards) {
@@ -171,7 +163,8 @@ std::optional<Meaning> meaning_of_comment(std::string_view comment, const std::s
         std::size_t end = sentence_end(rest);
         for (const std::string& other : others)
             if (other != name) end = std::min(end, find_word(rest, other, 0));
-        if (const auto meaning = meaning_of_words(lower(rest.substr(0, end)), is_vector)) return meaning;
+        if (const auto meaning = meaning_of_words(base::lower(std::string(rest.substr(0, end))), is_vector))
+            return meaning;
     }
     return std::nullopt;
 }

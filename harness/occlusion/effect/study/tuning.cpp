@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
 
+#include "base/number.hpp"
 #include "effect/settings.hpp"
 
 namespace gloam::effect {
@@ -101,9 +101,7 @@ std::vector<ViewInfo> half_of(const std::vector<ViewInfo>& views, ViewHalf half)
 }
 
 double number_from(std::string_view text, const std::string& whole) {
-    double value = 0.0;
-    const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error == std::errc{} && rest == text.data() + text.size()) return value;
+    if (const auto number = base::number_from<double>(text)) return *number;
     throw std::invalid_argument(
         fmt::format("--parameter {}: expected NAME=LEAST:MOST or NAME=LEAST:MOST:log", whole));
 }

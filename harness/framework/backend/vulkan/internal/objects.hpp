@@ -49,6 +49,11 @@ struct ImageHandles {
     vk::raii::ImageView view;
 };
 
+// An image in the device's memory, and a view of all of it. The purpose is for messages.
+[[nodiscard]] ImageHandles make_image(const Context& context, const vk::ImageCreateInfo& info,
+                                      vk::ImageViewType type, vk::ImageAspectFlags aspect,
+                                      const std::string& purpose);
+
 // The image is in VK_IMAGE_LAYOUT_GENERAL whenever no render pass uses it.
 struct Image::Impl {
     Impl(Context& owner, Extent size, Format kind);
@@ -64,10 +69,7 @@ struct Image::Impl {
 void begin_general_layout(const vk::raii::CommandBuffer& commands, vk::Image image,
                           const vk::ImageSubresourceRange& all_of_it);
 
-struct SampledHandles {
-    vk::raii::Image image;
-    vk::raii::DeviceMemory memory;
-    vk::raii::ImageView view;
+struct SampledHandles : ImageHandles {
     vk::raii::Sampler sampler;
 };
 

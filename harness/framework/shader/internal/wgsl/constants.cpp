@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "base/text.hpp"
 #include "shader/internal/wgsl/function_writer.hpp"
 #include "shader/internal/wgsl/module_text.hpp"
 #include "shader/wgsl.hpp"
@@ -244,11 +245,6 @@ fn @(m: mat4x4f) -> mat4x4f {
 )"},
 };
 
-void replace_all(std::string& text, const std::string& from, const std::string& to) {
-    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-        text.replace(at, from.size(), to);
-}
-
 // Replaces a letter where it stands alone as a type.
 void replace_type(std::string& text, char letter, const std::string& to) {
     std::string result;
@@ -287,8 +283,7 @@ std::string ModuleText::helper(const std::string& kind, Id operand_type) {
     replace_type(text, 'T', operand);
     replace_type(text, 'U', n > 1 ? fmt::format("vec{}u", n) : "u32");
     replace_type(text, 'B', n > 1 ? fmt::format("vec{}<bool>", n) : "bool");
-    replace_all(text, "@", name);
-    helpers_ += "\n" + text;
+    helpers_ += "\n" + base::replaced(text, "@", name);
     return helper_names_[key] = name;
 }
 

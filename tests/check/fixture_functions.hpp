@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "check/own_function.hpp"
+#include "check/run.hpp"
+#include "support/lab.hpp"
+
+#include "support/test.hpp"
+
+// The functions of a file of the fixtures, and their answers on the shared device.
+namespace gloam::test {
+
+inline check::LabOptions options_of(const std::string& file, const shader::Variant& variant = {}) {
+    return options_for(FIXTURES, file, variant);
+}
+
+inline check::OwnFunction function_of(const std::string& file, const std::string& name) {
+    return check::own_functions(options_of(file), file, {name}).found.at(0);
+}
+
+inline std::string reason_of(const std::string& file, const std::string& name) {
+    return check::own_functions(options_of(file), file, {name}).left_out.at(0).why;
+}
+
+inline check::Answer answer_of(const check::Lab& lab, const std::string& file, const std::string& name,
+                               const check::Ranges& ranges = {}, std::size_t inputs = 512) {
+    return run(lab, question_of(lab, file, function_of(file, name), ranges), {.inputs = inputs});
+}
+
+inline check::Answer answer_of(const std::string& file, const std::string& name,
+                               const check::Ranges& ranges = {}) {
+    return answer_of(check::Lab(options_of(file), SharedDevice::get()), file, name, ranges);
+}
+
+}  // namespace gloam::test
