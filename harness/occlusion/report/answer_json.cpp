@@ -285,10 +285,6 @@ Answer read_answer(const JsonReader& json) {
 
 }  // namespace internal
 
-std::string to_json(const check::Budget& budget) {
-    return internal::budget_json(budget).dump();
-}
-
 std::string to_json(const Answer& answer) {
     return internal::answer_json(answer).dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }

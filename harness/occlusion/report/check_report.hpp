@@ -101,8 +101,6 @@ struct OutcomeCounts {
 // expected.
 [[nodiscard]] std::string to_json(const check::Answer& answer);
 [[nodiscard]] check::Answer answer_from_json(std::string_view text);
-// The "budget" of an answer alone.
-[[nodiscard]] std::string to_json(const check::Budget& budget);
 
 // A report, and the file that it was read from.
 struct ReportFile {
