@@ -160,9 +160,10 @@ TEST(Descriptions, TheCatalogueNamesAnEquationThatTheyLack) {
 constexpr std::size_t inputs_per_equation = 65'536;
 constexpr double most_slack = 4.0;
 
-// A result is never nearer to the exact one than its rounding, so half an ULP is no slack.
+// A quotient may have an error of 2.5 ULP. Software drivers have half an ULP, GPUs up to 2.4
+// (docs/drivers.md), so less would be no promise.
 bool is_tightest(const check::Budget& budget) {
-    return budget.ulp <= 0.5 && budget.absolute == 0.0;
+    return budget.ulp <= 2.5 && budget.absolute <= 0x1p-126;
 }
 
 std::vector<std::unique_ptr<check::Lab>> labs_of_all_devices() {

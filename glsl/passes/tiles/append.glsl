@@ -20,12 +20,21 @@ const uint SKIPPED_SETTLED = 1u;     // in its `rows`
 const uint SKIPPED_UNFILTERED = 2u;  // in its `tiles`
 const uint COUNTERS = SKIPPED_TILES + 3u;
 
-shared uint group_tiles[COUNTERS];  // of the group: how many go into each list, and are counted
+// Of the group: which invocations' tiles go into each list, and are counted, a bit each: from 2 i on for number i.
+shared uint group_members[2u * COUNTERS];
 shared uint group_first[COUNTERS];  // position of the first of them in the list
+
+// How many invocations before one add to a number; all of them for 64.
+uint members_before(uint which, uint invocation) {
+    uint low = group_members[2u * which];
+    if (invocation < 32u) return uint(bitCount(low & ((1u << invocation) - 1u)));
+    uint high = group_members[2u * which + 1u];
+    return uint(bitCount(low) + bitCount(invocation < 64u ? high & ((1u << (invocation - 32u)) - 1u) : high));
+}
 
 // Adds the group's tiles to a list or a count.
 void add_group(uint which) {
-    uint tiles = group_tiles[which];
+    uint tiles = members_before(which, 64u);
     if (tiles == 0u) return;
     if (which == SKIPPED_TILES + SKIPPED_BACKGROUND) {
         atomicAdd(tile_lists[SKIPPED_TILES].columns, tiles);
@@ -42,22 +51,23 @@ void add_group(uint which) {
     }
 }
 
-// Adds the tiles of a group to lists and counts. All its invocations must call it: the group asks for its places
-// at once, because a GPU takes additions to one number one after the other.
+// Adds the tiles of a group of 64 to lists and counts, in the order of the invocations. All of them must call it: the
+// group asks for its places at once, because a GPU takes additions to one number one after the other.
 // places: where the tile of the invocation goes, 0 for none. tiles: of the image, along x and y.
 void append_group(uint places, uvec2 tile, uvec2 tiles) {
     uint invocation = gl_LocalInvocationIndex;
-    if (invocation < COUNTERS) group_tiles[invocation] = 0u;
+    if (invocation < 2u * COUNTERS) group_members[invocation] = 0u;
     barrier();
-    uint within[COUNTERS];
     for (uint i = 0u; i < COUNTERS; ++i)
-        if ((places >> i & 1u) != 0u) within[i] = atomicAdd(group_tiles[i], 1u);
+        if ((places >> i & 1u) != 0u) atomicOr(group_members[2u * i + invocation / 32u], 1u << invocation % 32u);
     barrier();
     if (invocation < COUNTERS) add_group(invocation);
     barrier();
-    for (uint list = 0u; list < SKIPPED_TILES; ++list)
-        if ((places >> list & 1u) != 0u)
-            listed_tiles[list * tiles.x * tiles.y + group_first[list] + within[list]] = entry_of(tile);
+    for (uint list = 0u; list < SKIPPED_TILES; ++list) {
+        if ((places >> list & 1u) == 0u) continue;
+        uint position = group_first[list] + members_before(list, invocation);
+        listed_tiles[list * tiles.x * tiles.y + position] = entry_of(tile);
+    }
 }
 
 #endif

@@ -172,7 +172,7 @@ void append_coordinates(Entries& entries) {
     add(entries, "NDC-pixel", &reference::gloam_ndc_from_pixel,
         {.domain = {vector(2, coordinate),
                     vector(2, log_integers(4194304).and_near_integers({0, -2147483647L}))},
-         .budget = {.ulp = 3},
+         .budget = {.ulp = 2.5},
          .codomain = {-1e10, 1e10}},
         [](glm::ivec2 pixel, glm::ivec2) {
             return std::abs(static_cast<double>(pixel.x)) <= 4194304 &&

@@ -247,10 +247,10 @@ void append_slice_gathers(Entries& entries) {
     append_into_slice(entries);
     append_clearance(entries);
     add_method(entries, "GTAO-gather", &reference::gloam_gtao, vector({integers(1, 4)}),
-               {.absolute = 2e-5, .backward_ulp = 4});
+               {.absolute = 6e-6, .backward_ulp = 4});
     add_method(entries, "SWEEP-gather", &reference::gloam_sweep,
                vector({integers(1, 4), uniform(0, 3).and_value(1e18F), integers(0, 3)}),
-               {.absolute = 1.5e-5, .backward_ulp = 4}, seen_from_above);
+               {.absolute = 6e-6, .backward_ulp = 4}, seen_from_above);
     append_slice_parts(entries);
 }
 

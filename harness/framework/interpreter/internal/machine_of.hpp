@@ -364,7 +364,7 @@ void Machine<N>::keep_writes(std::uint32_t set, std::uint32_t binding,
                              const std::function<Word(std::size_t, Word)>& keep) {
     for (std::size_t r = 0; r < state_->backings.size(); ++r) {
         const internal::Resource& resource = state_->code.resources[r];
-        if (resource.is_push_constant || resource.set != set || resource.binding != binding) continue;
+        if (!resource.is_at(set, binding)) continue;
         internal::Backing<N>& backing = state_->backings[r];
         for (const std::uint32_t word : backing.dirty)
             backing.values[word] = Value<N>::of_bits(keep(word, backing.values[word].bits()));
