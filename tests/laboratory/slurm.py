@@ -117,8 +117,8 @@ class Cluster:
         """The tasks of the job array that wait or run."""
         return run("squeue", "-h", "-r", "-o", "%K", *options, env=self.environment).split()
 
-    def kill(self, node):
-        """What a power failure does to a node: its daemon and all that it runs are gone."""
+    def processes(self, node):
+        """The daemon of a node and all that it runs."""
         victims = {self.daemons[node].pid}
         for process in Path("/proc").glob("[0-9]*"):
             with contextlib.suppress(OSError):
@@ -127,6 +127,11 @@ class Cluster:
                     parent = int((process / "stat").read_text(encoding="utf-8").rsplit(")", 1)[1].split()[1])
                     if b"slurmstepd" in Path(f"/proc/{parent}/cmdline").read_bytes():
                         victims.add(parent)
+        return victims
+
+    def kill(self, node):
+        """What a power failure does to a node: its daemon and all that it runs are gone."""
+        victims = self.processes(node)
         for victim in victims:
             with contextlib.suppress(ProcessLookupError):
                 os.kill(victim, signal.SIGKILL)
@@ -146,7 +151,7 @@ def run_array(gloam, folder, work, results):
         begin = time.monotonic()
         run("sbatch", f"--array=0-{SHARDS - 1}", SCRIPT, work, results, SHARDS, env=environment, cwd=folder)
         wait_for("a task that works on node2, and some results", lambda: list(results.glob(".*")) and
-                 len(list(results.glob("*.json"))) >= 3 and cluster.tasks("-t", "R", "-w", "node2"))
+                 len(list(results.glob("*.json"))) >= 3 and len(cluster.processes("node2")) >= 3)
         victims = cluster.kill("node2")
         print(f"killed node2: {victims} processes, after {len(list(results.glob('*.json')))} results", flush=True)
         assert victims >= 3, "the daemon, the step and gloam"
