@@ -113,9 +113,9 @@ class Cluster:
                               check=False)
         return done.stdout.split()
 
-    def tasks(self, *options):
+    def tasks(self):
         """The tasks of the job array that wait or run."""
-        return run("squeue", "-h", "-r", "-o", "%K", *options, env=self.environment).split()
+        return run("squeue", "-h", "-r", "-o", "%K", env=self.environment).split()
 
     def processes(self, node):
         """The daemon of a node and all that it runs."""
