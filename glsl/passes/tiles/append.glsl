@@ -2,6 +2,7 @@
 #ifndef GLOAM_PASSES_TILES_APPEND_GLSL
 #define GLOAM_PASSES_TILES_APPEND_GLSL
 
+#include "gloam/numeric/bit_count.glsl"
 #include "list.glsl"
 
 // Lets a pass with one invocation a tile fill lists of tiles. Define GLOAM_LIST_BINDING as the binding of the lists.
@@ -27,9 +28,10 @@ shared uint group_first[COUNTERS];  // position of the first of them in the list
 // How many invocations before one add to a number; all of them for 64.
 uint members_before(uint which, uint invocation) {
     uint low = group_members[2u * which];
-    if (invocation < 32u) return uint(bitCount(low & ((1u << invocation) - 1u)));
+    if (invocation < 32u) return gloam_bit_count(low & ((1u << invocation) - 1u));
     uint high = group_members[2u * which + 1u];
-    return uint(bitCount(low) + bitCount(invocation < 64u ? high & ((1u << (invocation - 32u)) - 1u) : high));
+    if (invocation < 64u) high &= (1u << (invocation - 32u)) - 1u;
+    return gloam_bit_count(low) + gloam_bit_count(high);
 }
 
 // Adds the group's tiles to a list or a count.
