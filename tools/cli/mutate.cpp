@@ -56,6 +56,11 @@ void add_mutate(CLI::App& app, std::vector<std::string> words, int& status) {
         ->check(CLI::Range(1U, 1024U));
     mutate->add_option("--minutes", command->minutes, "begin nothing after so many minutes")
         ->check(CLI::Range(0.0, 1e6));
+    mutate
+        ->add_option("--patience", command->patience,
+                     "end a command after so many seconds (without: 5 s more than five times what it takes "
+                     "without the fault)")
+        ->check(CLI::Range(0.1, 1e6));
     add_include_option(*mutate, command->includes);
     mutate->add_option("--journal", command->journal,
                        "file of what became of each fault; a later run goes on with it");

@@ -319,7 +319,8 @@ void Trials::run_unchanged(Overlays& overlays) {
 void Trials::try_one(MutantRow& row, Overlays& overlays) {
     const Overlay& overlay = overlays.take();
     const fs::path file = relative(row.file);
-    const double patience = least_patience + patience_factor * unchanged_.at(row.file);
+    const double patience =
+        command_.patience.value_or(least_patience + patience_factor * unchanged_.at(row.file));
     base::ProcessLimits limits{.patience = std::chrono::milliseconds(static_cast<long>(1000.0 * patience)),
                                .group = true};
     limits.environment = overlay.environment(file);

@@ -62,6 +62,7 @@ struct MutateCommand {
     std::uint64_t seed = 1;
     std::size_t inputs = 4096;  // for each survivor
     std::optional<double> minutes;
+    std::optional<double> patience;  // seconds
     unsigned jobs = 0;
     bool again = false;
     std::string journal;
