@@ -45,6 +45,25 @@ TEST(Domain, BranchPointsComeWithTheirNeighbours) {
     EXPECT_EQ(at_branch, (std::set<float>{std::nextafter(0.25F, 0.0F), 0.25F, std::nextafter(0.25F, 1.0F)}));
 }
 
+TEST(Domain, NumbersAndTheirNeighboursAreTriedWhereValuesAdmitThem) {
+    const Signature signature = SignatureOf<float(glm::vec3, glm::vec3, float, float)>::describe();
+    const Domain domain{vector(3, uniform(-1, 1)), unit_vector(3), uniform(0.5, 4).only_as_drawn(),
+                        made_by<float>([](numeric::Random&) { return 2.0F; })};
+    const std::array numbers{0.25, 3.0};
+    const auto inputs = domain.and_numbers(signature, numbers).draw(400, 1);
+    std::array<std::set<float>, 8> seen;
+    for (std::size_t i = 0; i < inputs.count(); ++i)
+        for (std::size_t k = 0; k < seen.size(); ++k) seen[k].insert(from_word<float>(inputs.row(i)[k]));
+    for (std::size_t k = 0; k < 3; ++k) {
+        for (const float number : {-0.25F, 0.25F})
+            for (const int step : {-1, 0, 1}) EXPECT_TRUE(seen[k].contains(numeric::step(number, step))) << k;
+        EXPECT_LE(*seen[k].rbegin(), 1.0F);
+        EXPECT_FALSE(seen[k + 3].contains(0.25F)) << "not a unit vector any more";
+    }
+    EXPECT_FALSE(seen[6].contains(3.0F)) << "only as drawn";
+    EXPECT_EQ(seen[7], std::set<float>{2.0F}) << "nothing says what else it may be";
+}
+
 TEST(Domain, TiesPlaceOneParameterBesideAnother) {
     const auto inputs = Domain{uniform(0, 1), uniform(1, 2)}.tied(0, 1, 0.5).draw(4'000, 1);
     std::size_t tied = 0;

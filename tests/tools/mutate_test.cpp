@@ -74,13 +74,16 @@ TEST_F(Mutate, SortsSurvivorsByWhatIsPromised) {
                                    "float near(float x) { return sqrt(x + 1.0) * 0.999999940395355; }\n"
                                    "// x in [-2, 2]\n"
                                    "float root(float x) { return x < 0.0 ? sqrt(x) : 1.0; }\n"
-                                   "float whole(float x) { return x > x + 1.0 ? x : x; }\n")
+                                   "float whole(float x) { return x > x + 1.0 ? x : x; }\n"
+                                   "float fade(float d) { return d < 12.3 ? 1.0 : 0.0; }\n")
                                  .string();
     const std::string out = gloam("mutate {} -- true", file).out;
     EXPECT_THAT(out, HasSubstr("own.glsl:2: '*' -> '/' in near: differs within the budget"));
     EXPECT_THAT(out, HasSubstr("own.glsl:4: 'sqrt' -> '' in root: differs only where nothing is promised"));
     EXPECT_THAT(out, HasSubstr("own.glsl:4: 'x < 0.0' -> 'true' in root: differs\n"));
     EXPECT_THAT(out, Not(HasSubstr("'1.0' -> '2.0' in whole"))) << "the optimised modules are the same";
+    EXPECT_THAT(out, HasSubstr("'<' -> '<=' in fade: differs\n  fade(d = 12.3): 0 becomes 1\n"))
+        << "the numbers of a text are inputs";
 }
 
 TEST_F(Mutate, ComparesFunctionsOfQuadsAndWorkGroups) {

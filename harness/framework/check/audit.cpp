@@ -325,7 +325,8 @@ Audit audit(const Lab& lab, const std::string& file, const OwnFunction& own, con
             const Ranges& ranges, const AuditOptions& options) {
     Question question = question_of(lab, file, own, ranges);
     const std::vector<OrdinaryValues> domain = ordinary_values(own.function, text, ranges, own.team);
-    question.domain = ordinary_domain(own.function, domain);
+    question.domain = ordinary_domain(own.function, domain)
+                          .and_numbers(question.signature, shader::float_literals(own.excerpt));
     return audit(lab, question, domain, options);
 }
 

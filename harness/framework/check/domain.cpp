@@ -95,9 +95,45 @@ void Degenerate::add_sides(const Values& values, std::size_t first) {
     }
 }
 
+void Degenerate::add_numbers(const Signature& signature, const std::vector<Values>& parameters,
+                             std::span<const double> numbers) {
+    if (!parameters_) parameters_ = std::make_shared<const std::vector<Values>>(parameters);
+    std::vector<Word> bits;
+    for (const double number : numbers) {
+        if (number == 0.0) continue;  // which Values have; beside it are subnormal numbers
+        for (const double sign : {1.0, -1.0})
+            for (const int steps : {-1, 0, 1})
+                bits.push_back(to_word(numeric::step(static_cast<float>(sign * number), steps)));
+    }
+    Change change{.word = 0, .kind = Kind::number};
+    std::size_t next = 0;
+    for (const shader::Parameter& parameter : signature.parameters) {
+        if (parameter.direction == shader::Direction::out) continue;
+        const std::vector<Scalar> scalars = scalars_of(parameter.type);
+        change.parameter = next++;
+        change.size = scalars.size();
+        const Values& values = parameters[change.parameter];
+        for (std::size_t k = 0; k < scalars.size() && values.contains && !values.only_drawn; ++k) {
+            change.word = change.first + k;
+            for (const Word number : bits) {
+                change.bits = number;
+                if (scalars[k] == Scalar::float_) changes_.push_back(change);
+            }
+        }
+        change.first += scalars.size();
+    }
+}
+
 void Degenerate::change(std::size_t i, std::span<Word> row) const {
     Word& word = row[changes_[i].word];
+    const Word before = word;
     switch (changes_[i].kind) {
+        case Kind::number:
+            word = changes_[i].bits;
+            if (!parameters_->at(changes_[i].parameter)
+                     .admits(row.subspan(changes_[i].first, changes_[i].size)))
+                word = before;
+            break;
         case Kind::zero:
             word = 0U;
             break;
@@ -204,6 +240,12 @@ Domain Domain::and_degenerate(const Signature& signature) const {
 Domain Domain::and_related(const Signature& signature) const {
     Domain more = *this;
     more.degenerate_ = Degenerate(signature, parameters_, true);
+    return more;
+}
+
+Domain Domain::and_numbers(const Signature& signature, std::span<const double> numbers) const {
+    Domain more = *this;
+    more.degenerate_.add_numbers(signature, parameters_, numbers);
     return more;
 }
 

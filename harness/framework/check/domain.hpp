@@ -121,14 +121,20 @@ template <class T>
 
 // Inputs that independent draws hardly ever produce: vectors that are equal, opposite or parallel to each
 // other or lie along an axis; numbers of a struct or array that are zero, negative, infinite or NaN; images
-// whose sides are 0 or 1. Parameters with Values::only_as_drawn are not changed.
+// whose sides are 0 or 1; floats at which a function branches. Parameters with Values::only_as_drawn are not
+// changed.
 class Degenerate {
   public:
     Degenerate() = default;
     // One Values for each in and inout parameter of the signature. `only_vectors`: no change of one number.
     Degenerate(const Signature& signature, const std::vector<Values>& parameters, bool only_vectors = false);
 
-    // Changes of one number: how many there are, and applying one of them to an input.
+    // Adds changes of one float to a number or to one of the floats beside it.
+    void add_numbers(const Signature& signature, const std::vector<Values>& parameters,
+                     std::span<const double> numbers);
+
+    // Changes of one number: how many there are, and applying one of them to an input. Numbers that were
+    // added stay away from inputs that would leave their parameter's Values.
     [[nodiscard]] std::size_t count() const { return changes_.size(); }
     void change(std::size_t i, std::span<Word> row) const;
 
@@ -138,10 +144,14 @@ class Degenerate {
     bool relate(numeric::Random& random, std::span<Word> row) const;
 
   private:
-    enum class Kind { zero, negative, infinite, nan, one };
+    enum class Kind { zero, negative, infinite, nan, one, number };
     struct Change {
         std::size_t word;
         Kind kind;
+        Word bits = 0;              // of a number
+        std::size_t parameter = 0;  // of a number: whose Values decide
+        std::size_t first = 0;      // its first word
+        std::size_t size = 0;       // its words
     };
     struct Vector {
         std::size_t first;
@@ -191,6 +201,10 @@ class Domain {
 
     // Adds those of them that only relate vectors: equal, opposite or parallel ones, and axes.
     [[nodiscard]] Domain and_related(const Signature& signature) const;
+
+    // Adds inputs in which one float is one of the numbers, of either sign, or a float beside it: those at
+    // which a function branches. Values that have no test, or are only drawn, stay as they are.
+    [[nodiscard]] Domain and_numbers(const Signature& signature, std::span<const double> numbers) const;
 
     struct Inputs {
         std::vector<Word> words;   // one input after another

@@ -74,8 +74,10 @@ std::string numbers_text(const std::vector<double>& numbers) {
     return numbers.empty() ? "no result" : fmt::format("{}", fmt::join(texts, ", "));
 }
 
-// The ordinary domain of a function, but a parameter of which nothing is known has all values of its type.
-Domain wide_domain(const OwnFunction& own, const std::string& text, const Domain& any) {
+// The ordinary domain of a function, with the numbers of its text and of the changed one, but a parameter of
+// which nothing is known has all values of its type.
+Domain wide_domain(const OwnFunction& own, const std::string& text, const std::string& changed,
+                   const Domain& any) {
     std::vector<OrdinaryValues> ordinary = ordinary_values(own.function, text, {}, own.team);
     std::size_t k = 0;
     for (const shader::Parameter& parameter : own.function.parameters) {
@@ -84,7 +86,8 @@ Domain wide_domain(const OwnFunction& own, const std::string& text, const Domain
         const auto known = std::ranges::find(ordinary, parameter.name, &OrdinaryValues::parameter);
         if (known != ordinary.end() && known->reason == "type") known->values = all;
     }
-    return ordinary_domain(own.function, ordinary);
+    return ordinary_domain(own.function, ordinary)
+        .and_numbers(own.signature(), shader::float_literals(own.excerpt + changed));
 }
 
 // The original and a changed function, side by side.
@@ -239,7 +242,7 @@ MutantComparison MutantFile::compare(const Own& own, const std::string& changed,
     MutantComparison result{.function = own.function.name};
     try {
         Question question = question_of(*lab_, file, own.function, {});
-        question.domain = wide_domain(own.function, text_, question.domain);
+        question.domain = wide_domain(own.function, text_, changed, question.domain);
         KernelSource source = lab_->source(file, question.function, question.signature);
         source.text = changed;
         internal::AuditRuns original(*lab_, question, seed);
