@@ -49,8 +49,8 @@ TEST(Domain, NumbersAndTheirNeighboursAreTriedWhereValuesAdmitThem) {
     const Signature signature = SignatureOf<float(glm::vec3, glm::vec3, float, float)>::describe();
     const Domain domain{vector(3, uniform(-1, 1)), unit_vector(3), uniform(0.5, 4).only_as_drawn(),
                         made_by<float>([](numeric::Random&) { return 2.0F; })};
-    const std::array numbers{0.25, 3.0};
-    const auto inputs = domain.and_numbers(signature, numbers).draw(400, 1);
+    const std::array numbers{0.25F, 3.0F};
+    const auto inputs = domain.and_numbers(signature, numbers).draw(800, 1);
     std::array<std::set<float>, 8> seen;
     for (std::size_t i = 0; i < inputs.count(); ++i)
         for (std::size_t k = 0; k < seen.size(); ++k) seen[k].insert(from_word<float>(inputs.row(i)[k]));

@@ -55,7 +55,7 @@ TEST_F(RulesTest, ATestOfTheExponentIsDecidedByTheBounds) {
 
 // The quotient is known to a few units in the last place, which rarely touch a power of two.
 TEST_F(RulesTest, TheExponentOfAnIntervalIsKnownWhereAllOfItHasTheSame) {
-    const Answer exponents = judged<float(float)>("exponent", {log_uniform(1e-3, 1e3)});
+    const Answer exponents = judged<float(float)>("exponent", {log_uniform(3.5, 1e3)});
     EXPECT_TRUE(exponents.passed()) << exponents;
     EXPECT_EQ(exponents.unbounded, 0U);
     const Answer at_a_power = judged<float(float)>("exponent", {uniform(3.0 - 2e-7, 3.0 + 2e-7)});
@@ -70,10 +70,10 @@ TEST_F(RulesTest, AnInputThatTakesLongDoesNotFailItsNeighbours) {
                                .signature = SignatureOf<float(float, int)>::describe(),
                                .domain = {uniform(-100.0, 100.0), integers(0, 3)},
                                .defined = false},
-                              {.inputs = 16});
+                              {.inputs = 18});
     EXPECT_FALSE(result.long_runs.empty());
     EXPECT_LE(result.outside(), result.long_runs.size()) << result;
-    EXPECT_EQ(result.judged(), 16U);
+    EXPECT_EQ(result.judged(), 18U);
 }
 
 // The interpreter runs the very module that the driver was given, so a wrong result needs a driver that is

@@ -20,14 +20,6 @@ std::vector<std::string> compiled(const Excerpt& excerpt) {
     return texts;
 }
 
-TEST(FloatLiterals, AreThoseOfCodeEachOnce) {
-    const char* const text =
-        "#version 450\n#line 7\n#define EDGE 0.5 // 0.7\n"
-        "const float a = 1.5f, b = .25; /* 8.0 */\n"
-        "float f(float x1e3) { return x1e3 < EDGE + 1e-3 ? 1.5 : float(3u + 0x1E2) * 2.0lf - 7; }\n";
-    EXPECT_EQ(float_literals(text), (std::vector<double>{0.5, 1.5, 0.25, 1e-3, 2.0}));
-}
-
 constexpr const char* fragment_shader =
     "// A shader for another API.\n"
     "#version 330 core\n"

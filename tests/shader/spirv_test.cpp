@@ -31,6 +31,15 @@ TEST(Spirv, ValidModulePasses) {
     EXPECT_EQ(reason_against(module()), "");
 }
 
+TEST(Spirv, FloatConstantsAreFiniteAndThereOnce) {
+    const Spirv module = compile(
+        kernel("const float edge = 0.5;\n",
+               "float(gl_GlobalInvocationID.x) < edge ? -1e-3 : 0.5 + uintBitsToFloat(0x7f800000u) * 3.0"),
+        {});
+    EXPECT_EQ(float_constants(module), (std::vector<float>{0.5F, -1e-3F, 3.0F}));
+    EXPECT_THROW((void)float_constants({1, 2, 3}), std::runtime_error);
+}
+
 TEST(Spirv, ModuleWithoutReturnIsInvalid) {
     constexpr std::uint32_t op_return = 253;
     EXPECT_THAT(reason_against(without(module(), op_return)), HasSubstr("invalid SPIR-V: "));

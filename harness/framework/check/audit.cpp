@@ -291,8 +291,10 @@ std::optional<AuditFinding> worst_half(AuditRuns& runs, const internal::AuditSea
 
 }  // namespace
 
-Audit audit(const Lab& lab, const Question& question, const std::vector<OrdinaryValues>& domain,
+Audit audit(const Lab& lab, const Question& asked, const std::vector<OrdinaryValues>& domain,
             const AuditOptions& options) {
+    Question question = asked;
+    question.domain = internal::domain_of(lab, asked);
     AuditRuns runs(lab, question, options.seed);
     const internal::AuditSearch search = internal::search(runs, options);
     Audit all{.function = question.name.empty() ? question.function : question.name,
@@ -325,8 +327,7 @@ Audit audit(const Lab& lab, const std::string& file, const OwnFunction& own, con
             const Ranges& ranges, const AuditOptions& options) {
     Question question = question_of(lab, file, own, ranges);
     const std::vector<OrdinaryValues> domain = ordinary_values(own.function, text, ranges, own.team);
-    question.domain = ordinary_domain(own.function, domain)
-                          .and_numbers(question.signature, shader::float_literals(own.excerpt));
+    question.domain = ordinary_domain(own.function, domain);
     return audit(lab, question, domain, options);
 }
 

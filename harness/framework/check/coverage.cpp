@@ -69,6 +69,7 @@ class Measurement {
     Measurement(const Lab& lab, const Question& question, const RunOptions& options)
         : lab_(lab),
           question_(question),
+          domain_(internal::domain_of(lab, question)),
           options_(options),
           module_(lined_module(lab, question)),
           program_(module_.spirv),
@@ -91,8 +92,8 @@ class Measurement {
         const ImageSet images = internal::images_of(scenario, options_.seed);
         const auto words = image_words(module_.images, images, question_.function);
         InterpretedKernel<float> kernel(program_, module_, words);
-        const Domain::Inputs inputs = question_.domain.draw(
-            share, internal::input_seed_of(question_, scenario, options_.seed), scenario.size);
+        const Domain::Inputs inputs =
+            domain_.draw(share, internal::input_seed_of(question_, scenario, options_.seed), scenario.size);
         for (std::size_t i = 0; i < inputs.count() && !complete_; ++i) {
             if (i >= first_inputs && kernel.machine().steps() > steps) break;
             try {
@@ -127,6 +128,7 @@ class Measurement {
 
     const Lab& lab_;
     const Question& question_;
+    Domain domain_;
     const RunOptions& options_;
     KernelModule module_;
     interpreter::Program program_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "numeric/numbers.hpp"
 
@@ -96,16 +97,15 @@ void Degenerate::add_sides(const Values& values, std::size_t first) {
 }
 
 void Degenerate::add_numbers(const Signature& signature, const std::vector<Values>& parameters,
-                             std::span<const double> numbers) {
+                             std::span<const float> numbers) {
     if (!parameters_) parameters_ = std::make_shared<const std::vector<Values>>(parameters);
     std::vector<Word> bits;
-    for (const double number : numbers) {
-        if (number == 0.0) continue;  // which Values have; beside it are subnormal numbers
-        for (const double sign : {1.0, -1.0})
-            for (const int steps : {-1, 0, 1})
-                bits.push_back(to_word(numeric::step(static_cast<float>(sign * number), steps)));
+    for (const float number : numbers) {
+        if (number == 0.0F) continue;  // which Values have; beside it are subnormal numbers
+        for (const float sign : {1.0F, -1.0F})
+            for (const int steps : {-1, 0, 1}) bits.push_back(to_word(numeric::step(sign * number, steps)));
     }
-    Change change{.word = 0, .kind = Kind::number};
+    Number change;
     std::size_t next = 0;
     for (const shader::Parameter& parameter : signature.parameters) {
         if (parameter.direction == shader::Direction::out) continue;
@@ -117,7 +117,8 @@ void Degenerate::add_numbers(const Signature& signature, const std::vector<Value
             change.word = change.first + k;
             for (const Word number : bits) {
                 change.bits = number;
-                if (scalars[k] == Scalar::float_) changes_.push_back(change);
+                const bool never = change.size == 1 && !values.admits(std::span(&number, 1));
+                if (scalars[k] == Scalar::float_ && !never) numbers_.push_back(change);
             }
         }
         change.first += scalars.size();
@@ -125,15 +126,15 @@ void Degenerate::add_numbers(const Signature& signature, const std::vector<Value
 }
 
 void Degenerate::change(std::size_t i, std::span<Word> row) const {
+    if (i >= changes_.size()) {
+        const Number& number = numbers_[i - changes_.size()];
+        const Word before = std::exchange(row[number.word], number.bits);
+        if (!parameters_->at(number.parameter).admits(row.subspan(number.first, number.size)))
+            row[number.word] = before;
+        return;
+    }
     Word& word = row[changes_[i].word];
-    const Word before = word;
     switch (changes_[i].kind) {
-        case Kind::number:
-            word = changes_[i].bits;
-            if (!parameters_->at(changes_[i].parameter)
-                     .admits(row.subspan(changes_[i].first, changes_[i].size)))
-                word = before;
-            break;
         case Kind::zero:
             word = 0U;
             break;
@@ -181,6 +182,7 @@ constexpr std::uint64_t all_fixed_chance = 2;
 constexpr std::uint64_t one_fixed_chance = 4;
 constexpr std::uint64_t tie_chance = 1;
 constexpr std::uint64_t degenerate_chance = 2;
+constexpr std::size_t number_part = 8;  // at most one in so many inputs has a number that was added
 constexpr std::size_t nothing = SIZE_MAX;
 constexpr std::uint64_t chances = 16;
 
@@ -243,7 +245,7 @@ Domain Domain::and_related(const Signature& signature) const {
     return more;
 }
 
-Domain Domain::and_numbers(const Signature& signature, std::span<const double> numbers) const {
+Domain Domain::and_numbers(const Signature& signature, std::span<const float> numbers) const {
     Domain more = *this;
     more.degenerate_.add_numbers(signature, parameters_, numbers);
     return more;
@@ -310,13 +312,18 @@ void Domain::append_drawn(Inputs& inputs, std::size_t count, std::uint64_t seed,
     numeric::Random random(seed);
     DrawContext context{.random = random, .image_size = image_size};
     const std::vector<Forced> forced = all_forced();
-    const std::size_t room = count - inputs.count();
+    const std::size_t numbers =
+        std::min(degenerate_.count_of_numbers(), (count - inputs.count()) / number_part);
+    const std::size_t room = count - inputs.count() - numbers;
     const std::size_t taken = forced.size() <= room / 2 ? forced.size() : (room + 1) / 2;
     const std::size_t start = taken == forced.size() ? 0 : random.below(forced.size());
     for (std::size_t i = 0; i < taken; ++i) {
         append_row(context, inputs, forced[(start + i * forced.size() / taken) % forced.size()]);
     }
-    while (inputs.count() < count) append_row(context, inputs, {});
+    while (inputs.count() < count - numbers) append_row(context, inputs, {});
+    for (std::size_t i = 0; i < numbers; ++i)
+        append_row(context, inputs,
+                   {.change = degenerate_.count() + i * degenerate_.count_of_numbers() / numbers});
 }
 
 std::vector<Domain::Forced> Domain::all_forced() const {

@@ -131,11 +131,12 @@ class Degenerate {
 
     // Adds changes of one float to a number or to one of the floats beside it.
     void add_numbers(const Signature& signature, const std::vector<Values>& parameters,
-                     std::span<const double> numbers);
+                     std::span<const float> numbers);
 
-    // Changes of one number: how many there are, and applying one of them to an input. Numbers that were
-    // added stay away from inputs that would leave their parameter's Values.
+    // Changes of one number: how many there are, and applying one of them to an input. Those to numbers that
+    // were added follow the others, and leave an input as it is that would not be in its parameter's Values.
     [[nodiscard]] std::size_t count() const { return changes_.size(); }
+    [[nodiscard]] std::size_t count_of_numbers() const { return numbers_.size(); }
     void change(std::size_t i, std::span<Word> row) const;
 
     // Replaces one vector, chosen at random, by an axis or by another vector of the input, if its Values
@@ -144,12 +145,15 @@ class Degenerate {
     bool relate(numeric::Random& random, std::span<Word> row) const;
 
   private:
-    enum class Kind { zero, negative, infinite, nan, one, number };
+    enum class Kind { zero, negative, infinite, nan, one };
     struct Change {
         std::size_t word;
         Kind kind;
-        Word bits = 0;              // of a number
-        std::size_t parameter = 0;  // of a number: whose Values decide
+    };
+    struct Number {
+        std::size_t word = 0;
+        Word bits = 0;
+        std::size_t parameter = 0;  // whose Values decide
         std::size_t first = 0;      // its first word
         std::size_t size = 0;       // its words
     };
@@ -164,6 +168,7 @@ class Degenerate {
 
     std::shared_ptr<const std::vector<Values>> parameters_;
     std::vector<Change> changes_;
+    std::vector<Number> numbers_;
     std::vector<Vector> vectors_;
 };
 
@@ -204,7 +209,7 @@ class Domain {
 
     // Adds inputs in which one float is one of the numbers, of either sign, or a float beside it: those at
     // which a function branches. Values that have no test, or are only drawn, stay as they are.
-    [[nodiscard]] Domain and_numbers(const Signature& signature, std::span<const double> numbers) const;
+    [[nodiscard]] Domain and_numbers(const Signature& signature, std::span<const float> numbers) const;
 
     struct Inputs {
         std::vector<Word> words;   // one input after another
@@ -220,7 +225,8 @@ class Domain {
     // Draws `count` inputs; the same seed gives the same inputs on every machine. They begin with the given
     // inputs. Then every fixed value and every degenerate change occurs at least once; if there are too many,
     // a part of them takes half of the inputs. The rest is a mixture of random inputs, inputs with one fixed
-    // value, inputs with fixed values only, and degenerate inputs.
+    // value, inputs with fixed values only, and degenerate inputs. Inputs with added numbers come last, at
+    // most an eighth of all.
     [[nodiscard]] Inputs draw(std::size_t count, std::uint64_t seed,
                               glm::ivec2 image_size = glm::ivec2(1)) const;
 

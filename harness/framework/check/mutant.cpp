@@ -74,10 +74,8 @@ std::string numbers_text(const std::vector<double>& numbers) {
     return numbers.empty() ? "no result" : fmt::format("{}", fmt::join(texts, ", "));
 }
 
-// The ordinary domain of a function, with the numbers of its text and of the changed one, but a parameter of
-// which nothing is known has all values of its type.
-Domain wide_domain(const OwnFunction& own, const std::string& text, const std::string& changed,
-                   const Domain& any) {
+// The ordinary domain of a function, but a parameter of which nothing is known has all values of its type.
+Domain wide_domain(const OwnFunction& own, const std::string& text, const Domain& any) {
     std::vector<OrdinaryValues> ordinary = ordinary_values(own.function, text, {}, own.team);
     std::size_t k = 0;
     for (const shader::Parameter& parameter : own.function.parameters) {
@@ -86,8 +84,7 @@ Domain wide_domain(const OwnFunction& own, const std::string& text, const std::s
         const auto known = std::ranges::find(ordinary, parameter.name, &OrdinaryValues::parameter);
         if (known != ordinary.end() && known->reason == "type") known->values = all;
     }
-    return ordinary_domain(own.function, ordinary)
-        .and_numbers(own.signature(), shader::float_literals(own.excerpt + changed));
+    return ordinary_domain(own.function, ordinary);
 }
 
 // The original and a changed function, side by side.
@@ -152,7 +149,7 @@ MutantFile::MutantFile(std::filesystem::path path, std::string text, std::vector
     lab_.emplace(options);
     for (OwnFunction& function : own_functions(options, path_.filename().string()).found) {
         try {
-            shader::Spirv module = module_of(function, function.excerpt);
+            shader::Spirv module = shader::without_names(module_of(function, function.excerpt));
             own_.push_back({std::move(function), std::move(module)});
         } catch (const shader::CompileError&) {
             continue;  // a kernel of it is no valid module: what a fault does to it is not known
@@ -167,7 +164,7 @@ shader::Spirv MutantFile::module_of(const OwnFunction& own, const std::string& t
     const shader::CompileOptions options{.stage = stage_of(source.team),
                                          .include_roots = roots_,
                                          .variant = {.optimization = shader::Optimization::performance}};
-    return shader::without_names(shader::compile({.name = "mutant", .text = kernel_code(source)}, options));
+    return shader::compile({.name = "mutant", .text = kernel_code(source)}, options);
 }
 
 std::optional<shader::Spirv> MutantFile::whole(const std::string& text) const {
@@ -204,7 +201,7 @@ Change MutantFile::change_of(const shader::Mutation& mutation) const {
         bool known = false;
         for (const auto& [own, changed] : changed_in(text)) {
             known = true;
-            all_same = module_of(own->function, changed) == own->module && all_same;
+            all_same = shader::without_names(module_of(own->function, changed)) == own->module && all_same;
         }
         if (whole_) {
             const auto module = whole(text);
@@ -242,7 +239,10 @@ MutantComparison MutantFile::compare(const Own& own, const std::string& changed,
     MutantComparison result{.function = own.function.name};
     try {
         Question question = question_of(*lab_, file, own.function, {});
-        question.domain = wide_domain(own.function, text_, changed, question.domain);
+        question.domain = wide_domain(own.function, text_, question.domain);
+        for (const std::string& text : {own.function.excerpt, changed})
+            question.domain = question.domain.and_numbers(
+                question.signature, shader::float_constants(module_of(own.function, text)));
         KernelSource source = lab_->source(file, question.function, question.signature);
         source.text = changed;
         internal::AuditRuns original(*lab_, question, seed);

@@ -362,8 +362,7 @@ Question question_of(const Lab& lab, const std::string& file, const OwnFunction&
                                                   parameter.name == fragment_coordinate)
                                      : values_of(parameter.type, range));
     }
-    question.domain =
-        Domain(std::move(parameters)).and_numbers(question.signature, shader::float_literals(own.excerpt));
+    question.domain = Domain(std::move(parameters));
     question.defined = all_given;
     const KernelSource source = lab.source(file, function.name, question.signature);
     question.scenarios = random_scenarios(source.images);

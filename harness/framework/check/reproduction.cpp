@@ -38,7 +38,7 @@ ImageScenario scenario_of(const Question& question, const std::string& name) {
 class Stage {
   public:
     Stage(const Lab& lab, const Question& question, ImageScenario scenario, const RunOptions& options)
-        : question_(question),
+        : domain_(internal::domain_of(lab, question)),
           scenario_(std::move(scenario)),
           kernel_(lab.kernel(question.file, question.function, question.signature)),
           trial_(lab, question, kernel_, scenario_, options.seed,
@@ -60,11 +60,11 @@ class Stage {
         return kernel_.run(inputs.words, inputs.count(), images());
     }
     [[nodiscard]] Domain::Inputs draw(std::size_t count) const {
-        return question_.domain.draw(count, trial_.input_seed(), scenario_.size);
+        return domain_.draw(count, trial_.input_seed(), scenario_.size);
     }
 
   private:
-    const Question& question_;
+    Domain domain_;
     ImageScenario scenario_;
     KernelCore kernel_;
     internal::Trial trial_;

@@ -95,6 +95,7 @@ Answer run(const Lab& lab, const Question& question, const RunOptions& options) 
     const Verdict verdict = verdict_of(lab.options().variant, question);
     Answer answer = empty_answer(question, verdict);
     answer.variant = lab.options().variant.name;
+    const Domain domain = internal::domain_of(lab, question);
     const bool constants = lab.options().variant.constants != shader::Variant::Constants::none;
     internal::for_each_scenario(
         question, inputs_of_run(question, options.inputs),
@@ -103,11 +104,10 @@ Answer run(const Lab& lab, const Question& question, const RunOptions& options) 
             if (constants) {
                 const ConstantKernel folded(lab, question.file, question.function, question.signature);
                 const std::size_t count = constants_of_each(question.scenarios.size());
-                trial.compare_constants(few_inputs(question.domain, count, trial.input_seed(), scenario.size),
-                                        folded, answer);
+                trial.compare_constants(few_inputs(domain, count, trial.input_seed(), scenario.size), folded,
+                                        answer);
             } else {
-                judge(trial, question, question.domain.draw(share, trial.input_seed(), scenario.size),
-                      answer);
+                judge(trial, question, domain.draw(share, trial.input_seed(), scenario.size), answer);
             }
         });
     if (options.coverage) answer.coverage = measure_coverage(lab, question, options);

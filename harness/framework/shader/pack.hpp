@@ -111,9 +111,6 @@ struct Excerpts {
 // include.
 [[nodiscard]] Excerpts excerpts(const Source& source, const std::vector<std::filesystem::path>& roots);
 
-// The numbers of a GLSL text that are floating-point literals, each once, in their order; none of comments.
-[[nodiscard]] std::vector<double> float_literals(std::string_view text);
-
 // Shading languages other than GLSL.
 enum class Target { hlsl, msl, wgsl };
 

@@ -5,6 +5,8 @@
 #include <spirv.h>
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <set>
@@ -56,6 +58,19 @@ std::vector<std::string> number_capabilities(const Spirv& module) {
     for (const Instruction& one : instructions(module))
         if (one.opcode == SpvOpCapability)
             if (const auto name = names.find(one.word(1)); name != names.end()) found.push_back(name->second);
+    return found;
+}
+
+std::vector<float> float_constants(const Spirv& module) {
+    constexpr std::uint32_t width = 32;
+    std::uint32_t type = 0;
+    std::vector<float> found;
+    for (const Instruction& one : instructions(module)) {
+        if (one.opcode == SpvOpTypeFloat && one.word(2) == width) type = one.word(1);
+        if (one.opcode != SpvOpConstant || one.word(1) != type) continue;
+        const auto number = std::bit_cast<float>(one.word(3));
+        if (std::isfinite(number) && std::ranges::find(found, number) == found.end()) found.push_back(number);
+    }
     return found;
 }
 

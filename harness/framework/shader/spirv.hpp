@@ -43,6 +43,9 @@ struct Instruction {
 // The capabilities of a module for numbers of other sizes than 32 bits: "Float64", "Int8".
 [[nodiscard]] std::vector<std::string> number_capabilities(const Spirv& module);
 
+// The float32 constants of a module that are finite, each once, in their order.
+[[nodiscard]] std::vector<float> float_constants(const Spirv& module);
+
 // Throws std::runtime_error with the validator's message if the module is not valid for Vulkan 1.2.
 void validate(const Spirv& module);
 

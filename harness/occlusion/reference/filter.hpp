@@ -162,7 +162,7 @@ inline glm::ivec2 gloam_half_source(glm::ivec2 pixel) {
 
 // The ray through the centre of the half-size pixel 0, without that through the centre of its source.
 inline double gloam_half_shift(double p, int size) {
-    if (size < 1 || !(abs(p) >= 1e-9 && abs(p) <= 1e9)) return 0.0;
+    if (size < 1 || !(abs(p) >= double{1e-9F} && abs(p) <= 1e9)) return 0.0;
     const int half = size / 2 + size % 2;
     const double half_p = p * size / (2.0 * half);  // covers 2 half pixels of the full image
     const double of_half = (1.0 / half - 1.0) / half_p;

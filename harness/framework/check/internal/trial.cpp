@@ -10,7 +10,9 @@
 
 #include "check/explain.hpp"
 #include "check/internal/budget_judge.hpp"
+#include "check/kernel_code.hpp"
 #include "check/scalars.hpp"
+#include "shader/spirv.hpp"
 
 namespace gloam::check::internal {
 Trial::Trial(const Lab& lab, const Question& question, const KernelCore& kernel,
@@ -99,6 +101,16 @@ std::uint64_t input_seed_of(const Question& question, const ImageScenario& scena
 ImageSet images_of(const ImageScenario& scenario, std::uint64_t seed) {
     numeric::Random random(seed ^ numeric::hash_of(scenario.name));
     return scenario.make ? scenario.make(scenario.size, random) : ImageSet{};
+}
+
+Domain domain_of(const Lab& lab, const Question& question) {
+    const KernelSource source = lab.source(question.file, question.function, question.signature);
+    const shader::Spirv module =
+        lab.compile({.name = "kernel of " + question.function, .text = kernel_code(source)},
+                    {.stage = stage_of(source.team),
+                     .include_roots = lab.options().include_roots,
+                     .variant = {}});  // the same inputs in every variant
+    return question.domain.and_numbers(question.signature, shader::float_constants(module));
 }
 
 void for_each_scenario(const Question& question, std::size_t inputs,

@@ -54,6 +54,10 @@ class Trial {
     JudgeOptions options_;
 };
 
+// The domain of a question, and the numbers of its function's module (Domain::and_numbers): what it compares
+// with is an input. Throws like Lab::kernel().
+[[nodiscard]] Domain domain_of(const Lab& lab, const Question& question);
+
 // Calls visit(scenario, share) for each scenario of a question with its share of `inputs`. A function without
 // images gets one call with an empty scenario.
 void for_each_scenario(const Question& question, std::size_t inputs,

@@ -6,9 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "base/number.hpp"
-#include "shader/pack.hpp"
-
 namespace gloam::shader::internal {
 namespace {
 
@@ -35,25 +32,6 @@ std::size_t token_length(std::string_view text) {
     const auto longer =
         std::ranges::find_if(long_operators, [&](const char* one) { return text.starts_with(one); });
     return longer == long_operators.end() ? 1 : std::string_view(*longer).size();
-}
-
-// Calls add(token, position) for each token of code without comments.
-template <class Add>
-void for_each_token(std::string_view code, const Add& add) {
-    constexpr std::string_view between{" \t\r\n\v\f\0", 7};
-    for (std::size_t at = code.find_first_not_of(between); at != std::string_view::npos;
-         at = code.find_first_not_of(between, at)) {
-        const std::size_t length = token_length(code.substr(at));
-        add(code.substr(at, length), at);
-        at += length;
-    }
-}
-
-// The number of a floating-point literal; nullopt for any other token.
-std::optional<double> float_of(std::string_view token) {
-    const bool hex = token.starts_with("0x") || token.starts_with("0X");
-    if (!is_number(token) || hex || token.find_first_of(".eE") == std::string_view::npos) return std::nullopt;
-    return base::number_from<double>(token.substr(0, token.find_last_not_of("fFlL") + 1));
 }
 
 }  // namespace
@@ -98,10 +76,14 @@ void TokenText::add(std::string_view line) {
 }
 
 void TokenText::add_tokens(std::string_view code, std::size_t begin) {
-    for_each_token(code, [&](std::string_view token, std::size_t at) {
-        add(token);
-        tokens.push_back({std::string(token), begin + at, lines_});
-    });
+    constexpr std::string_view between{" \t\r\n\v\f\0", 7};
+    for (std::size_t at = code.find_first_not_of(between); at != std::string_view::npos;
+         at = code.find_first_not_of(between, at)) {
+        const std::size_t length = token_length(code.substr(at));
+        add(code.substr(at, length));
+        tokens.push_back({std::string(code.substr(at, length)), begin + at, lines_});
+        at += length;
+    }
 }
 
 std::size_t closing(const std::vector<Token>& tokens, std::size_t open) {
@@ -160,20 +142,3 @@ std::vector<Region> regions(const std::vector<Token>& tokens) {
 }
 
 }  // namespace gloam::shader::internal
-
-namespace gloam::shader {
-
-std::vector<double> float_literals(std::string_view text) {
-    std::vector<double> numbers;
-    for (const internal::Line& line : internal::split_lines(text)) {
-        const auto directive = internal::directive_of(line);
-        if (directive && directive->keyword != "define") continue;
-        internal::for_each_token(line.code, [&](std::string_view token, std::size_t) {
-            const auto number = internal::float_of(token);
-            if (number && std::ranges::find(numbers, *number) == numbers.end()) numbers.push_back(*number);
-        });
-    }
-    return numbers;
-}
-
-}  // namespace gloam::shader
