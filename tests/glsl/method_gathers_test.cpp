@@ -276,7 +276,7 @@ TEST_P(Methods, NothingIsGatheredWhereThereIsNothing) {
     const Camera camera{glm::vec2(1, -1), glm::ivec2(5, 3), false};
     for (const float depth : {infinity, 0.0F, nan}) {
         const auto image = test::view_of(camera.size, [&](glm::ivec2) { return depth; });
-        const Samples samples{.radius = 0.5F, .bias = 0.0F, .angle = 0.0F, .first = 0, .count = 16};
+        const Samples samples{.radius = 0.5F, .bias = 0.0F, .angle = 0.3F, .first = 0, .count = 16};
         const auto at = [&](glm::vec3 position, glm::vec3 normal) {
             return gather.with_images(image, {position, normal, camera, samples, Method{}});
         };
@@ -286,7 +286,7 @@ TEST_P(Methods, NothingIsGatheredWhereThereIsNothing) {
         EXPECT_EQ(at(glm::vec3(0, 0, 2), glm::vec3(0, 0, 1)), glm::vec2(0));
         for (const auto& [radius, count] : {std::pair{0.0F, 16U}, {nan, 16U}, {0.5F, 0U}}) {
             if (count == 0 && info.unit != effect::SampleUnit::one) continue;  // at least one unit is taken
-            const Samples none{.radius = radius, .bias = 0.0F, .angle = 0.0F, .first = 0, .count = count};
+            const Samples none{.radius = radius, .bias = 0.0F, .angle = 0.3F, .first = 0, .count = count};
             const glm::vec2 sum =
                 gather.with_images(image, {glm::vec3(0, 0, -2), glm::vec3(0, 0, 1), camera, none, Method{}});
             EXPECT_EQ(sum, glm::vec2(0)) << radius << ' ' << count;

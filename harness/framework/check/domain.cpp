@@ -117,8 +117,7 @@ void Degenerate::add_numbers(const Signature& signature, const std::vector<Value
             change.word = change.first + k;
             for (const Word number : bits) {
                 change.bits = number;
-                const bool never = change.size == 1 && !values.admits(std::span(&number, 1));
-                if (scalars[k] == Scalar::float_ && !never) numbers_.push_back(change);
+                if (scalars[k] == Scalar::float_) numbers_.push_back(change);
             }
         }
         change.first += scalars.size();
@@ -128,9 +127,13 @@ void Degenerate::add_numbers(const Signature& signature, const std::vector<Value
 void Degenerate::change(std::size_t i, std::span<Word> row) const {
     if (i >= changes_.size()) {
         const Number& number = numbers_[i - changes_.size()];
-        const Word before = std::exchange(row[number.word], number.bits);
-        if (!parameters_->at(number.parameter).admits(row.subspan(number.first, number.size)))
-            row[number.word] = before;
+        const Word before = row[number.word];
+        const auto admits = [&](Word word) {
+            row[number.word] = word;
+            return parameters_->at(number.parameter).admits(row.subspan(number.first, number.size));
+        };
+        const bool possible = admits(number.bits) || admits(to_word(std::numeric_limits<float>::infinity()));
+        row[number.word] = possible ? number.bits : before;
         return;
     }
     Word& word = row[changes_[i].word];
