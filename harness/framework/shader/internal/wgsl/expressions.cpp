@@ -302,7 +302,7 @@ bool extended_operation(ModuleText& text, const Instruction& i, const std::vecto
         result = call(text.helper(fmt::format("inverse{}", module.type(type).count), 0), operands);
         return true;
     }
-    if (module.type(type).kind == Type::Kind::float_ && of_scalars(which, operands, result)) return true;
+    if (module.type(type).kind == Type::Kind::real && of_scalars(which, operands, result)) return true;
     const auto* const name = std::ranges::find(names, which, &std::pair<std::uint32_t, const char*>::first);
     if (name == std::end(names))
         throw NotTranslated(fmt::format("the instruction {} of GLSL.std.450", which));
