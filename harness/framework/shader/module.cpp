@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shader/module.hpp"
 
+#define SPV_ENABLE_UTILITY_CODE  // which instructions have results; so this is the first source of its group
 #include <spirv.h>
 
 namespace gloam::shader::spirv {
@@ -51,6 +52,12 @@ std::optional<Type> type_of(const Instruction& i) {
 }
 
 }  // namespace
+
+ResultShape result_shape(std::uint32_t opcode) {
+    ResultShape shape;
+    SpvHasResultAndType(static_cast<SpvOp>(opcode), &shape.result, &shape.type);
+    return shape;
+}
 
 const Type* Declarations::read(const Instruction& i) {
     switch (i.opcode) {

@@ -16,6 +16,13 @@ namespace gloam::shader::spirv {
 
 using Id = std::uint32_t;
 
+// Whether an instruction has a result, and a type before it.
+struct ResultShape {
+    bool result = false;
+    bool type = false;
+};
+[[nodiscard]] ResultShape result_shape(std::uint32_t opcode);
+
 // The memory layout of a matrix.
 struct MatrixLayout {
     std::uint32_t stride = 0;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "shader/spirv.hpp"
 
-#define SPV_ENABLE_UTILITY_CODE
 #include <spirv.h>
 #include <algorithm>
 #include <array>
@@ -223,9 +222,7 @@ std::set<Id> float32_types(const std::vector<Instruction>& instructions) {
 
 // Whether the instruction has a result (word 2) with a type (word 1).
 bool has_typed_result(const Instruction& instruction) {
-    bool result = false;
-    bool type = false;
-    SpvHasResultAndType(static_cast<SpvOp>(instruction.opcode), &result, &type);
+    const auto [result, type] = spirv::result_shape(instruction.opcode);
     return result && type && instruction.words.size() > 2;
 }
 

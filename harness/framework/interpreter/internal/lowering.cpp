@@ -211,9 +211,7 @@ Code Lowering::run(const std::string& entry_point) {
 // result.
 void Lowering::allocate_results(const Function& function, Scope& scope) {
     for (const shader::Instruction& i : function.body) {
-        bool has_result = false;
-        bool has_type = false;
-        SpvHasResultAndType(static_cast<SpvOp>(i.opcode), &has_result, &has_type);
+        const auto [has_result, has_type] = shader::spirv::result_shape(i.opcode);
         if (!has_result || !has_type || i.opcode == SpvOpFunctionParameter) continue;
         const Type& type = module_.types.at(i.word(1));
         scope.types[i.word(2)] = i.word(1);

@@ -154,9 +154,7 @@ std::size_t mask_of_image_operands(std::uint32_t opcode) {
 }  // namespace
 
 Id result_of(const Instruction& i) {
-    bool has_result = false;
-    bool has_type = false;
-    SpvHasResultAndType(static_cast<SpvOp>(i.opcode), &has_result, &has_type);
+    const auto [has_result, has_type] = spirv::result_shape(i.opcode);
     if (!has_result) return 0;
     return i.word(has_type ? 2 : 1);
 }
@@ -178,9 +176,7 @@ std::vector<Id> operands(const Instruction& i) {
         const std::size_t first = std::min<std::size_t>(sum || count ? 5 : 4, i.words.size());
         return {i.words.begin() + static_cast<std::ptrdiff_t>(first), i.words.end()};
     }
-    bool has_result = false;
-    bool has_type = false;
-    SpvHasResultAndType(static_cast<SpvOp>(i.opcode), &has_result, &has_type);
+    const auto [has_result, has_type] = spirv::result_shape(i.opcode);
     const Range range = ids_of(i, 1U + (has_result ? 1 : 0) + (has_type ? 1 : 0));
     std::vector<Id> ids;
     for (std::size_t w = range.first; w < range.end && w < i.words.size(); ++w) {

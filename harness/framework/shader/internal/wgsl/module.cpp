@@ -33,9 +33,7 @@ void refuse_widths(const Instruction& type) {
 
 Module::Module(const Spirv& words) {
     for (const Instruction& instruction : instructions(words)) {
-        bool has_result = false;
-        bool has_type = false;
-        SpvHasResultAndType(static_cast<SpvOp>(instruction.opcode), &has_result, &has_type);
+        const auto [has_result, has_type] = spirv::result_shape(instruction.opcode);
         if (has_type && has_result) value_types_[instruction.word(2)] = instruction.word(1);
         if (in_function_ || instruction.opcode == SpvOpFunction) {
             read_in_function(instruction);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#define SPV_ENABLE_UTILITY_CODE  // which instructions have results
 #include <spirv.h>
 #include <array>
 #include <cstdint>
