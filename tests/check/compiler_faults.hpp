@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#define SPV_ENABLE_UTILITY_CODE
 #include <GLSL.std.450.h>
 #include <spirv.h>
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "shader/module.hpp"
 #include "shader/spirv.hpp"
 
 // Faults as compilers have them, planted in modules: each changes every instruction that it applies to.
@@ -74,9 +74,7 @@ inline CompilerFault dropped(std::string name,
 inline std::map<std::uint32_t, Instruction> definitions(const Spirv& module) {
     std::map<std::uint32_t, Instruction> found;
     for (const Instruction& one : shader::instructions(module)) {
-        bool result = false;
-        bool type = false;
-        SpvHasResultAndType(static_cast<SpvOp>(one.opcode), &result, &type);
+        const auto [result, type] = shader::spirv::result_shape(one.opcode);
         if (result) found[one.word(type ? 2 : 1)] = one;
     }
     return found;

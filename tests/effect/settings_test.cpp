@@ -252,26 +252,6 @@ const std::map<std::string, Case>& cases() {
     return all;
 }
 
-// A box that slides before a wall, under a camera that pans.
-scene::Scene sliding_box() {
-    scene::Scene scene{.name = "test"};
-    scene.mesh = scene::make_parallelogram({-4, 0, -1}, {0, 0, 5}, {8, 0, 0}, 0.5);
-    append(scene.mesh, scene::make_parallelogram({-4, 0, -1}, {8, 0, 0}, {0, 4, 0}, 0.5));
-    scene.camera = {.eye = {0, 1.2, 3}, .target = {0, 0.4, -1}, .near = 0.1, .far = 50};
-    scene.camera_path = [start = scene.camera](int frame) {
-        scene::Camera camera = start;
-        camera.eye.x += 0.04 * frame;
-        camera.target.x += 0.04 * frame;
-        return camera;
-    };
-    scene.objects.push_back({scene::make_box({-0.3, 0, -0.3}, {0.3, 0.6, 0.3}, 0.2), [](int frame) {
-                                 glm::dmat4 move(1.0);
-                                 move[3] = glm::dvec4(-0.5 + 0.05 * frame, 0.0, -0.5, 1.0);
-                                 return move;
-                             }});
-    return scene;
-}
-
 class EverySetting : public OnDevice<testing::Test> {
   protected:
     // What the last of a few frames shows.
@@ -303,7 +283,7 @@ class EverySetting : public OnDevice<testing::Test> {
         return image;
     }
 
-    scene::Scene scene_ = sliding_box();
+    scene::Scene scene_ = panned(floor_and_wall(true), 0.04);
     std::map<std::string, std::vector<float>> shown_;
 };
 

@@ -45,7 +45,7 @@ GloamEstimate gloam_angle(vec3 position, vec3 normal, GloamCamera camera, GloamK
                 gloam_pair_height(footprint, depths.second_pixel, looked.y, -aim, position, n, facing, kernel.radius);
             vec3 cosines = gloam_angle_pair(aim + first * view, second * view - aim, n, view, settings.range);
             vec2 biased = clamp(cosines.xy - settings.angle_bias, -1.0, 1.0);
-            vec2 sines = sqrt(max((1.0 - biased) * (1.0 + biased), 1e-36));
+            vec2 sines = sqrt(max((1.0 - biased) * (1.0 + biased), GLOAM_LEAST_SQUARE));
             float angles = gloam_unit_angle(vec2(biased.x, sines.x)) + gloam_unit_angle(vec2(biased.y, sines.y));
             GloamPairShare found = GloamPairShare(cosines.z * (1.0 - angles / GLOAM_PI), cosines.z);
             if (!gloam_pair_stays(looked, look, kernel.layers, found, most)) continue;

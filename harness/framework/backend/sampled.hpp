@@ -3,11 +3,15 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <stdexcept>
 #include <string_view>
+#include <vector>
+
+#include "base/half.hpp"
 
 // An image that a sampler reads, as words: a header, then the texels.
 namespace gloam::backend {
@@ -99,6 +103,26 @@ inline constexpr std::size_t texel_words = 4;
     if (header.shape == SampledShape::one && header.height != 1)
         throw std::invalid_argument("an image of one dimension that is higher than 1");
     return header;
+}
+
+// Words of a texel in an image of a device: floats of 16 bits, two in a word; one depth.
+[[nodiscard]] inline std::size_t stored_words(SampledTexel texel) {
+    return texel == SampledTexel::depth ? 1 : texel == SampledTexel::real ? texel_words / 2 : texel_words;
+}
+
+// The texels of these words, which begin with a header, as such an image has them.
+[[nodiscard]] inline std::vector<std::uint32_t> stored_texels(std::span<const std::uint32_t> words) {
+    const SampledTexel texel = sampled_header(words).texel;
+    const auto texels = words.subspan(sampled_header_words);
+    const std::size_t step = texel_words / stored_words(texel);
+    std::vector<std::uint32_t> stored;
+    for (std::size_t i = 0; i < texels.size(); i += step) {
+        const auto half = [&](std::size_t at) {
+            return std::uint32_t{base::to_half(std::bit_cast<float>(texels[at]))};
+        };
+        stored.push_back(texel == SampledTexel::real ? half(i + 1) << 16U | half(i) : texels[i]);
+    }
+    return stored;
 }
 
 }  // namespace gloam::backend

@@ -10,28 +10,26 @@
 #include "shader/internal/compiler_process.hpp"
 #include "shader/internal/front_end.hpp"
 #include "shader/internal/lines.hpp"
+#include "shader/module.hpp"
 #include "shader/spirv.hpp"
 
 namespace gloam::shader::internal {
 namespace {
 
-using Id = std::uint32_t;
+using spirv::Id;
 
-std::string name_without_overload_mark(const std::string& name) {
-    return name.substr(0, name.find('('));
-}
-
-// Names, types and constants of a module by their id.
+// The types of a module, described by their id.
 class TypeReader {
   public:
     explicit TypeReader(const std::vector<Instruction>& code) {
-        for (const Instruction& instruction : code) read(instruction);
+        for (const Instruction& instruction : code) {
+            declared_.read(instruction);
+            if (instruction.opcode == SpvOpConstant || instruction.opcode == SpvOpSpecConstant)
+                constants_[instruction.word(2)] = instruction.word(3);
+        }
     }
 
-    [[nodiscard]] std::string name_of(Id id) const {
-        const auto found = names_.find(id);
-        return found == names_.end() ? "" : found->second;
-    }
+    [[nodiscard]] std::string name_of(Id id) const { return declared_.name_of(id); }
 
     // The type of a value, or of what a pointer points to. Its description is small, however large a value
     // is.
@@ -46,90 +44,71 @@ class TypeReader {
 
   private:
     [[nodiscard]] Type whole_type_of(Id id) const {
-        const Instruction& type = types_.at(id);
-        switch (type.opcode) {
-            case SpvOpTypePointer:
-                return type_of(type.word(3));
-            case SpvOpTypeVector:
-            case SpvOpTypeMatrix:
+        using Kind = spirv::Type::Kind;
+        const spirv::Type& type = declared_.types.at(id);
+        switch (type.kind) {
+            case Kind::pointer:
+                return type_of(type.element);
+            case Kind::vector:
+            case Kind::matrix:
                 return composed(type);
-            case SpvOpTypeArray: {
+            case Kind::array: {
                 const auto size =
-                    constants_.find(type.word(3));  // or an operation on specialization constants
+                    constants_.find(type.length);  // or an operation on specialization constants
                 return array_of(type, size == constants_.end() ? 0 : size->second);
             }
-            case SpvOpTypeRuntimeArray:
+            case Kind::runtime_array:
                 return array_of(type, 0);
-            case SpvOpTypeStruct:
+            case Kind::structure:
                 return structure(id, type);
             default:
                 return scalar(type);
         }
     }
 
-    void read(const Instruction& instruction) {
-        if (instruction.opcode == SpvOpName) {
-            names_[instruction.word(1)] = literal_string(instruction, 2);
-        } else if (instruction.opcode == SpvOpMemberName) {
-            members_[{instruction.word(1), instruction.word(2)}] = literal_string(instruction, 3);
-        } else if (instruction.opcode == SpvOpConstant || instruction.opcode == SpvOpSpecConstant) {
-            constants_[instruction.word(2)] = instruction.word(3);
-        } else if (instruction.opcode >= SpvOpTypeVoid && instruction.opcode <= SpvOpTypeFunction) {
-            types_[instruction.word(1)] = instruction;
-        }
-    }
-
-    static Type unsupported(std::string text) {
-        return {.scalar = Scalar::unsupported, .members = {}, .name = std::move(text)};
-    }
-
-    static Type scalar(const Instruction& type) {
+    static Type scalar(const spirv::Type& type) {
         const auto of = [](Scalar scalar) { return Type{.scalar = scalar, .members = {}, .name = {}}; };
-        const Id bits = type.word(2);
-        const bool is_signed = type.word(3) != 0;
-        switch (type.opcode) {
-            case SpvOpTypeVoid:
+        switch (type.kind) {
+            case spirv::Type::Kind::void_:
                 return of(Scalar::void_);
-            case SpvOpTypeBool:
+            case spirv::Type::Kind::boolean:
                 return of(Scalar::bool_);
-            case SpvOpTypeInt:
-                if (bits == 8) return of(is_signed ? Scalar::int8_ : Scalar::uint8_);
-                if (bits == 16) return of(is_signed ? Scalar::int16_ : Scalar::uint16_);
-                if (bits == 64) return of(is_signed ? Scalar::int64_ : Scalar::uint64_);
-                return of(is_signed ? Scalar::int_ : Scalar::uint_);
-            case SpvOpTypeFloat:
-                return of(bits == 16 ? Scalar::float16_ : bits == 64 ? Scalar::double_ : Scalar::float_);
+            case spirv::Type::Kind::integer:
+                if (type.width == 8) return of(type.is_signed ? Scalar::int8_ : Scalar::uint8_);
+                if (type.width == 16) return of(type.is_signed ? Scalar::int16_ : Scalar::uint16_);
+                if (type.width == 64) return of(type.is_signed ? Scalar::int64_ : Scalar::uint64_);
+                return of(type.is_signed ? Scalar::int_ : Scalar::uint_);
+            case spirv::Type::Kind::real:
+                return of(type.width == 16   ? Scalar::float16_
+                          : type.width == 64 ? Scalar::double_
+                                             : Scalar::float_);
             default:
-                return unsupported({});
+                return of(Scalar::unsupported);
         }
     }
 
-    [[nodiscard]] Type composed(const Instruction& type) const {
-        Type result = type_of(type.word(2));
-        const int count = static_cast<int>(type.word(3));
-        (type.opcode == SpvOpTypeMatrix ? result.columns : result.rows) = count;
+    [[nodiscard]] Type composed(const spirv::Type& type) const {
+        Type result = type_of(type.element);
+        const int count = static_cast<int>(type.count);
+        (type.kind == spirv::Type::Kind::matrix ? result.columns : result.rows) = count;
         return result;
     }
 
-    [[nodiscard]] Type array_of(const Instruction& type, Id size) const {
-        Type array = type_of(type.word(2));
+    [[nodiscard]] Type array_of(const spirv::Type& type, Id size) const {
+        Type array = type_of(type.element);
         array.sizes.insert(array.sizes.begin(), size);
         return array;
     }
 
-    [[nodiscard]] Type structure(Id id, const Instruction& type) const {
+    [[nodiscard]] Type structure(Id id, const spirv::Type& type) const {
         Type result{.scalar = Scalar::structure, .members = {}, .name = name_of(id)};
-        for (Id i = 0; i + 2 < type.words.size(); ++i) {
-            const auto name = members_.find({id, i});
-            result.members.push_back({name == members_.end() ? "" : name->second, type_of(type.word(i + 2))});
-        }
+        for (const spirv::Member& member : type.members)
+            result.members.push_back({member.name, type_of(member.type)});
         return result;
     }
 
-    std::map<Id, std::string> names_;
-    std::map<std::pair<Id, Id>, std::string> members_;
+    spirv::Declarations declared_;
     std::map<Id, Id> constants_;
-    std::map<Id, Instruction> types_;
     mutable std::map<Id, Type> known_;
 };
 
@@ -226,7 +205,7 @@ std::vector<Signature> signatures(const Spirv& module) {
         const Id type = instruction.word(1);
         const Id id = instruction.word(2);
         if (instruction.opcode == SpvOpFunction)
-            found.push_back({name_without_overload_mark(types.name_of(id)), types.type_of(type), {}, {}, {}});
+            found.push_back({types.name_of(id), types.type_of(type), {}, {}, {}});
         if (instruction.opcode == SpvOpFunctionParameter)
             found.back().parameters.push_back({types.name_of(id), types.type_of(type), Direction::in});
         if (instruction.opcode == SpvOpFunctionCall)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "shader/spirv.hpp"
 
-#define SPV_ENABLE_UTILITY_CODE
 #include <spirv.h>
 #include <algorithm>
 #include <array>
@@ -13,6 +12,8 @@
 #include <spirv-tools/libspirv.hpp>
 #include <spirv-tools/optimizer.hpp>
 #include <stdexcept>
+
+#include "shader/module.hpp"
 
 namespace gloam::shader {
 namespace {
@@ -195,7 +196,7 @@ std::string disassemble(const Spirv& module) {
 
 namespace {
 
-using Id = std::uint32_t;
+using spirv::Id;
 
 bool is_float_arithmetic(const Instruction& instruction) {
     constexpr std::array opcodes{SpvOpFNegate,
@@ -236,9 +237,7 @@ std::set<Id> float32_types(const std::vector<Instruction>& instructions) {
 
 // Whether the instruction has a result (word 2) with a type (word 1).
 bool has_typed_result(const Instruction& instruction) {
-    bool result = false;
-    bool type = false;
-    SpvHasResultAndType(static_cast<SpvOp>(instruction.opcode), &result, &type);
+    const auto [result, type] = spirv::result_shape(instruction.opcode);
     return result && type && instruction.words.size() > 2;
 }
 
@@ -296,8 +295,6 @@ Spirv with_relaxed_precision(const Spirv& module) {
 
 namespace {
 
-using Id = std::uint32_t;
-
 const char* kind_of(std::uint32_t storage) {
     switch (storage) {
         case SpvStorageClassUniformConstant:
@@ -330,62 +327,39 @@ bool takes_pointers(std::uint32_t opcode) {
     }
 }
 
-struct Module {
-    std::map<Id, std::string> names;
-    std::map<Id, Id> inside;  // of a pointer or an array, what it is of
-    std::vector<Instruction> variables;
-    std::set<Id> used;
-
-    void add(const Instruction& instruction, bool in_function) {
-        switch (instruction.opcode) {
-            case SpvOpName:
-                names[instruction.word(1)] = literal_string(instruction, 2);
-                break;
-            case SpvOpTypePointer:
-                inside[instruction.word(1)] = instruction.word(3);
-                break;
-            case SpvOpTypeArray:
-            case SpvOpTypeRuntimeArray:
-                inside[instruction.word(1)] = instruction.word(2);
-                break;
-            case SpvOpVariable:
-                if (!in_function) variables.push_back(instruction);
-                break;
-            default:
-                break;
-        }
-        if (!in_function || !takes_pointers(instruction.opcode)) return;
-        for (std::size_t i = 1; i < instruction.words.size(); ++i) used.insert(instruction.words[i]);
+// The name of what a pointer points to, or of the elements if that is an array.
+std::string block_of(const spirv::Declarations& declared, Id type) {
+    using Kind = spirv::Type::Kind;
+    for (auto found = declared.types.find(type); found != declared.types.end();
+         found = declared.types.find(type)) {
+        const Kind kind = found->second.kind;
+        if (kind != Kind::pointer && kind != Kind::array && kind != Kind::runtime_array) break;
+        type = found->second.element;
     }
-
-    [[nodiscard]] std::string name_of(Id id) const {
-        const auto found = names.find(id);
-        return found == names.end() ? "" : found->second;
-    }
-
-    [[nodiscard]] std::string block_of(Id type) const {
-        for (auto next = inside.find(type); next != inside.end(); next = inside.find(type))
-            type = next->second;
-        return name_of(type);
-    }
-};
+    return declared.name_of(type);
+}
 
 }  // namespace
 
 std::vector<Resource> used_resources(const Spirv& module) {
-    Module all;
+    spirv::Declarations declared;
+    std::vector<Instruction> variables;
+    std::set<Id> used;
     bool in_function = false;
     for (const Instruction& instruction : instructions(module)) {
         if (instruction.opcode == SpvOpFunction) in_function = true;
-        all.add(instruction, in_function);
+        if (in_function && takes_pointers(instruction.opcode))
+            used.insert(instruction.words.begin() + 1, instruction.words.end());
+        if (!in_function && instruction.opcode == SpvOpVariable) variables.push_back(instruction);
+        if (!in_function) declared.read(instruction);
         if (instruction.opcode == SpvOpFunctionEnd) in_function = false;
     }
     std::vector<Resource> resources;
-    for (const Instruction& variable : all.variables) {
+    for (const Instruction& variable : variables) {
         const char* kind = kind_of(variable.word(3));
         const Id id = variable.word(2);
-        if (kind == nullptr || !all.used.contains(id)) continue;
-        resources.push_back({kind, all.name_of(id), all.block_of(variable.word(1))});
+        if (kind == nullptr || !used.contains(id)) continue;
+        resources.push_back({kind, declared.name_of(id), block_of(declared, variable.word(1))});
     }
     return resources;
 }

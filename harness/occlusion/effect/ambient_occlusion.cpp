@@ -143,10 +143,7 @@ Work AmbientOcclusion::Impl::work(std::span<const float> convergence) const {
 
 AmbientOcclusion::AmbientOcclusion(const gpu::Device& device, const scene::PassLibrary& passes,
                                    gpu::Extent extent)
-    : impl_(std::make_unique<Impl>(device, passes, extent)) {}
-AmbientOcclusion::~AmbientOcclusion() = default;
-AmbientOcclusion::AmbientOcclusion(AmbientOcclusion&&) noexcept = default;
-AmbientOcclusion& AmbientOcclusion::operator=(AmbientOcclusion&&) noexcept = default;
+    : impl_(base::make_hidden<Impl>(device, passes, extent)) {}
 
 void AmbientOcclusion::begin(const scene::GBuffer& view, const Settings& settings) {
     Impl& impl = *impl_;

@@ -3,12 +3,12 @@
 
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "backend/vulkan/device.hpp"
 #include "backend/vulkan/resources.hpp"
+#include "base/hidden.hpp"
 #include "effect/plan.hpp"
 #include "effect/settings.hpp"
 #include "scene/gbuffer.hpp"
@@ -65,9 +65,6 @@ class AmbientOcclusion {
     // `extent`: of the views, guard band included. The device must outlive this object. Throws
     // std::runtime_error for a size of 0 or beyond the device's limit, and when a shader does not compile.
     AmbientOcclusion(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent);
-    ~AmbientOcclusion();
-    AmbientOcclusion(AmbientOcclusion&&) noexcept;
-    AmbientOcclusion& operator=(AmbientOcclusion&&) noexcept;
 
     // Takes a view and forgets the history. Missing normals are reconstructed from depth; the next frame's
     // times include that pass. If the view has a guard band (scene/gbuffer.hpp), the band is shaded as
@@ -93,7 +90,7 @@ class AmbientOcclusion {
 
   private:
     struct Impl;
-    std::unique_ptr<Impl> impl_;
+    base::Hidden<Impl> impl_;
 };
 
 }  // namespace gloam::effect

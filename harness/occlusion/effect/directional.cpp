@@ -139,10 +139,7 @@ struct Directional::Impl {
 };
 
 Directional::Directional(const gpu::Device& device, const scene::PassLibrary& passes)
-    : impl_(std::make_unique<Impl>(device, passes)) {}
-Directional::~Directional() = default;
-Directional::Directional(Directional&&) noexcept = default;
-Directional& Directional::operator=(Directional&&) noexcept = default;
+    : impl_(base::make_hidden<Impl>(device, passes)) {}
 
 void Directional::watch(PassWatcher watcher) {
     impl_->watcher = std::move(watcher);

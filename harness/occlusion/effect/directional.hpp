@@ -2,10 +2,10 @@
 #pragma once
 
 #include <glm/glm.hpp>
-#include <memory>
 #include <vector>
 
 #include "backend/vulkan/device.hpp"
+#include "base/hidden.hpp"
 #include "effect/plan.hpp"
 #include "effect/settings.hpp"
 #include "scene/gbuffer.hpp"
@@ -52,9 +52,6 @@ class Directional {
   public:
     // The device must outlive this object. Throws std::runtime_error when a shader does not compile.
     Directional(const gpu::Device& device, const scene::PassLibrary& passes);
-    ~Directional();
-    Directional(Directional&&) noexcept;
-    Directional& operator=(Directional&&) noexcept;
 
     // Both throw std::invalid_argument for settings out of range, for images of another size, and if the view
     // has fewer layers than the settings ask for; bent_normals() also for options out of range. Missing
@@ -75,7 +72,7 @@ class Directional {
 
   private:
     struct Impl;
-    std::unique_ptr<Impl> impl_;
+    base::Hidden<Impl> impl_;
 };
 
 }  // namespace gloam::effect

@@ -64,10 +64,7 @@ struct FurtherViews::Impl {
 };
 
 FurtherViews::FurtherViews(const gpu::Device& device, const scene::PassLibrary& passes)
-    : impl_(std::make_unique<Impl>(device, passes)) {}
-FurtherViews::~FurtherViews() = default;
-FurtherViews::FurtherViews(FurtherViews&&) noexcept = default;
-FurtherViews& FurtherViews::operator=(FurtherViews&&) noexcept = default;
+    : impl_(base::make_hidden<Impl>(device, passes)) {}
 
 void FurtherViews::watch(PassWatcher watcher) {
     impl_->watcher = std::move(watcher);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "backend/vulkan/device.hpp"
+#include "base/hidden.hpp"
 #include "effect/plan.hpp"
 #include "effect/settings.hpp"
 #include "scene/gbuffer.hpp"
@@ -19,9 +19,6 @@ class FurtherViews {
   public:
     // The device must outlive this object.
     FurtherViews(const gpu::Device& device, const scene::PassLibrary& passes);
-    ~FurtherViews();
-    FurtherViews(FurtherViews&&) noexcept;
-    FurtherViews& operator=(FurtherViews&&) noexcept;
 
     // The occlusion of a view, raised to that of each further view where that is larger. `occlusion`: of the
     // view, as AmbientOcclusion returns it. Each further view is sampled for one frame with the same
@@ -37,7 +34,7 @@ class FurtherViews {
 
   private:
     struct Impl;
-    std::unique_ptr<Impl> impl_;
+    base::Hidden<Impl> impl_;
 };
 
 }  // namespace gloam::effect

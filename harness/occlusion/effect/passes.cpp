@@ -125,7 +125,7 @@ View working_view(const View& view, Resolution resolution) {
     return half;
 }
 
-// gloam_half_previous_from_current in the header of a packed effect does the same, to the bit.
+// gloam_half_view in the header of a packed effect does the same, to the bit (tests/examples/vulkan.cmake).
 glm::mat4 half_previous_from_current(const View& view, const View& previous) {
     glm::dmat4 between(view.camera.previous_from_current.value_or(glm::mat4(1.0F)));
     const glm::dvec2 shift = shift_of(view);

@@ -160,4 +160,11 @@ StoredInputs stored_inputs(const GBuffer& view, const Encoding& encoding) {
     return stored;
 }
 
+std::vector<glm::vec3> vectors_of(std::span<const float> texels, std::size_t channels) {
+    std::vector<glm::vec3> vectors(texels.size() / channels);
+    for (std::size_t i = 0; i < vectors.size(); ++i)
+        vectors[i] = {texels[channels * i], texels[channels * i + 1], texels[channels * i + 2]};
+    return vectors;
+}
+
 }  // namespace gloam::scene

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -146,6 +147,9 @@ class PixelPositions {
 // vectors the cameras alone are used, for a static scene. Existing values are kept. Requires that
 // cut_between() returns "".
 void link(GBuffer& view, const GBuffer& previous);
+
+// The first three channels of each texel.
+[[nodiscard]] std::vector<glm::vec3> vectors_of(std::span<const float> texels, std::size_t channels = 4);
 
 // Depth and normals of a view as an engine with this encoding stores them.
 [[nodiscard]] StoredInputs stored_inputs(const GBuffer& view, const Encoding& encoding);

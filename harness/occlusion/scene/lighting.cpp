@@ -145,10 +145,6 @@ constexpr glm::dvec3 sky_above{0.50, 0.55, 0.62};
 constexpr glm::dvec3 sky_horizon{0.62, 0.67, 0.73};
 constexpr glm::dvec3 sky_below{0.40, 0.37, 0.33};  // light from the ground
 
-double largest(const glm::dvec3& v) {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
 // The light of one view; positions and directions in view space.
 struct Lamp {
     glm::dvec3 position{0};  // of a lamp

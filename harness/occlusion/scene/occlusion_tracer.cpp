@@ -128,10 +128,6 @@ glm::dvec3 uniform_direction(const glm::dvec2& u) {
     return {r * std::cos(angle), r * std::sin(angle), height};
 }
 
-double largest(const glm::dvec3& v) {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
 // The directions of one part, in the frame of the receiver.
 class Directions {
   public:
@@ -184,12 +180,8 @@ struct OcclusionTracer::Impl {
 };
 
 OcclusionTracer::OcclusionTracer(Mesh mesh, const RaySettings& settings)
-    : impl_(new Impl{settings, SobolPoints(points_in_part(settings)),
-                     RayScene(std::move(mesh.positions), std::move(mesh.indices))}) {}
-
-OcclusionTracer::~OcclusionTracer() = default;
-OcclusionTracer::OcclusionTracer(OcclusionTracer&&) noexcept = default;
-OcclusionTracer& OcclusionTracer::operator=(OcclusionTracer&&) noexcept = default;
+    : impl_(base::make_hidden<Impl>(Impl{settings, SobolPoints(points_in_part(settings)),
+                                         RayScene(std::move(mesh.positions), std::move(mesh.indices))})) {}
 
 std::size_t OcclusionTracer::rays() const {
     return parts * impl_->points.size();

@@ -3,10 +3,10 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <memory>
 #include <optional>
 #include <string_view>
 
+#include "base/hidden.hpp"
 #include "scene/mesh.hpp"
 
 namespace gloam::scene {
@@ -71,9 +71,6 @@ class OcclusionTracer {
     // most exact near the origin. Throws std::invalid_argument for settings out of range, no triangles,
     // indices out of range and positions that are not finite.
     OcclusionTracer(Mesh mesh, const RaySettings& settings);
-    ~OcclusionTracer();
-    OcclusionTracer(OcclusionTracer&&) noexcept;
-    OcclusionTracer& operator=(OcclusionTracer&&) noexcept;
 
     // Number of rays of an estimate.
     [[nodiscard]] std::size_t rays() const;
@@ -88,7 +85,7 @@ class OcclusionTracer {
 
   private:
     struct Impl;
-    std::unique_ptr<Impl> impl_;
+    base::Hidden<Impl> impl_;
 };
 
 }  // namespace gloam::scene

@@ -197,13 +197,6 @@ gpu::RasterPipeline make_pipeline(const gpu::Device& device, const PassLibrary& 
              .reversed_z = reversed_z}};
 }
 
-std::vector<glm::vec3> to_vectors(const std::vector<float>& texels) {
-    std::vector<glm::vec3> vectors(texels.size() / 4);
-    for (std::size_t i = 0; i < vectors.size(); ++i)
-        vectors[i] = {texels[4 * i], texels[4 * i + 1], texels[4 * i + 2]};
-    return vectors;
-}
-
 // Motion from previous_position: dx, dy in pixels, and whether the point was in the previous image.
 std::vector<glm::vec3> motion_of(const GBuffer& view, const CameraFrame& before) {
     std::vector<glm::vec3> motion(view.depth.size(), glm::vec3(0));
@@ -252,7 +245,7 @@ class Shot {
         for (float& d : view.depth) {
             if (!(d > 0.0F)) d = std::numeric_limits<float>::infinity();  // cleared to 0: nothing drawn
         }
-        view.normal = to_vectors(colors_[1].download());
+        view.normal = vectors_of(colors_[1].download());
         if (moving_) read_extras(view);
         if (options_.color) view.color = colors_of(scene);
         if (options_.layers > 1) {
@@ -308,7 +301,7 @@ class Shot {
             }
         }
         if (!options_.motion) return;
-        view.previous_position = to_vectors(extras);
+        view.previous_position = vectors_of(extras);
         view.motion = options_.frame > 0 ? motion_of(view, make_frame(before_, aspect_))
                                          : std::vector<glm::vec3>(view.depth.size(), glm::vec3(0));
     }

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -85,10 +86,9 @@ struct RayScene::Impl {
 };
 
 RayScene::RayScene(std::vector<glm::vec3> positions, std::vector<std::uint32_t> indices)
-    : positions_(std::move(positions)), indices_(std::move(indices)) {
+    : positions_(std::move(positions)), indices_(std::move(indices)), impl_(base::make_hidden<Impl>()) {
     check(positions_, indices_);
     // One thread builds the tree, so it is the same every time.
-    impl_ = std::make_unique<Impl>();
     impl_->device.reset(rtcNewDevice("threads=1"));
     if (!impl_->device) fail(nullptr);
     impl_->scene.reset(rtcNewScene(impl_->device.get()));
@@ -100,10 +100,6 @@ RayScene::RayScene(std::vector<glm::vec3> positions, std::vector<std::uint32_t> 
     rtcCommitScene(impl_->scene.get());
     if (rtcGetDeviceError(impl_->device.get()) != RTC_ERROR_NONE) fail(impl_->device.get());
 }
-
-RayScene::~RayScene() = default;
-RayScene::RayScene(RayScene&&) noexcept = default;
-RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 
 std::optional<RayHit> RayScene::first_hit(const glm::vec3& origin, const glm::vec3& direction, float near,
                                           float far) const {

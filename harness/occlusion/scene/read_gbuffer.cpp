@@ -43,13 +43,6 @@ base::FloatImage read_image(const fs::path& stem, gpu::Extent extent, int channe
     return image;
 }
 
-std::vector<glm::vec3> to_vectors(const base::FloatImage& image) {
-    std::vector<glm::vec3> vectors(image.texels.size() / 3);
-    for (std::size_t i = 0; i < vectors.size(); ++i)
-        vectors[i] = {image.texels[3 * i], image.texels[3 * i + 1], image.texels[3 * i + 2]};
-    return vectors;
-}
-
 bool is_finite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
@@ -152,13 +145,13 @@ GBuffer read_gbuffer(const fs::path& directory, int frame, const Encoding& encod
     };
     GBuffer gbuffer{.extent = description.extent,
                     .depth = read("_depth", 1).texels,
-                    .normal = to_vectors(read("_normal", 3)),
-                    .motion = with_finite_motion(to_vectors(read("_motion", 3))),
+                    .normal = vectors_of(read("_normal", 3).texels, 3),
+                    .motion = with_finite_motion(vectors_of(read("_motion", 3).texels, 3)),
                     .previous_depth = read("_previous_depth", 1).texels,
                     .camera = description.camera,
                     .ao_radius = description.ao_radius,
                     .border = description.border};
-    gbuffer.color = within_unit(to_vectors(read("_color", 3)));
+    gbuffer.color = within_unit(vectors_of(read("_color", 3).texels, 3));
     gbuffer.layers = read_layers(stem, description.extent);
     if (!gbuffer.previous_depth.empty() && gbuffer.motion.empty())
         fail_with_frame(stem.string() + "_previous_depth.pfm",

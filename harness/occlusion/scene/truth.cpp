@@ -18,10 +18,6 @@
 namespace gloam::scene {
 namespace {
 
-double largest(const glm::dvec3& v) {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
 // A point of the G-buffer, unchanged. reach: the largest coordinate of the triangles around it.
 Receiver as_it_is(const glm::dvec3& at, const glm::dvec3& normal, double reach) {
     return {.position = at, .normal = normal, .facet = normal, .clearance = 16.0 * 0x1p-24 * reach};

@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
-#include <glm/packing.hpp>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -44,23 +42,11 @@ std::string output_comment(const check::Reproduction& all, std::size_t i) {
     return fmt::format("here it was {}; the reference gives {}", got, numeric::to_text(all.failure->want[i]));
 }
 
-// A sampled image with its texels as the format has them: floats of 16 bits, one depth.
+// A sampled image with its texels as the device has them.
 std::vector<check::Word> encoded(const std::vector<check::Word>& image) {
-    const backend::SampledHeader header = backend::sampled_header(image);
-    const auto texels = image.begin() + backend::sampled_header_words;
-    std::vector<check::Word> result(image.begin(), texels);
-    const auto value = [&](std::ptrdiff_t i) { return std::bit_cast<float>(texels[i]); };
-    for (auto i = texels; i != image.end(); i += backend::texel_words) {
-        const std::ptrdiff_t at = i - texels;
-        if (header.texel == backend::SampledTexel::depth) {
-            result.push_back(*i);
-        } else if (header.texel == backend::SampledTexel::real) {
-            result.push_back(glm::packHalf2x16({value(at), value(at + 1)}));
-            result.push_back(glm::packHalf2x16({value(at + 2), value(at + 3)}));
-        } else {
-            result.insert(result.end(), i, i + backend::texel_words);
-        }
-    }
+    std::vector<check::Word> result(image.begin(), image.begin() + backend::sampled_header_words);
+    const std::vector<check::Word> texels = backend::stored_texels(image);
+    result.insert(result.end(), texels.begin(), texels.end());
     return result;
 }
 

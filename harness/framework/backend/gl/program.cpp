@@ -88,7 +88,8 @@ std::string link_log(const Functions& gl, GLuint program) {
 
 }  // namespace
 
-Program::Program(const Device& device, Stage stage, const ShaderText& shader) : device_(&device) {
+Program::Program(const Device& device, Stage stage, const ShaderText& shader)
+    : handle_(device, Handle::Kind::program) {
     const Functions& gl = device.context().use();
     const Shader own(gl, stage == Stage::compute ? GL_COMPUTE_SHADER : GL_FRAGMENT_SHADER, shader);
     std::unique_ptr<Shader> vertices;
@@ -97,24 +98,14 @@ Program::Program(const Device& device, Stage stage, const ShaderText& shader) : 
         vertices = std::make_unique<Shader>(
             gl, GL_VERTEX_SHADER, ShaderText{"vertex shader of " + shader.name, version + covering_triangle});
     }
-    handle_ = gl.CreateProgram();
-    gl.AttachShader(handle_, own.handle());
-    if (vertices) gl.AttachShader(handle_, vertices->handle());
-    gl.LinkProgram(handle_);
+    gl.AttachShader(handle(), own.handle());
+    if (vertices) gl.AttachShader(handle(), vertices->handle());
+    gl.LinkProgram(handle());
     GLint linked = GL_FALSE;
-    gl.GetProgramiv(handle_, GL_LINK_STATUS, &linked);
-    if (linked == GL_TRUE) return;
-    const std::string message = fmt::format("{}: does not link: {}", shader.name, link_log(gl, handle_));
-    gl.DeleteProgram(handle_);
-    throw LinkFailed(message);
+    gl.GetProgramiv(handle(), GL_LINK_STATUS, &linked);
+    if (linked != GL_TRUE)
+        throw LinkFailed(fmt::format("{}: does not link: {}", shader.name, link_log(gl, handle())));
 }
-
-Program::~Program() {
-    if (handle_ != 0) device_->context().use().DeleteProgram(handle_);
-}
-
-Program::Program(Program&& other) noexcept
-    : device_(other.device_), handle_(std::exchange(other.handle_, 0U)) {}
 
 namespace {
 

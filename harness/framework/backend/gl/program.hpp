@@ -29,15 +29,11 @@ class Program {
 
     // Throws CompileFailed, LinkFailed.
     Program(const Device& device, Stage stage, const ShaderText& shader);
-    ~Program();
-    Program(Program&& other) noexcept;
-    Program& operator=(Program&&) = delete;
 
-    [[nodiscard]] std::uint32_t handle() const { return handle_; }
+    [[nodiscard]] std::uint32_t handle() const { return handle_.name(); }
 
   private:
-    const Device* device_;
-    std::uint32_t handle_ = 0;
+    Handle handle_;
 };
 
 // One run of a compute shader.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <utility>
 
 #include "backend/gl/internal/context.hpp"
 
@@ -15,45 +14,49 @@ constexpr GLenum target = GL_COPY_WRITE_BUFFER;
 
 }  // namespace
 
+Handle::Handle(const Device& device, Kind kind) : device_(&device), kind_(kind) {
+    const internal::Functions& gl = device.context().use();
+    if (kind == Kind::program)
+        name_ = gl.CreateProgram();
+    else
+        (kind == Kind::buffer ? gl.GenBuffers : gl.GenTextures)(1, &name_);
+}
+
+Handle::~Handle() {
+    if (name_ == 0) return;
+    const internal::Functions& gl = device_->context().use();
+    if (kind_ == Kind::program)
+        gl.DeleteProgram(name_);
+    else
+        (kind_ == Kind::buffer ? gl.DeleteBuffers : gl.DeleteTextures)(1, &name_);
+}
+
 Buffer::Buffer(const Device& device, std::size_t words)
-    : device_(&device), words_(std::max<std::size_t>(words, 1)) {
+    : words_(std::max<std::size_t>(words, 1)), handle_(device, Handle::Kind::buffer) {
     const internal::Context& context = device.context();
     const internal::Functions& gl = context.use();
     const std::vector<Word> zeros(words_);
-    gl.GenBuffers(1, &handle_);
-    gl.BindBuffer(target, handle_);
+    gl.BindBuffer(target, handle_.name());
     gl.BufferData(target, static_cast<GLsizeiptr>(words_ * sizeof(Word)), zeros.data(), GL_DYNAMIC_COPY);
-    try {
-        context.check("a buffer");
-    } catch (...) {
-        gl.DeleteBuffers(1, &handle_);
-        throw;
-    }
+    context.check("a buffer");
 }
-
-Buffer::~Buffer() {
-    if (handle_ != 0) device_->context().use().DeleteBuffers(1, &handle_);
-}
-
-Buffer::Buffer(Buffer&& other) noexcept
-    : device_(other.device_), words_(other.words_), handle_(std::exchange(other.handle_, 0U)) {}
 
 void Buffer::write(std::size_t first, std::span<const Word> words) {
     if (first > words_ || words.size() > words_ - first)
         throw std::invalid_argument("words behind the end of a buffer");
-    const internal::Functions& gl = device_->context().use();
-    gl.BindBuffer(target, handle_);
+    const internal::Functions& gl = handle_.device().context().use();
+    gl.BindBuffer(target, handle_.name());
     gl.BufferSubData(target, static_cast<GLintptr>(first * sizeof(Word)),
                      static_cast<GLsizeiptr>(words.size_bytes()), words.data());
-    device_->context().check("writing a buffer");
+    handle_.device().context().check("writing a buffer");
 }
 
 std::vector<Word> Buffer::read() const {
-    const internal::Functions& gl = device_->context().use();
-    gl.BindBuffer(target, handle_);
+    const internal::Functions& gl = handle_.device().context().use();
+    gl.BindBuffer(target, handle_.name());
     const auto bytes = static_cast<GLsizeiptr>(words_ * sizeof(Word));
     const void* const mapped = gl.MapBufferRange(target, 0, bytes, GL_MAP_READ_BIT);
-    device_->context().check("reading a buffer");
+    handle_.device().context().check("reading a buffer");
     if (mapped == nullptr) throw CallFailed("reading a buffer: OpenGL maps no memory");
     const auto* const words = static_cast<const Word*>(mapped);
     std::vector<Word> copy(words, words + words_);
@@ -66,66 +69,50 @@ std::size_t channels_of(Image::Format format) {
 }
 
 Image::Image(const Device& device, Format format, std::size_t width, std::size_t height)
-    : device_(&device), format_(format), width_(width), height_(height) {
+    : format_(format), width_(width), height_(height), handle_(device, Handle::Kind::texture) {
     const internal::Context& context = device.context();
     const internal::Functions& gl = context.use();
     if (!has_compute(device.info().id.version))
         throw CallFailed(to_string(device.info().id.version) + " has no images");
-    gl.GenTextures(1, &handle_);
-    gl.BindTexture(GL_TEXTURE_2D, handle_);
+    gl.BindTexture(GL_TEXTURE_2D, handle_.name());
     gl.TexStorage2D(GL_TEXTURE_2D, 1, internal::format_of(format), static_cast<GLsizei>(width),
                     static_cast<GLsizei>(height));
     for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
         gl.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
-    try {
-        context.check("an image");
-        write(std::vector<float>(width * height * channels_of(format)));
-    } catch (...) {
-        gl.DeleteTextures(1, &handle_);
-        throw;
-    }
+    context.check("an image");
+    write(std::vector<float>(width * height * channels_of(format)));
 }
-
-Image::~Image() {
-    if (handle_ != 0) device_->context().use().DeleteTextures(1, &handle_);
-}
-
-Image::Image(Image&& other) noexcept
-    : device_(other.device_),
-      format_(other.format_),
-      width_(other.width_),
-      height_(other.height_),
-      handle_(std::exchange(other.handle_, 0U)) {}
 
 void Image::write(std::span<const float> channels) {
     if (channels.size() != width_ * height_ * channels_of(format_))
         throw std::invalid_argument("an image has one number for each channel of each texel");
-    const internal::Functions& gl = device_->context().use();
-    gl.BindTexture(GL_TEXTURE_2D, handle_);
+    const internal::Functions& gl = handle_.device().context().use();
+    gl.BindTexture(GL_TEXTURE_2D, handle_.name());
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
     gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, static_cast<GLsizei>(width_), static_cast<GLsizei>(height_),
                      channels_of(format_) == 1 ? GL_RED : GL_RGBA, GL_FLOAT, channels.data());
-    device_->context().check("writing an image");
+    handle_.device().context().check("writing an image");
 }
 
 std::vector<float> Image::read() const {
-    const internal::Functions& gl = device_->context().use();
+    const internal::Functions& gl = handle_.device().context().use();
     std::vector<float> texels(width_ * height_ * 4);
     GLuint framebuffer = 0;
     gl.GenFramebuffers(1, &framebuffer);
     gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, handle_, 0);
+    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, handle_.name(), 0);
     gl.ReadBuffer(GL_COLOR_ATTACHMENT0);
     gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
     gl.ReadPixels(0, 0, static_cast<GLsizei>(width_), static_cast<GLsizei>(height_), GL_RGBA, GL_FLOAT,
                   texels.data());
     gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
     gl.DeleteFramebuffers(1, &framebuffer);
-    device_->context().check("reading an image");
+    handle_.device().context().check("reading an image");
     return texels;
 }
 
-WordTexture::WordTexture(const Device& device, std::span<const Word> words) : device_(&device) {
+WordTexture::WordTexture(const Device& device, std::span<const Word> words)
+    : handle_(device, Handle::Kind::texture) {
     if (words.size() > most_words(device.info()))
         throw std::invalid_argument("more words than a texture of this device holds");
     const std::size_t height = std::max<std::size_t>((words.size() + row - 1) / row, 1);
@@ -133,27 +120,14 @@ WordTexture::WordTexture(const Device& device, std::span<const Word> words) : de
     texels.resize(row * height);
     const internal::Context& context = device.context();
     const internal::Functions& gl = context.use();
-    gl.GenTextures(1, &handle_);
     gl.ActiveTexture(GL_TEXTURE0);
-    gl.BindTexture(GL_TEXTURE_2D, handle_);
+    gl.BindTexture(GL_TEXTURE_2D, handle_.name());
     for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
         gl.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
     gl.TexImage2D(GL_TEXTURE_2D, 0, GL_R32UI, static_cast<GLsizei>(row), static_cast<GLsizei>(height), 0,
                   GL_RED_INTEGER, GL_UNSIGNED_INT, texels.data());
-    try {
-        context.check("a texture");
-    } catch (...) {
-        gl.DeleteTextures(1, &handle_);
-        throw;
-    }
+    context.check("a texture");
 }
-
-WordTexture::~WordTexture() {
-    if (handle_ != 0) device_->context().use().DeleteTextures(1, &handle_);
-}
-
-WordTexture::WordTexture(WordTexture&& other) noexcept
-    : device_(other.device_), handle_(std::exchange(other.handle_, 0U)) {}
 
 }  // namespace gloam::gl

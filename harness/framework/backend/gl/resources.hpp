@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "backend/gl/device.hpp"
@@ -12,26 +13,42 @@ namespace gloam::gl {
 
 using backend::Word;
 
+// An object of OpenGL, deleted with this.
+class Handle {
+  public:
+    enum class Kind { buffer, texture, program };
+
+    Handle(const Device& device, Kind kind);
+    ~Handle();
+    Handle(Handle&& other) noexcept
+        : device_(other.device_), kind_(other.kind_), name_(std::exchange(other.name_, 0U)) {}
+    Handle& operator=(Handle&&) = delete;
+
+    [[nodiscard]] const Device& device() const { return *device_; }
+    [[nodiscard]] std::uint32_t name() const { return name_; }
+
+  private:
+    const Device* device_;
+    Kind kind_;
+    std::uint32_t name_ = 0;
+};
+
 // Memory of the device, in words of 32 bits; at least one.
 class Buffer {
   public:
     // All zero. Throws backend::OutOfMemory.
     Buffer(const Device& device, std::size_t words);
-    ~Buffer();
-    Buffer(Buffer&& other) noexcept;
-    Buffer& operator=(Buffer&&) = delete;
 
     // `first + words.size()` is at most size().
     void write(std::size_t first, std::span<const Word> words);
     [[nodiscard]] std::vector<Word> read() const;
 
     [[nodiscard]] std::size_t size() const { return words_; }
-    [[nodiscard]] std::uint32_t handle() const { return handle_; }
+    [[nodiscard]] std::uint32_t handle() const { return handle_.name(); }
 
   private:
-    const Device* device_;
-    std::size_t words_ = 0;
-    std::uint32_t handle_ = 0;
+    std::size_t words_;
+    Handle handle_;
 };
 
 // An image of floats that compute shaders load from and store to.
@@ -41,9 +58,6 @@ class Image {
 
     // All zero. Throws backend::OutOfMemory; CallFailed on a device without compute shaders.
     Image(const Device& device, Format format, std::size_t width, std::size_t height);
-    ~Image();
-    Image(Image&& other) noexcept;
-    Image& operator=(Image&&) = delete;
 
     // All texels, row by row, one number for each channel. Throws std::invalid_argument for another count.
     void write(std::span<const float> channels);
@@ -51,14 +65,13 @@ class Image {
     [[nodiscard]] std::vector<float> read() const;
 
     [[nodiscard]] Format format() const { return format_; }
-    [[nodiscard]] std::uint32_t handle() const { return handle_; }
+    [[nodiscard]] std::uint32_t handle() const { return handle_.name(); }
 
   private:
-    const Device* device_;
     Format format_;
     std::size_t width_;
     std::size_t height_;
-    std::uint32_t handle_ = 0;
+    Handle handle_;
 };
 
 // The number of channels: 1 or 4.
@@ -70,16 +83,12 @@ class SampledTexture {
     // Throws backend::OutOfMemory; backend::Unsupported for one dimension; std::invalid_argument for words
     // that disagree.
     SampledTexture(const Device& device, std::span<const Word> words);
-    ~SampledTexture();
-    SampledTexture(SampledTexture&& other) noexcept;
-    SampledTexture& operator=(SampledTexture&&) = delete;
 
     void bind(std::uint32_t unit) const;
 
   private:
-    const Device* device_;
-    std::uint32_t target_ = 0;
-    std::uint32_t handle_ = 0;
+    std::uint32_t target_;
+    Handle handle_;
 };
 
 // Words that a fragment shader reads: an unsigned texture of one channel (R32UI). Word i is the texel
@@ -93,15 +102,11 @@ class WordTexture {
 
     // Throws backend::OutOfMemory; std::invalid_argument beyond most_words().
     WordTexture(const Device& device, std::span<const Word> words);
-    ~WordTexture();
-    WordTexture(WordTexture&& other) noexcept;
-    WordTexture& operator=(WordTexture&&) = delete;
 
-    [[nodiscard]] std::uint32_t handle() const { return handle_; }
+    [[nodiscard]] std::uint32_t handle() const { return handle_.name(); }
 
   private:
-    const Device* device_;
-    std::uint32_t handle_ = 0;
+    Handle handle_;
 };
 
 }  // namespace gloam::gl

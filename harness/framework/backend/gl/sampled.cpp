@@ -125,13 +125,12 @@ void upload(const internal::Functions& gl, GLenum target, const SampledHeader& h
 
 }  // namespace
 
-SampledTexture::SampledTexture(const Device& device, std::span<const Word> words) : device_(&device) {
+SampledTexture::SampledTexture(const Device& device, std::span<const Word> words)
+    : target_(target_of(backend::sampled_header(words).shape)), handle_(device, Handle::Kind::texture) {
     const SampledHeader header = backend::sampled_header(words);
     const internal::Context& context = device.context();
     const internal::Functions& gl = context.use();
-    target_ = target_of(header.shape);
-    gl.GenTextures(1, &handle_);
-    gl.BindTexture(target_, handle_);
+    gl.BindTexture(target_, handle_.name());
     const Format format = format_of(header.texel);
     const auto side = [](std::uint32_t length) { return static_cast<GLsizei>(length); };
     if (header.shape == SampledShape::two || header.shape == SampledShape::cube)
@@ -144,25 +143,13 @@ SampledTexture::SampledTexture(const Device& device, std::span<const Word> words
     upload(gl, target_, header, words.subspan(backend::sampled_header_words));
     set_state(gl, target_, header);
     if (device.info().id.version.api == Api::gl) gl.Enable(seamless_cubes);
-    try {
-        context.check("a texture");
-    } catch (...) {
-        gl.DeleteTextures(1, &handle_);
-        throw;
-    }
+    context.check("a texture");
 }
-
-SampledTexture::~SampledTexture() {
-    if (handle_ != 0) device_->context().use().DeleteTextures(1, &handle_);
-}
-
-SampledTexture::SampledTexture(SampledTexture&& other) noexcept
-    : device_(other.device_), target_(other.target_), handle_(std::exchange(other.handle_, 0U)) {}
 
 void SampledTexture::bind(std::uint32_t unit) const {
-    const internal::Functions& gl = device_->context().use();
+    const internal::Functions& gl = handle_.device().context().use();
     gl.ActiveTexture(GL_TEXTURE0 + unit);
-    gl.BindTexture(target_, handle_);
+    gl.BindTexture(target_, handle_.name());
     gl.ActiveTexture(GL_TEXTURE0);
 }
 

@@ -29,19 +29,17 @@ std::vector<DeviceInfo> list_devices(const std::string& /*executor*/) {
     refuse();
 }
 
-Program::Program(const Device& device, Stage /*stage*/, const ShaderText& /*shader*/) : device_(&device) {
+Handle::Handle(const Device& device, Kind kind) : device_(&device), kind_(kind) {
     refuse();
 }
 
-Program::~Program() = default;
-Program::Program(Program&&) noexcept = default;
+Handle::~Handle() = default;
 
-Buffer::Buffer(const Device& device, std::size_t /*words*/) : device_(&device) {
-    refuse();
-}
+Program::Program(const Device& device, Stage /*stage*/, const ShaderText& /*shader*/)
+    : handle_(device, Handle::Kind::program) {}
 
-Buffer::~Buffer() = default;
-Buffer::Buffer(Buffer&&) noexcept = default;
+Buffer::Buffer(const Device& device, std::size_t words)
+    : words_(words), handle_(device, Handle::Kind::buffer) {}
 
 void Buffer::write(std::size_t /*first*/, std::span<const Word> /*words*/) {
     refuse();
@@ -51,31 +49,18 @@ std::vector<Word> Buffer::read() const {
     refuse();
 }
 
-SampledTexture::SampledTexture(const Device& device, std::span<const Word> /*words*/) : device_(&device) {
-    refuse();
-}
-
-SampledTexture::~SampledTexture() = default;
-SampledTexture::SampledTexture(SampledTexture&&) noexcept = default;
+SampledTexture::SampledTexture(const Device& device, std::span<const Word> /*words*/)
+    : target_(0), handle_(device, Handle::Kind::texture) {}
 
 void SampledTexture::bind(std::uint32_t /*unit*/) const {
     refuse();
 }
 
-WordTexture::WordTexture(const Device& device, std::span<const Word> /*words*/) : device_(&device) {
-    refuse();
-}
-
-WordTexture::~WordTexture() = default;
-WordTexture::WordTexture(WordTexture&&) noexcept = default;
+WordTexture::WordTexture(const Device& device, std::span<const Word> /*words*/)
+    : handle_(device, Handle::Kind::texture) {}
 
 Image::Image(const Device& device, Format format, std::size_t width, std::size_t height)
-    : device_(&device), format_(format), width_(width), height_(height) {
-    refuse();
-}
-
-Image::~Image() = default;
-Image::Image(Image&&) noexcept = default;
+    : format_(format), width_(width), height_(height), handle_(device, Handle::Kind::texture) {}
 
 void Image::write(std::span<const float> /*channels*/) {
     refuse();

@@ -10,18 +10,6 @@
 namespace gloam::gpu {
 namespace {
 
-vk::raii::PipelineLayout make_layout(const Context& context, const vk::raii::DescriptorSetLayout& set_layout,
-                                     std::uint32_t push_constant_bytes) {
-    check_push_constant_size(context, push_constant_bytes);
-    const vk::PushConstantRange range{.stageFlags = vk::ShaderStageFlagBits::eCompute,
-                                      .size = push_constant_bytes};
-    return {context.device,
-            vk::PipelineLayoutCreateInfo{.setLayoutCount = 1,
-                                         .pSetLayouts = &*set_layout,
-                                         .pushConstantRangeCount = push_constant_bytes > 0 ? 1u : 0u,
-                                         .pPushConstantRanges = &range}};
-}
-
 vk::raii::Pipeline make_pipeline(const Context& context, const vk::raii::PipelineLayout& layout,
                                  const ComputeProgram& program) {
     const auto module = make_module(context, program.spirv);
@@ -36,7 +24,8 @@ vk::raii::Pipeline make_pipeline(const Context& context, const vk::raii::Pipelin
 
 ComputeHandles create(const Context& context, const ComputeProgram& program) {
     auto set_layout = make_set_layout(context, program.bindings, vk::ShaderStageFlagBits::eCompute);
-    auto layout = make_layout(context, set_layout, program.push_constant_bytes);
+    auto layout =
+        make_layout(context, set_layout, vk::ShaderStageFlagBits::eCompute, program.push_constant_bytes);
     auto pipeline = make_pipeline(context, layout, program);
     return {std::move(set_layout), std::move(layout), std::move(pipeline)};
 }
@@ -125,10 +114,7 @@ const PipelineProgram& program_of(const ComputePipeline& pipeline) {
 }
 
 ComputePipeline::ComputePipeline(const Device& device, const ComputeProgram& program)
-    : impl_(std::make_unique<Impl>(device.impl(), program)) {}
-ComputePipeline::~ComputePipeline() = default;
-ComputePipeline::ComputePipeline(ComputePipeline&&) noexcept = default;
-ComputePipeline& ComputePipeline::operator=(ComputePipeline&&) noexcept = default;
+    : impl_(base::make_hidden<Impl>(device.impl(), program)) {}
 
 namespace {
 
@@ -334,10 +320,7 @@ void Commands::Impl::bind(const ComputePipeline& pipeline, std::span<const Resou
     }
 }
 
-Commands::Commands(const Device& device) : impl_(std::make_unique<Impl>(device.impl())) {}
-Commands::~Commands() = default;
-Commands::Commands(Commands&&) noexcept = default;
-Commands& Commands::operator=(Commands&&) noexcept = default;
+Commands::Commands(const Device& device) : impl_(base::make_hidden<Impl>(device.impl())) {}
 
 void Commands::dispatch(const ComputePipeline& pipeline, std::span<const Resource> resources,
                         std::array<std::uint32_t, 3> groups, std::span<const std::byte> push_constants) {

@@ -5,12 +5,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <span>
 #include <variant>
 #include <vector>
 
 #include "backend/vulkan/resources.hpp"
+#include "base/hidden.hpp"
 
 namespace gloam::gpu {
 
@@ -33,15 +33,12 @@ struct ComputeProgram {
 class ComputePipeline {
   public:
     ComputePipeline(const Device& device, const ComputeProgram& program);
-    ~ComputePipeline();
-    ComputePipeline(ComputePipeline&&) noexcept;
-    ComputePipeline& operator=(ComputePipeline&&) noexcept;
 
     struct Impl;
     [[nodiscard]] Impl& impl() const { return *impl_; }
 
   private:
-    std::unique_ptr<Impl> impl_;
+    base::Hidden<Impl> impl_;
 };
 
 // The resource of a binding: a whole storage buffer, or an image. Shaders may write to buffers and storage
@@ -56,9 +53,6 @@ using Resource =
 class Commands {
   public:
     explicit Commands(const Device& device);
-    ~Commands();
-    Commands(Commands&&) noexcept;
-    Commands& operator=(Commands&&) noexcept;
 
     // Runs `groups` work groups with resources[i] at binding i; 0 groups do nothing. Throws
     // std::invalid_argument when the resources do not match the pipeline's bindings, the push constants
@@ -90,7 +84,7 @@ class Commands {
     [[nodiscard]] Impl& impl() const { return *impl_; }
 
   private:
-    std::unique_ptr<Impl> impl_;
+    base::Hidden<Impl> impl_;
 };
 
 // The parts of a pipeline that renders triangle lists to colour images and one depth image. Entry points are
@@ -114,15 +108,12 @@ struct RasterProgram {
 class RasterPipeline {
   public:
     RasterPipeline(const Device& device, const RasterProgram& program);
-    ~RasterPipeline();
-    RasterPipeline(RasterPipeline&&) noexcept;
-    RasterPipeline& operator=(RasterPipeline&&) noexcept;
 
     struct Impl;
     [[nodiscard]] Impl& impl() const { return *impl_; }
 
   private:
-    std::unique_ptr<Impl> impl_;
+    base::Hidden<Impl> impl_;
 };
 
 struct Draw {

@@ -237,13 +237,19 @@ vk::raii::ShaderModule make_module(const Context& context, std::span<const std::
             vk::ShaderModuleCreateInfo{.codeSize = spirv.size_bytes(), .pCode = spirv.data()}};
 }
 
-void check_push_constant_size(const Context& context, std::uint32_t bytes) {
+vk::raii::PipelineLayout make_layout(const Context& context, const vk::raii::DescriptorSetLayout& set_layout,
+                                     vk::ShaderStageFlags stages, std::uint32_t bytes) {
     const auto limit = context.physical.properties.limits.maxPushConstantsSize;
     if (bytes % 4 != 0 || bytes > limit) {
         throw std::invalid_argument(
             fmt::format("{} bytes of push constants: device \"{}\" allows multiples of 4 up to {}", bytes,
                         context.physical.info.name, limit));
     }
+    const vk::PushConstantRange range{.stageFlags = stages, .size = bytes};
+    return {context.device, vk::PipelineLayoutCreateInfo{.setLayoutCount = 1,
+                                                         .pSetLayouts = &*set_layout,
+                                                         .pushConstantRangeCount = bytes > 0 ? 1u : 0u,
+                                                         .pPushConstantRanges = &range}};
 }
 
 namespace {

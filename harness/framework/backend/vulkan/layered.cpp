@@ -57,9 +57,6 @@ LayeredImage::Impl::Impl(Context& owner, const Layers& layers)
 }
 
 LayeredImage::LayeredImage(const Device& device, const Layers& layers)
-    : impl_(std::make_unique<Impl>(device.impl(), layers)) {}
-LayeredImage::~LayeredImage() = default;
-LayeredImage::LayeredImage(LayeredImage&&) noexcept = default;
-LayeredImage& LayeredImage::operator=(LayeredImage&&) noexcept = default;
+    : impl_(base::make_hidden<Impl>(device.impl(), layers)) {}
 
 }  // namespace gloam::gpu

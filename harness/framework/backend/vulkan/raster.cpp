@@ -104,21 +104,9 @@ void check(const Context& context, const RasterProgram& program) {
     check_limit(program.attribute_sizes.size(), limits.maxVertexInputAttributes, "vertex attributes");
     check_limit(program.color_formats.size(),
                 std::min(limits.maxColorAttachments, limits.maxFragmentOutputAttachments), "colour images");
-    check_push_constant_size(context, program.push_constant_bytes);
     if (std::ranges::count(program.color_formats, Format::depth32f) > 0) {
         throw std::invalid_argument("raster pipeline: depth32f among the colour formats");
     }
-}
-
-vk::raii::PipelineLayout make_raster_layout(const Context& context,
-                                            const vk::raii::DescriptorSetLayout& set_layout,
-                                            std::uint32_t push_constant_bytes) {
-    const vk::PushConstantRange range{.stageFlags = raster_stages, .size = push_constant_bytes};
-    return {context.device,
-            vk::PipelineLayoutCreateInfo{.setLayoutCount = 1,
-                                         .pSetLayouts = &*set_layout,
-                                         .pushConstantRangeCount = push_constant_bytes > 0 ? 1u : 0u,
-                                         .pPushConstantRanges = &range}};
 }
 
 vk::PipelineShaderStageCreateInfo stage(vk::ShaderStageFlagBits which, const vk::raii::ShaderModule& module,
@@ -190,7 +178,7 @@ RasterHandles create(const Context& context, const RasterProgram& program) {
     check(context, program);
     auto render_pass = make_render_pass(context, program.color_formats);
     auto set_layout = make_set_layout(context, program.bindings, raster_stages);
-    auto layout = make_raster_layout(context, set_layout, program.push_constant_bytes);
+    auto layout = make_layout(context, set_layout, raster_stages, program.push_constant_bytes);
     auto pipeline = make_pipeline(context, program, render_pass, layout);
     return {std::move(render_pass), std::move(set_layout), std::move(layout), std::move(pipeline)};
 }
@@ -206,10 +194,7 @@ RasterPipeline::Impl::Impl(Context& owner, const RasterProgram& program)
       handles(owner, create(owner, program)) {}
 
 RasterPipeline::RasterPipeline(const Device& device, const RasterProgram& program)
-    : impl_(std::make_unique<Impl>(device.impl(), program)) {}
-RasterPipeline::~RasterPipeline() = default;
-RasterPipeline::RasterPipeline(RasterPipeline&&) noexcept = default;
-RasterPipeline& RasterPipeline::operator=(RasterPipeline&&) noexcept = default;
+    : impl_(base::make_hidden<Impl>(device.impl(), program)) {}
 
 namespace {
 

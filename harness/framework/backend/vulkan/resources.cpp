@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "backend/vulkan/internal/context.hpp"
-#include "backend/vulkan/internal/half.hpp"
 #include "backend/vulkan/internal/objects.hpp"
+#include "base/half.hpp"
 
 namespace gloam::gpu {
 namespace {
@@ -44,10 +44,7 @@ Buffer::Impl::Impl(Context& owner, std::size_t bytes)
       mapped(static_cast<std::byte*>(handles->memory.mapMemory(0, VK_WHOLE_SIZE)), bytes) {}
 
 Buffer::Buffer(const Device& device, std::size_t bytes)
-    : impl_(std::make_unique<Impl>(device.impl(), bytes)) {}
-Buffer::~Buffer() = default;
-Buffer::Buffer(Buffer&&) noexcept = default;
-Buffer& Buffer::operator=(Buffer&&) noexcept = default;
+    : impl_(base::make_hidden<Impl>(device.impl(), bytes)) {}
 
 std::size_t Buffer::size() const {
     return impl_->mapped.size();
@@ -191,10 +188,7 @@ Image::Impl::Impl(Context& owner, Extent size, Format kind)
 }
 
 Image::Image(const Device& device, Extent extent, Format format)
-    : impl_(std::make_unique<Impl>(device.impl(), extent, format)) {}
-Image::~Image() = default;
-Image::Image(Image&&) noexcept = default;
-Image& Image::operator=(Image&&) noexcept = default;
+    : impl_(base::make_hidden<Impl>(device.impl(), extent, format)) {}
 
 Extent Image::extent() const {
     return impl_->extent;
@@ -250,7 +244,7 @@ void encode(TexelKind kind, std::span<const float> texels, std::byte* staging) {
     if (kind == TexelKind::unorm8) {
         std::ranges::transform(texels, reinterpret_cast<std::uint8_t*>(staging), to_unorm8);
     } else if (kind == TexelKind::halves) {
-        std::ranges::transform(texels, shorts, to_half);
+        std::ranges::transform(texels, shorts, base::to_half);
     } else if (kind == TexelKind::shorts) {
         std::ranges::transform(texels, shorts, to_uint16);
     } else {
@@ -265,7 +259,7 @@ void decode(TexelKind kind, const std::byte* staging, std::span<float> texels) {
         std::transform(bytes, bytes + texels.size(), texels.begin(),
                        [](std::uint8_t byte) { return static_cast<float>(byte) / 255.0F; });
     } else if (kind == TexelKind::halves) {
-        std::transform(shorts, shorts + texels.size(), texels.begin(), from_half);
+        std::transform(shorts, shorts + texels.size(), texels.begin(), base::from_half);
     } else if (kind == TexelKind::shorts) {
         std::copy(shorts, shorts + texels.size(), texels.begin());
     } else {

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -11,6 +10,7 @@
 
 #include "backend/sampled.hpp"
 #include "backend/vulkan/device.hpp"
+#include "base/hidden.hpp"
 
 namespace gloam::gpu {
 
@@ -20,9 +20,6 @@ namespace gloam::gpu {
 class Buffer {
   public:
     Buffer(const Device& device, std::size_t bytes);
-    ~Buffer();
-    Buffer(Buffer&&) noexcept;
-    Buffer& operator=(Buffer&&) noexcept;
 
     [[nodiscard]] std::size_t size() const;
     [[nodiscard]] std::span<std::byte> bytes();
@@ -42,7 +39,7 @@ class Buffer {
     [[nodiscard]] Impl& impl() const { return *impl_; }
 
   private:
-    std::unique_ptr<Impl> impl_;
+    base::Hidden<Impl> impl_;
 };
 
 // Formats of storage images, and the depth attachment's. Those of one and two channels, but for r32f and
@@ -83,9 +80,6 @@ struct Extent {
 class Image {
   public:
     Image(const Device& device, Extent extent, Format format);
-    ~Image();
-    Image(Image&&) noexcept;
-    Image& operator=(Image&&) noexcept;
 
     [[nodiscard]] Extent extent() const;
     [[nodiscard]] Format format() const;
@@ -102,7 +96,7 @@ class Image {
     [[nodiscard]] Impl& impl() const { return *impl_; }
 
   private:
-    std::unique_ptr<Impl> impl_;
+    base::Hidden<Impl> impl_;
 };
 
 // An image in device memory with its sampler. The words are those of backend/sampled.hpp. Throws
@@ -110,15 +104,12 @@ class Image {
 class SampledImage {
   public:
     SampledImage(const Device& device, std::span<const backend::Word> words);
-    ~SampledImage();
-    SampledImage(SampledImage&&) noexcept;
-    SampledImage& operator=(SampledImage&&) noexcept;
 
     struct Impl;
     [[nodiscard]] Impl& impl() const { return *impl_; }
 
   private:
-    std::unique_ptr<Impl> impl_;
+    base::Hidden<Impl> impl_;
 };
 
 // A storage image of layers, image2DArray in GLSL. Its contents are undefined at first. Throws
@@ -133,15 +124,12 @@ class LayeredImage {
         std::uint32_t count = 1;
     };
     LayeredImage(const Device& device, const Layers& layers);
-    ~LayeredImage();
-    LayeredImage(LayeredImage&&) noexcept;
-    LayeredImage& operator=(LayeredImage&&) noexcept;
 
     struct Impl;
     [[nodiscard]] Impl& impl() const { return *impl_; }
 
   private:
-    std::unique_ptr<Impl> impl_;
+    base::Hidden<Impl> impl_;
 };
 
 }  // namespace gloam::gpu

@@ -4,7 +4,6 @@
 #include <cstring>
 
 #include "backend/vulkan/internal/context.hpp"
-#include "backend/vulkan/internal/half.hpp"
 #include "backend/vulkan/internal/objects.hpp"
 
 namespace gloam::gpu {
@@ -134,29 +133,12 @@ SampledHandles create(Context& context, const SampledHeader& header) {
             sampler_of(context, header)};
 }
 
-std::size_t texel_bytes(SampledTexel texel) {
-    if (texel == SampledTexel::depth) return sizeof(backend::Word);
-    return backend::texel_words *
-           (texel == SampledTexel::real ? sizeof(std::uint16_t) : sizeof(backend::Word));
-}
-
-void encode(SampledTexel texel, std::span<const backend::Word> words, std::span<std::byte> bytes) {
-    if (texel == SampledTexel::real) {
-        std::ranges::transform(words, reinterpret_cast<std::uint16_t*>(bytes.data()),
-                               [](backend::Word word) { return to_half(std::bit_cast<float>(word)); });
-    } else if (texel == SampledTexel::depth) {
-        for (std::size_t i = 0; i < words.size(); i += backend::texel_words)
-            std::memcpy(&bytes[i], &words[i], sizeof(backend::Word));
-    } else {
-        std::memcpy(bytes.data(), words.data(), words.size_bytes());
-    }
-}
-
 std::vector<vk::BufferImageCopy> copies_of(const SampledHeader& header) {
     std::vector<vk::BufferImageCopy> copies;
     for (std::uint32_t level = 0; level < header.levels; ++level) {
         const auto [width, height, depth] = backend::size_of_level(header, level);
-        copies.push_back({.bufferOffset = backend::texels_before(header, level) * texel_bytes(header.texel),
+        copies.push_back({.bufferOffset = backend::texels_before(header, level) *
+                                          backend::stored_words(header.texel) * sizeof(backend::Word),
                           .imageSubresource = {.aspectMask = aspect_of(header.texel),
                                                .mipLevel = level,
                                                .layerCount = layers_of(header)},
@@ -170,9 +152,9 @@ std::vector<vk::BufferImageCopy> copies_of(const SampledHeader& header) {
 SampledImage::Impl::Impl(Context& owner, std::span<const backend::Word> words)
     : context(owner), handles(owner, create(owner, backend::sampled_header(words))) {
     const SampledHeader header = backend::sampled_header(words);
-    const auto texels = words.subspan(backend::sampled_header_words);
-    Buffer::Impl staging(context, texels.size() / backend::texel_words * texel_bytes(header.texel));
-    encode(header.texel, texels, staging.mapped);
+    const std::vector<backend::Word> texels = backend::stored_texels(words);
+    Buffer::Impl staging(context, std::as_bytes(std::span(texels)).size());
+    std::memcpy(staging.mapped.data(), texels.data(), staging.mapped.size());
     context.run_once([&](const vk::raii::CommandBuffer& commands) {
         begin_general_layout(commands, *handles->image,
                              {.aspectMask = aspect_of(header.texel),
@@ -184,9 +166,6 @@ SampledImage::Impl::Impl(Context& owner, std::span<const backend::Word> words)
 }
 
 SampledImage::SampledImage(const Device& device, std::span<const backend::Word> words)
-    : impl_(std::make_unique<Impl>(device.impl(), words)) {}
-SampledImage::~SampledImage() = default;
-SampledImage::SampledImage(SampledImage&&) noexcept = default;
-SampledImage& SampledImage::operator=(SampledImage&&) noexcept = default;
+    : impl_(base::make_hidden<Impl>(device.impl(), words)) {}
 
 }  // namespace gloam::gpu

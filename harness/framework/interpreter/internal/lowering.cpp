@@ -92,7 +92,7 @@ const PointerInfo& Lowering::pointer_of(Id id, const Scope& scope) const {
 
 std::uint8_t Lowering::flags_of(Id result, Id type) const {
     const Type& scalar = module_.types.scalar_of(type);
-    const Decorations decorations = module_.decorations_of(result);
+    const Decorations decorations = module_.declared.decorations_of(result);
     std::uint8_t all = 0;
     if (scalar.kind == Type::Kind::real) {
         if (decorations.no_contraction) all |= flags::no_contraction;
@@ -125,7 +125,7 @@ void Lowering::remember_place(const shader::Instruction& i, const Scope& scope) 
 void Lowering::place_variable(const shader::Instruction& variable) {
     const Type& pointer = module_.types.at(variable.word(1));
     const Id id = variable.word(2);
-    const Decorations decorations = module_.decorations_of(id);
+    const Decorations decorations = module_.declared.decorations_of(id);
     PointerInfo info{.pointee = pointer.element};
     // A block without an instance has only its own name.
     const std::string own = module_.name_of(id);
@@ -211,9 +211,7 @@ Code Lowering::run(const std::string& entry_point) {
 // result.
 void Lowering::allocate_results(const Function& function, Scope& scope) {
     for (const shader::Instruction& i : function.body) {
-        bool has_result = false;
-        bool has_type = false;
-        SpvHasResultAndType(static_cast<SpvOp>(i.opcode), &has_result, &has_type);
+        const auto [has_result, has_type] = shader::spirv::result_shape(i.opcode);
         if (!has_result || !has_type || i.opcode == SpvOpFunctionParameter) continue;
         const Type& type = module_.types.at(i.word(1));
         scope.types[i.word(2)] = i.word(1);

@@ -109,7 +109,7 @@ class Lowering {
     void require_words(Id type, const char* where) const;
     // Whether an instruction of the function names the result of another one.
     [[nodiscard]] static bool is_used(Id result, const Scope& scope);
-    [[nodiscard]] bool is_relaxed(Id id) const { return module_.decorations_of(id).relaxed; }
+    [[nodiscard]] bool is_relaxed(Id id) const { return module_.declared.decorations_of(id).relaxed; }
     void remember_place(const shader::Instruction& i, const Scope& scope);
     [[noreturn]] void fail(Error::Kind kind, const std::string& message) const;
 

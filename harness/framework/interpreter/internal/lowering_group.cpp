@@ -13,9 +13,7 @@ namespace gloam::interpreter::internal {
 bool Lowering::is_used(Id result, const Scope& scope) {
     // A literal of the same value counts, too; it does no harm.
     return std::ranges::any_of(scope.function->body, [result](const shader::Instruction& i) {
-        bool has_result = false;
-        bool has_type = false;
-        SpvHasResultAndType(static_cast<SpvOp>(i.opcode), &has_result, &has_type);
+        const auto [has_result, has_type] = shader::spirv::result_shape(i.opcode);
         const bool makes_it = has_result && has_type && i.word(2) == result;
         return std::ranges::count(i.words, result) > (makes_it ? 1 : 0);
     });

@@ -39,7 +39,7 @@ struct Walk {
 
     void enter_member(std::uint32_t index) {
         const Type& type = types.at(at.pointee);
-        const Type::Member& member = type.members.at(index);
+        const shader::spirv::Member& member = type.members.at(index);
         if (in_slots()) {
             for (std::uint32_t m = 0; m < index; ++m)
                 at.target.offset += types.slots(type.members[m].type) * unit();

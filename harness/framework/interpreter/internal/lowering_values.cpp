@@ -240,7 +240,7 @@ void Lowering::lower_componentwise(const shader::Instruction& i, Scope& scope) {
 }
 
 void Lowering::lower_extended(const shader::Instruction& i, Scope& scope) {
-    if (!module_.extended_sets.contains(i.word(3)))
+    if (!module_.declared.extended_sets.contains(i.word(3)))
         fail(Error::Kind::unknown_instruction, "an extended instruction that is not of GLSL.std.450");
     const auto opcode = static_cast<std::uint16_t>(extended + i.word(4));
     const auto arity = arity_of(opcode);

@@ -36,74 +36,34 @@ const Type& Types::scalar_of(Id id) const {
     return *type;
 }
 
-void Types::add(const shader::Instruction& i, std::uint32_t length) {
+void Types::add(Id id, const shader::spirv::Type& declared, std::uint32_t length) {
     using Kind = Type::Kind;
-    Type type;
-    const auto composite = [&](Kind kind, std::uint32_t count) {
-        type.kind = kind;
-        type.element = i.word(2);
-        type.count = count;
-        type.slots = bounded(std::uint64_t{slots(type.element)} * count);
-    };
-    switch (i.opcode) {
-        case SpvOpTypeVoid:
-            type = {.kind = Kind::void_};
+    Type type{declared};
+    if (type.kind == Kind::array) type.count = length;
+    switch (type.kind) {
+        case Kind::boolean:
+        case Kind::integer:
+        case Kind::real:
+        case Kind::image:
+        case Kind::sampler:
+        case Kind::sampled_image:
+            type.slots = 1;
             break;
-        case SpvOpTypeBool:
-            type = {.kind = Kind::boolean, .slots = 1};
+        case Kind::vector:
+        case Kind::matrix:
+        case Kind::array:
+            type.slots = bounded(std::uint64_t{slots(type.element)} * type.count);
             break;
-        case SpvOpTypeInt:
-            type = {.kind = Kind::integer, .width = i.word(2), .is_signed = i.word(3) != 0, .slots = 1};
-            break;
-        case SpvOpTypeFloat:
-            type = {.kind = Kind::real, .width = i.word(2), .slots = 1};
-            break;
-        case SpvOpTypeVector:
-            composite(Kind::vector, i.word(3));
-            break;
-        case SpvOpTypeMatrix:
-            composite(Kind::matrix, i.word(3));
-            break;
-        case SpvOpTypeArray:
-            composite(Kind::array, length);
-            break;
-        case SpvOpTypeRuntimeArray:
-            type = {.kind = Kind::runtime_array, .element = i.word(2)};
-            break;
-        case SpvOpTypeStruct: {
-            type.kind = Kind::structure;
+        case Kind::structure: {
             std::uint64_t slots_in_all = 0;
-            for (std::uint32_t m = 0; m + 2 < i.words.size(); ++m) {
-                Type::Member member = members_[{i.word(1), m}];
-                member.type = i.word(m + 2);
-                slots_in_all += slots(member.type);
-                type.members.push_back(member);
-            }
+            for (const shader::spirv::Member& member : type.members) slots_in_all += slots(member.type);
             type.slots = bounded(slots_in_all);
             break;
         }
-        case SpvOpTypePointer:
-            type = {.kind = Kind::pointer, .element = i.word(3), .storage = i.word(2)};
-            break;
-        case SpvOpTypeImage:
-            type = {.kind = Kind::image, .element = i.word(2), .slots = 1, .dimension = i.word(3)};
-            type.arrayed = i.word(5) != 0;
-            type.format = i.word(8);
-            break;
-        case SpvOpTypeSampler:
-            type = {.kind = Kind::sampler, .slots = 1};
-            break;
-        case SpvOpTypeSampledImage:
-            type = {.kind = Kind::sampled_image, .element = i.word(2), .slots = 1};
-            break;
-        case SpvOpTypeFunction:
-            type = {.kind = Kind::function, .element = i.word(2)};
-            break;
         default:
-            return;
+            break;
     }
-    type.array_stride = strides_[i.word(1)];
-    types_[i.word(1)] = std::move(type);
+    types_[id] = std::move(type);
 }
 
 std::uint32_t dimensions_of(const Type& image) {
@@ -155,7 +115,7 @@ void Types::append_offsets(Id id, const MatrixLayout& matrix, std::uint32_t scal
         case Type::Kind::array:
             return every(type.array_stride, 0);
         case Type::Kind::structure:
-            for (const Type::Member& member : type.members)
+            for (const shader::spirv::Member& member : type.members)
                 append_offsets(member.type, member.matrix, 0, base + member.offset, offsets);
             return;
         default:
@@ -187,11 +147,6 @@ bool samples_implicitly(std::uint32_t opcode) {
            opcode == SpvOpImageSampleDrefImplicitLod || opcode == SpvOpImageSampleProjDrefImplicitLod;
 }
 
-// "blend" from "blend(f1;f1;": the front end appends the types of the parameters.
-std::string without_types(const std::string& name) {
-    return name.substr(0, name.find('('));
-}
-
 }  // namespace
 
 Module::Module(const shader::Spirv& words, std::span<const Constant> specialized) {
@@ -220,18 +175,12 @@ const Function& Module::function(Id id) const {
 }
 
 std::string Module::name_of(Id id) const {
-    const auto found = names_.find(id);
-    return found == names_.end() ? fmt::format("%{}", id) : without_types(found->second);
+    return declared.names.contains(id) ? declared.name_of(id) : fmt::format("%{}", id);
 }
 
 std::string Module::string_of(Id id) const {
     const auto found = strings_.find(id);
     return found == strings_.end() ? std::string() : found->second;
-}
-
-Decorations Module::decorations_of(Id id) const {
-    const auto found = decorations_.find(id);
-    return found == decorations_.end() ? Decorations{} : found->second;
 }
 
 std::optional<std::uint32_t> Module::integer(Id id) const {
@@ -242,26 +191,14 @@ std::optional<std::uint32_t> Module::integer(Id id) const {
 
 void Module::read_declaration(const shader::Instruction& i) {
     switch (i.opcode) {
-        case SpvOpName:
-            names_[i.word(1)] = shader::literal_string(i, 2);
-            break;
         case SpvOpString:
             strings_[i.word(1)] = shader::literal_string(i, 2);
             break;
         case SpvOpLine:
             line_ = i;
             break;
-        case SpvOpExtInstImport:
-            if (shader::literal_string(i, 2) == "GLSL.std.450") extended_sets.insert(i.word(1));
-            break;
         case SpvOpEntryPoint:
             entry_points_[shader::literal_string(i, 3)] = i.word(2);
-            break;
-        case SpvOpDecorate:
-            decorate(i);
-            break;
-        case SpvOpMemberDecorate:
-            decorate_member(i);
             break;
         case SpvOpGroupDecorate:
         case SpvOpGroupMemberDecorate:
@@ -278,61 +215,17 @@ void Module::read_declaration(const shader::Instruction& i) {
         default:
             if (i.opcode >= SpvOpConstantTrue && i.opcode <= SpvOpSpecConstantComposite) {
                 read_constant(i);
-            } else {
-                types.read(i, [this](Id length) {
-                    const auto value = integer(length);
-                    if (!value)
-                        throw Error(Error::Kind::unknown_instruction, "an array whose length is computed");
-                    return *value;
-                });
+            } else if (const shader::spirv::Type* type = declared.read(i)) {
+                types.add(i.word(1), *type, length_of(*type));
             }
     }
 }
 
-void Module::decorate(const shader::Instruction& i) {
-    Decorations& all = decorations_[i.word(1)];
-    switch (i.word(2)) {
-        case SpvDecorationNoContraction:
-            all.no_contraction = true;
-            break;
-        case SpvDecorationRelaxedPrecision:
-            all.relaxed = true;
-            break;
-        case SpvDecorationSpecId:
-            all.spec_id = i.word(3);
-            break;
-        case SpvDecorationBuiltIn:
-            all.built_in = i.word(3);
-            break;
-        case SpvDecorationDescriptorSet:
-            all.set = i.word(3);
-            break;
-        case SpvDecorationBinding:
-            all.binding = i.word(3);
-            break;
-        case SpvDecorationArrayStride:
-            types.decorate(i.word(1), i.word(3));
-            break;
-        default:
-            break;
-    }
-}
-
-void Module::decorate_member(const shader::Instruction& i) {
-    Type::Member& member = types.member(i.word(1), i.word(2));
-    switch (i.word(3)) {
-        case SpvDecorationOffset:
-            member.offset = i.word(4);
-            break;
-        case SpvDecorationMatrixStride:
-            member.matrix.stride = i.word(4);
-            break;
-        case SpvDecorationRowMajor:
-            member.matrix.row_major = true;
-            break;
-        default:
-            break;
-    }
+std::uint32_t Module::length_of(const shader::spirv::Type& type) const {
+    if (type.kind != Type::Kind::array) return 0;
+    const auto value = integer(type.length);
+    if (!value) throw Error(Error::Kind::unknown_instruction, "an array whose length is computed");
+    return *value;
 }
 
 void Module::read_constant(const shader::Instruction& i) {
@@ -368,7 +261,8 @@ void Module::read_constant(const shader::Instruction& i) {
         default:
             throw Error(Error::Kind::unknown_instruction, fmt::format("a constant by opcode {}", i.opcode));
     }
-    if (const auto spec_id = decorations_of(i.word(2)).spec_id; spec_id && specialized_.contains(*spec_id))
+    if (const auto spec_id = declared.decorations_of(i.word(2)).spec_id;
+        spec_id && specialized_.contains(*spec_id))
         value.bits = {specialized_.at(*spec_id)};
     if (value.bits.size() != types.slots(value.type)) malformed("a constant that does not fit its type");
     constants[i.word(2)] = std::move(value);

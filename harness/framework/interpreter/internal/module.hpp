@@ -4,59 +4,23 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "interpreter/program.hpp"
+#include "shader/module.hpp"
 #include "shader/spirv.hpp"
 
 namespace gloam::interpreter::internal {
 
-using Id = std::uint32_t;
+using shader::spirv::Decorations;
+using shader::spirv::Id;
+using shader::spirv::MatrixLayout;
 
-// The memory layout of a matrix.
-struct MatrixLayout {
-    std::uint32_t stride = 0;
-    bool row_major = false;
-};
-
-// A type of the module.
-struct Type {
-    enum class Kind {
-        void_,
-        boolean,
-        integer,
-        real,
-        vector,
-        matrix,
-        array,
-        runtime_array,
-        structure,
-        pointer,
-        image,
-        sampler,
-        sampled_image,
-        function
-    };
-    Kind kind = Kind::void_;
-    std::uint32_t width = 0;  // bits of a number
-    bool is_signed = false;
-    Id element = 0;             // of a vector, matrix (its column) or array; the pointee of a pointer
-    std::uint32_t count = 0;    // elements
-    std::uint32_t storage = 0;  // of a pointer
+// A type of the module, with the number of elements of an array as `count`.
+struct Type : shader::spirv::Type {
     std::uint32_t slots = 0;
-    std::uint32_t array_stride = 0;  // bytes
-    std::uint32_t dimension = 0;     // of an image: SpvDim
-    bool arrayed = false;
-    std::uint32_t format = 0;  // SpvImageFormat
-    struct Member {
-        Id type = 0;
-        std::uint32_t offset = 0;  // bytes
-        MatrixLayout matrix;
-    };
-    std::vector<Member> members;
 };
 
 // Coordinates of an image besides the layer.
@@ -68,13 +32,8 @@ struct Type {
 // The types of a module, by their IDs.
 class Types {
   public:
-    // Reads an OpType instruction; ignores others. `length_of`: returns the value of a constant.
-    template <class LengthOf>
-    void read(const shader::Instruction& instruction, LengthOf&& length_of);
-
-    void decorate(Id type, std::uint32_t array_stride) { strides_[type] = array_stride; }
-    // A member of a structure; decorations can precede its type.
-    Type::Member& member(Id type, std::uint32_t index) { return members_[{type, index}]; }
+    // `length`: of an array.
+    void add(Id id, const shader::spirv::Type& declared, std::uint32_t length);
 
     // Throws Error (malformed) for an ID that is not a type.
     [[nodiscard]] const Type& at(Id id) const;
@@ -92,27 +51,7 @@ class Types {
                         std::vector<std::uint32_t>& offsets) const;
 
   private:
-    void add(const shader::Instruction& instruction, std::uint32_t length);
-
     std::map<Id, Type> types_;
-    std::map<Id, std::uint32_t> strides_;
-    std::map<std::pair<Id, std::uint32_t>, Type::Member> members_;
-};
-
-template <class LengthOf>
-void Types::read(const shader::Instruction& instruction, LengthOf&& length_of) {
-    constexpr std::uint32_t type_array = 28;  // OpTypeArray, whose length is a constant
-    add(instruction, instruction.opcode == type_array ? length_of(instruction.word(3)) : 0);
-}
-
-// The names and decorations of an ID outside of functions.
-struct Decorations {
-    bool no_contraction = false;
-    bool relaxed = false;
-    std::optional<std::uint32_t> spec_id;
-    std::optional<std::uint32_t> built_in;
-    std::uint32_t set = 0;
-    std::uint32_t binding = 0;
 };
 
 // A constant as the bits of its scalars.
@@ -137,31 +76,27 @@ class Module {
     [[nodiscard]] const Function& function(Id id) const;
     [[nodiscard]] std::string name_of(Id id) const;
     [[nodiscard]] std::string string_of(Id id) const;
-    [[nodiscard]] Decorations decorations_of(Id id) const;
     // Whether invocations wait for each other somewhere: at a barrier, a derivative, or another operation of
     // a quad or group.
     [[nodiscard]] bool meets() const { return meets_; }
     // The value of an integer constant, if the ID is one.
     [[nodiscard]] std::optional<std::uint32_t> integer(Id id) const;
 
+    shader::spirv::Declarations declared;
     Types types;
     std::map<Id, ConstantValue> constants;
     std::vector<shader::Instruction> computed_constants;  // OpSpecConstantOp, and composites of those
     std::vector<shader::Instruction> variables;           // outside of functions
     std::map<Id, Id> undefined;                           // OpUndef outside of functions: its type
-    std::set<Id> extended_sets;                           // GLSL.std.450
 
   private:
     void read_declaration(const shader::Instruction& instruction);
-    void decorate(const shader::Instruction& instruction);
-    void decorate_member(const shader::Instruction& instruction);
+    [[nodiscard]] std::uint32_t length_of(const shader::spirv::Type& type) const;
     void read_constant(const shader::Instruction& instruction);
     void read_function(const shader::Instruction& instruction);
 
     std::map<std::uint32_t, std::uint32_t> specialized_;
-    std::map<Id, std::string> names_;
     std::map<Id, std::string> strings_;
-    std::map<Id, Decorations> decorations_;
     std::map<std::string, Id> entry_points_;
     std::map<Id, Function> functions_;
     Function* open_ = nullptr;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "shader/internal/editable.hpp"
 
-#define SPV_ENABLE_UTILITY_CODE
 #include <spirv.h>
 #include <algorithm>
 #include <array>
 
+#include "shader/module.hpp"
 #include "shader/spirv.hpp"
 
 namespace gloam::shader::internal {
@@ -14,18 +14,7 @@ namespace {
 constexpr std::size_t header_words = 5;
 constexpr std::size_t bound_word = 3;
 
-struct Shape {
-    bool result = false;
-    bool type = false;
-};
-
-Shape shape_of(std::uint32_t opcode) {
-    Shape shape;
-    SpvHasResultAndType(static_cast<SpvOp>(opcode), &shape.result, &shape.type);
-    return shape;
-}
-
-std::size_t result_place(const Shape& shape) {
+std::size_t result_place(const spirv::ResultShape& shape) {
     return shape.type ? 1 : 0;
 }
 
@@ -80,20 +69,20 @@ Spirv joined(const Op& op) {
 }  // namespace
 
 Id Op::type() const {
-    return shape_of(opcode).type ? words[0] : 0;
+    return spirv::result_shape(opcode).type ? words[0] : 0;
 }
 
 Id Op::result() const {
-    const Shape shape = shape_of(opcode);
+    const spirv::ResultShape shape = spirv::result_shape(opcode);
     return shape.result ? words[result_place(shape)] : 0;
 }
 
 void Op::set_result(Id id) {
-    words[result_place(shape_of(opcode))] = id;
+    words[result_place(spirv::result_shape(opcode))] = id;
 }
 
 std::span<const std::uint32_t> Op::operands() const {
-    const Shape shape = shape_of(opcode);
+    const spirv::ResultShape shape = spirv::result_shape(opcode);
     return std::span(words).subspan((shape.type ? 1U : 0U) + (shape.result ? 1U : 0U));
 }
 

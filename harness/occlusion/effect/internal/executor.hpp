@@ -46,7 +46,6 @@ class Resources {
     [[nodiscard]] const gpu::Image& image(const std::string& name) const;
     [[nodiscard]] gpu::Buffer& buffer(const std::string& name);
     [[nodiscard]] const gpu::Buffer& buffer(const std::string& name) const;
-    [[nodiscard]] bool has_image(const std::string& name) const { return images_.contains(name); }
     [[nodiscard]] bool has_buffer(const std::string& name) const { return buffers_.contains(name); }
 
     // What a pass binds for a name: nothing_image is an image of one texel in the format that the pass

@@ -9,6 +9,7 @@
 #include "backend/vulkan/resources.hpp"
 #include "effect/plan.hpp"
 #include "effect/settings.hpp"
+#include "scene/gbuffer.hpp"
 
 namespace gloam::effect {
 
@@ -33,22 +34,13 @@ struct HistoryTexels {
 // Each pixel's value of a half-size image at the pixels of an image of this size: that of its block of 2 x 2.
 [[nodiscard]] std::vector<float> expanded(const std::vector<float>& half, gpu::Extent extent);
 
-// Conversion of vectors to the texels of an image of four channels, and back.
-
-// Texels (x, y, z, 0).
+// The texels (x, y, z, 0) of an image of four channels, and back.
+using scene::vectors_of;
 [[nodiscard]] inline std::vector<float> texels_of(std::span<const glm::vec3> vectors) {
     std::vector<float> texels;
     texels.reserve(4 * vectors.size());
     for (const glm::vec3& v : vectors) texels.insert(texels.end(), {v.x, v.y, v.z, 0.0F});
     return texels;
-}
-
-// The first three channels of each texel.
-[[nodiscard]] inline std::vector<glm::vec3> vectors_of(const std::vector<float>& texels) {
-    std::vector<glm::vec3> vectors(texels.size() / 4);
-    for (std::size_t i = 0; i < vectors.size(); ++i)
-        vectors[i] = {texels[4 * i], texels[4 * i + 1], texels[4 * i + 2]};
-    return vectors;
 }
 
 }  // namespace gloam::effect

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <memory>
 #include <optional>
 #include <vector>
+
+#include "base/hidden.hpp"
 
 namespace gloam::scene {
 
@@ -22,9 +25,6 @@ class RayScene {
     // Throws std::invalid_argument if there are no triangles, an index is out of range or a position is not
     // finite; std::runtime_error if Embree fails.
     RayScene(std::vector<glm::vec3> positions, std::vector<std::uint32_t> indices);
-    ~RayScene();
-    RayScene(RayScene&&) noexcept;
-    RayScene& operator=(RayScene&&) noexcept;
 
     [[nodiscard]] const std::vector<glm::vec3>& positions() const { return positions_; }
     [[nodiscard]] const std::vector<std::uint32_t>& indices() const { return indices_; }
@@ -38,8 +38,12 @@ class RayScene {
     struct Impl;
     std::vector<glm::vec3> positions_;
     std::vector<std::uint32_t> indices_;
-    std::unique_ptr<Impl> impl_;
+    base::Hidden<Impl> impl_;
 };
+
+[[nodiscard]] inline double largest(const glm::dvec3& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
 
 // Well-mixed bits of a number, the same on every machine (the finaliser of SplitMix64).
 [[nodiscard]] constexpr std::uint64_t mixed(std::uint64_t x) {

@@ -124,8 +124,11 @@ class Guarded {
 [[nodiscard]] vk::raii::ShaderModule make_module(const Context& context,
                                                  std::span<const std::uint32_t> spirv);
 
-// Throws std::invalid_argument unless the size is a multiple of 4 within the device's limit.
-void check_push_constant_size(const Context& context, std::uint32_t bytes);
+// bytes: of push constants. Throws std::invalid_argument unless they are a multiple of 4 within the device's
+// limit.
+[[nodiscard]] vk::raii::PipelineLayout make_layout(const Context& context,
+                                                   const vk::raii::DescriptorSetLayout& set_layout,
+                                                   vk::ShaderStageFlags stages, std::uint32_t bytes);
 
 // On the device, all later commands see the writes of all earlier ones.
 inline void device_barrier(const vk::raii::CommandBuffer& commands) {

@@ -61,24 +61,22 @@ Expression half_literal(std::uint32_t bits) {
 
 Expression ModuleText::number(const Instruction& i) {
     const std::uint32_t bits = i.word(3);
-    switch (module_.type(i.word(1)).kind) {
-        case TypeKind::float_:
-            if (module_.is_half(i.word(1))) return half_literal(bits);
-            // A constant expression of WGSL has no infinity and no NaN.
-            if (is_special(bits)) return plain(fmt::format("{}(0x{:x}u)", helper("float_of_bits", 0), bits));
-            return float_literal(bits);
-        case TypeKind::int_: {
-            const auto value = static_cast<std::int32_t>(bits);
-            if (bits == 0x80000000U) return plain("bitcast<i32>(0x80000000u)");
-            return {.text = std::to_string(value),
-                    .level = value < 0 ? Level::unary : Level::primary,
-                    .literal = true,
-                    .typed = std::to_string(value) + "i"};
-        }
-        default:
-            if (bits > 0xffffU) return plain(fmt::format("0x{:x}u", bits));
-            return plain(fmt::format("{}u", bits));
+    const Type& type = module_.type(i.word(1));
+    if (type.kind == TypeKind::real) {
+        if (type.width == 16) return half_literal(bits);
+        // A constant expression of WGSL has no infinity and no NaN.
+        if (is_special(bits)) return plain(fmt::format("{}(0x{:x}u)", helper("float_of_bits", 0), bits));
+        return float_literal(bits);
     }
+    if (type.is_signed) {
+        const auto value = static_cast<std::int32_t>(bits);
+        if (bits == 0x80000000U) return plain("bitcast<i32>(0x80000000u)");
+        return {.text = std::to_string(value),
+                .level = value < 0 ? Level::unary : Level::primary,
+                .literal = true,
+                .typed = std::to_string(value) + "i"};
+    }
+    return plain(bits > 0xffffU ? fmt::format("0x{:x}u", bits) : fmt::format("{}u", bits));
 }
 
 Expression ModuleText::composite(const Instruction& i) {

@@ -154,9 +154,7 @@ std::size_t mask_of_image_operands(std::uint32_t opcode) {
 }  // namespace
 
 Id result_of(const Instruction& i) {
-    bool has_result = false;
-    bool has_type = false;
-    SpvHasResultAndType(static_cast<SpvOp>(i.opcode), &has_result, &has_type);
+    const auto [has_result, has_type] = spirv::result_shape(i.opcode);
     if (!has_result) return 0;
     return i.word(has_type ? 2 : 1);
 }
@@ -178,9 +176,7 @@ std::vector<Id> operands(const Instruction& i) {
         const std::size_t first = std::min<std::size_t>(sum || count ? 5 : 4, i.words.size());
         return {i.words.begin() + static_cast<std::ptrdiff_t>(first), i.words.end()};
     }
-    bool has_result = false;
-    bool has_type = false;
-    SpvHasResultAndType(static_cast<SpvOp>(i.opcode), &has_result, &has_type);
+    const auto [has_result, has_type] = spirv::result_shape(i.opcode);
     const Range range = ids_of(i, 1U + (has_result ? 1 : 0) + (has_type ? 1 : 0));
     std::vector<Id> ids;
     for (std::size_t w = range.first; w < range.end && w < i.words.size(); ++w) {
@@ -302,7 +298,7 @@ bool extended_operation(ModuleText& text, const Instruction& i, const std::vecto
         result = call(text.helper(fmt::format("inverse{}", module.type(type).count), 0), operands);
         return true;
     }
-    if (module.type(type).kind == Type::Kind::float_ && of_scalars(which, operands, result)) return true;
+    if (module.type(type).kind == Type::Kind::real && of_scalars(which, operands, result)) return true;
     const auto* const name = std::ranges::find(names, which, &std::pair<std::uint32_t, const char*>::first);
     if (name == std::end(names))
         throw NotTranslated(fmt::format("the instruction {} of GLSL.std.450", which));

@@ -20,18 +20,25 @@ std::vector<Id> targets_of(const Block& block) {
     return targets;
 }
 
+// Throws WgslError for numbers that WGSL does not have.
+void refuse_widths(const Instruction& type) {
+    const std::uint32_t width = type.word(2);
+    if (type.opcode == SpvOpTypeInt && width != 32)
+        throw WgslError("integers of " + std::to_string(width) + " bits");
+    if (type.opcode == SpvOpTypeFloat && width != 32 && width != 16)
+        throw WgslError("floats of " + std::to_string(width) + " bits");
+}
+
 }  // namespace
 
 Module::Module(const Spirv& words) {
     for (const Instruction& instruction : instructions(words)) {
-        bool has_result = false;
-        bool has_type = false;
-        SpvHasResultAndType(static_cast<SpvOp>(instruction.opcode), &has_result, &has_type);
+        const auto [has_result, has_type] = spirv::result_shape(instruction.opcode);
         if (has_type && has_result) value_types_[instruction.word(2)] = instruction.word(1);
         if (in_function_ || instruction.opcode == SpvOpFunction) {
             read_in_function(instruction);
         } else {
-            read(instruction);
+            read_global(instruction);
         }
     }
     for (Function& function : functions) drop_dead_blocks(function);
@@ -76,16 +83,6 @@ Id Module::type_of(Id value) const {
     return found->second;
 }
 
-Decorations Module::decorations_of(Id id) const {
-    const auto found = decorations_.find(id);
-    return found == decorations_.end() ? Decorations{} : found->second;
-}
-
-std::string Module::name_of(Id id) const {
-    const auto found = names_.find(id);
-    return found == names_.end() ? std::string() : found->second.substr(0, found->second.find('('));
-}
-
 const Instruction* Module::constant(Id id) const {
     const auto found = constants.find(id);
     return found == constants.end() ? nullptr : &found->second;
@@ -99,7 +96,7 @@ std::optional<std::uint32_t> Module::integer(Id id) const {
 
 bool Module::is_float(Id id) const {
     const Type& t = type(id);
-    return t.kind == Type::Kind::float_ ||
+    return t.kind == Type::Kind::real ||
            ((t.kind == Type::Kind::vector || t.kind == Type::Kind::matrix) && is_float(t.element));
 }
 
@@ -111,7 +108,7 @@ bool Module::is_opaque(Id id) const {
 bool Module::is_half(Id id) const {
     const Type& t = type(id);
     if (t.kind == Type::Kind::vector || t.kind == Type::Kind::matrix) return is_half(t.element);
-    return t.kind == Type::Kind::float_ && t.bits == 16;
+    return t.kind == Type::Kind::real && t.width == 16;
 }
 
 const Type& Module::image_type(Id id) const {
@@ -121,12 +118,13 @@ const Type& Module::image_type(Id id) const {
 
 bool Module::is_signed(Id id) const {
     const Type& t = type(id);
-    return t.kind == Type::Kind::int_ || (t.kind == Type::Kind::vector && is_signed(t.element));
+    return (t.kind == Type::Kind::integer && t.is_signed) ||
+           (t.kind == Type::Kind::vector && is_signed(t.element));
 }
 
 bool Module::is_bool(Id id) const {
     const Type& t = type(id);
-    return t.kind == Type::Kind::bool_ || (t.kind == Type::Kind::vector && is_bool(t.element));
+    return t.kind == Type::Kind::boolean || (t.kind == Type::Kind::vector && is_bool(t.element));
 }
 
 std::uint32_t Module::components(Id id) const {
@@ -134,28 +132,13 @@ std::uint32_t Module::components(Id id) const {
     return t.kind == Type::Kind::vector ? t.count : 1;
 }
 
-void Module::read(const Instruction& i) {
+void Module::read_global(const Instruction& i) {
     switch (i.opcode) {
-        case SpvOpName:
-            names_[i.word(1)] = literal_string(i, 2);
-            break;
-        case SpvOpMemberName:
-            member_names_[i.word(1)][i.word(2)] = literal_string(i, 3);
-            break;
-        case SpvOpExtInstImport:
-            if (literal_string(i, 2) == "GLSL.std.450") extended.insert(i.word(1));
-            break;
         case SpvOpEntryPoint:
             entry_points[i.word(1)] = i.word(2);
             break;
         case SpvOpExecutionMode:
             if (i.word(2) == SpvExecutionModeLocalSize) local_size = {i.word(3), i.word(4), i.word(5)};
-            break;
-        case SpvOpDecorate:
-            read_decoration(i);
-            break;
-        case SpvOpMemberDecorate:
-            read_member_decoration(i);
             break;
         case SpvOpVariable:
             variables.push_back({i.word(2), type(i.word(1)).element, i.word(3), i.word(4)});
@@ -166,156 +149,9 @@ void Module::read(const Instruction& i) {
                 constants[i.word(2)] = i;
                 constant_order.push_back(i.word(2));
             } else {
-                read_type(i);
+                refuse_widths(i);
+                Declarations::read(i);
             }
-    }
-}
-
-void Module::read_decoration(const Instruction& i) {
-    Decorations& all = decorations_[i.word(1)];
-    switch (i.word(2)) {
-        case SpvDecorationSpecId:
-            all.spec_id = i.word(3);
-            break;
-        case SpvDecorationBuiltIn:
-            all.built_in = i.word(3);
-            break;
-        case SpvDecorationDescriptorSet:
-            all.set = i.word(3);
-            break;
-        case SpvDecorationBinding:
-            all.binding = i.word(3);
-            break;
-        case SpvDecorationLocation:
-            all.location = i.word(3);
-            break;
-        case SpvDecorationFlat:
-            all.flat = true;
-            break;
-        case SpvDecorationNoPerspective:
-            all.no_perspective = true;
-            break;
-        case SpvDecorationComponent:
-        case SpvDecorationIndex:
-            all.special_location = i.word(3) != 0;
-            break;
-        case SpvDecorationCentroid:
-        case SpvDecorationSample:
-            all.special_location = true;
-            break;
-        case SpvDecorationArrayStride:
-            strides_[i.word(1)] = i.word(3);
-            break;
-        default:
-            break;
-    }
-}
-
-void Module::read_member_decoration(const Instruction& i) {
-    Member& member = member_decorations_[i.word(1)][i.word(2)];
-    switch (i.word(3)) {
-        case SpvDecorationOffset:
-            member.offset = i.word(4);
-            break;
-        case SpvDecorationRowMajor:
-            member.row_major = true;
-            break;
-        case SpvDecorationBuiltIn:
-            member.built_in = i.word(4);
-            break;
-        default:
-            break;
-    }
-}
-
-void Module::read_type(const Instruction& i) {
-    Type t;
-    if (!read_scalar_type(i, t) && !read_composite_type(i, t) && !read_opaque_type(i, t)) return;
-    types[i.word(1)] = t;
-    type_order.push_back(i.word(1));
-}
-
-bool Module::read_scalar_type(const Instruction& i, Type& t) {
-    switch (i.opcode) {
-        case SpvOpTypeVoid:
-            return true;
-        case SpvOpTypeBool:
-            t.kind = TypeKind::bool_;
-            return true;
-        case SpvOpTypeInt:
-            if (i.word(2) != 32) throw WgslError("integers of " + std::to_string(i.word(2)) + " bits");
-            t.kind = i.word(3) == 0 ? TypeKind::uint_ : TypeKind::int_;
-            return true;
-        case SpvOpTypeFloat:
-            if (i.word(2) != 32 && i.word(2) != 16)
-                throw WgslError("floats of " + std::to_string(i.word(2)) + " bits");
-            t.kind = TypeKind::float_;
-            t.bits = i.word(2);
-            return true;
-        default:
-            return false;
-    }
-}
-
-bool Module::read_composite_type(const Instruction& i, Type& t) {
-    switch (i.opcode) {
-        case SpvOpTypeVector:
-        case SpvOpTypeMatrix:
-            t.kind = i.opcode == SpvOpTypeVector ? TypeKind::vector : TypeKind::matrix;
-            t.element = i.word(2);
-            t.count = i.word(3);
-            return true;
-        case SpvOpTypeArray:
-        case SpvOpTypeRuntimeArray:
-            t.kind = i.opcode == SpvOpTypeArray ? TypeKind::array : TypeKind::runtime_array;
-            t.element = i.word(2);
-            t.length = i.word(3);
-            t.stride = strides_[i.word(1)];
-            return true;
-        case SpvOpTypeStruct:
-            t.kind = TypeKind::structure;
-            for (std::uint32_t m = 0; m + 2 < i.words.size(); ++m) {
-                Member member = member_decorations_[i.word(1)][m];
-                member.type = i.word(m + 2);
-                member.name = member_names_[i.word(1)][m];
-                t.members.push_back(member);
-            }
-            return true;
-        default:
-            return false;
-    }
-}
-
-bool Module::read_opaque_type(const Instruction& i, Type& t) {
-    switch (i.opcode) {
-        case SpvOpTypePointer:
-            t.kind = TypeKind::pointer;
-            t.storage = i.word(2);
-            t.element = i.word(3);
-            return true;
-        case SpvOpTypeImage:
-            t.kind = TypeKind::image;
-            t.element = i.word(2);
-            t.dimension = i.word(3);
-            t.depth = i.word(4) == 1;
-            t.arrayed = i.word(5) != 0;
-            t.multisampled = i.word(6) != 0;
-            t.stored = i.word(7) == 2;
-            t.format = i.word(8);
-            return true;
-        case SpvOpTypeSampledImage:
-            t.kind = TypeKind::sampled_image;
-            t.element = i.word(2);
-            return true;
-        case SpvOpTypeSampler:
-            t.kind = TypeKind::sampler;
-            return true;
-        case SpvOpTypeFunction:
-            t.kind = TypeKind::function;
-            t.element = i.word(2);
-            return true;
-        default:
-            return false;
     }
 }
 

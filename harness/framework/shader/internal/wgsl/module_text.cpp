@@ -128,15 +128,13 @@ void ModuleText::name_all() {
 std::string ModuleText::type(Id id) {
     const Type& t = module_.type(id);
     switch (t.kind) {
-        case TypeKind::bool_:
+        case TypeKind::boolean:
             return "bool";
-        case TypeKind::int_:
-            return "i32";
-        case TypeKind::uint_:
-            return "u32";
-        case TypeKind::float_:
-            if (t.bits == 16) need_extension("f16");
-            return t.bits == 16 ? "f16" : "f32";
+        case TypeKind::integer:
+            return t.is_signed ? "i32" : "u32";
+        case TypeKind::real:
+            if (t.width == 16) need_extension("f16");
+            return t.width == 16 ? "f16" : "f32";
         case TypeKind::vector:
             if (module_.is_bool(id)) return fmt::format("vec{}<bool>", t.count);
             return fmt::format("vec{}{}", t.count, type(t.element) == "f16" ? 'h' : type(t.element).front());
@@ -158,9 +156,9 @@ std::string ModuleText::array(const Type& t) {
     const Layout element = layout_of(module_, t.element);
     const std::uint32_t stride =
         (element.size + element.alignment - 1) / element.alignment * element.alignment;
-    if (t.stride != 0 && t.stride != stride)
+    if (t.array_stride != 0 && t.array_stride != stride)
         throw WgslError(fmt::format("an array of {} with a stride of {} bytes: WGSL has {}", type(t.element),
-                                    t.stride, stride));
+                                    t.array_stride, stride));
     if (t.kind == TypeKind::runtime_array) return fmt::format("array<{}>", type(t.element));
     return fmt::format("array<{}, {}>", type(t.element), fixed_length(t));
 }
@@ -237,7 +235,8 @@ std::string ModuleText::member_text(Id id, std::uint32_t index, std::uint32_t at
             throw WgslError(fmt::format("the member {} is at an offset that WGSL cannot have", member.name));
         attributes = fmt::format("@align({}) ", alignment);
     }
-    if (member.row_major) throw WgslError(fmt::format("the member {} is a matrix of rows", member.name));
+    if (member.matrix.row_major)
+        throw WgslError(fmt::format("the member {} is a matrix of rows", member.name));
     const std::string text = facts_.is_atomic(id, index) ? atomic_type(member.type) : type(member.type);
     return fmt::format("{}{}: {}", attributes, member_name(id, index), text);
 }
@@ -378,7 +377,7 @@ Layout layout_of(const Module& module, Id id) {
             return all;
         }
         default:
-            return {t.bits / 8, t.bits / 8};
+            return t.width == 16 ? Layout{2, 2} : Layout{4, 4};
     }
 }
 

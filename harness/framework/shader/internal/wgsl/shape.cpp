@@ -82,7 +82,7 @@ class Folder {
     std::optional<Fold> logic_of(const Block& block, const Block& end, Id start) {
         const std::optional<Arm> arm = arm_of(start, end.label);
         const Instruction& phi = end.body.front();
-        if (!arm || arm->variable != 0 || module_.type(phi.word(1)).kind != Type::Kind::bool_)
+        if (!arm || arm->variable != 0 || module_.type(phi.word(1)).kind != Type::Kind::boolean)
             return std::nullopt;
         const Id condition = block.end.word(1);
         const bool taken_when_true = block.end.word(2) == start;

@@ -45,8 +45,8 @@ std::string StageText::location(const Variable& variable) const {
     const Decorations decorations = module_.decorations_of(variable.id);
     const Type& type = module_.type(variable.type);
     const std::string name = module_.name_of(variable.id);
-    const bool number = type.kind == TypeKind::vector || type.kind == TypeKind::float_ ||
-                        type.kind == TypeKind::int_ || type.kind == TypeKind::uint_;
+    const bool number =
+        type.kind == TypeKind::vector || type.kind == TypeKind::real || type.kind == TypeKind::integer;
     if (!decorations.location || !number || module_.is_bool(variable.type))
         throw NotTranslated("an input or output of a stage that is no number or vector: " + name);
     if (decorations.special_location)

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace gloam::gpu {
+namespace gloam::base {
 
 // value / 2^shift, rounded to nearest, ties to even.
 [[nodiscard]] constexpr std::uint32_t shift_right_to_even(std::uint32_t value, std::uint32_t shift) {
@@ -46,4 +46,4 @@ namespace gloam::gpu {
     return std::bit_cast<float>(sign | widened << 23 | fraction << 13);
 }
 
-}  // namespace gloam::gpu
+}  // namespace gloam::base

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "base/half.hpp"
+
+#include "support/test.hpp"
+
+namespace gloam::base {
+namespace {
+
+constexpr std::uint16_t infinite = 0x7c00;
+
+bool is_nan(std::uint16_t half) {
+    return (half & 0x7fffu) > infinite;
+}
+
+// The value by definition.
+double value(std::uint16_t half) {
+    const int exponent = half >> 10 & 0x1f;
+    const int fraction = half & 0x3ff;
+    const double magnitude =
+        exponent == 0 ? std::ldexp(fraction, -24) : std::ldexp(1024 + fraction, exponent - 25);
+    return (half & 0x8000u) != 0 ? -magnitude : magnitude;
+}
+
+TEST(Half, EveryFiniteHalfIsExactBothWays) {
+    for (std::uint32_t bits = 0; bits < 0x10000; ++bits) {
+        const auto half = static_cast<std::uint16_t>(bits);
+        if ((half & 0x7fffu) >= infinite) continue;
+        ASSERT_EQ(static_cast<double>(from_half(half)), value(half)) << bits;
+        ASSERT_EQ(std::signbit(from_half(half)), (half & 0x8000u) != 0) << bits;
+        ASSERT_EQ(to_half(from_half(half)), half);
+    }
+}
+
+// Between neighbours, with one float32 step either side of the middle; the even one wins the tie. Infinity
+// counts as the neighbour of the largest, at 65536.
+TEST(Half, RoundsToNearestEven) {
+    for (std::uint16_t lower = 0; lower < infinite; ++lower) {
+        const auto upper = static_cast<std::uint16_t>(lower + 1);
+        const auto middle = static_cast<float>((value(lower) + value(upper)) / 2);
+        ASSERT_EQ(static_cast<double>(middle), (value(lower) + value(upper)) / 2);
+        const std::uint16_t even = (lower & 1u) == 0 ? lower : upper;
+        const auto minus = [](std::uint16_t half) { return static_cast<std::uint16_t>(half | 0x8000u); };
+        ASSERT_EQ(to_half(middle), even) << middle;
+        ASSERT_EQ(to_half(-middle), minus(even)) << middle;
+        ASSERT_EQ(to_half(std::nextafter(middle, 0.0f)), lower) << middle;
+        ASSERT_EQ(to_half(-std::nextafter(middle, 0.0f)), minus(lower)) << middle;
+        ASSERT_EQ(to_half(std::nextafter(middle, 1e30f)), upper) << middle;
+    }
+}
+
+TEST(Half, OutOfRange) {
+    EXPECT_EQ(to_half(65504.0f), 0x7bff);
+    EXPECT_EQ(to_half(65519.996f), 0x7bff);
+    EXPECT_EQ(to_half(65520.0f), infinite);
+    EXPECT_EQ(to_half(std::numeric_limits<float>::max()), infinite);
+    EXPECT_EQ(to_half(infinity), infinite);
+    EXPECT_EQ(to_half(-infinity), 0xfc00);
+    EXPECT_EQ(from_half(infinite), infinity);
+    EXPECT_EQ(from_half(0xfc00), -infinity);
+    EXPECT_EQ(to_half(0x1p-25f), 0);
+    EXPECT_EQ(to_half(std::numeric_limits<float>::denorm_min()), 0);
+    EXPECT_EQ(to_half(-std::numeric_limits<float>::denorm_min()), 0x8000);
+    EXPECT_EQ(to_half(-0.0f), 0x8000);
+}
+
+TEST(Half, NanStaysNan) {
+    for (const std::uint32_t bits : {0x7f800001u, 0x7fc00000u, 0x7fffffffu, 0xffc00001u, 0xff800001u}) {
+        EXPECT_TRUE(is_nan(to_half(std::bit_cast<float>(bits)))) << bits;
+    }
+    for (std::uint32_t fraction = 1; fraction < 0x400; ++fraction) {
+        EXPECT_TRUE(std::isnan(from_half(static_cast<std::uint16_t>(infinite | fraction))));
+    }
+}
+
+}  // namespace
+}  // namespace gloam::base
