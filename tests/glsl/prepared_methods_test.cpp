@@ -120,6 +120,14 @@ TEST_F(PreparedMethods, SmallPixelsOfTheSurfaceAreInterpolated) {
         };
         const auto level = [](ivec2) { return 0.0F; };
         const auto ramp = [&](ivec2 p) { return vec4(value(vec2(p)), normal); };
+        check::ImageSet images = test::view_of(bare.camera.size, [&](ivec2 p) { return -bare.point(p).z; });
+        images.emplace("gloam_fetch_prepared", check::make_image<vec4>(half, ramp));
+        Samples uneven = samples;
+        uneven.count = 36;
+        EXPECT_EQ(
+            dual.with_images(images, {bare.point({7, 15}), bare.normal, bare.camera, uneven, settings}).y,
+            32.0F)
+            << "both halves of whole slices";
         for (const ivec2 pixel : {ivec2(7, 15), ivec2(8, 15), ivec2(7, 16), ivec2(8, 16), ivec2(21, 33)}) {
             const vec2 small = glm::min(0.5F * vec2(pixel), vec2(half - 1));
             EXPECT_NEAR(result(pixel, ramp, level), double{value(small)}, 1e-4) << pixel.x << ' ' << pixel.y;

@@ -54,6 +54,9 @@ constexpr std::array functions{"min max",
                                "lessThan lessThanEqual",
                                "greaterThan greaterThanEqual"};
 
+// Functions whose two arguments may change places.
+const std::set<std::string> commutative{"distance", "dot", "max", "min"};
+
 // Other numbers in the place of one.
 std::vector<std::string> other_numbers(const std::string& text) {
     const bool is_unsigned = text.ends_with('u') || text.ends_with('U');
@@ -197,7 +200,7 @@ class Faults {
         }
     }
 
-    // Neighbouring arguments of one type change places.
+    // Neighbouring arguments of one type change places, but where the order makes no difference.
     void add_swaps(const std::vector<std::string>& types) {
         std::vector<std::pair<std::size_t, std::size_t>> arguments;
         int depth = 0;
@@ -212,6 +215,7 @@ class Faults {
                 arguments.insert(arguments.begin(), {i + 1, last});
                 last = i - 1;
             }
+            if (opens && i > 0 && commutative.contains(tokens_[i - 1].text)) return;
             if (opens) break;
             if (text == "(" || text == "[") --depth;
         }
