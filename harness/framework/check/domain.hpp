@@ -134,7 +134,7 @@ class Degenerate {
                      std::span<const float> numbers);
 
     // Changes of one number: how many there are, and applying one of them to an input. Those to numbers that
-    // were added follow the others, and leave an input as it is that would not be in its parameter's Values.
+    // were added follow the others, and leave an input as it is whose parameter would not be in its Values.
     [[nodiscard]] std::size_t count() const { return changes_.size(); }
     [[nodiscard]] std::size_t count_of_numbers() const { return numbers_.size(); }
     void change(std::size_t i, std::span<Word> row) const;
@@ -208,7 +208,8 @@ class Domain {
     [[nodiscard]] Domain and_related(const Signature& signature) const;
 
     // Adds inputs in which one float is one of the numbers, of either sign, or a float beside it: those at
-    // which a function branches. Values that have no test, or are only drawn, stay as they are.
+    // which a function branches. Values that contain infinity take every number; those that have no test, or
+    // are only drawn, none.
     [[nodiscard]] Domain and_numbers(const Signature& signature, std::span<const float> numbers) const;
 
     struct Inputs {

@@ -167,8 +167,8 @@ void append_disocclusion(Entries& entries) {
                        .tied(1, 0, 1.02),
          .budget = {.backward_ulp = 2}},
         [](double stored, double expected, double epsilon) {
-            // The difference from a depth 2^24 times as large is that depth, and as large as the threshold
-            // of 1.
+            // Beside a stored depth 2^24 times as large the expected one is lost in the difference, which is
+            // then as large as a threshold of 1.
             const bool is_decided = expected > 1.2e-7 * stored || std::abs(epsilon - 1.0) > 2.4e-7;
             return is_decided && moderate(1e-30, 1e37, stored, expected) && moderate(1e-7, 1e37, epsilon);
         });
