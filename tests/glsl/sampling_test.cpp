@@ -45,6 +45,8 @@ TEST_F(Numeric, TheCubicOfTheArcCosineIsSoFarOff) {
 }
 
 // Vulkan lets a driver reorder what is not `precise`: the reductions of arguments must not be undone by it.
+// Only drawn angles: one float below half a turn may be reduced to either side, and the hull of both bounds
+// nothing.
 TEST_F(Numeric, WhateverOrderADriverTakesTheErrorIsBounded) {
     const check::Lab shipped(
         {.device = std::string(check::interpreter_name), .include_roots = {GLOAM_GLSL_DIR}});
@@ -56,12 +58,12 @@ TEST_F(Numeric, WhateverOrderADriverTakesTheErrorIsBounded) {
         EXPECT_EQ(answer.unbounded, 0U) << answer.function;
         return answer.guarantee.absolute;
     };
-    const check::Values cosine = check::uniform(-1, 1);
+    const check::Values cosine = check::uniform(-1, 1).only_as_drawn();
     EXPECT_LT(error(check::Function<glm::vec2(float)>(shipped, forward, "gloam_sincos_turns")
-                        .check_rules({check::uniform(-4, 4)}, options)),
+                        .check_rules({check::uniform(-4, 4).only_as_drawn()}, options)),
               4e-6);
     EXPECT_LT(error(check::Function<glm::vec2(float)>(shipped, forward, "gloam_sincos")
-                        .check_rules({check::uniform(-100, 100)}, options)),
+                        .check_rules({check::uniform(-100, 100).only_as_drawn()}, options)),
               4e-6);
     EXPECT_LT(
         error(check::Function<float(float)>(shipped, inverse, "gloam_acos").check_rules({cosine}, options)),
