@@ -115,6 +115,9 @@ void Degenerate::add_numbers(const Signature& signature, const std::vector<Value
         const Values& values = parameters[change.parameter];
         for (std::size_t k = 0; k < scalars.size() && values.contains && !values.only_drawn; ++k) {
             change.word = change.first + k;
+            change.anywhere = std::ranges::any_of(values.fixed, [k](const Values::Fixed& fixed) {
+                return std::isinf(from_word<float>(fixed.words[k]));
+            });
             for (const Word number : bits) {
                 change.bits = number;
                 if (scalars[k] == Scalar::float_) numbers_.push_back(change);
@@ -127,13 +130,10 @@ void Degenerate::add_numbers(const Signature& signature, const std::vector<Value
 void Degenerate::change(std::size_t i, std::span<Word> row) const {
     if (i >= changes_.size()) {
         const Number& number = numbers_[i - changes_.size()];
-        const Word before = row[number.word];
-        const auto admits = [&](Word word) {
-            row[number.word] = word;
-            return parameters_->at(number.parameter).admits(row.subspan(number.first, number.size));
-        };
-        const bool possible = admits(number.bits) || admits(to_word(std::numeric_limits<float>::infinity()));
-        row[number.word] = possible ? number.bits : before;
+        const Word before = std::exchange(row[number.word], number.bits);
+        if (!number.anywhere &&
+            !parameters_->at(number.parameter).admits(row.subspan(number.first, number.size)))
+            row[number.word] = before;
         return;
     }
     Word& word = row[changes_[i].word];

@@ -156,6 +156,7 @@ class Degenerate {
         std::size_t parameter = 0;  // whose Values decide
         std::size_t first = 0;      // its first word
         std::size_t size = 0;       // its words
+        bool anywhere = false;      // the float may be infinite, and therefore any number
     };
     struct Vector {
         std::size_t first;

@@ -42,9 +42,11 @@ Values gather_length() {
     return log_uniform(0.01, 4).and_special();
 }
 
-// Whether coordinates and lengths are so small that no product overflows.
+// Whether coordinates and lengths are so small that no product overflows, and the angle so small that it is
+// known to a millionth of a turn.
 bool usual(const glm::vec3& position, const glm::vec3& normal, const Camera& camera, const Kernel& kernel) {
-    return moderate(1e-9, 1e9, position, normal, camera.p00_p11, kernel.radius, kernel.bias);
+    return moderate(1e-9, 1e9, position, normal, camera.p00_p11, kernel.radius, kernel.bias) &&
+           !(std::abs(kernel.angle) > 64.0F);
 }
 
 std::vector<ImageScenario> gather_scenarios() {
