@@ -38,7 +38,8 @@ ImageScenario scenario_of(const Question& question, const std::string& name) {
 class Stage {
   public:
     Stage(const Lab& lab, const Question& question, ImageScenario scenario, const RunOptions& options)
-        : domain_(internal::domain_of(lab, question)),
+        : lab_(lab),
+          question_(question),
           scenario_(std::move(scenario)),
           kernel_(lab.kernel(question.file, question.function, question.signature)),
           trial_(lab, question, kernel_, scenario_, options.seed,
@@ -60,11 +61,12 @@ class Stage {
         return kernel_.run(inputs.words, inputs.count(), images());
     }
     [[nodiscard]] Domain::Inputs draw(std::size_t count) const {
-        return domain_.draw(count, trial_.input_seed(), scenario_.size);
+        return internal::domain_of(lab_, question_).draw(count, trial_.input_seed(), scenario_.size);
     }
 
   private:
-    Domain domain_;
+    const Lab& lab_;
+    const Question& question_;
     ImageScenario scenario_;
     KernelCore kernel_;
     internal::Trial trial_;
