@@ -201,9 +201,13 @@ TEST_F(JudgeTest, AnExplanationIsBounded) {
 }
 
 TEST_F(JudgeTest, ADomainThatDoesNotFitTheFunctionIsRefused) {
-    EXPECT_THROW((void)Function<float(float, float)>(lab, "wrong.glsl", "weight")
-                     .compare(exact_weight, {uniform(0, 1)}),
-                 std::invalid_argument);
+    const Function<float(float, float)> weight(lab, "wrong.glsl", "weight");
+    EXPECT_THAT([&] { (void)weight.compare(exact_weight, {uniform(0, 1)}); },
+                testing::ThrowsMessage<std::invalid_argument>(
+                    "the domain has values of 1 parameters, the function takes 2"));
+    EXPECT_THAT([&] { (void)weight.compare(exact_weight, {uniform(0, 1), unit_vector(3)}); },
+                testing::ThrowsMessage<std::invalid_argument>(
+                    "parameter 2 takes 1 words, its values in the domain have 3"));
 }
 
 // A check says "ok" only if enough inputs were judged: the counts of answers, and what the judge counts.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "check/domain.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -46,7 +47,7 @@ Degenerate::Degenerate(const Signature& signature, const std::vector<Values>& pa
     std::size_t next = 0;
     for (const shader::Parameter& parameter : signature.parameters) {
         if (parameter.direction == shader::Direction::out) continue;
-        const Values& values = parameters_->at(next++);
+        const Values& values = (*parameters_)[next++];
         if (values.only_drawn) {
             add_vectors(parameter.type, first, nullptr);
         } else {
@@ -236,19 +237,41 @@ bool Domain::apply_tie(DrawContext& context, std::span<Word> row,
     return true;
 }
 
+void Domain::require_fits(const Signature& signature) const {
+    std::vector<std::size_t> words;  // of each parameter that takes a value
+    for (const shader::Parameter& parameter : signature.parameters)
+        if (parameter.direction != shader::Direction::out) words.push_back(scalars_of(parameter.type).size());
+    if (words.size() != parameters_.size())
+        throw std::invalid_argument(fmt::format("the domain has values of {} parameters, the function takes {}",
+                                                parameters_.size(), words.size()));
+    numeric::Random random(0);
+    DrawContext context{.random = random};
+    for (std::size_t p = 0; p < words.size(); ++p) {
+        std::vector<Word> drawn;
+        parameters_[p].draw(context, drawn);
+        if (drawn.size() != words[p])
+            throw std::invalid_argument(
+                fmt::format("parameter {} takes {} words, its values in the domain have {}", p + 1, words[p],
+                            drawn.size()));
+    }
+}
+
 Domain Domain::and_degenerate(const Signature& signature) const {
+    require_fits(signature);
     Domain more = *this;
     more.degenerate_ = Degenerate(signature, parameters_);
     return more;
 }
 
 Domain Domain::and_related(const Signature& signature) const {
+    require_fits(signature);
     Domain more = *this;
     more.degenerate_ = Degenerate(signature, parameters_, true);
     return more;
 }
 
 Domain Domain::and_numbers(const Signature& signature, std::span<const float> numbers) const {
+    require_fits(signature);
     Domain more = *this;
     more.degenerate_.add_numbers(signature, parameters_, numbers);
     return more;

@@ -202,6 +202,7 @@ class Domain {
     }
     [[nodiscard]] Domain and_words(const std::vector<Word>& words) const;
 
+    // The next three throw std::invalid_argument if this is no domain of a function with this signature.
     // Adds degenerate inputs (check/domain.hpp) of a function with this signature.
     [[nodiscard]] Domain and_degenerate(const Signature& signature) const;
 
@@ -250,6 +251,7 @@ class Domain {
         double factor;
     };
     struct Forced;
+    void require_fits(const Signature& signature) const;
     [[nodiscard]] std::vector<Forced> all_forced() const;
     void append_row(DrawContext& context, Inputs& inputs, const Forced& forced) const;
     bool make_degenerate(DrawContext& context, std::span<Word> row, const Forced& forced) const;
