@@ -237,7 +237,7 @@ TEST_P(Methods, ASampleSeesThePixelsOfItsPoint) {
     }
 }
 
-// Stripes on a plane block nothing as long as they are lower than the bias, and something when they are
+// Stripes on a plane block nothing as long as they are no higher than the bias, and something when they are
 // higher. Not for points on both sides of the plane, methods that see nothing of such stripes, and those that
 // have no bias.
 TEST_P(Methods, NothingBelowTheBiasBlocks) {
@@ -246,15 +246,40 @@ TEST_P(Methods, NothingBelowTheBiasBlocks) {
                                        "volumetric_two", "volumetric_spiral", "tangent_sphere"};
     if (others.contains(GetParam())) GTEST_SKIP();
     const Camera camera{glm::vec2(0.55F, -0.8F), glm::ivec2(29, 47), true};
+    const float bias = 0.0625F;
     const auto sum = [&](float height) {
         const auto image =
             test::view_of(camera.size, [&](glm::ivec2 p) { return p.x % 4 == 2 ? 5.0F : 5.0F - height; });
-        const Samples samples{.radius = 1.0F, .bias = 0.05F, .angle = 0.7F, .first = 0, .count = 64};
+        const Samples samples{.radius = 1.0F, .bias = bias, .angle = 0.7F, .first = 0, .count = 64};
         return gather.with_images(image,
                                   {glm::vec3(0, 0, -5), glm::vec3(0, 0, 1), camera, samples, Method{}});
     };
     EXPECT_EQ(sum(0.03F), sum(0.0F));
+    EXPECT_EQ(sum(bias), sum(0.0F));
     EXPECT_NE(sum(0.15F), sum(0.0F));
+}
+
+// A view that is turned by half a turn about the point has the same result, whichever tap of a pair comes
+// first.
+TEST_P(Methods, BothTapsOfAPairAreAlike) {
+    const bool of_two_radii = GetParam() == "aksoy_phaneuf_two";
+    if (info.unit != effect::SampleUnit::pair || of_two_radii) GTEST_SKIP();
+    const Camera camera{glm::vec2(0.55F, -0.8F), glm::ivec2(29, 47), true};
+    const auto sum = [&](bool turned) {
+        const auto image = test::view_of(camera.size, [&](glm::ivec2 p) {
+            const glm::ivec2 at = turned ? camera.size - 1 - p : p;
+            const float bump = 0.1F * static_cast<float>((at.x * 31 + at.y * 17) % 11);
+            return at.x < 14 && at.y % 3 == 0 ? infinity : 5.0F - bump * static_cast<float>(at.x != 14);
+        });
+        const Samples samples{.radius = 1.0F, .bias = 1e-3F, .angle = 0.0F, .first = 0, .count = 64};
+        return gather.with_images(image,
+                                  {glm::vec3(0, 0, -5), glm::vec3(0, 0, 1), camera, samples, Method{}});
+    };
+    const glm::vec2 one = sum(false);
+    const glm::vec2 other = sum(true);
+    EXPECT_NE(one.x, info.on_a_plane * one.y);
+    EXPECT_NEAR(one.x, other.x, 1e-5F * one.y);
+    EXPECT_EQ(one.y, other.y);
 }
 
 TEST_P(Methods, PointsBehindTheEyeAreNotSamples) {

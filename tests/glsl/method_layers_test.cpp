@@ -176,6 +176,23 @@ INSTANTIATE_TEST_SUITE_P(All, Rejection,
                          })),
                          test::parameter_name);
 
+class NoRejection : public testing::TestWithParam<std::string> {};
+
+TEST_P(NoRejection, WhatIsFarInFrontCountsLikeAnythingElse) {
+    const OnRough every{GetParam(), 1};
+    const OnRough near{GetParam(), 1, 0.3F};
+    for (const Camera& camera : cameras) {
+        const Surfaces surface{rough::surface(0, camera)};
+        expect_same(near(camera, surface), every(camera, surface), camera, "rejection");
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, NoRejection,
+                         testing::ValuesIn(test::method_names([](const effect::MethodInfo& method) {
+                             return !calls(method.name, "gloam_tap_rejected");
+                         })),
+                         test::parameter_name);
+
 // The sum of another method's results at two radii, each without what is too far in front.
 TEST(RejectionAtTwoRadii, IsThatOfEachRadius) {
     constexpr float farthest = 0.3F;

@@ -288,6 +288,19 @@ TEST_F(MssaoLevels, CoarserOnesAreInterpolatedAndTheirMeanCountsByTheirNumber) {
     }
 }
 
+// Beyond a level's last texel the image of all levels goes on with other values, here those of a surface.
+vec4 with_a_surface_beside(ivec2 at) {
+    return at.x == half && at.y < half ? vec4(0, 0, -floor_depth, 0) : level_one(at);
+}
+
+TEST_F(MssaoLevels, NothingIsReadBeyondTheLastTexel) {
+    for (const int y : {12, 63}) {
+        const double row = std::min((y + 0.5) / 2.0 - 0.5, half - 1.0);
+        EXPECT_NEAR(occlusion_at(ivec2(side - 1, y), floor_depth, with_a_surface_beside),
+                    combined(found_at(half - 1, row)), 2e-5);
+    }
+}
+
 // Every other texel of level 1 is background, whatever else stands there.
 vec4 with_holes(ivec2 at) {
     const bool hole = (at.x + at.y) % 2 == 1;

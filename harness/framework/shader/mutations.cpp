@@ -54,8 +54,8 @@ constexpr std::array functions{"min max",
                                "lessThan lessThanEqual",
                                "greaterThan greaterThanEqual"};
 
-// Functions whose two arguments may change places.
-const std::set<std::string> commutative{"distance", "dot", "max", "min"};
+// Functions whose first two arguments may change places. clamp(x, a, b) is min(max(x, a), b).
+const std::set<std::string> commutative{"clamp", "distance", "dot", "fma", "max", "min"};
 
 // Other numbers in the place of one.
 std::vector<std::string> other_numbers(const std::string& text) {
@@ -205,6 +205,7 @@ class Faults {
         std::vector<std::pair<std::size_t, std::size_t>> arguments;
         int depth = 0;
         std::size_t last = at_ - 1;
+        std::size_t swapped = 0;  // the first pair that changes places
         std::size_t i = at_;
         while (i-- > region_.first) {
             const std::string& text = tokens_[i].text;
@@ -215,12 +216,14 @@ class Faults {
                 arguments.insert(arguments.begin(), {i + 1, last});
                 last = i - 1;
             }
-            if (opens && i > 0 && commutative.contains(tokens_[i - 1].text)) return;
-            if (opens) break;
+            if (opens) {
+                swapped = i > 0 && commutative.contains(tokens_[i - 1].text) ? 1 : 0;
+                break;
+            }
             if (text == "(" || text == "[") --depth;
         }
         if (arguments.size() != types.size()) return;
-        for (std::size_t k = 0; k + 1 < arguments.size(); ++k) {
+        for (std::size_t k = swapped; k + 1 < arguments.size(); ++k) {
             const auto [first, middle] = arguments[k];
             const auto [next, end] = arguments[k + 1];
             const std::string a = between(first, middle);
