@@ -204,10 +204,10 @@ TEST_F(JudgeTest, ADomainThatDoesNotFitTheFunctionIsRefused) {
     const Function<float(float, float)> weight(lab, "wrong.glsl", "weight");
     EXPECT_THAT([&] { (void)weight.compare(exact_weight, {uniform(0, 1)}); },
                 testing::ThrowsMessage<std::invalid_argument>(
-                    "the domain has values of 1 parameters, the function takes 2"));
+                    "the domain has parameters of 1 words, the function takes 1, 1"));
     EXPECT_THAT([&] { (void)weight.compare(exact_weight, {uniform(0, 1), unit_vector(3)}); },
                 testing::ThrowsMessage<std::invalid_argument>(
-                    "parameter 2 takes 1 words, its values in the domain have 3"));
+                    "the domain has parameters of 1, 3 words, the function takes 1, 1"));
 }
 
 // A check says "ok" only if enough inputs were judged: the counts of answers, and what the judge counts.

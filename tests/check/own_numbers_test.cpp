@@ -201,9 +201,9 @@ TEST(OwnNumbers, FixedValuesAreOfTheType) {
     for (std::size_t i = 0; i < words.size(); i += 2)
         found.insert(float_at(Scalar::double_, std::span(words).subspan(i)));
     EXPECT_TRUE(found.contains(0.5) && found.contains(0.5 + 0x1p-53) && found.contains(0.5 - 0x1p-54));
-    EXPECT_THAT([&] { (void)Domain({doubles.and_near({0.5})}); },
-                testing::ThrowsMessage<std::invalid_argument>(
-                    "a fixed value is of another type than the values that are drawn"));
+    EXPECT_THAT(
+        [&] { (void)Domain({doubles.and_near({0.5})}); },
+        testing::ThrowsMessage<std::invalid_argument>("a fixed value is of another type than those drawn"));
 }
 
 TEST(OwnNumbers, ARangeIsKept) {

@@ -190,6 +190,15 @@ constexpr std::size_t number_part = 8;  // at most one in so many inputs has a n
 constexpr std::size_t nothing = SIZE_MAX;
 constexpr std::uint64_t chances = 16;
 
+// Of one value.
+std::size_t words_of(const Values& values) {
+    numeric::Random random(0);
+    DrawContext context{.random = random};
+    std::vector<Word> drawn;
+    values.draw(context, drawn);
+    return drawn.size();
+}
+
 }  // namespace
 
 // A fixed value of a parameter, or a degenerate change, that an input must have.
@@ -200,16 +209,10 @@ struct Domain::Forced {
 };
 
 Domain::Domain(std::vector<Values> parameters) : parameters_(std::move(parameters)) {
-    numeric::Random random(0);
-    DrawContext context{.random = random};
-    for (const Values& values : parameters_) {
-        std::vector<Word> drawn;
-        values.draw(context, drawn);
+    for (const Values& values : parameters_)
         for (const Values::Fixed& fixed : values.fixed)
-            if (fixed.words.size() != drawn.size())
-                throw std::invalid_argument(
-                    "a fixed value is of another type than the values that are drawn");
-    }
+            if (fixed.words.size() != words_of(values))
+                throw std::invalid_argument("a fixed value is of another type than those drawn");
 }
 
 Domain Domain::tied(std::size_t target, std::size_t source, double factor) const {
@@ -238,22 +241,15 @@ bool Domain::apply_tie(DrawContext& context, std::span<Word> row,
 }
 
 void Domain::require_fits(const Signature& signature) const {
-    std::vector<std::size_t> words;  // of each parameter that takes a value
+    std::vector<std::size_t> has;
+    std::ranges::transform(parameters_, std::back_inserter(has), words_of);
+    std::vector<std::size_t> wants;
     for (const shader::Parameter& parameter : signature.parameters)
-        if (parameter.direction != shader::Direction::out) words.push_back(scalars_of(parameter.type).size());
-    if (words.size() != parameters_.size())
-        throw std::invalid_argument(fmt::format("the domain has values of {} parameters, the function takes {}",
-                                                parameters_.size(), words.size()));
-    numeric::Random random(0);
-    DrawContext context{.random = random};
-    for (std::size_t p = 0; p < words.size(); ++p) {
-        std::vector<Word> drawn;
-        parameters_[p].draw(context, drawn);
-        if (drawn.size() != words[p])
-            throw std::invalid_argument(
-                fmt::format("parameter {} takes {} words, its values in the domain have {}", p + 1, words[p],
-                            drawn.size()));
-    }
+        if (parameter.direction != shader::Direction::out) wants.push_back(scalars_of(parameter.type).size());
+    if (has != wants)
+        throw std::invalid_argument(
+            fmt::format("the domain has parameters of {} words, the function takes {}", fmt::join(has, ", "),
+                        fmt::join(wants, ", ")));
 }
 
 Domain Domain::and_degenerate(const Signature& signature) const {
