@@ -5,6 +5,7 @@
 #include <cctype>
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 
 #include "check/internal/rewrites.hpp"
@@ -62,6 +63,7 @@ class Finder {
         for (std::size_t i = 0; i + 2 < tokens_.size(); ++i) {
             if (const auto call = call_at(i)) add_call(*call);
             add_difference(i);
+            add_sum(i);
         }
         return std::move(found_);
     }
@@ -243,6 +245,34 @@ class Finder {
         if (squares && is_summand(i, i + 6))
             add(i, i + 6, fmt::format("(({0} - {1}) * ({0} + {1}))", token(i), token(i + 4)),
                 "the squares are rounded before the difference cancels");
+    }
+
+    // float sum = 0.0; for (...) sum += x;
+    void add_sum(std::size_t i) {
+        static const std::set<std::string_view> types{"float", "vec2", "vec3", "vec4"};
+        static const std::set<std::string_view> loops{"for", "while", "do"};
+        if (!types.contains(token(i)) || !is_name(i + 1) || token(i + 2) != "=") return;
+        const std::string_view sum = token(i + 1);
+        bool looped = false;
+        int depth = 0;
+        for (std::size_t k = i + 3; k < tokens_.size() && depth >= 0; ++k) {
+            depth += token(k) == "{" ? 1 : token(k) == "}" ? -1 : 0;
+            looped = looped || loops.contains(token(k));
+            if (!looped || token(k) != sum || token(k + 1) != "+" || token(k + 2) != "=") continue;
+            std::size_t last = k + 3;
+            while (last + 1 < tokens_.size() && token(last + 1) != ";") ++last;
+            add(k, last, fmt::format("{0} = add_with_rest({0}, {1}, {0}_rest)", sum, text_of(k + 3, last)),
+                "each addition drops the last digits of what it adds",
+                fmt::format(
+                    "{0} add_with_rest({0} sum, {0} term, inout {0} rest) {{ precise {0} all = term + rest; "
+                    "precise {0} next = sum + all; precise {0} added = next - sum; rest = all - added; "
+                    "return next; }}\n",
+                    token(i)));
+            found_.back().wide = true;
+            found_.back().declared_at = tokens_[i].at;
+            found_.back().declaration = fmt::format("{0} {1}_rest = {0}(0.0); ", token(i), sum);
+            return;
+        }
     }
 
     std::string_view text_;

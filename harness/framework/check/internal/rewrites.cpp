@@ -127,6 +127,10 @@ std::pair<std::string, unsigned> place_at(std::string_view text, std::size_t at,
     return {name, line};
 }
 
+std::string shown_declaration(const Candidate& candidate) {
+    return candidate.declaration.empty() ? "" : candidate.declaration + "// where the sum is declared\n";
+}
+
 std::vector<Case> cases_of(AuditRuns& runs, const AuditSearch& search,
                            const std::vector<AuditFinding>& findings) {
     std::vector<std::vector<Word>> all = search.traced;
@@ -158,18 +162,21 @@ std::vector<AuditRewrite> rewrites(const Lab& lab, AuditRuns& runs, const AuditS
     for (const Candidate& candidate : candidates_of(source.text)) {
         if (tried++ == most_tried) break;
         KernelSource changed = source;
-        changed.text = candidate.helper + source.text.substr(0, candidate.begin) + candidate.after +
-                       source.text.substr(candidate.end);
+        changed.text = source.text;
+        changed.text.replace(candidate.begin, candidate.end - candidate.begin, candidate.after);
+        changed.text.insert(candidate.declared_at, candidate.declaration);
+        changed.text.insert(0, candidate.helper);
         try {
             AuditRuns rewritten(lab, question, changed, runs);
-            const Score after = score_on(rewritten, cases);
+            Score after = score_on(rewritten, cases);
+            if (candidate.wide) after.width = before.width;
             if (!helps(before, after)) continue;
             const auto [file, line] = place_at(source.text, candidate.begin, question.file);
             all.push_back({.file = file,
                            .line = line,
                            .before = source.text.substr(candidate.begin, candidate.end - candidate.begin),
                            .after = candidate.after,
-                           .helper = candidate.helper,
+                           .helper = candidate.helper + shown_declaration(candidate),
                            .reason = candidate.reason,
                            .gain = gain_text(before, after, cases.size())});
         } catch (const shader::CompileError&) {
