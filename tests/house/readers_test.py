@@ -40,10 +40,10 @@ class Readers(unittest.TestCase):
         for path, text in ((self.file, "a + b"), (self.folder / "copy" / "disc.glsl", "a - b")):
             path.parent.mkdir()
             path.write_text(text, encoding="utf-8")
-        for name, lines in {"one.A:A.wide": [self.file, "other", "seconds 3"],
-                            "one.A:A.narrow": [self.file, "seconds 1"],
-                            "one.A:B,disc": [self.file, "x", "y", "seconds 1"], "one.A:A.blind": ["x", "seconds 1"],
-                            "two.A": [self.file], "two.A:C.shared": ["x", "y", "z", "seconds 1"]}.items():
+        for name, lines in {"one.A:A.wide": [self.file, "x", "y", "seconds 3"],
+                            "one.A:A.narrow": [self.file, "x", "seconds 1"],
+                            "one.A:B,disc": [self.file, "seconds 1"], "one.A:A.blind": ["x", "seconds 1"],
+                            "two.A": [self.file], "two.A:C.shared": ["seconds 1"]}.items():
             path = self.folder / "seen" / name
             path.parent.mkdir(exist_ok=True)
             path.write_text("".join(f"{line}\n" for line in lines), encoding="utf-8")
@@ -67,7 +67,7 @@ class Readers(unittest.TestCase):
         ran = self.log.read_text(encoding="utf-8").splitlines() if self.log.exists() else []
         return status, [line.removeprefix("--gtest_filter=") for line in ran]
 
-    def test_the_name_comes_first_then_those_that_read_the_fewest_files(self):
+    def test_what_reads_the_file_itself_comes_first_and_of_these_what_reads_the_fewest(self):
         self.assertEqual(self.run_it(), (0, ["B/disc", "A.narrow:A.wide:C.shared"]))
 
     def test_a_limit_and_the_first_failure_end_it(self):
