@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # Installs the build, moves the package elsewhere, builds the consumer against it, and runs the consumer twice. Its
 # shader must pass as it is. Broken, it must fail with a verdict and not with any other error. Before that the framework
-# alone is installed, without the shaders; and what 0.2 promises of C++ compiles against the package.
+# alone is installed, without the shaders; and what 0.2 promises of C++ compiles against the package. Where doctest is
+# installed, the shader passes and fails with it as well.
 set(prefix "${WORK}/moved here")
 set(consumer "${WORK}/own_function")
 set(shader "${consumer}/shaders/tone.glsl")
@@ -83,6 +84,15 @@ run("configure" "${CMAKE_COMMAND}" -G Ninja -S "${consumer}" -B "${consumer}/bui
 run("build" "${CMAKE_COMMAND}" --build "${consumer}/build")
 expect_verdict(pass)
 
+if(DOCTEST)
+  set(other "${WORK}/doctest")
+  run("configure doctest's" "${CMAKE_COMMAND}" -G Ninja -S "${CMAKE_CURRENT_LIST_DIR}/doctest" -B "${other}"
+    "-DCMAKE_PREFIX_PATH=${prefix}" "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_BUILD_TYPE=${BUILD_TYPE}"
+    "-DCMAKE_CXX_FLAGS=${flags}" "-DSHADERS=${consumer}/shaders")
+  run("build doctest's" "${CMAKE_COMMAND}" --build "${other}")
+  run("doctest's" "${other}/doctest_user")
+endif()
+
 file(READ "${shader}" text)
 string(REPLACE "1.0 + x" "1.5 + x" broken "${text}")
 if(broken STREQUAL text)
@@ -90,3 +100,9 @@ if(broken STREQUAL text)
 endif()
 file(WRITE "${shader}" "${broken}")
 expect_verdict(fail)
+if(DOCTEST)
+  execute_process(COMMAND "${other}/doctest_user" RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(status EQUAL 0 OR NOT output MATCHES "answer.passed.*tone_reinhard.*outside")
+    message(FATAL_ERROR "expected doctest to report the answer, exit status ${status}\n${output}")
+  endif()
+endif()
