@@ -4,6 +4,7 @@
 
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
+#include "gloam/gather/further_depths.glsl"
 #include "gloam/geometry/height_at.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/layers.glsl"
@@ -31,8 +32,7 @@ const float GLOAM_PAIR_FAR = 1e4;
 
 // Depths of all layers at a pixel.
 vec4 gloam_pair_layers(ivec2 pixel, int layers) {
-    vec3 further = layers > 1 ? abs(gloam_fetch_layers(pixel)) : vec3(0.0);
-    return vec4(gloam_fetch_depth(pixel), further);
+    return vec4(gloam_fetch_depth(pixel), abs(gloam_further_depths(pixel, layers)));
 }
 
 // The depths at two opposite taps. tap: of the unit disc, y as in the image.

@@ -4,6 +4,7 @@
 
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
+#include "gloam/gather/further_depths.glsl"
 #include "gloam/numeric/sincos.glsl"
 #include "gloam/occlusion/aksoy_phaneuf.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
@@ -29,7 +30,7 @@ GloamEstimate gloam_aksoy_phaneuf(vec3 position, vec3 normal, GloamCamera camera
         ivec2 at = gloam_footprint_pixel(footprint, tap);
         float first = gloam_fetch_depth(at);
         if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;
-        vec3 further = kernel.layers > 1 ? gloam_fetch_layers(at) : vec3(0.0);
+        vec3 further = gloam_further_depths(at, kernel.layers);
         float most = 0.0;
         for (int layer = 0; layer < kernel.layers; ++layer) {
             float depth = gloam_layer_depth(first, further, layer);

@@ -4,6 +4,7 @@
 
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
+#include "gloam/gather/further_depths.glsl"
 #include "gloam/geometry/slice.glsl"
 #include "gloam/numeric/constants.glsl"
 #include "gloam/occlusion/closed_march.glsl"
@@ -71,7 +72,7 @@ GloamEstimate gloam_bitmask(vec3 position, vec3 normal, GloamCamera camera, Gloa
                 float share = (float(k) + random.jitter) / float(steps);
                 ivec2 at = gloam_footprint_pixel(footprint, towards * share * share * random.direction);
                 float first = gloam_fetch_depth(at);
-                vec3 further = kernel.layers > 1 ? gloam_fetch_layers(at) : vec3(0.0);
+                vec3 further = gloam_further_depths(at, kernel.layers);
                 for (int layer = 0; layer < kernel.layers; ++layer) {
                     float depth = gloam_layer_depth(first, further, layer);
                     vec3 seen = gloam_footprint_position(footprint, at, depth) - position;

@@ -4,6 +4,7 @@
 
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
+#include "gloam/gather/further_depths.glsl"
 #include "gloam/geometry/into_slice.glsl"
 #include "gloam/geometry/slice.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
@@ -52,7 +53,7 @@ GloamEstimate gloam_hbao(vec3 position, vec3 normal, GloamCamera camera, GloamKe
                 float share = (float(k) + random.jitter) / float(steps);
                 ivec2 at = gloam_footprint_pixel(footprint, towards * share * share * random.direction);
                 float first = gloam_fetch_depth(at);
-                vec3 further = kernel.layers > 1 ? gloam_fetch_layers(at) : vec3(0.0);
+                vec3 further = gloam_further_depths(at, kernel.layers);
                 for (int layer = 0; layer < kernel.layers; ++layer) {
                     float depth = gloam_layer_depth(first, further, layer);
                     vec3 seen = gloam_footprint_position(footprint, at, depth) - position;
@@ -106,7 +107,7 @@ GloamEstimate gloam_hbao_study(vec3 position, vec3 normal, GloamCamera camera, G
                 float share = (float(k) + random.jitter) / float(steps);
                 ivec2 at = gloam_footprint_pixel(footprint, towards * share * random.direction);
                 float first = gloam_fetch_depth(at);
-                vec3 further = kernel.layers > 1 ? gloam_fetch_layers(at) : vec3(0.0);
+                vec3 further = gloam_further_depths(at, kernel.layers);
                 for (int layer = 0; layer < kernel.layers; ++layer) {
                     float depth = gloam_layer_depth(first, further, layer);
                     vec3 seen = gloam_footprint_position(footprint, at, depth) - position;
@@ -154,7 +155,7 @@ GloamEstimate gloam_hsao(vec3 position, vec3 normal, GloamCamera camera, GloamKe
             vec3 at = gloam_eye_march(position, direction, kernel.radius, k, steps, jitter);
             ivec2 pixel = gloam_footprint_seen(footprint, at);
             float first = gloam_fetch_depth(pixel);
-            vec3 further = kernel.layers > 1 ? gloam_fetch_layers(pixel) : vec3(0.0);
+            vec3 further = gloam_further_depths(pixel, kernel.layers);
             if (!(at.z < 0.0) || pixel == footprint.pixel) continue;
             for (int layer = 0; layer < kernel.layers; ++layer) {
                 float depth = gloam_layer_depth(first, further, layer);

@@ -4,6 +4,7 @@
 
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
+#include "gloam/gather/further_depths.glsl"
 #include "gloam/numeric/sincos.glsl"
 #include "gloam/occlusion/blocked.glsl"
 #include "gloam/occlusion/crytek.glsl"
@@ -43,7 +44,7 @@ GloamEstimate gloam_hemisphere(vec3 position, vec3 normal, GloamCamera camera, G
         float depth = gloam_footprint_plane_depth(footprint, pixel, at, frame[2]);
         float first = gloam_fetch_depth(pixel);
         if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;
-        vec3 further = kernel.layers > 1 ? gloam_fetch_layers(pixel) : vec3(0.0);
+        vec3 further = gloam_further_depths(pixel, kernel.layers);
         GloamLayersSeen layers = GloamLayersSeen(0.0, 0.0, true);
         for (int layer = 0; layer < kernel.layers; ++layer) {
             float seen = gloam_layer_depth(first, further, layer);
@@ -76,7 +77,7 @@ GloamEstimate gloam_filion(vec3 position, vec3 normal, GloamCamera camera, Gloam
         float depth = gloam_footprint_plane_depth(footprint, pixel, at, frame[2]);
         float first = gloam_fetch_depth(pixel);
         if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;
-        vec3 further = kernel.layers > 1 ? gloam_fetch_layers(pixel) : vec3(0.0);
+        vec3 further = gloam_further_depths(pixel, kernel.layers);
         GloamLayersSeen layers = GloamLayersSeen(0.0, 0.0, true);
         for (int layer = 0; layer < kernel.layers; ++layer) {
             float seen = gloam_layer_depth(first, further, layer);
@@ -112,7 +113,7 @@ GloamEstimate gloam_crytek(vec3 position, vec3 normal, GloamCamera camera, Gloam
         float depth = gloam_footprint_plane_depth(footprint, pixel, at, frame[2]);
         float first = gloam_fetch_depth(pixel);
         if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;
-        vec3 further = kernel.layers > 1 ? gloam_fetch_layers(pixel) : vec3(0.0);
+        vec3 further = gloam_further_depths(pixel, kernel.layers);
         GloamLayersSeen layers = GloamLayersSeen(0.0, 0.0, true);
         for (int layer = 0; layer < kernel.layers; ++layer) {
             float seen = gloam_layer_depth(first, further, layer);

@@ -5,6 +5,7 @@
 #include "gloam/gather/covering_disc.glsl"
 #include "gloam/gather/distinct_pixels.glsl"
 #include "gloam/gather/fetch.glsl"
+#include "gloam/gather/further_depths.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/issao.glsl"
@@ -36,7 +37,7 @@ GloamEstimate gloam_issao(vec3 position, vec3 normal, GloamCamera camera, GloamK
         if (settings.distinct && !gloam_distinct_add(known, at)) continue;
         float first = gloam_fetch_depth(at);
         if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;
-        vec3 further = kernel.layers > 1 ? gloam_fetch_layers(at) : vec3(0.0);
+        vec3 further = gloam_further_depths(at, kernel.layers);
         float most = 0.0;
         for (int layer = 0; layer < kernel.layers; ++layer) {
             float depth = gloam_layer_depth(first, further, layer);
@@ -72,7 +73,7 @@ GloamEstimate gloam_issao_attenuated(vec3 position, vec3 normal, GloamCamera cam
         ivec2 at = gloam_covering_pixel(disc, kernel.first + i + 1u);
         float first = gloam_fetch_depth(at);
         if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;
-        vec3 further = kernel.layers > 1 ? gloam_fetch_layers(at) : vec3(0.0);
+        vec3 further = gloam_further_depths(at, kernel.layers);
         float most = 0.0;
         for (int layer = 0; layer < kernel.layers; ++layer) {
             float depth = gloam_layer_depth(first, further, layer);
@@ -113,7 +114,7 @@ GloamEstimate gloam_issao_basic(vec3 position, vec3 normal, GloamCamera camera, 
         ivec2 at = gloam_covering_pixel(disc, kernel.first + i + 1u);
         float first = gloam_fetch_depth(at);
         if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;
-        vec3 further = kernel.layers > 1 ? gloam_fetch_layers(at) : vec3(0.0);
+        vec3 further = gloam_further_depths(at, kernel.layers);
         float most = 0.0;
         for (int layer = 0; layer < kernel.layers; ++layer) {
             float depth = gloam_layer_depth(first, further, layer);

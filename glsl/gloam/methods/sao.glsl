@@ -4,6 +4,7 @@
 
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
+#include "gloam/gather/further_depths.glsl"
 #include "gloam/numeric/sincos.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
@@ -52,7 +53,7 @@ GloamEstimate gloam_sao(vec3 position, vec3 normal, GloamCamera camera, GloamKer
             gloam_tap_pixel(gloam_footprint_pixel(footprint, tap), footprint.pixel, camera.size, settings.mip_distance);
         float first = gloam_fetch_depth(at);
         if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;
-        vec3 further = kernel.layers > 1 ? gloam_fetch_layers(at) : vec3(0.0);
+        vec3 further = gloam_further_depths(at, kernel.layers);
         float most = 0.0;
         for (int layer = 0; layer < kernel.layers; ++layer) {
             float depth = gloam_layer_depth(first, further, layer);

@@ -3,6 +3,7 @@
 #define GLOAM_METHODS_SAO_CHAIN_GLSL
 
 #include "gloam/gather/fetch.glsl"
+#include "gloam/gather/further_depths.glsl"
 #include "gloam/methods/sao.glsl"
 
 // SAO with its depth chain in an image (preparation/depth_chain.comp), as in the paper. Far taps read neighbouring
@@ -38,7 +39,7 @@ GloamEstimate gloam_sao_chain(vec3 position, vec3 normal, GloamCamera camera, Gl
         float first =
             chained ? gloam_fetch_prepared(gloam_chain_texel(texel, level, camera.size)).x : gloam_fetch_depth(at);
         if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;
-        vec3 further = kernel.layers > 1 ? gloam_fetch_layers(at) : vec3(0.0);
+        vec3 further = gloam_further_depths(at, kernel.layers);
         float most = 0.0;
         for (int layer = 0; layer < kernel.layers; ++layer) {
             float depth = gloam_layer_depth(first, further, layer);

@@ -4,6 +4,7 @@
 
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
+#include "gloam/gather/further_depths.glsl"
 #include "gloam/geometry/length.glsl"
 #include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/sincos.glsl"
@@ -49,7 +50,7 @@ GloamEstimate gloam_sphere_proxy(vec3 position, vec3 normal, GloamCamera camera,
         ivec2 at = gloam_footprint_pixel(footprint, tap);
         if (at == footprint.pixel) continue;
         float first = gloam_fetch_depth(at);
-        vec3 further = kernel.layers > 1 ? gloam_fetch_layers(at) : vec3(0.0);
+        vec3 further = gloam_further_depths(at, kernel.layers);
         float most = 0.0;
         for (int layer = 0; layer < kernel.layers; ++layer) {
             float depth = gloam_layer_depth(first, further, layer);
@@ -101,7 +102,7 @@ GloamEstimate gloam_mixture(vec3 position, vec3 normal, GloamCamera camera, Gloa
         ivec2 at = gloam_footprint_pixel(footprint, tap);
         if (at == footprint.pixel) continue;
         float first = gloam_fetch_depth(at);
-        vec3 further = kernel.layers > 1 ? gloam_fetch_layers(at) : vec3(0.0);
+        vec3 further = gloam_further_depths(at, kernel.layers);
         float most = 0.0;
         for (int layer = 0; layer < kernel.layers; ++layer) {
             float depth = gloam_layer_depth(first, further, layer);

@@ -4,6 +4,7 @@
 
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
+#include "gloam/gather/further_depths.glsl"
 #include "gloam/occlusion/blocked.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/layers.glsl"
@@ -44,7 +45,7 @@ GloamEstimate gloam_ssdo(vec3 position, vec3 normal, GloamCamera camera, GloamKe
             vec3 at = gloam_eye_march(position, direction, kernel.radius, k, steps, jitter);
             ivec2 pixel = gloam_footprint_seen(footprint, at);
             float first = gloam_fetch_depth(pixel);
-            vec3 further = kernel.layers > 1 ? gloam_fetch_layers(pixel) : vec3(0.0);
+            vec3 further = gloam_further_depths(pixel, kernel.layers);
             if (!(at.z < 0.0) || pixel == footprint.pixel) continue;
             for (int layer = 0; layer < kernel.layers; ++layer) {
                 float depth = gloam_layer_depth(first, further, layer);

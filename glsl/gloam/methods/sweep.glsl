@@ -4,6 +4,7 @@
 
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
+#include "gloam/gather/further_depths.glsl"
 #include "gloam/geometry/slice.glsl"
 #include "gloam/numeric/precise.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
@@ -56,7 +57,7 @@ GloamEstimate gloam_sweep(vec3 position, vec3 normal, GloamCamera camera, GloamK
                 float place = gloam_slice_place((float(k) + random.jitter) / float(steps), max(reach.x, reach.y));
                 ivec2 at = gloam_footprint_pixel(footprint, towards * place * random.direction);
                 float first = gloam_fetch_depth(at);
-                vec3 further = kernel.layers > 1 ? gloam_fetch_layers(at) : vec3(0.0);
+                vec3 further = gloam_further_depths(at, kernel.layers);
                 float before = side.before;
                 float nearest = before;  // of the first layer: what lies further behind does not change what follows
                 for (int layer = 0; layer < kernel.layers; ++layer) {
