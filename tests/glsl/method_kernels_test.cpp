@@ -124,6 +124,34 @@ TEST_P(Kernels, AllBackgroundIsAlike) {
 
 INSTANTIATE_TEST_SUITE_P(All, Kernels, testing::ValuesIn(test::method_names()), test::parameter_name);
 
+// A frame's spiral is turned by the radical inverse of its number.
+class Spirals : public testing::TestWithParam<std::string> {};
+
+TEST_P(Spirals, TurnFromFrameToFrame) {
+    const OnRough method{GetParam(), 1};
+    const Camera camera = rough::camera(false);
+    const Surfaces surfaces{rough::surface(0, camera)};
+    const auto at = [&](unsigned frame, double turns) {
+        std::vector<Inputs> points = OnRough::points(camera);
+        for (Inputs& point : points) {
+            auto& samples = std::get<test::Samples>(point);
+            samples.first = frame * samples.count;
+            samples.angle += static_cast<float>(2.0 * std::numbers::pi * turns);
+        }
+        return method(points, surfaces);
+    };
+    for (const auto& [frame, turns] : {std::pair{1U, 0.5}, {2U, 0.25}, {3U, 0.75}, {4U, 0.125}}) {
+        const test::Results got = at(frame, 0.0);
+        const test::Results want = at(0, turns);
+        std::size_t apart = 0;  // a tap at the border of a pixel may read its neighbour
+        for (std::size_t i = 0; i < got.size(); ++i)
+            apart += std::abs(got[i].x - want[i].x) > 1e-4F * got[i].y ? 1 : 0;
+        EXPECT_LE(apart, got.size() / 20) << frame;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Spirals, testing::Values("sao", "sao_chain"), test::parameter_name);
+
 class PointsOfMethod : public testing::TestWithParam<std::string> {};
 
 // A frame takes the points of its own samples of the shared sequence, each of them, and no others.
