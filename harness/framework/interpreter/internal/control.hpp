@@ -247,7 +247,7 @@ void do_either(State<N>& s, const Instruction& i) {
 
 template <class N>
 void do_load_resource(State<N>& s, const Instruction& i) {
-    s.set(i, i.result, static_cast<Word>(s.pointers[i.a].resource));
+    s.set(i, i.result, static_cast<Word>(s.pointers[i.a].resource + s.pointers[i.a].offset));
 }
 
 // Index of the first word of the texel at the coordinates.
