@@ -241,8 +241,7 @@ KernelCore Lab::kernel(const std::string& file, const std::string& function,
         if (shader::for_any_sampler_index(module.spirv))
             throw backend::Unsupported(
                 fmt::format("{}: the index into an array of samplers is not constant and may differ between "
-                            "inputs, which "
-                            "GLSL {} does not allow",
+                            "inputs, which GLSL {} does not allow",
                             function, to_string(*text_language)));
         module.glsl = internal::gl_kernel_code(*text_language, made_of, options_.include_roots);
         module.judged_by_rules = internal::has_precision_rules(*text_language) &&

@@ -132,9 +132,8 @@ LeftOut refused(const shader::Excerpt& excerpt, const std::string& definition, c
     if (excerpt.interface.contains(name))
         return {definition,
                 fmt::format("it uses \"{}\", an image or sampler, at {}; expected a sampler or an array of "
-                            "them, a single "
-                            "image2D with a format of 32 bits like r32f, or values from parameters and "
-                            "prototypes T name(ivec2)",
+                            "samplers, a single image2D with a format of 32 bits like r32f, or values from "
+                            "parameters and prototypes T name(ivec2)",
                             name, place)};
     if (is("not supported in this stage") || (name.starts_with("gl_") && is("undeclared identifier")))
         return {definition,

@@ -38,9 +38,7 @@ class Indices {
                 for (const Op& op : block.ops)
                     if (op.type() != 0 && is_opaque(op.type()))
                         module_.decorate(op.result(), SpvDecorationNonUniform);
-        constexpr const char* extension = "SPV_EXT_descriptor_indexing";
-        module_.require(SpvCapabilityShaderNonUniform, extension);
-        module_.require(SpvCapabilitySampledImageArrayNonUniformIndexing, extension);
+        module_.require(SpvCapabilitySampledImageArrayNonUniformIndexing, "SPV_EXT_descriptor_indexing");
     }
 
   private:
@@ -66,17 +64,19 @@ class Indices {
                                                    module_.global(array)->operands().end());
             array = shape[0];
             const Op* constant = module_.global(chain.words[w]);
-            if (constant != nullptr && constant->opcode == SpvOpConstant) continue;
+            const bool is_constant = constant != nullptr && constant->opcode == SpvOpConstant;
+            if (is_constant || shape.size() < 2) continue;  // or an array of any length
             const Id type = types.at(chain.words[w]);
             const std::uint32_t length = module_.global(shape[1])->operands()[0];
+            const auto number = [&](std::uint32_t value) {
+                std::vector<std::uint32_t> words(module_.global(type)->operands()[0] > 32 ? 2 : 1);
+                words[0] = value;
+                return module_.global_of(SpvOpConstant, type, words);
+            };
             const Id inside = module_.fresh();
             const Id index = module_.fresh();
-            before.push_back({SpvOpULessThan,
-                              {module_.bool_type(), inside, chain.words[w],
-                               module_.global_of(SpvOpConstant, type, {length})}});
-            before.push_back({SpvOpSelect,
-                              {type, index, inside, chain.words[w],
-                               module_.global_of(SpvOpConstant, type, {length - 1})}});
+            before.push_back({SpvOpULessThan, {module_.bool_type(), inside, chain.words[w], number(length)}});
+            before.push_back({SpvOpSelect, {type, index, inside, chain.words[w], number(length - 1)}});
             chain.words[w] = index;
         }
         if (before.empty()) return false;

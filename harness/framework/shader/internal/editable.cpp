@@ -223,6 +223,10 @@ void Editable::share_decorations(Id from, Id to, bool moves) {
 }
 
 void Editable::require(std::uint32_t capability, std::string_view extension) {
+    const auto is_there = [&](const Op& op) {
+        return op.opcode == SpvOpCapability && op.words[0] == capability;
+    };
+    if (std::ranges::any_of(debug_, is_there)) return;
     std::vector<std::uint32_t> text(extension.size() / sizeof(std::uint32_t) + 1);
     std::ranges::copy(std::as_bytes(std::span(extension)), std::as_writable_bytes(std::span(text)).begin());
     const auto behind = std::ranges::find_if_not(

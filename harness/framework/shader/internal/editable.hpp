@@ -88,6 +88,7 @@ class Editable {
     void decorate(Id id, std::uint32_t decoration) {
         decorations_.push_back({opcode_decorate, {id, decoration}});
     }
+    // Adds the capability, which belongs to the extension.
     void require(std::uint32_t capability, std::string_view extension);
 
     // Whether one truth value selects between vectors (SPIR-V 1.4).

@@ -22,8 +22,7 @@ bool opens(const std::string& token) {
     return token == "(" || token == "[" || token == "{";
 }
 
-// The declared names of "a, b[2], c = f(1)": each the last name, outside of brackets, before a '=' or the
-// end.
+// The declared names of "a, b[2], c = f(1)": each the last name outside brackets, before a '=' or the end.
 void add_declared(Tokens list, std::vector<std::string>& names) {
     std::string last;
     bool named = false;
