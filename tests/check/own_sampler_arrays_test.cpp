@@ -34,6 +34,7 @@ class Driver : public backend::Backend {
     [[nodiscard]] std::unique_ptr<backend::Kernel> make_kernel(
         const backend::KernelProgram& program) const override {
         EXPECT_NO_THROW(shader::validate(program.spirv));
+        EXPECT_THAT(shader::disassemble(program.spirv), HasSubstr(" NonUniform\n"));
         return interpreter()->make_kernel(program);
     }
 
