@@ -21,12 +21,6 @@ const std::vector<const char*> by_indices{"picked", "picked_and_passed", "picked
                                           "summed"};
 const Ranges inside{{"i", {0, 3}}, {"p", {0, 3}}};
 
-// A device that has the first two images the other way round.
-std::shared_ptr<backend::Backend> exchanged(std::shared_ptr<backend::Backend> right) {
-    const auto before = [](std::vector<std::vector<Word>>& images) { std::swap(images[0], images[1]); };
-    return std::make_shared<test::ChangedDevice>(std::move(right), before, nullptr);
-}
-
 // The interpreter in the place of a driver, which is given what drivers are given.
 class Driver : public backend::Backend {
   public:
@@ -83,6 +77,12 @@ TEST(SamplerArrays, HaveAnImageForEachElement) {
     EXPECT_THAT(samplers("both"), ElementsAre("sampler2D pair[0]", "sampler2D pair[1]", "sampler2D more[0]",
                                               "sampler2D more[1]"));
     EXPECT_THAT(samplers("id"), ElementsAre("isampler2D ids[0]", "isampler2D ids[1]", "isampler2D ids[2]"));
+    const Lab lab(options_of(file), test::SharedDevice::get());
+    std::vector<std::uint32_t> elements;
+    for (const auto& image :
+         reproduce(lab, question_of(lab, file, function_of(file, "passed"), {}), {.inputs = 64}).images)
+        elements.push_back(image.element);
+    EXPECT_THAT(elements, ElementsAre(0, 1, 2, 3, 0, 1, 0)) << "the last is more, which it does not use";
 }
 
 TEST(SamplerArrays, ConstantsAreWithinTheRules) {
@@ -92,7 +92,9 @@ TEST(SamplerArrays, ConstantsAreWithinTheRules) {
         EXPECT_TRUE(answer.passed()) << name << "\n" << answer;
         EXPECT_EQ(answer.undefined, 0U) << name;
     }
-    const Lab changed(options_of(file), exchanged(test::SharedDevice::get()));
+    const auto exchange = [](std::vector<std::vector<Word>>& images) { std::swap(images[0], images[1]); };
+    const Lab changed(options_of(file),
+                      std::make_shared<test::ChangedDevice>(test::SharedDevice::get(), exchange, nullptr));
     for (const char* name : {"second", "both"})
         EXPECT_GT(answer_of(changed, file, name).outside(), 0U) << name;
     for (const shader::Variant& variant : shader::variants()) {
