@@ -87,7 +87,7 @@ TEST(OwnImages, AWrongPixelIsNoticed) {
 
 TEST(OwnImages, OtherOnesAreLeftOutWithTheReason) {
     EXPECT_THAT(reason_of(file, "of_bytes"),
-                HasSubstr("expected a single sampler, a single image2D with a format of 32"));
+                HasSubstr("expected a sampler or an array of samplers, a single image2D"));
     EXPECT_THAT(reason_of(file, "of_several"), HasSubstr("it uses \"several\", an image or sampler"));
     EXPECT_EQ(reason_of(file, "sum_of"),
               "values of the parameter type image2D cannot be drawn: image2D is not supported");

@@ -10,6 +10,7 @@
 #include "base/threads.hpp"
 #include "check/interpreted_kernel.hpp"
 #include "interpreter/program.hpp"
+#include "shader/spirv.hpp"
 
 namespace gloam::check {
 namespace {
@@ -25,7 +26,12 @@ Word new_canary() {
 
 std::unique_ptr<const backend::Kernel> made(const backend::Backend& device, const KernelModule& module,
                                             const std::string& name) {
-    backend::KernelProgram program{.spirv = module.spirv,
+    // The interpreter reports an index outside of an array of samplers.
+    const bool may_index =
+        device.info().name != interpreter_name &&
+        std::ranges::any_of(module.images, [](const auto& image) { return image.sampler.has_value(); });
+    const auto indexed = may_index ? shader::for_any_sampler_index(module.spirv) : std::nullopt;
+    backend::KernelProgram program{.spirv = indexed ? *indexed : module.spirv,
                                    .constants = module.constants,
                                    .text = module.glsl,
                                    .input_words = module.input_words,
@@ -38,6 +44,7 @@ std::unique_ptr<const backend::Kernel> made(const backend::Backend& device, cons
     for (const ImagePrototype& image : module.images) {
         program.stores.push_back(image.stores);
         program.sampled.push_back(image.sampler.has_value());
+        program.elements.push_back(image.sampler ? image.sampler->element : 0);
         program.layered.push_back(image.layers ? image.layers->format : std::string());
     }
     return device.make_kernel(program);
@@ -151,7 +158,7 @@ std::vector<ImagePrototype> images_of(const backend::KernelProgram& program) {
     std::vector<ImagePrototype> images(program.sampled.size());
     for (std::size_t i = 0; i < images.size(); ++i)
         if (program.sampled[i])
-            images[i].sampler.emplace();
+            images[i].sampler.emplace().element = program.elements[i];
         else if (!program.layered[i].empty())
             images[i].layers = {.format = program.layered[i], .macro = {}};
     return images;

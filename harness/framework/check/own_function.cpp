@@ -24,6 +24,7 @@ constexpr double usual_high = 1e6;
 constexpr long usual_integer = 1000;
 constexpr long usual_index = 7;  // most integer parameters are indices, counts or modes
 constexpr long largest_unsigned = 1L << 31;
+constexpr std::size_t most_samplers = 16;  // of an array: every device reads so many
 
 // Of a float type, those of its numbers.
 Range usual_range(Scalar scalar) {
@@ -101,6 +102,11 @@ std::string why_not(const shader::Function& function, const shader::Excerpt& exc
         if (access == shader::Access::buffer && excerpt.needs == shader::Needs::group)
             return fmt::format("the buffer \"{}\", which it may write, is shared by its group", p.name);
     }
+    for (const shader::Parameter& one : function.globals) {
+        const bool many = one.type.scalar == Scalar::oversized || scalar_count(one.type) > most_samplers;
+        if (many && std::ranges::count(excerpt.bound, one.name, &shader::BoundVariable::name) > 0)
+            return fmt::format("the array \"{}\" has more than {} samplers", one.name, most_samplers);
+    }
     if (const std::string what = obstacle(function.result); !what.empty())
         return fmt::format("a result of type {} cannot be read: {}", shader::name_of(function.result), what);
     constexpr std::uint32_t most = interpreter::Machine<float>::most_invocations;
@@ -125,9 +131,9 @@ LeftOut refused(const shader::Excerpt& excerpt, const std::string& definition, c
     const auto is = [&first](const char* text) { return first.find(text) != std::string::npos; };
     if (excerpt.interface.contains(name))
         return {definition,
-                fmt::format("it uses \"{}\", an image or sampler, at {}; expected a single sampler, a single "
-                            "image2D with a format of 32 bits like r32f, or values from parameters and "
-                            "prototypes T name(ivec2)",
+                fmt::format("it uses \"{}\", an image or sampler, at {}; expected a sampler or an array of "
+                            "samplers, a single image2D with a format of 32 bits like r32f, or values from "
+                            "parameters and prototypes T name(ivec2)",
                             name, place)};
     if (is("not supported in this stage") || (name.starts_with("gl_") && is("undeclared identifier")))
         return {definition,

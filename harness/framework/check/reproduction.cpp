@@ -120,10 +120,13 @@ Reproduction without_verdict(const Lab& lab, const Question& question, const std
                      .outputs = question.signature.output_scalars()};
     all.assembly = shader::disassemble(all.spirv);
     std::vector<std::vector<Word>> words = image_words(source.images, images, question.function);
-    for (std::size_t i = 0; i < words.size(); ++i)
-        all.images.push_back({.name = source.images[i].name,
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const ImagePrototype& image = source.images[i];
+        all.images.push_back({.name = image.name,
                               .words = std::move(words[i]),
-                              .bound = !source.images[i].is_prototype()});
+                              .bound = !image.is_prototype(),
+                              .element = image.sampler ? image.sampler->element : 0});
+    }
     add_opengl(lab, source, all);
     return all;
 }

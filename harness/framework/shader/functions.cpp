@@ -126,14 +126,16 @@ void merge(std::vector<Parameter>& used, const Parameter& variable, Direction di
     if (direction == Direction::inout) found->direction = direction;
 }
 
-// Private variables at file scope, and what a function does with them.
+// Private variables, samplers and images at file scope, and what a function does with them.
 class Globals {
     using Variable = std::pair<Id, Parameter>;
 
   public:
     Globals(const std::vector<Instruction>& code, const TypeReader& types) {
         for (const Instruction& instruction : code)
-            if (instruction.opcode == SpvOpVariable && instruction.word(3) == SpvStorageClassPrivate)
+            if (instruction.opcode == SpvOpVariable &&
+                (instruction.word(3) == SpvStorageClassPrivate ||
+                 instruction.word(3) == SpvStorageClassUniformConstant))
                 variables_.push_back({instruction.word(2),
                                       {types.name_of(instruction.word(2)), types.type_of(instruction.word(1)),
                                        Direction::in, true}});

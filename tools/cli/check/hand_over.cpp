@@ -175,10 +175,11 @@ HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
                         const HandOverRequest& request, const check::RunOptions& options) {
     const check::Reproduction all = reproduction_of(lab, question, request, options);
     const backend::DeviceInfo& device = lab.info();
-    // The scripts have storage buffers and no images; the program has images for samplers as well.
+    // The scripts have storage buffers and no images; the program has images for single samplers as well.
     const bool has_images = std::ranges::any_of(all.images, &check::Reproduction::ImageBuffer::bound);
-    const bool has_layers =
-        std::ranges::any_of(all.images, [](const auto& image) { return image.bound && image.words.empty(); });
+    const bool has_others = std::ranges::any_of(all.images, [](const auto& image) {  // layers, arrays
+        return image.element > 0 || (image.bound && image.words.empty());
+    });
     HandOver hand_over;
     if (const auto opengl = gl::device_name_from(lab.info().name)) {
         const report::ShaderReplay replay = shader_replay_of(opengl->version, all);
@@ -198,7 +199,7 @@ HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
                 return replay_of(all, question, request.task, device, how);
             };
             if (!has_images) hand_over.amber = report::to_amber(replay("amber -v 1.2 -t spv1.5 repro.amber"));
-            if (!has_layers)
+            if (!has_others)
                 hand_over.c_program = report::to_c_program(
                     replay("cc repro.c -o repro -lvulkan -lm && ./repro"), modules_of(all));
         }

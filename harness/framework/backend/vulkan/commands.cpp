@@ -32,7 +32,7 @@ ComputeHandles create(const Context& context, const ComputeProgram& program) {
 
 void check_count(const Context& context, std::span<const BindingKind> kinds, BindingKind kind,
                  std::uint32_t limit) {
-    const auto count = std::ranges::count(kinds, kind);
+    const auto count = std::ranges::count(kinds, descriptor_type(kind), descriptor_type);
     if (count > limit) {
         throw std::invalid_argument(fmt::format("pipeline with {} {} bindings: device \"{}\" allows {}",
                                                 count, name_of(kind), context.physical.info.name, limit));
@@ -63,11 +63,14 @@ vk::raii::DescriptorSetLayout make_set_layout(const Context& context, std::span<
     check_count(context, kinds, BindingKind::sampled_image,
                 std::min(limits.maxPerStageDescriptorSampledImages, limits.maxPerStageDescriptorSamplers));
     std::vector<vk::DescriptorSetLayoutBinding> bindings;
-    for (const auto kind : kinds) {
-        bindings.push_back({.binding = static_cast<std::uint32_t>(bindings.size()),
-                            .descriptorType = descriptor_type(kind),
-                            .descriptorCount = 1,
-                            .stageFlags = stages});
+    for (std::uint32_t i = 0; i < kinds.size(); ++i) {
+        if (kinds[i] == BindingKind::sampled_element)
+            ++bindings.back().descriptorCount;
+        else
+            bindings.push_back({.binding = i,
+                                .descriptorType = descriptor_type(kinds[i]),
+                                .descriptorCount = 1,
+                                .stageFlags = stages});
     }
     return {context.device,
             vk::DescriptorSetLayoutCreateInfo{.bindingCount = static_cast<std::uint32_t>(bindings.size()),
@@ -81,6 +84,7 @@ vk::DescriptorType descriptor_type(BindingKind kind) {
         case BindingKind::storage_image:
             return vk::DescriptorType::eStorageImage;
         case BindingKind::sampled_image:
+        case BindingKind::sampled_element:
             return vk::DescriptorType::eCombinedImageSampler;
         case BindingKind::uniform_buffer:
             return vk::DescriptorType::eUniformBuffer;
@@ -95,6 +99,7 @@ const char* name_of(BindingKind kind) {
         case BindingKind::storage_image:
             return "storage image";
         case BindingKind::sampled_image:
+        case BindingKind::sampled_element:
             return "sampled image";
         case BindingKind::uniform_buffer:
             return "uniform buffer";
@@ -164,9 +169,12 @@ void write_descriptors(const Context& context, const vk::raii::DescriptorSet& se
     std::vector<vk::DescriptorBufferInfo> buffers(resources.size());
     std::vector<vk::DescriptorImageInfo> images(resources.size());
     std::vector<vk::WriteDescriptorSet> writes;
+    std::uint32_t element = 0;
     for (std::uint32_t i = 0; i < resources.size(); ++i) {
+        element = bindings[i] == BindingKind::sampled_element ? element + 1 : 0;
         vk::WriteDescriptorSet write{.dstSet = *set,
-                                     .dstBinding = i,
+                                     .dstBinding = i - element,
+                                     .dstArrayElement = element,
                                      .descriptorCount = 1,
                                      .descriptorType = descriptor_type(bindings[i])};
         if (const auto* buffer = std::get_if<std::reference_wrapper<const Buffer>>(&resources[i])) {
@@ -230,7 +238,7 @@ void check_resource(const char* what, const Context& context, BindingKind wanted
     }
     if (const auto* sampled = std::get_if<std::reference_wrapper<const SampledImage>>(&resource)) {
         check_same_device(sampled->get().impl().context, context, fmt::format("{}: an image", what));
-        if (wanted == BindingKind::sampled_image) return;
+        if (descriptor_type(wanted) == vk::DescriptorType::eCombinedImageSampler) return;
         throw std::invalid_argument(
             fmt::format("{}: resource {} is a sampled image, the pipeline's binding is a {}", what, binding,
                         name_of(wanted)));

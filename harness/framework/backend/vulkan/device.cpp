@@ -22,20 +22,22 @@ Physical choose(const vk::raii::Instance& instance, const std::string& selector)
     return {std::move(devices[chosen]), std::move(infos[chosen])};
 }
 
-vk::PhysicalDeviceVulkan12Features small_numbers_of(const vk::raii::PhysicalDevice& device) {
+vk::PhysicalDeviceVulkan12Features wanted_of_1_2(const vk::raii::PhysicalDevice& device) {
     const auto offered =
         device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features>()
             .get<vk::PhysicalDeviceVulkan12Features>();
-    return {.shaderFloat16 = offered.shaderFloat16, .shaderInt8 = offered.shaderInt8};
+    return {.shaderFloat16 = offered.shaderFloat16,
+            .shaderInt8 = offered.shaderInt8,
+            .shaderSampledImageArrayNonUniformIndexing = offered.shaderSampledImageArrayNonUniformIndexing};
 }
 
 vk::raii::Device open_device(const Physical& physical, const vk::PhysicalDeviceFeatures& features) {
     constexpr float priority = 1.0f;
-    const vk::PhysicalDeviceVulkan12Features small = small_numbers_of(physical.handle);
+    const vk::PhysicalDeviceVulkan12Features newer = wanted_of_1_2(physical.handle);
     const vk::DeviceQueueCreateInfo queue{
         .queueFamilyIndex = physical.queue_family, .queueCount = 1, .pQueuePriorities = &priority};
     return {physical.handle,
-            {.pNext = &small,
+            {.pNext = &newer,
              .queueCreateInfoCount = 1,
              .pQueueCreateInfos = &queue,
              .pEnabledFeatures = &features}};
@@ -169,16 +171,19 @@ std::vector<std::string> missing_features(const Context& context, std::span<cons
     constexpr std::size_t header_words = 5;
     constexpr std::uint32_t capability = 17;  // OpCapability: two words
     const vk::PhysicalDeviceFeatures offered = context.physical.handle.getFeatures();
-    const vk::PhysicalDeviceVulkan12Features small = small_numbers_of(context.physical.handle);
+    const vk::PhysicalDeviceVulkan12Features newer = wanted_of_1_2(context.physical.handle);
     struct Needed {
         std::uint32_t capability;
         const char* name;
         vk::Bool32 has;
     };
-    const std::array all{
-        Needed{9, "shaderFloat16", small.shaderFloat16}, Needed{10, "shaderFloat64", offered.shaderFloat64},
-        Needed{11, "shaderInt64", offered.shaderInt64}, Needed{22, "shaderInt16", offered.shaderInt16},
-        Needed{39, "shaderInt8", small.shaderInt8}};
+    const std::array all{Needed{9, "shaderFloat16", newer.shaderFloat16},
+                         Needed{10, "shaderFloat64", offered.shaderFloat64},
+                         Needed{11, "shaderInt64", offered.shaderInt64},
+                         Needed{22, "shaderInt16", offered.shaderInt16},
+                         Needed{39, "shaderInt8", newer.shaderInt8},
+                         Needed{5307, "shaderSampledImageArrayNonUniformIndexing",
+                                newer.shaderSampledImageArrayNonUniformIndexing}};
     std::vector<std::string> missing;
     for (std::size_t at = header_words; at + 1 < spirv.size() && (spirv[at] & 0xffffU) == capability; at += 2)
         for (const Needed& one : all)

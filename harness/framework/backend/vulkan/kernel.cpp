@@ -18,7 +18,8 @@ using backend::Word;
 std::vector<BindingKind> bindings_of(const backend::KernelProgram& program) {
     std::vector<BindingKind> bindings(backend::KernelBinding::first_image, BindingKind::storage_buffer);
     for (std::size_t i = 0; i < program.sampled.size(); ++i)
-        bindings.push_back(program.sampled[i]            ? BindingKind::sampled_image
+        bindings.push_back(program.elements[i] > 0       ? BindingKind::sampled_element
+                           : program.sampled[i]          ? BindingKind::sampled_image
                            : !program.layered[i].empty() ? BindingKind::storage_image
                                                          : BindingKind::storage_buffer);
     return bindings;

@@ -16,8 +16,8 @@ struct Walk {
     PointerInfo at;
     std::vector<Chain::Step> steps;
 
-    // Whether scalars follow one another, without offsets and strides of the module.
-    [[nodiscard]] bool in_slots() const { return at.space == Space::slots || at.space == Space::shared; }
+    // Whether scalars, or images, follow one another, without offsets and strides of the module.
+    [[nodiscard]] bool in_slots() const { return at.space != Space::memory; }
     // Of a pointer's offset, for each slot.
     [[nodiscard]] std::uint32_t unit() const { return at.space == Space::shared ? sizeof(Word) : 1; }
 
@@ -131,7 +131,8 @@ void Lowering::lower_access_chain(const shader::Instruction& i, Scope& scope) {
             walk.enter_member(*constant);
             continue;
         }
-        if (type.element == 0 || type.kind == Type::Kind::pointer || walk.at.space == Space::resource)
+        const bool is_image = walk.at.space == Space::resource && type.kind != Type::Kind::array;
+        if (type.element == 0 || type.kind == Type::Kind::pointer || is_image)
             fail(Error::Kind::unknown_instruction, "an access chain into something without elements");
         const auto [stride, length] = walk.element();
         // A constant outside is an error of the run that gets there.

@@ -165,10 +165,11 @@ void Machine<N>::bind(std::uint32_t set, std::uint32_t binding, const ImageView&
 }
 
 template <class N>
-void Machine<N>::bind(std::uint32_t set, std::uint32_t binding, const SampledView& image) {
+void Machine<N>::bind(std::uint32_t set, std::uint32_t binding, const SampledView& image,
+                      std::uint32_t element) {
     for (std::size_t r = 0; r < state_->backings.size(); ++r) {
         const internal::Resource& resource = state_->code.resources[r];
-        if (resource.kind == internal::Resource::Kind::image && resource.is_at(set, binding))
+        if (resource.kind == internal::Resource::Kind::image && resource.is_at(set, binding, element))
             state_->backings[r].sampled = image;
     }
 }

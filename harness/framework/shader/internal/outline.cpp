@@ -22,7 +22,7 @@ bool opens(const std::string& token) {
     return token == "(" || token == "[" || token == "{";
 }
 
-// The declared names of "a, b[2], c = f(1)": each the last name before a '[', a '=' or the end.
+// The declared names of "a, b[2], c = f(1)": each the last name outside brackets, before a '=' or the end.
 void add_declared(Tokens list, std::vector<std::string>& names) {
     std::string last;
     bool named = false;
@@ -32,7 +32,7 @@ void add_declared(Tokens list, std::vector<std::string>& names) {
         named = false;
     };
     for (std::size_t i = 0; i < list.size();) {
-        if (list[i] == "[" || list[i] == "=") named = !last.empty();
+        if (list[i] == "=") named = !last.empty();
         if (list[i] == "," || list[i] == ";") add();
         if (!named && is_name(list[i])) last = list[i];
         i = opens(list[i]) ? behind_bracket(list, i) : i + 1;

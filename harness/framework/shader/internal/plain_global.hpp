@@ -28,7 +28,7 @@ struct PlainGlobals {
                                                         const std::map<std::string, std::string>& opaque);
 
 // The samplers, or images of two dimensions and 32 bits, that a declaration declares; nullopt for any other
-// declaration, and for arrays of them.
+// declaration, for arrays of images, and for arrays of arrays.
 [[nodiscard]] std::optional<std::vector<BoundVariable>> bound_variables(
     const Piece& piece, const std::map<std::string, std::string>& opaque);
 
