@@ -4,7 +4,8 @@
 
 #include "gloam/gather/fetch.glsl"
 
-// Depths of the layers behind the first (gloam_fetch_layers) for a kernel of that many layers; with one nothing is read.
+// Depths of the layers behind the first (gloam_fetch_layers), for a kernel of that many layers; with one nothing is
+// read.
 vec3 gloam_further_depths(ivec2 pixel, int layers) {
     return layers > 1 ? gloam_fetch_layers(pixel) : vec3(0.0);
 }
