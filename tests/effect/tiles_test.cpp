@@ -131,7 +131,7 @@ void main() {
     bool inside = at.x < tiles.x && at.y < tiles.y;
     uint open = inside && (at.x + at.y) % 2u == 0u ? IN_LIST << OPEN_TILES : 0u;
     uint filtered = inside && at.x < 3u && at.y == 1u ? IN_LIST << FILTERED_Y_TILES : 0u;
-    append_group(open | filtered, at, tiles);
+    append_group(open | filtered, IN_LIST << OPEN_TILES | IN_LIST << FILTERED_Y_TILES, at, tiles);
 }
 )";
 

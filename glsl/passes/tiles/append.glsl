@@ -55,18 +55,21 @@ void add_group(uint which) {
 
 // Adds the tiles of a group of 64 to lists and counts, in the order of the invocations. All of them must call it: the
 // group asks for its places at once, because a GPU takes additions to one number one after the other.
-// places: where the tile of the invocation goes, 0 for none. tiles: of the image, along x and y.
-void append_group(uint places, uvec2 tile, uvec2 tiles) {
+// places: where the tile of the invocation goes, 0 for none. possible: all places that the pass fills, a constant, so
+// that compilers leave out the work for the others. tiles: of the image, along x and y.
+void append_group(uint places, uint possible, uvec2 tile, uvec2 tiles) {
     uint invocation = gl_LocalInvocationIndex;
     if (invocation < 2u * COUNTERS) group_members[invocation] = 0u;
     barrier();
-    for (uint i = 0u; i < COUNTERS; ++i)
-        if ((places >> i & 1u) != 0u) atomicOr(group_members[2u * i + invocation / 32u], 1u << invocation % 32u);
+    for (uint i = 0u; i < COUNTERS; ++i) {
+        if ((possible >> i & 1u) == 0u || (places >> i & 1u) == 0u) continue;
+        atomicOr(group_members[2u * i + invocation / 32u], 1u << invocation % 32u);
+    }
     barrier();
     if (invocation < COUNTERS) add_group(invocation);
     barrier();
     for (uint list = 0u; list < SKIPPED_TILES; ++list) {
-        if ((places >> list & 1u) == 0u) continue;
+        if ((possible >> list & 1u) == 0u || (places >> list & 1u) == 0u) continue;
         uint position = group_first[list] + members_before(list, invocation);
         listed_tiles[list * tiles.x * tiles.y + position] = entry_of(tile);
     }

@@ -38,14 +38,21 @@ bool without_geometry(uvec2 tile) {
     ivec2 first = ivec2(tile * TILE_SIDE);
     ivec2 end = min(first + int(TILE_SIDE), parameters.size);
     for (int y = first.y; y < end.y; ++y) {
-        for (int x = first.x; x < end.x; ++x) {
-            if (!gloam_is_background(GLOAM_FETCH(depth_image, ivec2(x, y)).x)) return false;
+        // A whole row without a branch: beyond the image its last pixel again.
+        bool empty = true;
+        for (int i = 0; i < int(TILE_SIDE); ++i) {
+            ivec2 pixel = ivec2(min(first.x + i, end.x - 1), y);
+            empty = gloam_is_background(GLOAM_FETCH(depth_image, pixel).x) ? empty : false;
         }
+        if (!empty) return false;
     }
     return true;
 }
 
-// Where the tile goes (append.glsl). Writes its state.
+const uint PLACES = IN_LIST << SHADED_TILES | IN_LIST << SAMPLED_TILES | IN_LIST << OPEN_TILES |
+                    COUNT_SKIPPED << SKIPPED_BACKGROUND | COUNT_SKIPPED << SKIPPED_SETTLED;
+
+// Where the tile goes (append.glsl): a sum of PLACES. Writes its state.
 uint places_of(uvec2 at, uint tile) {
     TileState before = states_before[tile];
     uint written = parameters.written << STATE_BLANK_SHIFT;
@@ -72,5 +79,5 @@ void main() {
     uvec2 tiles = tiles_of(parameters.size);
     uvec2 at = gl_GlobalInvocationID.xy;
     bool inside = at.x < tiles.x && at.y < tiles.y;
-    append_group(inside ? places_of(at, at.y * tiles.x + at.x) : 0u, at, tiles);
+    append_group(inside ? places_of(at, at.y * tiles.x + at.x) : 0u, PLACES, at, tiles);
 }

@@ -47,10 +47,14 @@ bool any_filtered(ivec2 at, ivec2 around, ivec2 tiles) {
     return false;
 }
 
-// Where the tile goes (append.glsl).
+const uint PLACES =
+    IN_LIST << FILTERED_X_TILES | IN_LIST << FILTERED_Y_TILES | COUNT_SKIPPED << SKIPPED_UNFILTERED;
+
+// Where the tile goes (append.glsl): a sum of PLACES.
 uint places_of(ivec2 at, ivec2 tiles) {
     TileState state = states[at.y * tiles.x + at.x];
     if ((state.flags & STATE_BACKGROUND) != 0u) return 0u;  // no filter changes background
+    if (tile_lists[SHADED_TILES].tiles == 0u) return 0u;    // no tile has changed
     ivec2 side = ivec2(TILE_SIDE);
     ivec2 around = (parameters.reach + side - 1) / side;
     // Along x: every tile whose result may be read, because what is stored there is of an earlier frame with another
@@ -66,5 +70,5 @@ void main() {
     ivec2 tiles = ivec2(tiles_of(parameters.size));
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
     bool inside = at.x < tiles.x && at.y < tiles.y;
-    append_group(inside ? places_of(at, tiles) : 0u, uvec2(at), uvec2(tiles));
+    append_group(inside ? places_of(at, tiles) : 0u, PLACES, uvec2(at), uvec2(tiles));
 }
