@@ -207,6 +207,33 @@ TEST_F(PreparedMethods, ASampleIsABlockOfItsPartOfTheDisc) {
     }
 }
 
+// How far the surface of a block lies apart along the view vector is what counts, whatever the normal of the
+// point. Half a radius in front of the point stands a rough wall.
+TEST_F(PreparedMethods, TheRoughnessOfABlockCountsAlongTheViewVector) {
+    constexpr int level = 3;  // of 32 samples here
+    const ivec2 size(256, 128);
+    const ivec2 blocks = size >> level;
+    const ivec2 first = size / 2 + size / 4;  // of the levels before
+    const check::Function<Gather> area = gathers["volumetric_area"];
+    const Bare wall = floor_of(size, vec2(1.0F / 64.0F, 1.0F / 32.0F));
+    const auto result = [&](vec3 normal, float variance) {
+        const auto moments = [&](ivec2 texel) {
+            const ivec2 kind = (texel - first) / blocks;  // means, variances, covariances
+            if (kind != ivec2(0)) return kind == ivec2(1, 0) ? vec4(0, 0, variance, 0) : vec4(0);
+            const ivec2 begin = (texel - first) << level;
+            const vec3 middle = 0.5F * (wall.point(begin) + wall.point(begin + (1 << level) - 1));
+            return vec4(middle + vec3(0, 0, 0.5F), static_cast<float>(1 << 2 * level));
+        };
+        const Samples samples{.radius = 1.0F, .bias = 0.0F, .angle = 0.4F, .first = 0, .count = 32};
+        const Bare point{wall.camera, glm::normalize(normal)};
+        return occlusion(area, point, size / 2, samples, Method{}, size, moments);
+    };
+    const double rough = result({0, 0, 1}, 0.3F);
+    EXPECT_GT(result({0, 0, 1}, 0.0F), rough + 0.05);
+    for (const vec3 normal : {vec3(0.75F, 0, 1), vec3(-0.4F, 0.6F, 1)})
+        EXPECT_NEAR(result(normal, 0.3F), rough, 0.01);
+}
+
 // As in gloam/gather/distinct_pixels.glsl.
 struct Distinct {
     ivec2 center;
@@ -286,6 +313,56 @@ TEST_F(MssaoLevels, CoarserOnesAreInterpolatedAndTheirMeanCountsByTheirNumber) {
         EXPECT_NEAR(occlusion_at(pixel, floor_depth, level_one), combined(found_at(at.x, at.y)), 2e-5)
             << pixel.x << ", " << pixel.y;
     }
+}
+
+// One of the four texels lies a twentieth of the radius above the surface.
+vec4 with_one_raised(ivec2 at) {
+    const ivec2 raised(10, 6);
+    if (at == raised) return {0, 0, 0.05F - floor_depth, 0};
+    if (at.y < half) return level_one(at);
+    return at == raised + ivec2(0, half) ? vec4(0.5F, 0.4F, 1.5F, 0) : vec4(0.3F, 0.2F, 1.5F, 0);
+}
+
+TEST_F(MssaoLevels, ATexelATwentiethOfTheRadiusAwayCountsAQuarter) {
+    const double raised = 0.25 * 0.75 * 0.75;
+    const double others = 1.0 - 0.75 * 0.75;
+    const auto mean = [=](double one, double other) {
+        return (raised * one + others * other) / (raised + others);
+    };
+    EXPECT_NEAR(occlusion_at(ivec2(20, 12), floor_depth, with_one_raised),
+                combined({mean(0.5, 0.3), mean(0.4, 0.2), 1.5}), 2e-5);
+}
+
+// The finest level counts in full, however small its kernel is, and a large one reaches six pixels.
+TEST_F(MssaoLevels, TheFinestHasItsWeightAndItsReach) {
+    const auto at = [&](float p11, float radius, const Samples& of, const test::Depths& depth) {
+        check::ImageSet images = test::view_of(ivec2(side), depth);
+        images.insert_or_assign("gloam_fetch_prepared", check::make_image<vec4>(ivec2(side), level_one));
+        const Camera camera{glm::vec2(0.5F, p11), ivec2(side), true};  // a sixteenth wide
+        const vec3 middle(1.0F / 32.0F, 1.0F / (64.0F * p11), -floor_depth);
+        Samples samples = of;
+        samples.radius = radius;
+        return double{
+            gather.with_images(images, {middle, vec3(0, 0, 1), camera, samples, Method{.steps = 1}}).x};
+    };
+    const check::Function<vec3(unsigned)> disc(gathers.lab(), "gloam/sampling/disc_point.glsl",
+                                               "gloam_disc_point");
+    const check::Function<float(vec3, vec3, float)> contribution(gathers.lab(), "gloam/occlusion/mssao.glsl",
+                                                                 "gloam_contribution_mssao");
+    unsigned beside = 0;  // a sample of a pixel beside the middle
+    while (std::abs(glm::length(glm::round(1.5F * vec2(disc(beside + 1)))) - 1.0F) > 0.1F) ++beside;
+    constexpr float radius = 1.5F / 16.0F;
+    const double own = double{contribution(vec3(1.0F / 16.0F, 0, 0.03F), vec3(0, 0, 1), radius)};
+    EXPECT_GT(own, 0.05);
+    const auto around = [](ivec2 p) { return p == ivec2(half) ? floor_depth : floor_depth - 0.03F; };
+    EXPECT_NEAR(at(-0.5F, radius, {.first = beside, .count = 1}, around), 1.0 - (1.0 - own) * (1.0 - own),
+                1e-5);
+    const auto beyond = [&](int rows) {
+        return at(-2.0F, 3.0F / 16.0F, {.first = 0, .count = 64},
+                  [=](ivec2 p) { return std::abs(p.y - half) > rows ? floor_depth - 0.05F : floor_depth; });
+    };
+    EXPECT_EQ(beyond(6), 0.0);
+    EXPECT_GT(beyond(4), 0.01);
 }
 
 // Beyond a level's last texel the image of all levels goes on with other values, here those of a surface.
