@@ -124,23 +124,28 @@ TEST_F(Relatives, ABowlHasTheOcclusionOfItsCurvature) {
 }
 
 // A cross reads the pixels at both ends of its two arms (CS-K): a quarter of a turn times the first
-// coordinate of its point of the sequence, as long as the second says, from half the radius to all of it.
+// coordinate of its point of the sequence, as long as the second says, from half the radius to all of it. The
+// angle of the kernel shifts both.
 TEST_F(Relatives, ACrossSeesThePixelsOfItsArms) {
     const auto curvature = method("curvature");
     const check::Function<glm::vec3(unsigned)> halton(gathers.lab(), "gloam/sampling/halton.glsl",
                                                       "gloam_halton_3d");
+    constexpr float angle = 0.8F;
+    const auto shifted = [](float x) {
+        return glm::fract(double{x} + double{angle} / (2.0 * std::numbers::pi));
+    };
     const auto at = [&](unsigned n, const auto& turns) {
         const auto view = test::view_of(
             size, [](glm::ivec2) { return 5.0F; },
             [&](glm::ivec2 p) { return turns(p) ? glm::vec3(0.3F, 0.2F, 1) : glm::vec3(0, 0, 1); });
-        const Samples samples{.radius = 1.0F, .bias = 0.0F, .angle = 0.0F, .first = 4 * n, .count = 4};
+        const Samples samples{.radius = 1.0F, .bias = 0.0F, .angle = angle, .first = 4 * n, .count = 4};
         return curvature.with_images(view, {glm::vec3(0, 0, -5), glm::vec3(0, 0, 1), eye, samples, Method{}});
     };
     int seen = 0;
     for (unsigned n = 0; n < 40; ++n) {
         const glm::vec3 random = halton(n + 1);
-        const double turn = 0.5 * std::numbers::pi * double{random.x};
-        const glm::dvec2 arm = 0.5 * (1.0 + double{random.y}) * glm::dvec2(std::cos(turn), std::sin(turn));
+        const double turn = 0.5 * std::numbers::pi * shifted(random.x);
+        const glm::dvec2 arm = 0.5 * (1.0 + shifted(random.y)) * glm::dvec2(std::cos(turn), std::sin(turn));
         std::vector<glm::ivec2> ends;
         bool certain = true;
         for (const glm::dvec2 end : {arm, -arm, glm::dvec2(-arm.y, arm.x), glm::dvec2(arm.y, -arm.x)}) {
