@@ -235,6 +235,7 @@ TEST(Mutations, ChangeComponentsMembersAndArgumentsOfOneType) {
     EXPECT_THAT(changed("s.p + float(s.n)", "member"), ElementsAre("s.q + float(s.n)"));
     EXPECT_THAT(changed("g(a, g(b, 2.0))", "arguments"), ElementsAre("g(g(b, 2.0), a)", "g(a, g(2.0, b))"));
     EXPECT_THAT(changed("max(dot(u, v), distance(u, v))", "arguments"), IsEmpty()) << "the same either way";
+    EXPECT_THAT(changed("float(any(equal(u, v)))", "arguments"), IsEmpty());
     EXPECT_THAT(changed("clamp(a, b, 2.0)", "arguments"), ElementsAre("clamp(a, 2.0, b)"));
     EXPECT_THAT(changed("dot(u, vec3(a, b, b))", "arguments"), ElementsAre("dot(u, vec3(b, a, b))"));
     EXPECT_THAT(changed("mix(u, v, a).x", "arguments"), ElementsAre("mix(v, u, a).x"));

@@ -55,7 +55,7 @@ constexpr std::array functions{"min max",
                                "greaterThan greaterThanEqual"};
 
 // Functions whose first two arguments may change places. clamp(x, a, b) is min(max(x, a), b).
-const std::set<std::string> commutative{"clamp", "distance", "dot", "fma", "max", "min"};
+const std::set<std::string> commutative{"clamp", "distance", "dot", "equal", "fma", "max", "min", "notEqual"};
 
 // Other numbers in the place of one.
 std::vector<std::string> other_numbers(const std::string& text) {
