@@ -66,7 +66,7 @@ struct GloamLevels {
 // is 1, but less between 2 texels and 1, because on coarser levels the kernel then comes to lie within its own texel.
 vec3 gloam_mssao_reach(GloamFootprint footprint, int level) {
     vec2 texels = footprint.reach * footprint.size / float(1 << level);
-    float largest = max(abs(texels.x), abs(texels.y));
+    float largest = max(texels.x, texels.y);
     float share = level == 0 ? 1.0 : clamp(largest - 1.0, 0.0, 1.0);
     return vec3(largest > GLOAM_MSSAO_REACH ? texels * (GLOAM_MSSAO_REACH / largest) : texels, share);
 }
