@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "backend/gl/device.hpp"
 #include "check/own_function.hpp"
 #include "check/run.hpp"
 #include "support/lab.hpp"
@@ -30,6 +31,16 @@ inline check::Answer answer_of(const check::Lab& lab, const std::string& file, c
 inline check::Answer answer_of(const std::string& file, const std::string& name,
                                const check::Ranges& ranges = {}) {
     return answer_of(check::Lab(options_of(file), SharedDevice::get()), file, name, ranges);
+}
+
+// Null where this machine has none.
+inline std::shared_ptr<backend::Backend> opengl_device(const std::string& name) {
+    try {
+        return std::make_shared<gl::Device>(name);
+    } catch (const gl::Unavailable& error) {
+        std::cerr << error.what() << '\n';
+        return nullptr;
+    }
 }
 
 }  // namespace gloam::test

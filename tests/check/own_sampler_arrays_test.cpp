@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Functions that read samplers of arrays: by constants, by indices of their own, and behind a parameter.
-#include "backend/gl/device.hpp"
 #include "check/explain.hpp"
 #include "check/fixture_functions.hpp"
 #include "check/own_domain.hpp"
@@ -149,12 +148,8 @@ TEST(SamplerArrays, OpenGlTakesConstants) {
         LabOptions options = options_of(file);
         options.device = device;
         options.validation = false;
-        std::shared_ptr<backend::Backend> opengl;
-        try {
-            opengl = std::make_shared<gl::Device>(options.device);
-        } catch (const gl::Unavailable& error) {
-            GTEST_SKIP() << error.what();
-        }
+        const auto opengl = test::opengl_device(options.device);
+        if (opengl == nullptr) GTEST_SKIP() << options.device << " is not available";
         const Lab lab(options, opengl);
         for (const char* name : by_constants) {
             const Answer answer = answer_of(lab, file, name, inside);

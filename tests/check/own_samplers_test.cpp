@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Functions that read samplers: of their file, and as parameters.
-#include "backend/gl/device.hpp"
 #include "backend/sampled.hpp"
 #include "check/explain.hpp"
 #include "check/fixture_functions.hpp"
@@ -141,12 +140,8 @@ TEST(OwnSamplers, OpenGlReadsTheSameImages) {
     LabOptions options = options_of(file);
     options.device = "gl:llvmpipe-4.5";
     options.validation = false;
-    std::shared_ptr<backend::Backend> opengl;
-    try {
-        opengl = std::make_shared<gl::Device>(options.device);
-    } catch (const gl::Unavailable& error) {
-        GTEST_SKIP() << error.what();
-    }
+    const auto opengl = test::opengl_device(options.device);
+    if (opengl == nullptr) GTEST_SKIP() << options.device << " is not available";
     const Lab lab(options, opengl);
     for (const char* name :
          {"at_level", "graded", "gathered", "cube_at_level", "cube_gathered", "one_of_cubes", "cube_count",

@@ -210,15 +210,15 @@ struct Domain::Forced {
 
 Domain::Domain(std::vector<Values> parameters) : parameters_(std::move(parameters)) {
     for (const Values& values : parameters_)
-        for (const Values::Fixed& fixed : values.fixed)
-            if (fixed.words.size() != words_of(values))
-                throw std::invalid_argument("a fixed value is of another type than those drawn");
+        if (std::ranges::any_of(values.fixed, [words = words_of(values)](const Values::Fixed& fixed) {
+                return fixed.words.size() != words;
+            }))
+            throw std::invalid_argument("a fixed value is of another type than those drawn");
 }
 
 Domain Domain::tied(std::size_t target, std::size_t source, double factor) const {
-    if (target >= parameters_.size() || source >= parameters_.size()) {
+    if (target >= parameters_.size() || source >= parameters_.size())
         throw std::invalid_argument("Domain::tied: no such parameter");
-    }
     Domain more = *this;
     more.ties_.push_back({target, source, factor});
     return more;
@@ -339,9 +339,8 @@ void Domain::append_drawn(Inputs& inputs, std::size_t count, std::uint64_t seed,
     const std::size_t room = count - inputs.count() - numbers;
     const std::size_t taken = forced.size() <= room / 2 ? forced.size() : (room + 1) / 2;
     const std::size_t start = taken == forced.size() ? 0 : random.below(forced.size());
-    for (std::size_t i = 0; i < taken; ++i) {
+    for (std::size_t i = 0; i < taken; ++i)
         append_row(context, inputs, forced[(start + i * forced.size() / taken) % forced.size()]);
-    }
     while (inputs.count() < count - numbers) append_row(context, inputs, {});
     for (std::size_t i = 0; i < numbers; ++i)
         append_row(context, inputs,

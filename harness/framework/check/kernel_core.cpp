@@ -27,10 +27,8 @@ Word new_canary() {
 std::unique_ptr<const backend::Kernel> made(const backend::Backend& device, const KernelModule& module,
                                             const std::string& name) {
     // The interpreter reports an index outside of an array of samplers.
-    const bool may_index =
-        device.info().name != interpreter_name &&
-        std::ranges::any_of(module.images, [](const auto& image) { return image.sampler.has_value(); });
-    const auto indexed = may_index ? shader::for_any_sampler_index(module.spirv) : std::nullopt;
+    const auto indexed =
+        device.info().name == interpreter_name ? std::nullopt : shader::for_any_sampler_index(module.spirv);
     backend::KernelProgram program{.spirv = indexed ? *indexed : module.spirv,
                                    .constants = module.constants,
                                    .text = module.glsl,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <spirv.h>
 
+#include <algorithm>
+
 #include "shader/internal/editable.hpp"
 #include "shader/spirv.hpp"
 
@@ -92,6 +94,8 @@ class Indices {
 }  // namespace
 
 std::optional<Spirv> for_any_sampler_index(const Spirv& module) {
+    const auto has_samplers = [](const Instruction& one) { return one.opcode == SpvOpTypeSampledImage; };
+    if (std::ranges::none_of(instructions(module), has_samplers)) return std::nullopt;
     Editable changed(module);
     Indices indices(changed);
     if (!indices.limit()) return std::nullopt;
