@@ -81,10 +81,17 @@ TEST_F(RenderErrors, GBuffers) {
     expect_refused(words("corner --gbuffer {}", folder), "--gbuffer");
     expect_refused(words("--gbuffer {} --guard 0.1", folder), "no guard band");
 
+    expect_refused(words("--gbuffer {} --depth buffer", folder), "from 0 to 1");
+    expect_refused(words("--gbuffer {} --normals view-unorm", folder), "another length");
+    expect_refused(words("--gbuffer {} --radius 1e6", folder), "radius 1e+06");
+    expect_refused(words("--gbuffer {} --radius 1e-6", folder), "below a pixel");
+
     const fs::path depth = folder / "f0000_depth.pfm";
     const auto whole = fs::file_size(depth);
     fs::resize_file(depth, whole - 4);
     expect_refused(words("--gbuffer {}", folder), "f0000_depth.pfm");
+    write("gbuffer/f0000_depth.pfm", "Pf\n16 9\n-1.0\n" + std::string(std::size_t{4} * 16 * 9, '\0'));
+    expect_refused(words("--gbuffer {}", folder), "no geometry");
     fs::remove(depth);
     expect_refused(words("--gbuffer {}", folder), "f0000_depth");
     write("gbuffer/f0000_depth.pfm", "Pf\n1 1\n-1.0\n" + std::string(4, '\0'));

@@ -166,9 +166,17 @@ RenderInput from_gbuffer(const RenderOptions& options) {
         }
         input.views.resize(count);
     }
-    input.load = [folder = options.gbuffer, encoding = scene::encoding_named(options.depth, options.normals)](
-                     const gpu::Device&, const scene::PassLibrary&, int view) {
-        return scene::read_gbuffer(folder, view, encoding);
+    const bool alone = input.views.size() == 1;  // a frame of a sequence may show nothing but sky
+    input.load = [folder = options.gbuffer, encoding = scene::encoding_named(options.depth, options.normals),
+                  alone](const gpu::Device&, const scene::PassLibrary&, int view) {
+        scene::GBuffer shown = scene::read_gbuffer(folder, view, encoding);
+        if (alone && std::ranges::none_of(shown.depth, scene::is_surface)) {
+            throw std::invalid_argument(fmt::format(
+                "{}: no geometry, every pixel of the depth is background; expected {}", folder.string(),
+                encoding.depth_buffer ? "depth-buffer values in front of the far plane of the projection"
+                                      : "eye-linear depths > 0, the distance along -z"));
+        }
+        return shown;
     };
     return input;
 }

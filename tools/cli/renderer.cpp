@@ -13,6 +13,7 @@
 #include "cli/settings.hpp"
 #include "effect/further_views.hpp"
 #include "report/image.hpp"
+#include "scene/contradictions.hpp"
 #include "scene/rasterize.hpp"
 #include "scene/read_gbuffer.hpp"
 
@@ -160,6 +161,9 @@ class Renderer {
     void render_view(int number) {
         scene::GBuffer wide = input_.load(bench_.device, bench_.passes, number);  // with its guard band
         const effect::Settings settings = settings_for(options_, wide.ao_radius);
+        const std::string misfit =
+            before_ ? "" : scene::radius_out_of_proportion(wide, double{settings.radius});
+        if (!misfit.empty()) throw std::invalid_argument(input_.name + ": " + misfit);
         const std::string cut = cut_before(number, wide, settings);
         if (cut.empty()) link(wide, before_->view);
         const scene::GBuffer view = scene::cropped(wide);

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 #include <optional>
 #include <stdexcept>
 
+#include "scene/contradictions.hpp"
 #include "scene/image_files.hpp"
 
 namespace gloam::scene {
@@ -100,6 +102,33 @@ std::vector<float> with_background_at_infinity(std::vector<float> depth) {
     return depth;
 }
 
+// An orthographic projection shows what lies behind the eye's plane as well, where its near plane has a
+// negative distance. The eye may stand anywhere along the view direction: it is moved back, so that every
+// depth is positive.
+void move_in_front_of_the_eye(GBuffer& gbuffer, const Encoding& encoding) {
+    CameraFrame& camera = gbuffer.camera;
+    const Planes planes = planes_of(camera.proj_vk);
+    if (!camera.orthographic() || planes.near > 0.0) return;
+    constexpr double margin = 0.01;  // of the depth range, in front of the near plane
+    const double distance = -planes.near + margin * (planes.far - planes.near);
+    const auto moved = [&](double by) { return glm::translate(glm::dmat4(1.0), glm::dvec3(0.0, 0.0, by)); };
+    camera.proj_vk = glm::mat4(glm::dmat4(camera.proj_vk) * moved(distance));
+    camera.view = glm::mat4(moved(-distance) * glm::dmat4(camera.view));
+    if (camera.previous_view)
+        camera.previous_view = glm::mat4(moved(-distance) * glm::dmat4(*camera.previous_view));
+    if (camera.previous_from_current) {
+        camera.previous_from_current =
+            glm::mat4(moved(-distance) * glm::dmat4(*camera.previous_from_current) * moved(distance));
+    }
+    const auto push_back = [&](std::vector<float>& depths) {
+        for (float& depth : depths) {
+            if (depth != 0.0F) depth = static_cast<float>(double{depth} + distance);  // 0 is background
+        }
+    };
+    if (!encoding.depth_buffer) push_back(gbuffer.depth);
+    push_back(gbuffer.previous_depth);
+}
+
 // The frame number in a file name such as "f0012.json"; nullopt for any other name.
 std::optional<int> frame_of(const std::string& name) {
     constexpr std::size_t digits = 4;
@@ -109,9 +138,7 @@ std::optional<int> frame_of(const std::string& name) {
     return std::stoi(number);
 }
 
-// Keeps what is stored, and converts it.
 void decode(GBuffer& gbuffer, const Encoding& encoding) {
-    gbuffer.stored = {.encoding = encoding, .depth = gbuffer.depth, .normal = gbuffer.normal};
     for (float& depth : gbuffer.depth) depth = linear_depth(depth, encoding, gbuffer.camera);
     for (glm::vec3& normal : gbuffer.normal) normal = view_normal(normal, encoding, gbuffer.camera);
 }
@@ -157,9 +184,14 @@ GBuffer read_gbuffer(const fs::path& directory, int frame, const Encoding& encod
         fail_with_frame(stem.string() + "_previous_depth.pfm",
                         "there are no motion vectors, which it belongs to");
     if (gbuffer.depth.empty()) fail_with_frame(stem.string() + "_depth.pfm", "is missing (and so is .exr)");
+    move_in_front_of_the_eye(gbuffer, encoding);
+    StoredInputs as_stored{.encoding = encoding, .depth = gbuffer.depth, .normal = gbuffer.normal};
     if (encoding != Encoding{}) decode(gbuffer, encoding);
     gbuffer.depth = with_background_at_infinity(std::move(gbuffer.depth));
     gbuffer.normal = with_unit_length(std::move(gbuffer.normal), gbuffer.depth);
+    const std::string contradiction = contradiction_of(gbuffer, as_stored);
+    if (!contradiction.empty()) fail_with_frame(stem, contradiction);
+    if (encoding != Encoding{}) gbuffer.stored = std::move(as_stored);
     return gbuffer;
 }
 
