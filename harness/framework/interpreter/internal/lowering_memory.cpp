@@ -3,6 +3,7 @@
 
 #include "interpreter/internal/lowering.hpp"
 #include "interpreter/internal/opcodes.hpp"
+#include "interpreter/machine.hpp"
 
 // Variables, access chains, loads and stores, atomics and images.
 namespace gloam::interpreter::internal {

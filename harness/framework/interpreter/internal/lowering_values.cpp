@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/internal/conversions.hpp"
 #include "interpreter/internal/opcodes.hpp"
 
 // Composites, matrices and all operations on single components.

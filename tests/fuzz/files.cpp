@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// What `gloam render` reads: the description of an engine's frame (fNNNN.json), its images (PFM), and a mesh
+// as its reader gives it.
+#include "base/image_files.hpp"
+#include "fuzz/fuzz.hpp"
+#include "scene/mesh_scene.hpp"
+#include "scene/read_gbuffer.hpp"
+
+using namespace gloam;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string_view text = fuzz::text_of(data, size);
+    const auto& file = fuzz::file_of(text, ".json");
+    fuzz::read_or_refuse([&] {
+        const scene::FrameDescription frame = scene::read_frame_json(file);
+        fuzz::require(frame.extent.width >= 1 && frame.extent.height >= 1);
+        fuzz::require(2 * frame.border.width < frame.extent.width &&
+                      2 * frame.border.height < frame.extent.height);
+    });
+    fuzz::read_or_refuse([&] {
+        const base::FloatImage image = base::read_pfm(file);
+        fuzz::require(image.texels.size() ==
+                      std::size_t{image.width} * image.height * static_cast<std::size_t>(image.channels));
+    });
+    fuzz::read_or_refuse([&] {
+        const scene::Mesh mesh = scene::mesh_from_bytes(text);
+        fuzz::require(mesh.normals.size() == mesh.positions.size());
+    });
+    return 0;
+}
