@@ -1,7 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# sbatch --array=0-199 slurm.sh LIST RESULTS 200: a task for each of 200 shards of a work list. A task whose node died
-# is queued again. After the array has ended, the same with --array=$(gloam work missing LIST --results RESULTS
-# --shards 200) runs what is missing, if anything.
+# sbatch --array=0-199 slurm.sh 200 RESULTS [ARGUMENTS of gloam check]: a task for each of 200 shards, a file of results
+# from each. A task whose node died is queued again, and goes on where it was. Then: gloam report RESULTS/*.json
 #SBATCH --job-name=gloam --requeue --open-mode=append --output=gloam-%A_%a.log
-exec gloam work run "$1" --results "$2" --shard "$SLURM_ARRAY_TASK_ID/$3"
+set -euo pipefail
+shards=$1
+results=$2
+shift 2
+
+mkdir -p "$results"
+file=$results/$SLURM_ARRAY_TASK_ID.json
+[[ ! -e $file ]] || exit 0
+status=0
+gloam check "$@" --shard "$SLURM_ARRAY_TASK_ID/$shards" --quiet --resume --json "$file" || status=$?
+((status == 1)) || exit "$status" # a check that failed is a result

@@ -8,7 +8,6 @@ one of them does not do what the page says. A block's first line says what it is
     ```sh           commands, run one after the other in a scratch folder; each must exit with 0
     ```sh WHY       commands that another test runs, or that would take too long here; WHY is one of WHY_NOT_RUN
     ```text         what the commands above printed: every line, in its order; "..." stands for any lines
-    ```sql FILE     a query of the database FILE, whose rows are printed with | between the values
     ```python       statements, run with the module of the build folder, if it has one
     ```glsl NAME    the file tests/check/fixtures/guide/NAME, which is compiled by the tests; NAME.frag: the file
                     examples/fragment/NAME.frag, which is drawn by them
@@ -18,18 +17,16 @@ one of them does not do what the page says. A block's first line says what it is
 
 Also: every source that an equation cites by author and year is in docs/glossary.md.
 """
-import contextlib
 import json
 import os
 import re
 import shutil
-import sqlite3
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-GUIDES = ("testing.md", "audit.md", "judge-a-driver.md", "judge-a-compiler.md", "copy-a-shader.md", "laboratory.md")
+GUIDES = ("testing.md", "audit.md", "judge-a-driver.md", "judge-a-compiler.md", "copy-a-shader.md")
 WHY_NOT_RUN = {
     "package": "tests/house/package does the same",
     "long": "takes minutes",
@@ -92,10 +89,6 @@ class Guide:
                 self.fail(f"a block is not run because of \"{argument}\", which is no reason")
         elif kind == "text":
             self.expect_printed(text)
-        elif kind == "sql":
-            with contextlib.closing(sqlite3.connect(self.folder / argument)) as database:
-                rows = database.execute(text).fetchall()
-            self.printed = "".join("|".join(str(value) for value in row) + "\n" for row in rows)
         elif kind == "python":
             if any((self.module / "gloam").glob("_gloam*")):
                 self.run(text, ("/usr/bin/python3",))

@@ -107,15 +107,8 @@ class Setup(unittest.TestCase):
                          (0, "tools/setup: installing clang-format\ntools/setup: installing browser\n"))
         self.assertEqual((machine.setup().stderr, machine.setup("program").stderr), ("", ""))
 
-    def test_the_laboratory_is_installed_on_request(self):
-        machine = self.machine(installed=("g++", "libfmt-dev"), offered=("slurm-wlm",))
-        machine.write("tools/packages-laboratory.txt", ["slurm-wlm # why"])
-        self.assertEqual(machine.setup().stderr, "")
-        self.assertEqual(machine.setup("laboratory").stderr, "tools/setup: installing slurm-wlm\n")
-
     def test_an_unknown_list(self):
-        self.assert_one_line(self.machine().setup("everything"), "'everything'",
-                             "expected program, laboratory or nothing")
+        self.assert_one_line(self.machine().setup("everything"), "'everything'", "expected program or nothing")
 
     def test_installs_with_sudo(self):
         machine = self.machine(installed=("g++",))

@@ -191,6 +191,34 @@ TEST(Merge, NothingIsNothing) {
     EXPECT_THAT(merge({}).reports, IsEmpty());
 }
 
+check::Answer with_error(const std::string& equation, double fraction) {
+    check::Answer row = passing_row(equation);
+    row.budget_fraction = fraction;
+    return row;
+}
+
+TEST(Changes, TwoBuildsAreCompared) {
+    const CheckReport before =
+        report_of("A", {with_error("EQ-1", 0.2), with_error("EQ-2", 0.5), with_error("EQ-3", 0.001),
+                        crashed("EQ-4"), passing_row("EQ-5"), with_error("EQ-6", 0.5), passing_row("EQ-7")});
+    CheckReport now =
+        report_of("A", {with_error("EQ-1", 0.45), with_error("EQ-2", 0.25), with_error("EQ-3", 0.002),
+                        passing_row("EQ-4"), crashed("EQ-5"), with_error("EQ-6", 0.52), crashed("EQ-8")});
+    now.device.driver = "driver 1.3";
+    EXPECT_THAT(
+        changes_since({before, report_of("B", {})}, {now}),
+        ElementsAre("EQ-1 shipped on A (driver 1.3): the error grew from 0.20 to 0.45 of what is allowed",
+                    "EQ-2 shipped on A (driver 1.3): the error shrank from 0.50 to 0.25 of what is allowed",
+                    "EQ-4 shipped on A (driver 1.3): mended", "EQ-5 shipped on A (driver 1.3): newly failed",
+                    "EQ-8 shipped on A (driver 1.3): newly failed",
+                    "A (driver 1.3): 1 checks of the earlier run are missing"));
+    EXPECT_THAT(changes_since({before}, {before}), IsEmpty());
+    EXPECT_THAT(changes_since({now, before}, {before}), IsEmpty()) << "its own driver comes first";
+    now.seed = 2;
+    EXPECT_THAT(changes_since({before}, {now}),
+                ElementsAre("A (driver 1.3): no earlier run has its 0 inputs with seed 2"));
+}
+
 std::vector<CheckReport> two_drivers() {
     check::Answer lost{
         .equation = "device", .error = "the device cannot be opened", .reason = check::Reason::crash};

@@ -86,73 +86,37 @@ TEST_F(ReportCommand, WrongFilesAreNamed) {
                          "/no/such/folder/a.json");
 }
 
-json row(const std::string& equation, int outside) {
-    return {{"equation", equation}, {"variant", "strict"}, {"verdict", "rules"},
-            {"inputs", 9},          {"outside", outside},  {"fault", ""},
-            {"error", ""},          {"reason", ""},        {"width_fraction", 0.5}};
+// What newly failed, what was mended, and another build of the driver.
+TEST_F(ReportCommand, TwoRunsAreCompared) {
+    const fs::path good = shard("0/1");
+    json report = json::parse(read_file(good));
+    report["device"]["driver"] = "another build";
+    report["results"][0]["outside"] = 5;
+    report["results"][0]["outcome"] = "failed";
+    report["results"][0]["classes"].begin().value()["outside"] = 5;
+    const fs::path bad = write("bad.json", report.dump());
+    EXPECT_THAT(output_of(gloam("report {} --since {}", good, good)), HasSubstr("nothing changed since"));
+    EXPECT_THAT(output_of(gloam("report {} --since {}", good, bad)), HasSubstr(": mended\n"));
+    const CommandResult later = gloam("report {} --since {}", bad, good);
+    EXPECT_EQ(later.status, 1);
+    EXPECT_THAT(later.out, HasSubstr("(another build): newly failed\n"));
+    expect_could_not_run(gloam("report {} --since {}", good, path("none.json")), "none.json");
 }
 
-json results(const std::string& driver, int outside, int seed = 1) {
-    return {{"device",
-             {{"name", "Some GPU"}, {"driver", driver}, {"type", "discrete"}, {"api_version", "1.3.1"}}},
-            {"inputs", 9},
-            {"seed", seed},
-            {"results", {row("EQ-1", 0), row("EQ-2", outside)}}};
-}
-
-class ReportSummary : public InFolder {};
-
-TEST_F(ReportSummary, AFolderOfResultsBecomesCountsADatabaseAndAPage) {
-    for (int i = 0; i < 20; ++i)
-        write("in/" + std::to_string(i % 3) + "/" + std::to_string(i) + ".json",
-              results("AMD Radeon driver 2" + std::to_string(i % 4) + ".1", i == 5 ? 2 : 0, i).dump());
-    write("in/readme.txt", "no results");
-    write("in/.unfinished/half.json", "{");
-    const CommandResult result =
-        gloam("report {} --summary --sqlite {} --html {}", path("in"), path("a.sqlite"), path("a.html"));
-    EXPECT_EQ(result.status, 1) << "a check failed";
-    EXPECT_THAT(result.out, HasSubstr("4 drivers, 8 checks, 1 failed"));
-    EXPECT_THAT(result.out,
-                HasSubstr("AMD: AMD Radeon driver 21.1, Vulkan 1.3.1: 5 runs, 1 devices, 2 checks, 1 failed "
-                          "(EQ-2 strict)"));
-    EXPECT_THAT(read_file(path("a.html")), HasSubstr("1 of 5"));
-    // What is added again changes nothing, and what is there needs no files.
-    fs::copy(path("in/2/5.json"), path("in/copy.json"));
-    EXPECT_EQ(gloam("report {} --summary --sqlite {}", path("in"), path("a.sqlite")).out, result.out);
-    EXPECT_EQ(gloam("report --summary --sqlite {}", path("a.sqlite")).out, result.out);
-
-    fs::remove(path("in/copy.json"));
-    write("in/2/5.json", results("AMD Radeon driver 21.1", 0, 5).dump());
-    write("in/new.json", results("b 24.1", 0, 1).dump());
-    const std::string later =
-        output_of(gloam("report {} --summary --since {}", path("in"), path("a.sqlite")));
-    EXPECT_THAT(later, HasSubstr("1 new drivers: b 24.1, Vulkan 1.3.1"));
-    EXPECT_THAT(later, HasSubstr("1 mended: EQ-2 strict on AMD Radeon driver 21.1, Vulkan 1.3.1"));
-}
-
-TEST_F(ReportSummary, WhatIsNoResultIsNamedAndTheOthersCount) {
-    write("in/good.json", results("b 1", 0).dump());
-    write("in/bad.json", "[[[");
-    fs::create_symlink("/dev/zero", path("in/endless.json"));
-    const CommandResult result = gloam("report {} --summary", path("in"));
-    EXPECT_EQ(result.status, 1);
-    EXPECT_THAT(result.out, HasSubstr("1 drivers, 2 checks"));
-    EXPECT_THAT(result.err, HasSubstr("bad.json is not what `gloam check --json` writes"));
-}
-
-TEST_F(ReportSummary, WrongOptionsAreNamed) {
-    write("in/bad.json", "{}");
-    write("old.sqlite", "nonsense\n");
-    write("good.json", results("b 1", 0).dump());
-    expect_could_not_run(gloam("report {} --summary --sqlite {}", path("in/bad.json"), path("none.sqlite")),
-                         "bad.json is not what `gloam check --json` writes");
-    EXPECT_FALSE(fs::exists(path("none.sqlite")));
-    expect_could_not_run(gloam("report {} --summary --since {}", path("good.json"), path("old.sqlite")),
-                         "old.sqlite cannot be used as a database of results");
-    expect_could_not_run(gloam("report {} --since {}", path("good.json"), path("old.sqlite")), "--summary");
-    expect_could_not_run(gloam("report {} --summary", path("nowhere")), "nowhere is not what");
-    expect_could_not_run(gloam("report --summary"), "expected files, or --sqlite");
-    expect_could_not_run(gloam("report --summary --sqlite {}", path("none.sqlite")), "none.sqlite");
+// Each task of the array writes its shard, and a task that runs again keeps what is there.
+TEST_F(ReportCommand, TheTasksOfAJobArrayAreShards) {
+    const fs::path program = GLOAM_BUILT_BINARY;
+    const auto task = [&](const std::string& index) {
+        return run_program(
+            "/bin/bash",
+            words(GLOAM_EXAMPLES "/laboratory/slurm.sh 2 {} gloam_radical_* --inputs 64", path("all")),
+            {.environment = {"SLURM_ARRAY_TASK_ID=" + index,
+                             "PATH=" + program.parent_path().string() + ":/usr/bin:/bin"}});
+    };
+    for (const char* index : {"0", "1", "1"}) expect_success(task(index));
+    const std::string both = output_of(gloam("report {} {}", path("all/1.json"), path("all/0.json")));
+    expect_success(gloam("check gloam_radical_* --inputs 64 --json {}", path("whole.json")));
+    EXPECT_EQ(both, output_of(gloam("report {}", path("whole.json"))));
 }
 
 // A failure is handed over ready to report.

@@ -159,11 +159,7 @@ const std::map<std::string, std::string>& examples() {
         {"report",
          "  gloam report a.json b.json\n"
          "  gloam report a.json b.json --html all.html\n"
-         "  gloam report results --summary --sqlite lab.sqlite --since last-week.sqlite\n"},
-        {"work",
-         "  gloam work list --each seed=1..10 -- check --seed {seed} --json {result} > list\n"
-         "  gloam work run list --shard 3/10 --results results\n"
-         "  gloam work missing list --results results\n"},
+         "  gloam report now.json --since last-week.json\n"},
         {"render",
          "  gloam render mesh.obj --frames 8\n"
          "  gloam render mesh.obj --up z --orbit 40,25 --turntable 24 --gallery page\n"

@@ -44,12 +44,8 @@ void add_mesh_reader(CLI::App& app, int& status);
 // there is a failure.
 void add_report(CLI::App& app, int& status);
 
-// `gloam work`: makes a list of calls of gloam, runs its items where their results are missing, and says
-// which are. `status` receives 0, or 2 if an item has no result.
-void add_work(CLI::App& app, int& status);
-
-// Adds the subcommand `bench` with a subcommand for each description in experiments_directory(), for a user's
-// own file, and for the framework. `status` receives the exit status: 0; 1 if the validation layers reported
+// Adds the subcommand `bench` with a subcommand for each description in experiments_directory(), and for a
+// user's own file. `status` receives the exit status: 0; 1 if the validation layers reported
 // messages, if no candidate is within --budget or --error, if a target is missed and --fail-if-missed is
 // given, or if something got worse and --fail-if-worse is given.
 void add_bench(CLI::App& app, int& status);

@@ -120,6 +120,12 @@ struct MergedReports {
 // run, then one with a fault, then the larger share outside, then the larger error.
 [[nodiscard]] MergedReports merge(const std::vector<ReportFile>& files);
 
+// A line for each check that newly failed or was mended since an earlier run, and whose error grew or shrank
+// by more than a tenth and by more than a hundredth of what is allowed. A run is compared with one of the
+// same device, inputs and seed: of the same driver if there is one, otherwise of another build.
+[[nodiscard]] std::vector<std::string> changes_since(const std::vector<CheckReport>& before,
+                                                     const std::vector<CheckReport>& now);
+
 // A table of equation by driver and variant. A cell is "ok 0.85" with the worst error as a fraction of what
 // is allowed, "FAIL 3/100" with the inputs outside, or "not judged". It is the reason of a check that did not
 // run, and "-" if no check was run. Above the table are the drivers by number. Below it are, for each driver,
