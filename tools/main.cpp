@@ -97,7 +97,6 @@ int run(int argc, char** argv) {
     gloam::cli::add_report(app, status);
     gloam::cli::add_render(app, status);
     gloam::cli::add_bench(app, status);
-    gloam::cli::add_tune(app, status);
     gloam::cli::add_stress(app, status);
     gloam::cli::add_pack(app);
     gloam::cli::add_site(app);

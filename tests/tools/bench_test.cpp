@@ -119,14 +119,6 @@ TEST_F(Bench, ComparesWithWhatGotWorse) {
     expect_success(run_command({"bench", "--compare", worse.string(), worse.string(), "--fail-if-worse"}));
 }
 
-TEST_F(Bench, FrameworkIsMeasuredAlone) {
-    const auto file = folder.path() / "a.json";
-    expect_success(run_command({"bench", "framework", "--repeat", "1", "--json", file.string()}));
-    const json document = json::parse(read_file(file));
-    EXPECT_GE(document.at("framework").size(), 8U);
-    for (const json& figure : document.at("framework")) EXPECT_GT(double{figure.at("value")}, 0.0) << figure;
-}
-
 TEST_F(Bench, BadInputIsOneClearLine) {
     const auto bad = folder.path() / "bad.json";
     std::ofstream(bad) << R"({"experiment": "e", "device": 7})";

@@ -64,6 +64,20 @@ TEST_F(RenderErrors, Settings) {
     expect_refused(words("corner --set precision=float16"), "at most 2048");
 }
 
+TEST_F(RenderErrors, PresetsOfAFile) {
+    const auto refuses = [this](const std::string& text, const std::string& named) {
+        expect_refused(words("moving --preset {}", write("bad.json", text)), named);
+    };
+    refuses("not JSON", "bad.json: expected JSON");
+    refuses("[]", "bad.json: expected JSON");
+    refuses(std::string(200'000, '['), "bad.json: line 1: nested more than");
+    refuses(R"({"settings": 3})", "bad.json: expected JSON");
+    refuses(R"({"settings": {"magic": 3}})", "magic");
+    refuses(R"({"settings": {"steps": "many"}})", "steps");
+    refuses(R"({"settings": {"steps": [1, 2]}})", "steps");
+    refuses(R"({"settings": {"radius": 2}})", "radius 2");
+}
+
 TEST_F(RenderErrors, Meshes) {
     expect_refused(words("{}", write("empty.obj", "")), "empty.obj");
     expect_refused(words("{}", write("nonsense.obj", "this is no mesh\n")), "nonsense.obj");

@@ -165,9 +165,6 @@ const std::map<std::string, std::string>& examples() {
          "  gloam render mesh.obj --up z --orbit 40,25 --turntable 24 --gallery page\n"
          "  gloam render columns --method all --truth\n"
          "  gloam render --gbuffer FOLDER --radius 0.5\n"},
-        {"tune",
-         "  gloam tune --preset quality --parameter feature_thickness=0.1:10:log\n"
-         "  gloam tune --sequence --parameter steps=2:12 --copies 20 --out mine.json --report mine.md\n"},
         {"bench",
          "  gloam bench --method gtao hemisphere --samples 4 16 --scene columns\n"
          "  gloam bench --from results.json --error 0.05\n"},

@@ -54,10 +54,6 @@ void add_bench(CLI::App& app, int& status);
 // mine.json".
 [[nodiscard]] std::vector<std::string> with_own_experiment(std::vector<std::string> arguments);
 
-// `gloam tune`: fits settings of a preset on the tuning half of the views, and reports the error on both
-// halves. `status` receives 0, or 1 if the validation layers reported messages.
-void add_tune(CLI::App& app, int& status);
-
 // `gloam stress`: the searches of tools/stress, a line for each number. `status` receives 0, or 1 if a bound
 // is broken.
 void add_stress(CLI::App& app, int& status);

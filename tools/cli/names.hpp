@@ -19,7 +19,7 @@ struct Named {
 [[nodiscard]] std::vector<Named> preset_names();   // with error and time
 [[nodiscard]] std::vector<Named> setting_names();  // with value, unit and range
 [[nodiscard]] std::vector<Named> scene_names();
-[[nodiscard]] std::vector<Named> view_names();  // of `gloam bench views` and `gloam tune`, with their halves
+[[nodiscard]] std::vector<Named> view_names();  // of `gloam bench views`, with their halves
 
 // The variant with this name; all variants for "all". Throws std::invalid_argument that lists the names.
 [[nodiscard]] std::vector<shader::Variant> select_variants(const std::string& name);

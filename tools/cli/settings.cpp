@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "base/text.hpp"
-#include "base/version.hpp"
 #include "cli/arguments.hpp"
 #include "effect/methods.hpp"
 
@@ -49,18 +48,6 @@ ordered_json json_of(const effect::Settings& settings) {
     for (const effect::Setting& setting : effect::setting_table())
         json[setting.name] = json_of(setting.get(settings));
     return json;
-}
-
-using nlohmann::ordered_json;
-
-std::string preset_json(const std::string& name, const std::string& description,
-                        const effect::Settings& settings) {
-    return ordered_json{{"gloam", base::version()},
-                        {"name", name},
-                        {"description", description},
-                        {"settings", json_of(settings)}}
-               .dump(2) +
-           "\n";
 }
 
 effect::Settings preset_from(const std::string& file, std::string_view text) {

@@ -44,10 +44,8 @@ struct Visited {
     std::vector<Measured> all;
 };
 
-}  // namespace
-
-// By width and height of the images, and by what they are made for.
-struct Shared::Parts {
+// What cases share, by width and height of the images and by what it is made for.
+struct Shared {
     using Side = std::uint32_t;
     std::map<std::string, std::shared_ptr<BenchmarkViews>> views;
     std::map<Side, std::unique_ptr<effect::ClosedFormStudy>> closed_forms;
@@ -56,19 +54,16 @@ struct Shared::Parts {
     std::map<std::tuple<Side, Side, gpu::Format>, std::unique_ptr<effect::CopyClock>> clocks;
 };
 
-Shared::Shared() : parts_(std::make_unique<Parts>()) {}
-Shared::~Shared() = default;
-
 // All cases at one size.
 class SizeRun {
   public:
     SizeRun(const Experiment& experiment, gpu::Extent extent, const Place& place, Record& record,
-            const Shared& shared)
+            Shared& shared)
         : experiment_(experiment),
           extent_(extent),
           place_(place),
           record_(record),
-          shared_(*shared.parts_),
+          shared_(shared),
           cache_(place.truth_cache) {}
 
     void run() {
@@ -355,7 +350,7 @@ class SizeRun {
     gpu::Extent extent_;
     const Place& place_;
     Record& record_;
-    Shared::Parts& shared_;
+    Shared& shared_;
     scene::TruthCache cache_;
     bool remap_ = shows(experiment_, "rmse_remapped");
     bool fit_ = shows(experiment_, "rmse_fit");
@@ -366,18 +361,16 @@ class SizeRun {
     bool limit_ = internal::shows_against(experiment_, "limit");
 };
 
+}  // namespace
+
 void run(const Experiment& experiment, const std::vector<gpu::Extent>& sizes, const Place& place,
          Record& record) {
     for (const gpu::Extent extent : sizes) {
+        require_possible(experiment, place);
+        if (experiment.rounds > 0) effect::require_timestamps(place.device.info());
         Shared shared;
-        run(experiment, extent, place, record, shared);
+        SizeRun(experiment, extent, place, record, shared).run();
     }
-}
-
-void run(const Experiment& experiment, gpu::Extent size, const Place& place, Record& record, Shared& shared) {
-    require_possible(experiment, place);
-    if (experiment.rounds > 0) effect::require_timestamps(place.device.info());
-    SizeRun(experiment, size, place, record, shared).run();
 }
 
 }  // namespace gloam::experiment

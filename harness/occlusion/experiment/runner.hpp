@@ -48,20 +48,6 @@ struct Place {
     std::function<void(const Picture&)> show{};           // is given each picture; may be empty
 };
 
-// What experiments on the same frames at one place may share: views with their truth, and compiled effects.
-class Shared {
-  public:
-    Shared();
-    ~Shared();
-    Shared(const Shared&) = delete;
-    Shared& operator=(const Shared&) = delete;
-
-  private:
-    friend class SizeRun;
-    struct Parts;
-    std::unique_ptr<Parts> parts_;
-};
-
 // Throws std::invalid_argument, before any work, for a scene, preset, method or setting that does not exist,
 // more scored frames than there are, and an experiment without a candidate.
 void require_possible(const Experiment& experiment, const Place& place);
@@ -73,9 +59,5 @@ void require_possible(const Experiment& experiment, const Place& place);
 // there are rounds.
 void run(const Experiment& experiment, const std::vector<gpu::Extent>& sizes, const Place& place,
          Record& record);
-
-// The same at one size. An interleaved experiment leaves its views in `shared`, and takes those of other
-// experiments with the same frames and rays from there.
-void run(const Experiment& experiment, gpu::Extent size, const Place& place, Record& record, Shared& shared);
 
 }  // namespace gloam::experiment

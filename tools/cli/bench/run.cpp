@@ -170,7 +170,6 @@ void add_bench(CLI::App& app, int& status) {
         app.add_subcommand("bench", "time against error: which method with how many samples, on this device");
     group->require_subcommand(0, 1);
     add_experiments(*group, status);
-    add_framework(*group, status);
 }
 
 std::vector<std::string> with_own_experiment(std::vector<std::string> arguments) {
