@@ -19,7 +19,6 @@
 #include "base/text.hpp"
 #include "cli/check.hpp"
 #include "cli/check/checker.hpp"
-#include "cli/check/smallest_module.hpp"
 #include "cli/commands.hpp"
 #include "cli/names.hpp"
 #include "cli/render.hpp"
@@ -89,7 +88,6 @@ int run(int argc, char** argv) {
     gloam::cli::add_list(app);
     gloam::cli::add_check(app, status);
     gloam::cli::add_check_worker(app);
-    gloam::cli::add_module_test(app, status);
     gloam::cli::add_audit(app, status);
     gloam::cli::add_explain(app);
     gloam::cli::add_mutate(app, std::move(tested), status);

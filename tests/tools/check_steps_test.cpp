@@ -96,9 +96,8 @@ TEST_F(CheckSteps, ABrokenCompilerIsHandedOverWithTheFewestStepsAndAProgram) {
         folder.path(), "int f(int a, int b) {\n    int c = a * 3;\n    return c > 7 ? c - b : b;\n}\n");
     EXPECT_THAT(read_file(at / "report.txt"),
                 HasSubstr("The fewest steps that fail: " + broken_compiler(folder.path(), exchanges) + "\n"));
-    for (const char* file : {"before.spv", "shader.spv", "smallest.spv"})
+    for (const char* file : {"before.spv", "shader.spv"})
         EXPECT_EQ(run_program("spirv-val", words("--target-env vulkan1.2 {}", at / file)).status, 0) << file;
-    EXPECT_LT(fs::file_size(at / "smallest.spv"), fs::file_size(at / "before.spv"));
     expect_reproduced_by_its_program(at);
     const CommandResult nowhere = run_program(at / "repro", {"no such device"});
     EXPECT_EQ(nowhere.status, 2);

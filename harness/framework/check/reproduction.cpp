@@ -229,22 +229,6 @@ Reproduction reproduce(const Lab& lab, const Question& question, const RunOption
     return reproduce_with(with_steps(lab, shortest_steps(steps, fails)), question, options, failing);
 }
 
-bool breaks_rules(const Lab& lab, KernelModule module, std::span<const Word> inputs,
-                  const std::vector<shader::Scalar>& outputs) {
-    try {
-        const KernelCore kernel = lab.core(std::move(module), "the module");
-        const KernelCore::Result result = kernel.run(inputs, 1);
-        const internal::Decoded decoded(result.modules, {});
-        internal::Interpretation rules(decoded, outputs);
-        const internal::InputRow row{.index = 0, .words = inputs};
-        return !rules.is_exact(row, result.outputs) && !rules.is_permitted(row, result.outputs);
-    } catch (const backend::Fault&) {
-        return false;
-    } catch (const interpreter::Error&) {
-        return false;
-    }
-}
-
 Reproduction reproduce_fault(const Lab& lab, const Question& question, const RunOptions& options) {
     for (const ImageScenario& scenario : question.scenarios) {
         const Stage stage(lab, question, scenario, options);

@@ -95,12 +95,6 @@ struct Reproduction {
 [[nodiscard]] std::vector<std::string> shortest_steps(
     const std::vector<std::string>& steps, const std::function<bool(const std::vector<std::string>&)>& fails);
 
-// Whether the results for one input, on a lab's device, are outside what the rules permit: for the module, or
-// for the one before its steps. `outputs`: the scalars of its output words. False where the module cannot be
-// run.
-[[nodiscard]] bool breaks_rules(const Lab& lab, KernelModule module, std::span<const Word> inputs,
-                                const std::vector<shader::Scalar>& outputs);
-
 // The outcomes that a failing sample does not have: of one that the rules forbid, those that Vulkan permits;
 // else one, the budget around `want`, and around the reference's results for the neighbouring inputs that the
 // budget covers. Where the function jumps, it includes the values in between.

@@ -16,7 +16,6 @@
 #include "check/answer.hpp"
 #include "check/lab.hpp"
 #include "check/reproduction.hpp"
-#include "cli/check/smallest_module.hpp"
 #include "numeric/numbers.hpp"
 #include "report/check_report.hpp"
 #include "report/failures.hpp"
@@ -141,7 +140,6 @@ std::string to_line(const HandOver& hand_over) {
                 {"steps", hand_over.steps},
                 {"rules", hand_over.rules},
                 {"before", hand_over.before},
-                {"smallest_module", hand_over.smallest_module},
                 {"smallest", worst_text(hand_over.smallest)},
                 {"error", hand_over.error}}
         .dump(-1, ' ', false, json::error_handler_t::replace);
@@ -160,7 +158,6 @@ HandOver hand_over_from(std::string_view line) {
             .steps = object.at("steps").get<std::vector<std::string>>(),
             .rules = object.at("rules").get<std::vector<std::string>>(),
             .before = words_of(object.at("before")),
-            .smallest_module = words_of(object.at("smallest_module")),
             .smallest = report::answer_from_json(object.at("smallest").get<std::string>()).worst,
             .error = object.at("error").get<std::string>()};
 }
@@ -205,7 +202,6 @@ HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
         }
         hand_over.steps = all.steps;
         hand_over.before = all.before;
-        hand_over.smallest_module = smallest_module(lab, all);
     }
     hand_over.rules = all.rules;
     hand_over.smallest = all.failure;
@@ -308,10 +304,6 @@ std::filesystem::path FailureFolders::write(const report::DeviceSummary& device,
         if (!hand_over.amber.empty()) out.write("repro.amber", hand_over.amber);
         if (!hand_over.c_program.empty()) out.write("repro.c", hand_over.c_program);
         if (!hand_over.before.empty()) out.write("before.spv", bytes_of(hand_over.before));
-        if (!hand_over.smallest_module.empty()) {
-            out.write("smallest.spv", bytes_of(hand_over.smallest_module));
-            out.write("smallest.spvasm", shader::disassemble(hand_over.smallest_module));
-        }
     }
     out.keep();
     folder_->keep();

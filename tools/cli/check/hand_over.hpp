@@ -37,9 +37,8 @@ struct HandOver {
     std::vector<std::string> steps = {};  // check::Reproduction
     std::vector<std::string> rules = {};
     std::vector<std::uint32_t> before = {};
-    std::vector<std::uint32_t> smallest_module = {};  // cli::smallest_module()
-    std::optional<check::Sample> smallest;            // the simplest input found to fail
-    std::string error;                                // why the other members are empty; empty: no error
+    std::optional<check::Sample> smallest;  // the simplest input found to fail
+    std::string error;                      // why the other members are empty; empty: no error
 };
 
 // Each in one line of JSON. Reading throws std::runtime_error.
