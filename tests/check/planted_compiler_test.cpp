@@ -6,12 +6,12 @@
 
 #include "check/compiler_faults.hpp"
 #include "check/own_function.hpp"
-#include "check/random_function.hpp"
 #include "check/run.hpp"
 #include "interpreter/program.hpp"
 #include "shader/include.hpp"
 #include "shader/pack.hpp"
 #include "support/lab.hpp"
+#include "support/random_function.hpp"
 
 namespace gloam::check::planted_compiler_test {
 namespace {
@@ -70,8 +70,8 @@ std::vector<Subject> subjects() {
     const std::string file = FIXTURES "/compiled.glsl";
     add("compiled.glsl", shader::excerpts({file, shader::read_text(file)}, {}).functions, {});
     for (std::uint64_t seed = 1; seed <= 12; ++seed)
-        add("random.glsl", shader::excerpts({"random.glsl", random_function(seed)}, {}).functions,
-            {range_from(random_function_range)});
+        add("random.glsl", shader::excerpts({"random.glsl", test::random_function(seed)}, {}).functions,
+            {range_from(test::random_function_range)});
     return all;
 }
 

@@ -2,7 +2,6 @@
 // Every equation of the catalogue, compiled strictly: the interpreter against the device.
 #include "check/interpreted_kernel.hpp"
 #include "check/own_function.hpp"
-#include "check/random_function.hpp"
 #include "check/run.hpp"
 #include "interpreter/internal/code.hpp"
 #include "interpreter/internal/opcodes.hpp"
@@ -11,6 +10,7 @@
 #include "support/devices.hpp"
 #include "support/entries.hpp"
 #include "support/lab.hpp"
+#include "support/random_function.hpp"
 
 namespace gloam {
 
@@ -113,13 +113,13 @@ constexpr std::size_t inputs_of_each = 64;
 // A random function in a lab, compiled strictly.
 struct Subject {
     Subject(std::uint64_t seed, shader::Variant variant, const std::shared_ptr<backend::Backend>& device)
-        : text(check::random_function(seed)),
+        : text(test::random_function(seed)),
           lab({.variant = strict(std::move(variant)),
                .excerpts = shader::excerpts({file, text}, {}).functions},
               device),
           question(check::question_of(lab, file,
                                       check::own_functions(lab.options(), file, {name(seed)}).found.at(0),
-                                      {check::range_from(check::random_function_range)})) {}
+                                      {check::range_from(test::random_function_range)})) {}
 
     static constexpr const char* file = "random.glsl";
     static std::string name(std::uint64_t seed) { return "random_" + std::to_string(seed); }

@@ -15,7 +15,6 @@
 #include "backend/gl/device.hpp"
 #include "base/threads.hpp"
 #include "catalogue/catalogue.hpp"
-#include "check/random_function.hpp"
 #include "cli/check/checker.hpp"
 #include "cli/check/hand_over.hpp"
 #include "cli/check/run_device.hpp"
@@ -59,9 +58,7 @@ void print_row(const check::Answer& row) {
 std::string command_for(const CheckOptions& options, const report::DeviceSummary& device,
                         const check::Answer& row) {
     std::string what = report::shell_word(row.equation);
-    if (is_of_file(options))
-        what = report::shell_word(options.equations.front()) +
-               (is_module_file(options.equations.front()) ? "" : " " + what);
+    if (is_of_file(options)) what = report::shell_word(options.equations.front()) + " " + what;
     std::string variant = report::shell_word(row.variant_before_steps());
     if (!row.steps().empty()) variant += " --compiler " + report::shell_word(row.steps());
     for (const std::string& range : options.ranges) what += " --range " + report::shell_word(range);
@@ -318,9 +315,7 @@ void add_check(CLI::App& app, int& status) {
         app.add_subcommand("check", "run equations on a Vulkan or OpenGL device and judge every result");
     command->add_option("equation", options->equations,
                         "IDs, functions or globs (all when none is given); or a GLSL file of your own, and "
-                        "its functions; a SPIR-V "
-                        "module of a compute shader; or "
-                        "random:1-100, generated functions with these seeds");
+                        "its functions");
     command->add_option("--range", options->ranges,
                         "NAME=LOW:HIGH: what a parameter of your own file's functions is drawn from");
     add_include_option(*command, options->includes);
@@ -333,12 +328,11 @@ void add_check(CLI::App& app, int& status) {
                      "how the shaders are compiled (gloam list variants), all, or metamorphic: changed "
                      "without a change of meaning")
         ->capture_default_str();
-    command->add_option(
-        "--compiler", options->compilers,
-        "steps that the modules take, judged by the modules before them: 'spirv-opt --ccp', "
-        "'spirv-opt {each}', 'spirv-opt {random}', 'spirv-cross glsl', a program with {in} or "
-        "{glsl} and {out}; several joined by ' | '");
-    command->add_option("--seeds", options->seeds, "seeds of random and metamorphic steps, from --seed on")
+    command->add_option("--compiler", options->compilers,
+                        "steps that the modules take, judged by the modules before them: 'spirv-opt --ccp', "
+                        "'spirv-opt {each}', 'spirv-cross glsl', a program with {in} or "
+                        "{glsl} and {out}; several joined by ' | '");
+    command->add_option("--seeds", options->seeds, "seeds of metamorphic steps, from --seed on")
         ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
         ->capture_default_str();
     command->add_option("--inputs", options->inputs, "inputs for each equation")

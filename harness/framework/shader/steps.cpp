@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <chrono>
 #include <optional>
-#include <random>
 #include <sstream>
 #include <system_error>
 
@@ -24,7 +23,6 @@ namespace {
 constexpr std::string_view optimizer = "spirv-opt";
 constexpr std::string_view translator = "spirv-cross";
 constexpr std::string_view changer = "metamorphic";
-constexpr std::string_view replacer = "=";
 
 using Words = std::vector<std::string>;
 
@@ -86,15 +84,13 @@ void require_step(const std::string& step) {
     } else if (words[0] == translator) {
         if (words.size() != 2 || (words[1] != "glsl" && words[1] != "hlsl"))
             refuse(step, "spirv-cross glsl or spirv-cross hlsl");
-    } else if (words[0] == replacer) {
-        if (words.size() != 2) refuse(step, "= FILE");
     } else if (words[0] == optimizer) {
         const auto unknown = std::find_if_not(words.begin() + 1, words.end(), is_pass);
         if (words.size() == 1) refuse(step, "passes, as in spirv-opt --ccp");
         if (unknown != words.end())
             refuse(step, fmt::format("passes of SPIRV-Tools, and {} is none", *unknown));
     } else {
-        refuse(step, "spirv-opt, spirv-cross, metamorphic, = FILE, or a program with {out}");
+        refuse(step, "spirv-opt, spirv-cross, metamorphic, or a program with {out}");
     }
 }
 
@@ -108,10 +104,6 @@ Spirv module_of(const std::string& bytes, const std::string& from) {
     Spirv module(bytes.size() / sizeof(std::uint32_t));
     std::copy(bytes.begin(), bytes.end(), reinterpret_cast<char*>(module.data()));
     return module;
-}
-
-Spirv module_in(const std::filesystem::path& file) {
-    return module_of(base::read_file(file), file.string());
 }
 
 constexpr std::uint64_t most_memory = std::uint64_t{4} << 30;
@@ -149,13 +141,12 @@ Spirv run_program(const std::string& step, const StepInput& input) {
     }
     if (!result.succeeded())
         throw StepError(base::one_line(fmt::format("{} {}", command.front(), result.how())));
-    return module_in(out);
+    return module_of(base::read_file(out), out.string());
 }
 
 Spirv taken_unchecked(const std::string& step, const StepInput& input) {
     if (is_program(step)) return run_program(step, input);
     Words words = words_of(step);
-    if (words[0] == replacer) return module_in(words[1]);
     if (words[0] == translator) {
         const auto through = words[1] == "glsl" ? Variant::Through::glsl : Variant::Through::hlsl;
         return made_apart(
@@ -248,32 +239,16 @@ Words known_passes() {
     return passes;
 }
 
-std::string random_passes(const Words& all, std::uint64_t seed) {
-    constexpr std::size_t most = 10;
-    std::mt19937_64 chance(seed);
-    Words words;
-    for (std::size_t left = 2 + chance() % (most - 1); left > 0; --left)
-        words.push_back(all[chance() % all.size()]);
-    return joined(words);
-}
-
 }  // namespace
 
 std::vector<std::string> steps_from(const std::string& text, std::uint64_t first, std::size_t seeds) {
     constexpr std::string_view each = "{each}";
-    constexpr std::string_view random = "{random}";
     Words steps;
-    const auto add = [&](std::string_view name, const std::string& passes) {
-        std::string step = text;
-        steps.push_back(step.replace(text.find(name), name.size(), passes));
-    };
     if (text == changer) {
         for (std::size_t s = 0; s < seeds; ++s) steps.push_back(fmt::format("{} {}", changer, first + s));
-    } else if (text.find(each) != std::string::npos) {
-        for (const std::string& pass : known_passes()) add(each, pass);
-    } else if (text.find(random) != std::string::npos) {
-        const Words all = known_passes();
-        for (std::size_t s = 0; s < seeds; ++s) add(random, random_passes(all, first + s));
+    } else if (const std::size_t at = text.find(each); at != std::string::npos) {
+        for (const std::string& pass : known_passes())
+            steps.push_back(std::string(text).replace(at, each.size(), pass));
     } else {
         steps.push_back(joined(words_of(text)));
     }

@@ -21,7 +21,6 @@ namespace gloam::shader {
 //   metamorphic 17 only 3 5           of these, the changes 3 and 5
 //   PROGRAM ARGUMENT...               a program that reads the module {in}, or the kernel's GLSL {glsl}, and
 //                                     writes the module {out}: /opt/bin/spirv-opt -O {in} -o {out}
-//   = FILE                            the module in this file, whatever the module before was
 //
 // A step that compiles must keep the meaning of its module: what it gives is judged by the module before it.
 // A metamorphic step makes another shader to compile: what it gives is judged by itself.
@@ -65,9 +64,8 @@ struct Stepped {
 [[nodiscard]] std::string with_parts(const std::string& step, const std::vector<std::string>& parts);
 
 // The steps that a user's text stands for. With {each} in it, as in "spirv-opt {each}", one for each pass of
-// the program spirv-opt that is installed and that gloam's SPIRV-Tools know; with {random} lists of such
-// passes, one for each of `seeds` seeds from `first` on; "metamorphic" alone is one for each of these seeds.
-// Throws std::invalid_argument for a text that is no step.
+// the program spirv-opt that is installed and that gloam's SPIRV-Tools know; "metamorphic" alone is one for
+// each of `seeds` seeds from `first` on. Throws std::invalid_argument for a text that is no step.
 [[nodiscard]] std::vector<std::string> steps_from(const std::string& text, std::uint64_t first,
                                                   std::size_t seeds);
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
-#include <charconv>
 #include <new>
 #include <set>
 #include <stdexcept>
@@ -12,8 +11,6 @@
 
 #include "backend/backend.hpp"
 #include "base/text.hpp"
-#include "check/module_comparison.hpp"
-#include "check/random_function.hpp"
 #include "check/reproduction.hpp"
 #include "cli/environment.hpp"
 #include "cli/names.hpp"
@@ -45,48 +42,10 @@ void require_known(const check::Ranges& ranges, const std::vector<check::OwnFunc
 
 }  // namespace
 
-namespace {
-
-constexpr std::string_view random_prefix = "random:";
-constexpr const char* random_file = "random.glsl";
-
-}  // namespace
-
 bool is_shader_file(const std::string& word) {
     const std::string extension = std::filesystem::path(word).extension().string();
     const std::set<std::string> known{".glsl", ".comp", ".frag", ".vert"};
     return known.contains(extension);
-}
-
-bool is_module_file(const std::string& word) {
-    return std::filesystem::path(word).extension() == ".spv";
-}
-
-shader::Spirv module_in(const std::string& file) {
-    return shader::taken("= " + file, {.module = {}});
-}
-
-bool is_random(const std::string& word) {
-    return word.starts_with(random_prefix);
-}
-
-std::vector<std::string> random_names(const std::string& word) {
-    constexpr std::uint64_t most = 1'000'000;
-    std::uint64_t first = 0;
-    std::uint64_t last = 0;
-    const char* const end = word.data() + word.size();
-    auto read = std::from_chars(word.data() + random_prefix.size(), end, first);
-    if (read.ec == std::errc{} && read.ptr == end)
-        last = first;
-    else if (read.ec == std::errc{} && *read.ptr == '-')
-        read = std::from_chars(read.ptr + 1, end, last);
-    if (read.ec != std::errc{} || read.ptr != end || last < first || last - first >= most)
-        throw std::invalid_argument(
-            fmt::format("{}: expected random:SEED or random:FIRST-LAST, {} seeds at most", word, most));
-    std::vector<std::string> names;
-    for (std::uint64_t seed = first; seed <= last; ++seed)
-        names.push_back(fmt::format("{}{}", random_prefix, seed));
-    return names;
 }
 
 OwnFile own_file(const std::string& file, const std::vector<std::string>& names,
@@ -130,14 +89,6 @@ OwnSelection own_selection(const std::vector<std::string>& words, const std::vec
 }
 
 check::Question own_question(const check::Lab& lab, const CheckTask& task) {
-    if (is_random(task.file)) {
-        const std::string name = "random_" + task.file.substr(random_prefix.size());
-        const check::OwnFunctions own = check::own_functions(lab.options(), random_file, {name});
-        check::Question question =
-            check::question_of(lab, random_file, own.found.at(0), ranges_from(task.ranges));
-        question.name = task.equation;
-        return question;
-    }
     const std::string file = std::filesystem::path(task.file).filename().string();
     const check::OwnFunctions own = check::own_functions(lab.options(), file, {task.equation});
     if (own.found.empty())
@@ -154,12 +105,7 @@ std::unique_ptr<check::Lab> make_lab(const CheckerOptions& options, const shader
                                      const std::filesystem::path& file,
                                      std::shared_ptr<backend::Backend> device) {
     std::vector<shader::Excerpt> excerpts;
-    if (is_random(file.string())) {
-        const std::uint64_t seed = std::stoull(file.string().substr(random_prefix.size()));
-        excerpts = shader::excerpts({random_file, check::random_function(seed)}, {}).functions;
-    } else if (!file.empty()) {
-        excerpts = shader::excerpts({file.string(), shader::read_text(file)}, roots).functions;
-    }
+    if (!file.empty()) excerpts = shader::excerpts({file.string(), shader::read_text(file)}, roots).functions;
     check::LabOptions made{.device = options.device,
                            .validation = options.validation,
                            .include_roots = roots,
@@ -222,49 +168,11 @@ report::DeviceSummary summary_of(const backend::DeviceInfo& info) {
             .rounds_to_even = info.float32.rounds_to_even};
 }
 
-namespace {
-
-constexpr std::size_t most_module_runs = 64;  // each of 256 invocations at least
-
-check::Answer compared_module(const CheckTask& task, const std::vector<std::string>& steps) {
-    shader::Spirv module = module_in(task.file);
-    if (shader::variant(task.variant).strict) module = shader::with_no_contraction(module);
-    const shader::Stepped stepped = shader::all_taken(steps, {.module = module});
-    check::Answer answer = check::compare_modules(task.equation, stepped.before, stepped.after,
-                                                  std::min(task.inputs, most_module_runs), task.seed);
-    answer.variant = task.variant;
-    return answer;
-}
-
-HandOver module_hand_over(const CheckTask& task) {
-    const auto fails = [&task](const std::vector<std::string>& steps) {
-        try {
-            return compared_module(task, steps).failed();
-        } catch (const shader::StepError&) {
-            return false;
-        } catch (const shader::Unchanged&) {
-            return false;
-        }
-    };
-    HandOver hand_over;
-    const shader::Spirv module = module_in(task.file);
-    const std::vector<std::string> steps = shader::variant(task.variant).steps;
-    hand_over.steps = fails(steps) ? check::shortest_steps(steps, fails) : steps;
-    shader::Stepped stepped = shader::all_taken(hand_over.steps, {.module = module});
-    hand_over.before = std::move(stepped.before);
-    hand_over.spirv = std::move(stepped.after);
-    hand_over.assembly = shader::disassemble(hand_over.spirv);
-    return hand_over;
-}
-
-}  // namespace
-
 check::Answer Checker::run(const CheckTask& task) {
     const auto begin = std::chrono::steady_clock::now();
     check::Answer answer;
     try {
-        answer = is_module_file(task.file) ? compared_module(task, shader::variant(task.variant).steps)
-                                           : check::run(lab(task), question_of(task), options_of(task));
+        answer = check::run(lab(task), question_of(task), options_of(task));
     } catch (const std::exception& error) {
         answer = answer_without_result(task, entries_, reason_of(error), error.what());
     }
@@ -275,7 +183,6 @@ check::Answer Checker::run(const CheckTask& task) {
 HandOver Checker::hand_over(const HandOverRequest& request) {
     try {
         const CheckTask& task = request.task;
-        if (is_module_file(task.file)) return module_hand_over(task);
         return make_hand_over(lab(task), question_of(task), request, options_of(task));
     } catch (const std::exception& error) {
         return {.error = error.what()};

@@ -28,16 +28,6 @@ namespace gloam::cli {
 // Whether a word of the command line is a shader file, not an equation.
 [[nodiscard]] bool is_shader_file(const std::string& word);
 
-// Whether it is a SPIR-V module, which is compared with itself after the steps of a compiler.
-[[nodiscard]] bool is_module_file(const std::string& word);
-// Its content. Throws std::runtime_error for what is no valid module.
-[[nodiscard]] shader::Spirv module_in(const std::string& file);
-
-// "random:17" names the random function of a seed (check::random_function()), "random:1-100" several.
-[[nodiscard]] bool is_random(const std::string& word);
-// The name of each. Throws std::invalid_argument for anything but a seed or a range of seeds.
-[[nodiscard]] std::vector<std::string> random_names(const std::string& word);
-
 // The ranges that --range names. Throws std::invalid_argument for an invalid one.
 [[nodiscard]] check::Ranges ranges_from(const std::vector<std::string>& texts);
 

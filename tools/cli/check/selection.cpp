@@ -7,8 +7,8 @@
 
 #include "backend/gl/device.hpp"
 #include "catalogue/catalogue.hpp"
-#include "check/random_function.hpp"
 #include "cli/check/checker.hpp"
+#include "cli/check/worker_session.hpp"
 #include "cli/environment.hpp"
 #include "cli/names.hpp"
 #include "shader/steps.hpp"
@@ -71,23 +71,13 @@ std::vector<shader::Variant> variants_of(const CheckOptions& options) {
 }
 
 bool is_of_file(const CheckOptions& options) {
-    return !options.equations.empty() &&
-           (is_shader_file(options.equations.front()) || is_module_file(options.equations.front()));
+    return !options.equations.empty() && is_shader_file(options.equations.front());
 }
 
 namespace {
 
-// The IDs of the selected equations, the functions of a file, or random functions.
+// The IDs of the selected equations, or the functions of a file.
 std::vector<std::string> names_of(const CheckOptions& options, CheckOutcome& outcome) {
-    if (options.equations.size() == 1 && is_random(options.equations.front()))
-        return random_names(options.equations.front());
-    if (is_of_file(options) && is_module_file(options.equations.front())) {
-        if (options.compilers.empty())
-            throw std::invalid_argument(options.equations.front() +
-                                        ": a module is compared with itself after --compiler, expected one");
-        static_cast<void>(module_in(options.equations.front()));
-        return {std::filesystem::path(options.equations.front()).filename().string()};
-    }
     if (is_of_file(options)) {
         OwnSelection own = own_selection(options.equations, options.ranges, options.includes);
         outcome.notes = std::move(own.notes);
@@ -118,10 +108,9 @@ std::vector<CheckTask> tasks_of(const CheckOptions& options, CheckOutcome& outco
                              .inputs = options.inputs,
                              .seed = options.seed,
                              .coverage = options.coverage,
-                             .file = is_random(name) ? name : file,
+                             .file = file,
                              .ranges = options.ranges,
                              .includes = options.includes});
-            if (is_random(name)) tasks.back().ranges = {check::random_function_range};
         }
     }
     return tasks;

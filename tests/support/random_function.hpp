@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-namespace gloam::check {
+namespace gloam::test {
 
 // The GLSL text of a function random_SEED with loops, branches, switches, arrays, vectors, matrices, integers
 // and calls, and of those that it calls. Floats are halves of small integers, so that each operation has one
@@ -14,4 +14,4 @@ namespace gloam::check {
 // The range of its parameter x (check::range_from()). The others take any integers.
 inline constexpr const char* random_function_range = "x=-16:16";
 
-}  // namespace gloam::check
+}  // namespace gloam::test

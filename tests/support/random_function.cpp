@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "check/random_function.hpp"
+#include "support/random_function.hpp"
 
 #include <fmt/format.h>
 #include <initializer_list>
 
 #include "numeric/random.hpp"
 
-namespace gloam::check {
+namespace gloam::test {
 namespace {
 
 // Writes functions: three variables of each type, an array, a matrix, statements that change them, and
@@ -157,4 +157,4 @@ std::string random_function(std::uint64_t seed) {
     return Writer(seed).file(seed);
 }
 
-}  // namespace gloam::check
+}  // namespace gloam::test
