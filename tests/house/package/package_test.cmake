@@ -49,8 +49,6 @@ endif()
 run("install" "${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${WORK}/installed")
 file(RENAME "${WORK}/installed" "${prefix}")
 file(COPY "${CONSUMER}" DESTINATION "${WORK}")
-run("what 0.2 promises of C++" "${COMPILER}" -std=c++20 -fsyntax-only "-I${prefix}/include"
-  "${CMAKE_CURRENT_LIST_DIR}/api_0_2.cpp")
 file(GLOB_RECURSE version_file "${prefix}/*/gloam-config-version.cmake")
 foreach(asked 0.1 0.2 0.3 1.0)
   string(REPLACE "." ";" parts ${asked})
