@@ -5,10 +5,10 @@
 Prints one line per violation, "file:line: [rule] what is wrong", and exits 1 when there is one.
 """
 import re
+import shutil
+import subprocess
 import sys
 from pathlib import Path
-
-from prose import files_of
 
 # The wings of harness/, their rooms, and whom each of these may include besides itself. The framework knows nothing of
 # ambient occlusion and installs alone: its rooms include no room of the other wing.
@@ -334,6 +334,18 @@ def shader_caller(house):
                 yield source, line, (f"nothing calls {name}: expected a method or pass that does, or, at the end of "
                                      'its comment, "// No method or pass here calls it: it is SOURCE, WHAT.", SOURCE: '
                                      "TSSAO, ISSAO, the ... of the comparative study, or OpenGL's")
+
+
+def files_of(root):
+    """Names of the files of the repository: those of git where there is one, without what it ignores."""
+    if shutil.which("git"):
+        listed = subprocess.run(["git", "-C", str(root), "ls-files", "-co", "--exclude-standard"], capture_output=True,
+                                text=True, check=False)
+        if listed.returncode == 0:
+            return sorted(name for name in listed.stdout.splitlines() if (root / name).is_file())
+    skipped = {"build", ".git"}
+    return sorted(str(path.relative_to(root)) for path in root.rglob("*")
+                  if path.is_file() and path.relative_to(root).parts[0] not in skipped)
 
 
 def sources(root):
