@@ -10,7 +10,7 @@
 // Inverse trigonometric functions. Vulkan lets those of the device err by 4096 ulp, 2e-4 at the least; the error of
 // these stays below 1e-6 on every conforming driver that does their operations in order (`precise`, NoContraction).
 // A driver that reorders all that Vulkan lets it may err by 2e-4; none is known to. The coefficients are those of
-// minimax polynomials, as Sollya's fpminimax finds them.
+// minimax polynomials; Sollya's fpminimax finds as good ones.
 
 // arc sine near 0 (ASIN-half): `asin x, |x| <= 1/2` [minimax polynomial].
 // x: in [-1/2, 1/2]; beyond, the polynomial parts from the function.

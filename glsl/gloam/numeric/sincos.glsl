@@ -8,7 +8,7 @@
 // Cosine and sine made of products and sums. Vulkan lets those of the device err by 2^-11 inside [-pi, pi] and by
 // anything outside; these are the same within 5e-7 on every conforming driver that does their operations in order
 // (`precise`, NoContraction). A driver that reorders all that Vulkan lets it may err by 4e-6; none is known to. The
-// coefficients are those of minimax polynomials, as Sollya's fpminimax finds them.
+// coefficients are those of minimax polynomials; Sollya's fpminimax finds as good ones.
 
 // cosine and sine of an angle near a multiple of a quarter turn (SINCOS-octant): `(cos a, sin a), a = r + q pi / 2`
 // [minimax polynomials].
