@@ -35,7 +35,7 @@ void main() {
     float angle = gloam_hash_rotation(pixel);
     uint samples_before = 0u;  // of earlier frames, where a history takes the mean over frames
     uint samples = SLICES * 2u * STEPS;
-    GloamKernel kernel = GloamKernel(radius, bias, angle, samples_before, samples, GLOAM_FARTHEST, 1, false);
+    GloamKernel kernel = GloamKernel(radius, bias, angle, samples_before, samples, GLOAM_FARTHEST, 1);
     GloamSweep settings = GloamSweep(STEPS, 1.0, GLOAM_FALLOFF_LINEAR);
     occlusion = vec4(gloam_sweep(position, normal, camera, kernel, settings).occlusion);
 }

@@ -44,7 +44,6 @@ layout(constant_id = 6) const bool fewer_samples = true;    // read samples_dist
 layout(constant_id = 7) const bool caps_radius = true;      // read radius_cap
 layout(constant_id = 8) const bool smooths = true;          // read smoothing
 layout(constant_id = 9) const bool orthographic = false;    // the camera; else perspective
-layout(constant_id = 12) const bool skip_closed = false;    // end marches that no tap to come can change
 layout(constant_id = 14) const bool keeps_history = true;   // else each frame stands by itself
 layout(constant_id = 20) const bool shows_alone = false;    // neither history nor filter: only binding 10 is written
 layout(constant_id = 21) const bool on_lattice = false;    // kernels are rotated on a lattice; else by a hash
@@ -110,8 +109,6 @@ layout(binding = 8 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT layer_image;
 layout(binding = 6, std430) readonly buffer MethodSettings { MethodValues method_values; };
 layout(binding = 7 GLOAM_FORMAT(GLOAM_PREPARED)) uniform GLOAM_INPUT prepared_image;
 
-const bool ends_marches = skip_closed && !moving_objects;  // probes are taps that must be taken
-
 #define GLOAM_LIST_BINDING 9
 #include "tiles/listed.glsl"
 #define GLOAM_STATE_BINDING 4
@@ -140,7 +137,6 @@ Neighborhood neighborhood;
 // The invocation's part of what is counted.
 uint samples_missed = 0u;  // of those that its pixels could have taken
 uint pixel_kinds = 0u;     // COUNT_*
-uint marches_ended = 0u;   // COUNT_ENDED for each pixel that had one
 const bool open_tiles = listed && which_list == OPEN_TILES;  // nothing can block a sample of these (tiles/open.comp)
 
 GloamCamera this_camera() {
@@ -239,14 +235,13 @@ GloamHistory sampled(ivec2 pixel, float depth) {
     bool samples_none = frozen(before) || samples == 0u;
     pixel_kinds += samples_none && !gloam_is_background(depth) ? COUNT_FROZEN : 0u;
     // Where nothing is blocked, each sample counts and adds nothing.
-    GloamEstimate fresh = GloamEstimate(0.0, samples_none ? 0.0 : float(samples), 0u, 1.0);
+    GloamEstimate fresh = GloamEstimate(0.0, samples_none ? 0.0 : float(samples), 1.0);
     float change = 0.0;  // of a pixel that takes no sample nothing is known
     if (!open_tiles && !samples_none) {
         fresh = estimated(pixel, depth, before, samples);
         change = neighborhood.change;
     }
     samples_missed -= uint(fresh.samples);
-    marches_ended += fresh.left_out > 0u ? COUNT_ENDED : 0u;
     float weight = weight_after_change(before.weight, change);
     vec2 blended =
         gloam_blend(before.occlusion, weight, fresh.occlusion, fresh.samples * fresh.weight, parameters.weight_max);
@@ -309,5 +304,5 @@ void main() {
     } else {
         shade_and_store(column.first);
     }
-    count_tile(column.entry, tiles_of(parameters.size), samples_missed + marches_ended, pixel_kinds);
+    count_tile(column.entry, tiles_of(parameters.size), samples_missed, pixel_kinds);
 }

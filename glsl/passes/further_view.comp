@@ -105,7 +105,7 @@ float occlusion_there(ivec2 pixel, float depth) {
     float bias = max(parameters.bias, gloam_depth_bias(parameters.bias_depth, -position.z, 1.0));
     float farthest = reject_taps ? method_values.range : uintBitsToFloat(0x7F800000u);
     GloamKernel kernel =
-        GloamKernel(parameters.radius, bias, gloam_hash_rotation(pixel), 0u, samples, farthest, 1, false);
+        GloamKernel(parameters.radius, bias, gloam_hash_rotation(pixel), 0u, samples, farthest, 1);
     MethodValues values = method_values;
     values.steps = method_steps;
     GloamEstimate found = METHOD(position, normal, camera, kernel, values);

@@ -46,7 +46,6 @@ Settings settings_for(const std::string& method, std::uint32_t samples = 32) {
     settings.samples = settings.samples_converged = samples;
     settings.history = false;
     settings.least_radius = 0.0F;
-    settings.skip_closed = false;
     return settings;
 }
 

@@ -13,12 +13,10 @@ struct SweepKernel {
     unsigned count;
     float farthest;
     int layers;
-    bool ends_marches;
 };
 struct SweepEstimate {
     float occlusion;
     float samples;
-    unsigned left_out;
     float weight;
 };
 struct Sweep {
@@ -72,7 +70,7 @@ class SweepOfAWall : public testing::Test {
 
     double occlusion(const check::ImageSet& image, glm::vec3 position, glm::vec3 normal,
                      const Sweep& settings) const {
-        const SweepKernel kernel{1.0F, 1e-5F, 0.0F, 0, 512 * 2 * settings.steps, infinity, 1, false};
+        const SweepKernel kernel{1.0F, 1e-5F, 0.0F, 0, 512 * 2 * settings.steps, infinity, 1};
         return static_cast<double>(
             sweep.with_images(image, {position, normal, camera_, kernel, settings}).occlusion);
     }

@@ -94,7 +94,6 @@ ordered_json frame_json(const FrameReport& frame) {
                       {"samples", work.samples},
                       {"convergence", frame.mean_convergence},
                       {"pixels", work.pixels},
-                      {"pixels_ended_early", work.ended_early},
                       {"pixels_skipped",
                        {{"background", work.background},
                         {"radius_below_pixel", work.below_radius},

@@ -61,7 +61,7 @@ GloamEstimate gloam_aksoy_phaneuf_two(vec3 position, vec3 normal, GloamCamera ca
     GloamEstimate far = gloam_aksoy_phaneuf(position, normal, camera, broad);
     GloamEstimate near = gloam_aksoy_phaneuf(position, normal, camera, fine);
     if (!(far.samples > 0.0)) return GLOAM_NO_ESTIMATE;
-    return GloamEstimate(gloam_two_radii_sum(near.occlusion, far.occlusion), float(2u * broad.count), 0u, 1.0);
+    return GloamEstimate(gloam_two_radii_sum(near.occlusion, far.occlusion), float(2u * broad.count), 1.0);
 }
 
 #endif

@@ -7,7 +7,6 @@
 #include "gloam/gather/further_depths.glsl"
 #include "gloam/geometry/slice.glsl"
 #include "gloam/numeric/constants.glsl"
-#include "gloam/occlusion/closed_march.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/layers.glsl"
@@ -22,8 +21,6 @@ struct GloamBitmask {
     float thickness;  // world units: how far behind its front a surface blocks
     uint steps;       // taps along each half of a slice, at least 1
 };
-
-const uint GLOAM_ALL_SECTORS = 0xFFFFFFFFu;
 
 // Sectors between the front and the back of a sample, of equal shares of the cosine-weighted half plane
 // (gloam_slice_fraction_cosine, gloam_bitmask_sectors).
@@ -46,7 +43,6 @@ GloamEstimate gloam_bitmask(vec3 position, vec3 normal, GloamCamera camera, Gloa
     float turns = gloam_turns(kernel.angle);
     uint steps = max(settings.steps, 1u);
     uint slices = gloam_whole_samples(kernel.count, 2u * steps) / (2u * steps);
-    uint left_out = 0u;
     float thickness = settings.thickness > 0.0 && settings.thickness <= GLOAM_FARTHEST ? settings.thickness : 0.0;
     float occluded = 0.0;
     float whole = 0.0;
@@ -59,16 +55,7 @@ GloamEstimate gloam_bitmask(vec3 position, vec3 normal, GloamCamera camera, Gloa
         uint sectors = 0u;
         for (int side = 0; side < 2; ++side) {
             float towards = side == 0 ? 1.0 : -1.0;
-            uint taps = steps;
-            if (kernel.ends_marches) {
-                vec2 end = footprint.center + towards * footprint.reach * random.direction;
-                vec2 pixels = footprint.reach * footprint.size;
-                vec2 clearance =
-                    gloam_slice_clearance(slice, position, direction, end, pixels, kernel.radius, random.share);
-                taps = gloam_slice_taps(clearance, random.share, random.jitter, steps);
-            }
-            uint k = 0u;
-            for (; k < taps && !(kernel.ends_marches && sectors == GLOAM_ALL_SECTORS); ++k) {
+            for (uint k = 0u; k < steps; ++k) {
                 float share = (float(k) + random.jitter) / float(steps);
                 ivec2 at = gloam_footprint_pixel(footprint, towards * share * share * random.direction);
                 float first = gloam_fetch_depth(at);
@@ -84,14 +71,11 @@ GloamEstimate gloam_bitmask(vec3 position, vec3 normal, GloamCamera camera, Gloa
                     if (counts) sectors |= gloam_bitmask_between(offset, back, slice);
                 }
             }
-            left_out += steps - k;
         }
         occluded += slice.weight * gloam_slice_whole(slice) * gloam_bitmask_occlusion(sectors);
         whole += slice.weight * gloam_slice_whole(slice);
     }
-    GloamEstimate estimate = gloam_slice_estimate(occluded, whole, slices, steps);
-    estimate.left_out = left_out;
-    return estimate;
+    return gloam_slice_estimate(occluded, whole, slices, steps);
 }
 
 #endif

@@ -75,7 +75,7 @@ GloamEstimate gloam_dual_resolution(vec3 position, vec3 normal, GloamCamera came
         GloamWeightedMean mean = gloam_dual_interpolated(position, normalize(normal), footprint, kernel.radius);
         uint samples = gloam_whole_samples(kernel.count, 2u * max(settings.steps, 1u));
         if (mean.weight >= GLOAM_DUAL_LEAST_WEIGHT)
-            return GloamEstimate(gloam_weighted_mean_value(mean, 0.0), float(samples), 0u, 1.0);
+            return GloamEstimate(gloam_weighted_mean_value(mean, 0.0), float(samples), 1.0);
     }
     return gloam_hbao(position, normal, camera, kernel,
                       GloamHbao(settings.angle_bias, settings.contrast, settings.steps));

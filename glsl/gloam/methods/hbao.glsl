@@ -34,7 +34,6 @@ GloamEstimate gloam_hbao(vec3 position, vec3 normal, GloamCamera camera, GloamKe
     uint steps = max(settings.steps, 1u);
     uint slices = gloam_whole_samples(kernel.count, 2u * steps) / (2u * steps);
     vec2 bias = gloam_sincos_turns(gloam_turns(settings.angle_bias));
-    uint left_out = 0u;
     float sum = 0.0;
     for (uint i = 0u; i < slices; ++i) {
         GloamSliceSample random = gloam_slice_sample(kernel.first / (2u * steps) + i + 1u, turns);
@@ -45,11 +44,7 @@ GloamEstimate gloam_hbao(vec3 position, vec3 normal, GloamCamera camera, GloamKe
         for (int side = 0; side < 2; ++side) {
             float towards = side == 0 ? 1.0 : -1.0;
             march.x = gloam_hbao_horizon(n, towards * direction, bias).y;
-            // Nothing rises above the bias where the tangent plane slopes towards the eye nearly along the view: the
-            // sine there is 1.
-            uint taps = kernel.ends_marches && !(march.x < 1.0) ? 0u : steps;
-            left_out += steps - taps;
-            for (uint k = 0u; k < taps; ++k) {
+            for (uint k = 0u; k < steps; ++k) {
                 float share = (float(k) + random.jitter) / float(steps);
                 ivec2 at = gloam_footprint_pixel(footprint, towards * share * share * random.direction);
                 float first = gloam_fetch_depth(at);
@@ -67,9 +62,7 @@ GloamEstimate gloam_hbao(vec3 position, vec3 normal, GloamCamera camera, GloamKe
         }
         sum += 1.0 - gloam_hbao_visibility(0.5 * march.y, settings.angle_bias, settings.contrast);
     }
-    GloamEstimate estimate = gloam_estimate(sum, float(slices), slices * 2u * steps);
-    estimate.left_out = left_out;
-    return estimate;
+    return gloam_estimate(sum, float(slices), slices * 2u * steps);
 }
 
 // Horizon-based ambient occlusion as in the comparative study (Aalund and Baerentzen 2013, after Bavoil and Sainz

@@ -142,7 +142,7 @@ GloamEstimate gloam_mssao(vec3 position, vec3 normal, GloamCamera camera, GloamK
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
     vec3 n = normalize(normal);
     GloamLevels levels = gloam_mssao_at(position, n, 0, camera, kernel, gloam_coarsest_level(settings.resolutions));
-    return GloamEstimate(gloam_mssao_combine(levels.largest, levels.mean), float(kernel.count), 0u, 1.0);
+    return GloamEstimate(gloam_mssao_combine(levels.largest, levels.mean), float(kernel.count), 1.0);
 }
 
 #endif

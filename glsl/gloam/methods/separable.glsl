@@ -86,7 +86,7 @@ GloamEstimate gloam_separable(vec3 position, vec3 normal, GloamCamera camera, Gl
     float second = gloam_separable_slice(position, n, camera, kernel, true);
     float first = gloam_separable_carried(position, n, camera, kernel, settings.sigma);
     return GloamEstimate(gloam_separable_mean(first, second),
-                         float(gloam_whole_samples(kernel.count, GLOAM_SEPARABLE_UNIT)), 0u, 1.0);
+                         float(gloam_whole_samples(kernel.count, GLOAM_SEPARABLE_UNIT)), 1.0);
 }
 
 #endif

@@ -61,7 +61,7 @@ GloamEstimate gloam_volumetric_two(vec3 position, vec3 normal, GloamCamera camer
     GloamEstimate far = gloam_volumetric(position, normal, camera, broad);
     GloamEstimate near = gloam_volumetric(position, normal, camera, fine);
     if (!(far.samples > 0.0)) return GLOAM_NO_ESTIMATE;
-    return GloamEstimate(gloam_two_balls(near.occlusion, far.occlusion), float(2u * broad.count), 0u, 1.0);
+    return GloamEstimate(gloam_two_balls(near.occlusion, far.occlusion), float(2u * broad.count), 1.0);
 }
 
 // Paired line samples on a spiral (Toy Story 3: The Video Game; Ownby, Hall and Hall 2010; CS-R): the ball of

@@ -9,7 +9,7 @@
 // points. After this test nothing overflows, and nothing is NaN except depths of taps, which gloam_tap_sees tests.
 
 // The samples that one pixel takes in one frame: points first + 1 ... first + count of a Halton sequence (TSSAO-4). The
-// last three members are options; if they are constants, the compiler removes the code for unused options.
+// last two members are options; if they are constants, the compiler removes the code for unused options.
 struct GloamKernel {
     float radius;  // of influence, world units
     float bias;  // world units: hides the rounding of positions and depths, so at least the spacing of depths (2^-23 of
@@ -20,10 +20,9 @@ struct GloamKernel {
     uint first;    // j, samples taken before; 0 without a history
     uint count;    // k: taps in all. Methods of slices take whole slices of 2 x steps taps, at least one: what is left
                    // of the division is not taken
-    float farthest;     // world units: points, taps and slices further in front than this are rejected (CS-REJ);
-                        // infinity: none is
-    int layers;         // depth layers that the samples see, 1 to 4; at 1 gloam_fetch_layers is not called
-    bool ends_marches;  // skip taps that cannot change a march any more; bit-identical result
+    float farthest;   // world units: points, taps and slices further in front than this are rejected (CS-REJ);
+                      // infinity: none is
+    int layers;       // depth layers that the samples see, 1 to 4; at 1 gloam_fetch_layers is not called
 };
 
 // What a method estimates for a pixel: all that it samples there in one frame. Every method of gloam/methods is a
@@ -41,7 +40,6 @@ struct GloamKernel {
 struct GloamEstimate {
     float occlusion;  // mean of the samples, [0, 1]
     float samples;    // taken, an integer up to 2^24; 0 where there is nothing to shade
-    uint left_out;    // taps that were counted but skipped, since they could not change the result
     float weight;     // of each sample, in a mean over frames or pixels, [0, pi / 2]: 1, but for slices
 };
 
@@ -67,7 +65,7 @@ bool gloam_can_gather(vec3 position, vec3 normal, float radius, GloamCamera came
 }
 
 // Of a pixel with nothing to gather.
-const GloamEstimate GLOAM_NO_ESTIMATE = GloamEstimate(0.0, 0.0, 0u, 1.0);
+const GloamEstimate GLOAM_NO_ESTIMATE = GloamEstimate(0.0, 0.0, 1.0);
 
 // estimate of a weighted mean (TSSAO-2-estimate): `min(sum / weight, 1)` [TSSAO (Mattausch et al.), eq 2].
 // occluded: sum of occlusion times weight, >= 0. whole: sum of weights, >= 0. samples: taken.
@@ -75,7 +73,7 @@ const GloamEstimate GLOAM_NO_ESTIMATE = GloamEstimate(0.0, 0.0, 0u, 1.0);
 GloamEstimate gloam_estimate(float occluded, float whole, uint samples) {
     bool known = whole >= GLOAM_SMALLEST && occluded > 0.0;
     float mean = known ? (occluded < whole ? occluded / whole : 1.0) : 0.0;
-    return GloamEstimate(mean, float(samples), 0u, 1.0);
+    return GloamEstimate(mean, float(samples), 1.0);
 }
 
 // estimate of slices with weights (SLICE-estimate): `min(sum / weight, 1), of weight / slices` [the mean of Jimenez et

@@ -34,7 +34,6 @@ layout(constant_id = 5) const uint method_steps = 4u;        // replaces MethodV
 layout(constant_id = 6) const bool on_lattice = false;      // kernels are rotated on a lattice; else by a hash
 const bool fewer_samples = true;
 const bool caps_radius = true;
-const bool ends_marches = false;
 
 layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
 layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT normal_image;

@@ -7,8 +7,7 @@
 // What is known about a tile after a frame.
 struct TileState {
     uint flags;    // STATE_*
-    uint missed;   // samples that its shaded pixels did not take in that frame, of those that each may take, 64 x 2048
-                   // at most, and from bit 24 on the pixels of which a march was ended (COUNT_ENDED)
+    uint missed;   // samples that its shaded pixels did not take in that frame, of those that each may take
     uint pixels;   // counts of its pixels by kind, COUNT_*; a skipped tile keeps those of when it was last shaded
 };
 
@@ -21,9 +20,6 @@ const uint COUNT_BACKGROUND = 1u;
 const uint COUNT_BELOW_LIMIT = 1u << 8u;  // the projected radius is below the limit
 const uint COUNT_FROZEN = 1u << 16u;      // of a surface that took no sample
 const uint COUNT_FILTERED = 1u << 24u;    // which the filter may change
-
-// One pixel in TileState.missed whose march was ended.
-const uint COUNT_ENDED = 1u << 24u;
 
 // Number of pixels of a kind. pixels: TileState.pixels. kind: COUNT_*.
 uint tile_count(uint pixels, uint kind) {

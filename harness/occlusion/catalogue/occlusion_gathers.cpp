@@ -35,7 +35,7 @@ Values gather_kernels() {
     return vector({log_uniform(0.05, 2).and_special(), log_uniform(1e-3, 0.1).and_special(),
                    uniform(0, 6.2831853).and_special(),
                    log_integers(16777216).and_near_integers({16777216, 4294967295}), integers(0, 8),
-                   either(constant(1e18F), uniform(-0.5, 2)).and_special(), integers(1, 4), constant(false)});
+                   either(constant(1e18F), uniform(-0.5, 2)).and_special(), integers(1, 4)});
 }
 
 Values gather_length() {
@@ -201,25 +201,6 @@ Values slices() {
     });
 }
 
-void append_clearance(Entries& entries) {
-    const Values ends = either(vector(2, uniform(0, 1)), vector(2, uniform(-0.1, 1.1))).and_special();
-    const Values positions = vector({uniform(-1, 1), uniform(-1, 1), uniform(-4, -1)}).and_special();
-    add(entries, "SLICE-clearance", &reference::gloam_slice_clearance,
-        {.domain = {slices(), positions, unit_vector(2), ends, vector(2, log_uniform(0.1, 1000)),
-                    log_uniform(0.01, 10), uniform(0, 1)},
-         .budget = {.absolute = 8e-7},
-         .codomain = {0, 1}});
-    const Values clearances = vector({uniform(0, 1), uniform(0, 1)}).and_value(glm::vec2(0)).and_special();
-    add(entries, "SLICE-taps", &reference::gloam_slice_taps,
-        {.domain = {clearances, uniform(-0.25, 1.25).and_near({0.0, 1.0}).and_special(), uniform(0, 1),
-                    integers(1, 64)},
-         .budget = {.backward_ulp = 4},
-         .codomain = {0, 64}},
-        // A smaller ball is within the rounding of a tap's distance.
-
-        [](glm::vec2, float ball, float, unsigned) { return moderate(1e-5, 1e30, ball); });
-}
-
 // Slices of a surface seen edge-on are nearly parallel to its tangent plane.
 bool seen_from_above(const glm::vec3& p, const glm::vec3& n, const Camera& camera, const Kernel& kernel) {
     const glm::vec3 view = camera.orthographic ? glm::vec3(0, 0, 1) : -glm::normalize(p);
@@ -247,7 +228,6 @@ void append_slice_parts(Entries& entries) {
 
 void append_slice_gathers(Entries& entries) {
     append_into_slice(entries);
-    append_clearance(entries);
     add_method(entries, "GTAO-gather", &reference::gloam_gtao, vector({integers(1, 4)}),
                {.absolute = 6e-6, .backward_ulp = 4});
     add_method(entries, "SWEEP-gather", &reference::gloam_sweep,

@@ -32,7 +32,6 @@ struct Work {
     std::uint64_t below_radius = 0;  // pixels skipped: projected radius below Settings::least_radius
     std::uint64_t converged = 0;     // pixels that the filter did not change, without background
     std::uint64_t samples = 0;       // samples that entered a mean
-    std::uint64_t ended_early = 0;   // pixels with a march that ended because no further tap could change it
     std::uint64_t tiles = 0;
     std::uint64_t tiles_background = 0;  // tiles without any geometry
     std::uint64_t tiles_skipped = 0;     // tiles without a pixel to sample, those without geometry included

@@ -100,7 +100,6 @@ struct MethodInfo {
     SampleUnit unit = SampleUnit::one;
     double on_a_plane = 0.0;  // its result on a bare plane
     OpenProof open_proof = OpenProof::none;
-    bool ends_marches = false;   // skips taps that cannot change its march (skip_closed)
     bool takes_fewer = false;    // than asked for, if several samples fall into one pixel
     bool reads_normals = false;  // of the surfaces under its samples, not of the pixel's own alone
     void (*adapt)(Settings&) =

@@ -215,7 +215,6 @@ PassSource occlusion_source(const Moment& moment, List list) {
                         {.id = 7, .bits = flag(no_radius_cap > settings.radius_cap)},
                         {.id = 8, .bits = flag(settings.smoothing > 0.0F)},
                         {.id = 9, .bits = flag(moment.view.camera.orthographic())},
-                        {.id = 12, .bits = flag(settings.skip_closed && method.ends_marches)},
                         {.id = 14, .bits = flag(settings.history)},
                         {.id = 15, .bits = settings.samples},
                         {.id = 16, .bits = settings.samples_converged},

@@ -232,8 +232,6 @@ void add_output(std::vector<Setting>& table) {
                          &S::skip_background));
     table.push_back(flag("skip_open", "off: tiles that nothing can block are sampled, to the same result",
                          &S::skip_open));
-    table.push_back(flag("skip_closed", "off: marches go on where no tap can change them, to the same result",
-                         &S::skip_closed));
     table.push_back(flag("skip_settled", "off: tiles that would not change are shaded, to the same result",
                          &S::skip_settled));
     table.push_back(flag("skip_filtered",

@@ -38,8 +38,7 @@ Work summed(std::span<const TileState> tiles, gpu::Extent extent, gpu::Extent ba
         work.background += background;
         work.below_radius += below_radius;
         const bool shaded = !selected || (tile.flags & state_shaded) != 0;
-        if (shaded) work.samples += std::uint64_t{samples} * pixels - (tile.missed & 0xFFFFFFU);
-        work.ended_early += tile.missed >> 24U;
+        if (shaded) work.samples += std::uint64_t{samples} * pixels - tile.missed;
         const bool left_out = pixels == 0;  // in a guard band that is not sampled
         work.tiles_background += !left_out && background == pixels ? 1 : 0;
         work.tiles_skipped += background + below_radius == pixels ? 1 : 0;

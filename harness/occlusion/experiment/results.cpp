@@ -209,7 +209,6 @@ void members(Io& io, effect::Work& all) {
     io.member("below_radius", all.below_radius);
     io.member("converged", all.converged);
     io.member("samples", all.samples);
-    io.member("ended_early", all.ended_early);
     io.member("tiles", all.tiles);
     io.member("tiles_background", all.tiles_background);
     io.member("tiles_skipped", all.tiles_skipped);

@@ -36,14 +36,6 @@ Quantity tiles(std::string name, std::uint64_t Work::* member) {
             }};
 }
 
-// Pixels with a march that was ended, as a share of those with a surface.
-std::optional<double> ended_early(const Cell& cell) {
-    const Work& work = cell.work;
-    if (work.tiles == 0) return std::nullopt;
-    return static_cast<double>(work.ended_early) /
-           static_cast<double>(std::max<std::uint64_t>(work.pixels - work.background, 1));
-}
-
 Quantity converged(std::string name, std::optional<double> (*of)(const Converged&)) {
     return {std::move(name), [of](const Cell& cell) {
                 return cell.quality && cell.quality->converged ? of(*cell.quality->converged) : std::nullopt;
@@ -183,7 +175,6 @@ const std::vector<Quantity>& untimed() {
         tiles("tiles_settled", &Work::tiles_settled),
         tiles("tiles_filtered", &Work::tiles_filtered),
         tiles("tiles_unfiltered", &Work::tiles_unfiltered),
-        {"ended_early", ended_early},
         {"difference", [](const Cell& cell) { return cell.difference; }},
         {"rmse_own_radius", [](const Cell& cell) { return cell.own_radius_error; }},
         {"rmse_remapped",

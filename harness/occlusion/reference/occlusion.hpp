@@ -60,13 +60,11 @@ struct GloamKernel {
     unsigned count;
     double farthest;
     int layers;
-    bool ends_marches;
 };
 
 struct GloamEstimate {
     double occlusion;
     double samples;
-    unsigned left_out;
     double weight = 1.0;
 };
 
@@ -79,7 +77,7 @@ inline bool gloam_can_gather(dvec3 position, dvec3 normal, double radius, const 
 }
 
 inline GloamEstimate gloam_estimate(double occluded, double whole, unsigned samples) {
-    return {weighted_ratio({occluded, whole}), static_cast<double>(samples), 0U};
+    return {weighted_ratio({occluded, whole}), static_cast<double>(samples)};
 }
 
 inline GloamEstimate gloam_slice_estimate(double occluded, double whole, unsigned slices, unsigned steps) {

@@ -42,7 +42,6 @@ layout(constant_id = 0) const bool orthographic = false;  // the camera; else pe
 const bool fewer_samples = true;
 const bool caps_radius = true;
 const int layers = 1;
-const bool ends_marches = false;
 
 uniform sampler2D depth_image;     // eye-linear depth; background 0
 uniform sampler2D normal_image;    // view-space normal that faces the eye

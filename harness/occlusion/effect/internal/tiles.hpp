@@ -26,7 +26,7 @@ constexpr std::uint32_t state_shaded = 1;
 // What is known about a tile after a frame, as in glsl/passes/tiles/state.glsl.
 struct TileState {
     std::uint32_t flags = 0;
-    std::uint32_t missed = 0;  // samples not taken, and, from bit 24 on, pixels whose march was ended
+    std::uint32_t missed = 0;  // samples not taken
     std::uint32_t pixels =
         0;  // counts of its pixels, eight bits each: background, below the limit, frozen, filtered
 };

@@ -58,7 +58,6 @@ std::vector<MethodInfo> slice_methods() {
          .members = {{"angle_bias"}, {"contrast", "intensity"}, {"steps"}},
          .points = "halton",
          .unit = SampleUnit::slice,
-         .ends_marches = true,
          .adapt = adapt_hbao},
         {.name = "hbao_study",
          .family = "hbao",
@@ -99,7 +98,6 @@ std::vector<MethodInfo> slice_methods() {
          .members = {{"angle_bias"}, {"contrast", "intensity"}, {"steps"}, {"disagreement"}},
          .points = "halton",
          .unit = SampleUnit::slice,
-         .ends_marches = true,
          .adapt = adapt_hbao,
          .prepare = half_resolution},
         {.name = "separable",
@@ -120,8 +118,7 @@ std::vector<MethodInfo> slice_methods() {
          .own_settings = "GloamBitmask",
          .members = {{"thickness"}, {"steps"}},
          .points = "halton",
-         .unit = SampleUnit::slice,
-         .ends_marches = true},
+         .unit = SampleUnit::slice},
     };
 }
 
