@@ -137,7 +137,6 @@ Neighborhood neighborhood;
 // The invocation's part of what is counted.
 uint samples_missed = 0u;  // of those that its pixels could have taken
 uint pixel_kinds = 0u;     // COUNT_*
-const bool open_tiles = listed && which_list == OPEN_TILES;  // nothing can block a sample of these (tiles/open.comp)
 
 GloamCamera this_camera() {
     return GloamCamera(parameters.p00_p11, parameters.size, orthographic);
@@ -234,10 +233,9 @@ GloamHistory sampled(ivec2 pixel, float depth) {
     uint samples = samples_for(before, depth);
     bool samples_none = frozen(before) || samples == 0u;
     pixel_kinds += samples_none && !gloam_is_background(depth) ? COUNT_FROZEN : 0u;
-    // Where nothing is blocked, each sample counts and adds nothing.
     GloamEstimate fresh = GloamEstimate(0.0, samples_none ? 0.0 : float(samples), 1.0);
     float change = 0.0;  // of a pixel that takes no sample nothing is known
-    if (!open_tiles && !samples_none) {
+    if (!samples_none) {
         fresh = estimated(pixel, depth, before, samples);
         change = neighborhood.change;
     }
@@ -297,12 +295,6 @@ void shade_and_store(ivec2 pixel) {
 
 void main() {
     Column column = column_of_invocation(parameters.size);
-    // Only the pixels of open tiles take so little that an invocation has several. A loop of one would keep compilers
-    // from unrolling those within.
-    if (open_tiles) {
-        for (int i = 0; i < column.pixels; ++i) shade_and_store(column.first + ivec2(0, i));
-    } else {
-        shade_and_store(column.first);
-    }
+    shade_and_store(column.first);
     count_tile(column.entry, tiles_of(parameters.size), samples_missed, pixel_kinds);
 }

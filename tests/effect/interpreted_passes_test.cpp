@@ -273,9 +273,9 @@ TEST_F(InterpretedPasses, OfAMovingSceneAreTheDevicesPixelByPixel) {
     half.resolution = Resolution::half;
     half.remap_c = 1.5F;
     expect_the_devices(views, half, "moving, half the resolution");
-    for (const char* name : {"ambient_occlusion", "bound_tiles", "filter_x", "filter_y", "halve_inputs",
-                             "merge_bounds_1", "normals_from_depth", "remap", "remap_filtered", "reproject",
-                             "sample_table", "select_filtered_tiles", "select_tiles", "upsample"})
+    for (const char* name : {"ambient_occlusion", "filter_x", "filter_y", "halve_inputs", "normals_from_depth", "remap",
+                             "remap_filtered", "reproject", "sample_table", "select_filtered_tiles",
+                             "select_tiles", "upsample"})
         EXPECT_GT(seen_[name].words, 0U) << name;
     EXPECT_EQ(seen_["select_tiles"].equal, seen_["select_tiles"].words) << "integers";
 }
@@ -322,13 +322,6 @@ TEST_F(InterpretedPasses, BesideTheEffectAreTheDevicesPixelByPixel) {
     for (const char* name : {"bent_normals", "bent_gather", "direct_light", "bounced_light", "light_filter",
                              "further_view", "composite"})
         EXPECT_GT(seen_[name].words, 0U) << name;
-}
-
-// A bare plane: nothing can block a tile of it.
-TEST_F(InterpretedPasses, OfOpenTilesAreTheDevicesPixelByPixel) {
-    expect_the_devices({wall({40, 24}, 2.0F)}, with_radius({}, 0.25F), "plane");
-    EXPECT_GT(seen_["open_tiles"].words, 0U);
-    EXPECT_GT(seen_["ambient_occlusion_open"].words, 0U);
 }
 
 }  // namespace gloam::effect::interpreted_passes_test

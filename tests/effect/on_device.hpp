@@ -74,8 +74,7 @@ inline const gpu::Image& image_of(const Step& pass, std::size_t binding) {
 
 // The settings with every skip on, or off.
 inline Settings with_skips(Settings settings, bool on = true) {
-    settings.skip_background = settings.skip_open = on;
-    settings.skip_settled = settings.skip_filtered = on;
+    settings.skip_background = settings.skip_settled = settings.skip_filtered = on;
     return settings;
 }
 inline Settings without_skips(const Settings& settings) {

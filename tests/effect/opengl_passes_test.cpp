@@ -150,7 +150,7 @@ TEST_P(OpenGlPasses, GiveThePictureOfVulkan) {
     const gpu::Extent extent{49, 35};
     const scene::GBuffer view = rasterized("room", extent, {});
     Settings settings = with_method(preset_named("tssao-paper").settings, GetParam());
-    settings.skip_open = settings.skip_settled = settings.skip_filtered = settings.skip_background = false;
+    settings.skip_settled = settings.skip_filtered = settings.skip_background = false;
     const Plan plan = plan_of(settings, {.view = extent});
     const std::vector<float> want = run(view, settings).filtered;
     const auto [least, most] = std::ranges::minmax(want);

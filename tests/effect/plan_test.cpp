@@ -20,7 +20,7 @@ std::vector<std::string> names_of(const std::vector<PassTime>& times) {
 
 // Of a frame in which everything runs, over the whole image.
 Settings without_tiles(Settings settings) {
-    settings.skip_open = settings.skip_settled = settings.skip_filtered = settings.skip_background = false;
+    settings.skip_settled = settings.skip_filtered = settings.skip_background = false;
     return settings;
 }
 
@@ -246,17 +246,9 @@ TEST_F(Layouts, ReprojectionFilterAndMap) {
 
 TEST_F(Layouts, PassesOverTiles) {
     using S = SelectParameters;
-    expect_pushed(selection_source(1), sizeof(S),
-                  {MEMBER(S, size), MEMBER(S, band), MEMBER(S, written), MEMBER(S, background),
-                   MEMBER(S, settled), MEMBER(S, open_tiles)});
-    using B = BoundParameters;
-    expect_pushed({.file = "tiles/bound.comp"}, sizeof(B), {MEMBER(B, size)});
-    using M = MergeParameters;
-    expect_pushed({.file = "tiles/merge_bounds.comp"}, sizeof(M), {MEMBER(M, size), MEMBER(M, level)});
-    using O = OpenParameters;
     expect_pushed(
-        {.file = "tiles/open.comp"}, sizeof(O),
-        {MEMBER(O, p00_p11), MEMBER(O, size), MEMBER(O, radius), MEMBER(O, bias), MEMBER(O, points)});
+        {.file = "tiles/select.comp"}, sizeof(S),
+        {MEMBER(S, size), MEMBER(S, band), MEMBER(S, written), MEMBER(S, background), MEMBER(S, settled)});
     using F = SelectFilteredParameters;
     expect_pushed({.file = "tiles/select_filtered.comp"}, sizeof(F), {MEMBER(F, size), MEMBER(F, reach)});
 }

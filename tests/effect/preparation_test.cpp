@@ -92,7 +92,7 @@ TEST_P(Prepared, TheBandIsReadWithoutBeingShaded) {
 TEST_P(Prepared, ATimeForEachPassAndNoneForOtherMethods) {
     const scene::GBuffer view = rasterized("corner", {33, 21});
     Settings settings = settings_for(GetParam(), 1.0F);
-    settings.skip_background = settings.skip_open = settings.skip_settled = settings.skip_filtered = false;
+    settings.skip_background = settings.skip_settled = settings.skip_filtered = false;
     settings.sample_table = false;
     settings.remap_a = 0.0F;
     AmbientOcclusion effect(device_, passes_, view.extent);

@@ -18,7 +18,6 @@ class SampleSettings : public OnDevice<testing::Test> {
     [[nodiscard]] Settings plain(const char* method = "hemisphere") const {
         Settings settings = with_radius(with_method({}, method), static_cast<float>(scene_.ao_radius));
         settings.least_radius = 0.0F;
-        settings.skip_open = false;
         return settings;
     }
 
@@ -115,7 +114,6 @@ TEST_F(SampleSettings, ABiasByDepthHidesTheRoundingOfHalves) {
     for (float& depth : view.depth) depth = std::round((depth + 45.0F) * 32.0F) / 32.0F;
     for (const char* method : {"hemisphere", "gtao", "alchemy", "dual_resolution"}) {
         Settings settings = with_radius(with_method({}, method), 0.5F);
-        settings.skip_open = false;
         const auto darkest = [&] { return std::ranges::max(run(view, settings).occlusion); };
         EXPECT_GT(darkest(), 0.01F) << method;
         settings.bias_depth = 0.002F;

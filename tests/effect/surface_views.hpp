@@ -46,21 +46,6 @@ inline scene::GBuffer wall(gpu::Extent extent, float depth) {
     return wall_of(extent, [=](std::uint32_t, std::uint32_t) { return depth; });
 }
 
-// A floor from the eye's height of two radii, of which a part is raised.
-inline scene::GBuffer floor_view(gpu::Extent extent, float bump) {
-    const glm::vec3 normal = glm::normalize(glm::vec3(0.0F, 1.0F, 0.7F));
-    const glm::vec2 scale = wall(extent, 1.0F).camera.p00_p11();
-    scene::GBuffer view = wall_of(extent, [&](std::uint32_t x, std::uint32_t y) {
-        const glm::vec2 ndc = (2.0F * glm::vec2(x, y) + 1.0F) / glm::vec2(extent.width, extent.height) - 1.0F;
-        const bool raised = x > extent.width / 2 && x < extent.width / 2 + 9 && y > 20 && y < 30;
-        const float depth =
-            (-2.0F + (raised ? bump : 0.0F)) / glm::dot(normal, glm::vec3(ndc / scale, -1.0F));
-        return depth > 0.0F && depth < 50.0F ? depth : infinity;
-    });
-    view.normal.assign(view.depth.size(), normal);
-    return view;
-}
-
 // The plane through (0, 0, -5).
 inline scene::GBuffer plane(gpu::Extent extent, bool orthographic, glm::dvec3 normal,
                             double pixel_aspect = 1.0) {

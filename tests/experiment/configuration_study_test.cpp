@@ -38,7 +38,6 @@ Settings four_samples() {
 }
 
 Settings all_skips(Settings settings) {
-    settings.skip_open = true;
     settings.freeze = true;
     return settings;
 }

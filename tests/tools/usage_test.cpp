@@ -112,7 +112,7 @@ TEST_F(List, SettingsWithDefaultAndRange) {
     expect_success(result);
     for (const char* line :
          {"samples            k_1: for each pixel that has not converged, in each frame (10 samples; ",
-          "skip_open          off: tiles that nothing can block are sampled, to the same result (on; "
+          "skip_settled       off: tiles that would not change are shaded, to the same result (on; "
           "on or off)"})
         EXPECT_THAT(result.out, HasSubstr(line));
     const auto settings = json::parse(gloam("list settings --json").out).at("settings");

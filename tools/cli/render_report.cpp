@@ -103,7 +103,6 @@ ordered_json frame_json(const FrameReport& frame) {
                        {{"background", work.tiles_background},
                         {"nothing_to_sample", work.tiles_skipped - work.tiles_background}}},
                       {"tiles_shaded", work.tiles_shaded},
-                      {"tiles_open", work.tiles_open},
                       {"tiles_filtered", work.tiles_filtered},
                       {"tiles_left_out",
                        {{"background", work.tiles_blank},

@@ -15,22 +15,18 @@ const uint TILE_SIDE = 8u;
 const uint LIST_COLUMNS = 32768u;
 
 // The lists, by number, and the counts beside them.
-const uint SHADED_TILES = 0u;      // reprojection, and samples where no tile is known to be open
+const uint SHADED_TILES = 0u;      // reprojection and samples
 const uint FILTERED_X_TILES = 1u;  // the filter along x
 const uint FILTERED_Y_TILES = 2u;  // the filter along y, and the mapping
-const uint SAMPLED_TILES = 3u;     // of the shaded tiles: those whose samples may be blocked
-const uint OPEN_TILES = 4u;        // of the shaded tiles: those where nothing can block any sample of any pixel
-const uint SKIPPED_TILES = 5u;     // (background, settled, 0, filtered enough): no list, but counts
-const uint TILE_LISTS = 6u;
+const uint SKIPPED_TILES = 3u;     // (background, settled, 0, filtered enough): no list, but counts
+const uint TILE_LISTS = 4u;
 
-// Tiles of one group, where each of its invocations takes several pixels of a tile: 1, 2, 4 or 8. The filter takes them
-// along x when it runs over the whole image. An open tile costs so little that the cost of a group would be visible.
+// Tiles of one group of the filter, whose invocations take several pixels. It takes them along x when it runs over the
+// whole image.
 const uint FILTER_TILES = 8u;
-layout(constant_id = 13) const uint open_tiles_each = 1u;
 
 // Tiles of one group of a list.
 uint tiles_of_group(uint list) {
-    if (list == OPEN_TILES) return open_tiles_each;
     return list == FILTERED_X_TILES || list == FILTERED_Y_TILES ? FILTER_TILES : 1u;
 }
 

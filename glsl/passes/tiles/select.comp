@@ -10,7 +10,6 @@
 //   1  buffer  the tiles' states after the last frame
 //   2  buffer  written: the states after this frame; the counts of shaded tiles become 0
 //   3  buffer  the lists, with counts of 0 and `layers` of 1; all lists are filled except those of the filter
-//   4  buffer  for each tile 1 where nothing can block any tap of its pixels, else 0; read when open_tiles is set
 #include "passes/input_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -21,7 +20,6 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
 layout(binding = 1, std430) readonly buffer StatesBefore { TileState states_before[]; };
 layout(binding = 2, std430) writeonly buffer StatesAfter { TileState states_after[]; };
-layout(binding = 4, std430) readonly buffer OpenTiles { uint open_tile[]; };
 
 layout(push_constant) uniform Parameters {
     ivec2 size;        // of the images, pixels
@@ -29,7 +27,6 @@ layout(push_constant) uniform Parameters {
     uint written;      // images that this frame writes: bit i is image i
     uint background;   // 1: skip tiles without geometry
     uint settled;      // 1: skip settled tiles: the view has not changed since the last frame, and stood still then
-    uint open_tiles;   // 1: put tiles in which nothing can block into a list of their own
 } parameters;
 
 #include "gloam/geometry/background.glsl"
@@ -49,8 +46,8 @@ bool without_geometry(uvec2 tile) {
     return true;
 }
 
-const uint PLACES = IN_LIST << SHADED_TILES | IN_LIST << SAMPLED_TILES | IN_LIST << OPEN_TILES |
-                    COUNT_SKIPPED << SKIPPED_BACKGROUND | COUNT_SKIPPED << SKIPPED_SETTLED;
+const uint PLACES =
+    IN_LIST << SHADED_TILES | COUNT_SKIPPED << SKIPPED_BACKGROUND | COUNT_SKIPPED << SKIPPED_SETTLED;
 
 // Where the tile goes (append.glsl): a sum of PLACES. Writes its state.
 uint places_of(uvec2 at, uint tile) {
@@ -71,8 +68,7 @@ uint places_of(uvec2 at, uint tile) {
         return COUNT_SKIPPED << SKIPPED_SETTLED;
     }
     states_after[tile] = TileState(STATE_SHADED | (blank ? kept | written : 0u), 0u, 0u);
-    if (parameters.open_tiles == 0u) return IN_LIST << SHADED_TILES;
-    return IN_LIST << SHADED_TILES | IN_LIST << (open_tile[tile] != 0u ? OPEN_TILES : SAMPLED_TILES);
+    return IN_LIST << SHADED_TILES;
 }
 
 void main() {

@@ -22,8 +22,6 @@ struct AmbientOcclusion::Impl {
         : device(&the_device), executor(the_device, passes), resources(the_device) {
         moment.has_tiles = moment.shows_unfiltered = true;
         moment.counting = runs_on_cpu(the_device) ? Counting::each_invocation : Counting::each_group;
-        // A CPU runs a group's invocations one after another; fewer invocations have less cost of their own.
-        moment.open_tiles_each = runs_on_cpu(the_device) ? 8 : 1;
         look({.camera = {}, .extent = size, .border = {}}, {});
     }
 
@@ -35,7 +33,6 @@ struct AmbientOcclusion::Impl {
     Progress progress;
     Tabulated tabulated;
     Listing listing;
-    OpenSearch open_search;
     PassWatcher watcher;  // empty: no watcher
 
     // Sets the view of the next frames and the one before it, and makes what their passes need.
@@ -71,7 +68,6 @@ void AmbientOcclusion::Impl::take(const scene::GBuffer& new_view, const Settings
     look(view, follows ? View(moment.given) : view);
     upload(new_view, view.extent, true, resources);
     tabulated.take(settings);
-    open_search.take(view.camera.orthographic(), settings);
 }
 
 void AmbientOcclusion::Impl::decide() {
@@ -79,12 +75,9 @@ void AmbientOcclusion::Impl::decide() {
     moment.moved = progress.history_lags();
     moment.settled = progress.settled();
     moment.filtered = filters(moment.settings, progress.frames_since_cut());
-    // Before the first frame nothing is known that a list could leave out, except by a search.
-    const bool searches = open_search.searches(moment.watches());
-    const bool known = searches || progress.frames_since_cut() > 0;
+    // Before the first frame nothing is known that a list could leave out.
+    const bool known = progress.frames_since_cut() > 0;
     moment.listed = selects_tiles(moment.settings) && known && listing.due(moment.moved);
-    moment.finds_open = moment.listed && searches;
-    moment.searches_open = moment.finds_open && !open_search.known();
     moment.tabulated = tabulated.missing();
     plan.passes = planned_passes(moment, plan);
 }
@@ -132,7 +125,6 @@ Work AmbientOcclusion::Impl::work(std::span<const float> convergence) const {
     total.tiles_shaded = selected ? tiles.shaded : total.tiles;
     if (moment.filtered) total.tiles_filtered = selected ? tiles.filtered : total.tiles;
     total.tiles_blank = tiles.background;
-    total.tiles_open = tiles.open;
     total.tiles_settled = tiles.settled;
     total.tiles_unfiltered = tiles.filtered_enough;
     if (settings.filter == Filter::convergence) {
@@ -151,7 +143,6 @@ void AmbientOcclusion::begin(const scene::GBuffer& view, const Settings& setting
     impl.take(view, settings, false);
     impl.tabulated.restart();
     impl.listing.restart();
-    impl.open_search.restart();
     impl.resources.restart(impl.plan);
     impl.progress.begin();
 }
@@ -183,7 +174,6 @@ Frame AmbientOcclusion::next(int repeat) {
     frame.memory_bytes = memory_of(steps);
     frame.times = std::move(times);
     const SelectedTiles found = counts_in(impl.resources.buffer("tile_lists"));
-    impl.open_search.advance(impl.moment.finds_open, found);
     impl.listing.advance(impl.moment.listed, found, frame.work.tiles);
     impl.progress.count_frame();
     impl.tabulated.advance();

@@ -38,7 +38,6 @@ struct Work {
     std::uint64_t tiles_shaded = 0;      // tiles on which the occlusion pass ran
     std::uint64_t tiles_filtered = 0;    // tiles on which the filter ran; 0 without a filter
     std::uint64_t tiles_blank = 0;       // tiles skipped: all images already show background
-    std::uint64_t tiles_open = 0;        // tiles shaded without a tap: nothing can block any
     std::uint64_t tiles_settled = 0;     // tiles skipped: nothing moves, and no pixel asks for a sample
     std::uint64_t tiles_unfiltered = 0;  // tiles skipped by the filter: it would change no pixel
 };

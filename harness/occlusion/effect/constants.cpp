@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "effect/internal/passes.hpp"
-#include "effect/methods.hpp"
 
 namespace gloam::effect {
 namespace {
@@ -138,17 +137,7 @@ SelectParameters select_parameters(const Moment& moment) {
             .band = vector_of_size(moment.unshaded_band()),
             .written = written_images(moment),
             .background = flag(moment.settings.skip_background),
-            .settled = flag(moment.settings.skip_settled && moment.settled),
-            .open_tiles = flag(moment.finds_open)};
-}
-
-OpenParameters open_parameters(const Moment& moment) {
-    const OpenProof proof = method_named(moment.settings.method).open_proof;
-    return {.p00_p11 = moment.view.camera.p00_p11(),
-            .size = vector_of_size(moment.view.extent),
-            .radius = moment.settings.radius,
-            .bias = moment.settings.bias,
-            .points = flag(proof == OpenProof::points)};
+            .settled = flag(moment.settings.skip_settled && moment.settled)};
 }
 
 }  // namespace gloam::effect

@@ -147,16 +147,6 @@ void add_buffers(const Moment& m, Plan& plan) {
     of_tiles("tile_states_after", "the same after this frame", sizeof(TileState), true);
     of_tiles("tile_lists", "which tiles the passes run on, and their indirect dispatches",
              tile_lists * sizeof(std::uint32_t), true, empty_lists());
-    of_tiles("open_tiles", "tiles in which nothing can block; the plan does not search for them",
-             sizeof(std::uint32_t));
-    std::size_t blocks = 0;
-    for (std::uint32_t level = 0; level < bound_levels; ++level) {
-        const gpu::Extent of_level = blocks_of(m.view.extent, level);
-        blocks += std::size_t{of_level.width} * of_level.height;
-    }
-    plan.buffers.push_back({.name = "tile_bounds",
-                            .meaning = "bounds of the surfaces of tiles, from which open ones are found",
-                            .bytes = blocks * 4 * sizeof(float)});
 }
 
 // The table for one frame.

@@ -63,14 +63,6 @@ enum class Measure {
     shape     // how concave the surface is
 };
 
-// For which samples open tiles can be found: a sample that meets nothing higher than the bias above the
-// tangent plane counts and adds exactly 0.
-enum class OpenProof {
-    none,   // not true, or not known
-    taps,   // surfaces under the disc of the radius
-    points  // points of the half ball of the radius, each compared with the surface at its pixel
-};
-
 // The unit in which a method takes its samples.
 enum class SampleUnit {
     one,
@@ -99,7 +91,6 @@ struct MethodInfo {
     std::string points;  // shared samples: glsl/gloam/sampling/NAME_point.glsl; empty: nothing is shared
     SampleUnit unit = SampleUnit::one;
     double on_a_plane = 0.0;  // its result on a bare plane
-    OpenProof open_proof = OpenProof::none;
     bool takes_fewer = false;    // than asked for, if several samples fall into one pixel
     bool reads_normals = false;  // of the surfaces under its samples, not of the pixel's own alone
     void (*adapt)(Settings&) =

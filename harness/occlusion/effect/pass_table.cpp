@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "effect/internal/frame.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <span>
 #include <utility>
@@ -28,11 +26,6 @@ Constants constants(const Parameters& all, Members Parameters::*... of_view) {
 // The source of a pass without definitions and constants.
 std::function<PassSource(const Moment&, List)> file(const char* name) {
     return [name](const Moment&, List) { return PassSource{.file = name}; };
-}
-
-// Groups with an invocation for each block of tiles.
-std::array<std::uint32_t, 3> groups_of_level(const Moment& moment, std::uint32_t level) {
-    return groups_for(blocks_of(moment.view.extent, level));
 }
 
 // Whether the plan holds both what is shown with the filter and what is shown without.
@@ -113,53 +106,18 @@ Constants select_constants(const Moment& m) {
 }
 
 std::vector<PassRow> rows_of_tiles() {
-    const auto searches = [](const Moment& m) { return m.searches_open; };
-    return {{.name = "bound_tiles",
-             .when = searches,
-             .source = file("tiles/bound.comp"),
-             .resources = {"depth", "tile_bounds"},
-             .fill =
-                 [](const Moment& m) {
-                     return constants(BoundParameters{vector_of_size(m.view.extent)}, &BoundParameters::size);
-                 },
-             .cover = Cover::own,
-             .groups = [](const Moment& m) { return groups_of_level(m, 0); }},
-            {.name = "merge_bounds",
-             .when = [](const Moment& m) { return m.searches_open ? bound_levels - 1 : 0; },
-             .source = file("tiles/merge_bounds.comp"),
-             .resources = {"tile_bounds"},
-             .fill =
-                 [](const Moment& m) {
-                     using P = MergeParameters;
-                     return constants(P{vector_of_size(m.view.extent), static_cast<int>(m.step + 1)},
-                                      &P::size);
-                 },
-             .cover = Cover::own,
-             .groups = [](const Moment& m) { return groups_of_level(m, m.step + 1); },
-             .own_name = [](const Moment& m) { return fmt::format("merge_bounds_{}", m.step + 1); }},
-            {.name = "open_tiles",
-             .when = searches,
-             .source = file("tiles/open.comp"),
-             .resources = {"depth", "normal", "tile_bounds", "open_tiles"},
-             .fill =
-                 [](const Moment& m) {
-                     using P = OpenParameters;
-                     return constants(open_parameters(m), &P::p00_p11, &P::size);
-                 },
-             .cover = Cover::own,
-             .groups = [](const Moment& m) { return groups_of_level(m, 0); }},
-            {.name = "select_tiles",
+    return {{.name = "select_tiles",
              .when = [](const Moment& m) { return m.listed; },
-             .source = [](const Moment& m, List) { return selection_source(m.open_tiles_each); },
-             .resources = {"depth", "tile_states_before", "tile_states_after", "tile_lists", "open_tiles"},
+             .source = file("tiles/select.comp"),
+             .resources = {"depth", "tile_states_before", "tile_states_after", "tile_lists"},
              .fill = select_constants,
              .cover = Cover::tiles_of_tiles}};
 }
 
-// The pass that takes the samples, over one list of tiles.
-PassRow row_of_samples(const char* name, TileLists list, std::function<bool(const Moment&)> when) {
-    return {.name = name,
-            .when = std::move(when),
+// The pass that takes the samples.
+PassRow row_of_samples() {
+    return {.name = "ambient_occlusion",
+            .when = [](const Moment&) { return 1; },
             .source = [](const Moment& m, List tiles) { return occlusion_source(m, tiles); },
             .resources = {"depth", "normal", "history", "history_after", "tile_states_after", "displacement",
                           "method", "prepared", "layers", "tile_lists", "filtered", "sample_table"},
@@ -170,7 +128,7 @@ PassRow row_of_samples(const char* name, TileLists list, std::function<bool(cons
                     all.still = flag(!m.new_view);
                     return constants(all, &P::p00_p11, &P::size, &P::border, &P::still);
                 },
-            .list = list};
+            .list = TileLists::shaded};
 }
 
 std::vector<PassRow> rows_of_samples() {
@@ -203,10 +161,7 @@ std::vector<PassRow> rows_of_samples() {
          .cover = Cover::own,
          .groups = [](const Moment& m) { return groups_for(m.preparation->passes[m.step].invocations); },
          .own_name = [](const Moment& m) { return m.preparation->passes[m.step].name; }},
-        row_of_samples("ambient_occlusion", TileLists::shaded, [](const Moment& m) { return !m.finds_open; }),
-        row_of_samples("ambient_occlusion", TileLists::sampled, [](const Moment& m) { return m.finds_open; }),
-        row_of_samples("ambient_occlusion_open", TileLists::open,
-                       [](const Moment& m) { return m.finds_open; })};
+        row_of_samples()};
 }
 
 // A pass of the filter along one axis.

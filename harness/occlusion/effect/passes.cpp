@@ -18,7 +18,6 @@ constexpr std::uint32_t table_columns = 256;       // SAMPLE_TABLE_COLUMNS of sa
 constexpr std::uint32_t most_tabulated = 131'072;  // 2 MiB
 constexpr std::uint32_t listed_constant = 10;
 constexpr std::uint32_t list_constant = 11;
-constexpr std::uint32_t open_tiles_constant = 13;
 
 // The pass's method in the place of the one that its source names.
 PassSource with_method_in(PassSource source, const MethodInfo& method) {
@@ -224,7 +223,6 @@ PassSource occlusion_source(const Moment& moment, List list) {
                         {.id = 20, .bits = flag(shows_alone(settings))},
                         {.id = 21, .bits = flag(settings.rotation == Rotation::lattice)}};
     std::ranges::copy(constants_of(list), std::back_inserter(source.constants));
-    source.constants.push_back({.id = open_tiles_constant, .bits = moment.open_tiles_each});
     source.unrolls = has_short_loops(settings);
     return source;
 }
@@ -281,10 +279,6 @@ PassSource remap_source(const Settings& settings, bool from_history, List list) 
     return {.file = "remap.comp",
             .defines = defines_for(settings, from_history),
             .constants = constants_of(list)};
-}
-
-PassSource selection_source(std::uint32_t open_tiles_each) {
-    return {.file = "tiles/select.comp", .constants = {{.id = open_tiles_constant, .bits = open_tiles_each}}};
 }
 
 PassSource preparation_source(const Moment& moment, const std::string& file) {

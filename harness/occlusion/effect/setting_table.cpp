@@ -230,8 +230,6 @@ void add_output(std::vector<Setting>& table) {
                          &S::sample_table));
     table.push_back(flag("skip_background", "off: background goes the long way, to the same result",
                          &S::skip_background));
-    table.push_back(flag("skip_open", "off: tiles that nothing can block are sampled, to the same result",
-                         &S::skip_open));
     table.push_back(flag("skip_settled", "off: tiles that would not change are shaded, to the same result",
                          &S::skip_settled));
     table.push_back(flag("skip_filtered",

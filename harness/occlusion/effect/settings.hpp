@@ -149,7 +149,6 @@ struct Settings {
     bool freeze = false;          // converged pixels take no more samples while nothing moves
     bool sample_table = true;     // off: each pixel computes the shared part of its samples; same result
     bool skip_background = true;  // off: background is processed like geometry; same result
-    bool skip_open = true;        // off: tiles in which nothing can block are sampled; same result
     bool skip_settled = true;     // off: tiles that would not change are shaded; same result
     bool skip_filtered = true;    // off: tiles that the filter would not change are filtered; same result
 };

@@ -4,15 +4,8 @@
 #include <array>
 #include <span>
 
-#include "effect/internal/passes.hpp"
-#include "effect/methods.hpp"
 
 namespace gloam::effect {
-
-gpu::Extent blocks_of(gpu::Extent extent, std::uint32_t level) {
-    const std::uint32_t side = tile_side << (2 * level);
-    return {(extent.width + side - 1) / side, (extent.height + side - 1) / side};
-}
 
 std::vector<std::byte> empty_lists() {
     std::array<TileList, header_lists> lists{};
@@ -28,7 +21,6 @@ SelectedTiles counts_in(const gpu::Buffer& buffer) {
             .filtered = lists[2].tiles,
             .background = lists.back().columns,
             .settled = lists.back().rows,
-            .open = lists[4].tiles,
             .filtered_enough = lists.back().tiles};
 }
 
@@ -40,32 +32,11 @@ void Listing::advance(bool listed, const SelectedTiles& found, std::size_t tiles
     constexpr std::size_t worth_it = 16;   // lists take about a sixteenth of the time of a frame
     constexpr std::uint32_t patience = 4;  // after three frames it is known which images hold background
     constexpr std::uint32_t frames_without = 20;
-    const std::size_t left_out =
-        std::size_t{found.background} + found.settled + found.open + found.filtered_enough;
+    const std::size_t left_out = std::size_t{found.background} + found.settled + found.filtered_enough;
     quiet_ = worth_it * left_out < tiles ? quiet_ + 1 : 0;
     if (quiet_ < patience) return;
     quiet_ = 0;
     rest_ = frames_without;
-}
-
-void OpenSearch::take(bool orthographic, const Settings& settings) {
-    provable_ = settings.skip_open && settings.layers == 1 && !settings.reject_taps &&
-                !(settings.own.mip_distance > 0.0F) &&
-                method_named(settings.method).open_proof != OpenProof::none && !orthographic;
-    known_ = false;
-}
-
-void OpenSearch::advance(bool searched, const SelectedTiles& found) {
-    if (!searched) {
-        rest_ -= rest_ > 0 ? 1 : 0;
-        return;
-    }
-    known_ = true;
-    // Where a view shows many surfaces, the search takes about a third of the time of a frame (gloam bench
-    // skips).
-    constexpr std::uint32_t worth_it = 2;
-    constexpr std::uint32_t frames_without = 15;
-    rest_ = worth_it * found.open < found.shaded ? frames_without : 0;
 }
 
 std::size_t offset_of(TileLists list) {
@@ -73,7 +44,7 @@ std::size_t offset_of(TileLists list) {
 }
 
 bool selects_tiles(const Settings& settings) {
-    return settings.skip_background || settings.skip_open || settings.skip_settled || settings.skip_filtered;
+    return settings.skip_background || settings.skip_settled || settings.skip_filtered;
 }
 
 }  // namespace gloam::effect

@@ -215,7 +215,6 @@ void members(Io& io, effect::Work& all) {
     io.member("tiles_shaded", all.tiles_shaded);
     io.member("tiles_filtered", all.tiles_filtered);
     io.member("tiles_blank", all.tiles_blank);
-    io.member("tiles_open", all.tiles_open);
     io.member("tiles_settled", all.tiles_settled);
     io.member("tiles_unfiltered", all.tiles_unfiltered);
 }

@@ -171,7 +171,6 @@ const std::vector<Quantity>& untimed() {
          }},
         {"flicker", [](const Cell& cell) { return cell.quality ? cell.quality->flicker : std::nullopt; }},
         tiles("tiles_blank", &Work::tiles_blank),
-        tiles("tiles_open", &Work::tiles_open),
         tiles("tiles_settled", &Work::tiles_settled),
         tiles("tiles_filtered", &Work::tiles_filtered),
         tiles("tiles_unfiltered", &Work::tiles_unfiltered),

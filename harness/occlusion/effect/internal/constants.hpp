@@ -180,27 +180,6 @@ struct SelectParameters {
     std::uint32_t written;
     std::uint32_t background;
     std::uint32_t settled;
-    std::uint32_t open_tiles;
-};
-
-// Push constants of tiles/bound.comp.
-struct BoundParameters {
-    glm::ivec2 size;
-};
-
-// Push constants of tiles/merge_bounds.comp.
-struct MergeParameters {
-    glm::ivec2 size;
-    std::int32_t level;
-};
-
-// Push constants of tiles/open.comp.
-struct OpenParameters {
-    glm::vec2 p00_p11;
-    glm::ivec2 size;
-    float radius;
-    float bias;
-    std::uint32_t points;
 };
 
 // Push constants of tiles/select_filtered.comp.

@@ -75,10 +75,7 @@ struct Moment {
     bool shows_unfiltered = false;  // the unfiltered occlusion is remapped, too
     bool has_tiles = false;         // the buffers of tiles exist
     bool listed = false;            // passes run over lists of tiles
-    bool finds_open = false;        // and tiles in which nothing can block have a list of their own
-    bool searches_open = false;     // for which the frame searches
     Counting counting = Counting::none;
-    std::uint32_t open_tiles_each = 1;  // open tiles of one group
     // Samples that the frame adds to the table. None if the last is less than the first.
     SampleTableParameters tabulated{1, 0};
     std::uint32_t step = 0;  // of a pass that runs several times
@@ -123,7 +120,6 @@ struct Moment {
 [[nodiscard]] PreparationParameters preparation_parameters(const View& view, const Settings& settings,
                                                            int level);
 [[nodiscard]] SelectParameters select_parameters(const Moment& moment);
-[[nodiscard]] OpenParameters open_parameters(const Moment& moment);
 
 // The shaders, with their definitions and constants. list: of the tiles on which the pass runs; none: the
 // whole image.
@@ -145,7 +141,6 @@ using List = std::optional<TileLists>;
 inline constexpr std::uint32_t bent_interleave = 4;  // in a frame's plan
 [[nodiscard]] PassSource motion_source(const View& view, const View& before);
 [[nodiscard]] PassSource remap_source(const Settings& settings, bool from_history, List list = {});
-[[nodiscard]] PassSource selection_source(std::uint32_t open_tiles_each);
 // file: in glsl/passes/preparation.
 [[nodiscard]] PassSource preparation_source(const Moment& moment, const std::string& file);
 // samples: name of the points in the table, a file of glsl/passes/samples.

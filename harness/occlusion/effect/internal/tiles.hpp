@@ -31,9 +31,9 @@ struct TileState {
         0;  // counts of its pixels, eight bits each: background, below the limit, frozen, filtered
 };
 
-enum class TileLists : std::uint8_t { shaded, filtered_x, filtered_y, sampled, open };
+enum class TileLists : std::uint8_t { shaded, filtered_x, filtered_y };
 
-constexpr std::size_t tile_lists = 5;
+constexpr std::size_t tile_lists = 3;
 constexpr std::size_t header_lists = tile_lists + 1;  // headers of the buffer: the last one holds counts
 
 // Images that may hold nothing but background in a tile: bits of SelectParameters::written.
@@ -52,7 +52,6 @@ struct SelectedTiles {
     std::uint32_t filtered = 0;
     std::uint32_t background = 0;
     std::uint32_t settled = 0;
-    std::uint32_t open = 0;  // shaded tiles without a tap
     std::uint32_t filtered_enough = 0;
 };
 
@@ -73,45 +72,11 @@ class Listing {
     std::uint32_t rest_ = 0;   // frames until the next list
 };
 
-// Decides when a frame searches for the tiles in which nothing can block any sample. A search that finds few
-// of them costs more than it saves; then the next frames do not search. The result of a frame is the same
-// either way.
-class OpenSearch {
-  public:
-    // Takes another view, whose open tiles are unknown, and its settings.
-    void take(bool orthographic, const Settings& settings);
-
-    // Lets the next frame search, if its settings allow it.
-    void restart() { rest_ = 0; }
-
-    // Whether the next frame has a list of open tiles. False if samples are probes as well (`probes`), if
-    // they see further layers, if some samples do not count, or if they may read depth from beyond their
-    // reach.
-    [[nodiscard]] bool searches(bool probes) const { return provable_ && !probes && rest_ == 0; }
-
-    // Whether the open tiles of the view have been found already.
-    [[nodiscard]] bool known() const { return known_; }
-
-    // Call it after each frame. `searched`: whether the frame had a list of open tiles. `found`: its counts.
-    void advance(bool searched, const SelectedTiles& found);
-
-  private:
-    bool provable_ = false;
-    bool known_ = false;
-    std::uint32_t rest_ = 0;  // frames until the next search
-};
-
 // The counts of a frame, from the buffer of lists.
 [[nodiscard]] SelectedTiles counts_in(const gpu::Buffer& lists);
 
 // The beginning of the buffer of lists before a frame: every list is empty.
 [[nodiscard]] std::vector<std::byte> empty_lists();
-
-// Levels of the pyramid of bounds, as in glsl/passes/tiles/bounds.glsl: tiles, and two levels of 4 x 4.
-constexpr std::uint32_t bound_levels = 3;
-
-// Blocks of a level that cover an image, along x and y.
-[[nodiscard]] gpu::Extent blocks_of(gpu::Extent extent, std::uint32_t level);
 
 // Offset of a list's header in the buffer, bytes.
 [[nodiscard]] std::size_t offset_of(TileLists list);

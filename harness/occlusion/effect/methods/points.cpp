@@ -37,7 +37,6 @@ std::vector<MethodInfo> point_methods() {
          .own_settings = "GloamHemisphere",
          .members = {{"range"}},
          .points = "hemisphere_cosine",
-         .open_proof = OpenProof::points,
          .presets = tssao_presets},
         {.name = "crytek",
          .family = "hemisphere",
@@ -54,7 +53,6 @@ std::vector<MethodInfo> point_methods() {
          .measure = uniform,
          .falloff = "linear",
          .points = "hemisphere_uniform",
-         .open_proof = OpenProof::points,
          .presets = filion_presets},
     };
 }
