@@ -20,8 +20,6 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 0) const bool moving_objects = false;  // binding 1 holds the positions; else only the camera moved
 // 0: nearest texel, 1: bilinear, valid where the nearest is, 2: bilinear over the valid ones
 layout(constant_id = 1) const uint taps = 2u;
-// the index of one texel; else interpolated (for comparison: no sequence is)
-layout(constant_id = 2) const bool nearest_index = true;
 layout(constant_id = 3) const bool orthographic = false;           // this frame's camera; else perspective
 layout(constant_id = 4) const bool previous_orthographic = false;  // the previous frame's
 layout(constant_id = 5) const bool keeps_displacement = false;     // write binding 5; moving_objects is set as well
@@ -61,18 +59,6 @@ vec3 carried_position(ivec2 pixel, float depth) {
     return (parameters.previous_from_current * vec4(gloam_camera_position(pixel, depth, camera), 1.0)).xyz;
 }
 
-uint interpolated_index(vec2 uv) {
-    vec2 x = gloam_texel_position(uv.x, parameters.size.x);
-    vec2 y = gloam_texel_position(uv.y, parameters.size.y);
-    vec4 weights = gloam_bilinear_weights(vec2(x.y, y.y));
-    float index = 0.0;
-    for (int i = 0; i < 4; ++i) {
-        ivec2 pixel = ivec2(int(x.x), int(y.x)) + ivec2(i % 2, i / 2);
-        index += weights[i] * gloam_fetch_history(gloam_clamp_to_edge(pixel, parameters.size)).z;
-    }
-    return uint(index);
-}
-
 GloamHistory history_at(vec2 uv, float expected_depth) {
     if (taps == NEAREST || taps == BILINEAR) {
         vec2 center = gloam_pixel_center(uv, parameters.size);
@@ -80,9 +66,7 @@ GloamHistory history_at(vec2 uv, float expected_depth) {
         if (taps == NEAREST || !(nearest.weight > 0.0)) return nearest;
     }
     float tolerance = taps == BILINEAR ? gloam_background_depth() : parameters.tolerance;
-    GloamHistory bilinear = gloam_reprojected_history(uv, parameters.size, expected_depth, tolerance);
-    if (!nearest_index && bilinear.weight > 0.0) bilinear.index = interpolated_index(uv);
-    return bilinear;
+    return gloam_reprojected_history(uv, parameters.size, expected_depth, tolerance);
 }
 
 GloamHistory reprojected(ivec2 pixel) {

@@ -228,7 +228,6 @@ const std::map<std::string, Case>& cases() {
         {"filter_cap", {"1", {{"c_adaptive", "1"}}}},
         {"depth_tolerance", {"1e-4"}},
         {"taps", {"nearest"}},
-        {"nearest_index", {"off"}},
         {"invalidation", {"none"}},
         {"change_tolerance", {"0.02"}},
         {"weight_small", {"4", {{"invalidation", "clamp"}}}},

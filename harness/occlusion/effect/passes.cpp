@@ -244,7 +244,6 @@ PassSource reprojection_source(const Moment& moment) {
             .defines = defines_for(settings.precision),
             .constants = {{.id = 0, .bits = flag(moment.has_positions)},
                           {.id = 1, .bits = static_cast<std::uint32_t>(settings.taps)},
-                          {.id = 2, .bits = flag(settings.nearest_index)},
                           {.id = 3, .bits = flag(moment.view.camera.orthographic())},
                           {.id = 4, .bits = flag(moment.before.camera.orthographic())},
                           {.id = 5, .bits = flag(moment.watches())},

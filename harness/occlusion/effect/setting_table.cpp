@@ -173,8 +173,6 @@ void add_history(std::vector<Setting>& table) {
                            {"nearest", "bilinear", "validated"}));
     table.push_back(flag(
         "history", "off: each frame stands by itself, with the first samples of the sequence", &S::history));
-    table.push_back(flag("nearest_index", "off, for comparison: the start of the sequence is interpolated",
-                         &S::nearest_index));
     table.push_back(choice("invalidation", "of a history whose neighbourhood has changed", &S::invalidation,
                            {"none", "clamp", "confidence"}));
     table.push_back(number("change_tolerance", "world units",

@@ -121,7 +121,6 @@ struct Settings {
     float depth_tolerance = 0.02F;  // relative: another surface beyond it (TSSAO-8), > 0; infinity: no test
     bool history = true;            // off: each frame is independent, with the first samples of the sequence
     HistoryTaps taps = HistoryTaps::validated;
-    bool nearest_index = true;  // off, for comparison: the start of the sequence is interpolated
     Invalidation invalidation = Invalidation::confidence;
     float change_tolerance = 0.005F;  // changes of distance up to this count as rounding, world units, > 0
     float weight_small = 48.0F;       // clamp: samples, >= 0
