@@ -2,9 +2,8 @@
 #ifndef GLOAM_PASSES_HISTORY_IMAGE_GLSL
 #define GLOAM_PASSES_HISTORY_IMAGE_GLSL
 
-// The image format of a history. Define GLOAM_HISTORY as rgba16f for four half floats, or GLOAM_PACKED_HISTORY for four
-// fixed-point numbers of 16 bits (gloam/temporal/packed_history.glsl). The default is four floats. A pass reads one
-// history and writes another, so none is both read and written.
+// The image format of a history: four floats, or, with GLOAM_PACKED_HISTORY, four fixed-point numbers of 16 bits
+// (gloam/temporal/packed_history.glsl). A pass reads one history and writes another, so none is both read and written.
 //   layout(binding = B GLOAM_FORMAT(GLOAM_HISTORY)) uniform GLOAM_HISTORY_INPUT image;
 //   layout(binding = B, GLOAM_HISTORY) uniform writeonly GLOAM_HISTORY_IMAGE image;
 //   GLOAM_LOAD_HISTORY(image, pixel)          a GloamHistory
@@ -38,25 +37,14 @@ uvec4 texel_from_history(GloamHistory history) {
     return uvec4(texel.occlusion, texel.weight, texel.index, texel.depth);
 }
 #else
+#define GLOAM_HISTORY rgba32f
 #define GLOAM_HISTORY_IMAGE highp image2D
 #define GLOAM_HISTORY_INPUT GLOAM_INPUT
-
-#ifdef GLOAM_HISTORY
-#define GLOAM_HISTORY_ROUNDS true
-
-// Rounded here, so that stored_history() does not depend on how an image rounds.
-vec4 texel_from_history(GloamHistory history) {
-    vec4 texel = gloam_history_pack(history);
-    return vec4(unpackHalf2x16(packHalf2x16(texel.xy)), unpackHalf2x16(packHalf2x16(texel.zw)));
-}
-#else
-#define GLOAM_HISTORY rgba32f
 #define GLOAM_HISTORY_ROUNDS false
 
 vec4 texel_from_history(GloamHistory history) {
     return gloam_history_pack(history);
 }
-#endif
 
 GloamHistory history_from_texel(vec4 texel) {
     return gloam_history_unpack(texel);

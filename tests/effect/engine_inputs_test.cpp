@@ -315,7 +315,7 @@ TEST_P(InputImages, SampledAndStorageImagesGiveTheSameBits) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, InputImages,
-                         testing::Values(Variant{"alchemy", HistoryPrecision::float16, Filter::convergence},
+                         testing::Values(Variant{"alchemy", HistoryPrecision::float32, Filter::convergence},
                                          Variant{"gtao", HistoryPrecision::packed, Filter::geometry},
                                          Variant{"mssao", HistoryPrecision::float32, Filter::bilateral}),
                          [](const auto& info) { return std::string(info.param.method); });

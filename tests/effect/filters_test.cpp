@@ -24,7 +24,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 0) const bool along_y = false;
 layout(constant_id = 1) const bool orthographic = false;
 layout(binding = 0, r32f) uniform readonly image2D depth_image;
-layout(binding = 1, GLOAM_HISTORY) uniform readonly image2D history_image;
+layout(binding = 1, rgba32f) uniform readonly image2D history_image;
 layout(binding = 2, r32f) uniform writeonly image2D filtered_image;
 layout(binding = 3, rgba32f) uniform readonly image2D normal_image;
 layout(binding = 4, std430) readonly buffer Lists { uint unused[]; };
@@ -180,18 +180,17 @@ struct FilterPair {
     glm::uvec2 pixels_of_group;
 };
 
-// Filter, taps on each side, precision of the history, kind of the camera.
-using Case = std::tuple<std::string, int, HistoryPrecision, bool>;
+// Filter, taps on each side, whether the camera is orthographic.
+using Case = std::tuple<std::string, int, bool>;
 
 class FilterRows : public OnDevice<testing::TestWithParam<Case>> {
   protected:
     // A frame of the case's settings.
     [[nodiscard]] static Moment moment() {
-        const auto& [filter, half_width, precision, orthographic] = GetParam();
+        const auto& [filter, half_width, orthographic] = GetParam();
         Settings settings;
         set(settings, "filter", filter);
         settings.filter_half_width = half_width;
-        settings.precision = precision;
         Moment moment{.settings = settings};
         moment.view.camera = orthographic ? scene::CameraFrame{} : scene::make_frame({}, 1.0);
         return moment;
@@ -219,7 +218,7 @@ class FilterRows : public OnDevice<testing::TestWithParam<Case>> {
                                  static_cast<std::uint32_t>(field.size.y)};
         using enum gpu::Format;
         gpu::Image depth(device_, extent, r32f);
-        gpu::Image source(device_, extent, rounds() ? rgba16f : rgba32f);
+        gpu::Image source(device_, extent, rgba32f);
         gpu::Image half(device_, extent, r32f);
         gpu::Image normal(device_, extent, rgba32f);
         gpu::Image result(device_, extent, r32f);
@@ -250,15 +249,12 @@ class FilterRows : public OnDevice<testing::TestWithParam<Case>> {
     }
 
   private:
-    [[nodiscard]] static bool rounds() { return moment().settings.precision == HistoryPrecision::float16; }
-
     [[nodiscard]] static std::string text() {
         std::string filter;
         for (const char c : std::get<0>(GetParam())) filter += static_cast<char>(std::toupper(c));
         const std::size_t end = pixel_filter.find('\n') + 1;
         return pixel_filter.substr(0, end) +
-               fmt::format("#define GLOAM_HISTORY {}\n#define HALF_WIDTH {}\n#define {}\n",
-                           rounds() ? "rgba16f" : "rgba32f", moment().settings.filter_half_width, filter) +
+               fmt::format("#define HALF_WIDTH {}\n#define {}\n", moment().settings.filter_half_width, filter) +
                pixel_filter.substr(end);
     }
 
@@ -296,25 +292,18 @@ TEST_P(FilterRows, GiveWhatTheLibraryGivesForEachPixel) {
 }
 
 std::string name_of(const testing::TestParamInfo<Case>& info) {
-    const auto& [filter, half_width, precision, orthographic] = info.param;
-    return fmt::format("{}_{}_{}{}", filter, half_width,
-                       precision == HistoryPrecision::float16 ? "half" : "full",
-                       orthographic ? "_orthographic" : "");
+    const auto& [filter, half_width, orthographic] = info.param;
+    return fmt::format("{}_{}{}", filter, half_width, orthographic ? "_orthographic" : "");
 }
-
-constexpr auto full = HistoryPrecision::float32;
 
 // No neighbours, rows of 8 pixels, of 4, and windows whose rows are not held; what all filters share, in one
 // of them.
 INSTANTIATE_TEST_SUITE_P(Every, FilterRows,
                          testing::Combine(testing::Values("convergence", "geometry", "bilateral", "sao"),
-                                          testing::Values(0, 2, 9), testing::Values(full),
-                                          testing::Values(false)),
+                                          testing::Values(0, 2, 9), testing::Values(false)),
                          name_of);
 INSTANTIATE_TEST_SUITE_P(Convergence, FilterRows,
-                         testing::Values(Case{"convergence", 3, full, true},
-                                         Case{"convergence", 2, HistoryPrecision::float16, false}),
-                         name_of);
+                         testing::Values(Case{"convergence", 3, true}), name_of);
 
 class SaoFilter : public FilterRows {};
 
@@ -339,7 +328,7 @@ TEST_P(SaoFilter, ReadsEveryOtherPixelFourTimes) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(The, SaoFilter, testing::Values(Case{"sao", 64, full, false}), name_of);
+INSTANTIATE_TEST_SUITE_P(The, SaoFilter, testing::Values(Case{"sao", 64, false}), name_of);
 
 class FiltersInTheEffect : public OnDevice<testing::TestWithParam<std::string>> {};
 
@@ -362,8 +351,7 @@ TEST_P(FiltersInTheEffect, AreForDisplayOnly) {
     std::vector<scene::GBuffer> views;
     for (const int frame : {0, 1, 2})
         views.push_back(rasterized("moving", {75, 41}, {.frame = frame, .motion = true}));
-    for (const auto precision :
-         {HistoryPrecision::float32, HistoryPrecision::float16, HistoryPrecision::packed}) {
+    for (const auto precision : {HistoryPrecision::float32, HistoryPrecision::packed}) {
         std::vector<Frame> last;
         for (const char* filter : {GetParam().c_str(), "none"}) {
             Settings chosen = with_radius(Settings{}, static_cast<float>(scene.ao_radius));

@@ -383,7 +383,6 @@ INSTANTIATE_TEST_SUITE_P(
         Beside{"remap", {{"remap_b", "0.9"}, {"remap_c", "1.5"}}},
         Beside{"remap_r16f", {{"remap_a", "0.05"}, {"filter", "none"}, {"output", "r16f"}}},
         Beside{"r8", {{"output", "r8"}}}, Beside{"layers", {{"layers", "2"}}},
-        Beside{"float16", {{"precision", "float16"}, {"table_size", "2048"}}},
         Beside{"packed", {{"precision", "packed"}, {"filter", "none"}}}, Beside{"guard", {{"guard", "0.1"}}},
         Beside{"guard_unshaded", {{"guard", "0.1"}, {"guard_history", "off"}}}, Beside{"no_normals", {}},
         Beside{"stored", {}}, Beside{"mssao", {{"method", "mssao"}}, 0.2},

@@ -143,13 +143,6 @@ struct Comparison {
     std::size_t close = 0;  // equal, or floats that other square roots and quotients may tell apart
 };
 
-// What an image of that format keeps of a word that a shader writes.
-Word stored(gpu::Format format, Word word) {
-    if (format != gpu::Format::rgba16f) return word;
-    const glm::uint16 half = glm::packHalf1x16(std::bit_cast<float>(word));
-    return std::bit_cast<Word>(glm::unpackHalf1x16(half));
-}
-
 // Two results that differ by at most this much may differ by a unit of their format.
 bool is_close(gpu::Format format, Word a, Word b) {
     constexpr float apart = 1e-4F;
@@ -157,8 +150,7 @@ bool is_close(gpu::Format format, Word a, Word b) {
     const auto x = std::bit_cast<float>(a);
     const auto y = std::bit_cast<float>(b);
     const bool are_floats = (std::isnormal(x) || x == 0.0F) && (std::isnormal(y) || y == 0.0F);
-    const float unit = format == gpu::Format::rgba16f ? 0x1p-10F : 0.0F;
-    return a == b || (are_floats && std::abs(x - y) <= (apart + unit) * std::max(1.0F, std::abs(y)));
+    return a == b || (are_floats && std::abs(x - y) <= apart * std::max(1.0F, std::abs(y)));
 }
 
 Comparison compared(const std::vector<Bound>& before, const std::vector<Bound>& ours,
@@ -168,7 +160,7 @@ Comparison compared(const std::vector<Bound>& before, const std::vector<Bound>& 
         for (std::size_t w = 0; w < ours[b].words.size(); ++w) {
             const auto component = static_cast<int>(w % 4);
             if (ours[b].channels != 0 && component >= ours[b].channels) continue;
-            const Word x = stored(ours[b].format, ours[b].words[w]);
+            const Word x = ours[b].words[w];
             const Word y = device[b].words[w];
             if (x == before[b].words[w] && y == x) continue;  // not written
             ++all.words;
@@ -280,17 +272,14 @@ TEST_F(InterpretedPasses, OfAMovingSceneAreTheDevicesPixelByPixel) {
     EXPECT_EQ(seen_["select_tiles"].equal, seen_["select_tiles"].words) << "integers";
 }
 
-// Histories of 16 bits: halves, and fixed point in integers.
-TEST_F(InterpretedPasses, WithSmallHistoriesAreTheDevicesPixelByPixel) {
+// Fixed point in integers of 16 bits.
+TEST_F(InterpretedPasses, WithAPackedHistoryAreTheDevicesPixelByPixel) {
     const std::vector<scene::GBuffer> views = moving({21, 13});
-    for (const auto& [name, precision] :
-         {std::pair{"float16", HistoryPrecision::float16}, std::pair{"packed", HistoryPrecision::packed}}) {
-        Settings settings;
-        settings.precision = precision;
-        settings.weight_max = 500.0F;
-        settings.table_size = 1024;
-        expect_the_devices(views, settings, name);
-    }
+    Settings settings;
+    settings.precision = HistoryPrecision::packed;
+    settings.weight_max = 500.0F;
+    settings.table_size = 1024;
+    expect_the_devices(views, settings, "packed");
     EXPECT_GT(seen_["reproject"].words, 0U);
 }
 

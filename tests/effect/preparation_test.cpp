@@ -113,14 +113,6 @@ TEST_P(Prepared, ATimeForEachPassAndNoneForOtherMethods) {
     EXPECT_EQ(other.occlusion, run(view, settings).occlusion);
 }
 
-TEST_P(Prepared, HistoryOfHalfPrecision) {
-    Settings settings = settings_for(GetParam(), 1.0F);
-    settings.precision = HistoryPrecision::float16;
-    settings.table_size = 2048;
-    const Frame frame = run(rasterized("corner", {33, 21}), settings, 2);
-    EXPECT_GT(*std::ranges::max_element(frame.occlusion), 0.05F);
-}
-
 INSTANTIATE_TEST_SUITE_P(All, Prepared, testing::ValuesIn(prepared_methods()),
                          [](const auto& info) { return info.param; });
 

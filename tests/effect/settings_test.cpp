@@ -232,7 +232,7 @@ const std::map<std::string, Case>& cases() {
         {"change_tolerance", {"0.02"}},
         {"weight_small", {"4", {{"invalidation", "clamp"}}}},
         {"confidence_factor", {"200"}},
-        {"precision", {"float16", {{"table_size", "2048"}}}},
+        {"precision", {"packed"}},
         {"filter", {"off", {{"c_adaptive", "1"}}}},
         {"filter_half_width", {"1", {{"c_adaptive", "1"}}}},
         {"filter_sigma", {"1", {{"c_adaptive", "1"}}}},

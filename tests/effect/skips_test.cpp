@@ -82,11 +82,10 @@ TEST_F(Skips, SomeTilesSettleBeforeTheirNeighbours) {
     EXPECT_TRUE(partly);
 }
 
-// With a history of half precision what the filter sees is not what the samples gave.
+// With a packed history what the filter sees is not what the samples gave.
 TEST_F(Skips, TilesThatTheFilterLeavesAsTheyAre) {
     const std::vector<Stay> stays{{view("columns", 0), 3}, {view("columns", 9), 4}};
-    for (const auto precision :
-         {HistoryPrecision::float32, HistoryPrecision::float16, HistoryPrecision::packed}) {
+    for (const auto precision : {HistoryPrecision::float32, HistoryPrecision::packed}) {
         Settings settings = without_skips(settings_for("columns"));
         settings.skip_filtered = true;
         settings.precision = precision;
@@ -115,14 +114,12 @@ TEST_F(Skips, EveryFilterAndTheMap) {
     }
 }
 
-TEST_F(Skips, HistoriesOfHalfTheMemory) {
+TEST_F(Skips, APackedHistory) {
     Settings settings = quick(settings_for("sky"));
     settings.table_size = 2048;
     const std::vector<Stay> stays{{view("sky", 0), 6}, {view("sky", 5), 5}};
-    for (const auto precision : {HistoryPrecision::float16, HistoryPrecision::packed}) {
-        settings.precision = precision;
-        EXPECT_EQ(expect_same(stays, settings)[5].work.tiles_shaded, 0U);
-    }
+    settings.precision = HistoryPrecision::packed;
+    EXPECT_EQ(expect_same(stays, settings)[5].work.tiles_shaded, 0U);
 }
 
 TEST_F(Skips, GuardBands) {

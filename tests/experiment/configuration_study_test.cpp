@@ -48,7 +48,7 @@ TEST_F(ConfigurationStudyTest, WhatWentBeforeLeavesNoTrace) {
     const auto radius = static_cast<float>(views.scene().ao_radius);
     const Settings plain = with_radius(four_samples(), radius);
     Settings half = all_skips(plain);
-    half.precision = effect::HistoryPrecision::float16;
+    half.precision = effect::HistoryPrecision::packed;
     half.table_size = 2'048;
     half.remap_c = 2.0F;
     const Settings others[] = {

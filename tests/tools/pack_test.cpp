@@ -246,7 +246,7 @@ TEST_F(PackEffect, EveryOptionCompiles) {
          {std::vector<std::string>{"--tiles", "--preset", "balanced"},
           {"--moving-objects", "--orthographic", "--reconstruct-normals"},
           {"--set", "layers=3", "--set", "remap_b=2", "--preset", "sao-code"},
-          {"--set", "remap_b=2", "--tiles", "--set", "precision=float16", "--set", "table_size=2048"},
+          {"--set", "remap_b=2", "--tiles", "--set", "precision=packed"},
           {"--set", "resolution=half", "--moving-objects", "--set", "layers=2", "--depth", "buffer"},
           {"--set", "resolution=half", "--orthographic", "--reconstruct-normals", "--preset", "balanced",
            "--tiles"}}) {

@@ -68,37 +68,23 @@ namespace {
 
 constexpr const char* long_run_name = "long-run";
 constexpr double blend_error = 1e-7;  // of gloam_blend, as its comment states
-constexpr float half_integers = 2048.0F;
 constexpr unsigned seeds = 3;  // lanes of each pattern
 
 struct Accumulation {
     unsigned k;
     float weight_max;
     unsigned table_size;
-    bool half;
 
-    // Limits that gloam_history_pack states for 16 bits a channel.
-    [[nodiscard]] bool promised() const {
-        return !half || (weight_max <= half_integers && static_cast<float>(table_size) <= half_integers);
-    }
-    [[nodiscard]] std::string text() const {
-        return fmt::format("k {}, w_max {}, {}", k, weight_max, half ? "float16" : "float32");
-    }
+    [[nodiscard]] std::string text() const { return fmt::format("k {}, w_max {}", k, weight_max); }
 };
 
 const std::vector<Accumulation>& accumulations() {
-    static const std::vector<Accumulation> all{{32, 500, 65'536, false},
-                                               {8, 1500, 1'500, false},
-                                               {1, 1500, 1U << 24U, false},
-                                               {16, 8'388'608, 16'777'213, false},
-                                               {1, 1, 7, false},
-                                               {65'536, 8'388'608, 1U << 24U, false},
-                                               {32, 500, 2048, true},
-                                               {8, 1500, 1500, true},
-                                               {1, 1500, 2039, true},
-                                               {16, 2048, 2048, true},
-                                               {1, 1, 7, true},
-                                               {16, 8'388'608, 1U << 24U, true}};
+    static const std::vector<Accumulation> all{{32, 500, 65'536},
+                                               {8, 1500, 1'500},
+                                               {1, 1500, 1U << 24U},
+                                               {16, 8'388'608, 16'777'213},
+                                               {1, 1, 7},
+                                               {65'536, 8'388'608, 1U << 24U}};
     return all;
 }
 
@@ -136,19 +122,10 @@ std::vector<HistoryLane> lanes_of(const Accumulation& a, std::uint64_t seed) {
                                           .frames = 0,
                                           .k = a.k,
                                           .table_size = a.table_size,
-                                          .weight_max = a.weight_max,
-                                          .stored_half = a.half}});
+                                          .weight_max = a.weight_max}});
         }
     }
     return lanes;
-}
-
-// Half the spacing of float16 below 1, or all of it where the driver does not round to nearest.
-double half_store_error(const check::Lab& lab) {
-    const check::Function<glm::vec4(glm::vec4)> to_half(lab, accumulate_file, "stress_half");
-    const double spacing = std::ldexp(1.0, -11);
-    const double above = to_half(glm::vec4(static_cast<float>(0.5 + 0.75 * spacing))).x;
-    return above == 0.5 + spacing ? 0.5 * spacing : spacing;
 }
 
 std::vector<Seen> accumulate(const Context& context) {
@@ -171,14 +148,8 @@ std::vector<Seen> accumulate(const Context& context) {
     return seen;
 }
 
-void append_rows(const Accumulation& a, const Seen& seen, double store_error, Rows& rows) {
-    if (!a.promised()) {
-        rows.push_back({long_run_name, a.text() + " (too large for float16)", "farthest outside [0, 1]",
-                        seen.outside, 0.0});
-        return;
-    }
-    const double frame_error = blend_error + (a.half ? store_error : 0.0);
-    const double bound = frame_error * (double{a.weight_max} + a.k) / a.k;
+void append_rows(const Accumulation& a, const Seen& seen, Rows& rows) {
+    const double bound = blend_error * (double{a.weight_max} + a.k) / a.k;
     const double bias = std::abs(seen.signed_sum) / seen.readings;
     rows.push_back({long_run_name, a.text(), "farthest from the exact mean", seen.farthest, bound});
     rows.push_back({long_run_name, a.text(), "bias under noise", bias, bound});
@@ -237,9 +208,8 @@ Row next_index(const check::Lab& lab) {
 
 Rows long_run(const Context& context) {
     Rows rows;
-    const double store_error = half_store_error(context.lab);
     const std::vector<Seen> seen = accumulate(context);
-    for (std::size_t i = 0; i < seen.size(); ++i) append_rows(accumulations()[i], seen[i], store_error, rows);
+    for (std::size_t i = 0; i < seen.size(); ++i) append_rows(accumulations()[i], seen[i], rows);
     rows.push_back(points_past(context.lab, 1U << 24U, "2^24"));
     rows.push_back(points_past(context.lab, 0U, "2^32"));
     rows.push_back(next_index(context.lab));

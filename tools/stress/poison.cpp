@@ -21,8 +21,7 @@ constexpr Sequence sequence_of(unsigned k, float weight_max) {
             .frames = 1,
             .k = k,
             .table_size = 2048,
-            .weight_max = weight_max,
-            .stored_half = false};
+            .weight_max = weight_max};
 }
 
 constexpr Sequence sequence = sequence_of(32, 500.0F);

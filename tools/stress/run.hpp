@@ -24,7 +24,7 @@ namespace gloam::stress {
 // One measured number of a stress run, and the largest value that the documentation allows it.
 struct Row {
     std::string run;                // the run that measured it, "long-run"
-    std::string varied;             // what was varied: "k 32, w_max 500, float16"
+    std::string varied;             // what was varied: "k 32, w_max 500"
     std::string quantity;           // what was measured, with its unit: "farthest from the exact mean"
     double measured = 0.0;          // NaN only where the quantity does not exist
     std::optional<double> bound{};  // nothing: measured for the documentation only, promised nowhere

@@ -105,7 +105,6 @@ Resources::Resources(const gpu::Device& device) : device_(&device) {
     using gpu::Format;
     for (const auto& [name, format] : {std::pair{"r32f", Format::r32f},
                                        {"rgba32f", Format::rgba32f},
-                                       {"rgba16f", Format::rgba16f},
                                        {"rgba16ui", Format::rgba16ui},
                                        {"r32ui", Format::r32ui}})
         nothing_.try_emplace(name, device, gpu::Extent{1, 1}, format);

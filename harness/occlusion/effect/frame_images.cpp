@@ -9,14 +9,7 @@ using enum gpu::Format;
 }  // namespace
 
 gpu::Format format_of(HistoryPrecision precision) {
-    switch (precision) {
-        case HistoryPrecision::float16:
-            return rgba16f;
-        case HistoryPrecision::packed:
-            return rgba16ui;
-        default:
-            return rgba32f;
-    }
+    return precision == HistoryPrecision::packed ? rgba16ui : rgba32f;
 }
 
 gpu::Format format_of(OutputFormat output) {

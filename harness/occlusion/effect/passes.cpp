@@ -40,14 +40,8 @@ std::string filter_include(Filter filter) {
 
 // Preprocessor definitions of a pass that reads or writes a history.
 std::vector<std::string> defines_for(HistoryPrecision precision) {
-    switch (precision) {
-        case HistoryPrecision::float16:
-            return {"GLOAM_HISTORY rgba16f"};
-        case HistoryPrecision::packed:
-            return {"GLOAM_PACKED_HISTORY"};
-        default:
-            return {};
-    }
+    if (precision == HistoryPrecision::packed) return {"GLOAM_PACKED_HISTORY"};
+    return {};
 }
 
 // The same for a pass that also reads or writes the prepared image.

@@ -149,9 +149,9 @@ void add_samples(std::vector<Setting>& table) {
     table.push_back(number("c_spatial", "", "convergence from which a pixel takes k_2; above 1: never",
                            &S::c_spatial, any_from_0));
     table.push_back(number("table_size", "samples",
-                           "after which the sequence starts over; at most 2048 in float16", &S::table_size,
+                           "after which the sequence starts over; at most 65536 in packed", &S::table_size,
                            whole(1, 1U << 24U)));
-    table.push_back(number("weight_max", "samples", "in the mean at most; 2048 in float16", &S::weight_max,
+    table.push_back(number("weight_max", "samples", "in the mean at most; 4095 in packed", &S::weight_max,
                            {.least = 1.0, .most = 8'388'608.0}));
     table.push_back(number("c_rot", "",
                            "kernels are rotated by pixel below this convergence; 0: never, above 1: always",
@@ -182,7 +182,7 @@ void add_history(std::vector<Setting>& table) {
         number("weight_small", "samples", "that a history keeps by clamping", &S::weight_small, any_from_0));
     table.push_back(number("confidence_factor", "per radius", "S: how fast a change takes the confidence",
                            &S::confidence_factor, not_negative));
-    table.push_back(choice("precision", "of the history", &S::precision, {"float32", "float16", "packed"}));
+    table.push_back(choice("precision", "of the history", &S::precision, {"float32", "packed"}));
 }
 
 Setting filter() {

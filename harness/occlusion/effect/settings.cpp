@@ -17,8 +17,6 @@ struct Limit {
     double most;
 };
 constexpr std::array limits{
-    Limit{HistoryPrecision::float16, "table_size", 2048.0},  // integers up to it are exact
-    Limit{HistoryPrecision::float16, "weight_max", 2048.0},
     Limit{HistoryPrecision::packed, "table_size", 65536.0},
     Limit{HistoryPrecision::packed, "weight_max", 4095.0}};
 

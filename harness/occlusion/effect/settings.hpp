@@ -29,7 +29,6 @@ enum class HistoryTaps {
 
 enum class HistoryPrecision {
     float32,  // 16 bytes a pixel
-    float16,  // 8 bytes, half floats: the mean is coarse
     packed    // 8 bytes, 16 bits of fixed point each
 };
 
@@ -174,9 +173,8 @@ struct Settings {
 // The same settings for another radius: all lengths in world units are scaled with it.
 [[nodiscard]] Settings with_radius(Settings settings, float radius);
 
-// Throws std::invalid_argument that names the first setting outside its range in setting_table(). A history
-// in float16 also limits table_size and weight_max to 2048; a packed one limits table_size to 65536 and
-// weight_max to 4095.
+// Throws std::invalid_argument that names the first setting outside its range in setting_table(). A packed
+// history also limits table_size to 65536 and weight_max to 4095.
 void validate(const Settings& settings);
 
 // The name of a precision as the setting "precision" uses it.

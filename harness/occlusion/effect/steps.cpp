@@ -11,8 +11,7 @@ namespace {
 
 // Bytes of each channel.
 std::uint64_t channel_bytes(gpu::Format format) {
-    const bool is_short =
-        format == gpu::Format::rgba16f || format == gpu::Format::rgba16ui || format == gpu::Format::r16f;
+    const bool is_short = format == gpu::Format::rgba16ui || format == gpu::Format::r16f;
     return format == gpu::Format::r8 ? 1U : (is_short ? 2U : 4U);
 }
 

@@ -40,11 +40,10 @@ void read_layer(Members& members, Layer& layer) {
     }
     if (const Value* copied = members.find("copied")) {
         std::string text;
-        copied->read(text, {"float32", "float16", "packed"});
+        copied->read(text, {"float32", "packed"});
         layer.kind = Kind::copy;
-        layer.copied = text == "float32"   ? effect::HistoryPrecision::float32
-                       : text == "float16" ? effect::HistoryPrecision::float16
-                                           : effect::HistoryPrecision::packed;
+        layer.copied =
+            text == "float32" ? effect::HistoryPrecision::float32 : effect::HistoryPrecision::packed;
     }
     for (const auto& [name, kind] :
          {std::pair("effect", Kind::effect), {"depth_truth", Kind::depth_truth}, {"truth", Kind::truth}}) {

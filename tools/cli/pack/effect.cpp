@@ -44,7 +44,6 @@ PackedPass packed_pass(const effect::PlannedPass& planned, const scene::PassLibr
 // Format of an image that is bound where nothing is read.
 gpu::Format format_named(const std::string& name) {
     static const std::map<std::string, gpu::Format> formats{{"r32f", gpu::Format::r32f},
-                                                            {"rgba16f", gpu::Format::rgba16f},
                                                             {"rgba16ui", gpu::Format::rgba16ui},
                                                             {"r32ui", gpu::Format::r32ui}};
     const auto found = formats.find(name);

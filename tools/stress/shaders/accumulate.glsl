@@ -14,7 +14,6 @@ struct StressSequence {
     uint k;            // samples a frame
     uint table_size;   // see gloam_next_index
     float weight_max;  // w_max
-    bool stored_half;  // the history is stored in 16 bits a channel
 };
 
 // A well-mixed 32-bit number for each number.
@@ -24,7 +23,7 @@ uint stress_hash(uint x) {
     return x ^ (x >> 16u);
 }
 
-// Contribution of a frame, a multiple of 2^-24: exact in every format but float16.
+// Contribution of a frame, a multiple of 2^-24.
 // 0: a third; 1: 0 and 1 in turn; 2: jumps between 0 and 1 every 4096 frames; 3: noise; 4: 1 in one frame of 32.
 float stress_contribution(StressSequence s, uint frame) {
     if (s.pattern == 0u) return 5592405.0 / 16777216.0;
@@ -35,11 +34,6 @@ float stress_contribution(StressSequence s, uint frame) {
     return noise < 0x08000000u ? 1.0 : 0.0;
 }
 
-// The nearest float16 values that the driver makes of a texel.
-vec4 stress_half(vec4 texel) {
-    return vec4(unpackHalf2x16(packHalf2x16(texel.xy)), unpackHalf2x16(packHalf2x16(texel.zw)));
-}
-
 // Depth of the surface that the pixel shows, in every frame.
 const float STRESS_DEPTH = 3.0;
 
@@ -48,8 +42,7 @@ vec4 stress_frame(vec4 texel, float contribution, StressSequence s) {
     GloamHistory before = gloam_history_unpack(texel);
     vec2 blended = gloam_blend(before.occlusion, before.weight, contribution, float(s.k), s.weight_max);
     uint next = gloam_next_index(before.index, s.k, s.table_size);
-    vec4 after = gloam_history_pack(GloamHistory(blended.x, blended.y, next, STRESS_DEPTH));
-    return s.stored_half ? stress_half(after) : after;
+    return gloam_history_pack(GloamHistory(blended.x, blended.y, next, STRESS_DEPTH));
 }
 
 // The history texel after all frames of the sequence.
