@@ -254,7 +254,8 @@ class FilterRows : public OnDevice<testing::TestWithParam<Case>> {
         for (const char c : std::get<0>(GetParam())) filter += static_cast<char>(std::toupper(c));
         const std::size_t end = pixel_filter.find('\n') + 1;
         return pixel_filter.substr(0, end) +
-               fmt::format("#define HALF_WIDTH {}\n#define {}\n", moment().settings.filter_half_width, filter) +
+               fmt::format("#define HALF_WIDTH {}\n#define {}\n", moment().settings.filter_half_width,
+                           filter) +
                pixel_filter.substr(end);
     }
 
@@ -302,8 +303,7 @@ INSTANTIATE_TEST_SUITE_P(Every, FilterRows,
                          testing::Combine(testing::Values("convergence", "geometry", "bilateral", "sao"),
                                           testing::Values(0, 2, 9), testing::Values(false)),
                          name_of);
-INSTANTIATE_TEST_SUITE_P(Convergence, FilterRows,
-                         testing::Values(Case{"convergence", 3, true}), name_of);
+INSTANTIATE_TEST_SUITE_P(Convergence, FilterRows, testing::Values(Case{"convergence", 3, true}), name_of);
 
 class SaoFilter : public FilterRows {};
 

@@ -265,9 +265,9 @@ TEST_F(InterpretedPasses, OfAMovingSceneAreTheDevicesPixelByPixel) {
     half.resolution = Resolution::half;
     half.remap_c = 1.5F;
     expect_the_devices(views, half, "moving, half the resolution");
-    for (const char* name : {"ambient_occlusion", "filter_x", "filter_y", "halve_inputs", "normals_from_depth", "remap",
-                             "remap_filtered", "reproject", "sample_table", "select_filtered_tiles",
-                             "select_tiles", "upsample"})
+    for (const char* name :
+         {"ambient_occlusion", "filter_x", "filter_y", "halve_inputs", "normals_from_depth", "remap",
+          "remap_filtered", "reproject", "sample_table", "select_filtered_tiles", "select_tiles", "upsample"})
         EXPECT_GT(seen_[name].words, 0U) << name;
     EXPECT_EQ(seen_["select_tiles"].equal, seen_["select_tiles"].words) << "integers";
 }

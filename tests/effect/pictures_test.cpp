@@ -200,7 +200,7 @@ TEST_F(Pictures, MovingObjectsLeaveNoGhost) {
 TEST_F(Pictures, NoPixelIsAloneBesideMovingObjects) {
     for (const Preset& preset : presets_with_history()) {
         const Settings settings = settings_of(preset, moving().scene.ao_radius);
-        if (!filters(settings) || filters_early(settings)) continue;
+        if (!filters(settings)) continue;
         expect_none_alone(preset.name + " moving", shown(preset), moving().traced, settings,
                           most_alone_beside_motion);
     }

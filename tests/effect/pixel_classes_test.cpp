@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where a pixel was in the frame before, and the classes of pixels that follow: settled, uncovered, near motion.
+// Where a pixel was in the frame before, and the classes of pixels that follow: settled, uncovered, near
+// motion.
 #include "effect/pixel_classes.hpp"
 #include "on_device.hpp"
 

@@ -39,7 +39,6 @@ TEST_F(PlanTest, IsWhatAFrameRuns) {
             settings.history = !alone;
             if (half) settings.resolution = Resolution::half;
             settings.remap_b = 2.0F;
-            settings.filter_frames = every_frame;  // fewer: filter_frames_test.cpp
             AmbientOcclusion& effect = effect_for(extent);
             effect.begin(first, settings);
             (void)effect.next(1);
@@ -52,7 +51,6 @@ TEST_F(PlanTest, IsWhatAFrameRuns) {
             for (const PlannedPass& pass : plan_of(settings, {.view = extent}).passes)
                 if (pass.turn != Turn::once) planned.push_back(pass.name);
             std::erase(planned, "remap");
-            std::erase(planned, "upsample_filtered");  // a frame takes it in the place of "upsample"
             EXPECT_EQ(planned, ran) << method << " " << preset;
         }
     }

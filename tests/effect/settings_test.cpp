@@ -236,7 +236,6 @@ const std::map<std::string, Case>& cases() {
         {"filter", {"off", {{"c_adaptive", "1"}}}},
         {"filter_half_width", {"1", {{"c_adaptive", "1"}}}},
         {"filter_sigma", {"1", {{"c_adaptive", "1"}}}},
-        {"filter_frames", {"2", {{"c_adaptive", "1"}, {"radius", "0.4"}}}},
         {"filter_depth", {"0.01", {{"filter", "bilateral"}}}},
         {"remap_a", {"0.1"}},
         {"remap_b", {"0.9"}},

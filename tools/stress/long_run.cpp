@@ -68,7 +68,7 @@ namespace {
 
 constexpr const char* long_run_name = "long-run";
 constexpr double blend_error = 1e-7;  // of gloam_blend, as its comment states
-constexpr unsigned seeds = 3;  // lanes of each pattern
+constexpr unsigned seeds = 3;         // lanes of each pattern
 
 struct Accumulation {
     unsigned k;
@@ -79,12 +79,9 @@ struct Accumulation {
 };
 
 const std::vector<Accumulation>& accumulations() {
-    static const std::vector<Accumulation> all{{32, 500, 65'536},
-                                               {8, 1500, 1'500},
-                                               {1, 1500, 1U << 24U},
-                                               {16, 8'388'608, 16'777'213},
-                                               {1, 1, 7},
-                                               {65'536, 8'388'608, 1U << 24U}};
+    static const std::vector<Accumulation> all{
+        {32, 500, 65'536},           {8, 1500, 1'500}, {1, 1500, 1U << 24U},
+        {16, 8'388'608, 16'777'213}, {1, 1, 7},        {65'536, 8'388'608, 1U << 24U}};
     return all;
 }
 

@@ -74,7 +74,6 @@ void AmbientOcclusion::Impl::decide() {
     moment.new_view = progress.first_of_view();
     moment.moved = progress.history_lags();
     moment.settled = progress.settled();
-    moment.filtered = filters(moment.settings, progress.frames_since_cut());
     // Before the first frame nothing is known that a list could leave out.
     const bool known = progress.frames_since_cut() > 0;
     moment.listed = selects_tiles(moment.settings) && known && listing.due(moment.moved);

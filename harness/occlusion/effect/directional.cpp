@@ -116,7 +116,7 @@ struct Directional::Impl {
 
     // Smooths the frame's light, if the settings filter it. Returns the state of it that is displayed.
     [[nodiscard]] const char* smoothed(const Settings& settings) {
-        if (!filters(settings, count)) return "now";
+        if (!filters(settings)) return "now";
         const FilterParameters parameters = filter_parameters(last, settings);
         const auto along = [&](bool y, const std::string& from, const std::string& to) {
             for (const char* part : {"direct_", "bounced_"})

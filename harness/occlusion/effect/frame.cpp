@@ -166,14 +166,13 @@ class Evaluation {
   private:
     [[nodiscard]] PlannedPass pass(const PassRow& row) const {
         Constants filled = row.fill(moment_);
-        PlannedPass pass{
-            .name = row.own_name ? row.own_name(moment_) : row.name,
-            .source = row.source(moment_, moment_.listed ? row.list : List{}),
-            .turn = row.turn == Turn::early && !filters_early(moment_.settings) ? Turn::always : row.turn,
-            .resources = {},
-            .parameters = filled.bytes,
-            .odd_parameters = std::move(filled.bytes),
-            .of_view = std::move(filled.of_view)};
+        PlannedPass pass{.name = row.own_name ? row.own_name(moment_) : row.name,
+                         .source = row.source(moment_, moment_.listed ? row.list : List{}),
+                         .turn = row.turn,
+                         .resources = {},
+                         .parameters = filled.bytes,
+                         .odd_parameters = std::move(filled.bytes),
+                         .of_view = std::move(filled.of_view)};
         for (const char* resource : row.resources) pass.resources.push_back(present(named(resource)));
         if (row.cover != Cover::view && row.cover != Cover::halved) pass.divisor = moment_.half() ? 2 : 1;
         if (moment_.listed && row.list)

@@ -28,11 +28,6 @@ std::function<PassSource(const Moment&, List)> file(const char* name) {
     return [name](const Moment&, List) { return PassSource{.file = name}; };
 }
 
-// Whether the plan holds both what is shown with the filter and what is shown without.
-bool shows_both(const Moment& moment) {
-    return moment.every_turn && filters_early(moment.settings);
-}
-
 bool remaps_filtered(const Moment& moment) {
     return moment.maps_images() && moment.filtered && !moment.half();
 }
@@ -132,36 +127,35 @@ PassRow row_of_samples() {
 }
 
 std::vector<PassRow> rows_of_samples() {
-    return {
-        {.name = "reproject",
-         .when = [](const Moment& m) { return m.moves_history(); },
-         .source = [](const Moment& m, List) { return reprojection_source(m); },
-         .resources = {"depth", "positions", "history_before", "history_reprojected", "tile_lists",
-                       "displacement"},
-         .fill =
-             [](const Moment& m) {
-                 using P = ReprojectionParameters;
-                 return constants(reprojection_parameters(m), &P::previous_from_current, &P::p00_p11,
-                                  &P::previous_p00_p11, &P::size);
-             },
-         .list = TileLists::shaded,
-         .turn = Turn::moved},
-        {.name = "preparation",
-         .when = [](const Moment& m) { return m.preparation ? m.preparation->passes.size() : 0; },
-         .source = [](const Moment& m,
-                      List) { return preparation_source(m, m.preparation->passes[m.step].file); },
-         .resources = {"depth", "normal", "history", "prepared", "method", "layers", "prepared"},
-         .fill =
-             [](const Moment& m) {
-                 using P = PreparationParameters;
-                 const int level = m.preparation->passes[m.step].level;
-                 return constants(preparation_parameters(m.view, m.settings, level), &P::p00_p11, &P::size,
-                                  &P::border);
-             },
-         .cover = Cover::own,
-         .groups = [](const Moment& m) { return groups_for(m.preparation->passes[m.step].invocations); },
-         .own_name = [](const Moment& m) { return m.preparation->passes[m.step].name; }},
-        row_of_samples()};
+    return {{.name = "reproject",
+             .when = [](const Moment& m) { return m.moves_history(); },
+             .source = [](const Moment& m, List) { return reprojection_source(m); },
+             .resources = {"depth", "positions", "history_before", "history_reprojected", "tile_lists",
+                           "displacement"},
+             .fill =
+                 [](const Moment& m) {
+                     using P = ReprojectionParameters;
+                     return constants(reprojection_parameters(m), &P::previous_from_current, &P::p00_p11,
+                                      &P::previous_p00_p11, &P::size);
+                 },
+             .list = TileLists::shaded,
+             .turn = Turn::moved},
+            {.name = "preparation",
+             .when = [](const Moment& m) { return m.preparation ? m.preparation->passes.size() : 0; },
+             .source = [](const Moment& m,
+                          List) { return preparation_source(m, m.preparation->passes[m.step].file); },
+             .resources = {"depth", "normal", "history", "prepared", "method", "layers", "prepared"},
+             .fill =
+                 [](const Moment& m) {
+                     using P = PreparationParameters;
+                     const int level = m.preparation->passes[m.step].level;
+                     return constants(preparation_parameters(m.view, m.settings, level), &P::p00_p11,
+                                      &P::size, &P::border);
+                 },
+             .cover = Cover::own,
+             .groups = [](const Moment& m) { return groups_for(m.preparation->passes[m.step].invocations); },
+             .own_name = [](const Moment& m) { return m.preparation->passes[m.step].name; }},
+            row_of_samples()};
 }
 
 // A pass of the filter along one axis.
@@ -177,8 +171,7 @@ PassRow row_of_filter(const char* name, TileLists list, const char* from, const 
                     return constants(filter_parameters(m.view, m.settings), &P::p00_p11, &P::size);
                 },
             .cover = Cover::rows_of_tiles,
-            .list = list,
-            .turn = Turn::early};
+            .list = list};
 }
 
 std::vector<PassRow> rows_of_filter() {
@@ -192,19 +185,18 @@ std::vector<PassRow> rows_of_filter() {
                      return constants(P{vector_of_size(m.view.extent), glm::ivec2(filter_reach(m.settings))},
                                       &P::size);
                  },
-             .cover = Cover::tiles_of_tiles,
-             .turn = Turn::early},
+             .cover = Cover::tiles_of_tiles},
             row_of_filter("filter_x", TileLists::filtered_x, "filtered", "half_filtered"),
             row_of_filter("filter_y", TileLists::filtered_y, "half_filtered", "filtered")};
 }
 
 // A pass that remaps an image for display.
-PassRow row_of_remap(const char* name, TileLists list, Cover cover, Turn turn, const char* from,
+PassRow row_of_remap(const char* name, TileLists list, Cover cover, bool of_history, const char* from,
                      const char* to, std::function<bool(const Moment&)> when) {
     return {.name = name,
             .when = std::move(when),
             .source =
-                [of_history = turn == Turn::always](const Moment& m, List tiles) {
+                [of_history](const Moment& m, List tiles) {
                     return remap_source(m.settings, of_history && !shows_alone(m.settings), tiles);
                 },
             .resources = {"depth", from, to, "tile_lists"},
@@ -215,8 +207,7 @@ PassRow row_of_remap(const char* name, TileLists list, Cover cover, Turn turn, c
                     return constants(all, &RemapParameters::size);
                 },
             .cover = cover,
-            .list = list,
-            .turn = turn};
+            .list = list};
 }
 
 // A pass that brings an image to the size of the view.
@@ -232,12 +223,7 @@ PassRow row_of_upsampling(bool filtered, const char* from, std::function<bool(co
                     return constants(P{vector_of_size(m.given.extent), s.remap_a, s.remap_b, s.remap_c},
                                      &P::size);
                 },
-            .cover = Cover::halved,
-            .turn = filtered ? Turn::early : Turn::always,
-            .own_name =
-                [filtered](const Moment& m) {
-                    return filtered && shows_both(m) ? "upsample_filtered" : "upsample";
-                }};
+            .cover = Cover::halved};
 }
 
 // The pixels of a block share one pattern of samples (interleaved sampling): the first pass takes each
@@ -265,19 +251,16 @@ std::vector<PassRow> rows_of_directions() {
 }
 
 std::vector<PassRow> rows_of_results() {
-    return {row_of_remap("remap", TileLists::shaded, Cover::tiles, Turn::always, "occlusion", "mapped",
-                         [](const Moment& m) {
-                             return m.maps_images() && (!m.filtered || m.shows_unfiltered || shows_both(m));
-                         }),
-            row_of_remap("remap_filtered", TileLists::shaded, Cover::tiles, Turn::early, "filtered",
-                         "filtered_mapped", remaps_filtered),
-            // The tiles that only the filter changes.
-            row_of_remap("remap_filtered_tiles", TileLists::filtered_y, Cover::rows_of_tiles, Turn::early,
-                         "filtered", "filtered_mapped",
-                         [](const Moment& m) { return remaps_filtered(m) && m.listed; }),
-            row_of_upsampling(false, "occlusion",
-                              [](const Moment& m) { return m.half() && (!m.filtered || shows_both(m)); }),
-            row_of_upsampling(true, "filtered", [](const Moment& m) { return m.half() && m.filtered; })};
+    return {
+        row_of_remap("remap", TileLists::shaded, Cover::tiles, true, "occlusion", "mapped",
+                     [](const Moment& m) { return m.maps_images() && (!m.filtered || m.shows_unfiltered); }),
+        row_of_remap("remap_filtered", TileLists::shaded, Cover::tiles, false, "filtered", "filtered_mapped",
+                     remaps_filtered),
+        // The tiles that only the filter changes.
+        row_of_remap("remap_filtered_tiles", TileLists::filtered_y, Cover::rows_of_tiles, false, "filtered",
+                     "filtered_mapped", [](const Moment& m) { return remaps_filtered(m) && m.listed; }),
+        row_of_upsampling(false, "occlusion", [](const Moment& m) { return m.half() && !m.filtered; }),
+        row_of_upsampling(true, "filtered", [](const Moment& m) { return m.half() && m.filtered; })};
 }
 
 }  // namespace

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "effect/plan.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "effect/internal/frame.hpp"
 #include "effect/internal/frame_images.hpp"
 
@@ -33,7 +30,6 @@ Moment moment_of(const Settings& settings, const PlanOptions& options) {
     moment.from_motion = options.motion_vectors;
     moment.bent_normals = options.bent_normals;
     moment.filtered = filters(settings);
-    moment.every_turn = true;
     moment.has_tiles = moment.listed = options.tiles;
     if (options.tiles) moment.counting = Counting::each_group;
     if (tabulates_samples(settings)) moment.tabulated = {1, last_tabulated(settings)};
@@ -46,25 +42,13 @@ struct ShownImage {
     float unit = 1.0F;  // occlusion that a value of 1 stands for
 };
 
-// `filtered`: whether the filter runs in the frame.
-ShownImage shown_image(const Settings& settings, bool filtered) {
+ShownImage shown_image(const Settings& settings) {
+    const bool filtered = filters(settings);
     if (settings.resolution == Resolution::half) return {"upsampled"};
     if (remaps(settings)) return {filtered ? "filtered_mapped" : "mapped"};
     if (filtered || shows_alone(settings)) return {"filtered"};
     const bool packed = settings.precision == HistoryPrecision::packed;
     return {"history_after", packed ? packed_occlusion_unit : 1.0F};
-}
-
-// Sets where the plan's frames have their results.
-void name_results(const Settings& settings, Plan& plan) {
-    const ShownImage shown = shown_image(settings, filters(settings));
-    plan.result = shown.name;
-    plan.result_unit = shown.unit;
-    if (!filters_early(settings)) return;
-    const ShownImage later = shown_image(settings, false);
-    plan.filter_frames = static_cast<std::uint32_t>(std::min(std::ceil(settings.filter_frames), 2e9F));
-    plan.later_result = later.name;
-    plan.later_unit = later.unit;
 }
 
 }  // namespace
@@ -77,7 +61,9 @@ Plan plan_of(const Settings& settings, const PlanOptions& options) {
     moment.odd = true;
     const std::vector<PlannedPass> odd = planned_passes(moment, plan);
     for (std::size_t i = 0; i < odd.size(); ++i) plan.passes[i].odd_parameters = odd[i].parameters;
-    name_results(settings, plan);
+    const ShownImage shown = shown_image(settings);
+    plan.result = shown.name;
+    plan.result_unit = shown.unit;
     return plan;
 }
 

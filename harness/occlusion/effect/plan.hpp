@@ -61,7 +61,6 @@ struct PlannedBuffer {
 enum class Turn {
     once,   // before the first frame
     moved,  // in frames with another view than the last frame
-    early,  // in the first Plan::filter_frames frames, and after each cut
     always
 };
 
@@ -98,10 +97,6 @@ struct Plan {
     std::uint32_t tile = 8;    // pixels of the view along each side of a tile
     std::string result;        // image whose first channel is the occlusion
     float result_unit = 1.0F;  // occlusion that a value of 1 in it stands for
-    // Where passes run early: the number of frames in which they do, and the same two of later frames.
-    std::uint32_t filter_frames = 0;
-    std::string later_result;
-    float later_unit = 1.0F;
 };
 
 struct PlanOptions {

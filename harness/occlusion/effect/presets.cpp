@@ -17,10 +17,6 @@ namespace {
 // filtered.
 constexpr float slices_filtered = 8.0F;
 
-// Later the filter would change little but what has just come into view, and cost as much as several samples
-// everywhere (docs/measurements.md).
-constexpr float frames_filtered = 8.0F;
-
 // The horizon sweep, `count` slices a frame, in a mean over so many samples: a longer one lags behind what
 // the camera uncovers. Kernels are always rotated, on a lattice, from whose neighbours a filter
 // leaves the least noise. For a single slice the filter's window is nearly a box; with more there is less
@@ -33,7 +29,6 @@ Settings swept(std::uint32_t count, std::uint32_t steps, float mean = 128.0F) {
     settings.filter = Filter::convergence;
     settings.c_adaptive = slices_filtered * static_cast<float>(2 * steps) / settings.weight_max;
     if (count == 1) settings.filter_sigma = 0.4F;
-    settings.filter_frames = frames_filtered;
     settings.precision = HistoryPrecision::packed;
     return settings;
 }
@@ -44,7 +39,6 @@ Settings fast() {
     Settings settings = swept(1, 6);
     settings.resolution = Resolution::half;
     settings.c_adaptive = 1.0F;
-    settings.filter_frames = every_frame;
     return settings;
 }
 

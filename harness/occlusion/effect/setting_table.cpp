@@ -205,9 +205,6 @@ void add_output(std::vector<Setting>& table) {
     table.push_back(number("filter_sigma", "of the window's width",
                            "standard deviation of the Gaussian: convergence, bilateral", &S::filter_sigma,
                            positive));
-    table.push_back(number("filter_frames", "frames",
-                           "after a cut in which the filter runs; 1e18: in every frame", &S::filter_frames,
-                           {.least = 1.0, .most = largest}));
     table.push_back(number("filter_depth", "world units",
                            "difference of depth that sets a neighbour apart: geometry, bilateral, sao",
                            &S::filter_depth, positive));

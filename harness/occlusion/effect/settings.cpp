@@ -16,9 +16,8 @@ struct Limit {
     const char* setting;
     double most;
 };
-constexpr std::array limits{
-    Limit{HistoryPrecision::packed, "table_size", 65536.0},
-    Limit{HistoryPrecision::packed, "weight_max", 4095.0}};
+constexpr std::array limits{Limit{HistoryPrecision::packed, "table_size", 65536.0},
+                            Limit{HistoryPrecision::packed, "weight_max", 4095.0}};
 
 }  // namespace
 
@@ -35,14 +34,6 @@ Settings with_radius(Settings settings, float radius) {
 
 bool filters(const Settings& settings) {
     return settings.filter != Filter::none;
-}
-
-bool filters(const Settings& settings, std::uint64_t frames_before) {
-    return filters(settings) && static_cast<double>(frames_before) < double{settings.filter_frames};
-}
-
-bool filters_early(const Settings& settings) {
-    return filters(settings) && settings.filter_frames < every_frame;
 }
 
 bool shows_alone(const Settings& settings) {

@@ -67,9 +67,6 @@ constexpr std::uint32_t most_samples = 2'048;
 // A cap above every projected radius, in pixels: no cap.
 constexpr float no_radius_cap = 1e18F;
 
-// More frames than any run has.
-constexpr float every_frame = 1e18F;
-
 // What single methods take beside what all of them take, in the layout of MethodValues in the passes' buffer
 // (passes/method_values.glsl). The descriptor of a method names those that it reads (MethodInfo::reads).
 struct MethodValues {
@@ -126,11 +123,10 @@ struct Settings {
     float confidence_factor = 30.0F;  // confidence: S, per radius of change, >= 0
     HistoryPrecision precision = HistoryPrecision::float32;
     Filter filter = Filter::convergence;
-    float filter_cap = 1e18F;  // neighbours weigh at most this many times the pixel's own convergence; 1e18:
-                               // any number of times, as eq. 10 has it
-    float filter_frames = every_frame;  // frames after a cut in which the filter runs, >= 1
-    int filter_half_width = 2;   // taps on each side: 2 is 5 x 5; bilateral at most 16, sao at most 4, 2
-                                 // pixels apart
+    float filter_cap = 1e18F;   // neighbours weigh at most this many times the pixel's own convergence; 1e18:
+                                // any number of times, as eq. 10 has it
+    int filter_half_width = 2;  // taps on each side: 2 is 5 x 5; bilateral at most 16, sao at most 4, 2
+                                // pixels apart
     float filter_sigma = 0.25F;  // convergence, bilateral: standard deviation of the Gaussian, of the whole
                                  // window's width, > 0
     float filter_depth = 0.1F;   // geometry, bilateral, sao: difference of depth that sets a neighbour apart,
@@ -153,12 +149,6 @@ struct Settings {
 
 // Whether a filter is applied to the estimate.
 [[nodiscard]] bool filters(const Settings& settings);
-
-// The same for one frame. frames_before: frames since the last cut, 0 for the first after it.
-[[nodiscard]] bool filters(const Settings& settings, std::uint64_t frames_before);
-
-// Whether the filter runs in the first frames after a cut alone.
-[[nodiscard]] bool filters_early(const Settings& settings);
 
 // Whether the occlusion of a frame is all that its passes keep: without a history and without a filter.
 [[nodiscard]] bool shows_alone(const Settings& settings);

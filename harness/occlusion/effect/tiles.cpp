@@ -4,7 +4,6 @@
 #include <array>
 #include <span>
 
-
 namespace gloam::effect {
 
 std::vector<std::byte> empty_lists() {

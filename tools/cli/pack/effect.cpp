@@ -43,9 +43,8 @@ PackedPass packed_pass(const effect::PlannedPass& planned, const scene::PassLibr
 
 // Format of an image that is bound where nothing is read.
 gpu::Format format_named(const std::string& name) {
-    static const std::map<std::string, gpu::Format> formats{{"r32f", gpu::Format::r32f},
-                                                            {"rgba16ui", gpu::Format::rgba16ui},
-                                                            {"r32ui", gpu::Format::r32ui}};
+    static const std::map<std::string, gpu::Format> formats{
+        {"r32f", gpu::Format::r32f}, {"rgba16ui", gpu::Format::rgba16ui}, {"r32ui", gpu::Format::r32ui}};
     const auto found = formats.find(name);
     return found == formats.end() ? gpu::Format::rgba32f : found->second;
 }
@@ -74,7 +73,7 @@ PackedEffect packed_effect(const effect::Settings& settings, const effect::PlanO
                            const scene::PassLibrary& library, shader::Language language) {
     PackedEffect effect{
         .language = language, .settings = settings, .options = options, .plan = plan_of(settings, options)};
-    std::set<std::string> bound{effect.plan.result, effect.plan.later_result};
+    std::set<std::string> bound{effect.plan.result};
     for (const effect::PlannedPass& planned : effect.plan.passes) {
         effect.passes.push_back(packed_pass(planned, library, language));
         bind_nothing(effect.passes.back(), effect.plan.images);
@@ -252,7 +251,7 @@ std::vector<std::string> vulkan_usage(const PackedEffect& effect, const effect::
     for (const effect::PlannedImage& other : effect.plan.images)  // filled, or cleared
         if (names.contains(other.name) && (other.origin == Origin::engine || other.origin == Origin::history))
             add("TRANSFER_DST");
-    if (names.contains(effect.plan.result) || names.contains(effect.plan.later_result)) add("TRANSFER_SRC");
+    if (names.contains(effect.plan.result)) add("TRANSFER_SRC");
     return usage;
 }
 

@@ -196,7 +196,7 @@ class HeaderWriter {
         enumeration("IMAGE", effect_.plan.images);
         enumeration("BUFFER", effect_.plan.buffers);
         text_ +=
-            "enum { GLOAM_ONCE, GLOAM_MOVED, GLOAM_EARLY, GLOAM_ALWAYS };\n"
+            "enum { GLOAM_ONCE, GLOAM_MOVED, GLOAM_ALWAYS };\n"
             "enum { GLOAM_ENGINE, GLOAM_KEPT, GLOAM_WRITTEN_ONCE, GLOAM_FRAME };\n\n";
     }
 
@@ -283,17 +283,6 @@ class HeaderWriter {
             "enum {{ GLOAM_RESULT = GLOAM_IMAGE_{} }};\nstatic const float gloam_result_unit = {};\n\n",
             upper(effect_.plan.result),
             c_number("float", std::as_bytes(std::span(&effect_.plan.result_unit, 1))));
-        if (effect_.plan.filter_frames > 0) later_result();
-    }
-
-    void later_result() {
-        put("/* Passes with GLOAM_EARLY run in so many frames after the begin and after a cut. In later "
-            "frames the "
-            "result is here. */\n"
-            "enum {{ GLOAM_EARLY_FRAMES = {}, GLOAM_LATER_RESULT = GLOAM_IMAGE_{} }};\n"
-            "static const float gloam_later_unit = {};\n\n",
-            effect_.plan.filter_frames, upper(effect_.plan.later_result),
-            c_number("float", std::as_bytes(std::span(&effect_.plan.later_unit, 1))));
     }
 
     void row(const PackedPass& pass) {
@@ -317,7 +306,6 @@ class HeaderWriter {
 
     static const char* turn_name(effect::Turn turn) {
         if (turn == effect::Turn::once) return "GLOAM_ONCE";
-        if (turn == effect::Turn::early) return "GLOAM_EARLY";
         return turn == effect::Turn::moved ? "GLOAM_MOVED" : "GLOAM_ALWAYS";
     }
 

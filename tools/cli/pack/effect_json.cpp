@@ -82,7 +82,6 @@ Json push_constants_json(const PackedPass& pass) {
 
 const char* name_of(effect::Turn turn) {
     if (turn == effect::Turn::once) return "once";
-    if (turn == effect::Turn::early) return "early";
     return turn == effect::Turn::moved ? "moved" : "always";
 }
 
@@ -126,10 +125,6 @@ std::string effect_json(const PackedEffect& effect) {
               {"tile", effect.plan.tile},
               {"result", {{"image", effect.plan.result}, {"unit", effect.plan.result_unit}}},
               {"exchanged", effect.plan.exchanged}};
-    if (effect.plan.filter_frames > 0)
-        json["later_result"] = {{"after_frames", effect.plan.filter_frames},
-                                {"image", effect.plan.later_result},
-                                {"unit", effect.plan.later_unit}};
     for (const effect::PlannedImage& image : effect.plan.images)
         json["images"].push_back(image_json(effect, image));
     json["buffers"] = Json::array();

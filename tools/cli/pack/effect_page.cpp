@@ -24,7 +24,6 @@ std::string dispatch_of(const effect::PlannedPass& pass) {
 
 const char* turn_of(Turn turn) {
     if (turn == Turn::once) return "once, before the first frame";
-    if (turn == Turn::early) return "in the first frames after a cut";
     return turn == Turn::moved ? "where the view is not that of the frame before" : "in each frame";
 }
 
@@ -116,11 +115,6 @@ class PageWriter {
         const effect::Plan& plan = effect_.plan;
         put("\nThe result is {}: occlusion, 1 where blocked, 0 at the background.\n",
             channel_of(plan.result, plan.result_unit));
-        if (plan.filter_frames == 0) return;
-        put("That holds for the first {} frames, and for as many after a cut. In later frames the filter "
-            "does "
-            "not run, and the result is {}.\n",
-            plan.filter_frames, channel_of(plan.later_result, plan.later_unit));
     }
 
     static std::string channel_of(const std::string& image, float unit) {

@@ -179,11 +179,10 @@ class AmbientOcclusion {
             on_lattice: settings.rotation === "lattice"}, this.history);
     }
 
-    // What is shown of the history: filtered in the frames that the settings say, at the size of the view.
+    // What is shown of the history, at the size of the view.
     shown(full, now) {
         const {settings} = this;
-        const filters = settings.filter !== "none" && this.frames < settings.filter_frames;
-        const source = filters ? this.filtered(now) : this.history;
+        const source = settings.filter === "none" ? this.history : this.filtered(now);
         if (settings.resolution !== "half") return source;
         return this.draw("upsample", {orthographic: full.orthographic}, {depth_image: full.depth,
             half_depth_image: now.depth, source_image: source.image, view_size: full.size},

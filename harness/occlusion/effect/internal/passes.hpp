@@ -71,7 +71,6 @@ struct Moment {
     bool settled = false;           // both images of the history show this view
     bool odd = false;               // the two images of the history are swapped
     bool filtered = true;           // the filter runs
-    bool every_turn = false;        // the plan holds the passes of early and of later frames
     bool shows_unfiltered = false;  // the unfiltered occlusion is remapped, too
     bool has_tiles = false;         // the buffers of tiles exist
     bool listed = false;            // passes run over lists of tiles
