@@ -105,7 +105,6 @@ TEST(ExperimentFile, EveryFaultIsNamedWithItsPlace) {
     expect_refused(with("\"scene\": \"sky\"", "\"scene\": 3"), "cases[0].scene: expected a text");
     expect_refused(with("[3, 1]", "[3, 0]"), "cases[0].shown[1]");
     expect_refused(with("\"target\": 0.5", "\"target\": \"big\""), "cases[0].target: expected a number");
-    expect_refused(with("\"over\": \"loop\"", "\"over_case\": \"ski\""), "over_case: \"ski\"");
     expect_refused(with("9x3+1", "9x"), "candidates[1].plain: expected SLICESxSTEPS+BLURS");
     expect_refused(with("\"value\": \"ms\"", "\"value\": \"luck\""), "tables[0].columns[0].value");
     expect_refused(with("{\"samples\": 8", "{\"samples\": [8]"), "set.samples");
@@ -169,15 +168,15 @@ TEST(PlainLoop, IsReadFromSlicesStepsAndBlurs) {
 }
 
 TEST(Cases, AQueryIsReplacedByItsCases) {
-    Experiment views{.query = CaseQuery{.views = true, .half = "unseen"}};
+    Experiment views{.query = CaseQuery{.half = "unseen"}};
     choose_cases(views, {"room", "moving"}, "", "");
     ASSERT_EQ(views.cases.size(), 1U);  // moving is of the other half
     EXPECT_EQ(views.cases[0].half, "unseen");
-    Experiment scenes{.query = CaseQuery{}};
-    choose_cases(scenes, {}, "", "");
-    EXPECT_GT(scenes.cases.size(), 3U);
-    EXPECT_THROW(choose_cases(scenes, {"magic"}, "", ""), std::invalid_argument);
-    EXPECT_THROW(choose_cases(scenes, {}, "unseen", ""), std::invalid_argument);
+    Experiment all{.query = CaseQuery{}};
+    choose_cases(all, {}, "", "");
+    EXPECT_GT(all.cases.size(), 3U);
+    EXPECT_THROW(choose_cases(all, {"magic"}, "", ""), std::invalid_argument);
+    EXPECT_THROW(choose_cases(all, {}, "unseen", ""), std::invalid_argument) << "chosen before";
 }
 
 }  // namespace experiment_file_test

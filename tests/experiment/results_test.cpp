@@ -13,8 +13,6 @@ Record everything() {
     Visit more = make_visit("b", "n/4", 0, 1, 0.5);
     more.shown.kind = "views";
     more.shown.what = "25 %";
-    more.shown.value = 3.0;
-    more.difference = 0.25;
     more.quality->flicker = 0.001;
     more.quality->converged = Converged{.similarity = 0.5, .own = effect::Errors{.rmse = 0.25}};
     more.point = PointQuality{.truth = 0.5, .occlusion = 0.4, .own = 0.3};
@@ -43,7 +41,6 @@ TEST(ExperimentRecord, ReadsWhatItWrote) {
     EXPECT_EQ(back.conditions(), record.conditions());
     const Visit& last = back.visits().back();
     EXPECT_EQ(last.shown.what, "25 %");
-    EXPECT_EQ(last.difference, 0.25);
     EXPECT_EQ(last.quality->flicker, 0.001);
     EXPECT_EQ(last.quality->converged->own->rmse, 0.25);
     EXPECT_FALSE(last.quality->converged->depth);

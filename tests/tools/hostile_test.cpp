@@ -139,7 +139,7 @@ TEST_F(HostileFiles, FilesWithoutEnd) {
 TEST_F(HostileFiles, ResultsAreNeitherCommandsNorPaths) {
     const auto good =
         nlohmann::ordered_json::parse(R"({"experiment": "e", "device": "d", "driver": "d", "frames": 2,
-      "scored": 1, "repeat": 1, "rays": 32, "visits": [{"width": 32, "height": 32, "case": "a", "value": 0,
+      "scored": 1, "repeat": 1, "rays": 32, "visits": [{"width": 32, "height": 32, "case": "a",
         "target": 0, "candidate": "m", "group": "g", "round": 0, "samples_asked": 4,
         "quality": {"rmse": 0.1, "rmse_raw": 0.2, "rmse_depth": 0.1, "rmse_depth_raw": 0.2, "bias": 0,
           "similarity": 1, "samples": 4, "memory_bytes": 1},

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #version 450
 // Ground-truth ambient occlusion (Jimenez et al. 2016) as one plain loop, as an engine without this library has it. For
-// comparison only: `gloam bench plain` times the library's methods against it. Do not copy it: it tests no input, takes
-// single frames of perspective cameras only, and promises no accuracy.
+// comparison only: `gloam bench front` times presets beside it. Do not copy it: it tests no input, takes single frames
+// of perspective cameras only, and promises no accuracy.
 //
 // A tap's horizon moves towards the tangent plane with its distance, linearly over the radius. Each pixel turns its
 // slices and shifts its taps by noise.

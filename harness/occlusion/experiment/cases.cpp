@@ -66,24 +66,6 @@ scene::Scene floor_scene() {
     return scene;
 }
 
-// The scene with `count` objects: copies of its objects, each slightly displaced.
-void take_objects(scene::Scene& scene, std::size_t count) {
-    if (scene.objects.empty())
-        throw std::invalid_argument(fmt::format("{}: expected a scene with moving objects", scene.name));
-    const std::vector<scene::MovingObject> own = std::exchange(scene.objects, {});
-    for (std::size_t i = 0; i < count; ++i) {
-        scene::MovingObject object = own[i % own.size()];
-        const double aside = 0.15 * static_cast<double>(i / own.size());
-        object.transform = [inner = object.transform, aside](int frame) {
-            glm::dmat4 transform = inner(frame);
-            transform[3][0] += aside;
-            transform[3][2] -= aside;
-            return transform;
-        };
-        scene.objects.push_back(std::move(object));
-    }
-}
-
 // Its truth is not that of the scene.
 bool is_changed(const Case& one) {
     return one.rough_from || one.empty_until > 0.0;
@@ -94,14 +76,6 @@ void edit(const Case& one, scene::GBuffer& view, int number) {
     if (one.rough_from) roughen(view, *one.rough_from);
     if (number == 0 || !one.filled_later) clear(view, one.empty_until);
     if (one.still && number > 0) view.camera.previous_from_current = glm::mat4(1.0F);
-}
-
-std::vector<Case> moving_scenes() {
-    std::vector<Case> cases;
-    for (const scene::SceneInfo& info : scene::built_in_scenes())
-        if (scene::make_scene(info.name).camera_path)
-            cases.push_back({.name = info.name, .scene = info.name});
-    return cases;
 }
 
 std::vector<Case> all_views() {
@@ -248,24 +222,22 @@ PlainLoop plain_loop(std::string_view text) {
 
 void choose_cases(Experiment& experiment, const std::vector<std::string>& names, const std::string& half,
                   const std::filesystem::path& meshes) {
-    const bool views = experiment.query && experiment.query->views;
-    if (!half.empty() && !views)
+    const CaseQuery query = experiment.query.value_or(CaseQuery{});
+    if (!half.empty() && !experiment.query)
         throw std::invalid_argument(fmt::format("{} half: expected an experiment on all views", half));
-    if (experiment.query) experiment.cases = views ? all_views() : moving_scenes();
+    if (experiment.query) experiment.cases = all_views();
     require_names(experiment.cases, names);
-    const std::string wanted = half.empty() && views ? experiment.query->half : half;
-    const bool perspective = views && experiment.query->perspective;
+    const std::string wanted = half.empty() ? query.half : half;
     std::erase_if(experiment.cases, [&](const Case& one) {
         if (!names.empty() && std::ranges::count(names, one.name) == 0) return true;
         if (!wanted.empty() && one.half != wanted) return true;
-        return perspective && scene_of(one, meshes).camera.projection == scene::Projection::orthographic;
+        return query.perspective &&
+               scene_of(one, meshes).camera.projection == scene::Projection::orthographic;
     });
-    if (experiment.query)
-        for (Case& one : experiment.cases) one.target = experiment.query->target;
     experiment.query.reset();
     if (experiment.cases.empty())
-        throw std::invalid_argument(perspective ? "no perspective view of this half"
-                                                : "no view of this half");
+        throw std::invalid_argument(query.perspective ? "no perspective view of this half"
+                                                      : "no view of this half");
 }
 
 scene::ClosedFormView closed_form_of(const Case& one) {
@@ -279,14 +251,11 @@ scene::ClosedFormView closed_form_of(const Case& one) {
 
 scene::Scene scene_of(const Case& one, const std::filesystem::path& meshes) {
     if (one.view) return scene::make_view(one.scene, meshes);
-    scene::Scene scene = one.scene == "floor" ? floor_scene() : scene::make_scene(one.scene);
-    if (one.objects > 0) take_objects(scene, static_cast<std::size_t>(one.objects));
-    return scene;
+    return one.scene == "floor" ? floor_scene() : scene::make_scene(one.scene);
 }
 
 BenchmarkFrames frames_of(const Experiment& experiment, const Case& one, gpu::Extent extent) {
-    const auto scale = static_cast<std::uint32_t>(one.scale);
-    BenchmarkFrames frames{.extent = {extent.width * scale, extent.height * scale},
+    BenchmarkFrames frames{.extent = extent,
                            .frames = experiment.frames,
                            .scored = one.scored.value_or(experiment.scored),
                            .every = one.every.value_or(experiment.every),

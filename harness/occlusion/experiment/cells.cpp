@@ -12,10 +12,7 @@ void add_to(std::optional<Cell>& cell, const Visit& visit) {
     if (!cell) cell.emplace();
     if (visit.quality) cell->quality = visit.quality;
     if (visit.point) cell->point = visit.point;
-    if (visit.round == 0) {
-        cell->difference = visit.difference;
-        cell->own_radius_error = visit.own_radius_error;
-    }
+    if (visit.round == 0) cell->own_radius_error = visit.own_radius_error;
     cell->samples_asked = visit.samples_asked;
     cell->work = visit.work;
     if (visit.round > 0 || !visit.readings.empty()) cell->rounds.push_back(visit.readings);

@@ -78,20 +78,15 @@ struct Case {
     std::optional<double> rough_from{};     // share of the width from which on the depth is roughened
     double empty_until = 0.0;               // share of the width up to which there is nothing
     bool filled_later = false;              // that share is empty in the first view alone
-    int scale = 1;                          // of the width and height of the images
-    int objects = 0;                        // of the scene: copies of its own, displaced; 0: as they are
-    double value = 0.0;                     // of what grows from case to case of a kind
     double target = 0.0;                    // of the table's column with a target; 0: none
     std::vector<std::string> candidates{};  // names of those that are measured; empty: all
     Layer layer{};
 };
 
-// A choice of cases that a short description stands for.
+// All views of scene/scene.hpp, or those of one half.
 struct CaseQuery {
-    bool views = false;        // those of scene/scene.hpp; otherwise the built-in scenes whose camera moves
-    std::string half;          // of the views; empty: both
+    std::string half;          // empty: both
     bool perspective = false;  // without orthographic cameras
-    double target = 0.0;       // of each
 };
 
 // A choice of candidates that a short description stands for: methods, with each count of samples, and
@@ -118,16 +113,13 @@ struct Column {
     int over_frame = 0;               // divided by the value in that frame
     std::string of;                   // the candidate, as in candidate_of(); empty: the row's
     std::string over;                 // divided by the value of this candidate; empty: not divided
-    std::string over_case;            // divided by the value in this case of the table
     std::string minus;                // less the value of this candidate
     std::vector<std::string> passes;  // times of passes whose names begin so; empty: of all
-    std::vector<std::string> over_passes;  // passes of the divisor; empty: those of `passes`
-    std::string repeated;                  // "candidates", "cases" or "sizes": a column for each
-    // Of times: "median", "least" or "quartiles" of the rounds' ratios. Over cases: "most", the largest;
-    // "furthest", the one furthest from 0 with its case; or "of_best", the geometric mean of the ratios to
-    // the least of each case. Of a row of rows "growth": "exponent" e of value ~ growing^e, or "list" of both
-    // for each case. Over the scored frames: "slope", the exponent of the mean square error as a power of the
-    // samples taken, as long as all samples count.
+    std::string repeated;             // "candidates", "cases" or "sizes": a column for each
+    // Of times: "median" or "least". Over cases: "most", the largest; "furthest", the one furthest from 0
+    // with its case; or "of_best", the geometric mean of the ratios to the least of each case. Over the
+    // scored frames: "slope", the exponent of the mean square error as a power of the samples taken, as long
+    // as all samples count.
     std::string statistic = "median";
     std::string beside;  // a quantity in brackets behind the value
     int digits = 2;
@@ -141,8 +133,8 @@ struct Column {
 // A table over the results.
 struct Table {
     std::string name;  // of the block of a page; empty: it stands in the experiment's
-    // "cases", "candidates", "runs" (each candidate of each case), "passes", "kinds", "growth" (each
-    // candidate of each kind) or "frames" (each scored frame of each case)
+    // "cases", "candidates", "runs" (each candidate of each case), "passes", "kinds" or "frames" (each scored
+    // frame of each case)
     std::string rows;
     std::string kind;   // only the cases of this kind; empty: all
     std::string group;  // only the candidates of this group; empty: all

@@ -45,8 +45,7 @@ void read_layer(Members& members, Layer& layer) {
         layer.copied =
             text == "float32" ? effect::HistoryPrecision::float32 : effect::HistoryPrecision::packed;
     }
-    for (const auto& [name, kind] :
-         {std::pair("effect", Kind::effect), {"depth_truth", Kind::depth_truth}, {"truth", Kind::truth}}) {
+    for (const auto& [name, kind] : {std::pair("depth_truth", Kind::depth_truth), {"truth", Kind::truth}}) {
         bool is = false;
         members.read(name, is);
         if (is) layer.kind = kind;
@@ -91,9 +90,6 @@ Case case_from(const Value& value) {
     members.read("rough_from", made.rough_from, 0.0, 1.0);
     members.read("empty_until", made.empty_until, 0.0, 1.0);
     members.read("filled_later", made.filled_later);
-    members.read("scale", made.scale, 1, 16);
-    members.read("objects", made.objects, 1, 1000);
-    members.read("value", made.value, 0.0, 1e18);
     members.read("target", made.target, 0.0, 1e9);
     members.read("candidates", made.candidates);
     read_layer(members, made.layer);
@@ -109,12 +105,10 @@ void read_cases(const Value& value, Experiment& experiment) {
     Members members(value);
     CaseQuery& query = experiment.query.emplace();
     std::string which;
-    members.read("all", which, std::vector<std::string>{"views", "moving scenes"});
+    members.read("all", which, std::vector<std::string>{"views"});
     members.require("all", !which.empty());
-    query.views = which == "views";
     members.read("half", query.half, std::vector<std::string>{"tuning", "unseen"});
     members.read("perspective", query.perspective);
-    members.read("target", query.target, 0.0, 1e9);
     members.require_known();
 }
 
@@ -164,15 +158,11 @@ Column column_from(const Value& value) {
     members.read("over_frame", column.over_frame, 1, 1'000'000);
     members.read("of", column.of);
     members.read("over", column.over);
-    members.read("over_case", column.over_case);
     members.read("minus", column.minus);
     members.read("passes", column.passes);
-    column.over_passes = column.passes;
-    members.read_instead("over_passes", column.over_passes);
     members.read("repeated", column.repeated, std::vector<std::string>{"candidates", "cases", "sizes"});
     members.read("statistic", column.statistic,
-                 std::vector<std::string>{"median", "least", "quartiles", "most", "furthest", "of_best",
-                                          "exponent", "list", "slope"});
+                 std::vector<std::string>{"median", "least", "most", "furthest", "of_best", "slope"});
     members.read("beside", column.beside, quantities());
     members.read("digits", column.digits, 0, 9);
     members.read("percent", column.percent);
@@ -189,9 +179,8 @@ Column column_from(const Value& value) {
 Table table_from(const Value& value) {
     Members members(value);
     Table table;
-    members.read(
-        "rows", table.rows,
-        std::vector<std::string>{"cases", "candidates", "runs", "passes", "kinds", "growth", "frames"});
+    members.read("rows", table.rows,
+                 std::vector<std::string>{"cases", "candidates", "runs", "passes", "kinds", "frames"});
     members.read("name", table.name);
     members.read("kind", table.kind);
     members.read("group", table.group);
@@ -222,17 +211,12 @@ void read_frames(Members& members, Experiment& experiment) {
 
 // A query's cases are not known yet.
 void require_cases(const Experiment& experiment) {
-    const auto require = [&](const char* member, const std::string& name) {
-        if (!experiment.query && !name.empty() &&
-            std::ranges::find(experiment.cases, name, &Case::name) == experiment.cases.end())
-            throw std::runtime_error(fmt::format("{}: \"{}\", expected the name of a case", member, name));
-    };
-    for (const Table& table : experiment.tables) {
-        for (const Column& column : table.columns) {
-            require("over_case", column.over_case);
-            for (const std::string& name : column.cases) require("cases", name);
-        }
-    }
+    if (experiment.query) return;
+    for (const Table& table : experiment.tables)
+        for (const Column& column : table.columns)
+            for (const std::string& name : column.cases)
+                if (std::ranges::find(experiment.cases, name, &Case::name) == experiment.cases.end())
+                    throw std::runtime_error(fmt::format("cases: \"{}\", expected the name of a case", name));
 }
 
 }  // namespace

@@ -48,7 +48,6 @@ ordered_json json_of(const Experiment& experiment, const CaseResult& one) {
     for (const auto& [name, text] :
          {std::pair("what", &one.shown.what), {"kind", &one.shown.kind}, {"half", &one.shown.half}})
         if (!text->empty()) json[name] = *text;
-    if (one.shown.value > 0.0) json["value"] = one.shown.value;
     if (one.shown.target > 0.0) json["target"] = one.shown.target;
     json["results"] = ordered_json::array();
     for (std::size_t i = 0; i < one.cells.size(); ++i)

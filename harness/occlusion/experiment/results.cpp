@@ -239,7 +239,6 @@ void members(Io& io, Visit& all) {
     io.member("what", all.shown.what);
     io.member("kind", all.shown.kind);
     io.member("half", all.shown.half);
-    io.member("value", all.shown.value);
     io.member("target", all.shown.target);
     io.member("candidate", all.candidate);
     io.member("group", all.group);
@@ -247,7 +246,6 @@ void members(Io& io, Visit& all) {
     io.member("samples_asked", all.samples_asked);
     io.member("quality", all.quality);
     io.member("point", all.point);
-    io.member("difference", all.difference);
     io.member("rmse_own_radius", all.own_radius_error);
     io.member("work", all.work);
     io.member("readings", all.readings);

@@ -43,14 +43,12 @@ struct Visit {
     gpu::Extent size;  // of the experiment
     Case shown;        // its name, and what tables say of it; all else is empty
     std::string candidate;
-    std::string group;                    // of the candidate
-    int round = 0;                        // 0: errors
-    std::optional<FrameQuality> quality;  // nullopt: not judged
-    std::optional<PointQuality> point;    // of a view in closed form
-    std::vector<FrameReading> readings;   // in round 0 with Experiment::equal_readings alone
-    effect::Work work;                    // of the last frame
-    std::optional<double>
-        difference;  // RMS of the displayed image of the last frame and the first candidate's
+    std::string group;                       // of the candidate
+    int round = 0;                           // 0: errors
+    std::optional<FrameQuality> quality;     // nullopt: not judged
+    std::optional<PointQuality> point;       // of a view in closed form
+    std::vector<FrameReading> readings;      // in round 0 with Experiment::equal_readings alone
+    effect::Work work;                       // of the last frame
     std::optional<double> own_radius_error;  // the error against the truth for the scene's own radius
     int samples_asked = 0;
 };
@@ -93,7 +91,6 @@ struct Cell {
     std::optional<FrameQuality> quality;  // nullopt: without a truth
     std::optional<PointQuality> point;
     std::vector<std::vector<FrameReading>> rounds;  // the readings of each timed round
-    std::optional<double> difference;               // as in Visit
     effect::Work work;
     std::optional<double> own_radius_error;
     int samples_asked = 0;

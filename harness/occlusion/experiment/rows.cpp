@@ -11,14 +11,13 @@
 namespace gloam::experiment::internal {
 namespace {
 
-// A row for each kind of the cases; measured: only cases in which the candidate was measured.
+// A row for each kind of the cases.
 void add_kinds(std::vector<Row>& rows, const std::vector<CaseResult>& cases,
-               const std::vector<std::size_t>& all, std::size_t candidate, bool measured) {
+               const std::vector<std::size_t>& all) {
     std::map<std::string, std::size_t> row_of;  // by kind
     for (const std::size_t i : all) {
-        if (measured && !cases[i].cells[candidate]) continue;
         const auto [at, is_new] = row_of.try_emplace(cases[i].shown.kind, rows.size());
-        if (is_new) rows.push_back({{}, candidate, ""});
+        if (is_new) rows.push_back({{}, 0, ""});
         rows[at->second].cases.push_back(i);
     }
 }
@@ -41,9 +40,7 @@ std::vector<Row> Rows::of(std::size_t size) const {
         for (const std::size_t c : kept(cases_of(all_cases(size), size, {}, "")))
             rows.push_back({all, c, ""});
     } else if (table_.rows == "kinds") {
-        add_kinds(rows, cases, all, 0, false);
-    } else if (table_.rows == "growth") {
-        for (std::size_t c = 0; c < experiment_.candidates.size(); ++c) add_kinds(rows, cases, all, c, true);
+        add_kinds(rows, cases, all);
     } else {
         for (const std::size_t i : all) add_rows(rows, cases[i], i);
     }

@@ -40,7 +40,6 @@ struct Measured {
 // One case, and what is measured in it.
 struct Visited {
     const Case* shown;
-    bool again = false;  // the first round has no complete record: it is visited as a whole
     std::vector<Measured> all;
 };
 
@@ -95,7 +94,6 @@ class SizeRun {
                           .what = one.what,
                           .kind = one.kind,
                           .half = one.half,
-                          .value = one.value,
                           .target = one.target},
                 .candidate = candidate.name,
                 .group = candidate.group,
@@ -127,7 +125,6 @@ class SizeRun {
             depth_truth |= measured.subject.kind == Kind::depth_truth;
             for (int round = 0; round <= experiment_.rounds; ++round)
                 missing |= is_due(one, measured, round) && !is_recorded(one, measured, round);
-            made.again |= shows(experiment_, "difference") && !is_recorded(one, measured, 0);
         }
         if (!missing) made.all.clear();
         for (Measured& measured : made.all) {
@@ -149,11 +146,11 @@ class SizeRun {
         frames.by_class = by_class_;
         frames.places = places_;
         frames.converged = converged_;
-        const std::string key = fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {}", one.scene, one.view,
-                                            one.motion ? static_cast<int>(*one.motion) : -1,
-                                            fmt::join(one.shown, "+"), frames.scored, frames.every, one.still,
-                                            one.rough_from.value_or(-1.0), one.empty_until, one.filled_later,
-                                            one.scale, one.objects, radius, limit_ ? label_of(one) : "");
+        const std::string key =
+            fmt::format("{} {} {} {} {} {} {} {} {} {} {} {}", one.scene, one.view,
+                        one.motion ? static_cast<int>(*one.motion) : -1, fmt::join(one.shown, "+"),
+                        frames.scored, frames.every, one.still, one.rough_from.value_or(-1.0),
+                        one.empty_until, one.filled_later, radius, limit_ ? label_of(one) : "");
         std::shared_ptr<BenchmarkViews>& views = shared_.views[key];
         if (views) return views;
         scene::Scene scene = scene_of(one, place_.meshes);
@@ -195,13 +192,12 @@ class SizeRun {
         for (int round = 0; round <= experiment_.rounds; ++round) {
             for (Visited& one : all) {
                 if (round > 0) std::ranges::reverse(one.all);
-                std::optional<effect::Truth> first;
                 for (const Measured& measured : one.all) {
                     progress(done++ / visits);
                     if (!is_due(*one.shown, measured, round)) continue;
-                    if (is_recorded(*one.shown, measured, round) && (round > 0 || !one.again)) continue;
+                    if (is_recorded(*one.shown, measured, round)) continue;
                     Visit made = empty_visit(*one.shown, experiment_.candidates[measured.number], round);
-                    measure(made, *one.shown, measured, first);
+                    measure(made, *one.shown, measured);
                     if (place_.keep) place_.keep(line_of(made));
                     record_.add(std::move(made));
                 }
@@ -210,9 +206,7 @@ class SizeRun {
         progress(1.0);
     }
 
-    // first: the first candidate's image of the case, once it is known.
-    void measure(Visit& made, const Case& one, const Measured& measured,
-                 std::optional<effect::Truth>& first) {
+    void measure(Visit& made, const Case& one, const Measured& measured) {
         if (measured.subject.kind == Kind::effect)
             made.samples_asked = static_cast<int>(measured.subject.settings.samples);
         if (one.closed_form) {
@@ -227,9 +221,6 @@ class SizeRun {
         show(made, found, measured);
         if (measured.subject.kind == Kind::depth_truth || measured.subject.kind == Kind::truth) return;
         if (made.quality) made.own_radius_error = error_at_own_radius(*made.quality, measured);
-        const scene::GBuffer& view = measured.views->view(measured.views->last_scored(), {});
-        if (!first) first = effect::truth_from(view, found.shown.filtered);
-        made.difference = effect::errors_of(found.shown.filtered, *first).rmse;
     }
 
     // The pictures that the candidate asks for, and of which there is something to see.

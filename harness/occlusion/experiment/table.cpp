@@ -143,24 +143,19 @@ class Writer {
             rows_.cases_of(row, shown.size, shown.cases, column.half);
         const std::size_t of = number_of(column.of, shown.candidate.value_or(row.candidate));
         const Part part = part_of(row, column);
-        Part over_part = part;
-        over_part.prefixes = column.over_passes;
-        const auto value_in = [&](const std::vector<const CaseResult*>& some, std::size_t candidate,
-                                  const Part& counted) {
-            return mean_value(some, candidate, column.value, column.statistic, counted);
+        const auto value_in = [&](std::size_t candidate, const Part& counted) {
+            return mean_value(cases, candidate, column.value, column.statistic, counted);
         };
-        std::optional<double> value = value_in(cases, of, part);
+        std::optional<double> value = value_in(of, part);
         const auto combine = [&](const std::optional<double>& other, const auto& operation) {
             value = value && other ? std::optional(operation(*value, *other)) : std::nullopt;
         };
-        if (!column.over.empty())
-            combine(value_in(cases, number_of(column.over, of), over_part), std::divides{});
-        if (!column.over_case.empty())
-            combine(value_in(case_named(column.over_case, shown.size), of, over_part), std::divides{});
-        if (!column.minus.empty()) combine(value_in(cases, number_of(column.minus, of), part), std::minus{});
+        if (!column.over.empty()) combine(value_in(number_of(column.over, of), part), std::divides{});
+        if (!column.minus.empty()) combine(value_in(number_of(column.minus, of), part), std::minus{});
         if (column.over_frame > 0) {
+            Part over_part = part;
             over_part.frame = column.over_frame;
-            combine(value_in(cases, of, over_part), std::divides{});
+            combine(value_in(of, over_part), std::divides{});
         }
         return value;
     }
@@ -179,8 +174,6 @@ class Writer {
         const std::vector<const CaseResult*> cases =
             rows_.cases_of(row, shown.size, shown.cases, column.half);
         const std::size_t of = number_of(column.of, shown.candidate.value_or(row.candidate));
-        if (column.statistic == "quartiles") return quartiles_text(cases, of, column);
-        if (column.statistic == "list") return list_text(cases, of, column);
         if (column.statistic == "furthest") return furthest_text(cases, of, column);
         const std::optional<double> value = number_in(row, shown);
         if (column.target) return target_text(*cases.front(), value);
@@ -214,40 +207,10 @@ class Writer {
         return furthest ? fmt::format("{}: {}", name, number_text(*furthest, column)) : "-";
     }
 
-    // None where it was not chosen.
-    [[nodiscard]] std::vector<const CaseResult*> case_named(const std::string& name, std::size_t size) const {
-        for (const CaseResult& one : results_[size].cases)
-            if (one.shown.name == name) return {&one};
-        return {};
-    }
-
-    // "4: 0.12, 8: 0.19": the value in each case, beside what grows.
-    [[nodiscard]] static std::string list_text(const std::vector<const CaseResult*>& cases, std::size_t of,
-                                               const Column& column) {
-        std::string text;
-        for (const CaseResult* one : cases) {
-            const auto value = mean_value({one}, of, column.value, "median", {.prefixes = column.passes});
-            text += fmt::format("{}{:.4g}: {}", text.empty() ? "" : ", ", one->shown.value,
-                                value ? number_text(*value, column) : "-");
-        }
-        return text;
-    }
-
     [[nodiscard]] static std::string number_text(double value, const Column& column) {
         if (column.percent) return fmt::format("{:.{}f} %", 100.0 * value, column.digits);
         return column.with_sign ? fmt::format("{:+.{}f}", value, column.digits)
                                 : fmt::format("{:.{}f}", value, column.digits);
-    }
-
-    [[nodiscard]] std::string quartiles_text(const std::vector<const CaseResult*>& cases, std::size_t of,
-                                             const Column& column) const {
-        if (cases.empty()) return "-";
-        const numeric::Spread spread =
-            round_ratios(*cases.front(), of, number_of(column.over, of), {.prefixes = column.passes},
-                         {.prefixes = column.over_passes});
-        if (std::isnan(spread.median)) return "-";
-        return fmt::format("{0:.{3}f} ({1:.{3}f} to {2:.{3}f})", spread.median, spread.low, spread.high,
-                           column.digits);
     }
 
     [[nodiscard]] std::string target_text(const CaseResult& one, std::optional<double> value) {

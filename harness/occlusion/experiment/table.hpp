@@ -34,16 +34,6 @@ struct Text {
 // for what was not measured.
 [[nodiscard]] Text to_text(const Experiment& experiment, const std::vector<SizeResult>& results);
 
-// The time of a candidate while one thing grows from case to case of a kind.
-struct Growth {
-    std::string kind;
-    std::string candidate;
-    std::vector<std::pair<double, double>> points;  // the cases' value, and milliseconds
-};
-
-// One for each kind and candidate, of the cases with a value.
-[[nodiscard]] std::vector<Growth> growths(const Experiment& experiment, const SizeResult& result);
-
 // A table over frames as curves, of one case.
 struct FramePlot {
     std::string name;  // the table's plot, behind the case
@@ -82,16 +72,11 @@ struct Part {
 
 // A quantity of quantities() over some cases: times are geometric means, all else arithmetic ones.
 // statistic: of the readings' times, "median" or "least"; "most", the largest of the cases; "of_best", the
-// geometric mean of the ratios to the least value of any candidate in the case; "slope", as in Column; or
-// "exponent" e of the value as a power of what grows from case to case. nullopt without cases, where a case
-// lacks it, and for an exponent without two different points.
+// geometric mean of the ratios to the least value of any candidate in the case; "slope", as in Column.
+// nullopt without cases, and where a case lacks it.
 [[nodiscard]] std::optional<double> mean_value(const std::vector<const CaseResult*>& cases,
                                                std::size_t candidate, std::string_view quantity,
                                                std::string_view statistic, const Part& part);
-
-// The ratio of the times of two candidates in each round, median by median. NaN without rounds.
-[[nodiscard]] numeric::Spread round_ratios(const CaseResult& one, std::size_t of, std::size_t over,
-                                           const Part& passes, const Part& over_passes);
 
 // The points (cost, error) that no other point dominates, by their numbers: at least as good in both and
 // better in one. Cheapest first; of equal points the first. Points that are not finite are in no front.
@@ -112,7 +97,7 @@ struct FrontPoint {
 [[nodiscard]] std::vector<FrontPoint> front_of(const std::vector<FrontPoint>& points);
 
 // {"versions", "experiment", "device", "driver", "frames", "scored", "repeat", "rays", "sizes": [{"width",
-// "height", "copy_ms", "cases": [{"case", "what", "kind", "half", "value", "target", "results":
+// "height", "copy_ms", "cases": [{"case", "what", "kind", "half", "target", "results":
 // [{"candidate", the quantities but the times, "ms", "copies", "passes": [{"pass", "ms", "least_ms",
 // "copies"}], "rounds_ms"}]}]}], "visits": [the lines of the record]}. Times are medians. What was not
 // measured is null.

@@ -14,7 +14,6 @@ namespace gloam::experiment {
 namespace {
 
 using effect::Work;
-using internal::median_of_round;
 using internal::Quantity;
 using internal::value_of;
 
@@ -174,7 +173,6 @@ const std::vector<Quantity>& untimed() {
         tiles("tiles_settled", &Work::tiles_settled),
         tiles("tiles_filtered", &Work::tiles_filtered),
         tiles("tiles_unfiltered", &Work::tiles_unfiltered),
-        {"difference", [](const Cell& cell) { return cell.difference; }},
         {"rmse_own_radius", [](const Cell& cell) { return cell.own_radius_error; }},
         {"rmse_remapped",
          [](const Cell& cell) { return cell.quality ? cell.quality->remapped : std::nullopt; }},
@@ -241,17 +239,6 @@ std::optional<double> ratio_to_best(const CaseResult& one, std::size_t candidate
     return own && least ? std::optional(*own / *least) : std::nullopt;
 }
 
-// Of value ~ growing^e, by least squares on logarithmic axes. nullopt without two cases that differ.
-std::optional<double> exponent_of(const std::vector<const CaseResult*>& cases, std::size_t candidate,
-                                  std::string_view quantity, const Part& passes) {
-    std::vector<std::pair<double, double>> points;
-    for (const CaseResult* one : cases)
-        if (const auto value = mean_value({one}, candidate, quantity, "median", passes))
-            points.emplace_back(one->shown.value, *value);
-    const double exponent = numeric::exponent_of(points);
-    return std::isfinite(exponent) ? std::optional(exponent) : std::nullopt;
-}
-
 }  // namespace
 
 const std::vector<std::string>& quantities() {
@@ -297,7 +284,6 @@ std::vector<std::string> passes_of(const Cell& cell) {
 
 std::optional<double> mean_value(const std::vector<const CaseResult*>& cases, std::size_t candidate,
                                  std::string_view quantity, std::string_view statistic, const Part& passes) {
-    if (statistic == "exponent") return exponent_of(cases, candidate, quantity, passes);
     const bool of_best = statistic == "of_best";
     const bool geometric = quantity == "ms" || quantity == "copies" || of_best;
     double sum = 0.0;
@@ -344,33 +330,6 @@ std::vector<FrontPoint> front_of(const std::vector<FrontPoint>& points) {
     std::vector<FrontPoint> front;
     for (const std::size_t i : pareto_front(pairs)) front.push_back(points[i]);
     return front;
-}
-
-numeric::Spread round_ratios(const CaseResult& one, std::size_t of, std::size_t over, const Part& passes,
-                             const Part& over_passes) {
-    std::vector<double> ratios;
-    const std::optional<Cell>& a = one.cells.at(of);
-    const std::optional<Cell>& b = one.cells.at(over);
-    for (std::size_t i = 0; a && b && i < std::min(a->rounds.size(), b->rounds.size()); ++i)
-        ratios.push_back(median_of_round(a->rounds[i], passes) / median_of_round(b->rounds[i], over_passes));
-    return numeric::spread_of(ratios);
-}
-
-std::vector<Growth> growths(const Experiment& experiment, const SizeResult& result) {
-    std::vector<Growth> all;
-    for (const CaseResult& one : result.cases) {
-        for (std::size_t i = 0; one.shown.value > 0.0 && i < one.cells.size(); ++i) {
-            const auto ms = mean_value({&one}, i, "ms", "median", {});
-            if (!ms) continue;
-            const std::string& candidate = experiment.candidates[i].name;
-            auto found = std::ranges::find_if(all, [&](const Growth& growth) {
-                return growth.kind == one.shown.kind && growth.candidate == candidate;
-            });
-            if (found == all.end()) found = all.insert(found, Growth{one.shown.kind, candidate, {}});
-            found->points.emplace_back(one.shown.value, *ms);
-        }
-    }
-    return all;
 }
 
 double copy_ms(const SizeResult& result) {

@@ -11,7 +11,6 @@
 #include "base/text.hpp"
 #include "cli/arguments.hpp"
 #include "experiment/table.hpp"
-#include "numeric/numbers.hpp"
 #include "report/image.hpp"
 #include "report/plot.hpp"
 
@@ -66,23 +65,6 @@ std::vector<PageBlock> blocks_of(const Experiment& what, const experiment::Text&
                 {table.name, tables.named.contains(table.name) ? tables.named.at(table.name) : ""});
     if (blocks.empty()) blocks.push_back({what.name, heading + tables.text});
     return blocks;
-}
-
-// Time for each kind of case in which something grows.
-void add_growth(NamedPlots& all, const Measured& measured, const SizeResult& result) {
-    std::map<std::string, report::Plot> plots;  // by kind
-    for (experiment::Growth& growth : growths(measured.what, result)) {
-        report::Plot& plot = plots[growth.kind];
-        plot.title = fmt::format("time against {}, {}", growth.kind, measured.record.conditions().device);
-        plot.x = growth.kind;
-        plot.y = "all passes, ms";
-        plot.logarithmic = true;
-        plot.curves.push_back({.name = fmt::format("{}, exponent {:.2f}", growth.candidate,
-                                                   numeric::exponent_of(growth.points)),
-                               .points = std::move(growth.points)});
-    }
-    for (auto& [kind, plot] : plots)
-        all.emplace_back(fmt::format("{}-{}", measured.what.name, kind), std::move(plot));
 }
 
 // Groups with a point on the front are coloured, all others are grey; presets have their names.
@@ -163,7 +145,6 @@ NamedPlots plots_of(const Measured& measured) {
     for (std::size_t size = 0; size < measured.results.size(); ++size) {
         const SizeResult& result = measured.results[size];
         const std::size_t first = all.size();
-        add_growth(all, measured, result);
         add_fronts(all, measured, result);
         add_frames(all, measured, size);
         for (std::size_t i = first; i < all.size(); ++i) {

@@ -62,11 +62,8 @@ Candidate plain_candidate(const std::string& text) {
     return made;
 }
 
-// A candidate that says nothing is what the cases say: a plain loop.
 experiment::Kind kind_of(const Candidate& candidate) {
-    const experiment::Layer& layer = candidate.layer;
-    const bool silent = layer.preset.empty() && layer.method.empty() && layer.set.empty();
-    return layer.kind.value_or(silent ? experiment::Kind::plain : experiment::Kind::effect);
+    return candidate.layer.kind.value_or(experiment::Kind::effect);
 }
 
 // Candidates of an option replace those of its sort in the description.

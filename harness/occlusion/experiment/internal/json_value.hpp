@@ -126,12 +126,6 @@ class Members {
         if (const Value* member = find(name)) member->read(value, bounds...);
     }
 
-    // The same, in place of the elements that there are.
-    void read_instead(const std::string& name, std::vector<std::string>& values) {
-        if (find(name) != nullptr) values.clear();
-        read(name, values);
-    }
-
     void require_known() const {
         for (const auto& [name, value] : members_)
             if (!asked_.contains(name)) value.expected(fmt::format("one of {}", fmt::join(asked_, ", ")));
