@@ -5,7 +5,6 @@
 #include "backend/vulkan/commands.hpp"
 #include "directions.hpp"
 #include "effect/composite.hpp"
-#include "effect/study/copy_clock.hpp"
 #include "reference/geometry_camera.hpp"
 
 namespace gloam::effect::light_frames_test {
@@ -213,48 +212,6 @@ TEST_F(CompositePass, RefusesImagesOfAnotherSize) {
     EXPECT_THAT(with({3, 2}, 4), ThrowsMessage<std::invalid_argument>(HasSubstr("4 occlusions")));
     EXPECT_THAT(with({3, 3}, 0),
                 ThrowsMessage<std::invalid_argument>(HasSubstr("6 pixels with ambient light")));
-}
-
-TEST(CopyClock, TimesACopy) {
-    const gpu::Device device({.validation = gpu::Validation::on});
-    const scene::PassLibrary passes(GLOAM_GLSL_DIR);
-    CopyClock small(device, passes, {16, 16});
-    CopyClock large(device, passes, {1024, 1024});
-    const double time = small.measure();
-    EXPECT_GT(time, 0.0);
-    EXPECT_GT(large.measure(), time);  // 4096 times as many pixels
-    EXPECT_TRUE(device.info().timestamp_period_ns > 0.0);
-}
-
-// Of a size that is no multiple of the groups.
-TEST(CopyClock, TheShaderCopiesEveryPixel) {
-    const gpu::Device device({.validation = gpu::Validation::on});
-    const scene::PassLibrary passes(GLOAM_GLSL_DIR);
-    const glm::ivec2 size(13, 21);
-    const gpu::Extent extent{13, 21};
-    using enum gpu::Format;
-    for (const gpu::Format format : {r32f, rgba32f, rgba16f, rgba16ui}) {
-        const gpu::ComputePipeline copy = copy_pipeline(device, passes, format);
-        gpu::Image from(device, extent, format);
-        gpu::Image to(device, extent, format);
-        std::vector<float> texels(static_cast<std::size_t>(gpu::channels(format)) * extent.width *
-                                  extent.height);
-        to.upload(std::vector<float>(texels.size(), 0.0F));
-        std::iota(texels.begin(), texels.end(), 1.0F);
-        from.upload(texels);
-        gpu::Commands commands(device);
-        commands.dispatch(copy, std::vector<gpu::Resource>{std::cref(from), std::cref(to)}, {2, 3, 1},
-                          std::as_bytes(std::span(&size, 1)));
-        commands.submit();
-        EXPECT_EQ(to.download(), texels) << static_cast<int>(format);
-    }
-}
-
-TEST(CopyClock, WithoutTimestampsIsAnErrorThatNamesTheDevice) {
-    expect_error<std::runtime_error>(
-        [] { require_timestamps({.name = "sundial", .timestamp_period_ns = 0.0}); },
-        {"sundial", "no timestamps"});
-    EXPECT_NO_THROW(require_timestamps({.timestamp_period_ns = 1.0}));
 }
 
 }  // namespace gloam::effect::light_frames_test

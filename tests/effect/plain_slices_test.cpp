@@ -127,6 +127,13 @@ TEST_F(PlainSlicesTest, WhatItDoesNotTakeIsRefused) {
 
 constexpr gpu::Extent odd{83, 45};
 
+TEST(Timestamps, TheirLackIsAnErrorThatNamesTheDevice) {
+    expect_error<std::runtime_error>(
+        [] { require_timestamps({.name = "sundial", .timestamp_period_ns = 0.0}); },
+        {"sundial", "no timestamps"});
+    EXPECT_NO_THROW(require_timestamps({.timestamp_period_ns = 1.0}));
+}
+
 // Passes are compiled so that what a loop does not change is computed before it, and short loops are
 // unrolled: the same images, to the bit, as when it is computed in every round.
 

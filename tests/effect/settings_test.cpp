@@ -59,7 +59,7 @@ std::vector<Preset> front() {
 TEST(Presets, OwnOnesComeFirstFromFastToExact) {
     const std::vector<Preset> own = front();
     ASSERT_EQ(own.size(), 4U);
-    EXPECT_TRUE(std::ranges::is_sorted(own, std::less{}, &Preset::copies));
+    EXPECT_TRUE(std::ranges::is_sorted(own, std::less{}, &Preset::time));
     EXPECT_TRUE(std::ranges::is_sorted(own, std::greater{}, &Preset::error));
     EXPECT_FALSE(presets().at(3).published);
     EXPECT_EQ(own.at(1).name, "balanced");
@@ -71,7 +71,7 @@ TEST(Presets, NoneBeatsTheFront) {
     for (const Preset& preset : presets()) {
         if (!preset.published) continue;
         EXPECT_TRUE(std::ranges::any_of(own, [&](const Preset& one) {
-            return one.error < preset.error && one.copies < preset.copies;
+            return one.error < preset.error && one.time < preset.time;
         })) << preset.name;
     }
 }

@@ -6,9 +6,9 @@
 
 namespace gloam::experiment {
 
-// A visit in round 1 with five readings of so many copies, in the mean, with a tenth of it as spread to each
-// side; a copy takes 0.1 ms. Round 0 judges and gives the error.
-inline Visit make_visit(const std::string& shown, const std::string& candidate, int round, double copies,
+// A visit in round 1 with five readings of so many milliseconds, in the mean, with a tenth of it as spread to
+// each side. Round 0 judges and gives the error.
+inline Visit make_visit(const std::string& shown, const std::string& candidate, int round, double ms,
                         double error) {
     Visit visit{.size = {320, 180},
                 .shown = {.name = shown},
@@ -26,15 +26,14 @@ inline Visit make_visit(const std::string& shown, const std::string& candidate, 
         return visit;
     }
     for (const double part : {0.9, 0.9, 1.0, 1.1, 1.1})
-        visit.readings.push_back(
-            {{{"ambient_occlusion", 0.06 * part * copies}, {"filter_x", 0.04 * part * copies}}, 0.1});
+        visit.readings.push_back({{{"ambient_occlusion", 0.6 * part * ms}, {"filter_x", 0.4 * part * ms}}});
     return visit;
 }
 
 struct Row {
     std::string shown;
     std::string candidate;
-    double copies;
+    double ms;
     double error;
 };
 
@@ -48,7 +47,7 @@ inline Record make_record(const std::vector<Row>& rows) {
                    .rays = 256});
     for (const int round : {0, 1})
         for (const Row& row : rows)
-            record.add(make_visit(row.shown, row.candidate, round, row.copies, row.error));
+            record.add(make_visit(row.shown, row.candidate, round, row.ms, row.error));
     return record;
 }
 

@@ -16,7 +16,7 @@ PAGES = ["index", "check", "methods", "gallery", "drivers", "measurements", "lic
 METHODS = ["gtao", "sweep"]
 MEASURED = """# Of this machine
 
-| run | RMSE (G) | copies |
+| run | RMSE (G) | ms |
 | --- | --: | --: |
 | one/single | 0.08 | 27.1 |
 | two/temporal | 0.05 | 14.6 |
@@ -121,7 +121,7 @@ class PagesTest(SiteCase):
             self.assertIn(equation, self.text("tbody td"))
             rows = self.browser.evaluate("[...document.querySelectorAll('[aria-label=Presets] tbody tr')]"
                                          ".map((row) => [...row.cells].slice(0, 3).map((cell) => cell.textContent))")
-            want = [[one["name"], f"{one['error']:.4f}", f"{one['copies']:.1f}"] for one in listed
+            want = [[one["name"], f"{one['error']:.4f}", f"{one['time']:.2f}"] for one in listed
                     if one["settings"].get("method", "hemisphere") == name]
             self.assertEqual(want, rows)
         self.open("method-gtao")

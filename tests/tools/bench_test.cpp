@@ -15,7 +15,7 @@ Arguments tiny(const Arguments& more) {
 // A configuration of a case, as --json has it.
 void expect_plausible(const json& row) {
     const bool temporal = row.at("candidate").get<std::string>().ends_with("temporal");
-    EXPECT_GT(double{row.at("copies")}, 0.0);
+    EXPECT_GT(double{row.at("ms")}, 0.0);
     EXPECT_GT(double{row.at("rmse")}, 0.0);
     EXPECT_LT(double{row.at("rmse")}, 0.3);
     EXPECT_GT(double{row.at("rmse_depth")}, 0.0);

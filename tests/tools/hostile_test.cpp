@@ -146,7 +146,7 @@ TEST_F(HostileFiles, ResultsAreNeitherCommandsNorPaths) {
         "work": {"pixels": 1, "background": 0, "below_radius": 0, "converged": 0, "samples": 4,
           "tiles": 1, "tiles_background": 0, "tiles_skipped": 0, "tiles_shaded": 1,
           "tiles_filtered": 0, "tiles_blank": 0, "tiles_settled": 0, "tiles_unfiltered": 0},
-        "readings": [{"copy_ms": 0.1, "passes": [{"pass": "p", "ms": 1}]}]}]})");
+        "readings": [{"passes": [{"pass": "p", "ms": 1}]}]}]})");
     const fs::path out = path("deep/er/out");
     const fs::path proof = path("proof");
     const std::string hostile = "x'\nsystem('touch " + proof.string() + "')\n`touch " + proof.string() + "`";

@@ -99,7 +99,7 @@ TEST_F(List, NamesOneALine) {
 
         const auto json = json::parse(gloam("list {} --json", kind).out).at(kind);
         ASSERT_EQ(json.size(), names.size()) << kind;
-        EXPECT_EQ(json[0].contains("copies"), more) << kind;
+        EXPECT_EQ(json[0].contains("time"), more) << kind;
         for (std::size_t i = 0; i < names.size(); ++i) {
             EXPECT_EQ(json[i].at("name"), names[i]);
             EXPECT_THAT(names[i], Not(HasSubstr(" ")));

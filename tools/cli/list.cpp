@@ -79,7 +79,7 @@ nlohmann::ordered_json preset_json(const Named& named) {
                                 {"description", preset.description},
                                 {"published", preset.published},
                                 {"error", preset.error},
-                                {"copies", preset.copies}};
+                                {"time", preset.time}};
     json["settings"] = nlohmann::ordered_json::object();
     for (const effect::Setting& setting : effect::setting_table()) {
         const effect::SettingValue value = setting.get(preset.settings);

@@ -29,7 +29,7 @@ ordered_json presets_of(const effect::MethodInfo& method) {
             rows.push_back({{"name", preset.name},
                             {"description", preset.description},
                             {"error", preset.error},
-                            {"copies", preset.copies}});
+                            {"time", preset.time}});
     return rows;
 }
 

@@ -53,44 +53,44 @@ std::vector<Preset> own_presets() {
 struct Measured {
     std::string_view name;
     double error;
-    double copies;
+    double time;
 };
 
 // What `gloam bench presets` prints on llvmpipe (LLVM 15.0.6), two cores.
-constexpr Measured measured[] = {{"fast", 0.0585, 8.4},
-                                 {"balanced", 0.0503, 13.6},
-                                 {"quality", 0.0474, 21.8},
-                                 {"reference", 0.0442, 41.9},
-                                 {"tssao-paper", 0.0708, 20.3},
-                                 {"study-crytek-performance", 0.1022, 20.1},
-                                 {"study-crytek-quality", 0.0997, 95.1},
-                                 {"study-filion-performance", 0.0726, 15.1},
-                                 {"study-filion-quality", 0.0711, 36.8},
-                                 {"study-alchemy-performance", 0.0921, 12.5},
-                                 {"study-alchemy-quality", 0.0913, 26.7},
-                                 {"sao-paper", 0.0840, 21.0},
-                                 {"sao-code", 0.0843, 22.8},
-                                 {"issao-figure3", 0.1014, 20.4},
-                                 {"issao-figure4", 0.0887, 20.7},
-                                 {"issao-figure5", 0.0999, 19.9},
-                                 {"issao-figure4-attenuated", 0.0863, 23.2},
-                                 {"issao-figure4-basic", 0.0826, 22.2},
-                                 {"aksoy_phaneuf-two", 0.1062, 19.7},
-                                 {"study-volumetric-performance", 0.1103, 13.4},
-                                 {"study-volumetric-quality", 0.1111, 24.8},
-                                 {"toy-story-3", 0.1118, 16.0},
-                                 {"study-angle-performance", 0.0913, 19.2},
-                                 {"study-angle-quality", 0.0916, 68.3},
-                                 {"study-hbao-performance", 0.0614, 22.5},
-                                 {"study-hbao-quality", 0.0609, 16.7},
-                                 {"xegtao-low", 0.0989, 10.0},
-                                 {"xegtao-medium", 0.0973, 13.4},
-                                 {"xegtao-high", 0.0884, 18.0},
-                                 {"xegtao-ultra", 0.0881, 42.9},
-                                 {"sourimant-least", 0.1292, 90.0},
-                                 {"sourimant-most", 0.1478, 255.5},
-                                 {"unreal-quality", 0.1509, 32.8},
-                                 {"loos-sloan-area", 0.1200, 19.3}};
+constexpr Measured measured[] = {{"fast", 0.0585, 1.00},
+                                 {"balanced", 0.0503, 1.62},
+                                 {"quality", 0.0474, 2.60},
+                                 {"reference", 0.0442, 4.99},
+                                 {"tssao-paper", 0.0708, 2.42},
+                                 {"study-crytek-performance", 0.1022, 2.39},
+                                 {"study-crytek-quality", 0.0997, 11.32},
+                                 {"study-filion-performance", 0.0726, 1.80},
+                                 {"study-filion-quality", 0.0711, 4.38},
+                                 {"study-alchemy-performance", 0.0921, 1.49},
+                                 {"study-alchemy-quality", 0.0913, 3.18},
+                                 {"sao-paper", 0.0840, 2.50},
+                                 {"sao-code", 0.0843, 2.71},
+                                 {"issao-figure3", 0.1014, 2.43},
+                                 {"issao-figure4", 0.0887, 2.46},
+                                 {"issao-figure5", 0.0999, 2.37},
+                                 {"issao-figure4-attenuated", 0.0863, 2.76},
+                                 {"issao-figure4-basic", 0.0826, 2.64},
+                                 {"aksoy_phaneuf-two", 0.1062, 2.35},
+                                 {"study-volumetric-performance", 0.1103, 1.60},
+                                 {"study-volumetric-quality", 0.1111, 2.95},
+                                 {"toy-story-3", 0.1118, 1.90},
+                                 {"study-angle-performance", 0.0913, 2.29},
+                                 {"study-angle-quality", 0.0916, 8.13},
+                                 {"study-hbao-performance", 0.0614, 2.68},
+                                 {"study-hbao-quality", 0.0609, 1.99},
+                                 {"xegtao-low", 0.0989, 1.19},
+                                 {"xegtao-medium", 0.0973, 1.60},
+                                 {"xegtao-high", 0.0884, 2.14},
+                                 {"xegtao-ultra", 0.0881, 5.11},
+                                 {"sourimant-least", 0.1292, 10.71},
+                                 {"sourimant-most", 0.1478, 30.42},
+                                 {"unreal-quality", 0.1509, 3.90},
+                                 {"loos-sloan-area", 0.1200, 2.30}};
 
 // Presets that were renamed or, if another took less time with less error, removed: the old name, and the one
 // to use instead.
@@ -138,7 +138,7 @@ std::vector<Preset> measured_presets() {
         const auto* row = std::ranges::find(measured, std::string_view(preset.name), &Measured::name);
         if (row == std::end(measured)) throw std::logic_error("preset " + preset.name + " was not measured");
         preset.error = row->error;
-        preset.copies = row->copies;
+        preset.time = row->time;
     }
     return all;
 }

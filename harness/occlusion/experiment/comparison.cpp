@@ -16,9 +16,8 @@ namespace {
 constexpr double noticed = 1e-4;  // RMSE: as many digits as are printed
 
 std::string line_of(const std::string& question, const Choice& choice) {
-    return fmt::format(
-        "{}: {}, at most {:.1f} copies ({:.3f} ms), RMSE (G) {:.4f} in the mean, at most {:.4f}\n", question,
-        choice.name, choice.worst_copies, choice.worst_ms, choice.mean_error, choice.worst_error);
+    return fmt::format("{}: {}, at most {:.3f} ms, RMSE (G) {:.4f} in the mean, at most {:.4f}\n", question,
+                       choice.name, choice.worst_ms, choice.mean_error, choice.worst_error);
 }
 
 void add_answer(Answers& answers, const std::string& question, const std::optional<Choice>& best,
@@ -37,7 +36,7 @@ void add_answer(Answers& answers, const std::string& question, const std::option
 // What is compared of a candidate in a case.
 struct Compared {
     std::string name;
-    numeric::Spread copies;
+    numeric::Spread time;
     double error = 0.0;
 };
 
@@ -55,7 +54,7 @@ std::vector<Compared> compared_of(const Record& record) {
                 name += one.shown.name + (one.shown.what.empty() ? "" : ", " + one.shown.what) + "/";
                 measured.push_back(
                     {.name = name + all.candidates[i].name,
-                     .copies = numeric::spread_of(times_of(*cell, true, {})),
+                     .time = numeric::spread_of(times_of(*cell, {})),
                      .error = mean_value({&one}, i, "rmse", "median", {}).value_or(std::nan(""))});
             }
         }
@@ -64,8 +63,8 @@ std::vector<Compared> compared_of(const Record& record) {
 }
 
 Change change_of(const Compared& before, const Compared& after) {
-    const numeric::Spread& old_time = before.copies;
-    const numeric::Spread& new_time = after.copies;
+    const numeric::Spread& old_time = before.time;
+    const numeric::Spread& new_time = after.time;
     const double risen = after.error - before.error;
     return {.name = after.name,
             .time = {new_time.median / old_time.median, new_time.low / old_time.high,
@@ -135,16 +134,12 @@ std::string names_line(const char* title, const std::vector<std::string>& names)
 
 }  // namespace
 
-Budget time_budget(std::string_view text) {
-    Budget budget;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), budget.value);
+double time_budget(std::string_view text) {
+    double budget = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), budget);
     const std::string_view unit(end, static_cast<std::size_t>(text.data() + text.size() - end));
-    budget.copies = unit == "copies";
-    if (error == std::errc{} && (unit == "ms" || budget.copies) && std::isfinite(budget.value) &&
-        budget.value > 0.0)
-        return budget;
-    throw std::invalid_argument(
-        fmt::format("--budget {}: expected milliseconds or copies, such as 1ms or 40copies", text));
+    if (error == std::errc{} && unit == "ms" && std::isfinite(budget) && budget > 0.0) return budget;
+    throw std::invalid_argument(fmt::format("--budget {}: expected milliseconds, such as 1ms", text));
 }
 
 std::vector<Choice> choices_of(const Experiment& experiment, const SizeResult& result) {
@@ -156,21 +151,20 @@ std::vector<Choice> choices_of(const Experiment& experiment, const SizeResult& r
             return mean_value(cases, i, quantity, statistic, {}).value_or(std::nan(""));
         };
         const Choice choice{.name = experiment.candidates[i].name,
-                            .copies = value("copies", "median"),
-                            .worst_copies = value("copies", "most"),
+                            .ms = value("ms", "median"),
                             .worst_ms = value("ms", "most"),
                             .mean_error = value("rmse", "median"),
                             .worst_error = value("rmse", "most")};
-        if (std::isfinite(choice.copies) && std::isfinite(choice.mean_error)) choices.push_back(choice);
+        if (std::isfinite(choice.ms) && std::isfinite(choice.mean_error)) choices.push_back(choice);
     }
     return choices;
 }
 
-std::optional<Choice> best_within(const std::vector<Choice>& choices, const Budget& budget) {
+std::optional<Choice> best_within(const std::vector<Choice>& choices, double budget) {
     std::optional<Choice> best;
     for (const Choice& choice : choices) {
-        if (!((budget.copies ? choice.worst_copies : choice.worst_ms) <= budget.value)) continue;
-        if (!best || std::pair(choice.mean_error, choice.copies) < std::pair(best->mean_error, best->copies))
+        if (!(choice.worst_ms <= budget)) continue;
+        if (!best || std::pair(choice.mean_error, choice.ms) < std::pair(best->mean_error, best->ms))
             best = choice;
     }
     return best;
@@ -180,7 +174,7 @@ std::optional<Choice> fastest_with(const std::vector<Choice>& choices, double er
     std::optional<Choice> best;
     for (const Choice& choice : choices) {
         if (!(choice.worst_error <= error)) continue;
-        if (!best || std::pair(choice.copies, choice.mean_error) < std::pair(best->copies, best->mean_error))
+        if (!best || std::pair(choice.ms, choice.mean_error) < std::pair(best->ms, best->mean_error))
             best = choice;
     }
     return best;
@@ -192,19 +186,15 @@ Answers answers_to(const Experiment& experiment, const std::vector<SizeResult>& 
     for (const SizeResult& result : results) {
         const std::vector<Choice> choices = choices_of(experiment, result);
         const std::string at = results.size() == 1 ? "" : size_text(result.extent) + ", ";
-        if (!budget.empty()) {
-            const Budget time = time_budget(budget);
-            add_answer(answers, at + "within " + budget, best_within(choices, time), choices,
-                       time.copies ? &Choice::worst_copies : &Choice::worst_ms);
-        }
+        if (!budget.empty())
+            add_answer(answers, at + "within " + budget, best_within(choices, time_budget(budget)), choices,
+                       &Choice::worst_ms);
         if (error > 0.0)
             add_answer(answers, fmt::format("{}RMSE at most {:g}", at, error), fastest_with(choices, error),
                        choices, &Choice::worst_error);
     }
     if (!answers.text.empty())
-        answers.text +=
-            "copy: the time of a pass that reads one number and writes one for each pixel\n"
-            "RMSE (G): root mean square error against the traced geometry\n";
+        answers.text += "RMSE (G): root mean square error against the traced geometry\n";
     return answers;
 }
 

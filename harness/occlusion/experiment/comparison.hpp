@@ -12,23 +12,17 @@
 
 namespace gloam::experiment {
 
-// A question to the results of one size: which candidate errs least within a time, or is fastest with at most
+// Questions to the results of one size: which candidate errs least within a time, or is fastest with at most
 // an error, in every case.
-struct Budget {
-    double value = 0.0;
-    bool copies = false;  // else milliseconds
-};
 
-// Parses "1ms" or "40copies". Throws std::invalid_argument for other text, and for a budget that is not
-// positive.
-[[nodiscard]] Budget time_budget(std::string_view text);
+// Parses "1ms". Throws std::invalid_argument for other text, and for a budget that is not positive.
+[[nodiscard]] double time_budget(std::string_view text);
 
 // A candidate over all cases.
 struct Choice {
     std::string name;
-    double copies = 0.0;        // geometric mean
-    double worst_copies = 0.0;  // in the case that takes longest
-    double worst_ms = 0.0;
+    double ms = 0.0;           // geometric mean
+    double worst_ms = 0.0;     // in the case that takes longest
     double mean_error = 0.0;   // RMSE against (G)
     double worst_error = 0.0;  // in the case with the largest error
 };
@@ -36,9 +30,9 @@ struct Choice {
 // Every candidate that was judged and timed in all cases.
 [[nodiscard]] std::vector<Choice> choices_of(const Experiment& experiment, const SizeResult& result);
 
-// The choice with the least mean error among those within the budget in every case; the faster of equals.
-// nullopt: there is none.
-[[nodiscard]] std::optional<Choice> best_within(const std::vector<Choice>& choices, const Budget& budget);
+// The choice with the least mean error among those within so many milliseconds in every case; the faster of
+// equals. nullopt: there is none.
+[[nodiscard]] std::optional<Choice> best_within(const std::vector<Choice>& choices, double budget);
 
 // The fastest choice with an error of at most `error` in every case; the more exact of equals. nullopt: there
 // is none.
@@ -55,7 +49,7 @@ struct Answers {
 // A candidate of a case in two runs: ratios of new to old.
 struct Change {
     std::string name;      // "columns/gtao/16/single"
-    numeric::Spread time;  // ratio of the copies of all passes; low and high from the quartiles
+    numeric::Spread time;  // ratio of the times of all passes; low and high from the quartiles
     double error = 1.0;    // ratio of the RMSE of the displayed image against (G)
     bool slower = false;   // the new lower quartile is above the old upper quartile
     bool faster = false;   // the new upper quartile is below the old lower quartile

@@ -242,9 +242,8 @@ std::vector<float> converged(effect::AmbientOcclusion& effect, const scene::GBuf
     return effect::remapped(effect.next().occlusion, remap_of(settings));
 }
 
-ConfigurationStudy::ConfigurationStudy(const gpu::Device& device, const scene::PassLibrary& passes,
-                                       gpu::Extent extent)
-    : device_(&device), passes_(passes), clock_(device, passes, extent) {}
+ConfigurationStudy::ConfigurationStudy(const gpu::Device& device, const scene::PassLibrary& passes)
+    : device_(&device), passes_(passes) {}
 
 effect::AmbientOcclusion& ConfigurationStudy::effect_for(gpu::Extent extent) {
     const auto key = std::pair(extent.width, extent.height);
@@ -266,9 +265,8 @@ ConfigurationVisit ConfigurationStudy::single(BenchmarkViews& views, const effec
         effect.begin(
             views.view(views.first_scored() + frames.every * (round % views.frames().scores()), settings),
             settings);
-        const double copy = clock_.measure();
         const effect::Frame frame = effect.next(frames.repeat);
-        return {.readings = {{frame.times, copy}}, .work = frame.work};
+        return {.readings = {{frame.times}}, .work = frame.work};
     }
     Judge judge(views, settings);
     ConfigurationVisit visit;
@@ -317,10 +315,9 @@ ConfigurationVisit ConfigurationStudy::temporal(BenchmarkViews& views, const eff
             effect.advance(view);
         }
         const bool scored = views.is_scored(i);
-        const double copy = scored ? clock_.measure() : 0.0;
         effect::Frame frame = effect.next(scored ? views.frames().repeat : 1);
         visit.work = frame.work;
-        if (scored) visit.readings.push_back({frame.times, copy});
+        if (scored) visit.readings.push_back({frame.times});
         if (round == 0) judge.add(i, frame, before);
         before = frame.filtered;
         if (scored && round == 0) visit.shown = std::move(frame);
@@ -333,18 +330,16 @@ PlainRun::PlainRun(const gpu::Device& device, const scene::PassLibrary& passes, 
                    effect::SliceTaps taps, int blurs)
     : slices_(device, passes, extent, taps, blurs) {}
 
-ConfigurationVisit PlainRun::visit(BenchmarkViews& views, effect::CopyClock& clock, int round) {
+ConfigurationVisit PlainRun::visit(BenchmarkViews& views, int round) {
     const BenchmarkFrames& frames = views.frames();
     const auto radius = static_cast<float>(views.scene().ao_radius);
     ConfigurationVisit visit;
     FrameQuality sum;
     for (int i = views.first_scored(); i < frames.frames; i += frames.every) {
         slices_.take(views.view(i, {}), radius);
-        const double copy = round > 0 ? clock.measure() : 0.0;
         effect::PlainFrame frame = slices_.next(round > 0 ? frames.repeat : 1);
         if (round > 0) {
-            visit.readings.push_back(
-                {{{"plain_slices", frame.slices_ms}, {"plain_blur", frame.blur_ms}}, copy});
+            visit.readings.push_back({{{"plain_slices", frame.slices_ms}, {"plain_blur", frame.blur_ms}}});
             continue;
         }
         if (frames.rays > 0) add(sum, frame, views.scored(i).geometry, views.frames().scores());

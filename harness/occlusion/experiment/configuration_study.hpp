@@ -13,7 +13,6 @@
 #include "effect/errors.hpp"
 #include "effect/methods.hpp"
 #include "effect/settings.hpp"
-#include "effect/study/copy_clock.hpp"
 #include "effect/study/plain_slices.hpp"
 #include "experiment/scores.hpp"
 #include "scene/rasterize.hpp"
@@ -104,10 +103,9 @@ class BenchmarkViews {
     std::map<Measured, effect::Truth> own_;
 };
 
-// Times on the device at the same moment, in milliseconds: of a frame, and of a copy.
+// Times of a frame on the device, in milliseconds.
 struct FrameReading {
     std::vector<effect::PassTime> passes;
-    double copy_ms = 0.0;
 };
 
 // A frame of many samples, and how it compares with truths.
@@ -160,8 +158,8 @@ struct ConfigurationVisit {
 // machine's load affects all of them alike.
 class ConfigurationStudy {
   public:
-    // The device must outlive this object. Throws like CopyClock.
-    ConfigurationStudy(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent);
+    // The device must outlive this object.
+    ConfigurationStudy(const gpu::Device& device, const scene::PassLibrary& passes);
 
     // Round 0 judges all scored frames and warms up; it does not time single frames. Each later round times a
     // single frame at one of the scored frames, in turn. A temporal run goes through all frames each time and
@@ -181,7 +179,6 @@ class ConfigurationStudy {
 
     const gpu::Device* device_;
     scene::PassLibrary passes_;
-    effect::CopyClock clock_;
     std::map<std::pair<std::uint32_t, std::uint32_t>, effect::AmbientOcclusion>
         effects_;  // by size of the view
 };
@@ -193,9 +190,9 @@ class PlainRun {
     PlainRun(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent,
              effect::SliceTaps taps, int blurs);
 
-    // Round 0 judges all scored frames. Each later round times them, each beside a copy. Throws like
+    // Round 0 judges all scored frames. Each later round times them. Throws like
     // PlainSlices::take(), which refuses orthographic cameras.
-    [[nodiscard]] ConfigurationVisit visit(BenchmarkViews& views, effect::CopyClock& clock, int round);
+    [[nodiscard]] ConfigurationVisit visit(BenchmarkViews& views, int round);
 
   private:
     effect::PlainSlices slices_;

@@ -38,13 +38,6 @@ void read_layer(Members& members, Layer& layer) {
             plain->expected("SLICESxSTEPS+BLURS, such as 9x3+1");
         }
     }
-    if (const Value* copied = members.find("copied")) {
-        std::string text;
-        copied->read(text, {"float32", "packed"});
-        layer.kind = Kind::copy;
-        layer.copied =
-            text == "float32" ? effect::HistoryPrecision::float32 : effect::HistoryPrecision::packed;
-    }
     for (const auto& [name, kind] : {std::pair("depth_truth", Kind::depth_truth), {"truth", Kind::truth}}) {
         bool is = false;
         members.read(name, is);

@@ -29,13 +29,11 @@ ordered_json json_of(const Cell& cell, const std::string& candidate) {
     for (const Quantity& quantity : internal::untimed()) json[quantity.name] = json_of(quantity.of(cell));
     if (cell.quality) json["memory_bytes"] = cell.quality->memory_bytes;
     json["ms"] = json_of(value_of(cell, "ms", "median", {}));
-    json["copies"] = json_of(value_of(cell, "copies", "median", {}));
     json["passes"] = ordered_json::array();
     for (const std::string& pass : passes_of(cell))
         json["passes"].push_back({{"pass", pass},
                                   {"ms", json_of(value_of(cell, "ms", "median", {.name = pass}))},
-                                  {"least_ms", json_of(value_of(cell, "ms", "least", {.name = pass}))},
-                                  {"copies", json_of(value_of(cell, "copies", "median", {.name = pass}))}});
+                                  {"least_ms", json_of(value_of(cell, "ms", "least", {.name = pass}))}});
     ordered_json rounds = ordered_json::array();
     for (const std::vector<FrameReading>& round : cell.rounds)
         if (!round.empty()) rounds.push_back(internal::median_of_round(round, {}));
@@ -65,7 +63,6 @@ std::string to_json(const Experiment& experiment, const std::vector<SizeResult>&
     for (const SizeResult& result : results) {
         ordered_json size{{"width", result.extent.width},
                           {"height", result.extent.height},
-                          {"copy_ms", json_of(copy_ms(result))},
                           {"cases", ordered_json::array()}};
         for (const CaseResult& one : result.cases) size["cases"].push_back(json_of(experiment, one));
         document["sizes"].push_back(std::move(size));

@@ -227,7 +227,6 @@ void members(Io& io, effect::PassTime& all) {
 
 template <class Io>
 void members(Io& io, FrameReading& all) {
-    io.member("copy_ms", all.copy_ms);
     io.member("passes", all.passes);
 }
 

@@ -16,7 +16,6 @@
 #include "effect/methods.hpp"
 #include "effect/plan.hpp"
 #include "effect/study/closed_form.hpp"
-#include "effect/study/copy_clock.hpp"
 #include "effect/study/own_value.hpp"
 #include "experiment/internal/subject.hpp"
 
@@ -48,9 +47,8 @@ struct Shared {
     using Side = std::uint32_t;
     std::map<std::string, std::shared_ptr<BenchmarkViews>> views;
     std::map<Side, std::unique_ptr<effect::ClosedFormStudy>> closed_forms;
-    std::map<std::tuple<Side, Side, bool>, std::unique_ptr<ConfigurationStudy>> studies;
+    std::map<bool, std::unique_ptr<ConfigurationStudy>> studies;  // by Subject::hoisted
     std::map<std::tuple<Side, Side, std::uint32_t, std::uint32_t, int>, std::unique_ptr<PlainRun>> loops;
-    std::map<std::tuple<Side, Side, gpu::Format>, std::unique_ptr<effect::CopyClock>> clocks;
 };
 
 // All cases at one size.
@@ -291,22 +289,15 @@ class SizeRun {
 
     [[nodiscard]] ConfigurationVisit visit(const Subject& subject, BenchmarkViews& views, int round,
                                            float radius) {
-        const gpu::Extent extent = views.frames().extent;
         switch (subject.kind) {
             case Kind::plain:
-                return loop_of(extent, subject.plain).visit(views, clock(extent, gpu::Format::r32f), round);
-            case Kind::copy: {
-                if (round == 0) return {};
-                const double copy_ms = clock(extent, gpu::Format::r32f).measure();
-                const double ms = clock(extent, effect::format_of(subject.copied)).measure_now();
-                return {.readings = {{{{"copy", ms}}, copy_ms}}};
-            }
+                return loop_of(views.frames().extent, subject.plain).visit(views, round);
             case Kind::depth_truth:
                 return depth_truth_of(views, round);
             case Kind::truth:
                 return truth_of(views, round);
             default: {
-                ConfigurationStudy& study = study_of(extent, subject.hoisted);
+                ConfigurationStudy& study = study_of(subject.hoisted);
                 const effect::Settings settings = with_radius(subject.settings, radius);
                 return subject.held ? study.held(views, settings)
                                     : study.visit(views, settings, subject.sequence, round);
@@ -314,12 +305,12 @@ class SizeRun {
         }
     }
 
-    ConfigurationStudy& study_of(gpu::Extent extent, bool hoisted) {
-        std::unique_ptr<ConfigurationStudy>& study = shared_.studies[{extent.width, extent.height, hoisted}];
+    ConfigurationStudy& study_of(bool hoisted) {
+        std::unique_ptr<ConfigurationStudy>& study = shared_.studies[hoisted];
         if (!study)
             study = std::make_unique<ConfigurationStudy>(
                 place_.device,
-                hoisted ? place_.passes : place_.passes.with(shader::Optimization::performance), extent);
+                hoisted ? place_.passes : place_.passes.with(shader::Optimization::performance));
         return *study;
     }
 
@@ -328,12 +319,6 @@ class SizeRun {
             shared_.loops[{extent.width, extent.height, loop.taps.slices, loop.taps.steps, loop.blurs}];
         if (!made)
             made = std::make_unique<PlainRun>(place_.device, place_.passes, extent, loop.taps, loop.blurs);
-        return *made;
-    }
-
-    effect::CopyClock& clock(gpu::Extent extent, gpu::Format format) {
-        std::unique_ptr<effect::CopyClock>& made = shared_.clocks[{extent.width, extent.height, format}];
-        if (!made) made = std::make_unique<effect::CopyClock>(place_.device, place_.passes, extent, format);
         return *made;
     }
 

@@ -16,8 +16,7 @@
 
 namespace gloam::experiment {
 
-// The scene or the view of a case. Throws like scene::make_scene() and scene::make_view(), and
-// std::invalid_argument for a number of objects of a scene without any.
+// The scene or the view of a case. Throws like scene::make_scene() and scene::make_view().
 [[nodiscard]] scene::Scene scene_of(const Case& one, const std::filesystem::path& meshes);
 
 // The view of a case in closed form. Throws std::invalid_argument that lists the names.

@@ -61,7 +61,6 @@ Subject subject_of(const std::vector<const Layer*>& layers, const Place& place) 
         if (!layer->kind) continue;
         subject.kind = *layer->kind;
         subject.plain = layer->plain;
-        subject.copied = layer->copied;
     }
     if (!preset.empty()) subject.settings = place.preset_of(preset);
     if (!method.empty() && method != subject.settings.method)

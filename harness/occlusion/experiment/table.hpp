@@ -47,9 +47,6 @@ struct FramePlot {
 [[nodiscard]] std::vector<FramePlot> frame_plots(const Experiment& experiment,
                                                  const std::vector<SizeResult>& results, std::size_t size);
 
-// The median time of a copy in all readings, in milliseconds; NaN without readings.
-[[nodiscard]] double copy_ms(const SizeResult& result);
-
 // What of a cell counts. Of times the passes with this name, or whose names begin with one of the prefixes;
 // all where both are empty. Of scores the pixels of a class against a reference, and the last scored frame up
 // to `frame`, or all with 0.
@@ -64,8 +61,8 @@ struct Part {
 // "640 x 360".
 [[nodiscard]] std::string size_text(gpu::Extent extent);
 
-// The times of the passes that count in each reading of a cell, in milliseconds or in copies.
-[[nodiscard]] std::vector<double> times_of(const Cell& cell, bool copies, const Part& passes);
+// The times of the passes that count in each reading of a cell, in milliseconds.
+[[nodiscard]] std::vector<double> times_of(const Cell& cell, const Part& passes);
 
 // The names of a cell's passes, in the order in which they ran. Empty without readings.
 [[nodiscard]] std::vector<std::string> passes_of(const Cell& cell);
@@ -82,11 +79,11 @@ struct Part {
 // better in one. Cheapest first; of equal points the first. Points that are not finite are in no front.
 [[nodiscard]] std::vector<std::size_t> pareto_front(std::span<const std::pair<double, double>> points);
 
-// A candidate over some cases: copies against error, RMSE (G). Of more than one case the error is the
+// A candidate over some cases: milliseconds against error, RMSE (G). Of more than one case the error is the
 // geometric mean of the ratios to the least error of any candidate in the case.
 struct FrontPoint {
     std::size_t candidate;
-    double copies;
+    double ms;
     double error;
 };
 
@@ -97,9 +94,9 @@ struct FrontPoint {
 [[nodiscard]] std::vector<FrontPoint> front_of(const std::vector<FrontPoint>& points);
 
 // {"versions", "experiment", "device", "driver", "frames", "scored", "repeat", "rays", "sizes": [{"width",
-// "height", "copy_ms", "cases": [{"case", "what", "kind", "half", "target", "results":
-// [{"candidate", the quantities but the times, "ms", "copies", "passes": [{"pass", "ms", "least_ms",
-// "copies"}], "rounds_ms"}]}]}], "visits": [the lines of the record]}. Times are medians. What was not
+// "height", "cases": [{"case", "what", "kind", "half", "target", "results":
+// [{"candidate", the quantities but the times, "ms", "passes": [{"pass", "ms", "least_ms"}],
+// "rounds_ms"}]}]}], "visits": [the lines of the record]}. Times are medians. What was not
 // measured is null.
 [[nodiscard]] std::string to_json(const Experiment& experiment, const std::vector<SizeResult>& results,
                                   const Record& record, const std::string& versions);

@@ -67,9 +67,9 @@ double sum_of(const FrameReading& reading, const Part& passes) {
     return sum;
 }
 
-// The time of a cell, in milliseconds or in copies. nullopt without readings.
-std::optional<double> time_of(const Cell& cell, bool copies, std::string_view statistic, const Part& passes) {
-    const std::vector<double> times = times_of(cell, copies, passes);
+// The time of a cell, in milliseconds. nullopt without readings.
+std::optional<double> time_of(const Cell& cell, std::string_view statistic, const Part& passes) {
+    const std::vector<double> times = times_of(cell, passes);
     if (times.empty()) return std::nullopt;
     return statistic == "least" ? *std::ranges::min_element(times) : numeric::spread_of(times).median;
 }
@@ -206,8 +206,7 @@ std::optional<double> value_of(const Cell& cell, std::string_view quantity, std:
         return statistic == "slope" ? slope_of(scores, quantity, passes)
                                     : class_value(scores, quantity, passes);
     }
-    if (quantity == "ms" || quantity == "copies")
-        return time_of(cell, quantity == "copies", statistic, passes);
+    if (quantity == "ms") return time_of(cell, statistic, passes);
     const auto found = std::ranges::find(untimed(), quantity, &Quantity::name);
     return found == untimed().end() ? std::nullopt : found->of(cell);
 }
@@ -243,7 +242,7 @@ std::optional<double> ratio_to_best(const CaseResult& one, std::size_t candidate
 
 const std::vector<std::string>& quantities() {
     static const std::vector<std::string> names = [] {
-        std::vector<std::string> all{"ms", "copies"};
+        std::vector<std::string> all{"ms"};
         for (const Quantity& quantity : internal::untimed()) all.push_back(quantity.name);
         return all;
     }();
@@ -265,11 +264,10 @@ std::string size_text(gpu::Extent extent) {
     return fmt::format("{} x {}", extent.width, extent.height);
 }
 
-std::vector<double> times_of(const Cell& cell, bool copies, const Part& passes) {
+std::vector<double> times_of(const Cell& cell, const Part& passes) {
     std::vector<double> times;
     for (const std::vector<FrameReading>& round : cell.rounds)
-        for (const FrameReading& reading : round)
-            times.push_back(sum_of(reading, passes) / (copies ? reading.copy_ms : 1.0));
+        for (const FrameReading& reading : round) times.push_back(sum_of(reading, passes));
     return times;
 }
 
@@ -285,7 +283,7 @@ std::vector<std::string> passes_of(const Cell& cell) {
 std::optional<double> mean_value(const std::vector<const CaseResult*>& cases, std::size_t candidate,
                                  std::string_view quantity, std::string_view statistic, const Part& passes) {
     const bool of_best = statistic == "of_best";
-    const bool geometric = quantity == "ms" || quantity == "copies" || of_best;
+    const bool geometric = quantity == "ms" || of_best;
     double sum = 0.0;
     double most = -numeric::infinity;
     for (const CaseResult* one : cases) {
@@ -317,28 +315,19 @@ std::vector<FrontPoint> front_points(const std::vector<const CaseResult*>& cases
     const char* statistic = cases.size() > 1 ? "of_best" : "median";
     std::vector<FrontPoint> points;
     for (std::size_t i = 0; !cases.empty() && i < cases.front()->cells.size(); ++i) {
-        const auto copies = mean_value(cases, i, "copies", "median", {});
+        const auto ms = mean_value(cases, i, "ms", "median", {});
         const auto error = mean_value(cases, i, "rmse", statistic, {});
-        if (copies && error) points.push_back({i, *copies, *error});
+        if (ms && error) points.push_back({i, *ms, *error});
     }
     return points;
 }
 
 std::vector<FrontPoint> front_of(const std::vector<FrontPoint>& points) {
     std::vector<std::pair<double, double>> pairs;
-    for (const FrontPoint& point : points) pairs.emplace_back(point.copies, point.error);
+    for (const FrontPoint& point : points) pairs.emplace_back(point.ms, point.error);
     std::vector<FrontPoint> front;
     for (const std::size_t i : pareto_front(pairs)) front.push_back(points[i]);
     return front;
-}
-
-double copy_ms(const SizeResult& result) {
-    std::vector<double> times;
-    for (const CaseResult& one : result.cases)
-        for (const std::optional<Cell>& cell : one.cells)
-            for (std::size_t i = 0; cell && i < cell->rounds.size(); ++i)
-                for (const FrameReading& reading : cell->rounds[i]) times.push_back(reading.copy_ms);
-    return numeric::spread_of(times).median;
 }
 
 }  // namespace gloam::experiment

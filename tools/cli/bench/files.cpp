@@ -73,7 +73,7 @@ std::vector<report::Curve> curves_of(const Experiment& what, const std::vector<F
     std::map<std::string, report::Curve> groups;
     for (const FrontPoint& point : front_of(points)) {
         const experiment::Candidate& candidate = what.candidates[point.candidate];
-        front.points.emplace_back(point.copies, point.error);
+        front.points.emplace_back(point.ms, point.error);
         front.labels.push_back(candidate.name);
         groups[candidate.group].name = candidate.group;
     }
@@ -84,7 +84,7 @@ std::vector<report::Curve> curves_of(const Experiment& what, const std::vector<F
         const bool preset = candidate.group == presets.name;
         const auto found = groups.find(candidate.group);
         report::Curve& curve = preset ? presets : found == groups.end() ? others : found->second;
-        curve.points.emplace_back(point.copies, point.error);
+        curve.points.emplace_back(point.ms, point.error);
         if (preset) presets.labels.push_back(candidate.name);
     }
     std::vector<report::Curve> curves{others};
@@ -107,7 +107,7 @@ void add_fronts(NamedPlots& all, const Measured& measured, const SizeResult& res
         all.emplace_back(
             name, report::Plot{.title = fmt::format("{}, {}, {}", name, experiment::size_text(result.extent),
                                                     measured.record.conditions().device),
-                               .x = fmt::format("all passes, copies of {:.3g} ms", copy_ms(result)),
+                               .x = "all passes, ms",
                                .y = error,
                                .logarithmic = true,
                                .curves = curves_of(measured.what, points)});
@@ -172,10 +172,8 @@ std::string heading_of(const Measured& measured) {
                                    conditions.device, conditions.driver);
     int rounds = 0;
     for (const experiment::Visit& visit : measured.record.visits()) rounds = std::max(rounds, visit.round);
-    for (const SizeResult& result : measured.results) {
+    for (const SizeResult& result : measured.results)
         text += fmt::format(",\n{} x {} pixels", result.extent.width, result.extent.height);
-        if (rounds > 0) text += fmt::format(" (a copy takes {:.3f} ms)", copy_ms(result));
-    }
     text += fmt::format(", {} rounds", rounds);
     if (conditions.rays > 0)
         text += fmt::format(",\nthe last {} of {} frames, the truth of {} rays a pixel", conditions.scored,

@@ -144,7 +144,7 @@ void add_query(CLI::App& command, ExperimentOptions& options) {
 }
 
 void add_answers(CLI::App& command, ExperimentOptions& options) {
-    command.add_option("--budget", options.budget, "name the most exact within this time: 1ms, 40copies");
+    command.add_option("--budget", options.budget, "name the most exact within this time, such as 1ms");
     command.add_option("--error", options.error, "name the fastest with at most this RMSE")
         ->check(CLI::PositiveNumber);
     std::vector<CLI::Option*> measured;

@@ -40,7 +40,7 @@ struct ExperimentOptions {
     bool fail_if_missed = false;
     bool fail_if_worse = false;
     bool resume = false;
-    std::string budget;                          // "1ms", "40copies"; empty: not asked
+    std::string budget;                          // "1ms"; empty: not asked
     double error = 0.0;                          // 0: not asked
     std::vector<std::filesystem::path> from;     // results in place of a run
     std::vector<std::filesystem::path> compare;  // two results, or none

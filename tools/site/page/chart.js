@@ -10,7 +10,7 @@ gloam.chart = (() => {
 
     // The points of a table with a column of time and one of error: [{name, time, error}], by time. Otherwise none.
     function pointsOf(block) {
-        const [time, error] = [column(block.head, /^copies$/), column(block.head, /RMSE/)];
+        const [time, error] = [column(block.head, /^(ms|time)$/), column(block.head, /RMSE/)];
         if (time < 0 || error < 0 || block.rows.length < 3) return [];
         const points = block.rows.map((row) => ({name: row[0].replace(/`/g, ""), time: Number(row[time]),
             error: Number(row[error])}));
@@ -38,10 +38,10 @@ gloam.chart = (() => {
             points: {show: true, size: 7, fill: colors[i]}}));
         const name = (u) => {
             const point = points[u.cursor.idx];
-            if (point) told.textContent = `${point.name}: ${point.time} copies, error ${point.error}`;
+            if (point) told.textContent = `${point.name}: time ${point.time}, error ${point.error}`;
         };
         return {width: place.clientWidth, height: 320, scales: {x: {time: false, distr: 3}}, series: [{}, ...series],
-            axes: [axis("time, in copies of the image"), axis("error (RMSE)")], legend: {live: false},
+            axes: [axis("time"), axis("error (RMSE)")], legend: {live: false},
             hooks: {setCursor: [name]}};
     }
 

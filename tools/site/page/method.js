@@ -28,9 +28,9 @@ gloam.methodPage = (() => {
             return section("Error and time", paragraph("No preset runs this method, so none was measured."));
         const table = new gloam.Table([{title: "preset", value: (preset) => preset.name},
             {title: "error", number: true, value: (preset) => preset.error, cell: ({error}) => error.toFixed(4)},
-            {title: "copies", number: true, value: (preset) => preset.copies, cell: ({copies}) => copies.toFixed(1)},
+            {title: "time", number: true, value: (preset) => preset.time, cell: ({time}) => time.toFixed(2)},
             {title: "what it is", value: (preset) => preset.description}],
-        "gloam bench presets, llvmpipe: RMSE against ray-traced truth, time in copies of an image");
+        "gloam bench presets, llvmpipe: RMSE against ray-traced truth, time in that of the preset fast");
         for (const preset of method.presets) table.add(preset);
         return section("Error and time", gloam.element("div", {class: "wide", tabindex: "0", role: "region",
             "aria-label": "Presets"}, table.root));

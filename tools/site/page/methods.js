@@ -11,7 +11,7 @@ document.addEventListener("DOMContentLoaded", () => {
     const table = new gloam.Table([
         {title: "method", value: (method) => method.name, cell: link},
         {title: "estimates", value: (method) => method.measure},
-        measured("error", "error", 4), measured("copies", "copies", 1),
+        measured("error", "error", 4), measured("time", "time", 2),
         {title: "preset", value: (method) => best(method)?.name ?? ""},
         {title: "what it is", value: (method) => method.description}], "");
     for (const method of gloam.methodPages) table.add(method);

@@ -8,7 +8,6 @@
 #include "effect/internal/frame_images.hpp"
 #include "effect/internal/passes.hpp"
 #include "effect/internal/steps.hpp"
-#include "effect/study/copy_clock.hpp"
 
 namespace gloam::effect {
 namespace {
@@ -37,6 +36,12 @@ void require(bool holds, const char* found, const char* expected) {
 }
 
 }  // namespace
+
+void require_timestamps(const gpu::DeviceInfo& device) {
+    if (device.timestamp_period_ns > 0.0) return;
+    throw std::runtime_error(fmt::format(
+        "device \"{}\" has no timestamps: expected one that can tell how long a pass takes", device.name));
+}
 
 PlainSlices::PlainSlices(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent extent,
                          SliceTaps taps, int blurs)

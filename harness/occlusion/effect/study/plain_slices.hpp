@@ -11,6 +11,10 @@
 
 namespace gloam::effect {
 
+// Throws std::runtime_error with the device's name if it has no timestamps, so that nothing can be timed on
+// it.
+void require_timestamps(const gpu::DeviceInfo& device);
+
 // Taps of one pixel: so many on each side of each slice.
 struct SliceTaps {
     std::uint32_t slices = 9;
