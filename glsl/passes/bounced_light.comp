@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// One bounce of light, from the surfaces that block to the point (Ritschel, Grosch and Seidel 2009; CS-D), in the mean
-// over frames. Run it after direct_light.comp, with the same parameters. One invocation a pixel. Reads the method's
-// setting epsilon: the least distance of a sender, d_min.
+// One bounce of light, from the surfaces that block to the point (Ritschel, Grosch and Seidel 2009; CS-D). Run it after
+// direct_light.comp, with the same parameters. One invocation a pixel. Reads the method's setting epsilon: the least
+// distance of a sender, d_min.
 //
-// Dispatch ceil(size / 8) groups. Descriptor set 0: see directional/points.glsl and directional/history.glsl, and
-//   4  rgba32f  written: radiance that leaves a white surface by the bounce in xyz, 0 at the background. w: eye-linear
-//               depth, world units
-//   9  rgba32f  diffuse albedo in xyz, [0, 1]
-//   10 rgba32f  the result of direct_light.comp
-#include "directional/history.glsl"
+// Dispatch ceil(size / 8) groups. Descriptor set 0: see directional/points.glsl, and
+//   4  rgba32f  written: radiance that leaves a white surface by the bounce in xyz, 0 at the background
+//   5  rgba32f  diffuse albedo in xyz, [0, 1]
+//   6  rgba32f  the result of direct_light.comp
+#include "directional/points.glsl"
 #include "gloam/shading/directional_occlusion.glsl"
 
 layout(binding = 4, rgba32f) uniform writeonly highp image2D light_image;
-layout(binding = 9 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT albedo_image;
-layout(binding = 10 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT direct_image;
+layout(binding = 5 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT albedo_image;
+layout(binding = 6 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT direct_image;
 
 // Radiance that the surface at a blocked sample sends to the point.
 vec3 bounced(Shaded shaded, Sample s) {
@@ -27,22 +26,16 @@ vec3 bounced(Shaded shaded, Sample s) {
                              s.visibility);
 }
 
-// The mean with this frame's samples.
-vec3 accumulated(ivec2 pixel, Shaded shaded) {
-    vec3 previous = previous_position_at(pixel, shaded.position);
-    Light before = light_before(pixel, previous);
+vec3 light_of(Shaded shaded) {
     vec3 sum = vec3(0.0);
     float count = 0.0;
-    float change = 0.0;
     for (uint i = 0u; i < parameters.samples; ++i) {
-        Sample s = sample_of(shaded, light_history.first_sample + i);
+        Sample s = sample_of(shaded, i);
         if (!s.counts) continue;
         if (s.visibility < 1.0) sum += bounced(shaded, s);
         count += 1.0;
-        change = max(change, change_of(shaded, previous, s.pixel));
     }
-    float weight = weight_after_change(before.weight, change);
-    return blended_light(before.bounced, weight, gloam_ssdo_light(sum, count, vec3(1.0)), count);
+    return gloam_ssdo_light(sum, count, vec3(1.0));
 }
 
 void main() {
@@ -50,6 +43,6 @@ void main() {
     if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
     Shaded shaded;
     vec3 light = vec3(0.0);
-    if (shaded_at(pixel, shaded)) light = accumulated(pixel, shaded);
-    imageStore(light_image, pixel, vec4(light, gloam_fetch_depth(pixel)));
+    if (shaded_at(pixel, shaded)) light = light_of(shaded);
+    imageStore(light_image, pixel, vec4(light, 0.0));
 }

@@ -104,7 +104,7 @@ TEST_F(Directions, WhereNothingIsOpenTheNormalStays) {
     settings.samples = 32;
     settings.filter = Filter::none;
     const BentNormals bent = directional_.bent_normals(view, settings);
-    const DirectionalLight light = directional_.light(view, settings, scene::constant_environment({1, 1, 1}));
+    const DirectionalLight light = directional_.light(view, settings, Sky{});
     std::size_t closed = 0;  // a sample that falls beside the image may be open
     for (std::size_t i = 0; i < bent.direction.size(); ++i) {
         if (light.direct[i] != glm::vec3(0)) continue;
@@ -116,8 +116,7 @@ TEST_F(Directions, WhereNothingIsOpenTheNormalStays) {
 }
 
 TEST_F(Directions, WhiteLightOnAnOpenPlaneIsWhite) {
-    const DirectionalLight light =
-        directional_.light(step(3.0F, 3.0F), many(), scene::constant_environment({1, 1, 1}));
+    const DirectionalLight light = directional_.light(step(3.0F, 3.0F), many(), Sky{});
     for (std::size_t i = 0; i < light.direct.size(); ++i) {
         ASSERT_NEAR(light.direct[i].x, 1.0F, 5e-3) << i;
         ASSERT_EQ(light.bounced[i], glm::vec3(0)) << i;
@@ -128,7 +127,7 @@ TEST_F(Directions, WhiteLightOnAnOpenPlaneIsWhite) {
 TEST_F(Directions, ConstantLightIsVisibility) {
     const scene::GBuffer view = rasterized("corner", {64, 36}, {.color = true});
     const glm::vec3 radiance(0.5F, 2.0F, 1.0F);
-    const DirectionalLight light = directional_.light(view, many(), scene::constant_environment(radiance));
+    const DirectionalLight light = directional_.light(view, many(), Sky{radiance, radiance, radiance});
     AmbientOcclusion effect(device_, passes_, view.extent);
     effect.begin(view, many());
     const Frame frame = effect.next();
@@ -140,24 +139,30 @@ TEST_F(Directions, ConstantLightIsVisibility) {
     }
 }
 
+// The world's up lies in the image's plane or towards the eye.
 TEST_F(Directions, LightComesFromWhereItIs) {
-    // On the eye's side -x is red and +x green; what the wall hides is blue.
-    const scene::Environment sides{.extent = {4, 1},
-                                   .radiance = {{1, 0, 0}, {0, 0, 1}, {0, 0, 1}, {0, 1, 0}}};
-    const DirectionalLight light = directional_.light(step(3.0F - high, 3.0F, close), many(), sides);
-    EXPECT_GT(light.direct[beside].y, 0.45F);
-    EXPECT_LT(light.direct[beside].x, 0.1F);
-    const DirectionalLight open = directional_.light(step(3.0F, 3.0F), many(), sides);
-    EXPECT_NEAR(open.direct[beside].x, 0.5F, 0.02F);
-    EXPECT_NEAR(open.direct[beside].y, 0.5F, 0.02F);
-    EXPECT_LT(open.direct[beside].z, 0.02F);
-    scene::GBuffer turned = step(3.0F, 3.0F);  // looking down +y: up is the surface's normal
-    turned.camera = scene::make_frame({.target = {0, -1, 0},
-                                       .up = {0, 0, -1},
-                                       .projection = scene::Projection::orthographic,
-                                       .view_height = 8.0},
-                                      1.5);
-    const DirectionalLight sky = directional_.light(turned, many(), scene::sky_environment());
+    const Sky blue_above{{0, 0, 1}, {0, 0, 1}, {1, 0, 0}};
+    const auto seen_with = [&](const glm::dvec3& up, float left) {
+        scene::GBuffer view = step(left, 3.0F, close);
+        view.camera = scene::make_frame({.target = {0, 0, -1},
+                                         .up = up,
+                                         .projection = scene::Projection::orthographic,
+                                         .view_height = close},
+                                        1.5);
+        return directional_.light(view, many(), blue_above).direct[beside];
+    };
+    const glm::vec3 open = seen_with({0, 1, 0}, 3.0F);
+    EXPECT_NEAR(open.x, 0.5F, 0.02F);
+    EXPECT_NEAR(open.z, 0.5F, 0.02F);
+    EXPECT_GT(seen_with({1, 0, 0}, 3.0F - high).x, 0.45F) << "turned, the wall hides the sky";
+    EXPECT_LT(seen_with({1, 0, 0}, 3.0F - high).z, 0.1F);
+    scene::GBuffer floor = step(3.0F, 3.0F);  // looking down: up is the surface's normal
+    floor.camera = scene::make_frame({.target = {0, -1, 0},
+                                      .up = {0, 0, -1},
+                                      .projection = scene::Projection::orthographic,
+                                      .view_height = 8.0},
+                                     1.5);
+    const DirectionalLight sky = directional_.light(floor, many(), clear_sky);
     EXPECT_GT(sky.direct[beside].z, sky.direct[beside].x + 0.1F);
 }
 
@@ -201,7 +206,7 @@ glm::dvec3 bounce_of(const scene::GBuffer& view, const DirectionalLight& light, 
 TEST_F(Directions, AWallTintsTheFloorBesideIt) {
     const scene::GBuffer view = rasterized("corner", {64, 36}, {.color = true});
     const Settings settings = many();
-    const DirectionalLight light = directional_.light(view, settings, scene::constant_environment({1, 1, 1}));
+    const DirectionalLight light = directional_.light(view, settings, Sky{});
     int red = 0;
     int green = 0;
     int compared = 0;
@@ -243,12 +248,12 @@ TEST_F(Directions, WithoutNormalsAndWithLayersAndABand) {
     const BentNormals bent = directional_.bent_normals(view, settings);
     EXPECT_EQ(bent.direction.size(), 31U * 17U);
     for (const glm::vec3& direction : bent.direction) EXPECT_NEAR(glm::length(direction), 1.0F, 1e-5);
-    EXPECT_EQ(directional_.light(view, settings, scene::sky_environment()).bounced.size(), 31U * 17U);
+    EXPECT_EQ(directional_.light(view, settings, clear_sky).bounced.size(), 31U * 17U);
     settings.layers = 3;
     EXPECT_THROW((void)directional_.bent_normals(view, settings), std::invalid_argument);
     settings.layers = 1;
     view.color.pop_back();
-    EXPECT_THROW((void)directional_.light(view, settings, scene::sky_environment()), std::invalid_argument);
+    EXPECT_THROW((void)directional_.light(view, settings, clear_sky), std::invalid_argument);
 }
 
 }  // namespace gloam::effect::directional_test

@@ -263,24 +263,6 @@ TEST_F(Layouts, FurtherViewsAndDirections) {
         expect_pushed({.file = file}, sizeof(D),
                       {MEMBER(D, p00_p11), MEMBER(D, size), MEMBER(D, radius), MEMBER(D, bias),
                        MEMBER(D, samples), MEMBER(D, orthographic), MEMBER(D, world_from_view)});
-    using F = FilterParameters;
-    expect_pushed({.file = "light_filter.comp"}, sizeof(F),
-                  {MEMBER(F, p00_p11), MEMBER(F, size), MEMBER(F, sigma_pixels), MEMBER(F, depth_scale),
-                   MEMBER(F, c_adaptive), MEMBER(F, weight_max), MEMBER(F, cap)});
-}
-
-TEST_F(Layouts, HistoryOfLight) {
-    using H = LightHistory;
-    for (const char* file : {"direct_light.comp", "bounced_light.comp"}) {
-        const std::vector<LaidOut> found = buffer_of({.file = file}, "HistorySettings");
-        ASSERT_EQ(found.size(), 1U);
-        EXPECT_EQ(lines_of(found[0].members),
-                  (std::vector{MEMBER(H, previous_from_current), MEMBER(H, previous_p00_p11), MEMBER(H, kept),
-                               MEMBER(H, objects_move), MEMBER(H, previous_orthographic),
-                               MEMBER(H, first_sample), MEMBER(H, weight_max), MEMBER(H, depth_tolerance),
-                               MEMBER(H, invalidation), MEMBER(H, change_tolerance), MEMBER(H, weight_small),
-                               MEMBER(H, confidence_factor)}));
-    }
 }
 
 TEST_F(Layouts, Buffers) {

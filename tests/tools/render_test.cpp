@@ -267,16 +267,8 @@ TEST_F(RenderDirections, NothingIsWrittenThatWasNotAskedFor) {
     EXPECT_FALSE(fs::exists(path("out") / "f0000_light.pfm"));
 }
 
-TEST_F(RenderDirections, AnEnvironmentFromAFile) {
-    const std::string half("\0\0\0\x3f\0\0\0\x3f\0\0\0\x3f", 12);
-    expect_success(corner(words("--light {}", write("half.pfm", "PF\n1 1\n-1.0\n" + half))));
-}
-
-TEST_F(RenderDirections, BadEnvironmentsAreNamed) {
-    expect_could_not_run(corner(words("--light /no/such.exr")), "/no/such.exr");
+TEST_F(RenderDirections, AnotherLightIsNamed) {
     expect_could_not_run(corner(words("--light noon")), "noon");
-    const fs::path grey = write("grey.pfm", "Pf\n1 1\n-1.0\n" + std::string(4, '\0'));
-    expect_could_not_run(corner(words("--light {}", grey)), "grey.pfm");
     EXPECT_FALSE(fs::exists(path("out")));
 }
 

@@ -204,10 +204,11 @@ void add_light_options(CLI::App& command, RenderOptions& options) {
                     "number of additional cameras around the point that the camera looks at; the largest "
                     "occlusion of all views is written beside the frame's own (scenes and meshes only)")
         ->check(CLI::Range(0, most_further_views));
-    command.add_option(
-        "--light", options.light,
-        "white, sky, or an environment as .exr or .pfm: also write the scene in its light, with "
-        "directional occlusion and one bounce");
+    command
+        .add_option("--light", options.light,
+                    "white or sky: also write the scene in its light, with directional occlusion and one "
+                    "bounce")
+        ->check(CLI::IsMember({"white", "sky"}));
 }
 
 void add_truth_options(CLI::App& command, RenderOptions& options) {

@@ -62,12 +62,6 @@ std::string name_of(const RenderOptions& options) {
     return settings_for(options, 1.0).method;
 }
 
-scene::Environment environment_named(const std::string& name) {
-    if (name == "white") return scene::constant_environment(glm::vec3(1.0F));
-    if (name == "sky") return scene::sky_environment();
-    return scene::read_environment(name);
-}
-
 void write_bent_normals(report::OutputFolder& folder, const std::string& stem,
                         const effect::BentNormals& bent) {
     const auto [width, height] = bent.extent;
@@ -135,7 +129,6 @@ class Renderer {
           output_(output),
           truth_(options, input_),
           progress_(options.quiet ? [](double) {} : progress_bar(input_.name + ": frames")) {
-        if (options.light) environment_ = environment_named(*options.light);
         if (!options.write_gbuffer.empty()) gbuffer_out_.emplace(options.write_gbuffer);
         if (!options.film.empty() && input_.views.size() < 2)
             throw std::invalid_argument("--film: expected a sequence, with --frames or --turntable");
@@ -175,7 +168,6 @@ class Renderer {
         for (int i = 0; i < input_.frames_per_view; ++i) {
             const ViewLink linked = i > 0 ? ViewLink::same : cut.empty() ? ViewLink::follows : ViewLink::cut;
             const effect::Frame frame = effect_->next(options_.repeat);
-            light(wide, settings, linked);
             if (output_.folder != nullptr) write_images(*output_.folder, stem(number + i), frame);
             history_.advance(view, linked, double{settings.radius}, frame.filtered);
             FrameReport entry = entry_of(number + i, settings, frame, view);
@@ -193,27 +185,19 @@ class Renderer {
         before_ = Before{number, settings.radius, std::move(wide)};
     }
 
-    // The next frame of the light that was requested.
-    void light(const scene::GBuffer& view, const effect::Settings& settings, ViewLink linked) {
-        if (output_.folder == nullptr || !environment_) return;
-        if (!directional_) directional_.emplace(bench_.device, bench_.passes);
-        using enum effect::LightFollows;
-        light_ = directional_->light(view, settings, *environment_,
-                                     linked == ViewLink::same      ? same_view
-                                     : linked == ViewLink::follows ? last_view
-                                                                   : nothing);
-    }
-
-    // Writes the requested results besides the occlusion: bent normals, which depend on the view alone, and
-    // the light of its last frame.
+    // Writes the requested results besides the occlusion, bent normals and light, which depend on the view
+    // alone.
     void write_directions(int number, const scene::GBuffer& wide, const effect::Settings& settings) {
-        if (output_.folder == nullptr) return;
-        if (options_.bent_normals && !directional_) directional_.emplace(bench_.device, bench_.passes);
+        if (output_.folder == nullptr || !(options_.bent_normals || options_.light)) return;
+        if (!directional_) directional_.emplace(bench_.device, bench_.passes);
         if (options_.bent_normals)
             write_bent_normals(
                 *output_.folder, stem(number),
                 directional_->bent_normals(wide, settings, {.interleave = options_.bent_interleave}));
-        if (environment_) write_light(*output_.folder, stem(number), light_);
+        if (options_.light) {
+            const effect::Sky sky = *options_.light == "sky" ? effect::clear_sky : effect::Sky{};
+            write_light(*output_.folder, stem(number), directional_->light(wide, settings, sky));
+        }
     }
 
     // The estimate of a view's last frame, raised by further views.
@@ -329,8 +313,6 @@ class Renderer {
     std::optional<effect::AmbientOcclusion> effect_;
     std::optional<effect::Directional> directional_;
     std::optional<effect::FurtherViews> further_;
-    std::optional<scene::Environment> environment_;
-    effect::DirectionalLight light_;
     std::optional<Before> before_;
     RenderHistory history_;
     std::function<void(double)> progress_;

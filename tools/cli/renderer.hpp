@@ -50,9 +50,6 @@ class RenderHistory {
 // compared, else its method. Throws like settings_for().
 [[nodiscard]] std::string name_of(const RenderOptions& options);
 
-// The environment of --light: white, sky, or a file. Throws std::runtime_error with the file's name.
-[[nodiscard]] scene::Environment environment_named(const std::string& name);
-
 // STEM_bent.pfm (x, y, z in view space) and .png (0.5 + 0.5 of it), STEM_cone.pfm (half angle, radians).
 void write_bent_normals(report::OutputFolder& folder, const std::string& stem,
                         const effect::BentNormals& bent);

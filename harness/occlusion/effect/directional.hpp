@@ -9,7 +9,6 @@
 #include "effect/plan.hpp"
 #include "effect/settings.hpp"
 #include "scene/gbuffer.hpp"
-#include "scene/image_files.hpp"
 #include "scene/pass_library.hpp"
 
 namespace gloam::effect {
@@ -29,18 +28,22 @@ struct BentOptions {
     int interleave = 1;
 };
 
-// What a frame of light has to do with the frame before it.
-enum class LightFollows {
-    nothing,    // it has no history
-    last_view,  // its view is the next one of a sequence
-    same_view   // it is a further frame of the last view
+// Radiance of the sky by direction in the world, with +y up: mixed from horizon to zenith by the height. Any
+// unit, >= 0, finite.
+struct Sky {
+    glm::vec3 zenith{1.0F};
+    glm::vec3 horizon{1.0F};
+    glm::vec3 ground{1.0F};  // everywhere below the horizon
 };
 
-// Radiance that leaves the surfaces (CS-D): linear, in the environment's unit, 0 at the background. Rows from
+// Blue at the zenith, white at the horizon, dim and brown below it.
+inline constexpr Sky clear_sky{{0.35F, 0.6F, 1.0F}, {1.0F, 1.0F, 1.0F}, {0.25F, 0.22F, 0.18F}};
+
+// Radiance that leaves the surfaces (CS-D): linear, in the unit of the sky, 0 at the background. Rows from
 // the top, without the guard band.
 struct DirectionalLight {
     gpu::Extent extent;
-    std::vector<glm::vec3> direct;   // of the environment's light, from the open directions
+    std::vector<glm::vec3> direct;   // of the sky, from the open directions
     std::vector<glm::vec3> bounced;  // of that light after one bounce off the blockers
 };
 
@@ -55,17 +58,12 @@ class Directional {
 
     // Both throw std::invalid_argument for settings out of range, for images of another size, and if the view
     // has fewer layers than the settings ask for; bent_normals() also for options out of range. Missing
-    // normals are reconstructed from depth. bent_normals() has no history.
+    // normals are reconstructed from depth. Each call takes its samples anew: there is no history.
     [[nodiscard]] BentNormals bent_normals(const scene::GBuffer& view, const Settings& settings,
                                            const BentOptions& options = {});
 
-    // The mean over the frames since the last one that follows nothing, kept and dropped as the history of
-    // the occlusion. All these frames should have the same settings and environment. A view of another size,
-    // or whose camera does not know the previous one, follows nothing. Where Settings::filter is on, the
-    // result is smoothed by the convergence filter, whichever filter the settings name.
     [[nodiscard]] DirectionalLight light(const scene::GBuffer& view, const Settings& settings,
-                                         const scene::Environment& environment,
-                                         LightFollows follows = LightFollows::nothing);
+                                         const Sky& sky);
 
     // From now on each pass is watched: for tests of the passes alone.
     void watch(PassWatcher watcher);

@@ -115,22 +115,6 @@ struct DirectionalParameters {
     glm::mat3x4 world_from_view;
 };
 
-// The buffer of the passes that include directional/history.glsl, with its layout.
-struct LightHistory {
-    glm::mat4 previous_from_current{1.0F};
-    glm::vec2 previous_p00_p11{1.0F};
-    std::uint32_t kept = 0;
-    std::uint32_t objects_move = 0;
-    std::uint32_t previous_orthographic = 0;
-    std::uint32_t first_sample = 0;
-    float weight_max = 1.0F;
-    float depth_tolerance = 0.0F;
-    std::uint32_t invalidation = 0;
-    float change_tolerance = 0.0F;
-    float weight_small = 0.0F;
-    float confidence_factor = 0.0F;
-};
-
 // Push constants of halve_inputs.comp.
 struct HalveParameters {
     glm::vec2 p00_p11;
