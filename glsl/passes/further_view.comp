@@ -13,7 +13,7 @@
 //   1  rgba32f  view-space normal of this view facing its eye in xyz
 //   2  r32f     depth of the other view, likewise
 //   3  rgba32f  normal of the other view, in its view space
-//   4  r32f     occlusion as it is shown, [0, 1]: read, and written where it becomes larger
+//   4  r32f     occlusion, [0, 1]: read, and written where it becomes larger
 //   5  buffer   a MethodValues
 #include "passes/input_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -22,8 +22,6 @@ layout(constant_id = 0) const bool orthographic = false;        // this camera; 
 layout(constant_id = 1) const bool other_orthographic = false;  // the other one
 layout(constant_id = 2) const uint samples = 32u;               // for each pixel, whole units of the method
 layout(constant_id = 3) const uint method_steps = 4u;           // replaces MethodValues::steps
-// skip taps further in front than MethodValues::range (CS-REJ)
-layout(constant_id = 4) const bool reject_taps = false;
 
 layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
 layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT normal_image;
@@ -39,19 +37,13 @@ layout(push_constant) uniform Parameters {
     ivec2 other_size;       // of the other one
     float radius;           // of influence, world units
     float bias;             // world units
-    float bias_depth;       // the bias is at least this share of the depth
-    float remap_a;          // maps an estimate to the displayed value (CS-REMAP)
-    float remap_b;
-    float remap_c;
 } parameters;
 
 #include "gloam/gather/footprint.glsl"
 #include "gloam/geometry/camera.glsl"
 #include "gloam/geometry/pixel_center.glsl"
-#include "gloam/occlusion/bias.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/sampling/hash_rotation.glsl"
-#include "gloam/shading/remap.glsl"
 #include "gloam/temporal/disocclusion.glsl"
 #include "method_values.glsl"
 
@@ -95,22 +87,19 @@ bool seen_there(vec3 position, vec3 normal, GloamCamera camera) {
     return gloam_depth_consistent(depth, -position.z, SEEN_TOLERANCE);
 }
 
-// Occlusion of a pixel's point in the other view, remapped for display; 0 where the other view cannot estimate it.
+// Occlusion of a pixel's point in the other view; 0 where the other view cannot estimate it.
 float occlusion_there(ivec2 pixel, float depth) {
     vec3 here = gloam_camera_position(pixel, depth, GloamCamera(parameters.p00_p11, parameters.size, orthographic));
     vec3 position = (parameters.other_from_this * vec4(here, 1.0)).xyz;
     vec3 normal = mat3(parameters.other_from_this) * GLOAM_FETCH(normal_image, pixel).xyz;
     GloamCamera camera = GloamCamera(parameters.other_p00_p11, parameters.other_size, other_orthographic);
     if (!seen_there(position, normal, camera)) return 0.0;
-    float bias = max(parameters.bias, gloam_depth_bias(parameters.bias_depth, -position.z, 1.0));
-    float farthest = reject_taps ? method_values.range : uintBitsToFloat(0x7F800000u);
-    GloamKernel kernel =
-        GloamKernel(parameters.radius, bias, gloam_hash_rotation(pixel), 0u, samples, farthest, 1);
+    GloamKernel kernel = GloamKernel(parameters.radius, parameters.bias, gloam_hash_rotation(pixel), 0u, samples,
+                                     uintBitsToFloat(0x7F800000u), 1);
     MethodValues values = method_values;
     values.steps = method_steps;
     GloamEstimate found = METHOD(position, normal, camera, kernel, values);
-    if (!(found.samples > 0.0)) return 0.0;
-    return 1.0 - gloam_remap(1.0 - found.occlusion, parameters.remap_a, parameters.remap_b, parameters.remap_c);
+    return found.samples > 0.0 ? found.occlusion : 0.0;
 }
 
 void main() {

@@ -6,7 +6,6 @@
 #include "backend/vulkan/commands.hpp"
 #include "effect/composite.hpp"
 #include "effect/directional.hpp"
-#include "effect/further_views.hpp"
 #include "interpreter/machine.hpp"
 #include "on_device.hpp"
 #include "shader/spirv.hpp"
@@ -283,7 +282,7 @@ TEST_F(InterpretedPasses, WithAPackedHistoryAreTheDevicesPixelByPixel) {
     EXPECT_GT(seen_["reproject"].words, 0U);
 }
 
-// Those of bent normals and of light, of further views and of the lit image.
+// Those of bent normals, of light and of the lit image.
 TEST_F(InterpretedPasses, BesideTheEffectAreTheDevicesPixelByPixel) {
     const scene::GBuffer view = rasterized("moving", {13, 9}, {.layers = 2});
     Settings settings = with_radius({}, 0.5F);
@@ -292,20 +291,13 @@ TEST_F(InterpretedPasses, BesideTheEffectAreTheDevicesPixelByPixel) {
     directional.watch(watcher("directional"));
     for (const int interleave : {1, 3}) (void)directional.bent_normals(view, settings, {interleave});
     (void)directional.light(view, settings, clear_sky);
-    settings.layers = 1;
-
-    FurtherViews further(device_, passes_);
-    further.watch(watcher("further views"));
-    const std::vector<float> occlusion(view.depth.size(), 0.25F);
-    const scene::GBuffer others[] = {view};
-    (void)further.raised(view, occlusion, others, settings);
 
     Composite composite(device_, passes_);
     composite.watch(watcher("composite"));
     const std::vector<glm::vec3> light(view.depth.size(), glm::vec3(0.5F, 0.25F, 2.0F));
-    (void)composite.lit(view.extent, {.ambient = light, .direct = light}, occlusion);
-    for (const char* name :
-         {"bent_normals", "bent_gather", "direct_light", "bounced_light", "further_view", "composite"})
+    (void)composite.lit(view.extent, {.ambient = light, .direct = light},
+                        std::vector<float>(view.depth.size(), 0.25F));
+    for (const char* name : {"bent_normals", "bent_gather", "direct_light", "bounced_light", "composite"})
         EXPECT_GT(seen_[name].words, 0U) << name;
 }
 

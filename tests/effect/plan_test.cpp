@@ -251,12 +251,7 @@ TEST_F(Layouts, PassesOverTiles) {
     expect_pushed({.file = "tiles/select_filtered.comp"}, sizeof(F), {MEMBER(F, size), MEMBER(F, reach)});
 }
 
-TEST_F(Layouts, FurtherViewsAndDirections) {
-    using V = FurtherViewParameters;
-    expect_pushed(further_view_source({}, false, false), sizeof(V),
-                  {MEMBER(V, other_from_this), MEMBER(V, p00_p11), MEMBER(V, other_p00_p11), MEMBER(V, size),
-                   MEMBER(V, other_size), MEMBER(V, radius), MEMBER(V, bias), MEMBER(V, bias_depth),
-                   MEMBER(V, remap_a), MEMBER(V, remap_b), MEMBER(V, remap_c)});
+TEST_F(Layouts, Directions) {
     using D = DirectionalParameters;
     for (const char* file :
          {"bent_normals.comp", "bent_gather.comp", "direct_light.comp", "bounced_light.comp"})

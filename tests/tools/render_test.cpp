@@ -249,18 +249,6 @@ TEST_F(RenderDirections, InterleavedBentNormals) {
     EXPECT_EQ(corner(words("--bent-interleave 4")).status, 2);
 }
 
-// Other cameras see the sides that this one sees edge-on.
-TEST_F(RenderDirections, FurtherViewsRaiseTheOcclusion) {
-    const std::string result = output_of(render(
-        "out", "knot --size 64x36 --method gtao --frames 1 --further-views 4 --truth --truth-rays 64"));
-    for (const char* name : {"views.pfm", "views.png"}) EXPECT_GT(bytes_of(name), 100U) << name;
-    EXPECT_THAT(result, HasSubstr("by further views"));
-    const json errors = report("out").at("frames").at(0).at("errors");
-    EXPECT_GT(errors.at("further_views").at("bias"), errors.at("raw").at("bias"));
-    EXPECT_EQ(corner(words("--further-views 7")).status, 2);
-    expect_could_not_run(corner(words("--further-views 1 --method mssao")), "mssao");
-}
-
 TEST_F(RenderDirections, NothingIsWrittenThatWasNotAskedFor) {
     expect_success(corner({}));
     EXPECT_FALSE(fs::exists(path("out") / "f0000_bent.pfm"));

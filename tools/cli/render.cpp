@@ -200,11 +200,6 @@ void add_light_options(CLI::App& command, RenderOptions& options) {
         ->check(CLI::Range(1, 8))
         ->capture_default_str();
     command
-        .add_option("--further-views", options.further_views,
-                    "number of additional cameras around the point that the camera looks at; the largest "
-                    "occlusion of all views is written beside the frame's own (scenes and meshes only)")
-        ->check(CLI::Range(0, most_further_views));
-    command
         .add_option("--light", options.light,
                     "white or sky: also write the scene in its light, with directional occlusion and one "
                     "bounce")

@@ -52,7 +52,6 @@ struct RenderOptions {
     bool multi_bounce = false;         // in lit pictures
     bool bent_normals = false;         // and cones
     int bent_interleave = 1;           // side of the blocks that share a pattern
-    int further_views = 0;             // other cameras whose depth buffers count too
     std::optional<std::string> light;  // white or sky: directional occlusion in it
     int repeat = 1;
     std::string device;

@@ -33,7 +33,6 @@ struct FrameErrors {
     effect::Errors raw;
     effect::Errors filtered;
     std::optional<effect::Errors> filtered_depth;  // against the truth of the depth buffer alone
-    std::optional<effect::Errors> further_views;   // of the estimate raised by further views
     std::optional<effect::Metrics> metrics;        // of the filtered image; in a view's last frame
     std::optional<effect::ClassErrors> by_class;   // of the filtered image; from the second frame on
 };

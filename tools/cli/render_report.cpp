@@ -49,7 +49,6 @@ ordered_json frame_errors_json(const FrameErrors& errors) {
                       {"raw", errors_json(errors.raw)},
                       {"filtered", errors_json(errors.filtered)}};
     if (errors.filtered_depth) json["filtered_against_depth"] = errors_json(*errors.filtered_depth);
-    if (errors.further_views) json["further_views"] = errors_json(*errors.further_views);
     if (errors.metrics) json["filtered_metrics"] = metrics_json(*errors.metrics);
     if (errors.by_class) {
         json["filtered_by_class"] = {{"disoccluded", class_json(errors.by_class->disoccluded)},
@@ -175,7 +174,6 @@ std::string to_text(const RenderReport& report) {
                         report.truth, last.errors->raw.compared);
     text += errors_line("before the filter", last.errors->raw);
     if (filters(s)) text += errors_line("after the filter", last.errors->filtered);
-    if (last.errors->further_views) text += errors_line("by further views", *last.errors->further_views);
     if (last.errors->filtered_depth)
         text += errors_line("against the depth buffer's", *last.errors->filtered_depth);
     if (last.errors->metrics) {

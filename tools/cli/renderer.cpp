@@ -11,7 +11,6 @@
 #include "cli/open_device.hpp"
 #include "cli/progress.hpp"
 #include "cli/settings.hpp"
-#include "effect/further_views.hpp"
 #include "report/image.hpp"
 #include "scene/contradictions.hpp"
 #include "scene/rasterize.hpp"
@@ -174,8 +173,6 @@ class Renderer {
             if (i == 0) entry.history.cut = cut;
             const bool last = i + 1 == input_.frames_per_view;
             compare(entry, view, frame, truth, last);
-            if (last && options_.further_views > 0)
-                add_further(entry, number, number + i, view, frame, truth);
             const bool kept = options_.mesh.turntable > 0 || number == input_.views.back();
             if (last && (kept || film_out_)) show(number, number + i, view, frame, truth, kept);
             report_.frames.push_back(std::move(entry));
@@ -198,21 +195,6 @@ class Renderer {
             const effect::Sky sky = *options_.light == "sky" ? effect::clear_sky : effect::Sky{};
             write_light(*output_.folder, stem(number), directional_->light(wide, settings, sky));
         }
-    }
-
-    // The estimate of a view's last frame, raised by further views.
-    void add_further(FrameReport& entry, int view_number, int frame_number, const scene::GBuffer& view,
-                     const effect::Frame& frame, const ViewTruth& truth) {
-        if (!input_.scene)
-            throw std::invalid_argument("--further-views: expected a scene or a mesh, not G-buffers");
-        if (!further_) further_.emplace(bench_.device, bench_.passes);
-        const auto others =
-            further_views_of(bench_.device, bench_.passes, *input_.scene, input_.first_frame + view_number,
-                             view.extent, options_.further_views);
-        const std::vector<float> raised = further_->raised(view, frame.occlusion, others, entry.settings);
-        if (entry.errors) entry.errors->further_views = effect::errors_of(raised, truth.truth);
-        if (output_.folder != nullptr)
-            write_further(*output_.folder, stem(frame_number), view.extent, raised);
     }
 
     // The reason why the view has no history; empty: it has one.
@@ -312,7 +294,6 @@ class Renderer {
     std::optional<report::OutputFolder> film_out_;
     std::optional<effect::AmbientOcclusion> effect_;
     std::optional<effect::Directional> directional_;
-    std::optional<effect::FurtherViews> further_;
     std::optional<Before> before_;
     RenderHistory history_;
     std::function<void(double)> progress_;

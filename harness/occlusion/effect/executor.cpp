@@ -278,12 +278,11 @@ void require_sizes(const scene::GBuffer& view, gpu::Extent extent) {
     require_size("stored normals", view.stored->normal.size(), view.normal.empty() ? gpu::Extent{} : extent);
 }
 
-void upload(const scene::GBuffer& view, gpu::Extent extent, bool stores, Resources& resources,
-            const std::string& prefix) {
+void upload(const scene::GBuffer& view, gpu::Extent extent, bool stores, Resources& resources) {
     using enum gpu::Format;
     const bool stored = stores && view.stored;
     const auto image = [&](const char* name, gpu::Format format) -> gpu::Image& {
-        return resources.image(prefix + name, extent, format);
+        return resources.image(name, extent, format);
     };
     const std::vector<glm::vec3>& normals = stored ? view.stored->normal : view.normal;
     image("depth", r32f).upload(stored ? view.stored->depth : view.depth);
@@ -294,14 +293,14 @@ void upload(const scene::GBuffer& view, gpu::Extent extent, bool stores, Resourc
 }
 
 void take_linear(const scene::GBuffer& view, Resources& resources, Executor& executor,
-                 const PassWatcher& watcher, const std::string& prefix) {
+                 const PassWatcher& watcher) {
     require_sizes(view, view.extent);
-    upload(view, view.extent, false, resources, prefix);
+    upload(view, view.extent, false, resources);
     if (!view.normal.empty()) return;
-    (void)resources.image(prefix + "normal", view.extent, gpu::Format::rgba32f);
-    const PlannedPass pass = single_pass(
-        "normals_from_depth", {.file = "normals_from_depth.comp"}, {prefix + "depth", prefix + "normal"},
-        normal_parameters({view.camera, view.extent, view.border}), groups_for(view.extent));
+    (void)resources.image("normal", view.extent, gpu::Format::rgba32f);
+    const PlannedPass pass =
+        single_pass("normals_from_depth", {.file = "normals_from_depth.comp"}, {"depth", "normal"},
+                    normal_parameters({view.camera, view.extent, view.border}), groups_for(view.extent));
     executor.run(std::span(&pass, 1), resources, watcher);
 }
 

@@ -221,17 +221,6 @@ PassSource occlusion_source(const Moment& moment, List list) {
     return source;
 }
 
-PassSource further_view_source(const Settings& settings, bool orthographic, bool other_orthographic) {
-    const MethodInfo& method = method_named(settings.method);
-    PassSource source = with_method_in({.file = "further_view.comp"}, method);
-    source.constants = {{.id = 0, .bits = flag(orthographic)},
-                        {.id = 1, .bits = flag(other_orthographic)},
-                        {.id = 2, .bits = samples_taken(method, settings.samples, settings.own.steps)},
-                        {.id = 3, .bits = settings.own.steps},
-                        {.id = 4, .bits = flag(settings.reject_taps)}};
-    return source;
-}
-
 PassSource reprojection_source(const Moment& moment) {
     const Settings& settings = moment.settings;
     return {.file = "reproject.comp",

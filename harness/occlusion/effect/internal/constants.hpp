@@ -83,21 +83,6 @@ struct RemapParameters {
     float c;
 };
 
-// Of further_view.comp.
-struct FurtherViewParameters {
-    glm::mat4 other_from_this;
-    glm::vec2 p00_p11;
-    glm::vec2 other_p00_p11;
-    glm::ivec2 size;
-    glm::ivec2 other_size;
-    float radius;
-    float bias;
-    float bias_depth;
-    float remap_a;
-    float remap_b;
-    float remap_c;
-};
-
 // Of composite.comp.
 struct CompositeParameters {
     glm::ivec2 size;

@@ -110,12 +110,11 @@ void require_sizes(const scene::GBuffer& view, gpu::Extent extent);
 
 // Uploads a view to the images depth, normal, previous_position and layers, those that it has. Missing images
 // are made. stores: depth and normals as the engine stores them, if it does; otherwise linear depth and
-// normals of view space. extent: of the view. prefix: of the names.
-void upload(const scene::GBuffer& view, gpu::Extent extent, bool stores, Resources& resources,
-            const std::string& prefix = "");
+// normals of view space. extent: of the view.
+void upload(const scene::GBuffer& view, gpu::Extent extent, bool stores, Resources& resources);
 
 // Uploads linear depth and normals of view space. Missing normals are reconstructed from depth.
 void take_linear(const scene::GBuffer& view, Resources& resources, Executor& executor,
-                 const PassWatcher& watcher, const std::string& prefix = "");
+                 const PassWatcher& watcher);
 
 }  // namespace gloam::effect

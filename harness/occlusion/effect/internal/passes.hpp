@@ -127,8 +127,6 @@ using List = std::optional<TileLists>;
 [[nodiscard]] PassSource halve_source(const Moment& moment);
 [[nodiscard]] PassSource upsample_source(const Moment& moment, bool filtered);
 [[nodiscard]] PassSource occlusion_source(const Moment& moment, List list = {});
-[[nodiscard]] PassSource further_view_source(const Settings& settings, bool orthographic,
-                                             bool other_orthographic);
 [[nodiscard]] PassSource reprojection_source(const Moment& moment);
 // Throws std::invalid_argument for Filter::none.
 [[nodiscard]] PassSource filter_source(const Moment& moment, bool along_y, List list = {});
