@@ -11,13 +11,9 @@ uniform float radius;                   // of influence, world units
 
 layout(location = 0) out vec4 occlusion;
 
-// The method reads depths by these two functions. Layers are read only where GloamKernel::layers is above 1.
+// The method reads depths by this function.
 float gloam_fetch_depth(ivec2 pixel) {
     return texelFetch(engine_depth, pixel, 0).x;
-}
-
-vec3 gloam_fetch_layers(ivec2 pixel) {
-    return vec3(0.0);
 }
 
 #include "gloam/methods/sweep.glsl"
@@ -35,7 +31,7 @@ void main() {
     float angle = gloam_hash_rotation(pixel);
     uint samples_before = 0u;  // of earlier frames, where a history takes the mean over frames
     uint samples = SLICES * 2u * STEPS;
-    GloamKernel kernel = GloamKernel(radius, bias, angle, samples_before, samples, GLOAM_FARTHEST, 1);
+    GloamKernel kernel = GloamKernel(radius, bias, angle, samples_before, samples, GLOAM_FARTHEST);
     GloamSweep settings = GloamSweep(STEPS, 1.0, GLOAM_FALLOFF_LINEAR);
     occlusion = vec4(gloam_sweep(position, normal, camera, kernel, settings).occlusion);
 }

@@ -121,7 +121,7 @@ layout(binding = 10, r32f) uniform writeonly highp image2D shown_image;
 #include "gloam/methods/hemisphere.glsl"
 #ifndef METHOD
 #define METHOD(position, normal, camera, kernel, values) \
-    gloam_hemisphere(position, normal, camera, kernel, GloamHemisphere(values.range))
+    gloam_hemisphere(position, normal, camera, kernel, GloamHemisphere(values.range, values.layers))
 #endif
 
 // The point being shaded, its motion, and what the samples have shown of its neighbourhood so far.
@@ -205,6 +205,7 @@ GloamEstimate estimated(ivec2 pixel, float depth, GloamHistory before, uint samp
     if (moving_objects) neighborhood = neighborhood_of(pixel, position, normal, kernel.radius);
     MethodValues values = method_values;
     values.steps = method_steps;
+    values.layers = layers;
     return METHOD(position, normal, camera, kernel, values);
 }
 

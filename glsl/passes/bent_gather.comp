@@ -6,17 +6,17 @@
 // Run it after bent_normals.comp with the same interleave. One invocation a pixel.
 //
 // Dispatch ceil(size / 8) groups. Descriptor set 0: see directional/points.glsl, and
-//   4  rgba32f  written: as bent_normals.comp without interleave
-//   5  rgba32f  what bent_normals.comp wrote: (sum of open directions, number of them)
+//   3  rgba32f  written: as bent_normals.comp without interleave
+//   4  rgba32f  what bent_normals.comp wrote: (sum of open directions, number of them)
 #include "directional/points.glsl"
 #include "gloam/filter/geometry_weight.glsl"
 #include "gloam/shading/bent_cone.glsl"
 #include "gloam/shading/bent_normal.glsl"
 
-layout(constant_id = 1) const int interleave = 4;  // side of the blocks whose pixels share a pattern
+layout(constant_id = 0) const int interleave = 4;  // side of the blocks whose pixels share a pattern
 
-layout(binding = 4, rgba32f) uniform writeonly highp image2D bent_image;
-layout(binding = 5 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT sums_image;
+layout(binding = 3, rgba32f) uniform writeonly highp image2D bent_image;
+layout(binding = 4 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT sums_image;
 
 // A neighbour's height above the tangent plane is divided by this share of the radius before it is weighted.
 const float PLANE_SHARE = 0.1;

@@ -4,7 +4,7 @@
 // angle of the cone around it that stands for the open directions. One invocation a pixel.
 //
 // Dispatch ceil(size / 8) groups. Descriptor set 0: see directional/points.glsl, and
-//   4  rgba32f  written: unit direction in view space in xyz, half angle in w, radians in [0, pi / 2]. Where nothing is
+//   3  rgba32f  written: unit direction in view space in xyz, half angle in w, radians in [0, pi / 2]. Where nothing is
 //               open: the normal and 0. Zeros at the background. With interleave above 1: (sum of open directions,
 //               number of them) for bent_gather.comp
 #include "directional/points.glsl"
@@ -12,9 +12,9 @@
 #include "gloam/shading/bent_normal.glsl"
 
 // Side of the blocks whose pixels share a pattern (interleaved sampling): each pixel takes a part of it. 1: no sharing
-layout(constant_id = 1) const int interleave = 1;
+layout(constant_id = 0) const int interleave = 1;
 
-layout(binding = 4, rgba32f) uniform writeonly highp image2D bent_image;
+layout(binding = 3, rgba32f) uniform writeonly highp image2D bent_image;
 
 // i: number of the sample, from 0. The pixels of a block share one sequence without rotation. Each pixel takes
 // consecutive points of it: these cover the half ball also where the other pixels lie on another surface.

@@ -5,15 +5,15 @@
 // distance of a sender, d_min.
 //
 // Dispatch ceil(size / 8) groups. Descriptor set 0: see directional/points.glsl, and
-//   4  rgba32f  written: radiance that leaves a white surface by the bounce in xyz, 0 at the background
-//   5  rgba32f  diffuse albedo in xyz, [0, 1]
-//   6  rgba32f  the result of direct_light.comp
+//   3  rgba32f  written: radiance that leaves a white surface by the bounce in xyz, 0 at the background
+//   4  rgba32f  diffuse albedo in xyz, [0, 1]
+//   5  rgba32f  the result of direct_light.comp
 #include "directional/points.glsl"
 #include "gloam/shading/directional_occlusion.glsl"
 
-layout(binding = 4, rgba32f) uniform writeonly highp image2D light_image;
-layout(binding = 5 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT albedo_image;
-layout(binding = 6 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT direct_image;
+layout(binding = 3, rgba32f) uniform writeonly highp image2D light_image;
+layout(binding = 4 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT albedo_image;
+layout(binding = 5 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT direct_image;
 
 // Radiance that the surface at a blocked sample sends to the point.
 vec3 bounced(Shaded shaded, Sample s) {

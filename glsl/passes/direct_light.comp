@@ -4,15 +4,15 @@
 // invocation a pixel.
 //
 // Dispatch ceil(size / 8) groups. Descriptor set 0: see directional/points.glsl, and
-//   4  rgba32f  written: radiance that leaves a white surface in xyz, in the unit of the sky; 0 at the background
-//   5  buffer   a Sky
+//   3  rgba32f  written: radiance that leaves a white surface in xyz, in the unit of the sky; 0 at the background
+//   4  buffer   a Sky
 #include "directional/points.glsl"
 #include "gloam/shading/directional_occlusion.glsl"
 
-layout(binding = 4, rgba32f) uniform writeonly highp image2D light_image;
+layout(binding = 3, rgba32f) uniform writeonly highp image2D light_image;
 
 // Radiance in xyz, by the direction in the world, +y up: mixed between zenith and horizon by the height.
-layout(binding = 5, std430) readonly buffer Sky {
+layout(binding = 4, std430) readonly buffer Sky {
     vec4 zenith;
     vec4 horizon;
     vec4 ground;  // everywhere below the horizon

@@ -74,7 +74,7 @@ vec4 gloam_fetch_prepared(ivec2 pixel) {
 #include "gloam/methods/hemisphere.glsl"
 #ifndef METHOD
 #define METHOD(position, normal, camera, kernel, values) \
-    gloam_hemisphere(position, normal, camera, kernel, GloamHemisphere(values.range))
+    gloam_hemisphere(position, normal, camera, kernel, GloamHemisphere(values.range, values.layers))
 #endif
 
 // Whether the other camera sees this point, from the front. position, normal: in that camera's view space.
@@ -95,9 +95,10 @@ float occlusion_there(ivec2 pixel, float depth) {
     GloamCamera camera = GloamCamera(parameters.other_p00_p11, parameters.other_size, other_orthographic);
     if (!seen_there(position, normal, camera)) return 0.0;
     GloamKernel kernel = GloamKernel(parameters.radius, parameters.bias, gloam_hash_rotation(pixel), 0u, samples,
-                                     uintBitsToFloat(0x7F800000u), 1);
+                                     uintBitsToFloat(0x7F800000u));
     MethodValues values = method_values;
     values.steps = method_steps;
+    values.layers = 1;
     GloamEstimate found = METHOD(position, normal, camera, kernel, values);
     return found.samples > 0.0 ? found.occlusion : 0.0;
 }

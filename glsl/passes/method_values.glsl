@@ -13,6 +13,7 @@ struct MethodValues {
     uint steps;
     float disagreement;  // in occlusion
     float feature_thickness;  // in widths of the feature
+    int layers;
 };
 
 #endif

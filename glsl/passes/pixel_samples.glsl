@@ -19,7 +19,7 @@
 // preparation passes include this file, so that they agree.
 // The user defines a block `parameters` with the members that this file reads, this_camera() and method_values. The
 // user's constants are samples_asked, samples_converged, fewer_samples (which makes it read samples_distance,
-// samples_radius and samples_least), caps_radius (radius_cap), on_lattice, reject_taps and layers.
+// samples_radius and samples_least), caps_radius (radius_cap), on_lattice and reject_taps.
 
 // Half-axes of the projected radius, pixels. depth: eye-linear, world units.
 vec2 reach_at(float depth) {
@@ -68,7 +68,7 @@ GloamKernel kernel_of(ivec2 pixel, float depth, GloamHistory before, uint sample
         gloam_rotation_enabled(convergence, parameters.c_rot) ? rotation_of(pixel - parameters.border) : 0.0;
     float bias = max(parameters.bias, gloam_depth_bias(parameters.bias_depth, depth, 1.0));
     float farthest = reject_taps ? method_values.range : uintBitsToFloat(0x7F800000u);
-    return GloamKernel(radius_at(depth), bias, angle, before.index, samples, farthest, layers);
+    return GloamKernel(radius_at(depth), bias, angle, before.index, samples, farthest);
 }
 
 #endif

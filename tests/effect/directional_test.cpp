@@ -239,19 +239,15 @@ TEST_F(Directions, BackgroundHasNoBentNormal) {
     }
 }
 
-TEST_F(Directions, WithoutNormalsAndWithLayersAndABand) {
-    scene::GBuffer view = rasterized("corner", {31, 17}, {.color = true, .layers = 2, .guard = 0.25});
+TEST_F(Directions, WithoutNormalsAndWithABand) {
+    scene::GBuffer view = rasterized("corner", {31, 17}, {.color = true, .guard = 0.25});
     Settings settings = many();
     settings.samples = 16;
-    settings.layers = 2;
     view.normal.clear();
     const BentNormals bent = directional_.bent_normals(view, settings);
     EXPECT_EQ(bent.direction.size(), 31U * 17U);
     for (const glm::vec3& direction : bent.direction) EXPECT_NEAR(glm::length(direction), 1.0F, 1e-5);
     EXPECT_EQ(directional_.light(view, settings, clear_sky).bounced.size(), 31U * 17U);
-    settings.layers = 3;
-    EXPECT_THROW((void)directional_.bent_normals(view, settings), std::invalid_argument);
-    settings.layers = 1;
     view.color.pop_back();
     EXPECT_THROW((void)directional_.light(view, settings, clear_sky), std::invalid_argument);
 }

@@ -270,7 +270,7 @@ class InputImages : public OnDevice<testing::TestWithParam<Variant>> {
         settings.filter = GetParam().filter;
         settings.table_size = 2048;
         settings.remap_c = 1.5F;
-        settings.layers = 2;
+        if (reads(method_named(settings.method), "layers")) settings.own.layers = 2;
         return settings;
     }
 

@@ -143,7 +143,7 @@ TEST_F(HalfSize, InputsAreThoseOfEverySecondPixel) {
         const std::vector<scene::GBuffer> both{view("moving", 20, {.motion = true, .layers = 2}, size),
                                                view("moving", 21, {.motion = true, .layers = 2}, size)};
         Settings settings = half({});
-        settings.layers = 2;
+        settings.own.layers = 2;
         AmbientOcclusion effect(device_, passes_, size);
         effect.begin(both[0], settings);
         (void)effect.next();
@@ -334,10 +334,9 @@ class HalfSizeBeside : public HalfSize, public testing::WithParamInterface<Besid
         const std::string name = GetParam().name;
         std::vector<scene::GBuffer> all;
         for (int i = 0; i < 3; ++i) {
-            all.push_back(view("moving", 20 + i,
-                               {.motion = true,
-                                .layers = static_cast<int>(settings.layers),
-                                .guard = double{settings.guard}}));
+            all.push_back(
+                view("moving", 20 + i,
+                     {.motion = true, .layers = settings.own.layers, .guard = double{settings.guard}}));
             if (name == "no_normals") all.back().normal.clear();
             if (name == "stored")  // as an engine with a depth buffer and world-space normals has it
                 all.back().stored =

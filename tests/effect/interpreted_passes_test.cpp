@@ -242,7 +242,7 @@ class InterpretedPassesOf : public InterpretedPasses, public testing::WithParamI
 TEST_P(InterpretedPassesOf, AreTheDevicesPixelByPixel) {
     const scene::GBuffer view = rasterized("moving", {13, 9}, {.layers = 2});
     Settings settings = with_radius(with_method({}, GetParam()), 0.5F);
-    settings.layers = 2;
+    if (reads(method_named(GetParam()), "layers")) settings.own.layers = 2;
     expect_the_devices({view}, settings, GetParam(), 2);
     EXPECT_GT(seen_["ambient_occlusion"].equal * 10, seen_["ambient_occlusion"].words * 6)
         << "most results have the same bits";
@@ -284,9 +284,8 @@ TEST_F(InterpretedPasses, WithAPackedHistoryAreTheDevicesPixelByPixel) {
 
 // Those of bent normals, of light and of the lit image.
 TEST_F(InterpretedPasses, BesideTheEffectAreTheDevicesPixelByPixel) {
-    const scene::GBuffer view = rasterized("moving", {13, 9}, {.layers = 2});
-    Settings settings = with_radius({}, 0.5F);
-    settings.layers = 2;
+    const scene::GBuffer view = rasterized("moving", {13, 9});
+    const Settings settings = with_radius({}, 0.5F);
     Directional directional(device_, passes_);
     directional.watch(watcher("directional"));
     for (const int interleave : {1, 3}) (void)directional.bent_normals(view, settings, {interleave});

@@ -205,10 +205,10 @@ TEST_F(EsPasses, AreTakenByADriver) {
     Settings other = with_method({}, "alchemy");
     other.filter = Filter::geometry;
     expect_linked(other, {});
-    Settings half = other;
+    Settings half = with_method(other, "hemisphere");
     half.resolution = Resolution::half;
     half.filter = Filter::none;
-    half.layers = 2;
+    half.own.layers = 2;
     expect_linked(half, {.moving_objects = true});
     EXPECT_EQ(files_.size(), 14U);
 }

@@ -268,7 +268,7 @@ TEST_F(Layouts, Buffers) {
     EXPECT_EQ(lines_of(method[0].members),
               (std::vector{MEMBER(M, range), MEMBER(M, epsilon), MEMBER(M, intensity), MEMBER(M, thickness),
                            MEMBER(M, angle_bias), MEMBER(M, mip_distance), MEMBER(M, steps),
-                           MEMBER(M, disagreement), MEMBER(M, feature_thickness)}));
+                           MEMBER(M, disagreement), MEMBER(M, feature_thickness), MEMBER(M, layers)}));
     using S = TileState;
     const std::vector<LaidOut> states = buffer_of(selection_source(1), "StatesAfter");
     ASSERT_EQ(states.size(), 1U);
@@ -292,7 +292,7 @@ TEST_F(Layouts, NoImageIsReadAndWritten) {
          {"dual_resolution", "sao_chain", "separable", "mssao", "volumetric_area", "disc_proxy_two"}) {
         Settings settings = with_method({}, method);
         settings.remap_b = 2.0F;
-        settings.layers = 2;
+        if (reads(method_named(method), "layers")) settings.own.layers = 2;
         settings.resolution = method == std::string("mssao") ? Resolution::half : Resolution::full;
         const PlanOptions options{.moving_objects = true, .tiles = true, .normals = false};
         for (const PlannedPass& pass : plan_of(settings, options).passes) {

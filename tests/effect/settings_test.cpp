@@ -269,11 +269,9 @@ class EverySetting : public OnDevice<testing::Test> {
     [[nodiscard]] std::vector<float> render(const Settings& settings) const {
         std::vector<float> image;
         for (int i = 0; i < 5; ++i) {
-            const scene::GBuffer view = rasterized(scene_, {72, 48},
-                                                   {.frame = i,
-                                                    .motion = true,
-                                                    .layers = static_cast<int>(settings.layers),
-                                                    .guard = double{settings.guard}});
+            const scene::GBuffer view = rasterized(
+                scene_, {72, 48},
+                {.frame = i, .motion = true, .layers = settings.own.layers, .guard = double{settings.guard}});
             AmbientOcclusion& effect = effect_for(view.extent);
             i == 0 ? effect.begin(view, settings) : effect.advance(view);
             image = effect.next().filtered;

@@ -133,7 +133,7 @@ float4 gloam_fetch_prepared(int2 p) { return pixels[2 * index_of(p) + 1]; }
 void main(uint3 id : SV_DispatchThreadID) {
     GloamCamera camera = { float2(1.8f, -2.0f), int2(64, 48), false };
     GatherKernel kernel = { 0.6f, 1e-3f, 0.7f, uint(points[2 * id.x].w), 16u };
-    MethodValues values = { 2.0f, 0.05f, 0.2f, 1e3f, 0.0f, 0.0f, 4u, 0.05f, 1e18f };
+    MethodValues values = { 2.0f, 0.05f, 0.2f, 1e3f, 0.0f, 0.0f, 4u, 0.05f, 1e18f, 1 };
     results[id.x] = method_gather(points[2 * id.x].xyz, points[2 * id.x + 1].xyz, camera, kernel, values);
 }
 )";

@@ -111,7 +111,8 @@ inline std::string changed(const MethodFunctions& functions, const std::string& 
     return "changed.glsl";
 }
 
-// A method on the rough view. layers, farthest: of its kernel. level: the prepared image has one value.
+// A method on the rough view. layers: of its settings. farthest: of its kernel. level: the prepared image has
+// one value.
 class OnRough {
   public:
     using Inputs = GatherInputs;

@@ -121,45 +121,9 @@ TEST_F(Curvature, OfABallACylinderAndAPlaneInAnyDirections) {
 
 // More than one depth image, more than one resolution, more than one pass, more than one frame.
 
-class Layers : public testing::Test {
+class DualResolution : public testing::Test {
   protected:
     check::Lab lab = test::make_lab();
-};
-
-// As in gloam/gather/pair.glsl.
-struct PairShare {
-    float occluded;
-    float whole;
-};
-
-// Of the layers tried at a pair of taps one stays that is a surface and does not block less, as a share.
-TEST_F(Layers, ATryStaysThatBlocksAtLeastAsMuch) {
-    const Function<bool(glm::vec2, int, int, PairShare, PairShare)> kernel(lab, "gloam/gather/pair.glsl",
-                                                                           "gloam_pair_stays");
-    const check::ImageSet unread{
-        {"gloam_fetch_depth", check::make_image<float>({1, 1}, [](ivec2) { return 0.0F; })},
-        {"gloam_fetch_layers", check::make_image<vec3>({1, 1}, [](ivec2) { return vec3(0); })}};
-    const auto stays = [&](glm::vec2 depths, int look, int layers, PairShare found, PairShare most) {
-        return kernel.with_images(unread, {depths, look, layers, found, most});
-    };
-    const PairShare half{1, 2};
-    const PairShare unusable{0, 0};
-    const glm::vec2 both(3, 4);
-    EXPECT_TRUE(stays(glm::vec2(0), 0, 2, unusable, half));  // the visible surfaces
-    for (const int look : {1, 2}) {
-        EXPECT_TRUE(stays(both, look, 2, PairShare{0.75F, 1}, half));
-        EXPECT_TRUE(stays(both, look, 2, PairShare{2, 4}, half));
-        EXPECT_FALSE(stays(both, look, 2, PairShare{1.9F, 4}, half));
-        EXPECT_TRUE(stays(both, look, 2, PairShare{0, 1}, unusable));
-        EXPECT_FALSE(stays(both, look, 2, unusable, unusable));
-        // At the first tap, then at the second, there is no such layer.
-        EXPECT_EQ(stays(glm::vec2(0, 4), look, 2, PairShare{2, 1}, half), look == 2);
-        EXPECT_EQ(stays(glm::vec2(3, 0), look, 2, PairShare{2, 1}, half), look == 1);
-    }
-}
-
-class DualResolution : public Layers {
-  protected:
     Function<bool(ivec2, ivec2, float)> disagrees{lab, "gloam/filter/dual_resolution.glsl",
                                                   "gloam_dual_resolution_disagrees"};
 

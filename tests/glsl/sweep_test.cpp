@@ -12,7 +12,6 @@ struct SweepKernel {
     unsigned first;
     unsigned count;
     float farthest;
-    int layers;
 };
 struct SweepEstimate {
     float occlusion;
@@ -61,16 +60,14 @@ class SweepOfAWall : public testing::Test {
 
     // Depths that depend on the column alone.
     check::ImageSet image_of(const std::function<double(int)>& depth) const {
-        return {{"gloam_fetch_depth",
-                 check::make_image<float>(camera_.size,
-                                          [&](glm::ivec2 p) { return static_cast<float>(depth(p.x)); })},
-                {"gloam_fetch_layers",
-                 check::make_image<glm::vec3>(camera_.size, [](glm::ivec2) { return glm::vec3(0); })}};
+        return {{"gloam_fetch_depth", check::make_image<float>(camera_.size, [&](glm::ivec2 p) {
+                     return static_cast<float>(depth(p.x));
+                 })}};
     }
 
     double occlusion(const check::ImageSet& image, glm::vec3 position, glm::vec3 normal,
                      const Sweep& settings) const {
-        const SweepKernel kernel{1.0F, 1e-5F, 0.0F, 0, 512 * 2 * settings.steps, infinity, 1};
+        const SweepKernel kernel{1.0F, 1e-5F, 0.0F, 0, 512 * 2 * settings.steps, infinity};
         return static_cast<double>(
             sweep.with_images(image, {position, normal, camera_, kernel, settings}).occlusion);
     }

@@ -245,9 +245,10 @@ TEST_F(PackEffect, EveryOptionCompiles) {
     for (const std::vector<std::string>& options :
          {std::vector<std::string>{"--tiles", "--preset", "balanced"},
           {"--moving-objects", "--orthographic", "--reconstruct-normals"},
-          {"--set", "layers=3", "--set", "remap_b=2", "--preset", "sao-code"},
+          {"--method", "ssdo", "--set", "layers=3", "--set", "remap_b=2"},
           {"--set", "remap_b=2", "--tiles", "--set", "precision=packed"},
-          {"--set", "resolution=half", "--moving-objects", "--set", "layers=2", "--depth", "buffer"},
+          {"--set", "resolution=half", "--moving-objects", "--preset", "tssao-paper", "--set", "layers=2",
+           "--depth", "buffer"},
           {"--set", "resolution=half", "--orthographic", "--reconstruct-normals", "--preset", "balanced",
            "--tiles"}}) {
         pack(options);

@@ -262,10 +262,11 @@ TEST_F(RenderDirections, AnotherLightIsNamed) {
 
 TEST_F(RenderDirections, LayersThatAFolderDoesNotHaveAreNamed) {
     const fs::path views = path("views");
-    expect_success(corner(words("--write-gbuffer {} --set layers=3", views)));
+    expect_success(corner(words("--write-gbuffer {} --method hemisphere --set layers=3", views)));
     EXPECT_TRUE(fs::exists(views / "f0000_layer2.pfm"));
-    expect_success(render("b", "--gbuffer {} --set layers=3", views));
-    expect_could_not_run(render("b", "--gbuffer {} --set layers=4", views), "layers 4: the view has 3");
+    expect_success(render("b", "--gbuffer {} --method hemisphere --set layers=3", views));
+    expect_could_not_run(render("b", "--gbuffer {} --method hemisphere --set layers=4", views),
+                         "layers 4: the view has 3");
 }
 
 }  // namespace gloam::test::render_test

@@ -127,8 +127,8 @@ RenderInput from_scene(const RenderOptions& options, const RenderInput* like) {
     const gpu::Extent wide = scene::with_border(extent, scene::guard_border(extent, guard));
     // If only the camera moves, its matrices determine all motion.
     const bool motion = follows && !scene->objects.empty();
-    input.load = [scene, extent, wide, guard, motion, layers = static_cast<int>(settings.layers),
-                  first = options.frame, encoding = scene::encoding_named(options.depth, options.normals)](
+    input.load = [scene, extent, wide, guard, motion, layers = settings.own.layers, first = options.frame,
+                  encoding = scene::encoding_named(options.depth, options.normals)](
                      const gpu::Device& device, const scene::PassLibrary& passes, int view) {
         require_allowed(extent, wide, device.info());
         scene::GBuffer shown = scene::rasterize(

@@ -7,10 +7,6 @@
 // Defined by the user: eye-linear depth of a pixel inside the image, world units.
 float gloam_fetch_depth(ivec2 pixel);
 
-// Defined by the user: depths of the layers behind that, negative where seen from behind, 0 where there is none; read
-// where the kernel has more than one layer.
-vec3 gloam_fetch_layers(ivec2 pixel);
-
 // Defined by the user: view-space normal of a pixel inside the image, facing the eye: of any length for methods, unit
 // for filters; the zero vector where there is none.
 vec3 gloam_fetch_normal(ivec2 pixel);

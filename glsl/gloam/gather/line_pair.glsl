@@ -30,31 +30,26 @@ GloamLinePoint gloam_line_point(vec3 position, vec3 normal, float radius, GloamC
     return GloamLinePoint(position, normal, facing, gloam_upright(camera), gloam_footprint(position, radius, camera));
 }
 
-// Solid lengths of the chords of the ball at a tap and at the opposite tap. With several layers, the layers that block
-// most count.
-// tap: of the unit disc, y as in the image. kernel: only its radius and its layers are used.
+// What a pair of chords contributes.
+struct GloamPairShare {
+    float occluded;  // solid length
+    float whole;     // length
+};
+
+// Solid lengths of the chords of the ball at a tap and at the opposite tap.
+// tap: of the unit disc, y as in the image. kernel: only its radius is used.
 // Returns both chords' lengths as `whole`, and their solid part as `occluded`. Error: that of gloam_pair_height and
 // gloam_line_pair times the chord, except for taps within rounding of a pixel's border.
 GloamPairShare gloam_line_pair_share(GloamLinePoint point, vec2 tap, GloamKernel kernel) {
     vec3 aim = vec3(kernel.radius * tap * point.upright, 0.0);
     float half_height = gloam_chord_half_height(tap, kernel.radius);
-    GloamPairDepths depths = gloam_pair_depths(point.footprint, tap, kernel.layers);
-    GloamPairShare most = GloamPairShare(0.0, 0.0);
-    vec2 stayed = vec2(0.0);
-    for (int look = 0; look < 2 * kernel.layers - 1; ++look) {
-        vec2 looked = gloam_pair_look(depths, stayed, look, kernel.layers);
-        float first = gloam_pair_height(point.footprint, depths.first_pixel, looked.x, aim, point.position,
-                                        point.normal, point.facing, kernel.radius);
-        float second = gloam_pair_height(point.footprint, depths.second_pixel, looked.y, -aim, point.position,
-                                         point.normal, point.facing, kernel.radius);
-        vec2 ratios = vec2(gloam_line_ratio(first, half_height), gloam_line_ratio(second, half_height));
-        vec2 solid = gloam_line_pair(ratios, GLOAM_LEAST_SOLID, 1.0);
-        GloamPairShare found = GloamPairShare(half_height * (solid.x + solid.y), 2.0 * half_height);
-        if (!gloam_pair_stays(looked, look, kernel.layers, found, most)) continue;
-        most = found;
-        stayed = looked;
-    }
-    return most;
+    float first = gloam_pair_height(point.footprint, tap, aim, point.position, point.normal, point.facing,
+                                    kernel.radius);
+    float second = gloam_pair_height(point.footprint, -tap, -aim, point.position, point.normal, point.facing,
+                                     kernel.radius);
+    vec2 ratios = vec2(gloam_line_ratio(first, half_height), gloam_line_ratio(second, half_height));
+    vec2 solid = gloam_line_pair(ratios, GLOAM_LEAST_SOLID, 1.0);
+    return GloamPairShare(half_height * (solid.x + solid.y), 2.0 * half_height);
 }
 
 #endif

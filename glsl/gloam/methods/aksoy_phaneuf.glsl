@@ -4,12 +4,10 @@
 
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
-#include "gloam/gather/further_depths.glsl"
 #include "gloam/numeric/sincos.glsl"
 #include "gloam/occlusion/aksoy_phaneuf.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/occlusion/layers.glsl"
 #include "gloam/sampling/disc_point.glsl"
 #include "gloam/sampling/rotation.glsl"
 #include "gloam/sampling/whole_samples.glsl"
@@ -28,17 +26,11 @@ GloamEstimate gloam_aksoy_phaneuf(vec3 position, vec3 normal, GloamCamera camera
     for (uint i = 0u; i < kernel.count; ++i) {
         vec2 tap = gloam_turn_disc(gloam_disc_point(kernel.first + i + 1u).xy, turn);
         ivec2 at = gloam_footprint_pixel(footprint, tap);
-        float first = gloam_fetch_depth(at);
-        if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;
-        vec3 further = gloam_further_depths(at, kernel.layers);
-        float most = 0.0;
-        for (int layer = 0; layer < kernel.layers; ++layer) {
-            float depth = gloam_layer_depth(first, further, layer);
-            vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
-            float weight = gloam_contribution_aksoy_phaneuf(offset, n, kernel.radius, kernel.bias);
-            most = gloam_tap_sees(depth) ? max(most, weight) : most;
-        }
-        sum += most;
+        float depth = gloam_fetch_depth(at);
+        if (gloam_tap_rejected(-position.z, depth, kernel.farthest)) continue;
+        vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
+        float weight = gloam_contribution_aksoy_phaneuf(offset, n, kernel.radius, kernel.bias);
+        sum += gloam_tap_sees(depth) ? max(weight, 0.0) : 0.0;
         ++taken;
     }
     return gloam_estimate(sum, float(taken), taken);

@@ -4,12 +4,10 @@
 
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
-#include "gloam/gather/further_depths.glsl"
 #include "gloam/numeric/sincos.glsl"
 #include "gloam/occlusion/alchemy.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/occlusion/layers.glsl"
 #include "gloam/sampling/disc_point.glsl"
 #include "gloam/sampling/rotation.glsl"
 
@@ -33,18 +31,12 @@ GloamEstimate gloam_alchemy(vec3 position, vec3 normal, GloamCamera camera, Gloa
     for (uint i = 0u; i < kernel.count; ++i) {
         vec2 tap = gloam_turn_disc(gloam_disc_point(kernel.first + i + 1u).xy, turn);
         ivec2 at = gloam_footprint_pixel(footprint, tap);
-        float first = gloam_fetch_depth(at);
-        if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;
-        vec3 further = gloam_further_depths(at, kernel.layers);
-        float most = 0.0;
-        for (int layer = 0; layer < kernel.layers; ++layer) {
-            float depth = gloam_layer_depth(first, further, layer);
-            vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
-            float counted = gloam_contribution_alchemy(offset, n, kernel.bias, settings.epsilon * settings.epsilon,
-                                                       2.0 * sigma);
-            most = gloam_tap_sees(depth) ? max(most, counted) : most;
-        }
-        sum += most;
+        float depth = gloam_fetch_depth(at);
+        if (gloam_tap_rejected(-position.z, depth, kernel.farthest)) continue;
+        vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
+        float counted =
+            gloam_contribution_alchemy(offset, n, kernel.bias, settings.epsilon * settings.epsilon, 2.0 * sigma);
+        sum += gloam_tap_sees(depth) ? counted : 0.0;
         ++taken;
     }
     return gloam_estimate(sum, float(taken), taken);

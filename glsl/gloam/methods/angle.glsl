@@ -34,26 +34,14 @@ GloamEstimate gloam_angle(vec3 position, vec3 normal, GloamCamera camera, GloamK
     for (uint i = 0u; i < kernel.count; i += 2u) {
         vec2 tap = gloam_turn_disc(gloam_disc_point((kernel.first + i) / 2u + 1u).xy, turn);
         vec3 aim = vec3(kernel.radius * tap * gloam_upright(camera), 0.0);
-        GloamPairDepths depths = gloam_pair_depths(footprint, tap, kernel.layers);
-        GloamPairShare most = GloamPairShare(0.0, 0.0);
-        vec2 stayed = vec2(0.0);
-        for (int look = 0; look < 2 * kernel.layers - 1; ++look) {
-            vec2 looked = gloam_pair_look(depths, stayed, look, kernel.layers);
-            float first =
-                gloam_pair_height(footprint, depths.first_pixel, looked.x, aim, position, n, facing, kernel.radius);
-            float second =
-                gloam_pair_height(footprint, depths.second_pixel, looked.y, -aim, position, n, facing, kernel.radius);
-            vec3 cosines = gloam_angle_pair(aim + first * view, second * view - aim, n, view, settings.range);
-            vec2 biased = clamp(cosines.xy - settings.angle_bias, -1.0, 1.0);
-            vec2 sines = sqrt(max((1.0 - biased) * (1.0 + biased), GLOAM_LEAST_SQUARE));
-            float angles = gloam_unit_angle(vec2(biased.x, sines.x)) + gloam_unit_angle(vec2(biased.y, sines.y));
-            GloamPairShare found = GloamPairShare(cosines.z * (1.0 - angles / GLOAM_PI), cosines.z);
-            if (!gloam_pair_stays(looked, look, kernel.layers, found, most)) continue;
-            most = found;
-            stayed = looked;
-        }
-        occluded += most.occluded;
-        whole += most.whole;
+        float first = gloam_pair_height(footprint, tap, aim, position, n, facing, kernel.radius);
+        float second = gloam_pair_height(footprint, -tap, -aim, position, n, facing, kernel.radius);
+        vec3 cosines = gloam_angle_pair(aim + first * view, second * view - aim, n, view, settings.range);
+        vec2 biased = clamp(cosines.xy - settings.angle_bias, -1.0, 1.0);
+        vec2 sines = sqrt(max((1.0 - biased) * (1.0 + biased), GLOAM_LEAST_SQUARE));
+        float angles = gloam_unit_angle(vec2(biased.x, sines.x)) + gloam_unit_angle(vec2(biased.y, sines.y));
+        occluded += cosines.z * (1.0 - angles / GLOAM_PI);
+        whole += cosines.z;
     }
     return gloam_estimate(occluded, whole, gloam_paired_samples(kernel.count));
 }

@@ -4,12 +4,10 @@
 
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
-#include "gloam/gather/further_depths.glsl"
 #include "gloam/geometry/slice.glsl"
 #include "gloam/numeric/constants.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/occlusion/layers.glsl"
 #include "gloam/occlusion/visibility_bitmask.glsl"
 #include "gloam/sampling/slice_sample.glsl"
 #include "gloam/sampling/whole_samples.glsl"
@@ -58,18 +56,13 @@ GloamEstimate gloam_bitmask(vec3 position, vec3 normal, GloamCamera camera, Gloa
             for (uint k = 0u; k < steps; ++k) {
                 float share = (float(k) + random.jitter) / float(steps);
                 ivec2 at = gloam_footprint_pixel(footprint, towards * share * share * random.direction);
-                float first = gloam_fetch_depth(at);
-                vec3 further = gloam_further_depths(at, kernel.layers);
-                for (int layer = 0; layer < kernel.layers; ++layer) {
-                    float depth = gloam_layer_depth(first, further, layer);
-                    vec3 seen = gloam_footprint_position(footprint, at, depth) - position;
-                    vec2 offset = vec2(dot(seen, axes.view), dot(seen, axes.tangent));
-                    vec2 back = vec2(offset.x - thickness, offset.y);
-                    bool counts = depth > 0.0 && dot(offset, offset) < nearest * nearest && at != footprint.pixel &&
-                                  dot(seen, n) > kernel.bias &&
-                                  !gloam_tap_rejected(-position.z, depth, kernel.farthest);
-                    if (counts) sectors |= gloam_bitmask_between(offset, back, slice);
-                }
+                float depth = gloam_fetch_depth(at);
+                vec3 seen = gloam_footprint_position(footprint, at, depth) - position;
+                vec2 offset = vec2(dot(seen, axes.view), dot(seen, axes.tangent));
+                vec2 back = vec2(offset.x - thickness, offset.y);
+                bool counts = depth > 0.0 && dot(offset, offset) < nearest * nearest && at != footprint.pixel &&
+                              dot(seen, n) > kernel.bias && !gloam_tap_rejected(-position.z, depth, kernel.farthest);
+                if (counts) sectors |= gloam_bitmask_between(offset, back, slice);
             }
         }
         occluded += slice.weight * gloam_slice_whole(slice) * gloam_bitmask_occlusion(sectors);

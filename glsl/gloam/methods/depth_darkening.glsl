@@ -35,26 +35,14 @@ GloamEstimate gloam_depth_darkening(vec3 position, vec3 normal, GloamCamera came
     for (uint i = 0u; i < kernel.count; i += 2u) {
         vec2 tap = gloam_turn_disc(gloam_disc_point((kernel.first + i) / 2u + 1u).xy, turn);
         vec3 aim = vec3(kernel.radius * tap * gloam_upright(camera), 0.0);
-        GloamPairDepths depths = gloam_pair_depths(footprint, tap, kernel.layers);
-        GloamPairShare most = GloamPairShare(0.0, 0.0);
-        vec2 stayed = vec2(0.0);
-        for (int look = 0; look < 2 * kernel.layers - 1; ++look) {
-            vec2 looked = gloam_pair_look(depths, stayed, look, kernel.layers);
-            float first =
-                gloam_pair_height(footprint, depths.first_pixel, looked.x, aim, position, n, facing, kernel.radius);
-            float second =
-                gloam_pair_height(footprint, depths.second_pixel, looked.y, -aim, position, n, facing, kernel.radius);
-            float weight = gloam_gaussian(dot(tap, tap), 0.5);
-            float nearer =
-                0.5 * (clamp(first, -settings.range, settings.range) + clamp(second, -settings.range, settings.range)) -
-                kernel.bias;
-            GloamPairShare found = GloamPairShare(weight * settings.intensity * nearer / kernel.radius, weight);
-            if (!gloam_pair_stays(looked, look, kernel.layers, found, most)) continue;
-            most = found;
-            stayed = looked;
-        }
-        occluded += most.occluded;
-        whole += most.whole;
+        float first = gloam_pair_height(footprint, tap, aim, position, n, facing, kernel.radius);
+        float second = gloam_pair_height(footprint, -tap, -aim, position, n, facing, kernel.radius);
+        float weight = gloam_gaussian(dot(tap, tap), 0.5);
+        float nearer =
+            0.5 * (clamp(first, -settings.range, settings.range) + clamp(second, -settings.range, settings.range)) -
+            kernel.bias;
+        occluded += weight * settings.intensity * nearer / kernel.radius;
+        whole += weight;
     }
     return gloam_estimate(occluded, whole, gloam_paired_samples(kernel.count));
 }

@@ -14,8 +14,7 @@
 // Discs in the place of pixels (Bunnell, GPU Gems 2, applied to visible surfaces; CS-S). Each pixel within the radius
 // is a disc with the area and normal of the surface there. It blocks A / (A + pi D^2) times both cosines. This is the
 // exact cosine-weighted occlusion up to the radius, for surfaces that do not hide one another. A surface through the
-// point itself is seen edge-on from there and blocks nothing, so a groove is open along its line. Further layers do
-// not count, because their normals are not known.
+// point itself is seen edge-on from there and blocks nothing, so a groove is open along its line.
 struct GloamDiscProxy {
     float intensity;  // factor of the sum
 };

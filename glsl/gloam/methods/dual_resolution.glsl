@@ -8,7 +8,9 @@
 #include "gloam/filter/weighted_mean.glsl"
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
+#include "gloam/gather/further_depths.glsl"
 #include "gloam/methods/hbao.glsl"
+#include "gloam/occlusion/layers.glsl"
 
 // Horizon-based occlusion in two resolutions (Bavoil and Sainz 2009). It is computed at half the resolution first
 // (preparation/half_resolution.comp). It is computed in full where the 3 x 3 neighbourhood of the small image differs
@@ -19,6 +21,7 @@ struct GloamDualResolution {
     float contrast;
     uint steps;
     float disagreement;  // of neighbours at half the resolution, in occlusion, beyond which a pixel is sampled in full
+    int layers;          // of depth that both see, 1 to 4
 };
 
 // Read by gloam_dual_resolution_disagrees.
@@ -64,6 +67,41 @@ GloamWeightedMean gloam_dual_interpolated(vec3 position, vec3 normal, GloamFootp
     return gloam_dual_add(mean, last, along.x * along.y, position, normal, footprint, radius);
 }
 
+// Horizons over all layers: all samples of one pixel in one frame (GloamEstimate), with one layer those of gloam_hbao.
+GloamEstimate gloam_dual_horizons(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
+                                  GloamDualResolution settings) {
+    if (!gloam_can_gather(position, normal, kernel.radius, camera)) return GLOAM_NO_ESTIMATE;
+    vec3 n = normalize(normal);
+    GloamFootprint footprint = gloam_footprint(position, kernel.radius, camera);
+    float turns = gloam_turns(kernel.angle);
+    uint steps = max(settings.steps, 1u);
+    uint slices = gloam_whole_samples(kernel.count, 2u * steps) / (2u * steps);
+    vec2 bias = gloam_sincos_turns(gloam_turns(settings.angle_bias));
+    float sum = 0.0;
+    for (uint i = 0u; i < slices; ++i) {
+        GloamSliceSample random = gloam_slice_sample(kernel.first / (2u * steps) + i + 1u, turns);
+        vec2 direction = random.direction * gloam_upright(camera);
+        GloamSliceAxes axes = gloam_slice_axes(gloam_slice(direction, vec3(0.0, 0.0, 1.0), n), n);
+        vec2 march = vec2(0.0);
+        for (int side = 0; side < 2; ++side) {
+            float towards = side == 0 ? 1.0 : -1.0;
+            march.x = gloam_hbao_horizon(n, towards * direction, bias).y;
+            for (uint k = 0u; k < steps; ++k) {
+                float share = (float(k) + random.jitter) / float(steps);
+                ivec2 at = gloam_footprint_pixel(footprint, towards * share * share * random.direction);
+                float first = gloam_fetch_depth(at);
+                vec3 further = gloam_further_depths(at, settings.layers);
+                for (int layer = 0; layer < settings.layers; ++layer) {
+                    float depth = gloam_layer_depth(first, further, layer);
+                    march = gloam_hbao_tap(march, footprint, at, depth, position, n, axes, kernel);
+                }
+            }
+        }
+        sum += 1.0 - gloam_hbao_visibility(0.5 * march.y, settings.angle_bias, settings.contrast);
+    }
+    return gloam_estimate(sum, float(slices), slices * 2u * steps);
+}
+
 // All samples of one pixel in one frame (GloamEstimate); where the small image is taken, those of its pixels.
 // gloam_fetch_prepared: (occlusion, normal) of the small image. position: under a pixel's centre. Error: that of
 // gloam_hbao, or 3e-6 of the weights.
@@ -77,8 +115,7 @@ GloamEstimate gloam_dual_resolution(vec3 position, vec3 normal, GloamCamera came
         if (mean.weight >= GLOAM_DUAL_LEAST_WEIGHT)
             return GloamEstimate(gloam_weighted_mean_value(mean, 0.0), float(samples), 1.0);
     }
-    return gloam_hbao(position, normal, camera, kernel,
-                      GloamHbao(settings.angle_bias, settings.contrast, settings.steps));
+    return gloam_dual_horizons(position, normal, camera, kernel, settings);
 }
 
 #endif

@@ -4,12 +4,10 @@
 
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
-#include "gloam/gather/further_depths.glsl"
 #include "gloam/geometry/slice.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/gtao.glsl"
-#include "gloam/occlusion/layers.glsl"
 #include "gloam/sampling/slice_sample.glsl"
 #include "gloam/sampling/whole_samples.glsl"
 
@@ -45,17 +43,13 @@ GloamEstimate gloam_gtao(vec3 position, vec3 normal, GloamCamera camera, GloamKe
             for (uint k = 0u; k < steps; ++k) {
                 float share = (float(k) + random.jitter) / float(steps);
                 ivec2 at = gloam_footprint_pixel(footprint, towards * share * share * random.direction);
-                float first = gloam_fetch_depth(at);
-                vec3 further = gloam_further_depths(at, kernel.layers);
-                for (int layer = 0; layer < kernel.layers; ++layer) {
-                    float depth = gloam_layer_depth(first, further, layer);
-                    vec3 seen = gloam_footprint_position(footprint, at, depth) - position;
-                    vec2 offset = vec2(dot(seen, axes.view), dot(seen, axes.tangent));
-                    float raised = gloam_gtao_horizon(horizon, lowest, offset, kernel.radius);
-                    bool counts = depth > 0.0 && at != footprint.pixel && dot(seen, n) > kernel.bias &&
-                                  !gloam_tap_rejected(-position.z, depth, kernel.farthest);
-                    horizon = counts ? raised : horizon;
-                }
+                float depth = gloam_fetch_depth(at);
+                vec3 seen = gloam_footprint_position(footprint, at, depth) - position;
+                vec2 offset = vec2(dot(seen, axes.view), dot(seen, axes.tangent));
+                float raised = gloam_gtao_horizon(horizon, lowest, offset, kernel.radius);
+                bool counts = depth > 0.0 && at != footprint.pixel && dot(seen, n) > kernel.bias &&
+                              !gloam_tap_rejected(-position.z, depth, kernel.farthest);
+                horizon = counts ? raised : horizon;
             }
             if (horizon > lowest) {
                 occluded += slice.weight * gloam_gtao_side(horizon, towards * slice.angle,

@@ -4,13 +4,11 @@
 
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
-#include "gloam/gather/further_depths.glsl"
 #include "gloam/geometry/into_slice.glsl"
 #include "gloam/geometry/slice.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/hbao.glsl"
-#include "gloam/occlusion/layers.glsl"
 #include "gloam/sampling/eye_march.glsl"
 #include "gloam/sampling/slice_sample.glsl"
 #include "gloam/sampling/whole_samples.glsl"
@@ -23,6 +21,18 @@ struct GloamHbao {
     float contrast;    // factor of the result
     uint steps;        // taps along each half of a slice, at least 1
 };
+
+// A march of a slice after one more tap: (sine of the horizon, occlusion found).
+// at: pixel of the tap. depth: there. normal: of the shaded point, unit.
+vec2 gloam_hbao_tap(vec2 march, GloamFootprint footprint, ivec2 at, float depth, vec3 position, vec3 normal,
+                    GloamSliceAxes axes, GloamKernel kernel) {
+    vec3 seen = gloam_footprint_position(footprint, at, depth) - position;
+    vec2 offset = vec2(dot(seen, axes.view), dot(seen, axes.tangent));
+    vec2 stepped = gloam_hbao_step(march, offset.x, dot(offset, offset), kernel.radius);
+    bool counts = depth > 0.0 && at != footprint.pixel && dot(seen, normal) > kernel.bias &&
+                  !gloam_tap_rejected(-position.z, depth, kernel.farthest);
+    return counts ? stepped : march;
+}
 
 // All samples of one pixel in one frame (GloamEstimate). Error: 4e-6, 6e-5 where a slice nearly lies in the tangent
 // plane, but for taps within rounding of a pixel's border.
@@ -47,17 +57,8 @@ GloamEstimate gloam_hbao(vec3 position, vec3 normal, GloamCamera camera, GloamKe
             for (uint k = 0u; k < steps; ++k) {
                 float share = (float(k) + random.jitter) / float(steps);
                 ivec2 at = gloam_footprint_pixel(footprint, towards * share * share * random.direction);
-                float first = gloam_fetch_depth(at);
-                vec3 further = gloam_further_depths(at, kernel.layers);
-                for (int layer = 0; layer < kernel.layers; ++layer) {
-                    float depth = gloam_layer_depth(first, further, layer);
-                    vec3 seen = gloam_footprint_position(footprint, at, depth) - position;
-                    vec2 offset = vec2(dot(seen, axes.view), dot(seen, axes.tangent));
-                    vec2 stepped = gloam_hbao_step(march, offset.x, dot(offset, offset), kernel.radius);
-                    bool counts = depth > 0.0 && at != footprint.pixel && dot(seen, n) > kernel.bias &&
-                                  !gloam_tap_rejected(-position.z, depth, kernel.farthest);
-                    march = counts ? stepped : march;
-                }
+                float depth = gloam_fetch_depth(at);
+                march = gloam_hbao_tap(march, footprint, at, depth, position, n, axes, kernel);
             }
         }
         sum += 1.0 - gloam_hbao_visibility(0.5 * march.y, settings.angle_bias, settings.contrast);
@@ -99,17 +100,8 @@ GloamEstimate gloam_hbao_study(vec3 position, vec3 normal, GloamCamera camera, G
             for (uint k = 0u; k < steps; ++k) {
                 float share = (float(k) + random.jitter) / float(steps);
                 ivec2 at = gloam_footprint_pixel(footprint, towards * share * random.direction);
-                float first = gloam_fetch_depth(at);
-                vec3 further = gloam_further_depths(at, kernel.layers);
-                for (int layer = 0; layer < kernel.layers; ++layer) {
-                    float depth = gloam_layer_depth(first, further, layer);
-                    vec3 seen = gloam_footprint_position(footprint, at, depth) - position;
-                    vec2 offset = vec2(dot(seen, axes.view), dot(seen, axes.tangent));
-                    vec2 stepped = gloam_hbao_step(march, offset.x, dot(offset, offset), kernel.radius);
-                    bool counts = depth > 0.0 && at != footprint.pixel && dot(seen, n) > kernel.bias &&
-                                  !gloam_tap_rejected(-position.z, depth, kernel.farthest);
-                    march = counts ? stepped : march;
-                }
+                float depth = gloam_fetch_depth(at);
+                march = gloam_hbao_tap(march, footprint, at, depth, position, n, axes, kernel);
             }
         }
         sum += 1.0 - gloam_hbao_visibility(0.5 * march.y, 0.0, settings.contrast);
@@ -147,17 +139,13 @@ GloamEstimate gloam_hsao(vec3 position, vec3 normal, GloamCamera camera, GloamKe
         for (uint k = 0u; k < steps && march.x < 1.0; ++k) {
             vec3 at = gloam_eye_march(position, direction, kernel.radius, k, steps, jitter);
             ivec2 pixel = gloam_footprint_seen(footprint, at);
-            float first = gloam_fetch_depth(pixel);
-            vec3 further = gloam_further_depths(pixel, kernel.layers);
+            float depth = gloam_fetch_depth(pixel);
             if (!(at.z < 0.0) || pixel == footprint.pixel) continue;
-            for (int layer = 0; layer < kernel.layers; ++layer) {
-                float depth = gloam_layer_depth(first, further, layer);
-                vec3 seen = gloam_footprint_position(footprint, pixel, depth) - position;
-                vec3 offset = gloam_into_slice(seen, axis, n);
-                vec2 stepped = gloam_hbao_step(march, offset.z, dot(offset, offset), kernel.radius);
-                bool counts = gloam_tap_sees(depth) && dot(seen, n) > kernel.bias;
-                march = counts ? stepped : march;
-            }
+            vec3 seen = gloam_footprint_position(footprint, pixel, depth) - position;
+            vec3 offset = gloam_into_slice(seen, axis, n);
+            vec2 stepped = gloam_hbao_step(march, offset.z, dot(offset, offset), kernel.radius);
+            bool counts = gloam_tap_sees(depth) && dot(seen, n) > kernel.bias;
+            march = counts ? stepped : march;
         }
         occluded += march.y;
     }

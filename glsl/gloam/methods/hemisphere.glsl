@@ -23,6 +23,7 @@
 // for a scene that is solid behind every visible surface.
 struct GloamHemisphere {
     float range;  // world units, about the radius, or infinity: blockers further in front than this are other objects
+    int layers;   // of depth that the points see, 1 to 4
 };
 
 // occlusion of a pixel by points of the half ball (TSSAO-2-hemisphere): `mean of V(p, s_i), s_i of TSSAO-14, i = j + 1
@@ -44,12 +45,12 @@ GloamEstimate gloam_hemisphere(vec3 position, vec3 normal, GloamCamera camera, G
         float depth = gloam_footprint_plane_depth(footprint, pixel, at, frame[2]);
         float first = gloam_fetch_depth(pixel);
         if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;
-        vec3 further = gloam_further_depths(pixel, kernel.layers);
+        vec3 further = gloam_further_depths(pixel, settings.layers);
         GloamLayersSeen layers = GloamLayersSeen(0.0, 0.0, true);
-        for (int layer = 0; layer < kernel.layers; ++layer) {
+        for (int layer = 0; layer < settings.layers; ++layer) {
             float seen = gloam_layer_depth(first, further, layer);
             float blocked = gloam_sample_blocked(depth, seen, kernel.bias, settings.range) ? 1.0 : 0.0;
-            layers = gloam_layers_add(layers, blocked, further, depth, layer, kernel.layers);
+            layers = gloam_layers_add(layers, blocked, further, depth, layer, settings.layers);
         }
         sum += layers.occlusion;
         ++taken;
@@ -75,16 +76,9 @@ GloamEstimate gloam_filion(vec3 position, vec3 normal, GloamCamera camera, Gloam
         if (point == vec3(0.0) || !(at.z < 0.0)) continue;
         ivec2 pixel = gloam_footprint_seen(footprint, at);
         float depth = gloam_footprint_plane_depth(footprint, pixel, at, frame[2]);
-        float first = gloam_fetch_depth(pixel);
-        if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;
-        vec3 further = gloam_further_depths(pixel, kernel.layers);
-        GloamLayersSeen layers = GloamLayersSeen(0.0, 0.0, true);
-        for (int layer = 0; layer < kernel.layers; ++layer) {
-            float seen = gloam_layer_depth(first, further, layer);
-            float blocked = gloam_contribution_filion(depth - kernel.bias, seen, kernel.radius);
-            layers = gloam_layers_add(layers, blocked, further, depth, layer, kernel.layers);
-        }
-        sum += layers.occlusion;
+        float seen = gloam_fetch_depth(pixel);
+        if (gloam_tap_rejected(-position.z, seen, kernel.farthest)) continue;
+        sum += gloam_contribution_filion(depth - kernel.bias, seen, kernel.radius);
         ++taken;
     }
     return gloam_estimate(sum, float(taken), taken);
@@ -111,16 +105,9 @@ GloamEstimate gloam_crytek(vec3 position, vec3 normal, GloamCamera camera, Gloam
         if (point == vec3(0.0) || !(at.z < 0.0)) continue;
         ivec2 pixel = gloam_footprint_seen(footprint, at);
         float depth = gloam_footprint_plane_depth(footprint, pixel, at, frame[2]);
-        float first = gloam_fetch_depth(pixel);
-        if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;
-        vec3 further = gloam_further_depths(pixel, kernel.layers);
-        GloamLayersSeen layers = GloamLayersSeen(0.0, 0.0, true);
-        for (int layer = 0; layer < kernel.layers; ++layer) {
-            float seen = gloam_layer_depth(first, further, layer);
-            float blocked = gloam_contribution_crytek(depth - kernel.bias, seen);
-            layers = gloam_layers_add(layers, blocked, further, depth, layer, kernel.layers);
-        }
-        sum += layers.occlusion;
+        float seen = gloam_fetch_depth(pixel);
+        if (gloam_tap_rejected(-position.z, seen, kernel.farthest)) continue;
+        sum += gloam_contribution_crytek(depth - kernel.bias, seen);
         ++taken;
     }
     return gloam_estimate(sum, float(taken), taken);

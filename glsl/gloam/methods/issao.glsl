@@ -5,11 +5,9 @@
 #include "gloam/gather/covering_disc.glsl"
 #include "gloam/gather/distinct_pixels.glsl"
 #include "gloam/gather/fetch.glsl"
-#include "gloam/gather/further_depths.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/issao.glsl"
-#include "gloam/occlusion/layers.glsl"
 
 // ISSAO, the improved screen-space ambient occlusion, reconstructed: surface points under the circle that covers the
 // image of a disc across the view ray (ISSAO-P). Radii are uniform (ISSAO-1, polar reading). Each point counts phi (v
@@ -35,18 +33,12 @@ GloamEstimate gloam_issao(vec3 position, vec3 normal, GloamCamera camera, GloamK
     for (uint i = 0u; i < kernel.count; ++i) {
         ivec2 at = gloam_covering_pixel(disc, kernel.first + i + 1u);
         if (settings.distinct && !gloam_distinct_add(known, at)) continue;
-        float first = gloam_fetch_depth(at);
-        if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;
-        vec3 further = gloam_further_depths(at, kernel.layers);
-        float most = 0.0;
-        for (int layer = 0; layer < kernel.layers; ++layer) {
-            float depth = gloam_layer_depth(first, further, layer);
-            vec3 offset = gloam_footprint_position(disc.footprint, at, depth) - position;
-            float counted = gloam_contribution_issao(offset, n, kernel.radius, phi, kernel.bias,
-                                                     settings.epsilon * settings.epsilon);
-            most = gloam_tap_sees(depth) ? max(most, counted) : most;
-        }
-        sum += most;
+        float depth = gloam_fetch_depth(at);
+        if (gloam_tap_rejected(-position.z, depth, kernel.farthest)) continue;
+        vec3 offset = gloam_footprint_position(disc.footprint, at, depth) - position;
+        float counted = gloam_contribution_issao(offset, n, kernel.radius, phi, kernel.bias,
+                                                 settings.epsilon * settings.epsilon);
+        sum += gloam_tap_sees(depth) ? counted : 0.0;
         ++taken;
     }
     return gloam_estimate(sum, float(taken), taken);
@@ -71,19 +63,12 @@ GloamEstimate gloam_issao_attenuated(vec3 position, vec3 normal, GloamCamera cam
     uint taken = 0u;
     for (uint i = 0u; i < kernel.count; ++i) {
         ivec2 at = gloam_covering_pixel(disc, kernel.first + i + 1u);
-        float first = gloam_fetch_depth(at);
-        if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;
-        vec3 further = gloam_further_depths(at, kernel.layers);
-        float most = 0.0;
-        for (int layer = 0; layer < kernel.layers; ++layer) {
-            float depth = gloam_layer_depth(first, further, layer);
-            vec3 offset = gloam_footprint_position(disc.footprint, at, depth) - position;
-            if (!(gloam_tap_sees(depth) && dot(offset, n) > kernel.bias)) continue;
-            float q = gloam_contribution_issao_attenuated(offset, n, kernel.radius, phi, settings.epsilon);
-            most = max(most, q);
-        }
-        sum += most;
+        float depth = gloam_fetch_depth(at);
+        if (gloam_tap_rejected(-position.z, depth, kernel.farthest)) continue;
         ++taken;
+        vec3 offset = gloam_footprint_position(disc.footprint, at, depth) - position;
+        if (!(gloam_tap_sees(depth) && dot(offset, n) > kernel.bias)) continue;
+        sum += gloam_contribution_issao_attenuated(offset, n, kernel.radius, phi, settings.epsilon);
     }
     return gloam_estimate(sum, float(taken), taken);
 }
@@ -112,18 +97,12 @@ GloamEstimate gloam_issao_basic(vec3 position, vec3 normal, GloamCamera camera, 
     uint taken = 0u;
     for (uint i = 0u; i < kernel.count; ++i) {
         ivec2 at = gloam_covering_pixel(disc, kernel.first + i + 1u);
-        float first = gloam_fetch_depth(at);
-        if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;
-        vec3 further = gloam_further_depths(at, kernel.layers);
-        float most = 0.0;
-        for (int layer = 0; layer < kernel.layers; ++layer) {
-            float depth = gloam_layer_depth(first, further, layer);
-            vec3 offset = gloam_footprint_position(disc.footprint, at, depth) - position;
-            if (!(gloam_tap_sees(depth) && dot(offset, n) > kernel.bias)) continue;
-            most = max(most, gloam_contribution_issao_basic(offset, n, kernel.radius));
-        }
-        sum += most;
+        float depth = gloam_fetch_depth(at);
+        if (gloam_tap_rejected(-position.z, depth, kernel.farthest)) continue;
         ++taken;
+        vec3 offset = gloam_footprint_position(disc.footprint, at, depth) - position;
+        if (!(gloam_tap_sees(depth) && dot(offset, n) > kernel.bias)) continue;
+        sum += gloam_contribution_issao_basic(offset, n, kernel.radius);
     }
     return gloam_estimate(sum, float(taken), taken);
 }

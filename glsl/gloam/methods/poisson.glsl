@@ -4,11 +4,9 @@
 
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
-#include "gloam/gather/further_depths.glsl"
 #include "gloam/numeric/constants.glsl"
 #include "gloam/occlusion/blocked.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/occlusion/layers.glsl"
 #include "gloam/sampling/eye_march.glsl"
 #include "gloam/sampling/halton_point.glsl"
 #include "gloam/sampling/poisson.glsl"
@@ -49,14 +47,10 @@ GloamEstimate gloam_poisson(vec3 position, vec3 normal, GloamCamera camera, Gloa
         for (uint k = 0u; k < steps && !blocked; ++k) {
             vec3 at = gloam_eye_march(position, direction, kernel.radius, k, steps, jitter);
             ivec2 pixel = gloam_footprint_seen(footprint, at);
-            float first = gloam_fetch_depth(pixel);
-            vec3 further = gloam_further_depths(pixel, kernel.layers);
+            float depth = gloam_fetch_depth(pixel);
             if (!(at.z < 0.0) || pixel == footprint.pixel) continue;
-            for (int layer = 0; layer < kernel.layers; ++layer) {
-                float depth = gloam_layer_depth(first, further, layer);
-                blocked = blocked || gloam_sample_blocked(gloam_footprint_plane_depth(footprint, pixel, at, frame[2]),
-                                                          depth, kernel.bias, settings.range);
-            }
+            blocked = gloam_sample_blocked(gloam_footprint_plane_depth(footprint, pixel, at, frame[2]), depth,
+                                           kernel.bias, settings.range);
         }
         occluded += blocked ? 1.0 : 0.0;
     }

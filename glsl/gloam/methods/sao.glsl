@@ -4,11 +4,9 @@
 
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
-#include "gloam/gather/further_depths.glsl"
 #include "gloam/numeric/sincos.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/occlusion/layers.glsl"
 #include "gloam/occlusion/sao.glsl"
 #include "gloam/sampling/radical_inverse.glsl"
 #include "gloam/sampling/rotation.glsl"
@@ -51,16 +49,10 @@ GloamEstimate gloam_sao(vec3 position, vec3 normal, GloamCamera camera, GloamKer
         vec2 tap = gloam_turn_disc(gloam_spiral_point(int(i), int(kernel.count), GLOAM_SAO_TURNS), turn);
         ivec2 at =
             gloam_tap_pixel(gloam_footprint_pixel(footprint, tap), footprint.pixel, camera.size, settings.mip_distance);
-        float first = gloam_fetch_depth(at);
-        if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;
-        vec3 further = gloam_further_depths(at, kernel.layers);
-        float most = 0.0;
-        for (int layer = 0; layer < kernel.layers; ++layer) {
-            float depth = gloam_layer_depth(first, further, layer);
-            vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
-            if (gloam_tap_sees(depth)) most = max(most, gloam_sao_contribution(offset, n, kernel, settings));
-        }
-        sum += most;
+        float depth = gloam_fetch_depth(at);
+        if (gloam_tap_rejected(-position.z, depth, kernel.farthest)) continue;
+        vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
+        if (gloam_tap_sees(depth)) sum += gloam_sao_contribution(offset, n, kernel, settings);
         ++taken;
     }
     return gloam_estimate(sum, float(taken), taken);

@@ -3,12 +3,11 @@
 #define GLOAM_METHODS_SAO_CHAIN_GLSL
 
 #include "gloam/gather/fetch.glsl"
-#include "gloam/gather/further_depths.glsl"
 #include "gloam/methods/sao.glsl"
 
 // SAO with its depth chain in an image (preparation/depth_chain.comp), as in the paper. Far taps read neighbouring
 // texels of a small image instead of pixels that are far apart. The result equals that of sao to the bit, with one
-// exception: far taps do not detect moving objects. Further layers are read from the full image.
+// exception: far taps do not detect moving objects.
 
 // Where in that image a texel of a level lies: level 1 at the upper left, the others in a column to its right.
 // texel: inside its level, from 1. size: of the full image, pixels.
@@ -35,18 +34,11 @@ GloamEstimate gloam_sao_chain(vec3 position, vec3 normal, GloamCamera camera, Gl
         int level = gloam_depth_mip_level(float(max(apart.x, apart.y)), settings.mip_distance, GLOAM_LAST_TAP_LEVEL);
         ivec2 texel = gloam_depth_mip_pixel(at, camera.size, level);
         if (level > 0) at = gloam_depth_mip_source(texel, camera.size, level);
-        bool chained = level > 0 && kernel.layers == 1;
-        float first =
-            chained ? gloam_fetch_prepared(gloam_chain_texel(texel, level, camera.size)).x : gloam_fetch_depth(at);
-        if (gloam_tap_rejected(-position.z, first, kernel.farthest)) continue;
-        vec3 further = gloam_further_depths(at, kernel.layers);
-        float most = 0.0;
-        for (int layer = 0; layer < kernel.layers; ++layer) {
-            float depth = gloam_layer_depth(first, further, layer);
-            vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
-            if (gloam_tap_sees(depth)) most = max(most, gloam_sao_contribution(offset, n, kernel, settings));
-        }
-        sum += most;
+        float depth =
+            level > 0 ? gloam_fetch_prepared(gloam_chain_texel(texel, level, camera.size)).x : gloam_fetch_depth(at);
+        if (gloam_tap_rejected(-position.z, depth, kernel.farthest)) continue;
+        vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
+        if (gloam_tap_sees(depth)) sum += gloam_sao_contribution(offset, n, kernel, settings);
         ++taken;
     }
     return gloam_estimate(sum, float(taken), taken);

@@ -4,7 +4,6 @@
 
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
-#include "gloam/gather/further_depths.glsl"
 #include "gloam/geometry/length.glsl"
 #include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/sincos.glsl"
@@ -12,7 +11,6 @@
 #include "gloam/occlusion/falloff.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/occlusion/hbao.glsl"
-#include "gloam/occlusion/layers.glsl"
 #include "gloam/occlusion/sphere_proxy.glsl"
 #include "gloam/sampling/circle.glsl"
 #include "gloam/sampling/halton_point.glsl"
@@ -49,22 +47,16 @@ GloamEstimate gloam_sphere_proxy(vec3 position, vec3 normal, GloamCamera camera,
         vec2 tap = gloam_turn_disc(random.y * gloam_circle_point(random.x), turn);
         ivec2 at = gloam_footprint_pixel(footprint, tap);
         if (at == footprint.pixel) continue;
-        float first = gloam_fetch_depth(at);
-        vec3 further = gloam_further_depths(at, kernel.layers);
-        float most = 0.0;
-        for (int layer = 0; layer < kernel.layers; ++layer) {
-            float depth = gloam_layer_depth(first, further, layer);
-            vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
-            bool counts = gloam_tap_sees(depth) && dot(offset, offset) <= kernel.radius * kernel.radius &&
-                          dot(offset, n) > kernel.bias;
-            if (!counts) continue;
-            // Half-axes of the radius there, pixels: so large is a pixel in the world.
-            vec2 size = axes * (footprint.orthographic ? 1.0 : -position.z / depth);
-            size = kernel.radius / size;
-            float piece = gloam_contribution_sphere_cosine(offset, n, 0.5 * gloam_sqrt(size.x * size.y));
-            most = max(most, piece);
-        }
-        sum += 2.0 * random.y * pixels * most;
+        float depth = gloam_fetch_depth(at);
+        vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
+        bool counts = gloam_tap_sees(depth) && dot(offset, offset) <= kernel.radius * kernel.radius &&
+                      dot(offset, n) > kernel.bias;
+        if (!counts) continue;
+        // Half-axes of the radius there, pixels: so large is a pixel in the world.
+        vec2 size = axes * (footprint.orthographic ? 1.0 : -position.z / depth);
+        size = kernel.radius / size;
+        float piece = gloam_contribution_sphere_cosine(offset, n, 0.5 * gloam_sqrt(size.x * size.y));
+        sum += 2.0 * random.y * pixels * piece;
     }
     return gloam_estimate(settings.intensity * sum, float(kernel.count), kernel.count);
 }
@@ -101,24 +93,18 @@ GloamEstimate gloam_mixture(vec3 position, vec3 normal, GloamCamera camera, Gloa
         vec2 tap = gloam_turn_disc(random.y * gloam_circle_point(random.x), turn);
         ivec2 at = gloam_footprint_pixel(footprint, tap);
         if (at == footprint.pixel) continue;
-        float first = gloam_fetch_depth(at);
-        vec3 further = gloam_further_depths(at, kernel.layers);
-        float most = 0.0;
-        for (int layer = 0; layer < kernel.layers; ++layer) {
-            float depth = gloam_layer_depth(first, further, layer);
-            vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
-            bool counts = gloam_tap_sees(depth) && dot(offset, offset) <= kernel.radius * kernel.radius &&
-                          dot(offset, n) > kernel.bias;
-            if (!counts) continue;
-            // Half-axes of the radius there, pixels: so large is a pixel in the world.
-            vec2 size = axes * (footprint.orthographic ? 1.0 : -position.z / depth);
-            size = kernel.radius / size;
-            float above = gloam_above_horizon(offset, gloam_mixture_horizon(offset, n, bias));
-            float weight = gloam_falloff_linear(gloam_length(offset), kernel.radius);
-            float piece = above * weight * gloam_contribution_sphere(offset, n, 0.5 * gloam_sqrt(size.x * size.y));
-            most = max(most, piece);
-        }
-        sum += 2.0 * random.y * pixels * most;
+        float depth = gloam_fetch_depth(at);
+        vec3 offset = gloam_footprint_position(footprint, at, depth) - position;
+        bool counts = gloam_tap_sees(depth) && dot(offset, offset) <= kernel.radius * kernel.radius &&
+                      dot(offset, n) > kernel.bias;
+        if (!counts) continue;
+        // Half-axes of the radius there, pixels: so large is a pixel in the world.
+        vec2 size = axes * (footprint.orthographic ? 1.0 : -position.z / depth);
+        size = kernel.radius / size;
+        float above = gloam_above_horizon(offset, gloam_mixture_horizon(offset, n, bias));
+        float weight = gloam_falloff_linear(gloam_length(offset), kernel.radius);
+        float piece = above * weight * gloam_contribution_sphere(offset, n, 0.5 * gloam_sqrt(size.x * size.y));
+        sum += 2.0 * random.y * pixels * piece;
     }
     return gloam_estimate(settings.intensity * sum, float(kernel.count), kernel.count);
 }

@@ -23,6 +23,7 @@
 struct GloamSsdo {
     float range;  // world units, about the radius, or infinity: blockers further in front than this are other objects
     uint steps;   // of a ray, at least 1
+    int layers;   // of depth that the steps see, 1 to 4
 };
 
 // All samples of one pixel in one frame (GloamEstimate), by rays.
@@ -45,9 +46,9 @@ GloamEstimate gloam_ssdo(vec3 position, vec3 normal, GloamCamera camera, GloamKe
             vec3 at = gloam_eye_march(position, direction, kernel.radius, k, steps, jitter);
             ivec2 pixel = gloam_footprint_seen(footprint, at);
             float first = gloam_fetch_depth(pixel);
-            vec3 further = gloam_further_depths(pixel, kernel.layers);
+            vec3 further = gloam_further_depths(pixel, settings.layers);
             if (!(at.z < 0.0) || pixel == footprint.pixel) continue;
-            for (int layer = 0; layer < kernel.layers; ++layer) {
+            for (int layer = 0; layer < settings.layers; ++layer) {
                 float depth = gloam_layer_depth(first, further, layer);
                 blocked = blocked || gloam_sample_blocked(gloam_footprint_plane_depth(footprint, pixel, at, frame[2]),
                                                           depth, kernel.bias, settings.range);

@@ -4,12 +4,10 @@
 
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
-#include "gloam/gather/further_depths.glsl"
 #include "gloam/geometry/slice.glsl"
 #include "gloam/numeric/precise.glsl"
 #include "gloam/occlusion/depth_rejection.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/occlusion/layers.glsl"
 #include "gloam/occlusion/sweep.glsl"
 #include "gloam/sampling/slice_sample.glsl"
 #include "gloam/sampling/whole_samples.glsl"
@@ -56,25 +54,13 @@ GloamEstimate gloam_sweep(vec3 position, vec3 normal, GloamCamera camera, GloamK
             for (uint k = 0u; k < steps; ++k) {
                 float place = gloam_slice_place((float(k) + random.jitter) / float(steps), max(reach.x, reach.y));
                 ivec2 at = gloam_footprint_pixel(footprint, towards * place * random.direction);
-                float first = gloam_fetch_depth(at);
-                vec3 further = gloam_further_depths(at, kernel.layers);
-                float before = side.before;
-                float nearest = before;  // of the first layer: what lies further behind does not change what follows
-                for (int layer = 0; layer < kernel.layers; ++layer) {
-                    float depth = gloam_layer_depth(first, further, layer);
-                    vec3 tap = gloam_footprint_tap(footprint, at, depth, -position.z);
-                    vec2 offset = vec2(gloam_footprint_value(toward, tap), gloam_footprint_value(along, tap));
-                    bool tells = gloam_tap_sees(depth) && at != footprint.pixel &&
-                                 !gloam_tap_rejected(-position.z, depth, kernel.farthest);
-                    bool rises = gloam_footprint_value(above, tap) > kernel.bias;
-                    side.before = before;
-                    if (layer > 0)
-                        side = gloam_sweep_uncover(side, half_plane, offset, tells, rises, settings.falloff);
-                    else
-                        side = gloam_sweep_tap(side, half_plane, offset, tells, rises, settings.falloff, thickness);
-                    nearest = layer == 0 ? side.before : nearest;
-                }
-                side.before = nearest;
+                float depth = gloam_fetch_depth(at);
+                vec3 tap = gloam_footprint_tap(footprint, at, depth, -position.z);
+                vec2 offset = vec2(gloam_footprint_value(toward, tap), gloam_footprint_value(along, tap));
+                bool tells = gloam_tap_sees(depth) && at != footprint.pixel &&
+                             !gloam_tap_rejected(-position.z, depth, kernel.farthest);
+                bool rises = gloam_footprint_value(above, tap) > kernel.bias;
+                side = gloam_sweep_tap(side, half_plane, offset, tells, rises, settings.falloff, thickness);
             }
             occluded += slice.weight * (side.occluded + side.feature);
         }

@@ -4,10 +4,8 @@
 
 #include "gloam/gather/fetch.glsl"
 #include "gloam/gather/footprint.glsl"
-#include "gloam/gather/further_depths.glsl"
 #include "gloam/occlusion/angle_based.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/occlusion/layers.glsl"
 #include "gloam/sampling/eye_march.glsl"
 #include "gloam/sampling/slice_sample.glsl"
 #include "gloam/sampling/whole_samples.glsl"
@@ -40,15 +38,11 @@ GloamEstimate gloam_unreal(vec3 position, vec3 normal, GloamCamera camera, Gloam
         for (uint k = 0u; k < steps && most < 1.0; ++k) {
             vec3 at = gloam_eye_march(position, direction, kernel.radius, k, steps, jitter);
             ivec2 pixel = gloam_footprint_seen(footprint, at);
-            float first = gloam_fetch_depth(pixel);
-            vec3 further = gloam_further_depths(pixel, kernel.layers);
+            float depth = gloam_fetch_depth(pixel);
             if (!(at.z < 0.0) || pixel == footprint.pixel) continue;
-            for (int layer = 0; layer < kernel.layers; ++layer) {
-                float depth = gloam_layer_depth(first, further, layer);
-                vec3 offset = gloam_footprint_position(footprint, pixel, depth) - position;
-                float counted = gloam_contribution_unreal(offset, n, kernel.bias, settings.epsilon);
-                most = gloam_tap_sees(depth) ? max(most, counted) : most;
-            }
+            vec3 offset = gloam_footprint_position(footprint, pixel, depth) - position;
+            float counted = gloam_contribution_unreal(offset, n, kernel.bias, settings.epsilon);
+            most = gloam_tap_sees(depth) ? max(most, counted) : most;
         }
         occluded += 1.0 - gloam_unreal_side(most);
     }

@@ -117,28 +117,16 @@ GloamEstimate gloam_tangent_sphere(vec3 position, vec3 normal, GloamCamera camer
     for (uint i = 0u; i < kernel.count; i += 2u) {
         vec2 tap = gloam_turn_disc(gloam_disc_point((kernel.first + i) / 2u + 1u).xy, turn);
         vec3 aim = vec3(kernel.radius * tap * gloam_upright(camera), 0.0);
-        GloamPairDepths depths = gloam_pair_depths(footprint, tap, kernel.layers);
-        GloamPairShare most = GloamPairShare(0.0, 0.0);
-        vec2 stayed = vec2(0.0);
-        for (int look = 0; look < 2 * kernel.layers - 1; ++look) {
-            vec2 looked = gloam_pair_look(depths, stayed, look, kernel.layers);
-            float first =
-                gloam_pair_height(footprint, depths.first_pixel, looked.x, aim, position, n, facing, kernel.radius);
-            float second =
-                gloam_pair_height(footprint, depths.second_pixel, looked.y, -aim, position, n, facing, kernel.radius);
-            vec3 one = (aim + first * view) * toward_eye;
-            vec3 other = (second * view - aim) * toward_eye;
-            float one_chord = gloam_tangent_sphere_half_height(one, facing_eye, kernel.radius);
-            float other_chord = gloam_tangent_sphere_half_height(other, facing_eye, kernel.radius);
-            float solid = one_chord * gloam_tangent_sphere_occlusion(one, facing_eye, kernel.radius) +
-                          other_chord * gloam_tangent_sphere_occlusion(other, facing_eye, kernel.radius);
-            GloamPairShare found = GloamPairShare(solid, one_chord + other_chord);
-            if (!gloam_pair_stays(looked, look, kernel.layers, found, most)) continue;
-            most = found;
-            stayed = looked;
-        }
-        occluded += most.occluded;
-        whole += most.whole;
+        float first = gloam_pair_height(footprint, tap, aim, position, n, facing, kernel.radius);
+        float second = gloam_pair_height(footprint, -tap, -aim, position, n, facing, kernel.radius);
+        vec3 one = (aim + first * view) * toward_eye;
+        vec3 other = (second * view - aim) * toward_eye;
+        float one_chord = gloam_tangent_sphere_half_height(one, facing_eye, kernel.radius);
+        float other_chord = gloam_tangent_sphere_half_height(other, facing_eye, kernel.radius);
+        float solid = one_chord * gloam_tangent_sphere_occlusion(one, facing_eye, kernel.radius) +
+                      other_chord * gloam_tangent_sphere_occlusion(other, facing_eye, kernel.radius);
+        occluded += solid;
+        whole += one_chord + other_chord;
     }
     return gloam_estimate(occluded, whole, gloam_paired_samples(kernel.count));
 }

@@ -19,7 +19,7 @@
 // surface of a block is taken to be spread evenly over an interval of heights with that mean and variance. Blocks are
 // so large that all samples together cover the disc, so few samples miss nothing. But a block does not say on which
 // side a near surface is. Pairs are opposite, so that a tilted plane stays at 1/2, but no sample of a pair is
-// rejected, so objects in front have a halo. Further layers do not count.
+// rejected, so objects in front have a halo.
 
 const int GLOAM_AREA_MEANS = 0;
 const int GLOAM_AREA_VARIANCES = 1;

@@ -22,7 +22,6 @@ struct GloamKernel {
                    // of the division is not taken
     float farthest;   // world units: points, taps and slices further in front than this are rejected (CS-REJ);
                       // infinity: none is
-    int layers;       // depth layers that the samples see, 1 to 4; at 1 gloam_fetch_layers is not called
 };
 
 // What a method estimates for a pixel: all that it samples there in one frame. Every method of gloam/methods is a

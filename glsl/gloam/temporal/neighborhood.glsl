@@ -16,6 +16,7 @@
 // Returns the change in world units, >= 0; the largest float, which no threshold exceeds, where a position or
 // difference is infinite or NaN. Error: 6 ULP where s - p and s' - p' are exact, else 2e-7 of the larger length
 // besides.
+// No method or pass here calls it: it is TSSAO, eq 9; the pass takes gloam_probe_change, which has no branch.
 float gloam_neighborhood_change(vec3 sample_position, vec3 position, vec3 previous_sample, vec3 previous_position) {
     vec3 a = sample_position - position;
     vec3 b = previous_sample - previous_position;
@@ -45,6 +46,7 @@ bool gloam_neighborhood_unchanged(float change, float epsilon) {
 // offset: s - p, world units. normal: n, unit vector, same space.
 // Returns false for an offset that is zero, infinite or NaN. A point within rounding of the plane may fall to either
 // side.
+// No method or pass here calls it: it is TSSAO, eq 9; the pass takes gloam_probe_change, which has no branch.
 bool gloam_probe_useful(vec3 offset, vec3 normal) {
     return gloam_is_finite3(offset) && dot(offset, normal) > 0.0;
 }

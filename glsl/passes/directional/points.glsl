@@ -9,17 +9,13 @@
 // Descriptor set 0 of each of them:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
 //   1  rgba32f  view-space normal facing the eye in xyz
-//   2  rgba32f  further depth layers, as ambient_occlusion.comp has them; read when layers is more than 1
-//   3  buffer   a MethodValues
-//   4 and on    as the pass says
+//   2  buffer   a MethodValues
+//   3 and on    as the pass says
 #include "passes/input_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(constant_id = 0) const int layers = 1;  // depth layers that the samples see, 1 to 4
-
 layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
 layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT normal_image;
-layout(binding = 2 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT layer_image;
 
 layout(push_constant) uniform Parameters {
     vec2 p00_p11;           // elements [0][0] and [1][1] of the projection, y down
@@ -36,7 +32,6 @@ layout(push_constant) uniform Parameters {
 #include "gloam/geometry/safe_normalize.glsl"
 #include "gloam/occlusion/blocked.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
-#include "gloam/occlusion/layers.glsl"
 #include "gloam/sampling/halton.glsl"
 #include "gloam/sampling/hash_rotation.glsl"
 #include "gloam/sampling/hemisphere.glsl"
@@ -44,7 +39,7 @@ layout(push_constant) uniform Parameters {
 #include "gloam/sampling/tangent_frame.glsl"
 #include "passes/method_values.glsl"
 
-layout(binding = 3, std430) readonly buffer MethodSettings { MethodValues method_values; };
+layout(binding = 2, std430) readonly buffer MethodSettings { MethodValues method_values; };
 
 float gloam_fetch_depth(ivec2 pixel) {
     return GLOAM_FETCH(depth_image, pixel).x;
@@ -83,28 +78,16 @@ bool shaded_at(ivec2 pixel, out Shaded shaded) {
     return true;
 }
 
-// Whether the layers at a pixel block a point, 1 or 0. depth: of the point, moved to the pixel's centre.
-float blocked_at(ivec2 pixel, float depth) {
-    float first = gloam_fetch_depth(pixel);
-    vec3 further = layers > 1 ? GLOAM_FETCH(layer_image, pixel).xyz : vec3(0.0);
-    GloamLayersSeen seen = GloamLayersSeen(0.0, 0.0, true);
-    for (int layer = 0; layer < layers; ++layer) {
-        bool blocked =
-            gloam_sample_blocked(depth, gloam_layer_depth(first, further, layer), parameters.bias, method_values.range);
-        seen = gloam_layers_add(seen, blocked ? 1.0 : 0.0, further, depth, layer, layers);
-    }
-    return seen.occlusion;
-}
-
 // Tests one sample. point: of the unit half ball, z along the normal.
 Sample sample_at(Shaded shaded, vec3 point) {
     vec3 along = shaded.frame * point;
     vec3 at = shaded.position + parameters.radius * along;
     ivec2 pixel = gloam_footprint_seen(shaded.footprint, at);
     bool counts = point != vec3(0.0) && at.z < 0.0;
-    float blocked =
-        counts ? blocked_at(pixel, gloam_footprint_plane_depth(shaded.footprint, pixel, at, shaded.frame[2])) : 0.0;
-    return Sample(gloam_safe_normalize(along, vec3(0.0)), 1.0 - blocked, pixel, counts);
+    float depth = gloam_footprint_plane_depth(shaded.footprint, pixel, at, shaded.frame[2]);
+    float seen = gloam_fetch_depth(pixel);
+    bool blocked = counts && gloam_sample_blocked(depth, seen, parameters.bias, method_values.range);
+    return Sample(gloam_safe_normalize(along, vec3(0.0)), blocked ? 0.0 : 1.0, pixel, counts);
 }
 
 // The sample of a sequence that all pixels share, rotated for each pixel. i: number of the sample, from 0.

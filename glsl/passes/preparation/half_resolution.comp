@@ -24,8 +24,9 @@ vec4 prepared(ivec2 pixel) {
     if (below_limit(depth)) return vec4(0.0, normal);
     GloamCamera camera = this_camera();
     vec3 position = gloam_camera_position(pixel, depth, camera);
-    GloamHbao settings = GloamHbao(method_values.angle_bias, method_values.intensity, method_steps);
-    return vec4(gloam_hbao(position, normal, camera, kernel_at(pixel), settings).occlusion, normal);
+    GloamDualResolution settings = GloamDualResolution(method_values.angle_bias, method_values.intensity, method_steps,
+                                                       method_values.disagreement, layers);
+    return vec4(gloam_dual_horizons(position, normal, camera, kernel_at(pixel), settings).occlusion, normal);
 }
 
 void main() {

@@ -19,7 +19,12 @@ using Estimate = reference::GloamEstimate;
 
 constexpr double most_samples = 64;
 
-// The depth at a pixel, and those of the layers behind it.
+// The depth at a pixel.
+auto depth_of(const ImageSet& images) {
+    return [&images](glm::ivec2 pixel) { return images.at(depth_prototype).at<double>(pixel); };
+}
+
+// The same, and those of the layers behind it.
 auto layers_of(const ImageSet& images) {
     return [&images](glm::ivec2 pixel) {
         return glm::dvec4(images.at(depth_prototype).at<double>(pixel),
@@ -35,7 +40,7 @@ Values gather_kernels() {
     return vector({log_uniform(0.05, 2).and_special(), log_uniform(1e-3, 0.1).and_special(),
                    uniform(0, 6.2831853).and_special(),
                    log_integers(16777216).and_near_integers({16777216, 4294967295}), integers(0, 8),
-                   either(constant(1e18F), uniform(-0.5, 2)).and_special(), integers(1, 4)});
+                   either(constant(1e18F), uniform(-0.5, 2)).and_special()});
 }
 
 Values gather_length() {
@@ -49,7 +54,7 @@ bool usual(const glm::vec3& position, const glm::vec3& normal, const Camera& cam
            !(std::abs(kernel.angle) > 64.0F);
 }
 
-std::vector<ImageScenario> gather_scenarios() {
+std::vector<ImageScenario> layer_scenarios() {
     std::vector<ImageScenario> scenarios = depth_scenarios(depth_prototype);
     for (ImageScenario& scenario : scenarios) {
         scenario.make = [make = scenario.make](glm::ivec2 size, numeric::Random& random) {
@@ -73,7 +78,7 @@ Question gather(Budget budget, Domain domain) {
     return {.domain = domain.adjusted(place_before_camera(0, 6)),
             .budget = budget,
             .codomain = {0, most_samples},
-            .scenarios = gather_scenarios()};
+            .scenarios = depth_scenarios(depth_prototype)};
 }
 
 // A whole method with settings of its own. A sample near the border of two pixels, or near the depth at which
@@ -81,7 +86,7 @@ Question gather(Budget budget, Domain domain) {
 // inputs that are moved by a few ULP.
 template <class Own>
 using Method = Estimate (*)(glm::dvec3, glm::dvec3, const Camera&, const Kernel&, const Own&,
-                            const reference::Fetch<glm::dvec4>&);
+                            const reference::Fetch<double>&);
 template <class Own>
 void add_method(Entries& entries, const char* id, Method<Own> method, const Values& own, Budget budget,
                 bool (*promised)(const glm::vec3&, const glm::vec3&, const Camera&, const Kernel&) = usual) {
@@ -89,11 +94,29 @@ void add_method(Entries& entries, const char* id, Method<Own> method, const Valu
         entries, id,
         [method](const ImageSet& images, glm::dvec3 position, glm::dvec3 normal, const Camera& camera,
                  const Kernel& kernel, const Own& settings) {
-            return method(position, normal, camera, kernel, settings, layers_of(images));
+            return method(position, normal, camera, kernel, settings, depth_of(images));
         },
         gather(budget, {gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(), own}),
         [promised](const glm::vec3& p, const glm::vec3& n, const Camera& camera, const Kernel& kernel,
                    const Own&) { return promised(p, n, camera, kernel); });
+}
+
+void append_hemisphere(Entries& entries) {
+    using Own = reference::GloamHemisphere;
+    Question question = gather({.ulp = 2.5, .backward_ulp = 4},
+                               {gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels(),
+                                vector({gather_length(), integers(1, 4)})});
+    question.scenarios = layer_scenarios();
+    add(
+        entries, "TSSAO-2-hemisphere",
+        [](const ImageSet& images, glm::dvec3 position, glm::dvec3 normal, const Camera& camera,
+           const Kernel& kernel, const Own& own) {
+            return reference::gloam_hemisphere(position, normal, camera, kernel, own, layers_of(images));
+        },
+        question,
+        [](const glm::vec3& p, const glm::vec3& n, const Camera& camera, const Kernel& kernel, const Own&) {
+            return usual(p, n, camera, kernel);
+        });
 }
 
 void append_can_gather(Entries& entries) {
@@ -122,7 +145,7 @@ void append_volumetric(Entries& entries) {
         entries, "CS-I-gather",
         [](const ImageSet& images, glm::dvec3 position, glm::dvec3 normal, const Camera& camera,
            const Kernel& kernel) {
-            return reference::gloam_volumetric(position, normal, camera, kernel, layers_of(images));
+            return reference::gloam_volumetric(position, normal, camera, kernel, depth_of(images));
         },
         gather({.absolute = 2e-6, .backward_ulp = 4},
                {gather_positions(), unit_vector(3).and_special(), cameras(), gather_kernels()}),
@@ -168,8 +191,7 @@ void append_gathers(Entries& entries) {
     append_can_gather(entries);
     append_estimates(entries);
     append_shared_points(entries);
-    add_method(entries, "TSSAO-2-hemisphere", &reference::gloam_hemisphere, vector({gather_length()}),
-               {.ulp = 2.5, .backward_ulp = 4});
+    append_hemisphere(entries);
     append_tap_pixel(entries);
     add_method(entries, "TSSAO-2-disc", &reference::gloam_disc, vector({gather_length()}),
                {.absolute = 2e-6, .backward_ulp = 4});

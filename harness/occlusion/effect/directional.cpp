@@ -52,7 +52,6 @@ void require(const scene::GBuffer& view, const Settings& settings) {
         throw std::invalid_argument(
             fmt::format("colours: {} pixels, expected {}", view.color.size(), view.depth.size()));
     }
-    require_layers(view, settings);
 }
 
 }  // namespace
@@ -72,18 +71,14 @@ struct Directional::Impl {
         resources.buffer("method", sizeof(MethodValues)).as<MethodValues>()[0] = settings.own;
     }
 
-    // The name of an image that the view may lack.
-    static std::string or_nothing(bool exists, const char* name) { return exists ? name : nothing_image; }
-
     // Runs a pass that writes `out`. read: the images and buffers at its further bindings. interleave: 0
     // where the pass does not use it.
     void shade(const std::string& name, const std::string& out, const std::vector<std::string>& read,
                const scene::GBuffer& view, const Settings& settings, std::uint32_t interleave = 0) {
-        std::vector<std::string> bound{"depth", "normal", or_nothing(!view.layers.empty(), "layers"),
-                                       "method", out};
+        std::vector<std::string> bound{"depth", "normal", "method", out};
         bound.insert(bound.end(), read.begin(), read.end());
         const PlannedPass pass =
-            single_pass(name, directional_source(name, settings, interleave), std::move(bound),
+            single_pass(name, directional_source(name, interleave), std::move(bound),
                         directional_parameters({view.camera, view.extent, view.border}, settings),
                         groups_for(view.extent));
         executor.run(std::span(&pass, 1), resources, watcher);

@@ -37,7 +37,7 @@ struct Sky {
 };
 
 // Blue at the zenith, white at the horizon, dim and brown below it.
-inline constexpr Sky clear_sky{{0.35F, 0.6F, 1.0F}, {1.0F, 1.0F, 1.0F}, {0.25F, 0.22F, 0.18F}};
+inline const Sky clear_sky{{0.35F, 0.6F, 1.0F}, {1.0F, 1.0F, 1.0F}, {0.25F, 0.22F, 0.18F}};
 
 // Radiance that leaves the surfaces (CS-D): linear, in the unit of the sky, 0 at the background. Rows from
 // the top, without the guard band.
@@ -49,16 +49,16 @@ struct DirectionalLight {
 
 // Results by direction, from the depth buffer. The samples are points of the half ball around each pixel,
 // uniform in direction and radius; each is blocked or open as in the method hemisphere. A frame takes
-// Settings::samples samples, with the settings' radius, bias, range and layers. MethodValues::epsilon is the
+// Settings::samples samples, with the settings' radius, bias and range. MethodValues::epsilon is the
 // least distance of a surface that sends light.
 class Directional {
   public:
     // The device must outlive this object. Throws std::runtime_error when a shader does not compile.
     Directional(const gpu::Device& device, const scene::PassLibrary& passes);
 
-    // Both throw std::invalid_argument for settings out of range, for images of another size, and if the view
-    // has fewer layers than the settings ask for; bent_normals() also for options out of range. Missing
-    // normals are reconstructed from depth. Each call takes its samples anew: there is no history.
+    // Both throw std::invalid_argument for settings out of range and for images of another size;
+    // bent_normals() also for options out of range. Missing normals are reconstructed from depth. Each call
+    // takes its samples anew: there is no history.
     [[nodiscard]] BentNormals bent_normals(const scene::GBuffer& view, const Settings& settings,
                                            const BentOptions& options = {});
 

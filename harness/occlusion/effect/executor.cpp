@@ -259,9 +259,9 @@ void require_guard(const scene::GBuffer& view, const Settings& settings) {
 }
 
 void require_layers(const scene::GBuffer& view, const Settings& settings) {
-    if (view.layers.size() + 1 >= settings.layers) return;
+    if (view.layers.size() + 1 >= static_cast<std::size_t>(settings.own.layers)) return;
     throw std::invalid_argument(fmt::format("layers {}: the view has {}, the first among them",
-                                            settings.layers, view.layers.size() + 1));
+                                            settings.own.layers, view.layers.size() + 1));
 }
 
 void require_sizes(const scene::GBuffer& view, gpu::Extent extent) {

@@ -32,7 +32,7 @@ std::vector<ImageRow> images_of_inputs(const Moment& m) {
     const char* linear = "eye-linear depth, world units; background 0 or not finite";
     const char* normals = "view-space unit normals that face the eye, in xyz";
     const bool converts = m.converted.has_value();
-    const bool layers = m.settings.layers > 1;
+    const bool layers = m.settings.own.layers > 1;
     const bool watched =
         m.has_positions && m.settings.history && m.settings.invalidation != Invalidation::none;
     return {

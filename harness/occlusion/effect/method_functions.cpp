@@ -22,7 +22,8 @@ std::string text_for(const MethodInfo& method, int layers, float farthest) {
         "values) {{\n"
         "    GloamKernel kernel = GloamKernel(given.radius, given.bias, given.angle, given.first, "
         "given.count,\n"
-        "                                     uintBitsToFloat({}u), {});\n"
+        "                                     uintBitsToFloat({}u));\n"
+        "    values.layers = {};\n"
         "    GloamEstimate estimate = {};\n"
         "    return estimate.samples * vec2(estimate.occlusion, 1.0);\n"
         "}}\n",

@@ -69,6 +69,10 @@ std::string setting_of(const MethodMember& member) {
     return member.setting.empty() ? member.name : member.setting;
 }
 
+bool reads(const MethodInfo& method, std::string_view setting) {
+    return std::ranges::find(method.members, setting, setting_of) != method.members.end();
+}
+
 std::string call_of(const MethodInfo& method) {
     const std::string call = fmt::format("gloam_{}(position, normal, camera, kernel", method.name);
     if (method.own_settings.empty()) return call + ")";

@@ -121,6 +121,9 @@ struct MethodInfo {
 // Member of MethodValues that a member of the method's struct is set to; empty: a constant.
 [[nodiscard]] std::string setting_of(const MethodMember& member);
 
+// Whether the method's struct has a member that is set to this member of MethodValues.
+[[nodiscard]] bool reads(const MethodInfo& method, std::string_view setting);
+
 // GLSL call of the method's function, with the variables `position`, `normal`, `camera`, `kernel`, and
 // `values` of type MethodValues (passes/method_values.glsl).
 [[nodiscard]] std::string call_of(const MethodInfo& method);

@@ -229,12 +229,11 @@ PassRow row_of_upsampling(bool filtered, const char* from, std::function<bool(co
 // The pixels of a block share one pattern of samples (interleaved sampling): the first pass takes each
 // pixel's part, the second gathers those of the block.
 PassRow row_of_directions(const char* name, std::vector<const char*> images) {
-    std::vector<const char*> resources{"full_depth", "full_normal", "full_layers", "method"};
+    std::vector<const char*> resources{"full_depth", "full_normal", "method"};
     resources.insert(resources.end(), images.begin(), images.end());
     return {.name = name,
             .when = [](const Moment& m) { return m.bent_normals; },
-            .source = [name](const Moment& m,
-                             List) { return directional_source(name, m.settings, bent_interleave); },
+            .source = [name](const Moment&, List) { return directional_source(name, bent_interleave); },
             .resources = std::move(resources),
             .fill =
                 [](const Moment& m) {

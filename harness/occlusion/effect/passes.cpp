@@ -176,7 +176,7 @@ PassSource halve_source(const Moment& moment) {
             .constants = {{.id = 0, .bits = flag(moment.given.camera.orthographic())},
                           {.id = 1, .bits = flag(moment.given_before.camera.orthographic())},
                           {.id = 2, .bits = flag(moment.has_positions)},
-                          {.id = 3, .bits = flag(moment.settings.layers > 1)}}};
+                          {.id = 3, .bits = flag(moment.settings.own.layers > 1)}}};
 }
 
 PassSource upsample_source(const Moment& moment, bool filtered) {
@@ -200,7 +200,7 @@ PassSource occlusion_source(const Moment& moment, List list) {
     }
     source.constants = {{.id = 0, .bits = static_cast<std::uint32_t>(moment.counting)},
                         {.id = 1, .bits = flag(moment.watches())},
-                        {.id = 2, .bits = settings.layers},
+                        {.id = 2, .bits = static_cast<std::uint32_t>(settings.own.layers)},
                         {.id = 3, .bits = flag(settings.reject_taps)},
                         {.id = 4, .bits = flag(moment.listed && moment.filtered)},
                         {.id = 5, .bits = settings.table_size},
@@ -245,9 +245,9 @@ PassSource filter_source(const Moment& moment, bool along_y, List list) {
     return source;
 }
 
-PassSource directional_source(const std::string& name, const Settings& settings, std::uint32_t interleave) {
-    PassSource source{.file = name + ".comp", .constants = {{.id = 0, .bits = settings.layers}}};
-    if (interleave > 0) source.constants.push_back({.id = 1, .bits = interleave});
+PassSource directional_source(const std::string& name, std::uint32_t interleave) {
+    PassSource source{.file = name + ".comp"};
+    if (interleave > 0) source.constants.push_back({.id = 0, .bits = interleave});
     return source;
 }
 
@@ -267,7 +267,7 @@ PassSource preparation_source(const Moment& moment, const std::string& file) {
     const Settings& settings = moment.settings;
     return {.file = "preparation/" + file,
             .defines = defines_for(moment),
-            .constants = {{.id = 0, .bits = settings.layers},
+            .constants = {{.id = 0, .bits = static_cast<std::uint32_t>(settings.own.layers)},
                           {.id = 1, .bits = flag(settings.reject_taps)},
                           {.id = 2, .bits = flag(settings.history)},
                           {.id = 3, .bits = settings.samples},

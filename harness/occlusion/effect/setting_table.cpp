@@ -110,8 +110,9 @@ void add_estimator(std::vector<Setting>& table) {
     table.push_back(number("mip_distance", "pixels",
                            "from which level 1 of the depth chain is read, for taps; 0: never",
                            &MethodValues::mip_distance, any_from_0));
-    table.push_back(number("layers", "layers", "of depth that samples see; 1: what the eye sees", &S::layers,
-                           whole(1, 1 + scene::most_further_layers)));
+    table.push_back(number("layers", "layers",
+                           "of depth that samples see, for hemisphere, ssdo and dual_resolution",
+                           &MethodValues::layers, whole(1, 1 + scene::most_further_layers)));
     table.push_back(number("steps", "taps",
                            "along each half of a slice, for horizons; resolutions, for mssao",
                            &MethodValues::steps, whole(1, 64)));

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "effect/methods.hpp"
+
 namespace gloam::effect {
 namespace {
 
@@ -50,6 +52,9 @@ bool remaps(const Settings& settings) {
 
 void validate(const Settings& settings) {
     for (const Setting& setting : setting_table()) check(setting, setting.get(settings));
+    if (settings.own.layers > 1 && !reads(method_named(settings.method), "layers"))
+        throw std::invalid_argument(fmt::format("layers {}: expected 1, because {} sees one layer of depth",
+                                                settings.own.layers, settings.method));
     for (const Limit& limit : limits) {
         if (limit.precision != settings.precision) continue;
         const SettingValue value = setting_named(limit.setting).get(settings);

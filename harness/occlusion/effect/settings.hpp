@@ -82,6 +82,8 @@ struct MethodValues {
                                 // which a pixel is sampled in full; 0 to 1
     float feature_thickness = 1.0F;  // sweep: of what stands in front of the rest, in its own widths, >= 0;
                                      // 1e18: solid behind every surface
+    std::int32_t layers = 1;  // hemisphere, ssdo, dual resolution: of depth that samples see, 1 to 4; the
+                              // view must have as many
 };
 
 // All settings that affect a frame. Unless its comment says otherwise, a default is that of the preset
@@ -89,11 +91,10 @@ struct MethodValues {
 struct Settings {
     std::string method = "hemisphere";  // estimator of the occlusion: a name of methods()
     float radius = 1.0F;                // of influence, world units, > 0
-    float bias = 0.001F;       // world units, >= 0: differences below it count as rounding, not as occlusion
-    float bias_depth = 0.0F;   // the bias is at least this share of the depth, 0 to 1: for depths that are
-                               // rounded coarsely, 0.002 for those from halves
-    MethodValues own;          // the method's own
-    std::uint32_t layers = 1;  // depth layers that samples see, 1 to 4: the view must have as many
+    float bias = 0.001F;      // world units, >= 0: differences below it count as rounding, not as occlusion
+    float bias_depth = 0.0F;  // the bias is at least this share of the depth, 0 to 1: for depths that are
+                              // rounded coarsely, 0.002 for those from halves
+    MethodValues own;         // the method's own
     std::uint32_t samples =
         32;  // k_1, for each pixel that has not converged, in each frame, 1 to most_samples
     std::uint32_t samples_converged = 16;  // k_2, for each pixel that has, 1 to most_samples

@@ -84,7 +84,7 @@ const effect::Truth* BenchmarkViews::own_measure(const effect::MethodInfo& metho
 }
 
 const scene::GBuffer& BenchmarkViews::view(int frame, const effect::Settings& settings) {
-    return views_with(double{settings.guard}, static_cast<int>(settings.layers))
+    return views_with(double{settings.guard}, settings.own.layers)
         .at(static_cast<std::size_t>(numbers_.at(static_cast<std::size_t>(frame))));
 }
 

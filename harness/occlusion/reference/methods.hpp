@@ -13,11 +13,11 @@ struct GloamDisc {
     double epsilon;
 };
 
-// The mean of epsilon C(p, s_i) over the surface points s_i under the taps, of the layer for which it is
-// largest; one beyond the radius, or no higher than the bias above the tangent plane, contributes nothing.
+// The mean of epsilon C(p, s_i) over the surface points s_i under the taps; one beyond the radius, or no
+// higher than the bias above the tangent plane, contributes nothing.
 inline GloamEstimate gloam_disc(dvec3 position, dvec3 normal, const GloamCamera& camera,
                                 const GloamKernel& kernel, const GloamDisc& own,
-                                const Fetch<dvec4>& fetch_layers) {
+                                const Fetch<double>& fetch_depth) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return {};
     const dvec3 n = gloam_safe_normalize(normal, dvec3(0.0));
     const dvec2 axes = gloam_camera_radius(kernel.radius, -position.z, camera);
@@ -27,17 +27,13 @@ inline GloamEstimate gloam_disc(dvec3 position, dvec3 normal, const GloamCamera&
         const dvec2 tap = gloam_halton_disc(kernel.first + i, gloam_sincos(kernel.angle));
         const glm::ivec2 pixel =
             gloam_nearest_pixel(gloam_camera_uv(position, camera) + axes * tap, camera.size);
-        const dvec4 depths = fetch_layers(pixel);
-        if (gloam_tap_rejected(-position.z, depths.x, kernel.farthest)) continue;
+        const double depth = fetch_depth(pixel);
+        if (gloam_tap_rejected(-position.z, depth, kernel.farthest)) continue;
         ++samples;
-        double most = 0.0;
-        for (int layer = 0; layer < kernel.layers; ++layer) {
-            const dvec3 point = gloam_camera_position(pixel, depth_of_layer(depths, layer), camera);
-            if (point == dvec3(0.0) || distance(point, position) > kernel.radius) continue;
-            if (dot(point - position, n) > kernel.bias)
-                most = max(most, gloam_contribution_fox_compton(point - position, n, own.epsilon));
-        }
-        sum += most;
+        const dvec3 point = gloam_camera_position(pixel, depth, camera);
+        if (point == dvec3(0.0) || distance(point, position) > kernel.radius) continue;
+        if (dot(point - position, n) > kernel.bias)
+            sum += max(gloam_contribution_fox_compton(point - position, n, own.epsilon), 0.0);
     }
     return gloam_estimate(sum, samples, samples);
 }
@@ -50,6 +46,7 @@ inline double plane_depth_at(glm::ivec2 pixel, dvec3 point, dvec3 normal, const 
 
 struct GloamHemisphere {
     double range;
+    int layers;
 };
 
 // The mean over the points p + R s_i of whether the layers block them, each moved along its plane to the
@@ -70,12 +67,12 @@ inline GloamEstimate gloam_hemisphere(dvec3 position, dvec3 normal, const GloamC
         const dvec4 depths = fetch_layers(pixel);
         if (gloam_tap_rejected(-position.z, depths.x, kernel.farthest)) continue;
         GloamLayersSeen seen{};
-        for (int layer = 0; layer < kernel.layers; ++layer)
+        for (int layer = 0; layer < own.layers; ++layer)
             seen = gloam_layers_add(
                 seen,
                 gloam_sample_blocked(depth, depth_of_layer(depths, layer), kernel.bias, own.range) ? 1.0
                                                                                                    : 0.0,
-                {depths.y, depths.z, depths.w}, depth, layer, kernel.layers);
+                {depths.y, depths.z, depths.w}, depth, layer, own.layers);
         blocked += seen.occlusion;
         ++samples;
     }
@@ -87,11 +84,11 @@ struct GloamPoisson {
     unsigned steps;
 };
 
-// The share of the rays of which a layer blocks a step. Each round through the disc is turned by another
+// The share of the rays of which a step is blocked. Each round through the disc is turned by another
 // angle.
 inline GloamEstimate gloam_poisson(dvec3 position, dvec3 normal, const GloamCamera& camera,
                                    const GloamKernel& kernel, const GloamPoisson& own,
-                                   const Fetch<dvec4>& fetch_layers) {
+                                   const Fetch<double>& fetch_depth) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return {};
     const dmat3 frame = gloam_tangent_frame(normalize(normal));
     const unsigned steps = std::max(own.steps, 1U);
@@ -100,11 +97,7 @@ inline GloamEstimate gloam_poisson(dvec3 position, dvec3 normal, const GloamCame
         if (gloam_is_background(-point.z)) return false;
         if (pixel == gloam_nearest_pixel(gloam_camera_uv(position, camera), camera.size)) return false;
         const double depth = plane_depth_at(pixel, point, frame[2], camera);
-        const dvec4 seen = fetch_layers(pixel);
-        bool any = false;
-        for (int layer = 0; layer < kernel.layers; ++layer)
-            any = any || gloam_sample_blocked(depth, depth_of_layer(seen, layer), kernel.bias, own.range);
-        return any;
+        return gloam_sample_blocked(depth, fetch_depth(pixel), kernel.bias, own.range);
     };
     const unsigned samples = gloam_whole_samples(kernel.count, steps);
     const unsigned rays = samples / steps;
@@ -131,7 +124,7 @@ struct GloamSphereProxy {
 // tap stands for 2 rho times the disc's pixels.
 inline GloamEstimate gloam_sphere_proxy(dvec3 position, dvec3 normal, const GloamCamera& camera,
                                         const GloamKernel& kernel, const GloamSphereProxy& own,
-                                        const Fetch<dvec4>& fetch_layers) {
+                                        const Fetch<double>& fetch_depth) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return {};
     const dvec3 n = gloam_safe_normalize(normal, dvec3(0.0));
     const dvec2 uv = gloam_camera_uv(position, camera);
@@ -143,59 +136,43 @@ inline GloamEstimate gloam_sphere_proxy(dvec3 position, dvec3 normal, const Gloa
         const dvec2 tap = gloam_rotate_disc(zeta.y * gloam_circle_point(zeta.x), kernel.angle);
         const glm::ivec2 pixel = gloam_nearest_pixel(uv + axes * tap, camera.size);
         if (pixel == gloam_nearest_pixel(uv, camera.size)) continue;
-        double most = 0.0;
-        for (int layer = 0; layer < kernel.layers; ++layer) {
-            const double depth = depth_of_layer(fetch_layers(pixel), layer);
-            const dvec3 offset = gloam_camera_position(pixel, depth, camera) - position;
-            if (gloam_is_background(depth) || length(offset) > kernel.radius) continue;
-            if (!(dot(offset, n) > kernel.bias)) continue;
-            const dvec2 across =
-                kernel.radius / (gloam_camera_radius(kernel.radius, depth, camera) * dvec2(camera.size));
-            const double ball = sqrt(across.x * across.y) / 2.0;
-            most = max(most, gloam_contribution_sphere_cosine(offset, n, ball));
-        }
-        sum += 2.0 * zeta.y * pixels * most;
+        const double depth = fetch_depth(pixel);
+        const dvec3 offset = gloam_camera_position(pixel, depth, camera) - position;
+        if (gloam_is_background(depth) || length(offset) > kernel.radius) continue;
+        if (!(dot(offset, n) > kernel.bias)) continue;
+        const dvec2 across =
+            kernel.radius / (gloam_camera_radius(kernel.radius, depth, camera) * dvec2(camera.size));
+        const double ball = sqrt(across.x * across.y) / 2.0;
+        sum += 2.0 * zeta.y * pixels * gloam_contribution_sphere_cosine(offset, n, ball);
     }
     return gloam_estimate(own.intensity * sum, kernel.count, kernel.count);
 }
 
 // The solid share of the chords at pairs of opposite taps, weighted by the chords. The surface of a tap is
-// moved along its plane to the aimed place; background lies far behind. Of the layers, first at one tap and
-// then at the other, those stay with which the pair is more solid.
+// moved along its plane to the aimed place; background lies far behind.
 inline GloamEstimate gloam_volumetric(dvec3 position, dvec3 normal, const GloamCamera& camera,
-                                      const GloamKernel& kernel, const Fetch<dvec4>& fetch_layers) {
+                                      const GloamKernel& kernel, const Fetch<double>& fetch_depth) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return {};
     const dvec3 n = gloam_safe_normalize(normal, dvec3(0.0));
     const dvec3 view = camera.orthographic ? dvec3(0.0, 0.0, 1.0) : normalize(-position);
     const double facing = max(dot(view, n), 1e-4);
     const dvec2 axes = gloam_camera_radius(kernel.radius, -position.z, camera);
-    const auto pixel_of = [&](dvec2 tap) {
-        return gloam_nearest_pixel(gloam_camera_uv(position, camera) + axes * tap, camera.size);
-    };
-    const auto ratio = [&](dvec2 tap, double seen) {
+    const auto ratio = [&](dvec2 tap) {
+        const glm::ivec2 pixel =
+            gloam_nearest_pixel(gloam_camera_uv(position, camera) + axes * tap, camera.size);
+        const double seen = fetch_depth(pixel);
         const double depth = gloam_is_background(seen) ? 1e4 * kernel.radius - position.z : seen;
         const dvec3 aim(kernel.radius * tap * dvec2(1.0, camera.p00_p11.y < 0.0 ? -1.0 : 1.0), 0.0);
         const double height =
-            gloam_height_at(gloam_camera_position(pixel_of(tap), depth, camera) - position, aim, n, facing);
+            gloam_height_at(gloam_camera_position(pixel, depth, camera) - position, aim, n, facing);
         return gloam_line_ratio(height, gloam_chord_half_height(tap, kernel.radius));
     };
     double solid = 0.0;
     double whole = 0.0;
     for (unsigned i = 0; i < kernel.count; i += 2U) {
         const dvec2 tap = gloam_halton_disc((kernel.first + i) / 2U + 1U, gloam_sincos(kernel.angle));
-        const auto share = [&](dvec2 depths) {
-            const dvec2 pair = gloam_line_pair({ratio(tap, depths.x), ratio(-tap, depths.y)}, 0.35, 1.0);
-            return pair.x + pair.y;
-        };
-        dvec2 kept(fetch_layers(pixel_of(tap)).x, fetch_layers(pixel_of(-tap)).x);
-        for (const int end : {0, 1}) {
-            for (int layer = 1; layer < kernel.layers; ++layer) {
-                dvec2 other = kept;
-                other[end] = depth_of_layer(fetch_layers(pixel_of(end == 0 ? tap : -tap)), layer);
-                if (gloam_tap_sees(other[end]) && share(other) >= share(kept)) kept = other;
-            }
-        }
-        solid += gloam_chord_half_height(tap, kernel.radius) * share(kept);
+        const dvec2 pair = gloam_line_pair({ratio(tap), ratio(-tap)}, 0.35, 1.0);
+        solid += gloam_chord_half_height(tap, kernel.radius) * (pair.x + pair.y);
         whole += gloam_chord_half_height(tap, kernel.radius) * 2.0;
     }
     return gloam_estimate(solid, whole, gloam_paired_samples(kernel.count));
@@ -208,11 +185,11 @@ struct SliceTap {
 };
 
 // The estimate of all slices of a kernel. add(slice, n, tap) gives (occluded, whole) of a slice, n the unit
-// normal; tap(side, i, layer) is tap i to the side 1 or -1, at place((i + jitter) / steps, the radius in
+// normal; tap(side, i) is tap i to the side 1 or -1, at place((i + jitter) / steps, the radius in
 // pixels) of the radius.
 template <class Place, class Add>
 GloamEstimate gather_slices(dvec3 position, dvec3 normal, const GloamCamera& camera,
-                            const GloamKernel& kernel, unsigned steps, const Fetch<dvec4>& fetch_layers,
+                            const GloamKernel& kernel, unsigned steps, const Fetch<double>& fetch_depth,
                             const Place& place, const Add& add) {
     if (!gloam_can_gather(position, normal, kernel.radius, camera)) return {};
     const dvec3 n = gloam_safe_normalize(normal, dvec3(0.0));
@@ -226,11 +203,11 @@ GloamEstimate gather_slices(dvec3 position, dvec3 normal, const GloamCamera& cam
         const GloamSliceSample sample =
             gloam_slice_sample(kernel.first / (2U * steps) + s, gloam_turns(kernel.angle));
         const dvec2 upright(1.0, camera.p00_p11.y < 0.0 ? -1.0 : 1.0);
-        const auto tap = [&](double side, unsigned i, int layer) {
+        const auto tap = [&](double side, unsigned i) {
             const double share = place((i + sample.jitter) / steps, max(reach.x, reach.y));
             const glm::ivec2 pixel =
                 gloam_nearest_pixel(uv + side * share * axes * sample.direction, camera.size);
-            const double depth = depth_of_layer(fetch_layers(pixel), layer);
+            const double depth = fetch_depth(pixel);
             const dvec3 point = gloam_camera_position(pixel, depth, camera);
             const bool own_pixel = pixel == gloam_nearest_pixel(uv, camera.size);
             return SliceTap{point - position, !own_pixel && point != dvec3(0.0) &&
@@ -245,23 +222,21 @@ struct GloamGtao {
     unsigned steps;
 };
 
-// Slice by slice the highest horizon on either side, over all layers.
+// Slice by slice the highest horizon on either side.
 inline GloamEstimate gloam_gtao(dvec3 position, dvec3 normal, const GloamCamera& camera,
                                 const GloamKernel& kernel, const GloamGtao& own,
-                                const Fetch<dvec4>& fetch_layers) {
+                                const Fetch<double>& fetch_depth) {
     const unsigned steps = std::max(own.steps, 1U);
     const auto add = [&](const GloamSlice& slice, dvec3 n, const auto& tap) {
         const auto horizon = [&](double side) {
             const double lowest = -side * slice.normal.y;
             double highest = lowest;
             for (unsigned i = 0; i < steps; ++i) {
-                for (int layer = 0; layer < kernel.layers; ++layer) {
-                    const SliceTap seen = tap(side, i, layer);
-                    if (!seen.tells || !(dot(seen.offset, n) > kernel.bias)) continue;
-                    const dvec3 offset = gloam_into_slice(seen.offset, cross(slice.tangent, slice.view), n);
-                    const dvec2 inside(dot(offset, slice.view), dot(offset, slice.tangent));
-                    highest = gloam_gtao_horizon(highest, lowest, inside, kernel.radius);
-                }
+                const SliceTap seen = tap(side, i);
+                if (!seen.tells || !(dot(seen.offset, n) > kernel.bias)) continue;
+                const dvec3 offset = gloam_into_slice(seen.offset, cross(slice.tangent, slice.view), n);
+                const dvec2 inside(dot(offset, slice.view), dot(offset, slice.tangent));
+                highest = gloam_gtao_horizon(highest, lowest, inside, kernel.radius);
             }
             return highest;
         };
@@ -271,7 +246,7 @@ inline GloamEstimate gloam_gtao(dvec3 position, dvec3 normal, const GloamCamera&
         return slice.weight * dvec2(occluded, gloam_slice_whole(slice));
     };
     const auto squared = [](double share, double) { return share * share; };
-    return gather_slices(position, normal, camera, kernel, steps, fetch_layers, squared, add);
+    return gather_slices(position, normal, camera, kernel, steps, fetch_depth, squared, add);
 }
 
 struct GloamSweep {
@@ -281,45 +256,32 @@ struct GloamSweep {
 };
 
 // Slice by slice the directions that each tap uncovers on either side, with the falloff at their distance.
-// What lies behind a horizon is I(H) - I(h), calculated anew for each tap. A further layer is as far behind
-// the tap before as the first one, and the next tap begins at the first.
+// What lies behind a horizon is I(H) - I(h), calculated anew for each tap.
 inline GloamEstimate gloam_sweep(dvec3 position, dvec3 normal, const GloamCamera& camera,
                                  const GloamKernel& kernel, const GloamSweep& own,
-                                 const Fetch<dvec4>& fetch_layers) {
+                                 const Fetch<double>& fetch_depth) {
     const unsigned steps = std::max(own.steps, 1U);
     const double thickness = own.feature_thickness > 0.0 ? std::min(own.feature_thickness, 1e18) : 0.0;
     const auto add = [&](const GloamSlice& slice, dvec3 n, const auto& tap) {
         const auto occluded = [&](double towards) {
             const GloamSlice half_plane = gloam_sweep_slice(slice, towards);
             GloamSweepSide side = gloam_sweep_side(-half_plane.normal.y);
-            const auto look = [&](unsigned i, int layer) {
-                const SliceTap seen = tap(towards, i, layer);
+            for (unsigned i = 0; i < steps; ++i) {
+                const SliceTap seen = tap(towards, i);
                 const dvec3 offset = gloam_into_slice(seen.offset, cross(slice.tangent, slice.view), n);
                 const dvec2 within = dvec2(dot(offset, slice.view), towards * dot(offset, slice.tangent));
                 const double sine = sqrt(max(1.0 - side.horizon * side.horizon, 0.0));
                 const bool rises = dot(seen.offset, n) > kernel.bias;
                 side.behind = gloam_sweep_behind({side.horizon, sine}, half_plane);
-                side = layer == 0 ? gloam_sweep_tap(side, half_plane, within / kernel.radius, seen.tells,
-                                                    rises, own.falloff, thickness)
-                                  : gloam_sweep_uncover(side, half_plane, within / kernel.radius, seen.tells,
-                                                        rises, own.falloff);
-            };
-            for (unsigned i = 0; i < steps; ++i) {
-                const double before = side.before;
-                double nearest = before;
-                for (int layer = 0; layer < kernel.layers; ++layer) {
-                    side.before = before;
-                    look(i, layer);
-                    if (layer == 0) nearest = side.before;
-                }
-                side.before = nearest;
+                side = gloam_sweep_tap(side, half_plane, within / kernel.radius, seen.tells, rises,
+                                       own.falloff, thickness);
             }
             return side.occluded + side.feature;
         };
         if (!(slice.weight > 0.0)) return dvec2(0.0);
         return slice.weight * dvec2(occluded(1.0) + occluded(-1.0), gloam_slice_whole(slice));
     };
-    return gather_slices(position, normal, camera, kernel, steps, fetch_layers, gloam_slice_place, add);
+    return gather_slices(position, normal, camera, kernel, steps, fetch_depth, gloam_slice_place, add);
 }
 
 }  // namespace gloam::reference

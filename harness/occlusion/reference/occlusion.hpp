@@ -59,7 +59,6 @@ struct GloamKernel {
     unsigned first;
     unsigned count;
     double farthest;
-    int layers;
 };
 
 struct GloamEstimate {

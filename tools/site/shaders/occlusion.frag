@@ -41,7 +41,6 @@ uniform bool on_lattice;
 layout(constant_id = 0) const bool orthographic = false;  // the camera; else perspective
 const bool fewer_samples = true;
 const bool caps_radius = true;
-const int layers = 1;
 
 uniform sampler2D depth_image;     // eye-linear depth; background 0
 uniform sampler2D normal_image;    // view-space normal that faces the eye
@@ -73,6 +72,7 @@ GloamEstimate estimated(ivec2 pixel, float depth, GloamHistory before, uint samp
     vec3 position = gloam_camera_position(pixel, depth, camera);
     vec3 normal = gloam_fetch_normal(pixel);
     MethodValues values = method_values;
+    values.layers = 1;
     return METHOD(position, normal, camera, kernel, values);
 }
 

@@ -133,8 +133,7 @@ using List = std::optional<TileLists>;
 // from_history: it reads the history; otherwise an image of one channel.
 // A pass that includes directional/points.glsl. interleave: side of the blocks whose pixels share a pattern
 // of samples; 0 where the pass does not use it.
-[[nodiscard]] PassSource directional_source(const std::string& name, const Settings& settings,
-                                            std::uint32_t interleave);
+[[nodiscard]] PassSource directional_source(const std::string& name, std::uint32_t interleave);
 inline constexpr std::uint32_t bent_interleave = 4;  // in a frame's plan
 [[nodiscard]] PassSource motion_source(const View& view, const View& before);
 [[nodiscard]] PassSource remap_source(const Settings& settings, bool from_history, List list = {});

@@ -35,7 +35,7 @@ std::vector<MethodInfo> point_methods() {
          .measure = cosine,
          .falloff = "linear",
          .own_settings = "GloamHemisphere",
-         .members = {{"range"}},
+         .members = {{"range"}, {"layers"}},
          .points = "hemisphere_cosine",
          .presets = tssao_presets},
         {.name = "crytek",

@@ -65,7 +65,7 @@ std::vector<MethodInfo> ray_methods() {
          .measure = cosine,
          .falloff = "linear",
          .own_settings = "GloamSsdo",
-         .members = {{"range"}, {"steps"}},
+         .members = {{"range"}, {"steps"}, {"layers"}},
          .points = "halton",
          .unit = SampleUnit::ray,
          .adapt = [](Settings& s) { s.own.steps = 1; }},

@@ -95,7 +95,7 @@ std::vector<MethodInfo> slice_methods() {
          .measure = uniform,
          .falloff = "quadratic",
          .own_settings = "GloamDualResolution",
-         .members = {{"angle_bias"}, {"contrast", "intensity"}, {"steps"}, {"disagreement"}},
+         .members = {{"angle_bias"}, {"contrast", "intensity"}, {"steps"}, {"disagreement"}, {"layers"}},
          .points = "halton",
          .unit = SampleUnit::slice,
          .adapt = adapt_hbao,
