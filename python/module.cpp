@@ -42,9 +42,8 @@ struct Variable {
 std::string dtype_of(const shader::Type& type) {
     if (type.scalar == shader::Scalar::bool_) return "bool";
     if (type.scalar == shader::Scalar::structure) return "words";  // its scalars may differ
-    const std::string bits = std::to_string(shader::bits_of(type.scalar));
-    if (shader::is_float(type.scalar)) return "float" + bits;
-    return (shader::is_signed(type.scalar) ? "int" : "uint") + bits;
+    if (shader::is_float(type.scalar)) return fmt::format("float{}", shader::bits_of(type.scalar));
+    return type.scalar == shader::Scalar::int_ ? "int32" : "uint32";
 }
 
 Variable variable_of(const std::string& name, const shader::Type& type, bool is_input) {

@@ -30,12 +30,12 @@ TEST(Guide, OneCall) {
     // End
 }
 
-TEST(Guide, NumbersOfOtherSizes) {
+TEST(Guide, HalfPrecision) {
     const Lab lab = guide_lab();
     // Begin: numbers
-    const Function<Float64(Float64)> halved(lab, "halved.glsl", "halved");
-    EXPECT_EQ(halved(0x1p-1000), 0x1p-1001);
-    EXPECT_THAT(halved.check_rules({uniform(0, 1, shader::Scalar::double_)}), Passes());
+    const Function<Float16(Float16)> halved(lab, "halved.glsl", "halved");
+    EXPECT_EQ(halved(0.25F), 0.125F);
+    EXPECT_THAT(halved.check_rules({uniform(0, 1, shader::Scalar::float16_)}), Passes());
     // End
 }
 

@@ -80,7 +80,7 @@ TEST_F(OwnFunctionTest, InputsForWhichALoopHasNoEndAreNotJudged) {
     const Lab interpreted(options_of("undefined.glsl"), interpreter());
     const OwnFunction loop = functions_of("undefined.glsl", {"undefined_loop"}).found.at(0);
     Question question = question_of(interpreted, "undefined.glsl", loop, {});
-    question.domain = {integers(0, 3, shader::Scalar::uint_)};
+    question.domain = {integers(0, 3)};
     const Answer answer = run(interpreted, question, {.inputs = 4});
     EXPECT_EQ(answer.outside(), 0U) << answer;
     EXPECT_EQ(answer.undefined, answer.recorded());

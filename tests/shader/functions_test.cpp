@@ -119,18 +119,32 @@ TEST(Functions, OtherTypesAreListedAsUnsupported) {
     EXPECT_THAT(prototypes(found),
                 ElementsAre("float f(sampler2DMS a, double[2][3] b, S s, sampler2D[2] d)"));
     for (const std::size_t sampler : {0, 3}) EXPECT_FALSE(is_supported(found[0].parameters[sampler].type));
-    EXPECT_EQ(to_glsl(found[0].parameters[2].type), "S { float[3] a; dvec2 b; }");
+    EXPECT_EQ(to_glsl(found[0].parameters[2].type), "S { float[3] a; double b; }");
 }
 
-TEST(Functions, NumbersOfAllSizesHaveTheirTypes) {
-    const std::string text =
-        "int64_t f(double a, f16vec3 b, u8vec4[2] c, int16_t d, dmat2x3 e, f16mat2 g, uint64_t h)";
+TEST(Functions, HalvesHaveTheirTypes) {
+    const std::string text = "float16_t f(f16vec3 a, f16mat2 b, float16_t[2] c)";
     const auto found = functions_of("#extension GL_EXT_shader_explicit_arithmetic_types : require\n" + text +
-                                    " { return 1l; }\n");
+                                    " { return c[0]; }\n");
     EXPECT_THAT(prototypes(found), ElementsAre(text));
-    for (const Parameter& parameter : found[0].parameters) EXPECT_TRUE(is_supported(parameter.type));
-    EXPECT_EQ(found[0].parameters[1].type.scalar, Scalar::float16_);
-    EXPECT_EQ(bits_of(found[0].result.scalar), 64U);
+    EXPECT_TRUE(is_supported(found[0].result));
+    EXPECT_EQ(found[0].parameters[0].type.scalar, Scalar::float16_);
+    EXPECT_EQ(found[0].other_number, "");
+}
+
+// By its parameters, its result, what it calculates with and what it calls.
+TEST(Functions, NumbersThatAreNotJudgedAreNamed) {
+    const auto found = functions_of(
+        "#extension GL_EXT_shader_explicit_arithmetic_types : require\n"
+        "struct S { float a[3]; u8vec2 b; };\n"
+        "float f(dmat2x3 a) { return 1.0; }\nint64_t g() { return 1l; }\nS h(S s) { return s; }\n"
+        "float i(float x) { return float(double(x)); }\nfloat j(float x) { return i(x); }\n"
+        "float k(float x) { return x; }\n");
+    std::vector<std::string> numbers;
+    for (const Function& function : found) numbers.push_back(function.other_number);
+    EXPECT_THAT(numbers, ElementsAre("double", "int64_t", "uint8_t", "double", "double", ""));
+    EXPECT_FALSE(is_supported(found[0].parameters[0].type));
+    EXPECT_FALSE(is_supported(found[2].result));
 }
 
 // The size of such an array is known only when the pipeline is made.

@@ -53,23 +53,11 @@ void append_value(Scalar scalar, const std::string& text, std::vector<Word>& wor
     constexpr int decimal = 10;
     const bool is_bits = text.starts_with("0x");
     if (shader::is_float(scalar) && !is_bits)
-        return check::append_float(scalar, parsed<double>(text, decimal), words);
-    words.resize(words.size() + check::word_count(scalar));
-    const std::span<Word> own = std::span(words).last(check::word_count(scalar));
-    if (scalar == Scalar::bool_ && (text == "true" || text == "false")) {
-        own[0] = text == "true" ? 1U : 0U;
-        return;
-    }
-    const bool is_signed = shader::is_signed(scalar) && !is_bits;
-    const auto bits = is_signed ? static_cast<std::uint64_t>(parsed<std::int64_t>(text, decimal))
-                                : parsed<std::uint64_t>(text, is_bits ? hexadecimal : decimal);
-    check::set_bits(scalar, bits, own);
-    const std::size_t unused = 64 - (shader::is_float(scalar) ? 32 * own.size() : shader::bits_of(scalar));
-    const std::uint64_t cut = bits << unused;
-    const bool fits =
-        bits ==
-        (is_signed ? static_cast<std::uint64_t>(static_cast<std::int64_t>(cut) >> unused) : cut >> unused);
-    if (!fits) throw std::invalid_argument(fmt::format("\"{}\" is no value of this parameter", text));
+        return words.push_back(check::float_word(scalar, parsed<double>(text, decimal)));
+    if (scalar == Scalar::bool_ && (text == "true" || text == "false"))
+        return words.push_back(text == "true" ? 1U : 0U);
+    words.push_back(scalar == Scalar::int_ && !is_bits ? static_cast<Word>(parsed<int>(text, decimal))
+                                                       : parsed<Word>(text, is_bits ? hexadecimal : decimal));
 }
 
 // The words of an input. A function of a quad or a work group takes the values of all its invocations, one
@@ -88,7 +76,6 @@ std::vector<Word> input_from(const check::OwnFunction& own, const std::vector<st
         const bool alone = own.team.count() == 1 || !check::is_of_each(p);
         parts.push_back(
             {check::scalars_of(alone ? p.type : shader::element_of(p.type)), alone ? 1 : own.team.count()});
-        std::erase(parts.back().scalars, Scalar::upper);
         of_one += parts.back().scalars.size();
         all += parts.back().scalars.size() * parts.back().invocations;
         if (!p.image.empty()) pixels += parts.back().scalars.size();

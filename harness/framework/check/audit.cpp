@@ -340,7 +340,8 @@ void add_witness(Audit& audit, const Lab& lab, const Question& question, const A
     for (AuditFinding& finding : audit.findings) {
         if (finding.concern == Concern::fault) continue;
         const KernelCore::Result result = kernel.run(finding.words, 1, images);
-        finding.witnesses.push_back({lab.info().name, number_at(scalars, result.outputs, finding.output)});
+        const double seen = number_at(scalars[finding.output], result.outputs[finding.output]);
+        finding.witnesses.push_back({lab.info().name, seen});
     }
 }
 

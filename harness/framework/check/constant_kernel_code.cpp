@@ -18,7 +18,6 @@ using shader::Scalar;
 std::string float_literal(Scalar scalar, double value) {
     std::string text = fmt::format("{:.17g}", value);
     if (text.find_first_of(".e") == std::string::npos) text += ".0";
-    if (scalar == Scalar::double_) text += "lf";
     return scalar == Scalar::float16_ ? fmt::format("float16_t({})", text) : text;
 }
 
@@ -45,19 +44,18 @@ std::size_t input_words(const KernelSource& source) {
 
 }  // namespace
 
-std::string literal(Scalar scalar, std::span<const Word> words) {
-    if (scalar == Scalar::bool_) return words[0] != 0 ? "true" : "false";
-    if (shader::is_float(scalar) && std::isfinite(float_at(scalar, words)))
-        return float_literal(scalar, float_at(scalar, words));
-    return internal::from_words(
-        scalar, [&](std::size_t at) { return fmt::format("0x{:08x}u", words[at]); }, 0);
+std::string literal(Scalar scalar, Word word) {
+    if (scalar == Scalar::bool_) return word != 0 ? "true" : "false";
+    if (shader::is_float(scalar) && std::isfinite(number_at(scalar, word)))
+        return float_literal(scalar, number_at(scalar, word));
+    return internal::scalar_of_word(scalar, fmt::format("0x{:08x}u", word));
 }
 
 std::string literal_kernel_code(const KernelSource& source, std::span<const Word> inputs, std::size_t count) {
     const std::size_t words = count == 0 ? 0 : inputs.size() / count;
     const auto input_of = [&](std::size_t index) -> internal::InputText {
         return [input = inputs.subspan(index * words, words)](Scalar scalar, std::size_t word) {
-            return literal(scalar, input.subspan(word));
+            return literal(scalar, input[word]);
         };
     };
     return internal::kernel_text(source, main_function(source, count, input_of));
@@ -70,9 +68,7 @@ std::string specialized_kernel_code(const KernelSource& source, std::size_t coun
         constants += fmt::format("layout(constant_id = {0}) const uint gloam_kernel_constant{0} = 0u;\n", id);
     const auto input_of = [words](std::size_t index) -> internal::InputText {
         return [first = index * words](Scalar scalar, std::size_t word) {
-            return internal::from_words(
-                scalar, [&](std::size_t at) { return fmt::format("gloam_kernel_constant{}", first + at); },
-                word);
+            return internal::scalar_of_word(scalar, fmt::format("gloam_kernel_constant{}", first + word));
         };
     };
     return internal::kernel_text(source, constants + main_function(source, count, input_of));

@@ -74,10 +74,8 @@ struct Values {
                                         shader::Scalar scalar = shader::Scalar::float_);
 // float with any bit pattern.
 [[nodiscard]] Values any_float();
-// Integers in [low, high], those of the type; the ends are fixed values.
-[[nodiscard]] Values integers(long low, long high, shader::Scalar scalar = shader::Scalar::int_);
-// All integers of a type, of every magnitude and sign; the ends, 0, 1, -1 and 2^31 are fixed values.
-[[nodiscard]] Values any_integer(shader::Scalar scalar);
+// int or uint: integers in [low, high]; the ends are fixed values.
+[[nodiscard]] Values integers(long low, long high);
 // int or uint: 0, or a value in [1, high] whose logarithm is uniform.
 [[nodiscard]] Values log_integers(long high);
 [[nodiscard]] Values booleans();

@@ -24,31 +24,22 @@ using shader::Scalar;
 
 std::string words_text(const std::vector<Scalar>& scalars, std::span<const Word> words) {
     std::vector<std::string> texts;
-    for (std::size_t i = 0; i < words.size(); ++i)
-        if (scalars[i] != Scalar::upper) texts.push_back(text_at(scalars[i], words.subspan(i)));
+    for (std::size_t i = 0; i < words.size(); ++i) texts.push_back(text_of(scalars[i], words[i]));
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-// The text of the number that begins at a word. An integer in decimal; the bits of its value as a double
-// would carry no information.
-std::string number_text(const std::vector<Scalar>& scalars, std::size_t i, double number, double upper) {
+// The text of the number of a word. An integer in decimal; the bits of its value as a double would carry no
+// information.
+std::string number_text(const std::vector<Scalar>& scalars, std::size_t i, double number) {
     constexpr double exact = 9'007'199'254'740'992.0;
     const Scalar scalar = i < scalars.size() ? scalars[i] : Scalar::float_;
-    if (scalar == Scalar::int64_ || scalar == Scalar::uint64_) {
-        const std::array words{static_cast<Word>(number),
-                               static_cast<Word>(static_cast<std::int64_t>(upper))};
-        return text_at(scalar, words);
-    }
     const bool whole = std::abs(number) <= exact && number == std::floor(number);
     return shader::is_float(scalar) || !whole ? numeric::to_text(number) : fmt::format("{:.0f}", number);
 }
 
 std::string numbers_text(const std::vector<Scalar>& scalars, const std::vector<double>& numbers) {
     std::vector<std::string> texts;
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-        if (i >= scalars.size() || scalars[i] != Scalar::upper)
-            texts.push_back(
-                number_text(scalars, i, numbers[i], i + 1 < numbers.size() ? numbers[i + 1] : 0.0));
+    for (std::size_t i = 0; i < numbers.size(); ++i) texts.push_back(number_text(scalars, i, numbers[i]));
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
@@ -57,10 +48,8 @@ std::string outcome_text(const std::vector<Scalar>& scalars, const Sample::Outco
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < permitted.size(); ++i) {
         const numeric::Bounds& bounds = permitted[i];
-        if (i < scalars.size() && scalars[i] == Scalar::upper) continue;
-        const numeric::Bounds& next = permitted[std::min(i + 1, permitted.size() - 1)];
-        const std::string low = number_text(scalars, i, bounds.low, next.low);
-        const std::string high = number_text(scalars, i, bounds.high, next.high);
+        const std::string low = number_text(scalars, i, bounds.low);
+        const std::string high = number_text(scalars, i, bounds.high);
         const std::string range = bounds.empty() ? "nothing but NaN"
                                   : low == high  ? low
                                                  : fmt::format("[{}, {}]", low, high);
@@ -179,8 +168,7 @@ void append(const interpreter::Step<Explained>& step, std::vector<ExplainedStep>
                           .permitted = x.permitted.bounds(),
                           .error = x.value - x.exact,
                           .local = x.local,
-                          .ulps = numeric::ulp_error(x.value, x.exact, step.format),
-                          .digits = step.format == numeric::float64 ? 17 : 9};
+                          .ulps = numeric::ulp_error(x.value, x.exact, step.format)};
         if (std::isnan(one.error)) one.error = 0.0;  // one infinity equals the other
         steps.push_back(std::move(one));
     }
@@ -219,11 +207,10 @@ std::vector<std::size_t> telling_steps(const std::vector<ExplainedStep>& steps, 
     return order;
 }
 
-std::string permitted_text(const numeric::Bounds& bounds, int digits) {
+std::string permitted_text(const numeric::Bounds& bounds) {
     if (bounds.is_anything()) return "anything";
     if (bounds.empty()) return "NaN";
-    return fmt::format("[{0:.{2}g}, {1:.{2}g}]{3}", bounds.low, bounds.high, digits,
-                       bounds.nan ? " or NaN" : "");
+    return fmt::format("[{:.9g}, {:.9g}]{}", bounds.low, bounds.high, bounds.nan ? " or NaN" : "");
 }
 
 // The sign of a NaN means nothing.
@@ -247,10 +234,9 @@ std::string line_of(const ExplainedStep& step, bool is_worst) {
     const std::string operation = step.component == 0
                                       ? step.operation
                                       : fmt::format("{} .{}", step.operation, "xyzw"[step.component % 4]);
-    return fmt::format(
-        line_format, place, operation, value_text(step.value, step.digits), value_text(step.exact, 17),
-        fmt::format("{:.3g}", step.ulps), share_text(step.local), share_text(step.inherited()),
-        permitted_text(step.permitted, step.digits) + (is_worst ? "  <-- most of the error" : ""));
+    return fmt::format(line_format, place, operation, value_text(step.value, 9), value_text(step.exact, 17),
+                       fmt::format("{:.3g}", step.ulps), share_text(step.local), share_text(step.inherited()),
+                       permitted_text(step.permitted) + (is_worst ? "  <-- most of the error" : ""));
 }
 
 // Where the error grows most, and where the first NaN arises.

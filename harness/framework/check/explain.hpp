@@ -29,7 +29,6 @@ struct ExplainedStep {
     double error = 0.0;         // value - exact
     double local = 0.0;         // the part of the error that this operation adds by rounding
     double ulps = 0.0;          // error in units in the last place of the exact result
-    int digits = 9;             // decimal ones of its format
 
     // The part of the error that came with the operands.
     [[nodiscard]] double inherited() const { return error - local; }

@@ -66,23 +66,18 @@ std::size_t append_read(std::string& code, const Type& type, const std::string& 
                         const InputText& input, std::size_t offset) {
     std::vector<std::pair<Scalar, std::string>> paths;
     scalar_paths(type, variable, paths);
-    const std::size_t first = offset;
-    for (const auto& [scalar, path] : paths) {
-        code += fmt::format("    {} = {};\n", path, input(scalar, offset));
-        offset += word_count(scalar);
-    }
-    return offset - first;
+    for (const auto& [scalar, path] : paths)
+        code += fmt::format("    {} = {};\n", path, input(scalar, offset++));
+    return paths.size();
 }
 
 std::size_t append_write(std::string& code, const Type& type, const std::string& variable,
                          std::string_view buffer, std::string_view at, std::size_t offset) {
     std::vector<std::pair<Scalar, std::string>> paths;
     scalar_paths(type, variable, paths);
-    const std::size_t first = offset;
     for (const auto& [scalar, path] : paths)
-        for (const std::string& word : to_words(scalar, path))
-            code += fmt::format("    {}[{} + {}u] = {};\n", buffer, at, offset++, word);
-    return offset - first;
+        code += fmt::format("    {}[{} + {}u] = {};\n", buffer, at, offset++, word_of_scalar(scalar, path));
+    return paths.size();
 }
 
 namespace {
@@ -177,9 +172,7 @@ std::string image_definition(const ImagePrototype& image, std::size_t index, con
     } else {
         code += fmt::format("    {} gloam_kernel_value;\n", type);
         const InputText word = [&read_word](Scalar scalar, std::size_t offset) {
-            return from_words(
-                scalar, [&](std::size_t at) { return read_word(fmt::format("gloam_kernel_at + {}u", at)); },
-                offset);
+            return scalar_of_word(scalar, read_word(fmt::format("gloam_kernel_at + {}u", offset)));
         };
         append_read(code, image.element, "gloam_kernel_value", word, 0);
         code += "    return gloam_kernel_value;\n";
@@ -242,10 +235,7 @@ std::string word_of_buffer(std::size_t image, const std::string& at) {
 }
 
 std::string input_of_buffer(Scalar scalar, std::size_t word) {
-    return from_words(
-        scalar,
-        [](std::size_t at) { return fmt::format("gloam_kernel_inputs[gloam_kernel_input_at + {}u]", at); },
-        word);
+    return scalar_of_word(scalar, fmt::format("gloam_kernel_inputs[gloam_kernel_input_at + {}u]", word));
 }
 
 }  // namespace gloam::check::internal

@@ -94,7 +94,7 @@ using KernelModules = std::vector<std::shared_ptr<const KernelModule>>;
 
 // The GLSL literal of the scalar that begins with these words, exactly: finite floats as decimals, others by
 // their bits.
-[[nodiscard]] std::string literal(shader::Scalar scalar, std::span<const Word> words);
+[[nodiscard]] std::string literal(shader::Scalar scalar, Word word);
 
 // The text of a compute shader like that of kernel_code(), but with the inputs as literals in the text:
 // invocation i evaluates input i. inputs: each of the same number of words, one after another. Throws

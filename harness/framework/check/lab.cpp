@@ -8,6 +8,7 @@
 #include "backend/gl/device.hpp"
 #include "backend/gl/kernel.hpp"
 #include "check/internal/kernel_text.hpp"
+#include "shader/module.hpp"
 #include "shader/spirv.hpp"
 #include "shader/steps.hpp"
 
@@ -234,10 +235,8 @@ KernelCore Lab::kernel(const std::string& file, const std::string& function,
     if (made_of.team.kind == backend::Team::Kind::quad)
         module.vertices = compile(quad_vertices(), {.stage = shader::Stage::vertex});
     if (const auto text_language = language()) {
-        for (const std::string& capability : shader::number_capabilities(module.spirv))
-            if (capability != "Float64")
-                throw backend::Unsupported(fmt::format("{}: needs {}, which OpenGL has no standard types for",
-                                                       function, capability));
+        if (shader::has_float16(module.spirv))
+            throw backend::Unsupported(function + ": needs float16_t, which OpenGL has no standard type for");
         if (shader::for_any_sampler_index(module.spirv))
             throw backend::Unsupported(
                 fmt::format("{}: the index into an array of samplers is not constant and may differ between "
@@ -276,6 +275,8 @@ shader::Spirv Lab::compile_kernel(const shader::Source& text, const std::vector<
     shader::CompileOptions options = compile_options();
     options.stage = stage;
     shader::Spirv module = compiled(text, options);
+    if (const std::string other = shader::spirv::other_number(module); !other.empty())
+        throw backend::Unsupported(text.name + ": " + shader::spirv::not_judged(other));
     for (const shader::Resource& resource : shader::used_resources(module)) {
         constexpr std::string_view ours = "GloamKernel";  // translations keep one of the two names
         if (resource.block.starts_with(ours) || resource.name.starts_with(ours)) continue;
@@ -296,10 +297,9 @@ shader::Spirv Lab::compiled(const shader::Source& text, const shader::CompileOpt
     } catch (const shader::CompileError&) {
         shader::CompileOptions direct = options;
         direct.variant.through = shader::Variant::Through::none;
-        const std::vector<std::string> numbers = shader::number_capabilities(compile(text, direct));
-        if (numbers.empty()) throw;
-        throw backend::Unsupported(fmt::format("{}: needs {}, which the variant {} cannot translate",
-                                               text.name, fmt::join(numbers, ", "), options.variant.name));
+        if (!shader::has_float16(compile(text, direct))) throw;
+        throw backend::Unsupported(fmt::format("{}: needs float16_t, which the variant {} cannot translate",
+                                               text.name, options.variant.name));
     }
 }
 

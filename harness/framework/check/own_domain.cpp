@@ -44,7 +44,7 @@ struct Described {
 // No one means subnormal numbers, or the smallest normal ones, though they lie in the range.
 Values without_tiny(Values values, Scalar scalar) {
     const auto is_tiny = [scalar](std::span<const Word> words) {
-        const double magnitude = std::abs(float_at(scalar, words));
+        const double magnitude = std::abs(from_word<double>(words.front()));
         return magnitude > 0.0 && magnitude <= format_of(scalar).smallest_normal();
     };
     std::erase_if(values.fixed, [&](const Values::Fixed& fixed) { return is_tiny(fixed.words); });
@@ -84,7 +84,7 @@ Described without_meaning(const Type& type, int components) {
     if (scalar == Scalar::bool_) return {"false, true", in_every_component(components, booleans())};
     if (!shader::is_float(scalar))
         return {fmt::format("0 to {}", usual_index),
-                in_every_component(components, integers(0, usual_index, scalar))};
+                in_every_component(components, integers(0, usual_index))};
     const double high = usual_high_of(scalar);
     return {fmt::format("-{0} to {0}, half of them 0 to 1", number_text(high)),
             in_every_component(components, either(without_tiny(uniform(0, 1, scalar), scalar),
@@ -224,8 +224,7 @@ class Ordinary {
         const long low = any_size ? 1 : std::lround(std::clamp(meaning.low, -0x1p31, 0x1p32 - 1.0));
         const long high = any_size ? static_cast<long>(usual_high)
                                    : std::lround(std::clamp(meaning.high, -0x1p31, 0x1p32 - 1.0));
-        return {fmt::format("{} to {}", low, high),
-                in_every_component(components, integers(low, high, scalar))};
+        return {fmt::format("{} to {}", low, high), in_every_component(components, integers(low, high))};
     }
 
     std::string_view text_;

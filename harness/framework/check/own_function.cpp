@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "interpreter/machine.hpp"
+#include "shader/module.hpp"
 #include "shader/reflection.hpp"
 
 namespace gloam::check {
@@ -35,7 +36,7 @@ Range usual_range(Scalar scalar) {
 // Values of any type in a range.
 Values values_in(Scalar scalar, const Range& range) {
     if (shader::is_float(scalar)) return uniform(range.low, range.high, scalar);
-    return integers(static_cast<long>(range.low), static_cast<long>(range.high), scalar);
+    return integers(static_cast<long>(range.low), static_cast<long>(range.high));
 }
 
 Values scalar_values(Scalar scalar, const std::optional<Range>& range) {
@@ -44,26 +45,22 @@ Values scalar_values(Scalar scalar, const std::optional<Range>& range) {
     switch (scalar) {
         case Scalar::float_:
         case Scalar::float16_:
-        case Scalar::double_:
             // Most parameters of shader functions are shares, colours or coordinates.
             return either(uniform(0, 1, scalar),
                           signed_log_uniform(usual.low, usual.high, scalar).and_special(scalar));
         case Scalar::int_:
             return either(integers(0, usual_index),
                           either(log_integers(usual_integer), integers(-usual_integer, usual_integer)));
-        case Scalar::uint_:
-            return either(integers(0, usual_index), log_integers(largest_unsigned));
         case Scalar::bool_:
             return booleans();
         default:
-            return either(integers(0, usual_index, scalar), any_integer(scalar));
+            return either(integers(0, usual_index), log_integers(largest_unsigned));
     }
 }
 
 Values values_of(const shader::Type& type, const std::optional<Range>& range) {
     std::vector<Values> scalars;
-    for (const Scalar scalar : scalars_of(type))
-        if (scalar != Scalar::upper) scalars.push_back(scalar_values(scalar, range));
+    for (const Scalar scalar : scalars_of(type)) scalars.push_back(scalar_values(scalar, range));
     return scalars.size() == 1 ? scalars.front() : vector(scalars);
 }
 
@@ -84,6 +81,7 @@ std::string why_not(const shader::Function& function, const shader::Excerpt& exc
     for (const char* ours : {"gloam_kernel_", "GloamKernel"})
         if (excerpt.text.find(ours) != std::string::npos)
             return fmt::format("it uses a name with {}, as only the generated kernel may", ours);
+    if (!function.other_number.empty()) return shader::spirv::not_judged(function.other_number);
     std::size_t scalars = shader::scalar_count(function.result);
     for (const shader::Parameter& p : function.parameters) {
         if (const std::string what = obstacle(p.type); !what.empty() && p.global)
@@ -238,14 +236,9 @@ Image random_image(const ImagePrototype& prototype, glm::ivec2 size, numeric::Ra
     Image image{.element = prototype.element, .size = size, .border = Border::clamp, .words = {}};
     for (int pixel = 0; pixel < size.x * size.y; ++pixel) {
         for (const Scalar scalar : scalars_of(prototype.element)) {
-            if (scalar == Scalar::upper) continue;
             const double value = random.uniform(0.1, 10.0);
-            if (shader::is_float(scalar)) {
-                append_float(scalar, value, image.words);
-            } else {
-                image.words.resize(image.words.size() + word_count(scalar));
-                set_bits(scalar, random.below(2), std::span(image.words).last(word_count(scalar)));
-            }
+            image.words.push_back(shader::is_float(scalar) ? float_word(scalar, value)
+                                                           : static_cast<Word>(random.below(2)));
         }
     }
     return image;

@@ -9,6 +9,7 @@
 
 #include "check/internal/pass_work.hpp"
 #include "shader/include.hpp"
+#include "shader/module.hpp"
 
 namespace gloam::check {
 
@@ -36,7 +37,10 @@ shader::Spirv compiled(const Lab& lab, const std::string& file, shader::Stage st
     shader::CompileOptions options = lab.compile_options();
     options.stage = stage;
     options.lines = lab.info().type == interpreter_name;  // its errors have a place
-    return lab.compile({.name = path.string(), .text = shader::read_text(path)}, options);
+    shader::Spirv module = lab.compile({.name = path.string(), .text = shader::read_text(path)}, options);
+    if (const std::string other = shader::spirv::other_number(module); !other.empty())
+        throw std::invalid_argument(file + ": " + shader::spirv::not_judged(other));
+    return module;
 }
 
 std::shared_ptr<const Pass::Impl> made(const Lab& lab, internal::PassModules modules) {

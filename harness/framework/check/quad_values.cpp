@@ -44,10 +44,9 @@ void append_stepped(const Values& one, const std::vector<shader::Scalar>& scalar
         const double dx = small_step(context.random);
         const double dy = small_step(context.random);
         for (std::size_t k = 1; k < quad; ++k)
-            set_float(scalars[s],
-                      moved(float_at(scalars[s], std::span(first).subspan(s)), is_right(k) ? dx : 0.0,
-                            is_below(k) ? dy : 0.0),
-                      std::span(all).subspan(k * first.size() + s));
+            all[k * first.size() + s] = float_word(
+                scalars[s],
+                moved(from_word<double>(first[s]), is_right(k) ? dx : 0.0, is_below(k) ? dy : 0.0));
     }
     // Steps that lead out of the values are not made.
     for (std::size_t k = 0; k < quad; ++k) {

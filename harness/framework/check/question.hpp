@@ -122,16 +122,7 @@ namespace detail {
 
 template <class T>
 void append(const T& value, std::vector<double>& outputs) {
-    visit_scalars(value, [&outputs](const auto& scalar) {
-        using Scalar = std::remove_cvref_t<decltype(scalar)>;
-        if constexpr (std::integral<Scalar> && LongValue<Scalar>) {
-            outputs.push_back(static_cast<double>(static_cast<Word>(scalar)));
-            outputs.push_back(static_cast<double>(scalar >> 32));
-        } else {
-            outputs.push_back(static_cast<double>(scalar));
-            if constexpr (LongValue<Scalar>) outputs.push_back(0.0);
-        }
-    });
+    visit_scalars(value, [&outputs](const auto& scalar) { outputs.push_back(static_cast<double>(scalar)); });
 }
 
 // Calls a reference, with the images as first argument if it takes them.

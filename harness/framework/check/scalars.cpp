@@ -2,7 +2,6 @@
 #include "check/scalars.hpp"
 
 #include <fmt/format.h>
-#include <bit>
 #include <cmath>
 
 #include "check/values_in_words.hpp"
@@ -23,10 +22,7 @@ void append_scalars(const shader::Type& type, std::vector<Scalar>& scalars) {
         for (const shader::Member& member : type.members) append_scalars(member.type, scalars);
         return;
     }
-    for (int i = 0; i < type.columns * type.rows; ++i) {
-        scalars.push_back(type.scalar);
-        if (word_count(type.scalar) == 2) scalars.push_back(Scalar::upper);
-    }
+    scalars.insert(scalars.end(), static_cast<std::size_t>(type.columns * type.rows), type.scalar);
 }
 
 std::vector<Scalar> scalars_of(const shader::Type& type) {
@@ -35,105 +31,47 @@ std::vector<Scalar> scalars_of(const shader::Type& type) {
     return scalars;
 }
 
-std::uint64_t bits_at(Scalar scalar, std::span<const Word> words) {
-    return word_count(scalar) == 2 ? std::uint64_t{words[1]} << 32U | words[0] : words[0];
+double whole_number(Scalar scalar, Word word) {
+    return scalar == Scalar::int_ ? from_word<int>(word) : static_cast<double>(word);
 }
 
-void set_bits(Scalar scalar, std::uint64_t bits, std::span<Word> words) {
-    if (!shader::is_float(scalar) && shader::bits_of(scalar) < 32) {
-        const unsigned unused = 64 - shader::bits_of(scalar);
-        const std::uint64_t cut = bits << unused;
-        bits = shader::is_signed(scalar)
-                   ? static_cast<std::uint64_t>(static_cast<std::int64_t>(cut) >> unused)
-                   : cut >> unused;
-    }
-    words[0] = static_cast<Word>(bits);
-    if (word_count(scalar) == 2) words[1] = static_cast<Word>(bits >> 32U);
-}
-
-double float_at(Scalar scalar, std::span<const Word> words) {
-    return scalar == Scalar::double_ ? std::bit_cast<double>(bits_at(scalar, words))
-                                     : static_cast<double>(from_word<float>(words[0]));
-}
-
-bool is_rest_of_float(std::span<const Scalar> scalars, std::size_t word) {
-    return scalars[word] == Scalar::upper && scalars[word - 1] == Scalar::double_;
-}
-
-double whole_number(std::span<const Scalar> scalars, Word bits, std::size_t word) {
-    if (is_rest_of_float(scalars, word)) return 0.0;
-    const Scalar scalar = scalars[word] == Scalar::upper ? scalars[word - 1] : scalars[word];
-    const bool low_word = scalars[word] == Scalar::int64_;
-    return shader::is_signed(scalar) && !low_word ? from_word<int>(bits) : static_cast<double>(bits);
-}
-
-double number_at(std::span<const Scalar> scalars, std::span<const Word> words, std::size_t word) {
-    return shader::is_float(scalars[word]) ? float_at(scalars[word], words.subspan(word))
-                                           : whole_number(scalars, words[word], word);
+double number_at(Scalar scalar, Word word) {
+    return shader::is_float(scalar) ? from_word<double>(word) : whole_number(scalar, word);
 }
 
 const numeric::FloatFormat& format_of(Scalar scalar) {
-    if (scalar == Scalar::double_) return numeric::float64;
     return scalar == Scalar::float16_ ? numeric::float16 : numeric::float32;
 }
 
-void set_float(Scalar scalar, double value, std::span<Word> words) {
-    if (scalar == Scalar::double_) return set_bits(scalar, std::bit_cast<std::uint64_t>(value), words);
+Word float_word(Scalar scalar, double value) {
     if (scalar == Scalar::float16_ && std::isfinite(value)) {
         const double low = numeric::float16.round_down(value);
         const double high = numeric::float16.round_up(value);
         value = value - low <= high - value ? low : high;
     }
-    words[0] = to_word(static_cast<float>(value));
+    return to_word(static_cast<float>(value));
 }
 
-void append_float(Scalar scalar, double value, std::vector<Word>& words) {
-    words.resize(words.size() + word_count(scalar));
-    set_float(scalar, value, std::span(words).last(word_count(scalar)));
-}
-
-void step_float(Scalar scalar, std::int64_t steps, std::span<Word> words) {
-    const double value = float_at(scalar, words);
-    if (scalar == Scalar::double_) return set_float(scalar, numeric::step(value, steps), words);
-    if (scalar == Scalar::float_) {
-        words[0] = to_word(numeric::step(from_word<float>(words[0]), static_cast<int>(steps)));
-    } else if (std::isfinite(value)) {
-        set_float(scalar, value + static_cast<double>(steps) * numeric::float16.ulp(value), words);
-    }
+Word stepped_float(Scalar scalar, Word word, std::int64_t steps) {
+    if (scalar == Scalar::float_)
+        return to_word(numeric::step(from_word<float>(word), static_cast<int>(steps)));
+    const auto value = from_word<double>(word);
+    if (!std::isfinite(value)) return word;
+    return float_word(scalar, value + static_cast<double>(steps) * numeric::float16.ulp(value));
 }
 
 bool same_bits(std::span<const Scalar> scalars, std::span<const Word> a, std::span<const Word> b) {
-    const auto is_nan = [&](std::span<const Word> words, std::size_t i) {
-        return shader::is_float(scalars[i]) && std::isnan(float_at(scalars[i], words.subspan(i)));
-    };
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        if (a[i] == b[i]) continue;
-        const std::size_t first = is_rest_of_float(scalars, i) ? i - 1 : i;
-        if (!is_nan(a, first) || !is_nan(b, first)) return false;
-    }
+    const auto is_nan = [](Word word) { return std::isnan(from_word<float>(word)); };
+    for (std::size_t i = 0; i < a.size(); ++i)
+        if (a[i] != b[i] && !(shader::is_float(scalars[i]) && is_nan(a[i]) && is_nan(b[i]))) return false;
     return true;
 }
 
-std::string text_at(Scalar scalar, std::span<const Word> words) {
-    switch (scalar) {
-        case Scalar::float_:
-        case Scalar::float16_:
-            return numeric::to_text(from_word<float>(words[0]));
-        case Scalar::double_:
-            return fmt::format("{} (0x{:016x})", float_at(scalar, words), bits_at(scalar, words));
-        case Scalar::int_:
-        case Scalar::int8_:
-        case Scalar::int16_:
-            return fmt::format("{}", from_word<int>(words[0]));
-        case Scalar::bool_:
-            return words[0] != 0U ? "true" : "false";
-        case Scalar::int64_:
-            return fmt::format("{}", static_cast<std::int64_t>(bits_at(scalar, words)));
-        case Scalar::uint64_:
-            return fmt::format("{0} (0x{0:016x})", bits_at(scalar, words));
-        default:
-            return fmt::format("{0} (0x{0:08x})", words[0]);
-    }
+std::string text_of(Scalar scalar, Word word) {
+    if (shader::is_float(scalar)) return numeric::to_text(from_word<float>(word));
+    if (scalar == Scalar::int_) return fmt::format("{}", from_word<int>(word));
+    if (scalar == Scalar::bool_) return word != 0U ? "true" : "false";
+    return fmt::format("{0} (0x{0:08x})", word);
 }
 
 }  // namespace gloam::check

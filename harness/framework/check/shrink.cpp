@@ -15,63 +15,45 @@ namespace {
 using shader::Scalar;
 using Words = std::vector<Word>;
 
-using Bits = std::uint64_t;  // of a scalar
+constexpr int significand_bits = 23;
+constexpr Word sign_bit = 0x80000000U;
 
-// The bits of a float's words: those of float32, or of float64.
-int significand_bits(Scalar scalar) {
-    return scalar == Scalar::double_ ? 52 : 23;
-}
-Bits sign_bit(Scalar scalar) {
-    return scalar == Scalar::double_ ? Bits{1} << 63U : Bits{1} << 31U;
-}
-
-std::size_t float_complexity(Bits word, Scalar scalar) {
-    const int digits = significand_bits(scalar);
-    const Bits magnitude = word & ~sign_bit(scalar);
+std::size_t float_complexity(Word word) {
+    const Word magnitude = word & ~sign_bit;
     const std::size_t sign = word == magnitude ? 0 : 1;
     if (magnitude == 0) return sign;
-    const int bias = scalar == Scalar::double_ ? 1023 : 127;
-    const int exponent = static_cast<int>(magnitude >> digits) - bias;
+    constexpr int bias = 127;
+    const int exponent = static_cast<int>(magnitude >> significand_bits) - bias;
     if (exponent > bias) return 2000 + sign;  // infinity or NaN: more complex than any number
-    const Bits significand = magnitude & ((Bits{1} << digits) - 1U);
-    const int bits = significand == 0 ? 0 : digits - std::countr_zero(significand);
+    const Word significand = magnitude & ((Word{1} << significand_bits) - 1U);
+    const int bits = significand == 0 ? 0 : significand_bits - std::countr_zero(significand);
     return 2 + sign + 2 * static_cast<std::size_t>(bits) + static_cast<std::size_t>(std::abs(exponent));
 }
 
-// Of an integer's bits.
-bool is_negative(Bits bits, Scalar scalar) {
-    return shader::is_signed(scalar) &&
-           (bits & (scalar == Scalar::int64_ ? Bits{1} << 63U : Bits{1} << 31U)) != 0;
+bool is_negative(Word word, Scalar scalar) {
+    return scalar == Scalar::int_ && (word & sign_bit) != 0;
 }
 
-std::size_t scalar_complexity(std::span<const Word> words, Scalar scalar) {
-    if (scalar == Scalar::upper) return 0;
-    const Bits bits = bits_at(scalar, words);
-    if (shader::is_float(scalar)) return float_complexity(bits, scalar);
-    const bool negative = is_negative(bits, scalar);
-    const Bits whole = negative ? ~bits + 1U : bits;
-    const Bits magnitude = word_count(scalar) == 2 ? whole : static_cast<Word>(whole);
+std::size_t scalar_complexity(Word word, Scalar scalar) {
+    if (shader::is_float(scalar)) return float_complexity(word);
+    const bool negative = is_negative(word, scalar);
+    const Word magnitude = negative ? 0U - word : word;
     // By bit width, then by the number of set bits: 4 is simpler than 5, and 3 is simpler than both.
     return (negative ? 1U : 0U) + static_cast<std::size_t>(4 * std::bit_width(magnitude)) +
            static_cast<std::size_t>(std::popcount(magnitude));
 }
 
-void add_float_candidates(std::span<const Word> words, Scalar scalar, std::set<Bits>& candidates) {
-    const Bits bits = bits_at(scalar, words);
-    const double value = float_at(scalar, words);
-    const auto add = [&](double number) {
-        Words own;
-        append_float(scalar, number, own);
-        candidates.insert(bits_at(scalar, own));
-    };
+void add_float_candidates(Word word, Scalar scalar, std::set<Word>& candidates) {
+    const auto value = from_word<double>(word);
+    const auto add = [&](double number) { candidates.insert(float_word(scalar, number)); };
     for (const double simple : {0.0, 1.0, -1.0, 0.5, -0.5, 2.0, -2.0, 3.0, 0.25, 4.0, 10.0, 100.0})
         add(simple);
-    candidates.insert(bits ^ sign_bit(scalar));
+    candidates.insert(word ^ sign_bit);
     if (!std::isfinite(value)) return;
-    for (int kept = 0; kept < significand_bits(scalar); ++kept) {
-        const Bits step = Bits{1} << (significand_bits(scalar) - kept);
-        candidates.insert(bits & ~(step - 1U));                // towards zero
-        candidates.insert((bits + step - 1U) & ~(step - 1U));  // away from zero
+    for (int kept = 0; kept < significand_bits; ++kept) {
+        const Word step = Word{1} << (significand_bits - kept);
+        candidates.insert(word & ~(step - 1U));                // towards zero
+        candidates.insert((word + step - 1U) & ~(step - 1U));  // away from zero
     }
     add(std::trunc(value));
     const int exponent = value == 0.0 ? 0 : std::ilogb(value);
@@ -80,21 +62,19 @@ void add_float_candidates(std::span<const Word> words, Scalar scalar, std::set<B
     if (exponent != 0) add(std::ldexp(value, exponent > 0 ? -1 : 1));
 }
 
-void add_integer_candidates(std::span<const Word> words, Scalar scalar, std::set<Bits>& candidates) {
+void add_integer_candidates(Word word, Scalar scalar, std::set<Word>& candidates) {
     if (scalar == Scalar::bool_) {
         candidates.insert(0U);
         return;
     }
-    for (Bits simple = 0; simple <= 8; ++simple) candidates.insert(simple);
-    const Bits bits = bits_at(scalar, words);
-    const bool negative = is_negative(bits, scalar);
-    const Bits whole = negative ? ~bits + 1U : bits;
-    const Bits magnitude = word_count(scalar) == 2 ? whole : static_cast<Word>(whole);
-    const auto add = [&](Bits smaller) { candidates.insert(negative ? ~smaller + 1U : smaller); };
+    for (Word simple = 0; simple <= 8; ++simple) candidates.insert(simple);
+    const bool negative = is_negative(word, scalar);
+    const Word magnitude = negative ? 0U - word : word;
+    const auto add = [&](Word smaller) { candidates.insert(negative ? 0U - smaller : smaller); };
     if (negative) candidates.insert(magnitude);
     for (unsigned shift = 1; shift < shader::bits_of(scalar); ++shift) {
         add(magnitude >> shift);
-        add(magnitude & ~((Bits{1} << shift) - 1U));
+        add(magnitude & ~((Word{1} << shift) - 1U));
         add(magnitude - (magnitude >> shift));
     }
     if (magnitude > 0) add(magnitude - 1U);
@@ -149,7 +129,7 @@ class Shrinker {
 
 std::size_t complexity(std::span<const Word> input, const std::vector<Scalar>& scalars) {
     std::size_t sum = 0;
-    for (std::size_t i = 0; i < input.size(); ++i) sum += scalar_complexity(input.subspan(i), scalars[i]);
+    for (std::size_t i = 0; i < input.size(); ++i) sum += scalar_complexity(input[i], scalars[i]);
     return sum;
 }
 
@@ -158,22 +138,19 @@ std::vector<Words> simpler_inputs(const Question& question, const Words& input) 
     std::set<Words> found;
     for (std::size_t i = 0; i < input.size(); ++i) {
         const Scalar scalar = scalars[i];
-        if (scalar == Scalar::upper) continue;
-        const auto words_at = [&input](std::size_t j) { return std::span(input).subspan(j); };
-        std::set<Bits> candidates;
+        std::set<Word> candidates;
         if (shader::is_float(scalar)) {
-            add_float_candidates(words_at(i), scalar, candidates);
+            add_float_candidates(input[i], scalar, candidates);
         } else {
-            add_integer_candidates(words_at(i), scalar, candidates);
+            add_integer_candidates(input[i], scalar, candidates);
         }
-        for (const Bits candidate : candidates) {
+        for (const Word candidate : candidates) {
             Words alone = input;
-            set_bits(scalar, candidate, std::span(alone).subspan(i));
+            alone[i] = candidate;
             found.insert(std::move(alone));
             Words together = input;
             for (std::size_t j = 0; j < input.size(); ++j)
-                if (scalars[j] == scalar && bits_at(scalar, words_at(j)) == bits_at(scalar, words_at(i)))
-                    set_bits(scalar, candidate, std::span(together).subspan(j));
+                if (scalars[j] == scalar && input[j] == input[i]) together[j] = candidate;
             found.insert(std::move(together));
         }
     }

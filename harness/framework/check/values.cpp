@@ -19,21 +19,18 @@ using shader::Scalar;
 Values float_values(Scalar scalar, double low, double high, std::function<double(numeric::Random&)> make) {
     Values values;
     values.contains = [=](std::span<const Word> words) {
-        const double value = float_at(scalar, words);
+        const auto value = from_word<double>(words.front());
         if (!(value >= low && value <= high)) return false;
-        if (scalar != Scalar::float16_) return true;
-        Words nearest;
-        append_float(scalar, value, nearest);
-        return nearest.front() == words.front();
+        return scalar != Scalar::float16_ || float_word(scalar, value) == words.front();
     };
     values.draw = [scalar, make = std::move(make)](DrawContext& context, Words& words) {
-        append_float(scalar, make(context.random), words);
+        words.push_back(float_word(scalar, make(context.random)));
     };
     return values;
 }
 
 Values and_number(Values values, Scalar scalar, double number) {
-    append_float(scalar, number, values.fixed.emplace_back().words);
+    values.fixed.push_back({.words = {float_word(scalar, number)}});
     return values;
 }
 
@@ -60,15 +57,14 @@ Values Values::and_special(Scalar scalar) const {
     Values more = *this;
     const std::size_t count = words_of(*this);
     numeric::Random random(1);
-    const std::size_t of_one = word_count(scalar);
     for (const double special : numeric::special_values(format_of(scalar))) {
-        Fixed& all = more.fixed.emplace_back();
-        while (all.words.size() < count) append_float(scalar, special, all.words);
-        for (std::size_t i = 0; count > of_one && i < count; i += of_one) {
+        const Word word = float_word(scalar, special);
+        more.fixed.push_back({.words = Words(count, word)});
+        for (std::size_t i = 0; count > 1 && i < count; ++i) {
             DrawContext context{.random = random};
             Fixed one{.words = {}, .branch = false};
             draw(context, one.words);
-            set_float(scalar, special, std::span(one.words).subspan(i));
+            one.words[i] = word;
             more.fixed.push_back(std::move(one));
         }
     }
@@ -79,10 +75,8 @@ Values Values::and_near(std::initializer_list<double> points, Scalar scalar) con
     Values more = *this;
     for (const double point : points) {
         for (const int steps : {-1, 0, 1}) {
-            Fixed& near = more.fixed.emplace_back();
-            near.branch = true;
-            append_float(scalar, point, near.words);
-            step_float(scalar, steps, near.words);
+            const Word word = stepped_float(scalar, float_word(scalar, point), steps);
+            more.fixed.push_back({.words = {word}, .branch = true});
         }
     }
     return more;
@@ -151,53 +145,17 @@ Values any_float() {
     return values;
 }
 
-namespace {
-
-Words words_of_integer(Scalar scalar, std::uint64_t bits) {
-    Words words(word_count(scalar));
-    set_bits(scalar, bits, words);
-    return words;
-}
-
-}  // namespace
-
-Values integers(long low, long high, Scalar scalar) {
+Values integers(long low, long high) {
     require_order(static_cast<double>(low), static_cast<double>(high));
     Values values;
-    const auto append = [scalar](long value, Words& words) {
-        const Words own = words_of_integer(scalar, static_cast<std::uint64_t>(value));
-        words.insert(words.end(), own.begin(), own.end());
-    };
     values.draw = [=](DrawContext& context, Words& words) {
         const auto count = static_cast<std::uint64_t>(high - low) + 1U;
-        append(low + static_cast<long>(context.random.below(count)), words);
+        words.push_back(static_cast<Word>(low + static_cast<long>(context.random.below(count))));
     };
-    for (const long end : {low, high}) append(end, values.fixed.emplace_back().words);
-    // The distance from `low`, modulo 2^64 or 2^32, must not exceed that of `high`.
-    values.contains = [=](std::span<const Word> words) {
-        const std::uint64_t distance = bits_at(scalar, words) - static_cast<std::uint64_t>(low);
-        const auto most = static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low);
-        return word_count(scalar) == 2 ? distance <= most
-                                       : static_cast<Word>(distance) <= static_cast<Word>(most);
-    };
-    return values;
-}
-
-Values any_integer(Scalar scalar) {
-    const unsigned bits = shader::bits_of(scalar);
-    Values values;
-    values.draw = [=](DrawContext& context, Words& words) {
-        const std::uint64_t magnitude = context.random.bits() >> (64 - 1 - context.random.below(bits));
-        const Words own = words_of_integer(scalar, context.random.below(2) == 0 ? magnitude : ~magnitude);
-        words.insert(words.end(), own.begin(), own.end());
-    };
-    const std::uint64_t half = std::uint64_t{1} << (bits - 1);
-    for (const std::uint64_t value :
-         {std::uint64_t{0}, std::uint64_t{1}, ~std::uint64_t{0}, half, half - 1, std::uint64_t{1} << 31U})
-        values.fixed.push_back({.words = words_of_integer(scalar, value)});
-    values.contains = [scalar](std::span<const Word> words) {
-        return std::ranges::equal(words, words_of_integer(scalar, bits_at(scalar, words)));
-    };
+    for (const long end : {low, high}) values.fixed.push_back({.words = {static_cast<Word>(end)}});
+    // The distance from `low`, modulo 2^32, must not exceed that of `high`.
+    values.contains = [first = static_cast<Word>(low), last = static_cast<Word>(high)](
+                          std::span<const Word> words) { return words[0] - first <= last - first; };
     return values;
 }
 

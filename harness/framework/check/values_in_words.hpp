@@ -93,13 +93,7 @@ using backend::Word;
 template <class T>
 concept FloatValue = std::same_as<T, float> || std::same_as<T, double>;
 
-// The double and the float16_t of the shader. (double in a signature is a float of the shader.)
-struct Float64 {
-    double value = 0.0;
-    constexpr Float64() = default;
-    constexpr Float64(double x) : value(x) {}
-    constexpr operator double() const { return value; }
-};
+// The float16_t of the shader; its word is that of the float of its value.
 struct Float16 {
     float value = 0.0F;
     constexpr Float16() = default;
@@ -107,18 +101,9 @@ struct Float16 {
     constexpr operator float() const { return value; }
 };
 
-// A scalar of 64 bits takes two words, the low one first. Smaller integers are extended to a word, and a
-// float16 has the word of the float of its value.
 template <class T>
-concept LongValue =
-    std::same_as<T, Float64> || std::same_as<T, std::int64_t> || std::same_as<T, std::uint64_t>;
-template <class T>
-concept SmallValue = std::same_as<T, std::int8_t> || std::same_as<T, std::uint8_t> ||
-                     std::same_as<T, std::int16_t> || std::same_as<T, std::uint16_t>;
-
-template <class T>
-concept ScalarValue = FloatValue<T> || LongValue<T> || SmallValue<T> || std::same_as<T, Float16> ||
-                      std::same_as<T, int> || std::same_as<T, unsigned> || std::same_as<T, bool>;
+concept ScalarValue = FloatValue<T> || std::same_as<T, Float16> || std::same_as<T, int> ||
+                      std::same_as<T, unsigned> || std::same_as<T, bool>;
 
 template <class T>
 inline constexpr bool is_vector = false;
@@ -170,8 +155,7 @@ template <class T>
 [[nodiscard]] std::size_t word_count() {
     T value{};
     std::size_t count = 0;
-    visit_scalars(
-        value, [&count](auto& scalar) { count += LongValue<std::remove_cvref_t<decltype(scalar)>> ? 2 : 1; });
+    visit_scalars(value, [&count](auto&) { ++count; });
     return count;
 }
 
@@ -180,14 +164,9 @@ template <ScalarValue T>
 [[nodiscard]] constexpr shader::Scalar scalar_of() {
     using shader::Scalar;
     if (FloatValue<T>) return Scalar::float_;
-    if (std::same_as<T, Float64>) return Scalar::double_;
     if (std::same_as<T, Float16>) return Scalar::float16_;
     if (std::same_as<T, bool>) return Scalar::bool_;
-    for (const Scalar one : {Scalar::int8_, Scalar::uint8_, Scalar::int16_, Scalar::uint16_, Scalar::int_,
-                             Scalar::uint_, Scalar::int64_, Scalar::uint64_})
-        if (shader::bits_of(one) == 8 * sizeof(T) && shader::is_signed(one) == std::is_signed_v<T>)
-            return one;
-    return Scalar::void_;
+    return std::same_as<T, int> ? Scalar::int_ : Scalar::uint_;
 }
 
 // The GLSL type of a C++ type. double means float, since references calculate with more precision than the
@@ -227,12 +206,9 @@ template <class T>
 
 // Conversion of one scalar to and from its word. bool is 0 or 1; double is rounded to float.
 template <ScalarValue T>
-    requires(!LongValue<T>)
 [[nodiscard]] Word to_word(T scalar) {
     if constexpr (std::same_as<T, bool>) {
         return scalar ? 1U : 0U;
-    } else if constexpr (SmallValue<T>) {
-        return static_cast<Word>(static_cast<std::int32_t>(scalar));
     } else if constexpr (std::same_as<T, Float16>) {
         return std::bit_cast<Word>(scalar.value);
     } else if constexpr (std::same_as<T, double>) {
@@ -243,12 +219,9 @@ template <ScalarValue T>
 }
 
 template <ScalarValue T>
-    requires(!LongValue<T>)
 [[nodiscard]] T from_word(Word word) {
     if constexpr (std::same_as<T, bool>) {
         return word != 0U;
-    } else if constexpr (SmallValue<T>) {
-        return static_cast<T>(word);
     } else if constexpr (std::same_as<T, Float16>) {
         return std::bit_cast<float>(word);
     } else if constexpr (std::same_as<T, double>) {
@@ -260,14 +233,7 @@ template <ScalarValue T>
 
 template <class T>
 void append_words(const T& value, std::vector<Word>& words) {
-    visit_scalars(value, [&words](const auto& scalar) {
-        if constexpr (LongValue<std::remove_cvref_t<decltype(scalar)>>) {
-            const auto bits = std::bit_cast<std::uint64_t>(scalar);
-            words.insert(words.end(), {static_cast<Word>(bits), static_cast<Word>(bits >> 32U)});
-        } else {
-            words.push_back(to_word(scalar));
-        }
-    });
+    visit_scalars(value, [&words](const auto& scalar) { words.push_back(to_word(scalar)); });
 }
 
 // Reads a value from the first words and returns it; `words` then begins behind it.
@@ -275,14 +241,8 @@ template <class T>
 [[nodiscard]] T take_words(std::span<const Word>& words) {
     T value{};
     visit_scalars(value, [&words](auto& scalar) {
-        using Scalar = std::remove_cvref_t<decltype(scalar)>;
-        if constexpr (LongValue<Scalar>) {
-            scalar = std::bit_cast<Scalar>(std::uint64_t{words[1]} << 32U | words[0]);
-            words = words.subspan(2);
-        } else {
-            scalar = from_word<Scalar>(words.front());
-            words = words.subspan(1);
-        }
+        scalar = from_word<std::remove_cvref_t<decltype(scalar)>>(words.front());
+        words = words.subspan(1);
     });
     return value;
 }

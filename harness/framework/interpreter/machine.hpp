@@ -19,8 +19,7 @@ namespace gloam::interpreter {
 using backend::Word;
 
 // One scalar of a running shader: a number of the machine's type, or bits (integers, bools, and floats in
-// memory). Each form is converted to the other on demand. Integers of 8 and 16 bits are extended to 32, with
-// their sign if they have one.
+// memory). Each form is converted to the other on demand.
 template <class Number>
 class Value {
   public:
@@ -31,7 +30,7 @@ class Value {
         value.state_ = State::number;
         return value;
     }
-    static Value of_bits(std::uint64_t bits) {
+    static Value of_bits(Word bits) {
         Value value;
         value.bits_ = bits;
         value.state_ = State::bits;
@@ -46,59 +45,27 @@ class Value {
         value.state_ = State::both;
         return value;
     }
-    static Value of_double(std::uint64_t bits) {
-        Value value;
-        value.number_ = number_from_long_bits<Number>(bits);
-        value.bits_ = bits;
-        value.state_ = State::both;
-        return value;
-    }
-    // The words of a float64. Both keep the number, so that joined() loses nothing.
-    [[nodiscard]] Value low() const { return part(State::low); }
-    [[nodiscard]] Value high() const { return part(State::high); }
-    static Value joined(const Value& low, const Value& high) {
-        const bool parts = low.state_ == State::low && high.state_ == State::high &&
-                           is_one_number(low.number_, high.number_);
-        return parts ? of(low.number_) : of_double(std::uint64_t{high.bits()} << 32U | low.bits());
-    }
 
     // As a float. Bits are converted like a constant of the module. The result is arbitrary if the value is
     // undefined.
     [[nodiscard]] Number number() const {
         if (state_ >= State::number) return number_;
-        return state_ == State::bits ? number_from_bits<Number>(static_cast<Word>(bits_))
-                                     : undefined_number<Number>();
+        return state_ == State::bits ? number_from_bits<Number>(bits_) : undefined_number<Number>();
     }
     // As bits: those of the float nearest to the number. On intervals each possible float is explored.
     [[nodiscard]] Word bits() const {
-        if (state_ == State::bits || state_ == State::both) return static_cast<Word>(bits_);
-        if (state_ == State::number) return bits_from_number(number_);
-        if (state_ == State::undefined) return undefined_bits<Number>();
-        const std::uint64_t both = long_bits_from_number(number_);
-        return static_cast<Word>(state_ == State::low ? both : both >> 32U);
-    }
-    // The same of a number with 64 bits.
-    [[nodiscard]] std::uint64_t long_bits() const {
-        return state_ == State::number ? long_bits_from_number(number_)
-               : state_ == State::both ? bits_
-               : state_ == State::bits ? bits_
-                                       : undefined_bits<Number>();
+        if (state_ == State::bits || state_ == State::both) return bits_;
+        return state_ == State::number ? bits_from_number(number_) : undefined_bits<Number>();
     }
     // Whether it is a number and not bits.
     [[nodiscard]] bool is_number() const { return state_ == State::number; }
     [[nodiscard]] bool is_bits() const { return state_ == State::bits; }
 
   private:
-    enum class State : std::uint8_t { undefined, bits, number, both, low, high };
-
-    [[nodiscard]] Value part(State state) const {
-        Value value = of(number());
-        value.state_ = state;
-        return value;
-    }
+    enum class State : std::uint8_t { undefined, bits, number, both };
 
     Number number_{};
-    std::uint64_t bits_ = 0;
+    Word bits_ = 0;
     State state_ = State::undefined;
 };
 
@@ -108,26 +75,19 @@ class Value<float> {
   public:
     Value() = default;
     static Value of(float number) { return of_bits(std::bit_cast<Word>(number)); }
-    static Value of_bits(std::uint64_t bits) {
+    static Value of_bits(Word bits) {
         Value value;
         value.bits_ = bits;
         return value;
     }
-    [[nodiscard]] float number() const { return std::bit_cast<float>(bits()); }
-    [[nodiscard]] Word bits() const { return static_cast<Word>(bits_); }
-    [[nodiscard]] std::uint64_t long_bits() const { return bits_; }
+    [[nodiscard]] float number() const { return std::bit_cast<float>(bits_); }
+    [[nodiscard]] Word bits() const { return bits_; }
     static Value of_float(Word bits) { return of_bits(bits); }
-    static Value of_double(std::uint64_t bits) { return of_bits(bits); }
-    [[nodiscard]] Value low() const { return of_bits(bits()); }
-    [[nodiscard]] Value high() const { return of_bits(bits_ >> 32U); }
-    static Value joined(const Value& low, const Value& high) {
-        return of_bits(std::uint64_t{high.bits()} << 32U | low.bits());
-    }
     [[nodiscard]] bool is_number() const { return false; }
     [[nodiscard]] bool is_bits() const { return false; }
 
   private:
-    std::uint64_t bits_ = 0;
+    Word bits_ = 0;
 };
 
 namespace internal {

@@ -36,24 +36,6 @@ Explained number_from_bits<Explained>(std::uint32_t bits) {
 }
 
 template <>
-double number_from_long_bits<double>(std::uint64_t bits) {
-    return std::bit_cast<double>(bits);
-}
-template <>
-numeric::Interval number_from_long_bits<numeric::Interval>(std::uint64_t bits) {
-    return numeric::Interval::input(std::bit_cast<double>(bits), numeric::float64);
-}
-template <>
-numeric::Rearranged number_from_long_bits<numeric::Rearranged>(std::uint64_t bits) {
-    return numeric::Rearranged(number_from_long_bits<numeric::Interval>(bits));
-}
-template <>
-Explained number_from_long_bits<Explained>(std::uint64_t bits) {
-    const auto value = std::bit_cast<double>(bits);
-    return {.value = value, .exact = value, .permitted = number_from_long_bits<numeric::Interval>(bits)};
-}
-
-template <>
 double undefined_number<double>() {
     return 0.0;
 }
@@ -85,16 +67,6 @@ std::uint32_t undefined_bits<numeric::Interval>() {
 template <>
 std::uint32_t undefined_bits<numeric::Rearranged>() {
     throw numeric::Paths::Undetermined{};
-}
-
-bool is_one_number(double x, double y) {
-    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
-}
-bool is_one_number(const numeric::Interval& x, const numeric::Interval& y) {
-    return x.bounds() == y.bounds();
-}
-bool is_one_number(const numeric::Rearranged& x, const numeric::Rearranged& y) {
-    return is_one_number(x.interval(), y.interval());
 }
 
 std::uint32_t sign_bit(const numeric::Interval& x) {
@@ -157,21 +129,6 @@ std::uint32_t bits_from_number(const numeric::Rearranged& x) {
 }
 std::uint32_t bits_from_number(const Explained& x) {
     return bits_from_number(x.value);
-}
-
-std::uint64_t long_bits_from_number(double x) {
-    return std::bit_cast<std::uint64_t>(x);
-}
-std::uint64_t long_bits_from_number(const numeric::Interval& x) {
-    // Either zero may stand for both.
-    if (!x.bounds().is_point() || x.low() == 0.0) throw numeric::Paths::Undetermined{};
-    return std::bit_cast<std::uint64_t>(x.low());
-}
-std::uint64_t long_bits_from_number(const numeric::Rearranged& x) {
-    return long_bits_from_number(x.interval());
-}
-std::uint64_t long_bits_from_number(const Explained& x) {
-    return long_bits_from_number(x.value);
 }
 
 namespace internal {

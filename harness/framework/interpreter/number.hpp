@@ -17,8 +17,7 @@
 //   numeric::Interval     all that Vulkan's precision rules permit, for modules that forbid rearrangement
 //   numeric::Rearranged   the same for modules that let a driver contract and rearrange
 //   Explained             all of them at once for one path, with the error that each operation adds
-// Operations of float16 and float64 are rounded to these formats, on intervals by their rules. double
-// represents the real numbers of float64 by its own arithmetic.
+// Operations of float16 are rounded to it, on intervals by its rules.
 namespace gloam::interpreter {
 
 // float, double and the permitted results side by side, on the path that float takes.
@@ -28,23 +27,16 @@ struct Explained {
     double local =
         0.0;  // by how much the last operation missed its own exact result, on the operands that it had
     numeric::Interval permitted = numeric::Interval::within(0.0, 0.0);
-    bool wide = false;  // a float64 for the operation that reads it
 };
 
 template <class Number>
 [[nodiscard]] Number number_from_bits(std::uint32_t bits);
-// From the bits of a float64.
-template <class Number>
-[[nodiscard]] Number number_from_long_bits(std::uint64_t bits);
 template <class Number>
 [[nodiscard]] Number undefined_number();
 template <class Number>
 [[nodiscard]] std::uint32_t undefined_bits();
 
 // Whether two numbers are one: on every type they agree, and so do their bounds.
-[[nodiscard]] bool is_one_number(double x, double y);
-[[nodiscard]] bool is_one_number(const numeric::Interval& x, const numeric::Interval& y);
-[[nodiscard]] bool is_one_number(const numeric::Rearranged& x, const numeric::Rearranged& y);
 [[nodiscard]] inline bool is_one_number(const Explained& x, const Explained& y) {
     return x.value == y.value && x.exact == y.exact && x.permitted.bounds() == y.permitted.bounds();
 }
@@ -69,11 +61,5 @@ template <class Number>
 [[nodiscard]] std::uint32_t bits_from_number(const numeric::Interval& x);
 [[nodiscard]] std::uint32_t bits_from_number(const numeric::Rearranged& x);
 [[nodiscard]] std::uint32_t bits_from_number(const Explained& x);
-
-// The bits of a float64. On intervals only a single number has them.
-[[nodiscard]] std::uint64_t long_bits_from_number(double x);
-[[nodiscard]] std::uint64_t long_bits_from_number(const numeric::Interval& x);
-[[nodiscard]] std::uint64_t long_bits_from_number(const numeric::Rearranged& x);
-[[nodiscard]] std::uint64_t long_bits_from_number(const Explained& x);
 
 }  // namespace gloam::interpreter

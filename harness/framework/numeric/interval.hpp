@@ -61,7 +61,7 @@ struct Bounds {
 }
 
 // A number type with which a function computes all results that Vulkan's precision rules permit ("Precision
-// and Operation of SPIR-V Instructions"). The format (float32, float16 or float64) is that of the
+// and Operation of SPIR-V Instructions"). The format (float32 or float16) is that of the
 // running Paths::explore(). Each operation's rule gives the exact range and its error. Rounding (either
 // neighbour), the flush of subnormals and overflow are applied in one function, enclose().
 //
@@ -76,19 +76,13 @@ class Interval {
     explicit Interval(double constant);
     // An integer converted to floating point.
     template <std::integral Integer>
+        requires(sizeof(Integer) <= sizeof(float))
     explicit Interval(Integer value) {
-        // Of 64 bits, the nearest double may be above it or below.
-        const auto nearest = static_cast<double>(value);
-        const bool beyond = nearest >= static_cast<double>(std::numeric_limits<Integer>::max());
-        const bool above = beyond ? value != std::numeric_limits<Integer>::max() || sizeof(Integer) == 8
-                                  : static_cast<Integer>(nearest) > value;
-        const bool below = !beyond && static_cast<Integer>(nearest) < value;
-        *this = converted(nearest, above, below);
+        *this = converted(value);
     }
 
     // An input of the function: exactly this value, or also zero for a subnormal.
     [[nodiscard]] static Interval input(float value);
-    [[nodiscard]] static Interval input(double value, const FloatFormat& format);
     // Any of these values; the bounds are not rounded.
     [[nodiscard]] static constexpr Interval within(const Bounds& bounds) { return Interval(bounds); }
     [[nodiscard]] static constexpr Interval within(double low, double high) {
@@ -108,7 +102,7 @@ class Interval {
 
   private:
     explicit constexpr Interval(const Bounds& bounds) : bounds_(bounds) {}
-    [[nodiscard]] static Interval converted(double nearest, bool above, bool below);
+    [[nodiscard]] static Interval converted(double integer);
 
     Bounds bounds_;
 };
@@ -151,11 +145,8 @@ class Interval {
 [[nodiscard]] double integer_within(const Interval& x, double least, double most);
 template <std::integral Integer>
 [[nodiscard]] Integer to_integer(const Interval& x) {
-    // Of 64 bits, the largest is rounded to the number above it.
     using Limits = std::numeric_limits<Integer>;
-    constexpr double most = sizeof(Integer) < sizeof(double) ? 0.0 : Limits::is_signed ? 1024.0 : 2048.0;
-    return static_cast<Integer>(
-        integer_within(x, static_cast<double>(Limits::min()), static_cast<double>(Limits::max()) - most));
+    return static_cast<Integer>(integer_within(x, Limits::min(), Limits::max()));
 }
 // The bits of each possible float32, explored in the same way; both zeros if zero is possible.
 [[nodiscard]] std::uint32_t to_bits(const Interval& x);

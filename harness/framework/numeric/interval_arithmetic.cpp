@@ -31,12 +31,9 @@ double moved_out(double x, double distance) {
 
 }  // namespace
 
-// Of float64 only quotients and roots are computed, which double rounds correctly.
 Bounds inflated(const Bounds& computed) {
-    constexpr double two_roundings = 0x1p-51;
-    const double error = Paths::format().precision == float64.precision ? two_roundings : double_error;
-    return {moved_out(computed.low, -std::abs(computed.low) * error),
-            moved_out(computed.high, std::abs(computed.high) * error), computed.nan};
+    return {moved_out(computed.low, -std::abs(computed.low) * double_error),
+            moved_out(computed.high, std::abs(computed.high) * double_error), computed.nan};
 }
 
 Interval within_ulps(const Bounds& exact, double ulps, Arguments arguments) {
@@ -62,12 +59,14 @@ Interval within_absolute(const Bounds& exact, double error) {
 namespace gloam::numeric {
 namespace {
 
+constexpr double largest_double = std::numeric_limits<double>::max();
+
 // a + b rounded towards -infinity in double; the rounding error of the sum is known exactly (Knuth).
 double sum_down(double a, double b) {
     const double sum = a + b;
     if (std::isnan(sum)) return infinity;  // infinities that cancel: not a number
     // Finite numbers beyond the largest double are above it.
-    if (std::isinf(sum)) return sum < 0.0 || std::isinf(a) || std::isinf(b) ? sum : float64.largest();
+    if (std::isinf(sum)) return sum < 0.0 || std::isinf(a) || std::isinf(b) ? sum : largest_double;
     const double part = sum - a;
     const double error = (a - (sum - part)) + (b - part);
     return error < 0.0 ? std::nextafter(sum, -infinity) : sum;
@@ -79,17 +78,6 @@ bool contains_infinity(const Bounds& x) {
 
 bool is_nowhere(const Bounds& a, const Bounds& b) {
     return a.empty() || b.empty();
-}
-
-// A product of float64, moved down if it may be above the exact one.
-double product_down(double x, double y) {
-    const double rounded = x * y;
-    if (x == 0.0 || y == 0.0 || std::isnan(rounded)) return rounded;
-    if (std::isinf(rounded))
-        return rounded < 0.0 || std::isinf(x) || std::isinf(y) ? rounded : float64.largest();
-    constexpr double least = 0x1p-900;  // the error of a smaller one is no double
-    const bool above = std::abs(rounded) < least || std::fma(x, y, -rounded) < 0.0;
-    return above ? std::nextafter(rounded, -infinity) : rounded;
 }
 
 // Adds the product (or quotient) at a corner. A corner that is not a number represents the values near it.
@@ -105,15 +93,8 @@ Bounds product(const Bounds& a, const Bounds& b) {
     constexpr Bounds nothing{infinity, -infinity, false};
     Bounds all = nothing;
     const bool wide = a.low != a.high || b.low != b.high;
-    const bool rounds = Paths::format().precision == float64.precision;
-    for (const double x : {a.low, a.high}) {
-        for (const double y : {b.low, b.high}) {
-            add_corner(all, x * y, wide);
-            if (!rounds) continue;
-            add_corner(all, product_down(x, y), wide);
-            add_corner(all, -product_down(-x, y), wide);
-        }
-    }
+    for (const double x : {a.low, a.high})
+        for (const double y : {b.low, b.high}) add_corner(all, x * y, wide);
     const bool zero_times_infinity = (Bounds{a.low, a.high}.contains(0.0) && contains_infinity(b)) ||
                                      (Bounds{b.low, b.high}.contains(0.0) && contains_infinity(a));
     all.nan = a.nan || b.nan || zero_times_infinity;
@@ -157,19 +138,12 @@ Interval::Interval(double constant) {
     }
 }
 
-Interval Interval::converted(double nearest, bool above, bool below) {
-    return enclose({above ? std::nextafter(nearest, -infinity) : nearest,
-                    below ? std::nextafter(nearest, infinity) : nearest, false});
+Interval Interval::converted(double integer) {
+    return enclose(Bounds::point(integer));
 }
 
 Interval Interval::input(float value) {
     return std::isnan(value) ? Interval(Bounds::only_nan()) : enclose(Bounds::point(value));
-}
-
-Interval Interval::input(double value, const FloatFormat& format) {
-    if (std::isnan(value)) return Interval(Bounds::only_nan());
-    const bool flushed = std::abs(value) < format.smallest_normal();
-    return Interval({flushed ? std::min(value, 0.0) : value, flushed ? std::max(value, 0.0) : value, false});
 }
 
 Interval operator+(const Interval& x) {

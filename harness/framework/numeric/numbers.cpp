@@ -60,7 +60,7 @@ double FloatFormat::ulp(double x) const {
     const bool at_a_power_of_two =
         magnitude > smallest_normal() && magnitude == power_of_two(exponent_of(magnitude));
     const int place = last_place(*this, magnitude) - (at_a_power_of_two ? 1 : 0);
-    return place < float64.min_exponent ? std::ldexp(1.0, place) : power_of_two(place);
+    return power_of_two(place);
 }
 
 FloatClass classify(double x, const FloatFormat& format) {
@@ -127,16 +127,6 @@ double ulp_error(double got, double want, const FloatFormat& format) {
 double absolute_error(double got, double want, const FloatFormat& format) {
     const double settled = settled_error(got, want, format);
     return settled >= 0.0 ? settled : std::abs(got - want);
-}
-
-double step(double x, std::int64_t steps) {
-    if (std::isnan(x)) return x;
-    const auto magnitude = std::bit_cast<std::int64_t>(std::abs(x));
-    constexpr std::int64_t last = 0x7ff0'0000'0000'0000;  // infinity
-    const std::int64_t ordinal = std::signbit(x) ? -magnitude : magnitude;
-    const bool beyond = steps > 0 ? ordinal > last - steps : ordinal < -last - steps;
-    const std::int64_t moved = !beyond ? ordinal + steps : steps > 0 ? last : -last;
-    return std::copysign(std::bit_cast<double>(std::abs(moved)), moved < 0 ? -1.0 : 1.0);
 }
 
 float step(float x, int steps) {

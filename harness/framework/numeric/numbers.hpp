@@ -54,7 +54,6 @@ struct FloatFormat {
 
 inline constexpr FloatFormat float32{.precision = 24, .min_exponent = -126, .max_exponent = 127};
 inline constexpr FloatFormat float16{.precision = 11, .min_exponent = -14, .max_exponent = 15};
-inline constexpr FloatFormat float64{.precision = 53, .min_exponent = -1022, .max_exponent = 1023};
 
 // Classes of values that arithmetic treats differently. `huge`: the square overflows (float32: |x| >= 2^64).
 enum class FloatClass { ordinary, zero, subnormal, huge, infinite, nan };
@@ -83,7 +82,6 @@ enum class FloatClass { ordinary, zero, subnormal, huge, infinite, nan };
 // The float32 `steps` representable values above x (below, when negative), crossing zero once (+0 and -0 are
 // one value), stopping at +-infinity. NaN stays NaN.
 [[nodiscard]] float step(float x, int steps);
-[[nodiscard]] double step(double x, std::int64_t steps);
 
 // Shortest decimal that is read as the same value, and the exact bits: "0.1 (0x3dcccccd)".
 [[nodiscard]] std::string to_text(float x);

@@ -30,9 +30,7 @@ double largest_magnitude(const Bounds& x) {
 
 // The least precise format of two operands and the running operation.
 const FloatFormat* least_precise(const FloatFormat* a, const FloatFormat* b) {
-    const FloatFormat* least = Paths::format() == float16   ? &float16
-                               : Paths::format() == float64 ? &float64
-                                                            : &float32;
+    const FloatFormat* least = Paths::format() == float16 ? &float16 : &float32;
     for (const FloatFormat* other : {a, b})
         if (other != nullptr && other->precision < least->precision) least = other;
     return least;

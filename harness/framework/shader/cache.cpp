@@ -56,7 +56,7 @@ std::vector<Function> SpirvCache::functions(const Source& source, const CompileO
     CompileOptions any_variant = options;
     any_variant.variant = {};
     any_variant.lines = false;
-    return stored_or_made(directory_, "types", source, any_variant, internal::decode,
+    return stored_or_made(directory_, "functions", source, any_variant, internal::decode,
                           internal::functions_bytes);
 }
 

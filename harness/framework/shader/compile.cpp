@@ -28,19 +28,8 @@ std::string scalar_name(Scalar scalar) {
             return "uint";
         case Scalar::float_:
             return "float";
-        case Scalar::double_:
-            return "double";
-        case Scalar::int8_:
-        case Scalar::int16_:
-        case Scalar::int64_:
-            return "int" + std::to_string(bits_of(scalar)) + "_t";
-        case Scalar::uint8_:
-        case Scalar::uint16_:
-        case Scalar::uint64_:
-            return "uint" + std::to_string(bits_of(scalar)) + "_t";
         case Scalar::float16_:
             return "float16_t";
-        case Scalar::upper:
         case Scalar::structure:
         case Scalar::sampler:
         case Scalar::unsupported:
@@ -52,8 +41,7 @@ std::string scalar_name(Scalar scalar) {
 
 std::string vector_prefix(Scalar scalar) {
     if (scalar == Scalar::float_) return {};
-    const bool sized = bits_of(scalar) != 32 && scalar != Scalar::double_;  // "i64vec2", but "dvec2"
-    return scalar_name(scalar).substr(0, 1) + (sized ? std::to_string(bits_of(scalar)) : "");
+    return scalar == Scalar::float16_ ? "f16" : scalar_name(scalar).substr(0, 1);
 }
 
 std::string sizes_of(const Type& type) {

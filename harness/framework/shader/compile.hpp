@@ -12,41 +12,16 @@
 
 namespace gloam::shader {
 
-// `sampler`: see is_sampler_type(); it has no scalars. `unsupported`: another sampler ...; `oversized`: a
-// type of more than most_scalars. Type::name then holds its GLSL text.
-enum class Scalar {
-    void_,
-    bool_,
-    int_,
-    uint_,
-    float_,
-    int8_,
-    uint8_,
-    int16_,
-    uint16_,
-    int64_,
-    uint64_,
-    float16_,
-    double_,
-    upper,  // no type: the second word of a scalar of 64 bits, in a list of words (check::scalars_of())
-    structure,
-    sampler,
-    unsupported,
-    oversized
-};
+// `sampler`: see is_sampler_type(); it has no scalars. `unsupported`: another sampler, double, an integer of
+// other than 32 bits ...; `oversized`: a type of more than most_scalars. Type::name then holds its GLSL text.
+enum class Scalar { void_, bool_, int_, uint_, float_, float16_, structure, sampler, unsupported, oversized };
 
 [[nodiscard]] constexpr bool is_float(Scalar scalar) {
-    return scalar == Scalar::float_ || scalar == Scalar::float16_ || scalar == Scalar::double_;
-}
-[[nodiscard]] constexpr bool is_signed(Scalar scalar) {
-    return scalar == Scalar::int_ || scalar == Scalar::int8_ || scalar == Scalar::int16_ ||
-           scalar == Scalar::int64_;
+    return scalar == Scalar::float_ || scalar == Scalar::float16_;
 }
 // Of a number.
 [[nodiscard]] constexpr unsigned bits_of(Scalar scalar) {
-    if (scalar == Scalar::int8_ || scalar == Scalar::uint8_) return 8;
-    if (scalar == Scalar::int16_ || scalar == Scalar::uint16_ || scalar == Scalar::float16_) return 16;
-    return scalar == Scalar::int64_ || scalar == Scalar::uint64_ || scalar == Scalar::double_ ? 64 : 32;
+    return scalar == Scalar::float16_ ? 16 : 32;
 }
 
 inline constexpr std::size_t most_scalars = 4096;
@@ -93,6 +68,7 @@ struct Function {
     bool defined = false;
     // Variables at file scope that it uses, itself or by what it calls; inout where it may write them.
     std::vector<Parameter> globals = {};
+    std::string other_number = {};  // that it or what it calls has, and that is not judged: "double"
 };
 
 // Whether no part of the type is unsupported or oversized.

@@ -32,7 +32,7 @@ auto fields(Is<Parameter> auto& all) {
     return std::tie(all.name, all.type, all.direction, all.global);
 }
 auto fields(Is<Function> auto& all) {
-    return std::tie(all.name, all.result, all.parameters, all.defined, all.globals);
+    return std::tie(all.name, all.result, all.parameters, all.defined, all.globals, all.other_number);
 }
 auto fields(Is<Source> auto& all) {
     return std::tie(all.name, all.text);

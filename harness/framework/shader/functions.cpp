@@ -68,20 +68,17 @@ class TypeReader {
 
     static Type scalar(const spirv::Type& type) {
         const auto of = [](Scalar scalar) { return Type{.scalar = scalar, .members = {}, .name = {}}; };
+        if (const std::string other = spirv::other_number(type); !other.empty())
+            return {.scalar = Scalar::unsupported, .members = {}, .name = other};
         switch (type.kind) {
             case spirv::Type::Kind::void_:
                 return of(Scalar::void_);
             case spirv::Type::Kind::boolean:
                 return of(Scalar::bool_);
             case spirv::Type::Kind::integer:
-                if (type.width == 8) return of(type.is_signed ? Scalar::int8_ : Scalar::uint8_);
-                if (type.width == 16) return of(type.is_signed ? Scalar::int16_ : Scalar::uint16_);
-                if (type.width == 64) return of(type.is_signed ? Scalar::int64_ : Scalar::uint64_);
                 return of(type.is_signed ? Scalar::int_ : Scalar::uint_);
             case spirv::Type::Kind::real:
-                return of(type.width == 16   ? Scalar::float16_
-                          : type.width == 64 ? Scalar::double_
-                                             : Scalar::float_);
+                return of(type.width == 16 ? Scalar::float16_ : Scalar::float_);
             default:
                 return of(Scalar::unsupported);
         }
@@ -89,6 +86,7 @@ class TypeReader {
 
     [[nodiscard]] Type composed(const spirv::Type& type) const {
         Type result = type_of(type.element);
+        if (result.scalar == Scalar::unsupported) return result;  // named by its scalar
         const int count = static_cast<int>(type.count);
         (type.kind == spirv::Type::Kind::matrix ? result.columns : result.rows) = count;
         return result;
@@ -184,6 +182,14 @@ class Globals {
     std::map<Id, Id> bases_;  // of pointers in the current function
 };
 
+// The first number of a type that is not judged.
+std::string other_number_of(const Type& type) {
+    if (type.scalar == Scalar::unsupported) return type.name;
+    for (const Member& member : type.members)
+        if (std::string other = other_number_of(member.type); !other.empty()) return other;
+    return {};
+}
+
 // Adds what a function uses by what it calls. There is no recursion.
 void add_globals_of_called(std::vector<Signature>& functions, std::size_t caller, std::vector<bool>& done) {
     if (done[caller]) return;
@@ -192,6 +198,8 @@ void add_globals_of_called(std::vector<Signature>& functions, std::size_t caller
         add_globals_of_called(functions, called, done);
         for (const Parameter& variable : functions[called].globals)
             merge(functions[caller].globals, variable, variable.direction);
+        if (functions[caller].other_number.empty())
+            functions[caller].other_number = functions[called].other_number;
     }
 }
 
@@ -212,7 +220,11 @@ std::vector<Signature> signatures(const Spirv& module) {
             found.back().parameters.push_back({types.name_of(id), types.type_of(type), Direction::in});
         if (instruction.opcode == SpvOpFunctionCall)
             found.back().calls.push_back(indices.at(instruction.word(3)));
-        if (!found.empty()) globals.read(instruction, found.back().globals);
+        if (found.empty()) continue;
+        globals.read(instruction, found.back().globals);
+        if (const auto [result, typed] = spirv::result_shape(instruction.opcode);
+            result && typed && found.back().other_number.empty())
+            found.back().other_number = other_number_of(types.type_of(type));
     }
     std::vector<bool> done(found.size(), false);
     for (std::size_t i = 0; i < found.size(); ++i) add_globals_of_called(found, i, done);
@@ -249,8 +261,8 @@ std::vector<Declaration> in_order_of_definition(const std::vector<Declaration>& 
 // Combines a function of the module with what only the text contains: directions, and the names of opaque
 // types.
 Function function_of(const Signature& signature, const Declaration& declaration) {
-    Function function{signature.name, signature.result, signature.parameters, declaration.defined,
-                      signature.globals};
+    Function function{signature.name,      signature.result,  signature.parameters,
+                      declaration.defined, signature.globals, signature.other_number};
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
         Parameter& parameter = function.parameters[i];
         const internal::DeclaredParameter& declared = declaration.parameters.at(i);

@@ -4,6 +4,8 @@
 #define SPV_ENABLE_UTILITY_CODE  // which instructions have results; so this is the first source of its group
 #include <spirv.h>
 
+#include <fmt/format.h>
+
 namespace gloam::shader::spirv {
 namespace {
 
@@ -165,6 +167,24 @@ void Declarations::decorate_member(const Instruction& i) {
         default:
             break;
     }
+}
+
+std::string other_number(const Type& type) {
+    if (type.kind == Type::Kind::real && type.width == 64) return "double";
+    if (type.kind != Type::Kind::integer || type.width == 32) return {};
+    return fmt::format("{}int{}_t", type.is_signed ? "" : "u", type.width);
+}
+
+std::string other_number(const Spirv& module) {
+    Declarations declared;
+    for (const Instruction& one : instructions(module))
+        if (const Type* type = declared.read(one))
+            if (std::string other = other_number(*type); !other.empty()) return other;
+    return {};
+}
+
+std::string not_judged(const std::string& number) {
+    return number + " is not judged: gloam judges float, float16_t, int, uint and bool";
 }
 
 }  // namespace gloam::shader::spirv

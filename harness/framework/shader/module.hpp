@@ -73,6 +73,13 @@ struct Type {
     std::uint32_t format = 0;     // of an image: SpvImageFormat
 };
 
+// The GLSL name of a number that is not judged, "double" or "int64_t"; empty for every other type.
+[[nodiscard]] std::string other_number(const Type& type);
+// That of the first such type of a module.
+[[nodiscard]] std::string other_number(const Spirv& module);
+// "double is not judged: gloam judges float, float16_t, int, uint and bool"
+[[nodiscard]] std::string not_judged(const std::string& number);
+
 struct Decorations {
     bool no_contraction = false;
     bool relaxed = false;

@@ -49,17 +49,10 @@ Spirv without_names(const Spirv& module) {
     return bare;
 }
 
-std::vector<std::string> number_capabilities(const Spirv& module) {
-    static const std::map<std::uint32_t, std::string> names{{SpvCapabilityFloat16, "Float16"},
-                                                            {SpvCapabilityFloat64, "Float64"},
-                                                            {SpvCapabilityInt8, "Int8"},
-                                                            {SpvCapabilityInt16, "Int16"},
-                                                            {SpvCapabilityInt64, "Int64"}};
-    std::vector<std::string> found;
-    for (const Instruction& one : instructions(module))
-        if (one.opcode == SpvOpCapability)
-            if (const auto name = names.find(one.word(1)); name != names.end()) found.push_back(name->second);
-    return found;
+bool has_float16(const Spirv& module) {
+    return std::ranges::any_of(instructions(module), [](const Instruction& one) {
+        return one.opcode == SpvOpCapability && one.word(1) == SpvCapabilityFloat16;
+    });
 }
 
 std::vector<float> float_constants(const Spirv& module) {

@@ -41,8 +41,8 @@ struct Instruction {
 // this binding; other bindings stay. Throws std::runtime_error with SPIRV-Cross's message.
 [[nodiscard]] std::string opengl_text(const Spirv& module, Language language, unsigned push_constant_binding);
 
-// The capabilities of a module for numbers of other sizes than 32 bits: "Float64", "Int8".
-[[nodiscard]] std::vector<std::string> number_capabilities(const Spirv& module);
+// Whether a module calculates in float16.
+[[nodiscard]] bool has_float16(const Spirv& module);
 
 // The float32 constants of a module that are finite, each once, in their order.
 [[nodiscard]] std::vector<float> float_constants(const Spirv& module);

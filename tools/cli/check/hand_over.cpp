@@ -35,9 +35,9 @@ std::string worst_text(const std::optional<check::Sample>& worst) {
 
 std::string output_comment(const check::Reproduction& all, std::size_t i) {
     if (!all.failure) return "not judged";
-    const auto words = std::span(all.failure->got).subspan(i);
-    const std::string got = shader::is_float(all.outputs[i]) ? check::text_at(all.outputs[i], words)
-                                                             : fmt::format("0x{:08x}", words[0]);
+    const check::Word word = all.failure->got[i];
+    const std::string got = shader::is_float(all.outputs[i]) ? check::text_of(all.outputs[i], word)
+                                                             : fmt::format("0x{:08x}", word);
     return fmt::format("here it was {}; the reference gives {}", got, numeric::to_text(all.failure->want[i]));
 }
 
@@ -191,7 +191,7 @@ HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
     } else {
         hand_over = {.glsl = all.glsl, .assembly = all.assembly, .spirv = all.spirv};
         // They run compute shaders and ask for no features.
-        if (all.team.kind != backend::Team::Kind::quad && shader::number_capabilities(all.spirv).empty()) {
+        if (all.team.kind != backend::Team::Kind::quad && !shader::has_float16(all.spirv)) {
             const auto replay = [&](const std::string& how) {
                 return replay_of(all, question, request.task, device, how);
             };

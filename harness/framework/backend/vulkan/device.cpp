@@ -27,7 +27,6 @@ vk::PhysicalDeviceVulkan12Features wanted_of_1_2(const vk::raii::PhysicalDevice&
         device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features>()
             .get<vk::PhysicalDeviceVulkan12Features>();
     return {.shaderFloat16 = offered.shaderFloat16,
-            .shaderInt8 = offered.shaderInt8,
             .shaderSampledImageArrayNonUniformIndexing = offered.shaderSampledImageArrayNonUniformIndexing};
 }
 
@@ -170,7 +169,6 @@ const DeviceInfo& Device::info() const {
 std::vector<std::string> missing_features(const Context& context, std::span<const std::uint32_t> spirv) {
     constexpr std::size_t header_words = 5;
     constexpr std::uint32_t capability = 17;  // OpCapability: two words
-    const vk::PhysicalDeviceFeatures offered = context.physical.handle.getFeatures();
     const vk::PhysicalDeviceVulkan12Features newer = wanted_of_1_2(context.physical.handle);
     struct Needed {
         std::uint32_t capability;
@@ -178,10 +176,6 @@ std::vector<std::string> missing_features(const Context& context, std::span<cons
         vk::Bool32 has;
     };
     const std::array all{Needed{9, "shaderFloat16", newer.shaderFloat16},
-                         Needed{10, "shaderFloat64", offered.shaderFloat64},
-                         Needed{11, "shaderInt64", offered.shaderInt64},
-                         Needed{22, "shaderInt16", offered.shaderInt16},
-                         Needed{39, "shaderInt8", newer.shaderInt8},
                          Needed{5307, "shaderSampledImageArrayNonUniformIndexing",
                                 newer.shaderSampledImageArrayNonUniformIndexing}};
     std::vector<std::string> missing;

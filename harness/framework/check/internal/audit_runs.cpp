@@ -31,7 +31,7 @@ std::vector<Word> halved(std::span<const Word> input, const std::vector<Scalar>&
     std::vector<Word> words(input.begin(), input.end());
     for (std::size_t i = 0; i < words.size(); ++i)
         if (scalars[i] == Scalar::float_)
-            set_float(Scalar::float16_, from_word<float>(words[i]), std::span(words).subspan(i, 1));
+            words[i] = float_word(Scalar::float16_, from_word<double>(words[i]));
     return words;
 }
 
@@ -80,8 +80,7 @@ Reading AuditRuns::read(InterpretedKernel<interpreter::Explained>& kernel, std::
                     const interpreter::Explained x = value.number();
                     reading.outputs.push_back({x.value, x.exact, x.permitted.bounds()});
                 } else {
-                    const double exact =
-                        is_rest_of_float(scalars_, w) ? 0.0 : whole_number(scalars_, value.bits(), w);
+                    const double exact = whole_number(scalars_[w], value.bits());
                     reading.outputs.push_back({exact, exact, numeric::Bounds::point(exact)});
                 }
             }
@@ -154,7 +153,7 @@ std::vector<double> AuditRuns::in_float(std::span<const Word> input) {
         instructions_ += floats_.machine().steps() - before;
         std::vector<Word> words;
         for (std::size_t w = 0; w < scalars_.size(); ++w) words.push_back(floats_.output(w).bits());
-        for (std::size_t w = 0; w < scalars_.size(); ++w) outputs.push_back(number_at(scalars_, words, w));
+        for (std::size_t w = 0; w < scalars_.size(); ++w) outputs.push_back(number_at(scalars_[w], words[w]));
     } catch (const interpreter::Error&) {
         outputs.clear();
     }
@@ -198,11 +197,9 @@ void AuditRuns::set_usual(const Domain::Inputs& inputs) {
 
 namespace {
 
-std::string short_text(Scalar scalar, std::span<const Word> words) {
-    if (scalar == Scalar::double_) return fmt::format("{}", float_at(scalar, words));
-    if (shader::is_float(scalar)) return fmt::format("{}", from_word<float>(words[0]));
-    if (scalar == Scalar::bool_ || shader::is_signed(scalar)) return text_at(scalar, words);
-    return fmt::format("{}", bits_at(scalar, words));
+std::string short_text(Scalar scalar, Word word) {
+    if (shader::is_float(scalar)) return fmt::format("{}", from_word<float>(word));
+    return scalar == Scalar::uint_ ? fmt::format("{}", word) : text_of(scalar, word);
 }
 
 }  // namespace
@@ -223,7 +220,7 @@ std::string AuditRuns::named(std::span<const Word> input) const {
         if (type.scalar == Scalar::sampler) return;
         std::vector<std::string> numbers;
         for (const Scalar scalar : scalars_of(type)) {
-            if (scalar != Scalar::upper) numbers.push_back(short_text(scalar, input));
+            numbers.push_back(short_text(scalar, input.front()));
             input = input.subspan(1);
         }
         all.push_back(fmt::format(fmt::runtime(numbers.size() == 1 ? "{} = {}" : "{} = ({})"), name,

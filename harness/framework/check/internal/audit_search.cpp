@@ -122,8 +122,6 @@ class Search {
 // The values that a person would try first, then the same number with fewer digits.
 std::vector<Word> simpler(Word word, shader::Scalar scalar) {
     std::vector<Word> words;
-    if (scalar == shader::Scalar::double_ || scalar == shader::Scalar::upper)
-        return word == 0 ? words : std::vector<Word>{0U};  // fewer digits, or a smaller integer
     if (!shader::is_float(scalar)) {
         for (const Word simple : {0U, 1U, 2U})
             if (simple < word) words.push_back(simple);

@@ -36,22 +36,20 @@ InputClass class_of(std::span<const Word> inputs, const std::vector<Scalar>& sca
     auto worst = branch ? InputClass::branch : InputClass::ordinary;
     for (std::size_t i = 0; i < inputs.size(); ++i)
         if (shader::is_float(scalars[i]))
-            worst = std::max(worst, class_of(float_at(scalars[i], inputs.subspan(i)), format_of(scalars[i])));
+            worst = std::max(worst, class_of(from_word<double>(inputs[i]), format_of(scalars[i])));
     return worst;
 }
 
 void set_positive_zeros(std::span<Word> words, const std::vector<Scalar>& scalars) {
     for (std::size_t i = 0; i < words.size(); ++i) {
-        const Scalar scalar = scalars[i % scalars.size()];
-        if (shader::is_float(scalar) && float_at(scalar, words.subspan(i)) == 0.0)
-            set_bits(scalar, 0, words.subspan(i));
+        if (shader::is_float(scalars[i % scalars.size()]) && from_word<float>(words[i]) == 0.0F) words[i] = 0;
     }
 }
 
 bool holds_special(const Sample& sample, const std::vector<Scalar>& scalars) {
     for (std::size_t i = 0; i < sample.inputs.size(); ++i) {
         if (!shader::is_float(scalars[i])) continue;
-        const double value = float_at(scalars[i], std::span(sample.inputs).subspan(i));
+        const double value = from_word<double>(sample.inputs[i]);
         if (!std::isfinite(value) || (value == 0.0 && std::signbit(value))) return true;
     }
     return std::ranges::any_of(sample.want, [](double want) { return !std::isfinite(want); });
@@ -73,10 +71,9 @@ std::vector<Word> flushed(const std::vector<Scalar>& scalars, std::span<const Wo
     std::vector<Word> moved(inputs.begin(), inputs.end());
     for (std::size_t i = 0; i < moved.size(); ++i) {
         if (!shader::is_float(scalars[i])) continue;
-        const std::span<Word> words = std::span(moved).subspan(i);
-        const double value = float_at(scalars[i], words);
+        const auto value = from_word<double>(moved[i]);
         if (numeric::classify(value, format_of(scalars[i])) == numeric::FloatClass::subnormal)
-            set_float(scalars[i], std::copysign(0.0, value), words);
+            moved[i] = to_word(std::copysign(0.0, value));
     }
     return moved;
 }
@@ -94,11 +91,11 @@ bool visit_moved(const std::vector<Scalar>& scalars, std::span<const Word> input
                  const InputVisitor& visit) {
     std::vector<std::size_t> floats;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-        if (shader::is_float(scalars[i]) && !is_meant_exactly(float_at(scalars[i], inputs.subspan(i))))
+        if (shader::is_float(scalars[i]) && !is_meant_exactly(from_word<double>(inputs[i])))
             floats.push_back(i);
     }
     const auto move = [&](std::vector<Word>& words, std::size_t i, bool up) {
-        step_float(scalars[i], up ? steps : -steps, std::span(words).subspan(i));
+        words[i] = stepped_float(scalars[i], words[i], up ? steps : -steps);
     };
     for (const std::size_t i : floats) {
         for (const bool up : {false, true}) {
@@ -139,8 +136,8 @@ Error BudgetJudge::measure(const Sample& sample, bool promised) {
 
 bool BudgetJudge::inside_codomain(std::span<const Word> got) const {
     for (std::size_t i = 0; i < got.size(); ++i) {
-        if (scalars_.outputs[i] == Scalar::bool_ || scalars_.outputs[i] == Scalar::upper) continue;
-        const double value = number_at(scalars_.outputs, got, i);
+        if (scalars_.outputs[i] == Scalar::bool_) continue;
+        const double value = number_at(scalars_.outputs[i], got[i]);
         if (!(value >= question_.codomain.low && value <= question_.codomain.high)) return false;
     }
     return true;
@@ -163,10 +160,10 @@ void BudgetJudge::add_value(Error& error, std::span<const Word> got, std::span<c
     const double unit = unit_of(want, format);
     for (std::size_t i = 0; i < got.size(); ++i) {
         if (shader::is_float(scalars[i])) {
-            const Error here = float_error(number_at(scalars, got, i), want[i], unit, format);
+            const Error here = float_error(number_at(scalars[i], got[i]), want[i], unit, format);
             error = {std::max(error.ulp, here.absolute > question_.budget.absolute ? here.ulp : 0.0),
                      std::max(error.absolute, here.absolute), std::max(error.fraction, here.fraction)};
-        } else if (number_at(scalars, got, i) != want[i]) {
+        } else if (number_at(scalars[i], got[i]) != want[i]) {
             error = {.ulp = infinity, .absolute = infinity, .fraction = infinity};
         }
     }
@@ -236,7 +233,7 @@ bool same_value(std::span<const Word> got, std::span<const double> want, std::sp
     // A result below the normal numbers may be flushed.
     const double allowed = std::max({tolerance * largest, budget.absolute, 0x1p-126});
     for (std::size_t i = 0; i < got.size(); ++i) {
-        const double number = number_at(scalars, got, i);
+        const double number = number_at(scalars[i], got[i]);
         if (!same_number(number, want[i], shader::is_float(scalars[i]) ? allowed : 0.0)) return false;
     }
     return true;
@@ -262,7 +259,7 @@ bool is_edge(const Sample& sample, const Scalars& scalars) {
     if (!special) return false;
     for (std::size_t i = 0; i < sample.inputs.size(); ++i) {
         if (!shader::is_float(scalars.inputs[i])) continue;
-        const double value = std::abs(float_at(scalars.inputs[i], std::span(sample.inputs).subspan(i)));
+        const double value = std::abs(from_word<double>(sample.inputs[i]));
         if (std::isfinite(value) && value != 0.0 && !is_usual(value)) return false;
     }
     return true;
@@ -271,10 +268,10 @@ bool is_edge(const Sample& sample, const Scalars& scalars) {
 bool visit_edge_inputs(const Scalars& scalars, std::span<const Word> inputs, const InputVisitor& visit) {
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         if (!shader::is_float(scalars.inputs[i])) continue;
-        if (!is_usual(std::abs(float_at(scalars.inputs[i], inputs.subspan(i))))) continue;
+        if (!is_usual(std::abs(from_word<double>(inputs[i])))) continue;
         for (int steps = -most_steps; steps <= most_steps; ++steps) {
             std::vector<Word> moved(inputs.begin(), inputs.end());
-            step_float(scalars.inputs[i], steps, std::span(moved).subspan(i));
+            moved[i] = stepped_float(scalars.inputs[i], moved[i], steps);
             if (visit(moved)) return true;
         }
     }

@@ -116,18 +116,6 @@ std::string replay_interface(const Evaluation& calls, const GlReplay& replay) {
 // of its bits: compilers may take comparisons with NaN for true.
 std::string condition(std::size_t output, Scalar scalar, const numeric::Bounds& allowed) {
     const std::string word = fmt::format("gloam_kernel_outputs[{}]", output);
-    if (scalar == Scalar::double_) {
-        const auto words = [](double x) {
-            const auto bits = std::bit_cast<std::uint64_t>(x);
-            return fmt::format("packDouble2x32(uvec2({}u, {}u))", static_cast<Word>(bits),
-                               static_cast<Word>(bits >> 32U));
-        };
-        const std::string value =
-            fmt::format("packDouble2x32(uvec2({}, gloam_kernel_outputs[{}]))", word, output + 1);
-        return fmt::format(
-            "    gloam_kernel_good = gloam_kernel_good && (isnan({0}) ? {1} : {0} >= {2} && {0} <= {3});\n",
-            value, allowed.nan, words(allowed.low), words(allowed.high));
-    }
     if (scalar != Scalar::float_) {
         const auto want = static_cast<Word>(static_cast<std::int64_t>(allowed.low));
         return fmt::format("    gloam_kernel_good = gloam_kernel_good && {} == {}u;\n", word, want);
@@ -153,10 +141,8 @@ std::string gl_compute_text(const KernelSource& source) {
 std::string gl_fragment_text(const KernelSource& source) {
     require_no_stores(source);
     const auto input = [](Scalar scalar, std::size_t word) {
-        const WordText text = [](std::size_t at) {
-            return word_of_texture("gloam_kernel_inputs", fmt::format("gloam_kernel_input_at + {}u", at));
-        };
-        return from_words(scalar, text, word);
+        return scalar_of_word(
+            scalar, word_of_texture("gloam_kernel_inputs", fmt::format("gloam_kernel_input_at + {}u", word)));
     };
     const auto image = [](std::size_t index, const std::string& at) {
         return word_of_texture(fmt::format("gloam_kernel_image{}", index), at);
@@ -186,7 +172,7 @@ std::string gl_replay_text(const KernelSource& source, const GlReplay& replay) {
         "    gloam_kernel_faults[0] = 0u;\n" +
         calls.code + "    bool gloam_kernel_good = gloam_kernel_faults[0] == 0u;\n";
     for (std::size_t i = 0; i < replay.allowed.size(); ++i)
-        if (!is_rest_of_float(replay.outputs, i)) rest += condition(i, replay.outputs[i], replay.allowed[i]);
+        rest += condition(i, replay.outputs[i], replay.allowed[i]);
     rest +=
         "    gloam_kernel_color = gloam_kernel_good ? vec4(0.0, 1.0, 0.0, 1.0) : vec4(1.0, 0.0, 0.0, "
         "1.0);\n}\n";

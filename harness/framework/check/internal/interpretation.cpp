@@ -75,16 +75,15 @@ std::uint64_t Interpretation::calculate(const InputRow& input, std::vector<doubl
     doubles.run(input.words, at.index);
     for (std::size_t w = 0; w < outputs_.size(); ++w) {
         const auto value = doubles.output(w);
-        outputs.push_back(shader::is_float(outputs_[w])   ? value.number()
-                          : is_rest_of_float(outputs_, w) ? 0.0
-                                                          : whole_number(outputs_, value.bits(), w));
+        outputs.push_back(shader::is_float(outputs_[w]) ? value.number()
+                                                        : whole_number(outputs_[w], value.bits()));
     }
     return doubles.machine().steps() - before;
 }
 
 bool Interpretation::holds(std::span<const numeric::Bounds> outcome, std::span<const Word> got) const {
     for (std::size_t w = 0; w < got.size(); ++w)
-        if (!outcome[w].contains(number_at(outputs_, got, w))) return false;
+        if (!outcome[w].contains(number_at(outputs_[w], got[w]))) return false;
     return true;
 }
 
@@ -103,10 +102,9 @@ void Interpretation::explore(InterpretedKernel<N>& kernel, const InputRow& input
             for (std::size_t w = 0; w < outputs_.size(); ++w) {
                 const auto value = kernel.output(w);
                 permitted.outcomes.push_back(
-                    shader::is_float(outputs_[w]) ? bounds_of(value.number())
-                    : is_rest_of_float(outputs_, w)
-                        ? numeric::Bounds::point(0.0)
-                        : numeric::Bounds::point(whole_number(outputs_, value.bits(), w)));
+                    shader::is_float(outputs_[w])
+                        ? bounds_of(value.number())
+                        : numeric::Bounds::point(whole_number(outputs_[w], value.bits())));
             }
         } catch (const interpreter::Error&) {
             throw numeric::Paths::Undetermined{};
@@ -202,7 +200,6 @@ std::vector<Sample::Outcome> RulesJudge::outcomes_beside(std::span<const Word> g
 bool RulesJudge::permits_every(const Sample& sample) const {
     for (std::size_t i = 0; i < sample.permitted.size(); ++i) {
         const numeric::Bounds& bounds = sample.permitted[i];
-        if (is_rest_of_float(scalars_.outputs, i)) continue;
         const bool is_bool = scalars_.outputs[i] == shader::Scalar::bool_;
         if (bounds.low > (is_bool ? 0.0 : -infinity) || bounds.high < (is_bool ? 1.0 : infinity))
             return false;
@@ -213,7 +210,7 @@ bool RulesJudge::permits_every(const Sample& sample) const {
 double RulesJudge::fraction_of(const Sample& sample, std::span<const numeric::Bounds> outcome) const {
     double fraction = 0.0;
     for (std::size_t i = 0; i < outcome.size(); ++i) {
-        const double got = number_at(scalars_.outputs, sample.got, i);
+        const double got = number_at(scalars_.outputs[i], sample.got[i]);
         fraction = std::max(fraction, fraction_of_width(got, sample.want[i], outcome[i]));
     }
     return fraction;

@@ -13,12 +13,9 @@
 // The parts of generated compute shaders.
 namespace gloam::check::internal {
 
-// GLSL expression of a scalar, from the uint expressions of its words, from `word` on.
-using WordText = std::function<std::string(std::size_t word)>;
-[[nodiscard]] std::string from_words(shader::Scalar scalar, const WordText& text, std::size_t word);
-
-// The uint expressions of the words of a scalar.
-[[nodiscard]] std::vector<std::string> to_words(shader::Scalar scalar, const std::string& value);
+// GLSL expression of a scalar, from the uint expression of its word, and back.
+[[nodiscard]] std::string scalar_of_word(shader::Scalar scalar, const std::string& word);
+[[nodiscard]] std::string word_of_scalar(shader::Scalar scalar, const std::string& value);
 
 // The whole shader: the interface, the function's file, the definitions of its prototypes, then `rest`, which
 // has main(). Every name that is not from the file begins with gloam_kernel_ or GloamKernel. Macros of the

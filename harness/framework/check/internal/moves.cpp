@@ -50,9 +50,8 @@ void Moves::move(std::vector<Word>& words) {
             const auto other = drawn_.row(random_.below(drawn_.count())).subspan(slot.first, slot.count);
             value.assign(other.begin(), other.end());
         } else {
-            std::size_t word = random_.below(slot.count);
-            if (scalars_[slot.first + word] == shader::Scalar::upper) --word;
-            move_scalar(scalars_[slot.first + word], std::span(value).subspan(word));
+            const std::size_t word = random_.below(slot.count);
+            value[word] = moved_scalar(scalars_[slot.first + word], value[word]);
             if (!slot.values->admits(value)) continue;
         }
         std::ranges::copy(value, words.begin() + at);
@@ -60,20 +59,14 @@ void Moves::move(std::vector<Word>& words) {
     }
 }
 
-void Moves::move_scalar(shader::Scalar scalar, std::span<Word> words) {
+Word Moves::moved_scalar(shader::Scalar scalar, Word word) {
     const bool down = random_.below(2) == 0;
     const unsigned bits = shader::bits_of(scalar);
     const std::int64_t distance = std::int64_t{1} << random_.below(bits * 13 / 16);
-    if (scalar == shader::Scalar::bool_) {
-        words[0] = 1U - words[0];
-    } else if (!shader::is_float(scalar)) {
-        set_bits(scalar, bits_at(scalar, words) + static_cast<std::uint64_t>(down ? -distance : distance),
-                 words);
-    } else if (random_.below(32) == 0) {
-        words[word_count(scalar) - 1] ^= 0x80000000U;
-    } else {
-        step_float(scalar, down ? -distance : distance, words);
-    }
+    if (scalar == shader::Scalar::bool_) return 1U - word;
+    if (!shader::is_float(scalar)) return word + static_cast<Word>(down ? -distance : distance);
+    if (random_.below(32) == 0) return word ^ 0x80000000U;
+    return stepped_float(scalar, word, down ? -distance : distance);
 }
 
 }  // namespace gloam::check::internal

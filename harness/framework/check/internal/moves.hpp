@@ -66,7 +66,7 @@ class Moves {
 
   private:
     void move(std::vector<Word>& words);
-    void move_scalar(shader::Scalar scalar, std::span<Word> words);
+    Word moved_scalar(shader::Scalar scalar, Word word);
 
     numeric::Random random_;
     std::vector<shader::Scalar> scalars_;

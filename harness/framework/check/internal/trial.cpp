@@ -150,8 +150,8 @@ std::string codomain_text(const Question& question, const Sample& sample) {
     const std::vector<shader::Scalar> scalars = question.signature.output_scalars();
     const Codomain& range = question.codomain;
     for (std::size_t i = 0; i < sample.got.size(); ++i) {
-        if (scalars[i] == shader::Scalar::bool_ || scalars[i] == shader::Scalar::upper) continue;
-        const double value = number_at(scalars, sample.got, i);
+        if (scalars[i] == shader::Scalar::bool_) continue;
+        const double value = number_at(scalars[i], sample.got[i]);
         if (value < range.low || value > range.high)
             return fmt::format("  the worst result is outside the codomain [{}, {}]\n", range.low,
                                range.high);

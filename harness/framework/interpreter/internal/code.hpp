@@ -21,14 +21,13 @@ inline constexpr std::uint16_t extended = 0x4000;
 
 // The other operations of an Instruction.
 enum Operation : std::uint16_t {
-    copy = 0x8000,  // count slots from a
-    to_float,       // count slots from a, whose bits become floats
-    reinterpret,    // count slots, from the bits of those at a; b, c: ScalarBits of a, of the result
-    resize,         // integers of count slots from a; c: their bits, b: whether they have signs; `extra`: the
-                    // result's bits
-    gather,         // count slots, from those of the list at `extra`
-    undefine,       // count slots
-    select,         // b or c, selected by a; `stride`: 0 if one bool is for all components
+    copy = 0x8000,    // count slots from a
+    to_float,         // count slots from a, whose bits become floats
+    pack_halves,      // count slots, each from the bits of two halves at a; b: whether they become floats
+    unpack_halves,    // count slots, two halves from the bits of each slot at a
+    gather,           // count slots, from those of the list at `extra`
+    undefine,         // count slots
+    select,           // b or c, selected by a; `stride`: 0 if one bool is for all components
     extract_dynamic,  // component b of the count components at a
     insert_dynamic,   // the count components at a, with component c replaced by b
     jump,             // edge `extra`
@@ -72,7 +71,6 @@ inline constexpr std::uint8_t relaxed = 2;          // may be done in half preci
 inline constexpr std::uint8_t half = 4;             // 16-bit floats
 inline constexpr std::uint8_t is_signed = 8;        // integers
 inline constexpr std::uint8_t result_is_used = 16;  // of an atomic operation
-inline constexpr std::uint8_t wide = 32;            // 64-bit floats, or integers
 }  // namespace flags
 
 struct Instruction {
@@ -127,9 +125,8 @@ struct Chain {
 
 struct ConstantSlot {
     Slot slot;
-    std::uint64_t bits;
+    std::uint32_t bits;
     bool is_float;
-    bool is_wide;
 };
 
 // How a sampler reads.

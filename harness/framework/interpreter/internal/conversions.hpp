@@ -10,79 +10,43 @@
 // Conversions between floats and integers, between floats and their parts, and to and from packed words.
 namespace gloam::interpreter::internal {
 
-// An integer of 64 bits as a number of the instruction's format, correctly rounded.
+// An integer as a number of the instruction's format, correctly rounded.
 template <class N, class I>
-[[nodiscard]] N from_integer(const Instruction& i, I x) {
+[[nodiscard]] N from_integer(I x) {
     if constexpr (std::is_same_v<N, numeric::Rearranged>) {
         return N(numeric::Interval(x));
     } else if constexpr (std::is_same_v<N, Explained>) {
         const auto exact = static_cast<double>(x);
-        const double value = (i.flags & flags::wide) != 0 ? exact : static_cast<float>(x);
+        const double value = static_cast<float>(x);
         return {.value = value, .exact = exact, .local = value - exact, .permitted = numeric::Interval(x)};
-    } else if constexpr (std::is_same_v<N, Double>) {
-        return N(static_cast<double>(x));
     } else {
         return static_cast<N>(x);
     }
 }
 
-// c: the integer's bits.
-template <class N, bool Signed>
+template <class N, class I>
 void convert_integer(State<N>& s, const Instruction& i) {
-    using I = std::conditional_t<Signed, std::int64_t, std::uint64_t>;
-    for (std::uint32_t k = 0; k < i.count; ++k) {
-        const I x = i.c == 2 * word_bits ? static_cast<I>(s.long_bits(i.a + k))
-                    : Signed             ? static_cast<I>(as_int(s.bits(i.a + k)))
-                                         : static_cast<I>(s.bits(i.a + k));
-        s.set(i, i.result + k, from_integer<N>(i, x));
-    }
+    for (std::uint32_t k = 0; k < i.count; ++k)
+        s.set(i, i.result + k, from_integer<N>(static_cast<I>(s.bits(i.a + k))));
 }
 
-// c: the result's bits.
-template <class N, bool Signed>
+template <class N, class I>
 void convert_to_integer(State<N>& s, const Instruction& i) {
-    const auto put = [&]<class Small, class I>(Small, I) {
-        using Of = std::conditional_t<Signed, Small, std::make_unsigned_t<Small>>;
-        for (std::uint32_t k = 0; k < i.count; ++k)
-            s.set(i, i.result + k, static_cast<I>(apply(ToInteger<Of>{}, s.number(i, i.a + k))));
-    };
-    switch (i.c) {
-        case 8:
-            return put(std::int8_t{}, Word{});
-        case 16:
-            return put(std::int16_t{}, Word{});
-        case word_bits:
-            return put(std::int32_t{}, Word{});
-        default:
-            return put(std::int64_t{}, std::uint64_t{});
-    }
+    for (std::uint32_t k = 0; k < i.count; ++k)
+        s.set(i, i.result + k, static_cast<Word>(apply(ToInteger<I>{}, s.number(i, i.a + k))));
 }
 
-template <class N>
-void do_resize(State<N>& s, const Instruction& i) {
-    const bool is_signed = (i.flags & flags::is_signed) != 0;
-    for (std::uint32_t k = 0; k < i.count; ++k) {
-        const std::uint64_t x = i.c == 2 * word_bits ? s.long_bits(i.a + k) : s.bits(i.a + k);
-        const std::uint64_t whole = resized(resized(x, i.c, i.b != 0), i.extra, is_signed);
-        s.slots[i.result + k] =
-            Value<N>::of_bits(i.extra == 2 * word_bits ? whole : static_cast<Word>(whole));
-    }
-}
-
-// Of one format to another. c: the operand's bits.
+// Of one format to another.
 template <class N>
 void convert_float(State<N>& s, const Instruction& i) {
     const bool half = (i.flags & flags::half) != 0;
-    const bool wide = (i.flags & flags::wide) != 0;
-    const auto rounded = [&](double x) {
-        return half ? scalars::quantize_to_half(x) : wide ? x : static_cast<float>(x);
+    const auto rounded = [half](double x) {
+        return half ? scalars::quantize_to_half(x) : double{static_cast<float>(x)};
     };
     for (std::uint32_t k = 0; k < i.count; ++k) {
         const Value<N>& from = s.slots[i.a + k];
         if constexpr (std::is_same_v<N, float>) {
-            const double x = i.c == 2 * word_bits ? std::bit_cast<double>(from.long_bits()) : from.number();
-            s.slots[i.result + k] = wide ? Value<N>::of_double(std::bit_cast<std::uint64_t>(x))
-                                         : Value<N>::of(static_cast<float>(rounded(x)));
+            s.slots[i.result + k] = Value<N>::of(static_cast<float>(rounded(from.number())));
         } else if constexpr (std::is_same_v<N, double>) {
             s.set(i, i.result + k, from.number());
         } else if constexpr (std::is_same_v<N, Explained>) {
@@ -95,19 +59,6 @@ void convert_float(State<N>& s, const Instruction& i) {
             s.set(i, i.result + k, N(numeric::enclose(settled(from.number()).bounds())));
         }
     }
-}
-
-// The bits of scalars in memory: a number of bits, and whether they are floats, or signed.
-struct ScalarBits {
-    Word count;
-    bool is_float;
-    bool is_signed;
-};
-[[nodiscard]] constexpr std::uint32_t packed(const ScalarBits& of) {
-    return of.count | (of.is_float ? 256U : 0U) | (of.is_signed ? 512U : 0U);
-}
-[[nodiscard]] constexpr ScalarBits unpacked(std::uint32_t word) {
-    return {word & 255U, (word & 256U) != 0, (word & 512U) != 0};
 }
 
 struct Scale {
@@ -189,7 +140,7 @@ void unpack(State<N>& s, const Instruction& i) {
     const Word packed = s.bits(i.a);
     for (std::uint32_t k = 0; k < Fields; ++k) {
         const Word field = extracted(packed, k * width, width, Signed);
-        const N number = from_integer<N>(i, Signed ? std::int64_t{as_int(field)} : std::int64_t{field});
+        const N number = from_integer<N>(as_int(field));
         const N unit = apply(Divide{}, number, constant<N>(scale));
         s.set(i, i.result + k, Signed ? apply(Clamp{}, unit, constant<N>(-1.0), constant<N>(1.0)) : unit);
     }
@@ -207,45 +158,21 @@ struct HalfBits {
     Word operator()(const numeric::Interval& x) const;
 };
 
-// Other scalars from the same bits. Those of the larger type, at most 64, at a time.
+// Words from the bits of pairs of halves, and back.
 template <class N>
-void do_reinterpret(State<N>& s, const Instruction& i) {
-    const ScalarBits from = unpacked(i.b);
-    const ScalarBits to = unpacked(i.c);
-    std::vector<Value<N>> results;
-    for (std::uint32_t k = 0; k < i.count * to.count / from.count;) {
-        std::uint64_t bits = 0;
-        const Word whole = std::max(from.count, to.count);
-        for (Word at = 0; at < whole; at += from.count) {
-            const Value<N>& x = s.slots[i.a + k++];
-            const std::uint64_t one = from.count == 2 * word_bits         ? x.long_bits()
-                                      : from.is_float && from.count == 16 ? apply(HalfBits{}, x.number())
-                                                                          : x.bits() & mask_of(from.count);
-            bits |= one << at;
-        }
-        for (Word at = 0; at < whole; at += to.count) {
-            const std::uint64_t one = resized(bits >> at, to.count, to.is_signed);
-            const auto word = static_cast<Word>(one);
-            results.push_back(to.count == 2 * word_bits
-                                  ? (to.is_float ? Value<N>::of_double(one) : Value<N>::of_bits(one))
-                              : !to.is_float   ? Value<N>::of_bits(word)
-                              : to.count == 16 ? Value<N>::of_float(std::bit_cast<Word>(half_value(word)))
-                                               : Value<N>::of_float(word));
-        }
+void do_pack_halves(State<N>& s, const Instruction& i) {
+    for (std::uint32_t k = 0; k < i.count; ++k) {
+        const Word low = apply(HalfBits{}, s.slots[i.a + 2 * k].number());
+        const Word word = low | apply(HalfBits{}, s.slots[i.a + 2 * k + 1].number()) << 16U;
+        s.slots[i.result + k] = i.b != 0 ? Value<N>::of_float(word) : Value<N>::of_bits(word);
     }
-    std::ranges::copy(results, s.slots.begin() + i.result);
-}
-
-// The words of a float64, low and high, and back.
-template <class N>
-void pack_double(State<N>& s, const Instruction& i) {
-    s.slots[i.result] = Value<N>::joined(s.slots[i.a], s.slots[i.a + 1]);
 }
 template <class N>
-void unpack_double(State<N>& s, const Instruction& i) {
-    const Value<N> x = s.slots[i.a];
-    s.slots[i.result] = x.low();
-    s.slots[i.result + 1] = x.high();
+void do_unpack_halves(State<N>& s, const Instruction& i) {
+    for (std::uint32_t k = 0; k < i.count; ++k) {
+        const Word bits = s.bits(i.a + k / 2) >> (16U * (k % 2)) & 0xffffU;
+        s.slots[i.result + k] = Value<N>::of_float(std::bit_cast<Word>(half_value(bits)));
+    }
 }
 
 template <class N>
@@ -259,11 +186,7 @@ void unpack_half(State<N>& s, const Instruction& i) {
     const Word packed = s.bits(i.a);
     for (std::uint32_t k = 0; k < 2; ++k) {
         const float value = half_value(packed >> (16U * k) & 0xffffU);
-        if constexpr (std::is_same_v<N, Double>) {
-            s.set(i, i.result + k, N(value));
-        } else {
-            s.set(i, i.result + k, number_from_bits<N>(std::bit_cast<Word>(value)));
-        }
+        s.set(i, i.result + k, number_from_bits<N>(std::bit_cast<Word>(value)));
     }
 }
 
@@ -271,13 +194,13 @@ template <class N>
 [[nodiscard]] Handler<N> conversion_handler(std::uint16_t opcode) {
     switch (opcode) {
         case SpvOpConvertFToS:
-            return convert_to_integer<N, true>;
+            return convert_to_integer<N, std::int32_t>;
         case SpvOpConvertFToU:
-            return convert_to_integer<N, false>;
+            return convert_to_integer<N, Word>;
         case SpvOpConvertSToF:
-            return convert_integer<N, true>;
+            return convert_integer<N, std::int32_t>;
         case SpvOpConvertUToF:
-            return convert_integer<N, false>;
+            return convert_integer<N, Word>;
         case extended + GLSLstd450Ldexp:
             return load_exponent<N>;
         case extended + GLSLstd450Modf:
@@ -317,14 +240,10 @@ template <class N>
     switch (opcode) {
         case SpvOpFConvert:
             return convert_float<N>;
-        case extended + GLSLstd450PackDouble2x32:
-            return pack_double<N>;
-        case extended + GLSLstd450UnpackDouble2x32:
-            return unpack_double<N>;
-        case reinterpret:
-            return do_reinterpret<N>;
-        case resize:
-            return do_resize<N>;
+        case pack_halves:
+            return do_pack_halves<N>;
+        case unpack_halves:
+            return do_unpack_halves<N>;
         default:
             return nullptr;
     }

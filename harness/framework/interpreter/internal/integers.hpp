@@ -22,59 +22,37 @@ inline constexpr Word word_bits = 32;
 [[nodiscard]] constexpr Word mask_of(Word width) {
     return width >= word_bits ? ~Word{0} : (Word{1} << width) - 1U;
 }
-// Operations on a Word, which hold for 8 and 16 bits as well, or on 64 bits.
-template <class U>
-[[nodiscard]] constexpr std::make_signed_t<U> as_signed(U x) {
-    return static_cast<std::make_signed_t<U>>(x);
+[[nodiscard]] constexpr Word quotient(Word x, Word y) {
+    return y == 0 ? ~Word{0} : x / y;
 }
-template <class U>
-[[nodiscard]] constexpr U quotient(U x, U y) {
-    return y == 0 ? ~U{0} : x / y;
+[[nodiscard]] constexpr Word signed_quotient(Word x, Word y) {
+    if (y == 0) return ~Word{0};
+    return y == ~Word{0} ? Word{0} - x : static_cast<Word>(as_int(x) / as_int(y));
 }
-template <class U>
-[[nodiscard]] constexpr U signed_quotient(U x, U y) {
-    if (y == 0) return ~U{0};
-    return y == ~U{0} ? U{0} - x : static_cast<U>(as_signed(x) / as_signed(y));
+[[nodiscard]] constexpr Word remainder_of(Word x, Word y) {
+    return y == 0 ? ~Word{0} : x % y;
 }
-template <class U>
-[[nodiscard]] constexpr U remainder_of(U x, U y) {
-    return y == 0 ? ~U{0} : x % y;
-}
-template <class U>
-[[nodiscard]] constexpr U signed_remainder(U x, U y) {
-    if (y == 0) return ~U{0};
-    return y == ~U{0} ? U{0} : static_cast<U>(as_signed(x) % as_signed(y));
+[[nodiscard]] constexpr Word signed_remainder(Word x, Word y) {
+    if (y == 0) return ~Word{0};
+    return y == ~Word{0} ? Word{0} : static_cast<Word>(as_int(x) % as_int(y));
 }
 // The remainder with the sign of the divisor.
-template <class U>
-[[nodiscard]] constexpr U signed_modulo(U x, U y) {
-    const U rest = signed_remainder(x, y);
-    return y != 0 && rest != 0 && (as_signed(rest) < 0) != (as_signed(y) < 0) ? rest + y : rest;
+[[nodiscard]] constexpr Word signed_modulo(Word x, Word y) {
+    const Word rest = signed_remainder(x, y);
+    return y != 0 && rest != 0 && (as_int(rest) < 0) != (as_int(y) < 0) ? rest + y : rest;
 }
-// The operands of so many bits for which the results of these operations are defined.
-template <class U>
-[[nodiscard]] constexpr bool divides(U, U y, Word) {
+// The operands for which the results of these operations are defined.
+[[nodiscard]] constexpr bool divides(Word, Word y) {
     return y != 0;
 }
-template <class U>
-[[nodiscard]] constexpr bool signed_divides(U x, U y, Word bits) {
-    return y != 0 && !(y == ~U{0} && x == U{0} - (U{1} << (bits - 1U)));
+[[nodiscard]] constexpr bool signed_divides(Word x, Word y) {
+    return y != 0 && !(y == ~Word{0} && x == Word{1} << (word_bits - 1U));
 }
-template <class U>
-[[nodiscard]] constexpr bool signed_leaves(U x, U y, Word) {
-    return y != 0 && as_signed(x) >= 0 && as_signed(y) >= 0;
+[[nodiscard]] constexpr bool signed_leaves(Word x, Word y) {
+    return y != 0 && as_int(x) >= 0 && as_int(y) >= 0;
 }
-template <class U>
-[[nodiscard]] constexpr bool shifts(U, U distance, Word bits) {
-    return distance < bits;
-}
-// An integer of `bits`, extended to all bits of U.
-template <class U>
-[[nodiscard]] constexpr U resized(U x, Word bits, bool is_signed) {
-    constexpr Word all = sizeof(U) * 8;
-    if (bits >= all) return x;
-    const U cut = x << (all - bits);
-    return is_signed ? static_cast<U>(as_signed(cut) >> (all - bits)) : cut >> (all - bits);
+[[nodiscard]] constexpr bool shifts(Word, Word distance) {
+    return distance < word_bits;
 }
 [[nodiscard]] constexpr bool is_field(Word offset, Word width) {
     return offset <= word_bits && width <= word_bits - offset;
@@ -100,54 +78,43 @@ template <class U>
     return word_bits - 1U - static_cast<Word>(std::countl_zero(x));
 }
 
-template <class U, class N>
-[[nodiscard]] U integer(const State<N>& s, Slot slot) {
-    if constexpr (std::is_same_v<U, Word>) {
-        return s.bits(slot);
-    } else {
-        return s.long_bits(slot);
-    }
-}
-
-template <class N, class U, auto F>
+template <class N, auto F>
 void on_one(State<N>& s, const Instruction& i) {
-    for (std::uint32_t k = 0; k < i.count; ++k)
-        s.set(i, i.result + k, static_cast<U>(F(integer<U>(s, i.a + k))));
+    for (std::uint32_t k = 0; k < i.count; ++k) s.set(i, i.result + k, static_cast<Word>(F(s.bits(i.a + k))));
 }
-template <class N, class U, auto F>
+template <class N, auto F>
 void on_two(State<N>& s, const Instruction& i) {
     for (std::uint32_t k = 0; k < i.count; ++k)
-        s.set(i, i.result + k, static_cast<U>(F(integer<U>(s, i.a + k), integer<U>(s, i.b + k))));
+        s.set(i, i.result + k, static_cast<Word>(F(s.bits(i.a + k), s.bits(i.b + k))));
 }
 // With a bool as its result.
-template <class N, class U, auto F>
+template <class N, auto F>
 void compare(State<N>& s, const Instruction& i) {
     for (std::uint32_t k = 0; k < i.count; ++k)
-        s.set(i, i.result + k, bool{F(integer<U>(s, i.a + k), integer<U>(s, i.b + k))});
+        s.set(i, i.result + k, bool{F(s.bits(i.a + k), s.bits(i.b + k))});
 }
 // The number types that describe all permitted results.
 template <class N>
 inline constexpr bool describes_all =
     std::is_same_v<N, numeric::Interval> || std::is_same_v<N, numeric::Rearranged>;
 
-// An operation with a result where `defined` says so, on operands of c bits.
-template <class N, class U, auto F, auto Defined>
+// An operation with a result where `defined` says so.
+template <class N, auto F, auto Defined>
 void on_two_if(State<N>& s, const Instruction& i) {
     for (std::uint32_t k = 0; k < i.count; ++k) {
-        const U x = integer<U>(s, i.a + k);
-        const U y = integer<U>(s, i.b + k);
-        if (describes_all<N> && !Defined(x, y, i.c)) {
+        const Word x = s.bits(i.a + k);
+        const Word y = s.bits(i.b + k);
+        if (describes_all<N> && !Defined(x, y)) {
             s.slots[i.result + k] = Value<N>();
         } else {
-            s.set(i, i.result + k, static_cast<U>(F(x, y)));
+            s.set(i, i.result + k, static_cast<Word>(F(x, y)));
         }
     }
 }
-template <class N, class U, auto F>
+template <class N, auto F>
 void on_three(State<N>& s, const Instruction& i) {
     for (std::uint32_t k = 0; k < i.count; ++k)
-        s.set(i, i.result + k,
-              static_cast<U>(F(integer<U>(s, i.a + k), integer<U>(s, i.b + k), integer<U>(s, i.c + k))));
+        s.set(i, i.result + k, static_cast<Word>(F(s.bits(i.a + k), s.bits(i.b + k), s.bits(i.c + k))));
 }
 
 // Offset and width are the same for all components.
@@ -190,10 +157,10 @@ void shift_right(State<N>& s, const Instruction& i) {
         const Value<N>& x = s.slots[i.a + k];
         if (distance == word_bits - 1U && x.is_number()) {
             s.set(i, i.result + k, sign_bit(x.number()));
-        } else if (describes_all<N> && !shifts(0U, distance, i.c)) {
+        } else if (describes_all<N> && distance >= word_bits) {
             s.slots[i.result + k] = Value<N>();
         } else {
-            s.set(i, i.result + k, Word{distance < word_bits ? (x.bits() & mask_of(i.c)) >> distance : 0U});
+            s.set(i, i.result + k, Word{distance < word_bits ? x.bits() >> distance : 0U});
         }
     }
 }
@@ -238,94 +205,77 @@ void reduce(State<N>& s, const Instruction& i) {
     s.set(i, i.result, result);
 }
 
-// Operations that integers of all sizes have; U: Word, or 64 bits.
-template <class N, class U>
+template <class N>
 [[nodiscard]] Handler<N> integer_handler(std::uint16_t opcode) {
-    constexpr Word all = sizeof(U) * 8;
     switch (opcode) {
         case SpvOpSNegate:
-            return on_one<N, U, ([](U x) { return U{0} - x; })>;
+            return on_one<N, ([](Word x) { return Word{0} - x; })>;
         case SpvOpIAdd:
-            return on_two<N, U, ([](U x, U y) { return x + y; })>;
+            return on_two<N, ([](Word x, Word y) { return x + y; })>;
         case SpvOpISub:
-            return on_two<N, U, ([](U x, U y) { return x - y; })>;
+            return on_two<N, ([](Word x, Word y) { return x - y; })>;
         case SpvOpIMul:
-            return on_two<N, U, ([](U x, U y) { return x * y; })>;
+            return on_two<N, ([](Word x, Word y) { return x * y; })>;
         case SpvOpUDiv:
-            return on_two_if<N, U, quotient<U>, divides<U>>;
+            return on_two_if<N, quotient, divides>;
         case SpvOpSDiv:
-            return on_two_if<N, U, signed_quotient<U>, signed_divides<U>>;
+            return on_two_if<N, signed_quotient, signed_divides>;
         case SpvOpUMod:
-            return on_two_if<N, U, remainder_of<U>, divides<U>>;
+            return on_two_if<N, remainder_of, divides>;
         case SpvOpSRem:
-            return on_two_if<N, U, signed_remainder<U>, signed_leaves<U>>;
+            return on_two_if<N, signed_remainder, signed_leaves>;
         case SpvOpSMod:
-            return on_two_if<N, U, signed_modulo<U>, signed_leaves<U>>;
+            return on_two_if<N, signed_modulo, signed_leaves>;
         case SpvOpShiftLeftLogical:
-            return on_two_if<N, U, ([](U x, U y) { return y < all ? x << y : U{0}; }), shifts<U>>;
+            return on_two_if<N, ([](Word x, Word y) { return y < word_bits ? x << y : Word{0}; }), shifts>;
         case SpvOpShiftRightArithmetic:
-            return on_two_if<N, U, ([](U x, U y) { return as_signed(x) >> (y < all ? y : all - 1U); }),
-                             shifts<U>>;
+            return on_two_if<N, ([](Word x, Word y) {
+                                 return as_int(x) >> (y < word_bits ? y : word_bits - 1U);
+                             }),
+                             shifts>;
         case SpvOpBitwiseOr:
-            return on_two<N, U, ([](U x, U y) { return x | y; })>;
+            return on_two<N, ([](Word x, Word y) { return x | y; })>;
         case SpvOpBitwiseXor:
-            return on_two<N, U, ([](U x, U y) { return x ^ y; })>;
+            return on_two<N, ([](Word x, Word y) { return x ^ y; })>;
         case SpvOpNot:
-            return on_one<N, U, ([](U x) { return ~x; })>;
+            return on_one<N, ([](Word x) { return ~x; })>;
         case SpvOpUGreaterThan:
-            return compare<N, U, ([](U x, U y) { return x > y; })>;
+            return compare<N, ([](Word x, Word y) { return x > y; })>;
         case SpvOpUGreaterThanEqual:
-            return compare<N, U, ([](U x, U y) { return x >= y; })>;
+            return compare<N, ([](Word x, Word y) { return x >= y; })>;
         case SpvOpULessThan:
-            return compare<N, U, ([](U x, U y) { return x < y; })>;
+            return compare<N, ([](Word x, Word y) { return x < y; })>;
         case SpvOpULessThanEqual:
-            return compare<N, U, ([](U x, U y) { return x <= y; })>;
+            return compare<N, ([](Word x, Word y) { return x <= y; })>;
         case SpvOpSGreaterThan:
-            return compare<N, U, ([](U x, U y) { return as_signed(x) > as_signed(y); })>;
+            return compare<N, ([](Word x, Word y) { return as_int(x) > as_int(y); })>;
         case SpvOpSGreaterThanEqual:
-            return compare<N, U, ([](U x, U y) { return as_signed(x) >= as_signed(y); })>;
+            return compare<N, ([](Word x, Word y) { return as_int(x) >= as_int(y); })>;
         case SpvOpSLessThan:
-            return compare<N, U, ([](U x, U y) { return as_signed(x) < as_signed(y); })>;
+            return compare<N, ([](Word x, Word y) { return as_int(x) < as_int(y); })>;
         case SpvOpSLessThanEqual:
-            return compare<N, U, ([](U x, U y) { return as_signed(x) <= as_signed(y); })>;
+            return compare<N, ([](Word x, Word y) { return as_int(x) <= as_int(y); })>;
         case extended + GLSLstd450SAbs:
-            return on_one<N, U, ([](U x) { return as_signed(x) < 0 ? U{0} - x : x; })>;
+            return on_one<N, ([](Word x) { return as_int(x) < 0 ? Word{0} - x : x; })>;
         case extended + GLSLstd450SSign:
-            return on_one<N, U, ([](U x) { return (as_signed(x) > 0) - (as_signed(x) < 0); })>;
+            return on_one<N, ([](Word x) { return (as_int(x) > 0) - (as_int(x) < 0); })>;
         case extended + GLSLstd450UMin:
-            return on_two<N, U, ([](U x, U y) { return std::min(x, y); })>;
+            return on_two<N, ([](Word x, Word y) { return std::min(x, y); })>;
         case extended + GLSLstd450UMax:
-            return on_two<N, U, ([](U x, U y) { return std::max(x, y); })>;
+            return on_two<N, ([](Word x, Word y) { return std::max(x, y); })>;
         case extended + GLSLstd450SMin:
-            return on_two<N, U, ([](U x, U y) { return std::min(as_signed(x), as_signed(y)); })>;
+            return on_two<N, ([](Word x, Word y) { return std::min(as_int(x), as_int(y)); })>;
         case extended + GLSLstd450SMax:
-            return on_two<N, U, ([](U x, U y) { return std::max(as_signed(x), as_signed(y)); })>;
+            return on_two<N, ([](Word x, Word y) { return std::max(as_int(x), as_int(y)); })>;
         case extended + GLSLstd450UClamp:
-            return on_three<N, U, ([](U x, U low, U high) { return std::min(std::max(x, low), high); })>;
+            return on_three<N,
+                            ([](Word x, Word low, Word high) { return std::min(std::max(x, low), high); })>;
         case extended + GLSLstd450SClamp:
-            return on_three<N, U, ([](U x, U low, U high) {
-                                return std::min(std::max(as_signed(x), as_signed(low)), as_signed(high));
+            return on_three<N, ([](Word x, Word low, Word high) {
+                                return std::min(std::max(as_int(x), as_int(low)), as_int(high));
                             })>;
         default:
             return nullptr;
-    }
-}
-
-// Those of 64 bits whose operations on a Word look at floats, too.
-template <class N>
-[[nodiscard]] Handler<N> long_handler(std::uint16_t opcode) {
-    using U = std::uint64_t;
-    switch (opcode) {
-        case SpvOpBitwiseAnd:
-            return on_two<N, U, ([](U x, U y) { return x & y; })>;
-        case SpvOpShiftRightLogical:
-            return on_two_if<N, U, ([](U x, U y) { return y < 64U ? x >> y : U{0}; }), shifts<U>>;
-        case SpvOpIEqual:
-            return compare<N, U, ([](U x, U y) { return x == y; })>;
-        case SpvOpINotEqual:
-            return compare<N, U, ([](U x, U y) { return x != y; })>;
-        default:
-            return integer_handler<N, U>(opcode);
     }
 }
 
@@ -355,36 +305,35 @@ template <class N>
         case SpvOpBitFieldUExtract:
             return bit_field_extract<N, false>;
         case SpvOpBitReverse:
-            return on_one<N, Word, reversed>;
+            return on_one<N, reversed>;
         case SpvOpBitCount:
-            return on_one<N, Word, ([](Word x) { return std::popcount(x); })>;
+            return on_one<N, ([](Word x) { return std::popcount(x); })>;
         case SpvOpIEqual:
             return compare_words<N, true>;
         case SpvOpINotEqual:
             return compare_words<N, false>;
         case SpvOpLogicalEqual:
-            return on_two<N, Word, ([](Word x, Word y) { return (x != 0) == (y != 0); })>;
+            return on_two<N, ([](Word x, Word y) { return (x != 0) == (y != 0); })>;
         case SpvOpLogicalNotEqual:
-            return on_two<N, Word, ([](Word x, Word y) { return (x != 0) != (y != 0); })>;
+            return on_two<N, ([](Word x, Word y) { return (x != 0) != (y != 0); })>;
         case SpvOpLogicalOr:
-            return on_two<N, Word, ([](Word x, Word y) { return x != 0 || y != 0; })>;
+            return on_two<N, ([](Word x, Word y) { return x != 0 || y != 0; })>;
         case SpvOpLogicalAnd:
-            return on_two<N, Word, ([](Word x, Word y) { return x != 0 && y != 0; })>;
+            return on_two<N, ([](Word x, Word y) { return x != 0 && y != 0; })>;
         case SpvOpLogicalNot:
-            return on_one<N, Word, ([](Word x) { return x == 0 ? 1U : 0U; })>;
+            return on_one<N, ([](Word x) { return x == 0 ? 1U : 0U; })>;
         case SpvOpAny:
             return reduce<N, false>;
         case SpvOpAll:
             return reduce<N, true>;
         case extended + GLSLstd450FindILsb:
-            return on_one<N, Word,
-                          ([](Word x) { return x == 0 ? ~0U : static_cast<Word>(std::countr_zero(x)); })>;
+            return on_one<N, ([](Word x) { return x == 0 ? ~0U : static_cast<Word>(std::countr_zero(x)); })>;
         case extended + GLSLstd450FindUMsb:
-            return on_one<N, Word, highest_bit>;
+            return on_one<N, highest_bit>;
         case extended + GLSLstd450FindSMsb:
-            return on_one<N, Word, ([](Word x) { return highest_bit(as_int(x) < 0 ? ~x : x); })>;
+            return on_one<N, ([](Word x) { return highest_bit(as_int(x) < 0 ? ~x : x); })>;
         default:
-            return integer_handler<N, Word>(opcode);
+            return integer_handler<N>(opcode);
     }
 }
 

@@ -101,17 +101,7 @@ std::uint8_t Lowering::flags_of(Id result, Id type) const {
         if (scalar.width == 16) all |= flags::half;
     }
     if (scalar.kind == Type::Kind::integer && scalar.is_signed) all |= flags::is_signed;
-    if (scalar.width == 64) all |= flags::wide;
     return all;
-}
-
-void Lowering::require_words(Id type, const char* where) const {
-    const Type& scalar = module_.types.scalar_of(type);
-    const bool is_half = scalar.kind == Type::Kind::real && scalar.width == 16;  // it has a float's slot
-    if (scalar.kind == Type::Kind::boolean || scalar.width == 32 || is_half) return;
-    fail(Error::Kind::unknown_instruction,
-         fmt::format("a {} of {} bits in {}", scalar.kind == Type::Kind::real ? "float" : "integer",
-                     scalar.width, where));
 }
 
 void Lowering::remember_place(const shader::Instruction& i, const Scope& scope) {
@@ -171,8 +161,7 @@ void Lowering::place_globals() {
         for (std::size_t i = 0; i < constant.bits.size(); ++i)
             code_.constants.push_back({.slot = static_cast<Slot>(first + i),
                                        .bits = constant.bits[i],
-                                       .is_float = scalar.kind == Type::Kind::real,
-                                       .is_wide = scalar.width == 64});
+                                       .is_float = scalar.kind == Type::Kind::real});
     }
     for (const auto& [id, type] : module_.undefined) {
         global_slots_[id] = new_slots(module_.types.slots(type));

@@ -82,8 +82,6 @@ class Lowering {
     void list_offsets(const PointerInfo& pointer, Instruction& instruction);
     void lower_componentwise(const shader::Instruction& i, Scope& scope);
     void lower_bits(const shader::Instruction& i, const Scope& scope);
-    static void set_sizes(Instruction& instruction, std::uint32_t arity, const Type& from, const Type& to);
-    void resize_integers(Slot result, std::uint32_t count, Id type);
     void lower_extended(const shader::Instruction& i, Scope& scope);
     void lower_call(const shader::Instruction& i, Scope& scope);
     void lower_access_chain(const shader::Instruction& i, Scope& scope);
@@ -105,8 +103,6 @@ class Lowering {
     [[nodiscard]] Id type_of(Id id, const Scope& scope) const;
     [[nodiscard]] const PointerInfo& pointer_of(Id id, const Scope& scope) const;
     [[nodiscard]] std::uint8_t flags_of(Id result, Id type) const;
-    // Fails for numbers that do not have 32 bits.
-    void require_words(Id type, const char* where) const;
     // Whether an instruction of the function names the result of another one.
     [[nodiscard]] static bool is_used(Id result, const Scope& scope);
     [[nodiscard]] bool is_relaxed(Id id) const { return module_.declared.decorations_of(id).relaxed; }

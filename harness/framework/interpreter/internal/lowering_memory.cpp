@@ -219,7 +219,6 @@ bool Lowering::lower_atomic(const shader::Instruction& i, Scope& scope) {
     const PointerInfo& pointer = pointer_of(i.word(is_store ? 1 : 3), scope);
     if (pointer.space == Space::resource)
         fail(Error::Kind::unknown_instruction, "an atomic operation on an image");
-    require_words(pointer.pointee, "an atomic operation");
     const Slot result = is_store ? new_slots(1) : slot_of(i.word(2), scope);
     const bool in_memory = pointer.space != Space::slots;
     Instruction& instruction = emit(atomic, in_memory ? 1 : 0, result, pointer_index(pointer));
@@ -314,7 +313,6 @@ void Lowering::lower_construct(const shader::Instruction& i, Scope& scope) {
 }
 
 void Lowering::lower_switch(const shader::Instruction& i, Scope& scope) {
-    require_words(type_of(i.word(1), scope), "a switch");
     Switch cases;
     cases.otherwise = edge_to(i.word(2), scope);
     for (std::size_t k = 3; k + 1 < i.words.size(); k += 2)

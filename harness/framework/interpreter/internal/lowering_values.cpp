@@ -102,24 +102,12 @@ void Lowering::lower_bits(const shader::Instruction& i, const Scope& scope) {
     const Type& to = module_.types.scalar_of(i.word(1));
     const std::uint32_t count = module_.types.slots(i.word(1));
     const bool is_float = to.kind == Type::Kind::real;
-    if (from.width == 32 && to.width == 32) {
+    if (from.width == to.width) {
         emit(is_float ? to_float : copy, count, slot_of(i.word(2), scope), slot_of(i.word(3), scope));
         return;
     }
-    const auto bits_of = [](const Type& type) {
-        return packed({type.width, type.kind == Type::Kind::real, type.is_signed});
-    };
-    emit(reinterpret, count, slot_of(i.word(2), scope), slot_of(i.word(3), scope), bits_of(from),
-         bits_of(to));
-}
-
-// Results of 8 and 16 bits, which an operation left in 32.
-void Lowering::resize_integers(Slot result, std::uint32_t count, Id type_id) {
-    const Type& type = module_.types.scalar_of(type_id);
-    if (type.kind != Type::Kind::integer || type.width >= 32) return;
-    Instruction& instruction = emit(resize, count, result, result, type.is_signed ? 1 : 0, type.width);
-    instruction.extra = type.width;
-    instruction.flags = type.is_signed ? flags::is_signed : std::uint8_t{0};
+    emit(to.width == 32 ? pack_halves : unpack_halves, count, slot_of(i.word(2), scope),
+         slot_of(i.word(3), scope), is_float ? 1 : 0);
 }
 
 void Lowering::lower_shuffle(const shader::Instruction& i, Scope& scope) {
@@ -184,34 +172,6 @@ bool Lowering::lower_matrix(const shader::Instruction& i, Scope& scope) {
     }
 }
 
-// What an operation has to know of the sizes of its operands and its result.
-void Lowering::set_sizes(Instruction& instruction, std::uint32_t arity, const Type& from, const Type& to) {
-    switch (instruction.op) {
-        case SpvOpUConvert:
-        case SpvOpSConvert:
-            instruction.b = instruction.op == SpvOpSConvert ? 1 : 0;
-            instruction.c = from.width;
-            instruction.extra = to.width;
-            instruction.op = resize;
-            return;
-        case SpvOpConvertFToU:
-        case SpvOpConvertFToS:
-            instruction.flags = from.width == 64 ? flags::wide : std::uint8_t{0};
-            instruction.c = to.width;
-            return;
-        case SpvOpConvertUToF:
-        case SpvOpConvertSToF:
-        case SpvOpFConvert:
-            instruction.c = from.width;
-            return;
-        default:
-            // Of comparisons the operands have 64 bits, and the result has not.
-            if (from.width == 64) instruction.flags |= flags::wide;
-            if (from.kind == Type::Kind::integer && arity == 2) instruction.c = from.width;
-            return;
-    }
-}
-
 void Lowering::lower_componentwise(const shader::Instruction& i, Scope& scope) {
     const auto opcode = static_cast<std::uint16_t>(i.opcode);
     const auto arity = arity_of(opcode);
@@ -234,10 +194,8 @@ void Lowering::lower_componentwise(const shader::Instruction& i, Scope& scope) {
         for (std::size_t k = 0; k < *arity; ++k)
             if (is_relaxed(i.word(k + 3))) instruction.flags |= flags::relaxed;
     }
-    set_sizes(instruction, *arity, scalar, to);
     if (is_float_arithmetic(opcode) && (instruction.flags & flags::no_contraction) == 0)
         code_.may_be_rearranged = true;
-    if (instruction.op != resize) resize_integers(instruction.result, count, i.word(1));
 }
 
 void Lowering::lower_extended(const shader::Instruction& i, Scope& scope) {
@@ -259,7 +217,7 @@ void Lowering::lower_extended(const shader::Instruction& i, Scope& scope) {
     instruction.flags = flags_of(i.word(2), i.word(1));
     if (module_.types.at(i.word(1)).kind == Type::Kind::structure || by_pointer)
         instruction.flags = flags_of(i.word(2), type_of(i.word(5), scope));
-    if (!by_pointer) return resize_integers(result, count, i.word(1));
+    if (!by_pointer) return;
     emit(copy, count, slot_of(i.word(2), scope), result);
     store(pointer_of(i.word(6), scope), result + count);
 }

@@ -22,21 +22,12 @@ Handler<N> float_handler(std::uint16_t op) {
     return op < extended ? nullptr : elementary_handler<N>(static_cast<std::uint16_t>(op - extended));
 }
 
-// Calls the handler for doubles.
-inline void on_doubles(State<float>& s, const Instruction& i) {
-    State<Double> doubles{s};
-    s.wide_handlers[s.next - 1](doubles, i);
-}
-
 template <class N>
 Handler<N> handler_of(const Instruction& i) {
     if (const Handler<N> found = value_handler<N>(i.op)) return found;
     if (i.op >= copy) return control_handler<N>(i);
-    const bool wide = (i.flags & flags::wide) != 0;
-    if constexpr (std::is_same_v<N, float>)
-        if (wide && float_handler<Double>(i.op) != nullptr) return on_doubles;
     if (const Handler<N> found = float_handler<N>(i.op)) return found;
-    return wide ? long_handler<N>(i.op) : word_handler<N>(i.op);
+    return word_handler<N>(i.op);
 }
 
 template <class N>
@@ -44,8 +35,7 @@ inline constexpr bool has_intervals = !std::is_floating_point_v<N>;
 
 // The format of an instruction's floats.
 [[nodiscard]] inline const numeric::FloatFormat& format_of(std::uint8_t how) {
-    if ((how & (flags::relaxed | flags::half)) != 0) return numeric::float16;
-    return (how & flags::wide) != 0 ? numeric::float64 : numeric::float32;
+    return (how & (flags::relaxed | flags::half)) != 0 ? numeric::float16 : numeric::float32;
 }
 
 // A word of a built-in variable.
@@ -118,14 +108,10 @@ Machine<N>::Machine(const Program& program)
         state_->backings[r].words = std::span(state_->shared).first(words);
     }
     for (const internal::ConstantSlot& constant : code.constants)
-        state_->slots[constant.slot] = !constant.is_float ? Value<N>::of_bits(constant.bits)
-                                       : constant.is_wide
-                                           ? Value<N>::of_double(constant.bits)
-                                           : Value<N>::of_float(static_cast<Word>(constant.bits));
+        state_->slots[constant.slot] =
+            constant.is_float ? Value<N>::of_float(constant.bits) : Value<N>::of_bits(constant.bits);
     for (const internal::Instruction& i : code.instructions) {
         state_->handlers.push_back(internal::handler_of<N>(i));
-        if constexpr (std::is_same_v<N, float>)
-            state_->wide_handlers.push_back(internal::float_handler<internal::Double>(i.op));
         if (state_->handlers.back() == nullptr)
             throw Error(Error::Kind::unknown_instruction, internal::name_of(i.op), code.places[i.place]);
     }
@@ -254,8 +240,7 @@ void Machine<N>::step(Tell& tell, std::uint32_t& at, std::uint64_t end, std::uin
         at = s.next++;
         const internal::Instruction& i = code[at];
         if constexpr (internal::has_intervals<N>) {
-            constexpr std::uint8_t all =
-                internal::flags::relaxed | internal::flags::half | internal::flags::wide;
+            constexpr std::uint8_t all = internal::flags::relaxed | internal::flags::half;
             const auto wanted = static_cast<std::uint8_t>(i.flags & all);
             if (wanted != format) numeric::Paths::set_format(internal::format_of(wanted));
             format = wanted;

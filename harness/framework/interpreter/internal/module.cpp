@@ -101,11 +101,6 @@ void Types::append_offsets(Id id, const MatrixLayout& matrix, std::uint32_t scal
     switch (type.kind) {
         case Type::Kind::integer:
         case Type::Kind::real:
-            if (type.width != 32 && !(type.width == 16 && type.kind == Type::Kind::real))
-                throw Error(
-                    Error::Kind::unknown_instruction,
-                    fmt::format("{} of {} bits in a buffer, expected 32",
-                                type.kind == Type::Kind::real ? "a float" : "an integer", type.width));
             return offsets.push_back(type.width == 16 ? base | 1U : base);
         case Type::Kind::vector:
             return every(scalar_stride == 0 ? scalar_bytes(type.element) : scalar_stride, 0);
@@ -186,7 +181,7 @@ std::string Module::string_of(Id id) const {
 std::optional<std::uint32_t> Module::integer(Id id) const {
     const auto found = constants.find(id);
     if (found == constants.end() || found->second.bits.size() != 1) return std::nullopt;
-    return static_cast<std::uint32_t>(found->second.bits.front());
+    return found->second.bits.front();
 }
 
 void Module::read_declaration(const shader::Instruction& i) {
@@ -216,6 +211,8 @@ void Module::read_declaration(const shader::Instruction& i) {
             if (i.opcode >= SpvOpConstantTrue && i.opcode <= SpvOpSpecConstantComposite) {
                 read_constant(i);
             } else if (const shader::spirv::Type* type = declared.read(i)) {
+                if (const std::string other = shader::spirv::other_number(*type); !other.empty())
+                    throw Error(Error::Kind::unknown_instruction, shader::spirv::not_judged(other));
                 types.add(i.word(1), *type, length_of(*type));
             }
     }
@@ -241,10 +238,7 @@ void Module::read_constant(const shader::Instruction& i) {
             break;
         case SpvOpConstant:
         case SpvOpSpecConstant:
-            if (i.words.size() > 5)
-                throw Error(Error::Kind::unknown_instruction, "a constant of more than 64 bits");
             value.bits = {is_half(types.at(value.type)) ? std::bit_cast<Word>(half_value(i.word(3) & 0xffffU))
-                          : i.words.size() == 5         ? std::uint64_t{i.word(4)} << 32U | i.word(3)
                                                         : i.word(3)};
             break;
         case SpvOpConstantComposite:

@@ -57,7 +57,7 @@ class Types {
 // A constant as the bits of its scalars.
 struct ConstantValue {
     Id type = 0;
-    std::vector<std::uint64_t> bits;
+    std::vector<std::uint32_t> bits;
 };
 
 struct Function {

@@ -127,7 +127,6 @@ I to_integer(T argument) {
     const auto x = static_cast<double>(argument);
     if (std::isnan(x) || x <= static_cast<double>(std::numeric_limits<I>::min()))
         return std::isnan(x) ? I{0} : std::numeric_limits<I>::min();
-    // Of 64 bits, the largest is rounded to the number above it.
     return x >= static_cast<double>(std::numeric_limits<I>::max()) ? std::numeric_limits<I>::max()
                                                                    : static_cast<I>(x);
 }

@@ -44,30 +44,13 @@ template <class F, class... More>
     if constexpr (std::is_same_v<decltype(rounded()), float>) {
         Explained result;
         const double reached = f(x.value, more.value...);
-        result.value = x.wide ? reached : rounded();
+        result.value = rounded();
         result.exact = f(x.exact, more.exact...);
         result.local = result.value - reached;
         result.permitted = f(x.permitted, more.permitted...);
-        result.wide = x.wide;
         return result;
     } else {
-        return x.wide ? f(x.value, more.value...) : rounded();
-    }
-}
-
-// A float64 of the machine on float.
-struct Double {
-    Double() = default;
-    explicit Double(double x) : value(x) {}
-    double value = 0.0;
-};
-template <class F, class... More>
-[[nodiscard]] auto apply(const F& f, const Double& x, const More&... more) {
-    const auto result = f(x.value, more.value...);
-    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(result)>, double>) {
-        return Double(result);
-    } else {
-        return result;
+        return rounded();
     }
 }
 
@@ -231,9 +214,8 @@ struct State {
     std::vector<Pointer> pointers;
     std::vector<Backing<N>> backings;
     std::vector<Handler<N>> handlers;
-    std::vector<Handler<Double>> wide_handlers;  // on float: of operations on float64, by instruction
-    std::vector<Value<N>> moving;                // sources of an edge's copies, while these are made
-    std::uint32_t next = 0;                      // instruction
+    std::vector<Value<N>> moving;  // sources of an edge's copies, while these are made
+    std::uint32_t next = 0;        // instruction
     bool running = false;
     bool waits = false;          // for other invocations, at the last instruction
     std::vector<Lane<N>> lanes;  // of a group (internal/group.hpp); empty: one invocation alone
@@ -248,12 +230,10 @@ struct State {
     std::uint64_t cost = 0;                   // of the last instruction, in steps besides its own
 
     [[nodiscard]] Word bits(Slot slot) const { return slots[slot].bits(); }
-    [[nodiscard]] std::uint64_t long_bits(Slot slot) const { return slots[slot].long_bits(); }
 
     // A float operand with the precision that the instruction asks for.
     [[nodiscard]] N number(const Instruction& i, Slot slot) const {
-        N x = slots[slot].number();
-        if constexpr (std::is_same_v<N, Explained>) x.wide = (i.flags & flags::wide) != 0;
+        const N x = slots[slot].number();
         if ((i.flags & flags::relaxed) != 0) return relaxed(x);
         return x;
     }
@@ -267,7 +247,6 @@ struct State {
         slots[slot] = Value<N>::of(rounds_to_half(i) ? halved(x) : x);
     }
     void set(const Instruction&, Slot slot, Word x) { slots[slot] = Value<N>::of_bits(x); }
-    void set(const Instruction&, Slot slot, std::uint64_t x) { slots[slot] = Value<N>::of_bits(x); }
     void set(const Instruction&, Slot slot, int x) { slots[slot] = Value<N>::of_bits(static_cast<Word>(x)); }
     void set(const Instruction&, Slot slot, bool x) { slots[slot] = Value<N>::of_bits(x ? 1U : 0U); }
 
@@ -310,7 +289,7 @@ struct State {
   private:
     static N halved(const N& x);
     [[nodiscard]] bool rounds_to_half(const Instruction& i) const {
-        return (half && (i.flags & flags::wide) == 0) || (i.flags & flags::half) != 0;
+        return half || (i.flags & flags::half) != 0;
     }
 
     // Throws Fault for a race.
@@ -326,25 +305,6 @@ struct State {
                         lane, writes ? "writes" : "reads", word, code.resources[resource].name, other->lane,
                         other->use == Races::Use::read ? "reads" : "writes",
                         to_text(code.places[code.instructions[other->instruction].place]))};
-    }
-};
-
-// What a machine on float is for operations on float64.
-template <>
-struct State<Double> {
-    State<float>& of;
-
-    [[nodiscard]] Word bits(Slot slot) const { return of.bits(slot); }
-    [[nodiscard]] std::uint64_t long_bits(Slot slot) const { return of.long_bits(slot); }
-    [[nodiscard]] Double number(const Instruction&, Slot slot) const {
-        return Double(std::bit_cast<double>(of.long_bits(slot)));
-    }
-    void set(const Instruction&, Slot slot, const Double& x) {
-        of.slots[slot] = Value<float>::of_double(std::bit_cast<std::uint64_t>(x.value));
-    }
-    template <class Bits>
-    void set(const Instruction& i, Slot slot, Bits x) {
-        of.set(i, slot, x);
     }
 };
 

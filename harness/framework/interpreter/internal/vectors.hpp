@@ -46,9 +46,7 @@ template <class N>
     for (std::uint32_t k = 0; k < count; ++k) {
         permitted.at(k) = p.at(k).permitted;
         if (k == 0) continue;
-        const double value = result.value + p.at(k).value;
-        result.value =
-            p[0].wide ? value : static_cast<float>(result.value) + static_cast<float>(p.at(k).value);
+        result.value = static_cast<float>(result.value) + static_cast<float>(p.at(k).value);
         result.exact += p.at(k).exact;
         reached += p.at(k).value;
     }
@@ -218,13 +216,10 @@ template <class N>
 [[nodiscard]] inline double as_double(const Explained& x) {
     return x.exact;
 }
-[[nodiscard]] inline double as_double(const Double& x) {
-    return x.value;
-}
 
 template <class N>
 [[nodiscard]] N implementation_defined(double exact) {
-    if constexpr (std::is_floating_point_v<N> || std::is_same_v<N, Double>) {
+    if constexpr (std::is_floating_point_v<N>) {
         return static_cast<N>(exact);
     } else if constexpr (std::is_same_v<N, Explained>) {
         return {.value = exact, .exact = exact, .local = 0.0, .permitted = numeric::Interval::anything()};

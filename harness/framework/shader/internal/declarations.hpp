@@ -62,6 +62,7 @@ struct Signature {
     std::vector<std::size_t> calls;  // indices of the called functions, in the order of the module
     // Private variables of the module that it uses, itself or by what it calls, in the order of use.
     std::vector<Parameter> globals;
+    std::string other_number = {};  // see Function
 };
 
 // Every function of an unoptimised module, in the order of the module. For an opaque type (sampler, image)

@@ -115,7 +115,7 @@ class Guarded {
                                               std::initializer_list<vk::MemoryPropertyFlags> wishes,
                                               const std::string& purpose);
 
-// The features of numbers that a module declares and the device lacks: "shaderFloat64".
+// The features that a module declares and the device lacks: "shaderFloat16".
 [[nodiscard]] std::vector<std::string> missing_features(const Context& context,
                                                         std::span<const std::uint32_t> spirv);
 

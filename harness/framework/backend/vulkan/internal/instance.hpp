@@ -55,17 +55,14 @@ class MessageLog {
 
 // The requested device features besides the core: robustBufferAccess, which every device has, unless the
 // options switch it off. With it, a shader under test that reads beyond its buffer cannot crash the process.
-// And arrays of cubes, storing to images of r16f and r8, storing of fragment shaders to buffers, and numbers
-// of other sizes, where the device can.
+// And arrays of cubes, storing to images of r16f and r8, and storing of fragment shaders to buffers, where
+// the device can.
 [[nodiscard]] inline vk::PhysicalDeviceFeatures features_of(const DeviceOptions& options,
                                                             const vk::PhysicalDeviceFeatures& offered = {}) {
     return {.robustBufferAccess = options.robust_buffer_access ? VK_TRUE : VK_FALSE,
             .imageCubeArray = offered.imageCubeArray,
             .fragmentStoresAndAtomics = offered.fragmentStoresAndAtomics,
-            .shaderStorageImageExtendedFormats = offered.shaderStorageImageExtendedFormats,
-            .shaderFloat64 = offered.shaderFloat64,
-            .shaderInt64 = offered.shaderInt64,
-            .shaderInt16 = offered.shaderInt16};
+            .shaderStorageImageExtendedFormats = offered.shaderStorageImageExtendedFormats};
 }
 
 // The message if there is no usable driver, in one line.
