@@ -175,8 +175,7 @@ const std::map<std::string, std::string>& examples() {
          "  gloam audit tone.glsl --device 0 1                 what two drivers give for the worst inputs\n"},
         {"mutate",
          "  gloam mutate shaders/tone.glsl -- ctest --test-dir build\n"
-         "  gloam mutate shaders --count 200 --seed 1 --journal faults.jsonl --html faults.html -- "
-         "./tests\n\n"
+         "  gloam mutate shaders --count 200 --seed 1 --json faults.json -- ./tests\n\n"
          "COMMAND is run for each fault, without a shell. A status other than 0 means that it noticed the "
          "fault.\n"
          "GLOAM_SHADERS names a copy of the folder of shaders (the first --include, otherwise that of the "

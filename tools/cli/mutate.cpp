@@ -19,12 +19,10 @@ int run_mutate(const MutateCommand& command) {
     if (command.command.empty())
         throw std::invalid_argument("mutate: expected -- COMMAND behind the files: what runs the tests");
     const report::OutputFile json(command.json);
-    const report::OutputFile html(command.html);
     Trials trials(command);
     trials.run();
     fmt::print("{}", to_text(trials.report()));
     if (!command.json.empty()) json.write(to_mutation_json(trials.report()));
-    if (!command.html.empty()) html.write(to_mutation_page(trials.report()));
     return trials.report().missed() > 0 ? 1 : 0;
 }
 
@@ -62,13 +60,9 @@ void add_mutate(CLI::App& app, std::vector<std::string> words, int& status) {
                      "without the fault)")
         ->check(CLI::Range(0.1, 1e6));
     add_include_option(*mutate, command->includes);
-    mutate->add_option("--journal", command->journal,
-                       "file of what became of each fault; a later run goes on with it");
-    mutate->add_flag("--again", command->again, "try the survivors of the journal again");
     mutate->add_option("--known", command->known,
                        "file of faults that no test can notice: FILE | LINE WITH THE FAULT | REASON");
     mutate->add_option("--json", command->json, "file for all results");
-    mutate->add_option("--html", command->html, "file for a page: the sources coloured by what survived");
     mutate->callback([command, &status] { status = run_mutate(*command); });
 }
 

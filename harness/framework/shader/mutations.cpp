@@ -16,7 +16,6 @@
 
 #include "shader/internal/compiler_process.hpp"
 #include "shader/internal/front_end.hpp"
-#include "shader/internal/syntax_tree.hpp"
 #include "shader/internal/token_text.hpp"
 
 namespace gloam::shader {
@@ -26,7 +25,6 @@ using internal::is_number;
 using internal::is_word;
 using internal::Region;
 using internal::Token;
-using internal::TokenText;
 
 // A token and what can stand in its place; "_": nothing.
 using Row = const char*;
@@ -53,9 +51,6 @@ constexpr std::array functions{"min max",
                                "roundEven floor",
                                "lessThan lessThanEqual",
                                "greaterThan greaterThanEqual"};
-
-// Functions whose first two arguments may change places. clamp(x, a, b) is min(max(x, a), b).
-const std::set<std::string> commutative{"clamp", "distance", "dot", "equal", "fma", "max", "min", "notEqual"};
 
 // Other numbers in the place of one.
 std::vector<std::string> other_numbers(const std::string& text) {
@@ -84,32 +79,11 @@ std::vector<std::string> other_numbers(const std::string& text) {
     return found;
 }
 
-// Other components of a vector of this size.
-std::vector<std::string> other_components(const std::string& text, std::size_t size) {
-    constexpr std::array<std::string_view, 3> sets{"xyzw", "rgba", "stpq"};
-    const std::string_view set = *std::ranges::find_if(sets, [&](std::string_view one) {
-        return one == sets.back() || one.find(text[0]) != std::string_view::npos;
-    });
-    std::vector<std::string> found;
-    const auto add = [&](const std::string& other) {
-        if (other != text && std::ranges::find(found, other) == found.end()) found.push_back(other);
-    };
-    if (text.size() == 1) {
-        for (const char c : set.substr(0, std::min<std::size_t>(size, 2))) add(std::string(1, c));
-        return found;
-    }
-    add({text.rbegin(), text.rend()});
-    add(std::string{text[1], text[0]} + text.substr(2));
-    add(std::string(text.size(), text[0]));
-    return found;
-}
-
 // The faults of one region.
 class Faults {
   public:
-    Faults(const std::string& text, const std::vector<Token>& tokens, const internal::TokenTypes& types,
-           std::vector<Mutation>& found)
-        : text_(text), tokens_(tokens), types_(types), found_(found) {}
+    Faults(const std::string& text, const std::vector<Token>& tokens, std::vector<Mutation>& found)
+        : text_(text), tokens_(tokens), found_(found) {}
 
     void add(const Region& region) {
         region_ = region;
@@ -159,11 +133,8 @@ class Faults {
     }
 
     void add_token() {
-        const int line = tokens_[at_].tree_line;
         const bool called = near(at_ + 1) == "(";
-        if (before() == "." && !called) {
-            add_selected(line);
-        } else if (here() == "-" && is_sign()) {
+        if (here() == "-" && is_sign()) {
             found("operator", at_, at_, "");
         } else if (here() == "true" || here() == "false") {
             found("constant", at_, at_, here() == "true" ? "false" : "true");
@@ -174,8 +145,6 @@ class Faults {
             for (const char* value : {"true", "false"}) found("condition", at_ + 2, close - 1, value);
         } else if (here() == "?") {
             for (const char* value : {"true", "false"}) found("condition", condition_begin(), at_ - 1, value);
-        } else if (here() == ")" && types_.arguments.contains(line)) {
-            add_swaps(types_.arguments.at(line));
         } else if (called) {
             found_others("function", functions);
         }
@@ -189,49 +158,6 @@ class Faults {
         const std::string_view one = before();
         return one == "return" ||
                (!is_word(one) && !is_number(one) && one != ")" && one != "]" && one != "++" && one != "--");
-    }
-
-    void add_selected(int line) {
-        if (const auto size = types_.components.find(line); size != types_.components.end()) {
-            for (const std::string& other : other_components(here(), size->second))
-                found("components", at_, at_, other);
-        } else if (const auto members = types_.members.find(line); members != types_.members.end()) {
-            for (const std::string& other : members->second) found("member", at_, at_, other);
-        }
-    }
-
-    // Neighbouring arguments of one type change places, but where the order makes no difference.
-    void add_swaps(const std::vector<std::string>& types) {
-        std::vector<std::pair<std::size_t, std::size_t>> arguments;
-        int depth = 0;
-        std::size_t last = at_ - 1;
-        std::size_t swapped = 0;  // the first pair that changes places
-        std::size_t i = at_;
-        while (i-- > region_.first) {
-            const std::string& text = tokens_[i].text;
-            if (text == ")" || text == "]") ++depth;
-            const bool opens = depth == 0 && text == "(";
-            if (opens || (depth == 0 && text == ",")) {
-                if (last <= i) return;  // no arguments
-                arguments.insert(arguments.begin(), {i + 1, last});
-                last = i - 1;
-            }
-            if (opens) {
-                swapped = i > 0 && commutative.contains(tokens_[i - 1].text) ? 1 : 0;
-                break;
-            }
-            if (text == "(" || text == "[") --depth;
-        }
-        if (arguments.size() != types.size()) return;
-        for (std::size_t k = swapped; k + 1 < arguments.size(); ++k) {
-            const auto [first, middle] = arguments[k];
-            const auto [next, end] = arguments[k + 1];
-            const std::string a = between(first, middle);
-            const std::string b = between(next, end);
-            if (types[k].empty() || types[k] != types[k + 1] || a == b) continue;
-            const std::string comma = text_.substr(end_of(middle), tokens_[next].begin - end_of(middle));
-            found("arguments", first, end, b + comma + a);
-        }
     }
 
     // The first token of the condition of the '?' here.
@@ -269,7 +195,6 @@ class Faults {
 
     const std::string& text_;
     const std::vector<Token>& tokens_;
-    const internal::TokenTypes& types_;
     std::vector<Mutation>& found_;
     Region region_;
     std::size_t at_ = 0;
@@ -277,44 +202,33 @@ class Faults {
     int brackets_ = 0;
 };
 
-// "own.glsl:12: message" of "0:57: message", where the line of the exploded text is one of the file.
-std::string placed(std::string message, const Source& source, const TokenText& text) {
-    int line = 0;
-    message.erase(std::min(message.find('\n'), message.size()));
-    const char* const end = message.data() + message.size();
-    if (!message.starts_with("0:")) return message;
-    const char* const behind = std::from_chars(message.data() + 2, end, line).ptr;
-    line = text.line_of(line, source.text);
-    return source.name + (line > 0 ? ":" + std::to_string(line) : "") + std::string(behind, end);
-}
-
-// The tree of the first stage and rules by which the text is valid. Throws for the first of them otherwise.
-std::string tree_of(const Source& source, const TokenText& text) {
+// Throws what the first stage says of a text that is valid in none, by no rules.
+void require_valid(const Source& source, const std::vector<std::filesystem::path>& roots) {
     using internal::Client;
     std::string why;
     for (const Client client : {Client::vulkan, Client::none}) {
         for (const Stage stage : {Stage::compute, Stage::fragment, Stage::vertex}) {
             try {
-                return internal::syntax_tree({"0", text.exploded}, stage, client);
+                const internal::Parse parse(stage, client, source.name, {source}, roots);
+                return;
             } catch (const CompileError& error) {
-                if (why.empty()) why = placed(error.what(), source, text);
+                if (why.empty()) why = error.what();
             }
         }
     }
-    throw CompileError(why);
+    throw CompileError(why.substr(0, why.find('\n')));
 }
 
 }  // namespace
 
 std::vector<Mutation> internal::mutations_here(const Source& source,
                                                const std::vector<std::filesystem::path>& roots) {
-    const internal::ActiveText active =
-        internal::active_text({source}, Language::vulkan450, Stage::compute, roots);
-    const TokenText text(active);
-    const internal::TokenTypes types = internal::token_types(tree_of(source, text));
+    const std::vector<Token> tokens =
+        internal::tokens_of(internal::active_text({source}, Language::vulkan450, Stage::compute, roots));
+    require_valid(source, roots);
     std::vector<Mutation> all;
-    Faults faults(source.text, text.tokens, types, all);
-    for (const Region& region : internal::regions(text.tokens)) faults.add(region);
+    Faults faults(source.text, tokens, all);
+    for (const Region& region : internal::regions(tokens)) faults.add(region);
     std::ranges::stable_sort(all, {}, &Mutation::begin);
     return all;
 }

@@ -17,19 +17,17 @@ struct Mutation {
     int line = 1;
     std::string before;
     std::string after;
-    // "operator", "comparison", "loop bound", "condition", "constant", "function", "components", "member",
-    // "arguments", "statement"
+    // "operator", "comparison", "loop bound", "condition", "constant", "function", "statement"
     std::string kind;
     std::string function;  // whose body it is in; empty: outside of all
 
     friend bool operator==(const Mutation&, const Mutation&) = default;
 };
 
-// The faults of a text, in its order, without those of its includes: other operators, comparisons, constants,
-// functions, components and members, arguments in another order, conditions that always or never hold, and
-// statements left out. Types come from the compiler's syntax tree. Comments, directives, structures and the
-// interface are left alone, and so is what a condition of the preprocessor leaves out. A fault may not
-// compile. Throws CompileError for a text that the compiler rejects.
+// The faults of a text, in its order, without those of its includes: other operators, comparisons, constants
+// and functions, conditions that always or never hold, and statements left out. Comments, directives,
+// structures and the interface are left alone, and so is what a condition of the preprocessor leaves out. A
+// fault may not compile. Throws CompileError for a text that the compiler rejects.
 [[nodiscard]] std::vector<Mutation> mutations(const Source& source,
                                               const std::vector<std::filesystem::path>& roots);
 

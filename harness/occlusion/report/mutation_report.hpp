@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +20,6 @@ enum class Fate {
     survived
 };
 [[nodiscard]] std::string name_of(Fate fate);
-[[nodiscard]] std::optional<Fate> fate_from(const std::string& name);
 
 struct MutantRow {
     std::size_t file = 0;  // of MutationReport::files
@@ -34,12 +32,8 @@ struct MutantRow {
 
 // What a command noticed of the faults of some files.
 struct MutationReport {
-    struct File {
-        std::string name;  // as it was named
-        std::string source;
-    };
     std::string command;
-    std::vector<File> files;
+    std::vector<std::string> files;  // as they were named
     std::vector<MutantRow> mutants;  // by file, in the order of its text
 
     // Survivors whose results differ where they are promised, or that could not be compared.
@@ -52,9 +46,5 @@ struct MutationReport {
 // {"command", "mutants": [{"file", "line", "kind", "function", "before", "after", "fate", "seconds",
 // "difference", "inputs", "input", "words", "result", "result_with_fault"}]}
 [[nodiscard]] std::string to_mutation_json(const MutationReport& report);
-
-// The same as an HTML page: the sources with their lines coloured by the faults that survived, and beside
-// them what these were.
-[[nodiscard]] std::string to_mutation_page(const MutationReport& report);
 
 }  // namespace gloam::report

@@ -5,14 +5,12 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
 
-#include "base/cached_file.hpp"
 #include "base/process.hpp"
 #include "base/text.hpp"
 #include "base/threads.hpp"
@@ -133,12 +131,7 @@ std::string trimmed(std::string text) {
 }  // namespace
 
 Trials::Trials(const MutateCommand& command)
-    : command_(command),
-      jobs_(command.jobs == 0 ? base::processors() : command.jobs),
-      journal_(command.journal,
-               nlohmann::json{{"gloam mutate", command.command}, {"files", command.paths}}.dump(
-                   -1, ' ', false, nlohmann::json::error_handler_t::replace),
-               true) {
+    : command_(command), jobs_(command.jobs == 0 ? base::processors() : command.jobs) {
     if (command.minutes)
         end_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                   std::chrono::duration<double>(60.0 * *command.minutes));
@@ -146,7 +139,6 @@ Trials::Trials(const MutateCommand& command)
     read_known();
     read_files();
     draw();
-    take_over();
 }
 
 void Trials::read_files() {
@@ -156,13 +148,13 @@ void Trials::read_files() {
         real.push_back(fs::canonical(file));
         files_.emplace_back(real.back(), text, include_roots_of(real.back(), command_.includes));
         by_number_.push_back(&files_.back());
-        report_.files.push_back({file.string(), text});
+        report_.files.push_back(file.string());
     }
     root_ = command_.includes.empty() ? common_folder(real) : fs::canonical(command_.includes.front());
     for (std::size_t i = 0; i < real.size(); ++i)
         if (std::ranges::mismatch(root_, real[i]).in1 != root_.end())
-            throw std::runtime_error(fmt::format("{}: expected a file below --include {}",
-                                                 report_.files[i].name, command_.includes.front()));
+            throw std::runtime_error(fmt::format("{}: expected a file below --include {}", report_.files[i],
+                                                 command_.includes.front()));
 }
 
 // All faults, or one at each of some places; by file and place, as the report has them.
@@ -197,50 +189,6 @@ void Trials::draw() {
 
 fs::path Trials::relative(std::size_t file) const {
     return by_number_[file]->path().lexically_relative(root_);
-}
-
-// The same for a fault whose line has moved.
-std::string Trials::key_of(const MutantRow& row) const {
-    const std::string& text = by_number_[row.file]->text();
-    const shader::Mutation& one = row.mutation;
-    const std::size_t first = one.begin == 0 ? 0 : text.rfind('\n', one.begin - 1) + 1;
-    const std::string line = text.substr(first, std::min(text.find('\n', one.end), text.size()) - first);
-    std::uint64_t before = 0;  // such lines
-    for (std::size_t at = text.find(line); at < first; at = text.find(line, at + 1)) ++before;
-    base::Fingerprint key;
-    for (const std::string& field : {relative(row.file).generic_string(), line, one.before, one.after})
-        key.add(field);
-    key.add(std::uint64_t{one.begin - first});
-    key.add(before);
-    return base::to_hex(key.hash());
-}
-
-void Trials::take_over() {
-    std::map<std::string, MutantRow*> rows;
-    for (MutantRow& row : report_.mutants) rows[key_of(row)] = &row;
-    for (std::size_t i = 0; i < journal_.lines().size(); ++i) {
-        std::string key;
-        Fate fate = Fate::untried;
-        double seconds = 0.0;
-        try {
-            base::require_bounded_json(journal_.lines()[i]);
-            const auto json = nlohmann::json::parse(journal_.lines()[i]);
-            key = json.at("key").get<std::string>();
-            fate = report::fate_from(json.at("fate").get<std::string>()).value_or(Fate::untried);
-            seconds = json.at("seconds").get<double>();
-        } catch (const std::exception&) {
-            fate = Fate::untried;
-        }
-        if (fate == Fate::untried)
-            throw std::runtime_error(fmt::format(
-                "{}:{}: expected {{\"key\": TEXT, \"fate\": NAME, \"seconds\": NUMBER}}, found {}",
-                command_.journal, i + 2, base::shortened(journal_.lines()[i], 80)));
-        const auto found = rows.find(key);
-        if (found == rows.end() || (command_.again && fate == Fate::survived)) continue;
-        if (fate == Fate::known) continue;  // the list decides anew
-        found->second->fate = fate;
-        found->second->seconds = seconds;
-    }
 }
 
 void Trials::read_known() {
@@ -278,21 +226,11 @@ std::vector<std::size_t> Trials::left() const {
     return rows;
 }
 
-void Trials::note(const MutantRow& row) {
-    const nlohmann::ordered_json json{{"key", key_of(row)},         {"fate", report::name_of(row.fate)},
-                                      {"seconds", row.seconds},     {"file", report_.files[row.file].name},
-                                      {"line", row.mutation.line},  {"before", row.mutation.before},
-                                      {"after", row.mutation.after}};
-    const std::lock_guard lock(mutex_);
-    journal_.add(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
-}
-
 void Trials::compile(MutantRow& row) {
     const check::Change change = by_number_[row.file]->change_of(row.mutation);
     if (change == check::Change::invalid) row.fate = Fate::invalid;
     if (change == check::Change::same) row.fate = Fate::same;
     if (row.fate == Fate::untried && !(row.reason = known_reason(row)).empty()) row.fate = Fate::known;
-    if (row.fate != Fate::untried) note(row);
 }
 
 // The command must pass for each file without a fault. This also measures how long it takes.
@@ -310,7 +248,7 @@ void Trials::run_unchanged(Overlays& overlays) {
         overlays.give_back(overlay);
         if (!result.succeeded())
             throw std::runtime_error(fmt::format("{}: the command {} without a fault; expected status 0",
-                                                 report_.files[numbers[k]].name, result.how()));
+                                                 report_.files[numbers[k]], result.how()));
         const std::lock_guard lock(mutex_);
         unchanged_[numbers[k]] = took.count();
     });
@@ -332,7 +270,6 @@ void Trials::try_one(MutantRow& row, Overlays& overlays) {
     overlays.give_back(overlay);
     using End = base::ProcessResult::End;
     row.fate = result.succeeded() ? Fate::survived : result.end == End::time ? Fate::too_long : Fate::killed;
-    note(row);
 }
 
 void Trials::run() {

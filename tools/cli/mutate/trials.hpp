@@ -17,7 +17,6 @@
 #include "base/files.hpp"
 #include "check/mutant.hpp"
 #include "report/mutation_report.hpp"
-#include "report/output.hpp"
 
 namespace gloam::cli {
 
@@ -64,18 +63,15 @@ struct MutateCommand {
     std::optional<double> minutes;
     std::optional<double> patience;  // seconds
     unsigned jobs = 0;
-    bool again = false;
-    std::string journal;
     std::string known;
     std::string json;
-    std::string html;
 };
 
 // The faults of some files, and what becomes of each.
 class Trials {
   public:
-    // Reads the files, draws the faults and takes over the journal. Throws for a file that cannot be read or
-    // compiled, and for a journal or a list of known faults of another form.
+    // Reads the files and draws the faults. Throws for a file that cannot be read or compiled, and for a list
+    // of known faults of another form.
     explicit Trials(const MutateCommand& command);
 
     // Runs everything that is left, until the time is over: first what the compiler decides. Throws
@@ -89,10 +85,8 @@ class Trials {
 
     void read_files();
     void draw();
-    void take_over();
     void read_known();
     [[nodiscard]] std::filesystem::path relative(std::size_t file) const;
-    [[nodiscard]] std::string key_of(const report::MutantRow& row) const;
     [[nodiscard]] std::string known_reason(const report::MutantRow& row) const;
     [[nodiscard]] bool is_over() const { return Clock::now() > end_; }
     [[nodiscard]] std::vector<std::size_t> left() const;
@@ -100,7 +94,6 @@ class Trials {
     void compile(report::MutantRow& row);
     void run_unchanged(Overlays& overlays);
     void try_one(report::MutantRow& row, Overlays& overlays);
-    void note(const report::MutantRow& row);
 
     const MutateCommand& command_;
     unsigned jobs_;
@@ -112,7 +105,6 @@ class Trials {
     std::vector<std::size_t> order_;                 // of the mutants, as drawn
     std::map<std::size_t, double> unchanged_;        // seconds of the command without a fault, by file
     std::vector<std::array<std::string, 3>> known_;  // file, line, reason
-    report::LineJournal journal_;
     std::mutex mutex_;
 };
 

@@ -199,19 +199,6 @@ std::string preprocessed(const std::vector<Source>& pieces, Stage stage, Client 
     return result.substr(std::min(result.find("#version"), result.size()));
 }
 
-std::string syntax_tree(const Source& source, Stage stage, Client client) {
-    const EShLanguage language = language_of(stage);
-    glslang::TShader shader(language);
-    const std::vector<Source> pieces{source};
-    const Strings strings(pieces);
-    strings.give_to(shader);
-    if (client != Client::none) set_client(shader, language, client);
-    const auto messages = static_cast<EShMessages>(messages_of(client) | EShMsgAST);
-    if (!shader.parse(GetDefaultResources(), version_when_missing, false, messages))
-        throw CompileError(error_lines(shader.getInfoLog(), source.name));
-    return shader.getInfoDebugLog();
-}
-
 namespace {
 
 Spirv spirv_of(Parse& parse, const Source& source, const Translation& how) {

@@ -99,9 +99,6 @@ class Parse {
 [[nodiscard]] std::string preprocessed(const std::vector<Source>& pieces, Stage stage, Client client,
                                        glslang::TShader::Includer& includer);
 
-// The syntax tree of a text without includes, as glslang prints it. Throws CompileError.
-[[nodiscard]] std::string syntax_tree(const Source& source, Stage stage, Client client);
-
 struct Translation {
     Unreached unreached = Unreached::dropped;
     bool lines = false;  // see CompileOptions

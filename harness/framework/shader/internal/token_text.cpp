@@ -49,41 +49,22 @@ int line_at(std::string_view text, std::size_t position) {
     return 1 + static_cast<int>(std::ranges::count(text.substr(0, position), '\n'));
 }
 
-TokenText::TokenText(const ActiveText& active) {
-    add("#version 450");
+std::vector<Token> tokens_of(const ActiveText& active) {
+    constexpr std::string_view between{" \t\r\n\v\f\0", 7};
+    std::vector<Token> tokens;
     for (const ActiveText::Place& place : active.lines) {
         const Line& line = active.at(place);
-        const auto directive = internal::directive_of(line);
-        if (directive && directive->keyword == "line") continue;
-        if (directive || place.file != 0) {
-            std::string code = line.code;
-            std::erase(code, '\0');
-            add(std::string_view(code).substr(0, code.find('\n')));
-        } else {
-            add_tokens(line.code, static_cast<std::size_t>(line.text.data() - active.files[0].text.data()));
+        if (place.file != 0 || internal::directive_of(line)) continue;
+        const auto begin = static_cast<std::size_t>(line.text.data() - active.files[0].text.data());
+        const std::string_view code = line.code;
+        for (std::size_t at = code.find_first_not_of(between); at != std::string_view::npos;
+             at = code.find_first_not_of(between, at)) {
+            const std::size_t length = token_length(code.substr(at));
+            tokens.push_back({std::string(code.substr(at, length)), begin + at});
+            at += length;
         }
     }
-}
-
-int TokenText::line_of(int tree_line, const std::string& file) const {
-    const auto token = std::ranges::find(tokens, tree_line, &Token::tree_line);
-    return token == tokens.end() ? 0 : line_at(file, token->begin);
-}
-
-void TokenText::add(std::string_view line) {
-    exploded.append(line).append("\n");
-    ++lines_;
-}
-
-void TokenText::add_tokens(std::string_view code, std::size_t begin) {
-    constexpr std::string_view between{" \t\r\n\v\f\0", 7};
-    for (std::size_t at = code.find_first_not_of(between); at != std::string_view::npos;
-         at = code.find_first_not_of(between, at)) {
-        const std::size_t length = token_length(code.substr(at));
-        add(code.substr(at, length));
-        tokens.push_back({std::string(code.substr(at, length)), begin + at, lines_});
-        at += length;
-    }
+    return tokens;
 }
 
 std::size_t closing(const std::vector<Token>& tokens, std::size_t open) {

@@ -13,7 +13,6 @@ namespace gloam::shader::internal {
 struct Token {
     std::string text;
     std::size_t begin = 0;
-    int tree_line = 0;  // in the text that the compiler parses
 };
 
 [[nodiscard]] bool is_word(std::string_view token);
@@ -22,24 +21,8 @@ struct Token {
 // The line of a position in a text.
 [[nodiscard]] int line_at(std::string_view text, std::size_t position);
 
-// The tokens of the first file of a text, and the text, with its includes, in which each of them has its own
-// line.
-class TokenText {
-  public:
-    explicit TokenText(const ActiveText& active);
-
-    // The line of the file at a line of the exploded text; 0 for a line of an include.
-    [[nodiscard]] int line_of(int tree_line, const std::string& file) const;
-
-    std::vector<Token> tokens;
-    std::string exploded;
-
-  private:
-    void add(std::string_view line);
-    void add_tokens(std::string_view code, std::size_t begin);
-
-    int lines_ = 0;
-};
+// The tokens of the first file of a text, but for its directives.
+[[nodiscard]] std::vector<Token> tokens_of(const ActiveText& active);
 
 // Tokens with which a file does something: the body of a function, or the value of a constant.
 struct Region {
