@@ -24,8 +24,11 @@ TEST_F(OwnFunctionTest, AreThoseOfTheFileItselfThatCanBeDrawnFor) {
     EXPECT_THAT(names_of(functions), ElementsAre("own_root", "own_scaled", "own_mean", "own_array"));
     ASSERT_EQ(functions.left_out.size(), 1U);
     EXPECT_EQ(functions.left_out[0].name, "own_several(sampler2DMS)");
-    EXPECT_EQ(functions.left_out[0].why,
-              "values of the parameter type sampler2DMS cannot be drawn: sampler2DMS is not supported");
+    EXPECT_EQ(
+        functions.left_out[0].why,
+        "values of the parameter type sampler2DMS cannot be drawn: sampler2DMS is not judged: gloam judges "
+        "sampler2D, sampler2DArray, sampler3D, samplerCube, samplerCubeArray, those of integers, and "
+        "sampler2DShadow");
 }
 
 TEST_F(OwnFunctionTest, AreTakenOutOfAWholeShader) {

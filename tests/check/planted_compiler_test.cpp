@@ -36,7 +36,6 @@ class FaultyDriver : public backend::Backend {
                                     .fixed_inputs = program.fixed_inputs,
                                     .stores = program.stores,
                                     .sampled = program.sampled,
-                                    .elements = program.elements,
                                     .name = program.name});
     }
 

@@ -165,9 +165,10 @@ TEST(Functions, SamplersHaveNoScalars) {
         EXPECT_EQ(scalar_count(parameter.type), 0U);
     }
     EXPECT_TRUE(is_sampler_type("usamplerCubeArray"));
-    EXPECT_TRUE(is_sampler_type("samplerCubeShadow"));
-    EXPECT_FALSE(is_sampler_type("isampler2DShadow"));
-    EXPECT_FALSE(is_sampler_type("sampler2DMS"));
+    EXPECT_TRUE(is_sampler_type("sampler2DShadow"));
+    for (const char* name :
+         {"isampler2DShadow", "samplerCubeShadow", "sampler2DArrayShadow", "sampler1D", "sampler2DMS"})
+        EXPECT_FALSE(is_sampler_type(name)) << name;
 }
 
 TEST(Functions, ArraysHaveTheirSizes) {

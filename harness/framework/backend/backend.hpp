@@ -152,7 +152,6 @@ struct KernelProgram {
     std::size_t fixed_inputs = 0;    // inputs that are constants of the module; 0: they come from memory
     std::vector<bool> stores = {};   // for each image, whether the kernel stores to it
     std::vector<bool> sampled = {};  // for each image, whether a sampler reads it, and not a storage buffer
-    std::vector<std::uint32_t> elements = {};  // for each image, its place in an array of samplers, else 0
     // For each image, the format of a storage image with a layer for each input, which holds nothing at
     // first; empty: it is none. layer_size: the sides of all.
     std::vector<std::string> layered = {};

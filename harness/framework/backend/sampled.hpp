@@ -16,8 +16,8 @@
 // An image that a sampler reads, as words: a header, then the texels.
 namespace gloam::backend {
 
-// sampler2D, sampler2DArray, sampler3D, samplerCube, samplerCubeArray, sampler1D
-enum class SampledShape : std::uint32_t { two, layers, three, cube, cube_layers, one };
+// sampler2D, sampler2DArray, sampler3D, samplerCube, samplerCubeArray
+enum class SampledShape : std::uint32_t { two, layers, three, cube, cube_layers };
 // Floats of 16 bits; int; uint; floats of 32 bits in [0, 1], the first of four words, which a sampler
 // compares.
 enum class SampledTexel : std::uint32_t { real, integer, natural, depth };
@@ -46,18 +46,16 @@ struct SampledHeader {
 }
 inline constexpr std::uint32_t cube_faces = 6;
 
-// Of a sampler's type in GLSL: "usampler3D", "sampler2DArrayShadow".
+// Of a sampler's type in GLSL: "usampler3D", "sampler2DShadow".
 [[nodiscard]] inline SampledTexel texel_of_sampler(std::string_view type) {
     if (type.ends_with("Shadow")) return SampledTexel::depth;
     if (type.starts_with('i')) return SampledTexel::integer;
     return type.starts_with('u') ? SampledTexel::natural : SampledTexel::real;
 }
 [[nodiscard]] inline SampledShape shape_of_sampler(std::string_view type) {
-    if (type.ends_with("Shadow")) type.remove_suffix(std::string_view("Shadow").size());
     if (type.ends_with("CubeArray")) return SampledShape::cube_layers;
     if (type.ends_with("Array")) return SampledShape::layers;
     if (type.ends_with("Cube")) return SampledShape::cube;
-    if (type.ends_with("1D")) return SampledShape::one;
     return type.ends_with("3D") ? SampledShape::three : SampledShape::two;
 }
 
@@ -100,8 +98,6 @@ inline constexpr std::size_t texel_words = 4;
         throw std::invalid_argument("a sampled image whose size and texels disagree");
     if (is_cube(header.shape) && (header.width != header.height || header.depth % cube_faces != 0))
         throw std::invalid_argument("an image of a cube that has not six square faces");
-    if (header.shape == SampledShape::one && header.height != 1)
-        throw std::invalid_argument("an image of one dimension that is higher than 1");
     return header;
 }
 

@@ -63,12 +63,11 @@ class InterpretedKernel {
         push_ = {run_.count, run_.row_length, run_.canary};
         machine_.bind_push_constants(push_);
         for (std::size_t i = 0; i < images.size(); ++i) {
-            const std::uint32_t element = module.images[i].sampler ? module.images[i].sampler->element : 0;
-            const auto binding = KernelBinding::first_image + static_cast<unsigned>(i) - element;
+            const auto binding = KernelBinding::first_image + static_cast<unsigned>(i);
             if (module.images[i].layers) {
                 bind_layers(binding, module.images[i].layers->format);
             } else if (module.images[i].sampler) {
-                machine_.bind(0, binding, interpreter::sampled_view_of(images[i], module.samplers), element);
+                machine_.bind(0, binding, interpreter::sampled_view_of(images[i], module.samplers));
             } else {
                 machine_.bind(0, binding, images[i]);
             }

@@ -136,7 +136,6 @@ std::string group_layout(const KernelSource& source) {
 std::string image_interface(const ImagePrototype& image, std::size_t index) {
     if (image.layers)
         return fmt::format("#define {} {}\n", image.layers->macro, KernelBinding::first_image + index);
-    if (image.sampler && image.sampler->element > 0) return {};
     if (image.sampler && image.sampler->variable.empty())
         return fmt::format("#define {} {}\n", image.sampler->macro, KernelBinding::first_image + index);
     if (image.sampler)

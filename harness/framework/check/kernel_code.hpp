@@ -26,7 +26,6 @@ struct ImagePrototype {
         // The kernel's variable for a parameter. Empty: the file has one, whose binding is `macro`.
         std::string variable;
         std::string macro;
-        std::uint32_t element = 0;  // of an array in the file, whose elements follow one another
     };
     std::optional<Sampler> sampler = {};
     // Of an image that the function loads or stores, a layer for each input: scratch memory that the kernel

@@ -26,10 +26,7 @@ Word new_canary() {
 
 std::unique_ptr<const backend::Kernel> made(const backend::Backend& device, const KernelModule& module,
                                             const std::string& name) {
-    // The interpreter reports an index outside of an array of samplers.
-    const auto indexed =
-        device.info().name == interpreter_name ? std::nullopt : shader::for_any_sampler_index(module.spirv);
-    backend::KernelProgram program{.spirv = indexed ? *indexed : module.spirv,
+    backend::KernelProgram program{.spirv = module.spirv,
                                    .constants = module.constants,
                                    .text = module.glsl,
                                    .input_words = module.input_words,
@@ -42,7 +39,6 @@ std::unique_ptr<const backend::Kernel> made(const backend::Backend& device, cons
     for (const ImagePrototype& image : module.images) {
         program.stores.push_back(image.stores);
         program.sampled.push_back(image.sampler.has_value());
-        program.elements.push_back(image.sampler ? image.sampler->element : 0);
         program.layered.push_back(image.layers ? image.layers->format : std::string());
     }
     return device.make_kernel(program);
@@ -156,7 +152,7 @@ std::vector<ImagePrototype> images_of(const backend::KernelProgram& program) {
     std::vector<ImagePrototype> images(program.sampled.size());
     for (std::size_t i = 0; i < images.size(); ++i)
         if (program.sampled[i])
-            images[i].sampler.emplace().element = program.elements[i];
+            images[i].sampler.emplace();
         else if (!program.layered[i].empty())
             images[i].layers = {.format = program.layered[i], .macro = {}};
     return images;

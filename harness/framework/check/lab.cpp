@@ -79,20 +79,8 @@ shader::Type texel_type(const std::string& sampler) {
 bool is_of(const std::string& resource, const ImagePrototype& image) {
     if (image.layers) return resource == image.name;
     if (!image.sampler) return false;
-    const std::string name = image.sampler->variable.empty() ? image.name.substr(0, image.name.find('['))
-                                                             : image.sampler->variable;
+    const std::string& name = image.sampler->variable.empty() ? image.name : image.sampler->variable;
     return resource == name || resource == "_" + name + "_sampler";
-}
-
-// The names of a sampler's elements: "textures[0]", "textures[1]"; that of a single one, and of an array that
-// the function does not use.
-std::vector<std::string> elements_of(const shader::BoundVariable& sampler, const shader::Function& function) {
-    const auto found = std::ranges::find(function.globals, sampler.name, &shader::Parameter::name);
-    if (found == function.globals.end() || found->type.sizes.empty()) return {sampler.name};
-    std::vector<std::string> names;
-    for (std::uint32_t i = 0; i < found->type.sizes.front(); ++i)
-        names.push_back(fmt::format("{}[{}]", sampler.name, i));
-    return names;
 }
 
 }  // namespace
@@ -108,12 +96,10 @@ std::vector<ImagePrototype> images_of(const shader::Excerpt& excerpt, const shad
                               .layers = ImagePrototype::Layers{.format = one.format, .macro = macro}});
             continue;
         }
-        const std::vector<std::string> names = elements_of(one, function);
-        for (std::uint32_t element = 0; element < names.size(); ++element)
-            images.push_back({.name = names[element],
-                              .element = texel_type(one.type),
-                              .sampler = ImagePrototype::Sampler{
-                                  .type = one.type, .variable = {}, .macro = macro, .element = element}});
+        images.push_back(
+            {.name = one.name,
+             .element = texel_type(one.type),
+             .sampler = ImagePrototype::Sampler{.type = one.type, .variable = {}, .macro = macro}});
     }
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
         const shader::Parameter& p = function.parameters[i];
@@ -237,11 +223,6 @@ KernelCore Lab::kernel(const std::string& file, const std::string& function,
     if (const auto text_language = language()) {
         if (shader::has_float16(module.spirv))
             throw backend::Unsupported(function + ": needs float16_t, which OpenGL has no standard type for");
-        if (shader::for_any_sampler_index(module.spirv))
-            throw backend::Unsupported(
-                fmt::format("{}: the index into an array of samplers is not constant and may differ between "
-                            "inputs, which GLSL {} does not allow",
-                            function, to_string(*text_language)));
         module.glsl = internal::gl_kernel_code(*text_language, made_of, options_.include_roots);
         module.judged_by_rules = internal::has_precision_rules(*text_language) &&
                                  !internal::calls_undefined_precision(module.spirv);

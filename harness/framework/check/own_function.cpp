@@ -25,7 +25,6 @@ constexpr double usual_high = 1e6;
 constexpr long usual_integer = 1000;
 constexpr long usual_index = 7;  // most integer parameters are indices, counts or modes
 constexpr long largest_unsigned = 1L << 31;
-constexpr std::size_t most_samplers = 16;  // of an array: every device reads so many
 
 // Of a float type, those of its numbers.
 Range usual_range(Scalar scalar) {
@@ -64,11 +63,16 @@ Values values_of(const shader::Type& type, const std::optional<Range>& range) {
     return scalars.size() == 1 ? scalars.front() : vector(scalars);
 }
 
-// "float[5000] has more than 4096 scalars", "sampler2DMS is not supported"; empty if a kernel can pass it.
+constexpr const char* judged_samplers =
+    "sampler2D, sampler2DArray, sampler3D, samplerCube, samplerCubeArray, those of integers, and "
+    "sampler2DShadow";
+
+// "float[5000] has more than 4096 scalars", "sampler2DMS is not judged: ..."; empty if a kernel can pass it.
 std::string obstacle(const shader::Type& type) {
     if (type.scalar == Scalar::oversized)
         return fmt::format("{} has more than {} scalars", type.name, shader::most_scalars);
-    if (type.scalar == Scalar::unsupported) return shader::name_of(type) + " is not supported";
+    if (type.scalar == Scalar::unsupported)
+        return fmt::format("{} is not judged: gloam judges {}", shader::name_of(type), judged_samplers);
     for (const shader::Member& member : type.members)
         if (const std::string inside = obstacle(member.type); !inside.empty())
             return fmt::format("in {}, {}", shader::name_of(type), inside);
@@ -100,11 +104,6 @@ std::string why_not(const shader::Function& function, const shader::Excerpt& exc
         if (access == shader::Access::buffer && excerpt.needs == shader::Needs::group)
             return fmt::format("the buffer \"{}\", which it may write, is shared by its group", p.name);
     }
-    for (const shader::Parameter& one : function.globals) {
-        const bool many = one.type.scalar == Scalar::oversized || scalar_count(one.type) > most_samplers;
-        if (many && std::ranges::count(excerpt.bound, one.name, &shader::BoundVariable::name) > 0)
-            return fmt::format("the array \"{}\" has more than {} samplers", one.name, most_samplers);
-    }
     if (const std::string what = obstacle(function.result); !what.empty())
         return fmt::format("a result of type {} cannot be read: {}", shader::name_of(function.result), what);
     constexpr std::uint32_t most = interpreter::Machine<float>::most_invocations;
@@ -128,11 +127,12 @@ LeftOut refused(const shader::Excerpt& excerpt, const std::string& definition, c
     place.erase(place.find_last_not_of(": ") + 1);
     const auto is = [&first](const char* text) { return first.find(text) != std::string::npos; };
     if (excerpt.interface.contains(name))
-        return {definition,
-                fmt::format("it uses \"{}\", an image or sampler, at {}; expected a sampler or an array of "
-                            "samplers, a single image2D with a format of 32 bits like r32f, or values from "
-                            "parameters and prototypes T name(ivec2)",
-                            name, place)};
+        return {
+            definition,
+            fmt::format("it uses \"{}\", an image or sampler, at {}; expected no array, but one of {}, an "
+                        "image2D with a format of 32 bits like r32f, or values from parameters and "
+                        "prototypes T name(ivec2)",
+                        name, place, judged_samplers)};
     if (is("not supported in this stage") || (name.starts_with("gl_") && is("undeclared identifier")))
         return {definition,
                 fmt::format("{} at {} needs another stage than compute and fragment", name, place)};
@@ -255,7 +255,6 @@ Image random_texels(const ImagePrototype& prototype, glm::ivec2 size, Image::Sam
     if (shape == SampledShape::three || shape == SampledShape::layers) sampling.depth = layers;
     if (is_cube) sampling.depth = backend::cube_faces * (shape == SampledShape::cube ? 1 : layers);
     if (is_cube) size.y = size.x;
-    if (shape == SampledShape::one) size.y = 1;
     const backend::SampledHeader header{.width = static_cast<Word>(size.x),
                                         .height = static_cast<Word>(size.y),
                                         .depth = sampling.depth,

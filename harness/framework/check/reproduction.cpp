@@ -122,10 +122,8 @@ Reproduction without_verdict(const Lab& lab, const Question& question, const std
     std::vector<std::vector<Word>> words = image_words(source.images, images, question.function);
     for (std::size_t i = 0; i < words.size(); ++i) {
         const ImagePrototype& image = source.images[i];
-        all.images.push_back({.name = image.name,
-                              .words = std::move(words[i]),
-                              .bound = !image.is_prototype(),
-                              .element = image.sampler ? image.sampler->element : 0});
+        all.images.push_back(
+            {.name = image.name, .words = std::move(words[i]), .bound = !image.is_prototype()});
     }
     add_opengl(lab, source, all);
     return all;

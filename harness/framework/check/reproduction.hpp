@@ -65,7 +65,6 @@ struct Reproduction {
         // No buffer: an image as in backend/sampled.hpp, for a sampler; without words, of layers that the
         // kernel fills.
         bool bound = false;
-        std::uint32_t element = 0;  // of an array of samplers, whose elements follow one another
     };
     std::vector<ImageBuffer> images;
     std::vector<Word> inputs;

@@ -144,8 +144,7 @@ class Machine {
     // are visible to itself and to read() until the next run, which starts with the bound contents.
     void bind(std::uint32_t set, std::uint32_t binding, std::span<const Word> words);
     void bind(std::uint32_t set, std::uint32_t binding, const ImageView& image);
-    // `element`: of an array of samplers.
-    void bind(std::uint32_t set, std::uint32_t binding, const SampledView& image, std::uint32_t element = 0);
+    void bind(std::uint32_t set, std::uint32_t binding, const SampledView& image);
     void bind_push_constants(std::span<const Word> words);
 
     // Selects the invocation. It runs alone: a barrier waits for nobody, and what needs others is an Error.

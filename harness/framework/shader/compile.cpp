@@ -98,13 +98,11 @@ bool is_supported(const Type& type) {
 }
 
 bool is_sampler_type(std::string_view name) {
-    constexpr std::string_view shadow = "Shadow";
-    const bool compares = name.ends_with(shadow);
-    if (compares) name.remove_suffix(shadow.size());
-    if (!compares && (name.starts_with('i') || name.starts_with('u'))) name.remove_prefix(1);
-    if (!compares && (name == "sampler1D" || name == "sampler3D")) return true;
-    return name == "sampler2D" || name == "sampler2DArray" || name == "samplerCube" ||
-           name == "samplerCubeArray";
+    if (name == "sampler2DShadow") return true;
+    if (name.starts_with('i') || name.starts_with('u')) name.remove_prefix(1);
+    constexpr std::array<std::string_view, 5> known{"sampler2D", "sampler2DArray", "sampler3D", "samplerCube",
+                                                    "samplerCubeArray"};
+    return std::ranges::find(known, name) != known.end();
 }
 
 Type element_of(const Type& array) {

@@ -74,9 +74,8 @@ struct Function {
 // Whether no part of the type is unsupported or oversized.
 [[nodiscard]] bool is_supported(const Type& type);
 
-// "sampler1D", "sampler2D", "sampler2DArray", "sampler3D", "samplerCube", "samplerCubeArray", those of
-// integers, "isampler2D" and "usampler2D"; and those that compare, "sampler2DShadow", but for one and three
-// dimensions.
+// "sampler2D", "sampler2DArray", "sampler3D", "samplerCube", "samplerCubeArray" and those of integers,
+// "isampler2D" and "usampler2D"; and "sampler2DShadow".
 [[nodiscard]] bool is_sampler_type(std::string_view name);
 
 // An element of an array: that of float[2][3] is float[3].

@@ -47,7 +47,7 @@ auto fields(Is<PackRequest> auto& all) {
     return std::tie(all.language, all.functions, all.stage, all.constants);
 }
 auto fields(Is<BoundVariable> auto& all) {
-    return std::tie(all.name, all.type, all.format, all.sizes, all.written);
+    return std::tie(all.name, all.type, all.format, all.written);
 }
 auto fields(Is<Excerpt> auto& all) {
     return std::tie(all.function, all.text, all.interface, all.bound, all.globals, all.definitions,

@@ -225,7 +225,7 @@ std::string bound_text(const std::vector<BoundVariable>& variables, Excerpt& exc
         text += variable.format.empty()
                     ? ") uniform highp " + variable.type
                     : ", " + variable.format + ") uniform highp " + variable.type + "Array";
-        text += " " + variable.name + variable.sizes + "; ";
+        text += " " + variable.name + "; ";
         excerpt.bound.push_back(variable);
     }
     return text;

@@ -63,7 +63,6 @@ struct BoundVariable {
     std::string name;
     std::string type;         // is_sampler_type(), "uimage2D"
     std::string format = {};  // of an image: "r32ui"
-    std::string sizes = {};   // of an array of samplers: "[ 4 ]", "[ COUNT ]"
     bool written = false;     // whether the function may store to the image
 };
 

@@ -83,12 +83,6 @@ void validate(const Spirv& module);
 // not decorated.
 [[nodiscard]] Spirv with_relaxed_precision(const Spirv& module);
 
-// For a module that reads samplers of arrays by indices that are not constant: the same, where invocations
-// may have different indices (NonUniform), and where an index outside means the last element, because drivers
-// crash otherwise. nullopt for any other module. Lines are lost. Throws std::runtime_error for words that are
-// not a SPIR-V module.
-[[nodiscard]] std::optional<Spirv> for_any_sampler_index(const Spirv& module);
-
 // A resource that functions of the module use: a buffer, an image, a sampler, push constants.
 struct Resource {
     std::string kind;   // "uniform buffer", "storage buffer", "image or sampler", "push constants"

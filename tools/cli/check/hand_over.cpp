@@ -174,8 +174,8 @@ HandOver make_hand_over(const check::Lab& lab, const check::Question& question,
     const backend::DeviceInfo& device = lab.info();
     // The scripts have storage buffers and no images; the program has images for single samplers as well.
     const bool has_images = std::ranges::any_of(all.images, &check::Reproduction::ImageBuffer::bound);
-    const bool has_others = std::ranges::any_of(all.images, [](const auto& image) {  // layers, arrays
-        return image.element > 0 || (image.bound && image.words.empty());
+    const bool has_others = std::ranges::any_of(all.images, [](const auto& image) {  // layers
+        return image.bound && image.words.empty();
     });
     HandOver hand_over;
     if (const auto opengl = gl::device_name_from(lab.info().name)) {

@@ -80,7 +80,7 @@ class Image {
 // A texture with a sampler's state. The words are those of backend/sampled.hpp. Needs compute shaders.
 class SampledTexture {
   public:
-    // Throws backend::OutOfMemory; backend::Unsupported for one dimension; std::invalid_argument for words
+    // Throws backend::OutOfMemory; std::invalid_argument for words
     // that disagree.
     SampledTexture(const Device& device, std::span<const Word> words);
 

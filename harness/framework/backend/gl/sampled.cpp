@@ -44,8 +44,6 @@ GLenum target_of(SampledShape shape) {
             return GL_TEXTURE_CUBE_MAP;
         case SampledShape::cube_layers:
             return GL_TEXTURE_CUBE_MAP_ARRAY;
-        case SampledShape::one:
-            throw backend::Unsupported("samplers of one dimension need a Vulkan device");
         default:
             return GL_TEXTURE_2D;
     }

@@ -63,15 +63,11 @@ vk::raii::DescriptorSetLayout make_set_layout(const Context& context, std::span<
     check_count(context, kinds, BindingKind::sampled_image,
                 std::min(limits.maxPerStageDescriptorSampledImages, limits.maxPerStageDescriptorSamplers));
     std::vector<vk::DescriptorSetLayoutBinding> bindings;
-    for (std::uint32_t i = 0; i < kinds.size(); ++i) {
-        if (kinds[i] == BindingKind::sampled_element)
-            ++bindings.back().descriptorCount;
-        else
-            bindings.push_back({.binding = i,
-                                .descriptorType = descriptor_type(kinds[i]),
-                                .descriptorCount = 1,
-                                .stageFlags = stages});
-    }
+    for (std::uint32_t i = 0; i < kinds.size(); ++i)
+        bindings.push_back({.binding = i,
+                            .descriptorType = descriptor_type(kinds[i]),
+                            .descriptorCount = 1,
+                            .stageFlags = stages});
     return {context.device,
             vk::DescriptorSetLayoutCreateInfo{.bindingCount = static_cast<std::uint32_t>(bindings.size()),
                                               .pBindings = bindings.data()}};
@@ -84,7 +80,6 @@ vk::DescriptorType descriptor_type(BindingKind kind) {
         case BindingKind::storage_image:
             return vk::DescriptorType::eStorageImage;
         case BindingKind::sampled_image:
-        case BindingKind::sampled_element:
             return vk::DescriptorType::eCombinedImageSampler;
         case BindingKind::uniform_buffer:
             return vk::DescriptorType::eUniformBuffer;
@@ -99,7 +94,6 @@ const char* name_of(BindingKind kind) {
         case BindingKind::storage_image:
             return "storage image";
         case BindingKind::sampled_image:
-        case BindingKind::sampled_element:
             return "sampled image";
         case BindingKind::uniform_buffer:
             return "uniform buffer";
@@ -169,12 +163,9 @@ void write_descriptors(const Context& context, const vk::raii::DescriptorSet& se
     std::vector<vk::DescriptorBufferInfo> buffers(resources.size());
     std::vector<vk::DescriptorImageInfo> images(resources.size());
     std::vector<vk::WriteDescriptorSet> writes;
-    std::uint32_t element = 0;
     for (std::uint32_t i = 0; i < resources.size(); ++i) {
-        element = bindings[i] == BindingKind::sampled_element ? element + 1 : 0;
         vk::WriteDescriptorSet write{.dstSet = *set,
-                                     .dstBinding = i - element,
-                                     .dstArrayElement = element,
+                                     .dstBinding = i,
                                      .descriptorCount = 1,
                                      .descriptorType = descriptor_type(bindings[i])};
         if (const auto* buffer = std::get_if<std::reference_wrapper<const Buffer>>(&resources[i])) {

@@ -15,8 +15,7 @@
 namespace gloam::gpu {
 
 // sampled_image: a SampledImage with its own sampler, or an Image for texelFetch, which uses no sampler.
-// sampled_element: the next element of the array of these at the binding before it; it has no binding itself.
-enum class BindingKind { storage_buffer, storage_image, sampled_image, uniform_buffer, sampled_element };
+enum class BindingKind { storage_buffer, storage_image, sampled_image, uniform_buffer };
 
 using SpecializationConstant = backend::Constant;
 

@@ -26,8 +26,7 @@ vk::PhysicalDeviceVulkan12Features wanted_of_1_2(const vk::raii::PhysicalDevice&
     const auto offered =
         device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features>()
             .get<vk::PhysicalDeviceVulkan12Features>();
-    return {.shaderFloat16 = offered.shaderFloat16,
-            .shaderSampledImageArrayNonUniformIndexing = offered.shaderSampledImageArrayNonUniformIndexing};
+    return {.shaderFloat16 = offered.shaderFloat16};
 }
 
 vk::raii::Device open_device(const Physical& physical, const vk::PhysicalDeviceFeatures& features) {
@@ -166,23 +165,13 @@ const DeviceInfo& Device::info() const {
     return impl_->physical.info;
 }
 
-std::vector<std::string> missing_features(const Context& context, std::span<const std::uint32_t> spirv) {
+bool lacks_float16(const Context& context, std::span<const std::uint32_t> spirv) {
     constexpr std::size_t header_words = 5;
     constexpr std::uint32_t capability = 17;  // OpCapability: two words
-    const vk::PhysicalDeviceVulkan12Features newer = wanted_of_1_2(context.physical.handle);
-    struct Needed {
-        std::uint32_t capability;
-        const char* name;
-        vk::Bool32 has;
-    };
-    const std::array all{Needed{9, "shaderFloat16", newer.shaderFloat16},
-                         Needed{5307, "shaderSampledImageArrayNonUniformIndexing",
-                                newer.shaderSampledImageArrayNonUniformIndexing}};
-    std::vector<std::string> missing;
+    constexpr std::uint32_t float16 = 9;
     for (std::size_t at = header_words; at + 1 < spirv.size() && (spirv[at] & 0xffffU) == capability; at += 2)
-        for (const Needed& one : all)
-            if (spirv[at + 1] == one.capability && one.has == VK_FALSE) missing.emplace_back(one.name);
-    return missing;
+        if (spirv[at + 1] == float16) return wanted_of_1_2(context.physical.handle).shaderFloat16 == VK_FALSE;
+    return false;
 }
 
 std::vector<std::string> Device::take_validation_messages() {

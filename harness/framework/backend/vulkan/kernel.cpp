@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -18,8 +18,7 @@ using backend::Word;
 std::vector<BindingKind> bindings_of(const backend::KernelProgram& program) {
     std::vector<BindingKind> bindings(backend::KernelBinding::first_image, BindingKind::storage_buffer);
     for (std::size_t i = 0; i < program.sampled.size(); ++i)
-        bindings.push_back(program.elements[i] > 0       ? BindingKind::sampled_element
-                           : program.sampled[i]          ? BindingKind::sampled_image
+        bindings.push_back(program.sampled[i]            ? BindingKind::sampled_image
                            : !program.layered[i].empty() ? BindingKind::storage_image
                                                          : BindingKind::storage_buffer);
     return bindings;
@@ -34,10 +33,9 @@ Pipeline pipeline_of(const Device& device, const backend::KernelProgram& program
         throw backend::Unsupported(fmt::format("{}: a work group of {} invocations, device \"{}\" allows {}",
                                                program.name, program.team.count(), device.info().name,
                                                limits.maxComputeWorkGroupInvocations));
-    const std::vector<std::string> missing = missing_features(device.impl(), program.spirv);
-    if (!missing.empty())
-        throw backend::Unsupported(fmt::format("{}: needs {}, which device \"{}\" lacks", program.name,
-                                               fmt::join(missing, " and "), device.info().name));
+    if (lacks_float16(device.impl(), program.spirv))
+        throw backend::Unsupported(fmt::format("{}: needs shaderFloat16, which device \"{}\" lacks",
+                                               program.name, device.info().name));
     const std::vector<SpecializationConstant> constants(program.constants.begin(), program.constants.end());
     if (program.team.kind == backend::Team::Kind::quad)
         return RasterPipeline(device, {.vertex_spirv = program.vertex_spirv,

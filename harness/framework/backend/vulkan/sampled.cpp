@@ -43,7 +43,6 @@ vk::ImageAspectFlagBits aspect_of(SampledTexel texel) {
 }
 
 vk::ImageType image_type(SampledShape shape) {
-    if (shape == SampledShape::one) return vk::ImageType::e1D;
     return shape == SampledShape::three ? vk::ImageType::e3D : vk::ImageType::e2D;
 }
 
@@ -70,8 +69,6 @@ vk::ImageViewType view_type(SampledShape shape) {
             return vk::ImageViewType::eCube;
         case SampledShape::cube_layers:
             return vk::ImageViewType::eCubeArray;
-        case SampledShape::one:
-            return vk::ImageViewType::e1D;
         default:
             return vk::ImageViewType::e2D;
     }

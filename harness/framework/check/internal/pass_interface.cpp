@@ -50,8 +50,8 @@ void require_supported(const std::string& pass, const Binding& binding) {
         case BindingType::sampled_image:
             if (!shader::is_sampler_type(sampler_name(binding)))
                 refuse(pass, binding.name,
-                       fmt::format("is a {}, expected a sampler like sampler2D, sampler2DArray, sampler3D or "
-                                   "samplerCube, not an array",
+                       fmt::format("is a {}, expected a sampler like sampler2D, sampler2DArray, sampler3D, "
+                                   "samplerCube or sampler2DShadow, not an array",
                                    sampler_name(binding)));
             return;
         case BindingType::texture:

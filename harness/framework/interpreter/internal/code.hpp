@@ -155,12 +155,9 @@ struct Resource {
     bool written = false;
     std::string name;
     std::uint32_t shared_words = 0;  // of a variable that a group shares, which nobody binds
-    std::uint32_t element = 0;       // of an array of samplers, whose elements follow one another
 
-    [[nodiscard]] bool is_at(std::uint32_t of_set, std::uint32_t at_binding,
-                             std::uint32_t at_element = 0) const {
-        return !is_push_constant && shared_words == 0 && set == of_set && binding == at_binding &&
-               element == at_element;
+    [[nodiscard]] bool is_at(std::uint32_t of_set, std::uint32_t at_binding) const {
+        return !is_push_constant && shared_words == 0 && set == of_set && binding == at_binding;
     }
 };
 

@@ -245,14 +245,9 @@ void do_either(State<N>& s, const Instruction& i) {
         s.set(i, i.result + k, either_of(s.number(i, i.a + k), s.number(i, i.b + k)));
 }
 
-// Of an image's variable, or of an element of an array of them.
-[[nodiscard]] inline Word resource_at(const Pointer& image) {
-    return image.resource + image.offset;
-}
-
 template <class N>
 void do_load_resource(State<N>& s, const Instruction& i) {
-    s.set(i, i.result, resource_at(s.pointers[i.a]));
+    s.set(i, i.result, s.pointers[i.a].resource);
 }
 
 // Index of the first word of the texel at the coordinates.
@@ -300,7 +295,7 @@ void do_image_store(State<N>& s, const Instruction& i) {
 
 template <class N>
 void do_image_texel(State<N>& s, const Instruction& i) {
-    s.pointers[i.result] = texel(s, resource_at(s.pointers[i.a]), i.b, i.c);
+    s.pointers[i.result] = texel(s, s.pointers[i.a].resource, i.b, i.c);
 }
 
 template <class N>

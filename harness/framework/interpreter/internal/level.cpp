@@ -74,7 +74,7 @@ bool holds(backend::Compare compare, const Bounds& reference, double depth, End 
 }  // namespace
 
 std::size_t axes_of(const backend::SampledHeader& header) {
-    return header.shape == SampledShape::three ? 3 : header.shape == SampledShape::one ? 1 : 2;
+    return header.shape == SampledShape::three ? 3 : 2;
 }
 
 std::vector<std::uint32_t> layers_at(const Bounds& at, std::uint32_t layers) {
@@ -105,7 +105,6 @@ Level::Level(const SampledView& image, std::uint32_t level, const SamplePoint& p
     const bool layered = image.header.shape == SampledShape::layers || is_cube(image.header.shape);
     for (const std::uint32_t layer : layers_at(layered ? point.at[2] : Bounds::point(0.0), size_[2]))
         axes_[2].push_back({static_cast<long>(layer), Bounds::point(0.0)});
-    if (image.header.shape == SampledShape::one) axes_[1] = {{0, Bounds::point(0.0)}};
     for (std::size_t axis = 0; axis < axes_of(image.header); ++axis) {
         const double size = size_.at(axis);
         const Bounds& at = point.at.at(axis);

@@ -12,7 +12,6 @@ namespace {
 // Limit of instructions. Only a hostile shader expands to more.
 constexpr std::size_t most_instructions = 1U << 21;
 constexpr std::uint32_t most_slots = 1U << 24;
-constexpr std::size_t most_images = 1U << 12;  // in arrays
 
 bool is_resource(std::uint32_t storage) {
     return storage == SpvStorageClassUniform || storage == SpvStorageClassStorageBuffer ||
@@ -125,16 +124,14 @@ void Lowering::place_variable(const shader::Instruction& variable) {
         const bool opaque = variable.word(3) == SpvStorageClassUniformConstant;
         info.space = opaque ? PointerInfo::Space::resource : PointerInfo::Space::memory;
         info.target = {static_cast<std::uint32_t>(code_.resources.size()), 0};
-        const std::uint32_t count = opaque ? std::max(module_.types.slots(pointer.element), 1U) : 1;
-        if (count > 1 && code_.resources.size() + count > most_images)
-            fail(Error::Kind::malformed, fmt::format("arrays of more than {} images", most_images));
-        for (std::uint32_t element = 0; element < count; ++element)
-            code_.resources.push_back({.kind = opaque ? Resource::Kind::image : Resource::Kind::memory,
-                                       .set = decorations.set,
-                                       .binding = decorations.binding,
-                                       .is_push_constant = variable.word(3) == SpvStorageClassPushConstant,
-                                       .name = name,
-                                       .element = element});
+        if (opaque && module_.types.at(pointer.element).kind == Type::Kind::array)
+            fail(Error::Kind::unknown_instruction,
+                 fmt::format("\"{}\", an array of samplers or images", name));
+        code_.resources.push_back({.kind = opaque ? Resource::Kind::image : Resource::Kind::memory,
+                                   .set = decorations.set,
+                                   .binding = decorations.binding,
+                                   .is_push_constant = variable.word(3) == SpvStorageClassPushConstant,
+                                   .name = name});
     } else if (variable.word(3) == SpvStorageClassWorkgroup) {
         info.space = PointerInfo::Space::shared;
         info.target = {static_cast<std::uint32_t>(code_.resources.size()), 0};

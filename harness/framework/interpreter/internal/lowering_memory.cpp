@@ -17,7 +17,7 @@ struct Walk {
     PointerInfo at;
     std::vector<Chain::Step> steps;
 
-    // Whether scalars, or images, follow one another, without offsets and strides of the module.
+    // Whether scalars follow one another, without offsets and strides of the module.
     [[nodiscard]] bool in_slots() const { return at.space != Space::memory; }
     // Of a pointer's offset, for each slot.
     [[nodiscard]] std::uint32_t unit() const { return at.space == Space::shared ? sizeof(Word) : 1; }
@@ -132,8 +132,7 @@ void Lowering::lower_access_chain(const shader::Instruction& i, Scope& scope) {
             walk.enter_member(*constant);
             continue;
         }
-        const bool is_image = walk.at.space == Space::resource && type.kind != Type::Kind::array;
-        if (type.element == 0 || type.kind == Type::Kind::pointer || is_image)
+        if (type.element == 0 || type.kind == Type::Kind::pointer || walk.at.space == Space::resource)
             fail(Error::Kind::unknown_instruction, "an access chain into something without elements");
         const auto [stride, length] = walk.element();
         // A constant outside is an error of the run that gets there.

@@ -151,11 +151,10 @@ void Machine<N>::bind(std::uint32_t set, std::uint32_t binding, const ImageView&
 }
 
 template <class N>
-void Machine<N>::bind(std::uint32_t set, std::uint32_t binding, const SampledView& image,
-                      std::uint32_t element) {
+void Machine<N>::bind(std::uint32_t set, std::uint32_t binding, const SampledView& image) {
     for (std::size_t r = 0; r < state_->backings.size(); ++r) {
         const internal::Resource& resource = state_->code.resources[r];
-        if (resource.kind == internal::Resource::Kind::image && resource.is_at(set, binding, element))
+        if (resource.kind == internal::Resource::Kind::image && resource.is_at(set, binding))
             state_->backings[r].sampled = image;
     }
 }

@@ -222,19 +222,6 @@ void Editable::share_decorations(Id from, Id to, bool moves) {
     }
 }
 
-void Editable::require(std::uint32_t capability, std::string_view extension) {
-    const auto is_there = [&](const Op& op) {
-        return op.opcode == SpvOpCapability && op.words[0] == capability;
-    };
-    if (std::ranges::any_of(debug_, is_there)) return;
-    std::vector<std::uint32_t> text(extension.size() / sizeof(std::uint32_t) + 1);
-    std::ranges::copy(std::as_bytes(std::span(extension)), std::as_writable_bytes(std::span(text)).begin());
-    const auto behind = std::ranges::find_if_not(
-        debug_, [](const Op& op) { return op.opcode == SpvOpCapability || op.opcode == SpvOpExtension; });
-    debug_.insert(behind, Op{SpvOpExtension, text});
-    debug_.insert(debug_.begin(), Op{SpvOpCapability, {capability}});
-}
-
 std::string Editable::name_of(Id id) const {
     for (const Op& op : debug_) {
         if (op.opcode != SpvOpName || op.words[0] != id) continue;

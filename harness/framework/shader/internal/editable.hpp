@@ -85,12 +85,6 @@ class Editable {
     // moves if `moves`.
     void share_decorations(Id from, Id to, bool moves);
 
-    void decorate(Id id, std::uint32_t decoration) {
-        decorations_.push_back({opcode_decorate, {id, decoration}});
-    }
-    // Adds the capability, which belongs to the extension.
-    void require(std::uint32_t capability, std::string_view extension);
-
     // Whether one truth value selects between vectors (SPIR-V 1.4).
     [[nodiscard]] bool selects_vectors() const { return header_[1] >= 0x00010400U; }
 
@@ -100,7 +94,6 @@ class Editable {
   private:
     static constexpr std::uint32_t opcode_type_bool = 20;
     static constexpr std::uint32_t opcode_type_int = 21;
-    static constexpr std::uint32_t opcode_decorate = 71;
 
     std::vector<std::uint32_t> header_;
     std::vector<Op> debug_;  // capabilities to names

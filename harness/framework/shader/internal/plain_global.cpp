@@ -74,14 +74,6 @@ std::string directives_of(const std::string& text) {
     return all.empty() ? all : "\n" + all;
 }
 
-// The sizes of an array behind this word: "[ 4 ] [ COUNT ]".
-std::string sizes_behind(Tokens words, Tokens::iterator word) {
-    const auto first = std::min(static_cast<std::size_t>(word - words.begin()) + 1, words.size());
-    std::size_t end = first;
-    while (end < words.size() && words[end] == "[") end = behind_bracket(words, end);
-    return joined(words.subspan(first, end - first));
-}
-
 // The format of a declaration of an image, if its texels have 32 bits; empty for another. An image that is
 // only written needs none.
 std::string image_format(Tokens tokens, std::string_view type) {
@@ -126,13 +118,10 @@ std::optional<std::vector<BoundVariable>> bound_variables(const Piece& piece,
         variable.format = image_format(
             Tokens(all).first(static_cast<std::size_t>(std::ranges::find(all, *type) - all.begin())), name);
     if (!is_sampler_type(name) && variable.format.empty()) return std::nullopt;
-    const std::string of_all = sizes_behind(words, type);
+    if (contains(words, "[")) return std::nullopt;  // an array of samplers
     std::vector<BoundVariable> variables;
     for (const std::string& one : piece.names) {
         variable.name = one;
-        variable.sizes = sizes_behind(words, std::ranges::find(type, words.end(), one)) + of_all;
-        // Vulkan has no arrays of arrays of samplers.
-        if (std::ranges::count(variable.sizes, '[') > (variable.format.empty() ? 1 : 0)) return std::nullopt;
         variables.push_back(variable);
     }
     return variables;

@@ -115,9 +115,8 @@ class Guarded {
                                               std::initializer_list<vk::MemoryPropertyFlags> wishes,
                                               const std::string& purpose);
 
-// The features that a module declares and the device lacks: "shaderFloat16".
-[[nodiscard]] std::vector<std::string> missing_features(const Context& context,
-                                                        std::span<const std::uint32_t> spirv);
+// Whether a module calculates in float16, and the device cannot.
+[[nodiscard]] bool lacks_float16(const Context& context, std::span<const std::uint32_t> spirv);
 
 // Drivers can crash on words that are not a module, so it throws std::invalid_argument unless these at least
 // begin like one.

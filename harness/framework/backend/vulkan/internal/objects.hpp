@@ -105,7 +105,7 @@ struct ComputePipeline::Impl {
     Guarded<ComputeHandles> handles;
 };
 
-constexpr std::size_t binding_kinds = 5;
+constexpr std::size_t binding_kinds = 4;
 
 [[nodiscard]] vk::DescriptorType descriptor_type(BindingKind kind);
 [[nodiscard]] const char* name_of(BindingKind kind);
