@@ -152,13 +152,13 @@ class SiteTest(CheckCase):
 
     def test_a_lost_context_costs_one_check(self):
         page = self.fresh()
-        page.before_run("kernel", "gloam_gtao_arc", "device.getExtension('WEBGL_lose_context').loseContext();")
+        page.before_run("gloam_gtao_arc", "device.getExtension('WEBGL_lose_context').loseContext();")
         self.assertEqual(["device lost"], self.run_all(page))
         self.browser.open(self.site / "index.html")  # the next test begins with a page of its own
 
     def test_a_driver_that_does_not_return_costs_one_check(self):
         page = self.fresh()
-        page.before_run("kernel", "gloam_gtao_arc", "for (;;);")
+        page.before_run("gloam_gtao_arc", "for (;;);")
         self.browser.evaluate("""(() => {
             const {evaluate} = gloam.runner.Runner.prototype;
             gloam.runner.Runner.prototype.evaluate = function (check, scenarios) {
@@ -264,7 +264,6 @@ class SiteTest(CheckCase):
 
     def test_the_keyboard_is_enough(self):
         page = self.fresh(self.spoiled("void main() {", "void main() { no_such_name = 1.0;"))
-        self.tab_to("#api")
         self.tab_to("#run")
         self.browser.key("Enter")
         page.finish()

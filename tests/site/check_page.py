@@ -60,16 +60,6 @@ class CheckPage:
             browser.open(file)
         browser.wait(self.READY)
 
-    def choose(self, interface):
-        """Selects "webgl2" or "webgpu" and waits for its device. False where the browser has none."""
-        if interface == "webgpu" and not self.browser.evaluate("gloam.runner.hasWebgpu()"):
-            return False
-        self.browser.wait(f"!document.querySelector('#api option[value={interface}]').disabled")
-        self.browser.evaluate("(() => { const api = document.getElementById('api');"
-                              f"api.value = '{interface}'; api.dispatchEvent(new Event('change')); }})()")
-        self.browser.wait(self.READY)
-        return True
-
     def text(self, identifier):
         return self.browser.text(identifier)
 
@@ -83,11 +73,11 @@ class CheckPage:
         """Adds a script to those of the worker in which the kernels run, and starts a new worker."""
         self.browser.evaluate(f"gloam.workerText += {json.dumps(script)}; gloam.checkPage.state.runner.end()")
 
-    def before_run(self, interface, function, script):
+    def before_run(self, function, script):
         """Makes the worker run a script before the kernel of a function; it sees `device`, `check` and `data`."""
         self.in_worker(f"""{{
-            const {{run}} = gloam.{interface};
-            gloam.{interface}.run = async (device, program, check, data) => {{
+            const {{run}} = gloam.kernel;
+            gloam.kernel.run = (device, program, check, data) => {{
                 if (check.text.includes("gloam_kernel_result = {function}(")) {{ {script} }}
                 return run(device, program, check, data);
             }};

@@ -71,47 +71,18 @@ const std::string fragments =
     "    color = set ? texel : vec4(parameters.turn * vec3(at, 1.0), parameters.scale.x);\n"
     "}\n";
 
-nlohmann::ordered_json made(const PassText& pass, Api api) {
-    return pass_json(pass, api, {.library = {}, .page = {}});
+std::string made(const PassText& pass) {
+    return pass_text(pass, {.library = {}, .page = {}});
 }
 
-TEST(PassDataTest, UniformsAreOneBufferForVulkan) {
-    EXPECT_THAT(for_vulkan({"pass", fragments}),
-                AllOf(HasSubstr("layout(set = 0, binding = 1) uniform sampler2D first;  // why\n"
-                                "layout(set = 0, binding = 0, std140) uniform Values {\n"
-                                "    Parameters parameters;\n    bool set;\n};\n"
-                                "layout(set = 0, binding = 2) uniform sampler2D second;\n"
-                                "layout(location = 0) in vec2 at;\n"),
-                      HasSubstr("\nlayout(location = 0) out vec4 color;\n")));
-    EXPECT_THAT(
-        for_vulkan({"pass", "uniform mat4 view;\nout vec2 a;\nout vec3 b;\nint x = gl_VertexID;\n",
-                    shader::Stage::vertex}),
-        AllOf(HasSubstr("layout(set = 1, binding = 0, std140) uniform Values {\n    mat4 view;\n};\n"),
-              HasSubstr("layout(location = 0) out vec2 a;\nlayout(location = 1) out vec3 b;\n"),
-              HasSubstr("int x = gl_VertexIndex;\n")));
-}
-
-TEST(PassDataTest, APassOfWebGpuSaysWhatItReads) {
-    const nlohmann::ordered_json pass = made({"pass", fragments}, Api::webgpu);
-    EXPECT_EQ(pass["values"], nlohmann::ordered_json::parse(
-                                  R"([["scale", "vec2", 0], ["size", "ivec2", 8], ["turn", "mat3", 16],
-                                      ["set", "uint", 64]])"));
-    EXPECT_EQ(pass["bytes"], 80);
-    EXPECT_EQ(pass["images"], nlohmann::ordered_json::parse(R"([["first", 1], ["second", 2]])"));
-    EXPECT_EQ(pass["constants"], nlohmann::ordered_json::parse(R"({"WIDTH": 4})"));
-    EXPECT_THAT(pass["text"].get<std::string>(),
-                AllOf(HasSubstr("@fragment\n"), HasSubstr("@location(0) at_given: vec2f")));
-}
-
-TEST(PassDataTest, APassOfWebGl2IsItsText) {
-    const std::string text = made({"pass", fragments}, Api::webgl2);
-    EXPECT_THAT(text, AllOf(StartsWith("#version 300 es\n"), HasSubstr("const int WIDTH = 3;\n"),
-                            HasSubstr("uniform Parameters parameters;\n"), Not(HasSubstr("constant_id"))));
+TEST(PassDataTest, APassIsOneText) {
+    EXPECT_THAT(made({"pass", fragments}),
+                AllOf(StartsWith("#version 300 es\n"), HasSubstr("const int WIDTH = 3;\n"),
+                      HasSubstr("uniform Parameters parameters;\n"), Not(HasSubstr("constant_id"))));
 }
 
 TEST(PassDataTest, ATextThatDoesNotCompileIsTold) {
-    for (const Api api : {Api::webgl2, Api::webgpu})
-        EXPECT_THROW((void)made({"pass", "void main() { no_such(); }\n"}, api), shader::CompileError);
+    EXPECT_THROW((void)made({"pass", "void main() { no_such(); }\n"}), shader::CompileError);
 }
 
 }  // namespace pass_data_test

@@ -18,7 +18,7 @@ WIDTH, HEIGHT, FRAMES = 192, 108, 4
 class EffectTest(SiteCase):
     def setUp(self):
         self.browser.look(1000, 900)
-        self.browser.open(self.site / "index.html", "#scene=columns&method=gtao&size=320x180&api=webgl2")
+        self.browser.open(self.site / "index.html", "#scene=columns&method=gtao&size=320x180")
         self.browser.wait("gloam.live.state.effect?.frames > 0")
 
     def rendered(self, read, method, preset="balanced", frames=FRAMES, moves=True, size=(WIDTH, HEIGHT)):
@@ -101,7 +101,7 @@ class EffectTest(SiteCase):
             effect.keep();
             const same = await effect.error();
             const nothing = shown(5, 0);
-            effect.setMethod(await gloam.method("hemisphere", effect.api), "balanced", effect.scene.radius);
+            effect.setMethod(await gloam.method("hemisphere"), "balanced", effect.scene.radius);
             effect.frame(gloam.camera.at(effect.scene.cameras, 0));
             const left = shown(1, 1) === picture;
             const right = shown(1, 0) === picture;
@@ -170,8 +170,8 @@ class EffectTest(SiteCase):
         self.assertEqual([], asked)
 
     def test_a_shader_that_does_not_compile_is_told(self):
-        self.browser.evaluate("gloam.method('sweep', 'webgl2').then(({text}) =>"
-                              " gloam.addMethodPass('sweep', 'webgl2', text + 'no_such;')).then(() => 0)")
+        self.browser.evaluate("gloam.method('sweep').then((sweep) =>"
+                              " gloam.addMethod({...sweep, text: sweep.text + 'no_such;'})).then(() => 0)")
         self.choose(method="sweep")
         self.assertIn("occlusion by sweep does not compile", self.browser.text("told"))
 

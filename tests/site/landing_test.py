@@ -36,19 +36,15 @@ class LandingTest(SiteCase):
         return self.browser.evaluate(NUMBERS)
 
     def test_it_loads_little_before_the_first_interaction(self):
-        for api in ("webgl2", "webgpu"):
-            already = len(self.browser.requests())
-            self.open(f"#api={api}")
-            asked = self.browser.requests()[already:]
-            files = {Path(unquote(urlparse(url).path)) for url in asked if url.startswith("file:")}
-            self.assertIn(self.site / "scene-room.js", files)
-            self.assertIn(self.site / "method-sweep.js", files)
-            self.assertEqual([], [url for url in asked if not url.startswith(("file:", "data:", "about:"))])
-            self.assertLessEqual(sum(file.stat().st_size for file in files), MOST_BYTES,
-                                 {file.name: file.stat().st_size for file in files})
-            loaded = self.browser.evaluate("gloam.live.state.effect.api")
-            other = {"webgl2": "webgpu", "webgpu": "webgl2"}[loaded]
-            self.assertEqual([], [file.name for file in files if other in file.name])
+        already = len(self.browser.requests())
+        self.open("")
+        asked = self.browser.requests()[already:]
+        files = {Path(unquote(urlparse(url).path)) for url in asked if url.startswith("file:")}
+        self.assertIn(self.site / "scene-room.js", files)
+        self.assertIn(self.site / "method-sweep.js", files)
+        self.assertEqual([], [url for url in asked if not url.startswith(("file:", "data:", "about:"))])
+        self.assertLessEqual(sum(file.stat().st_size for file in files), MOST_BYTES,
+                             {file.name: file.stat().st_size for file in files})
 
     def test_the_mouse_turns_moves_and_zooms(self):
         self.open()
@@ -123,7 +119,7 @@ class LandingTest(SiteCase):
     def test_what_the_address_cannot_have_is_told_and_left_out(self):
         self.open()
         for part, words in (("scene=../secret", 'scene the value "../secret"'), ("radius=1e9", "radius the value"),
-                            ("left=truth", "left the value"), ("api=vulkan", "api the value"),
+                            ("left=truth", "left the value"),
                             ("camera=1,2,3", "camera the value"),
                             ("__proto__=1", '"__proto__", which is unknown'), ("camera=NaN,0,1,0,0,0", "camera the"),
                             ("x=" + "9" * 500, "more than 400 characters")):
@@ -148,8 +144,8 @@ class LandingTest(SiteCase):
         self.browser.evaluate("document.getElementById('source').open = true")
         self.browser.wait("document.querySelector('.source').textContent.includes('gloam_sweep')")
         languages = self.browser.evaluate("[...document.querySelector('#source select').options].map((o) => o.value)")
-        self.assertEqual(["GLSL 3.30", "GLSL 4.50", "GLSL ES 3.00", "HLSL", "MSL", "WGSL"], languages)
-        for language, words in (("WGSL", "fn gloam_sweep"), ("GLSL ES 3.00", "#version 300 es")):
+        self.assertEqual(["GLSL 3.30", "GLSL 4.50", "GLSL ES 3.00", "HLSL", "MSL"], languages)
+        for language, words in (("HLSL", "gloam_sweep("), ("GLSL ES 3.00", "#version 300 es")):
             self.browser.evaluate(f"document.querySelector('#source select').value = '{language}';"
                                   "document.querySelector('#source select').dispatchEvent(new Event('change'))")
             self.assertIn(words, self.browser.evaluate("document.querySelector('.source').textContent"))

@@ -52,14 +52,10 @@ class PlantsTest(unittest.TestCase):
             written = run("site", folder, "--method", "sweep", "--no-pictures")
             self.assertEqual(0, written.returncode, written.stderr)
             with Browser(timeout=250) as browser:
-                for interface in ("webgl2", "webgpu"):
-                    with self.subTest(interface):
-                        self.plant(browser, Path(folder), interface)
+                self.plant(browser, Path(folder))
 
-    def plant(self, browser, folder, interface):
+    def plant(self, browser, folder):
         page = CheckPage(browser, folder)
-        if not page.choose(interface):
-            self.skipTest("no WebGPU")
         browser.evaluate(PLANT)
         # The loops of all kernels need 1/16 of the rounds that they may take.
         browser.evaluate("gloam.workerText = gloam.workerText.replace('most = 2 ** 14', 'most = 2 ** 10');"

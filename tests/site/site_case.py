@@ -16,7 +16,7 @@ SHADE = """(async () => {{
     const {{effect}} = gloam.live.state;
     gloam.live.state.failed = true;  // ends the page's own loop
     effect.setSize({width}, {height});
-    effect.setMethod(await gloam.method("{method}", effect.api), "{preset}", effect.scene.radius);
+    effect.setMethod(await gloam.method("{method}"), "{preset}", effect.scene.radius);
     for (let i = 0; i < {frames}; ++i) effect.frame(gloam.camera.at(effect.scene.cameras, {moves} ? i : 0));
     const bytes = new Uint8Array((await effect.{read}()).buffer);
     let text = "";

@@ -177,7 +177,7 @@ TEST_F(HostileFiles, ResultsAreNeitherCommandsNorPaths) {
 class HostileShaders : public InFolder {
   protected:
     static void expect_refused(const fs::path& file, const std::string& why) {
-        for (const char* command : {"check {}", "explain {} f 1", "pack {}", "pack {} --target wgsl"}) {
+        for (const char* command : {"check {}", "explain {} f 1", "pack {}", "pack {} --target hlsl"}) {
             const CommandResult result = gloam(command, file);
             expect_could_not_run(result, file.filename().string());
             EXPECT_THAT(result.err, AllOf(HasSubstr(why), Not(HasSubstr("\x1b")))) << command;

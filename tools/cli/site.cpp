@@ -7,7 +7,6 @@
 #include <exception>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +21,6 @@
 #include "report/image.hpp"
 #include "report/output.hpp"
 #include "scene/truth.hpp"
-#include "shader/steps.hpp"
 #include "site/site.hpp"
 
 namespace gloam::cli {
@@ -197,7 +195,6 @@ struct SiteCommand {
     std::filesystem::path folder;
     site::SiteOptions options;
     PictureOptions pictures;
-    std::optional<std::uint64_t> changes;  // seed of the metamorphic changes of WebGPU's kernels
     bool quiet = false;
 };
 
@@ -209,13 +206,9 @@ void run_site(SiteCommand command) {
     const RenderedPictures pictures = write_site_pictures(command.pictures, folder);
     command.options.pictures = pictures.of_site;
     command.options.versions = versions();
-    const std::string variant =
-        command.changes ? fmt::format("shipped{}metamorphic {}", shader::step_separator, *command.changes)
-                        : "shipped";
     const check::Lab lab({.device = std::string(check::interpreter_name),
                           .include_roots = {glsl_directory()},
-                          .cache_directory = cache_directory(),
-                          .variant = shader::variant(variant)});
+                          .cache_directory = cache_directory()});
     const std::function<void(double)> bar = command.quiet ? [](double) {} : progress_bar("checks");
     const site::SiteSummary written =
         site::write_site(lab, command.options, folder, [&bar](std::size_t done, std::size_t all) {
@@ -259,8 +252,6 @@ void add_site(CLI::App& app) {
     site->add_option("--address", command->options.address,
                      "address of the published site, ending in /: previews of its pages need it")
         ->check(is_address);
-    site->add_option("--metamorphic", command->changes,
-                     "check WebGPU with kernels changed without a change of meaning, by this seed");
     site->add_flag("!--no-pictures", command->pictures.pictures, "render no pictures");
     site->add_option("--device", command->pictures.device,
                      "name or index of the device that renders the pictures (gloam devices)");

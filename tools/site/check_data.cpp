@@ -95,8 +95,6 @@ std::string check_json(const catalogue::Description& description, const check::Q
                             {"targets", prepared.targets},
                             {"unsupported", prepared.unsupported},
                             {"kernel", condensed(prepared.kernel)},
-                            {"wgsl", condensed(prepared.wgsl)},
-                            {"wgsl_unsupported", prepared.wgsl_unsupported},
                             {"scenarios", std::move(scenarios)}};
     return json.dump(-1, ' ', true, ordered_json::error_handler_t::replace);
 }

@@ -37,10 +37,9 @@ PassText occlusion_pass(const effect::MethodInfo& method, const ShaderFolders& f
 }
 
 // Adds passes by their names.
-void add_passes(const std::vector<std::string>& files, Api api, const ShaderFolders& folders,
-                ordered_json& json) {
+void add_passes(const std::vector<std::string>& files, const ShaderFolders& folders, ordered_json& json) {
     for (const std::string& file : files)
-        json[file.substr(0, file.find('.'))] = pass_json(file_pass(file, folders), api, folders);
+        json[file.substr(0, file.find('.'))] = pass_text(file_pass(file, folders), folders);
 }
 
 ordered_json value_json(const effect::SettingValue& value) {
@@ -60,7 +59,7 @@ ordered_json settings_json(const effect::Settings& settings, const effect::Metho
     return json;
 }
 
-ordered_json method_json(const effect::MethodInfo& method) {
+ordered_json method_json(const effect::MethodInfo& method, const ShaderFolders& folders) {
     ordered_json settings = ordered_json::object();
     for (const effect::Preset& preset : effect::presets()) {
         if (!runs_live(preset)) continue;
@@ -69,7 +68,10 @@ ordered_json method_json(const effect::MethodInfo& method) {
                                          : effect::with_method(preset.settings, method.name);
         settings[preset.name] = settings_json(own, method);
     }
-    return {{"name", method.name}, {"description", method.description}, {"settings", std::move(settings)}};
+    return {{"name", method.name},
+            {"description", method.description},
+            {"settings", std::move(settings)},
+            {"text", pass_text(occlusion_pass(method, folders), folders)}};
 }
 
 // A function of the library with what it uses, as a text that another shader can contain: without its head.
@@ -112,57 +114,43 @@ std::string text_of(const ordered_json& json) {
 
 }  // namespace
 
-std::string to_string(Api api) {
-    return api == Api::webgl2 ? "webgl2" : "webgpu";
+std::string pass_text(const PassText& pass, const ShaderFolders& folders) {
+    return condensed(shader::pack({shader::Source{.name = pass.name, .text = pass.text}},
+                                  {.language = shader::Language::es300, .stage = pass.stage},
+                                  {folders.library}));
 }
 
 bool runs_in_page(const effect::MethodInfo& method) {
     return method.prepare == nullptr;
 }
 
-std::string effect_json(const std::vector<std::string>& truths) {
+std::string effect_json(const std::vector<std::string>& truths, const ShaderFolders& folders) {
     ordered_json json = core_json();
     json["truths"] = truths;
     for (const effect::MethodInfo& method : effect::methods())
         if (runs_in_page(method))
             json["methods"].push_back({{"name", method.name}, {"description", method.description}});
+    add_passes(class_passes(), folders, json);
+    json["gbuffer_vertices"] = pass_text(file_pass("gbuffer.vert", folders), folders);
+    add_passes({"gbuffer.frag", "show.frag"}, folders, json);
     return text_of(json);
 }
 
-std::string effect_passes(Api api, const ShaderFolders& folders) {
-    ordered_json json = ordered_json::object();
-    add_passes(class_passes(), api, folders, json);
-    json["gbuffer_vertices"] = pass_json(file_pass("gbuffer.vert", folders), api, folders);
-    add_passes({"gbuffer.frag", "show.frag"}, api, folders, json);
-    return text_of(json);
-}
-
-std::map<std::string, MethodData> effect_methods(const std::vector<Api>& apis, const ShaderFolders& folders) {
-    std::map<std::string, MethodData> all;
-    for (const effect::MethodInfo& method : effect::methods()) {
-        if (!runs_in_page(method)) continue;
-        MethodData& data = all[method.name];
-        data.settings = text_of(method_json(method));
-        for (const Api api : apis)
-            data.passes[api] = text_of(pass_json(occlusion_pass(method, folders), api, folders));
-    }
+std::map<std::string, std::string> effect_methods(const ShaderFolders& folders) {
+    std::map<std::string, std::string> all;
+    for (const effect::MethodInfo& method : effect::methods())
+        if (runs_in_page(method)) all[method.name] = text_of(method_json(method, folders));
     return all;
 }
 
-std::string npm_method(const MethodData& method) {
-    ordered_json json = ordered_json::parse(method.settings);
-    json["text"] = ordered_json::parse(method.passes.at(Api::webgl2));
-    return text_of(json);
-}
-
-std::string npm_effect(const ShaderFolders& folders, const std::map<std::string, MethodData>& methods) {
+std::string npm_effect(const ShaderFolders& folders, const std::map<std::string, std::string>& methods) {
     ordered_json core = core_json();
-    add_passes(class_passes(), Api::webgl2, folders, core);
+    add_passes(class_passes(), folders, core);
     core["multi_bounce"] = function_text("gloam/shading/multi_bounce.glsl", "gloam_multi_bounce", folders);
-    for (const auto& [name, data] : methods) {
-        const auto uses = [&method = name](const ordered_json& preset) { return preset["method"] == method; };
+    for (const auto& [name, method] : methods) {
+        const auto uses = [&named = name](const ordered_json& preset) { return preset["method"] == named; };
         if (std::ranges::any_of(core["presets"], uses))
-            core["methods"].push_back(ordered_json::parse(npm_method(data)));
+            core["methods"].push_back(ordered_json::parse(method));
     }
     return text_of(core);
 }

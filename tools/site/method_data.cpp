@@ -93,9 +93,7 @@ std::map<std::string, std::string> method_texts(const effect::MethodInfo& method
     std::map<std::string, std::string> texts{{vulkan_text, vulkan},
                                              {"GLSL 3.30", packed(shader::Language::gl330)},
                                              {"GLSL ES 3.00", packed(shader::Language::es300)}};
-    for (const auto& [name, target] : {std::pair{"HLSL", shader::Target::hlsl},
-                                       {"MSL", shader::Target::msl},
-                                       {"WGSL", shader::Target::wgsl}})
+    for (const auto& [name, target] : {std::pair{"HLSL", shader::Target::hlsl}, {"MSL", shader::Target::msl}})
         texts[name] = shader::translated({.name = file_of(method), .text = vulkan}, target);
     return texts;
 }

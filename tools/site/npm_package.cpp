@@ -42,15 +42,14 @@ std::string package_json(const std::string& version) {
 
 std::map<std::string, std::string> npm_package(const NpmOptions& options) {
     const ShaderFolders folders{options.library, options.files / "shaders"};
-    const std::map<std::string, MethodData> methods = effect_methods({Api::webgl2}, folders);
+    const std::map<std::string, std::string> methods = effect_methods(folders);
     std::map<std::string, std::string> files{{"package.json", package_json(options.version)},
                                              {"index.js", index_text(options, npm_effect(folders, methods))},
                                              {"LICENSE", base::read_file(options.licence)}};
     for (const char* name : {"index.d.ts", "method.d.ts", "three.js", "three.d.ts", "README.md"})
         files[name] = base::read_file(options.files / "npm" / name);
     for (const auto& [name, method] : methods)
-        files["method-" + name + ".js"] =
-            licence_line + std::string("export default ") + npm_method(method) + ";\n";
+        files["method-" + name + ".js"] = licence_line + std::string("export default ") + method + ";\n";
     return files;
 }
 

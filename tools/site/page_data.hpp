@@ -5,7 +5,6 @@
 #include <bit>
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -54,34 +53,19 @@ struct ShaderFolders {
     std::filesystem::path page;     // with occlusion.frag
 };
 
-// The APIs of browsers in which the effect runs.
-enum class Api { webgl2, webgpu };
+// The presets, the methods that run in the page, and its passes (pass_text()) but for those of methods, by
+// name: as JSON (effect/ambient-occlusion.js). truths: the scenes with ray-traced truth. Throws like
+// shader::pack().
+[[nodiscard]] std::string effect_json(const std::vector<std::string>& truths, const ShaderFolders& folders);
 
-// "webgl2", "webgpu".
-[[nodiscard]] std::string to_string(Api api);
+// The methods that run in the page, by name, as JSON: settings of the presets, for a radius of 1, and `text`,
+// the pass (pass_text()). Throws like shader::pack().
+[[nodiscard]] std::map<std::string, std::string> effect_methods(const ShaderFolders& folders);
 
-// The presets, and the methods that run in the page: as JSON (effect/ambient-occlusion.js). truths: the
-// scenes with ray-traced truth.
-[[nodiscard]] std::string effect_json(const std::vector<std::string>& truths);
-
-// The passes of the page but for the methods, packed for the API: as JSON, an object of them by name
-// (pass_json()). Throws like shader::pack().
-[[nodiscard]] std::string effect_passes(Api api, const ShaderFolders& folders);
-
-// A method as JSON: its settings of the presets, for a radius of 1, and its pass in each API (pass_json()).
-struct MethodData {
-    std::string settings;
-    std::map<Api, std::string> passes;
-};
-
-// Those that run in the page, by name.
-[[nodiscard]] std::map<std::string, MethodData> effect_methods(const std::vector<Api>& apis,
-                                                               const ShaderFolders& folders);
-
-// What another page of WebGL2 needs, as JSON: a method, and the passes with the methods that the presets run.
-[[nodiscard]] std::string npm_method(const MethodData& method);
+// What another page of WebGL2 needs, as JSON: the passes with the methods that the presets run. methods: of
+// effect_methods().
 [[nodiscard]] std::string npm_effect(const ShaderFolders& folders,
-                                     const std::map<std::string, MethodData>& methods);
+                                     const std::map<std::string, std::string>& methods);
 
 // The classes of the effect in WebGL2 (effect/*.js): JavaScript that defines AmbientOcclusion and what it
 // uses. Throws std::runtime_error for a file that cannot be read.
@@ -135,17 +119,7 @@ struct PassText {
     shader::Stage stage = shader::Stage::fragment;
 };
 
-// The pass as an executor of the API takes it, packed. WebGL2: its text in GLSL ES 3.00. WebGPU: an object:
-//   text       in WGSL
-//   bytes      of its uniform buffer, which has binding 0; 0: it has none
-//   values     of the buffer: [name, type of GLSL, offset] of each, those of structures by their own names
-//   images     [name, binding] of each
-//   constants  {name: number} of those that the user may set
-// The group of a vertex shader is 1, that of a fragment shader 0. Throws like shader::pack() and
-// shader::translated().
-[[nodiscard]] nlohmann::ordered_json pass_json(const PassText& pass, Api api, const ShaderFolders& folders);
-
-// The text as Vulkan has it: uniforms in one buffer, with numbers of bindings and locations.
-[[nodiscard]] std::string for_vulkan(const PassText& pass);
+// The pass as one text in GLSL ES 3.00, condensed. Throws like shader::pack().
+[[nodiscard]] std::string pass_text(const PassText& pass, const ShaderFolders& folders);
 
 }  // namespace gloam::site

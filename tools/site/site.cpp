@@ -209,18 +209,11 @@ std::string effect_script(const fs::path& folder) {
 void write_effect(const check::Lab& lab, const SiteOptions& options, Files& files) {
     constexpr int frames = 240;
     const ShaderFolders folders{lab.options().include_roots.front(), options.files / "shaders"};
-    const std::vector<Api> apis{Api::webgl2, Api::webgpu};
-    files.write("effect-data.js", "gloam.effectData = " + effect_json(options.pictures.truths) + ";\n");
+    files.write("effect-data.js",
+                "gloam.effectData = " + effect_json(options.pictures.truths, folders) + ";\n");
     files.write("ambient-occlusion.js", effect_script(options.files / "effect"));
-    for (const Api api : apis)
-        files.write("passes-" + to_string(api) + ".js",
-                    "gloam.addPasses(\"" + to_string(api) + "\", " + effect_passes(api, folders) + ");\n");
-    for (const auto& [name, method] : effect_methods(apis, folders)) {
-        files.write("method-" + name + ".js", "gloam.addMethod(" + method.settings + ");\n");
-        for (const auto& [api, pass] : method.passes)
-            files.write("method-" + name + "-" + to_string(api) + ".js",
-                        "gloam.addMethodPass(\"" + name + "\", \"" + to_string(api) + "\", " + pass + ");\n");
-    }
+    for (const auto& [name, method] : effect_methods(folders))
+        files.write("method-" + name + ".js", "gloam.addMethod(" + method + ");\n");
     for (const std::string name : {"columns", "room", "knot"})
         files.write("scene-" + name + ".js",
                     "gloam.addScene(" + scene_json(scene::make_scene(name), frames) + ");\n");

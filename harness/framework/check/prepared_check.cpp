@@ -9,10 +9,7 @@
 #include "check/internal/budget_judge.hpp"
 #include "check/internal/kernel_text.hpp"
 #include "check/internal/trial.hpp"
-#include "check/interpreted_kernel.hpp"
-#include "check/kernel_code.hpp"
 #include "numeric/numbers.hpp"
-#include "shader/wgsl.hpp"
 
 namespace gloam::check {
 namespace {
@@ -145,19 +142,6 @@ PreparedScenario prepare_scenario(const Question& question, const Domain& domain
     return prepared;
 }
 
-// The kernel of a Vulkan device as WGSL, which has no promise of NaN, infinity and -0.
-void add_wgsl(const Lab& lab, KernelSource source, const std::string& name, PreparedCheck& prepared) {
-    source.preserve_nan = false;
-    const shader::Source text{.name = "kernel of " + name, .text = kernel_code(source)};
-    KernelModule module{.spirv = lab.compile_kernel(text, source.images), .images = source.images};
-    lab.take_steps(module, text);
-    try {
-        prepared.wgsl = shader::to_wgsl(module.spirv);
-    } catch (const shader::WgslError& reason) {
-        prepared.wgsl_unsupported = reason.what();
-    }
-}
-
 }  // namespace
 
 PreparedCheck prepare(const Lab& lab, const Question& question, const RunOptions& options) {
@@ -166,7 +150,6 @@ PreparedCheck prepare(const Lab& lab, const Question& question, const RunOptions
     const KernelSource source = lab.source(question.file, question.function, question.signature);
     internal::require_alone(source, "a browser");
     PreparedCheck prepared;
-    add_wgsl(lab, source, question.function, prepared);
     try {
         prepared.kernel =
             internal::gl_kernel_code(shader::Language::es300, source, lab.options().include_roots);

@@ -43,12 +43,10 @@ struct PreparedScenario {
 // they must give. It is judged as by a device that does not preserve NaN, infinity and -0, and without rules:
 // no input holds -0.
 struct PreparedCheck {
-    std::string kernel;            // a fragment shader in GLSL ES 3.00; empty where there is none
-    std::string unsupported;       // why there is none
-    std::size_t row_words = 0;     // words that it writes for an input: outputs, canary, faults
-    std::size_t targets = 0;       // of one draw, four words each
-    std::string wgsl;              // the same kernel as a compute shader in WGSL; empty where there is none
-    std::string wgsl_unsupported;  // why there is none
+    std::string kernel;         // a fragment shader in GLSL ES 3.00; empty where there is none
+    std::string unsupported;    // why there is none
+    std::size_t row_words = 0;  // words that it writes for an input: outputs, canary, faults
+    std::size_t targets = 0;    // of one draw, four words each
     std::vector<PreparedScenario> scenarios;
 };
 

@@ -343,18 +343,15 @@ class Writer {
 std::optional<Target> target_from(std::string_view name) {
     if (name == "hlsl") return Target::hlsl;
     if (name == "msl") return Target::msl;
-    if (name == "wgsl") return Target::wgsl;
     return std::nullopt;
 }
 
 std::string suffix(Target target) {
-    if (target == Target::wgsl) return ".wgsl";
     return target == Target::hlsl ? ".hlsl" : ".metal";
 }
 
 std::string internal::translated_here(const Source& packed, Target target, Stage stage) {
     try {
-        if (target == Target::wgsl) return internal::wgsl::packed_text(packed, stage);
         return Writer(packed, target, stage).run();
     } catch (const CompileError&) {
         throw;

@@ -233,15 +233,6 @@ class PageWriter {
     }
 
     void translation(shader::Target target) {
-        if (target == shader::Target::wgsl) {
-            put("\n## WGSL\n\nEach pass is there a second time, as `{}{}`: `@group` and `@binding` are the "
-                "set and the "
-                "binding above. The push constants are the uniform buffer `@group(1) @binding(0)`, with the "
-                "layout in "
-                "`gloam_effect.h`. Images that are only read are textures.\n",
-                effect_.passes.back().plan.name, shader::suffix(target));
-            return;
-        }
         const bool hlsl = target == shader::Target::hlsl;
         put("\n## {}\n\nEach pass is there a second time, as `{}{}`. A line at its head lists its {}: the "
             "numbers are those of the bindings above, and the push constants are {}. Their layouts in "

@@ -119,7 +119,7 @@ std::optional<shader::Target> target_of(const PackOptions& options) {
     if (options.target.empty()) return std::nullopt;
     const auto target = shader::target_from(options.target);
     if (!target)
-        throw std::invalid_argument("unknown target \"" + options.target + "\": expected hlsl, msl or wgsl");
+        throw std::invalid_argument("unknown target \"" + options.target + "\": expected hlsl or msl");
     if (options.version != "450")
         throw std::invalid_argument("--target " + options.target +
                                     " translates GLSL 450; it takes no --version");
@@ -249,8 +249,8 @@ void add_pack(CLI::App& app) {
         ->capture_default_str();
     command->add_option(
         "--target", options->target,
-        "hlsl, msl or wgsl: translated to HLSL of shader model 6.0, to Metal's language or to "
-        "that of WebGPU; with --effect GLSL is written as well");
+        "hlsl or msl: translated to HLSL of shader model 6.0 or to Metal's language; with --effect "
+        "GLSL is written as well");
     command->add_option("--out", options->out,
                         "file to write (standard output when not given); with --effect the folder");
     command->add_flag(

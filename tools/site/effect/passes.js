@@ -57,7 +57,7 @@ class Passes {
         return {handle, uniforms};
     }
 
-    // A texture of this format, as WebGPU names it.
+    // A texture of this format, one of Passes.formats.
     image(format, width, height) {
         const {gl} = this;
         const texture = gl.createTexture();

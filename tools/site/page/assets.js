@@ -1,26 +1,16 @@
 // SPDX-License-Identifier: MIT
-// What the page loads on demand: scenes (scene-NAME.js, tools/site/scene_data.cpp) and methods (method-NAME.js),
-// and the passes of an API.
+// What the page loads on demand: scenes (scene-NAME.js, tools/site/scene_data.cpp) and methods (method-NAME.js).
 "use strict";
 
-// The passes that were loaded, but for those of methods, by API and name.
-gloam.passes = new Map();
-
-gloam.addPasses = (api, passes) => gloam.passes.set(api, passes);
-
-// The methods that were loaded, by their names: settings, and in `passes` their passes by API.
+// The methods that were loaded, by their names.
 gloam.methods = new Map();
 
-gloam.addMethod = (method) => gloam.methods.set(method.name, {...method, passes: new Map()});
-
-gloam.addMethodPass = (name, api, pass) => gloam.methods.get(name).passes.set(api, pass);
+gloam.addMethod = (method) => gloam.methods.set(method.name, method);
 
 // A method as AmbientOcclusion.setMethod() takes it.
-gloam.method = async (name, api) => {
+gloam.method = async (name) => {
     if (!gloam.methods.has(name)) await gloam.loadScript(`method-${name}.js`);
-    const {passes, ...method} = gloam.methods.get(name);
-    if (!passes.has(api)) await gloam.loadScript(`method-${name}-${api}.js`);
-    return {...method, text: passes.get(api)};
+    return gloam.methods.get(name);
 };
 
 // The scenes that were loaded, by their names: triangles in the arrays that WebGL takes, and a camera's path.

@@ -24,10 +24,9 @@ gloam.checkRow = (() => {
             [gloam.element("dt", {}, name), gloam.element("dd", {}, text)]));
     }
 
-    // The lines of a kernel that the message of a compiler names: "ERROR: 0:12: ..." or "... compile: 12: ...".
+    // The lines of a kernel that the message of a compiler names: "ERROR: 0:12: ...".
     function namedLines(message) {
-        return new Set([...message.matchAll(/\b0:(\d+)\b|compile: (\d+):/g)]
-            .map(([, glsl, wgsl]) => Number(glsl ?? wgsl)));
+        return new Set([...message.matchAll(/\b0:(\d+)\b/g)].map(([, line]) => Number(line)));
     }
 
     // The lines of a text, indented by its braces: kernels are stored without indentation.

@@ -10,7 +10,7 @@ gloam.checkPage = (() => {
     // What a check gave: {tally, fault, error, reason, seconds} for gloam.results.row(), null where it was stopped.
     async function runOf(check) {
         const begin = performance.now();
-        const run = {tally: gloam.judge.newTally(), fault: "", error: state.runner.unsupported(check), reason: ""};
+        const run = {tally: gloam.judge.newTally(), fault: "", error: check.unsupported, reason: ""};
         if (run.error !== "") return {...run, reason: "unsupported", seconds: 0};
         try {
             const scenarios = check.scenarios.map(gloam.judge.decode);
@@ -30,7 +30,7 @@ gloam.checkPage = (() => {
 
     // What the table shows of a check, without its inputs: they take most of the memory.
     function shownOf({scenarios, ...check}, run) {
-        return {check, row: gloam.results.row(check, run), worst: run.tally.worst, kernel: state.runner.kernel(check)};
+        return {check, row: gloam.results.row(check, run), worst: run.tally.worst, kernel: check.kernel};
     }
 
     function add(check, run) {
@@ -90,7 +90,7 @@ gloam.checkPage = (() => {
     }
 
     function setButtons() {
-        at("run").disabled = at("api").disabled = state.running;
+        at("run").disabled = state.running;
         at("stop").disabled = !state.running;
         at("save").disabled = state.running || state.rows.length === 0;
         at("run").textContent = state.rows.length === 0 ? "Run the checks" : "Run all again";
@@ -132,28 +132,14 @@ gloam.checkPage = (() => {
 
     function save() {
         const blob = new Blob([gloam.results.file(state.runner.facts, state.rows)], {type: "application/json"});
-        const link = gloam.element("a", {href: URL.createObjectURL(blob), download: `gloam-${at("api").value}.json`});
+        const link = gloam.element("a", {href: URL.createObjectURL(blob), download: "gloam-webgl2.json"});
         link.click();
         setTimeout(() => URL.revokeObjectURL(link.href), 60000);
     }
 
     function fail(error, more = "") {
-        if (error.reason === "stopped") return;  // another interface was chosen meanwhile
         at("told").textContent = error.message + more;
         at("told").className = "bad";
-    }
-
-    // Opens the GPU of the chosen interface. Results of another one are no longer shown.
-    async function choose() {
-        at("run").disabled = at("save").disabled = true;
-        clear();
-        at("told").textContent = "No check has run.";
-        at("told").className = "";
-        state.runner?.end();
-        state.runner = new gloam.runner.Runner(at("api").value);
-        await state.runner.open();
-        at("gpu").textContent = `${state.runner.facts.renderer} (${state.runner.facts.version})`;
-        setButtons();
     }
 
     async function begin() {
@@ -166,10 +152,10 @@ gloam.checkPage = (() => {
         at("stop").addEventListener("click", stop);
         at("save").addEventListener("click", save);
         at("filter").addEventListener("input", () => state.table.filter(at("filter").value));
-        at("api").addEventListener("change", () => choose().catch(fail));
-        const [webgpu] = [...at("api").options].filter((option) => option.value === "webgpu");
-        gloam.runner.hasWebgpu().then((there) => { webgpu.disabled = !there; }, () => {});
-        await choose();
+        state.runner = new gloam.runner.Runner();
+        await state.runner.open();
+        at("gpu").textContent = `${state.runner.facts.renderer} (${state.runner.facts.version})`;
+        setButtons();
     }
 
     document.addEventListener("DOMContentLoaded", () => begin().catch(fail));

@@ -4,14 +4,14 @@
 "use strict";
 
 gloam.Effect = class {
-    // passes: what runs them, a gloam.WebGl2 or a gloam.WebGpu of the canvas. texts: their shaders by name.
-    constructor(canvas, passes, texts) {
+    // Throws an Error where there is no WebGL2 or it cannot draw floats.
+    constructor(canvas) {
+        const {gbuffer_vertices, gbuffer, whole_image, show} = gloam.effectData;
         this.canvas = canvas;
-        this.passes = passes;
-        this.data = {...gloam.effectData, ...texts};
+        this.passes = gloam.WebGl2.open(canvas);
         this.occlusion = this.newOcclusion();
-        this.gbuffer = passes.program("gbuffer", texts.gbuffer_vertices, texts.gbuffer);
-        this.shower = passes.program("show", texts.whole_image, texts.show);
+        this.gbuffer = this.passes.program("gbuffer", gbuffer_vertices, gbuffer);
+        this.shower = this.passes.program("show", whole_image, show);
         this.images = null;
         this.kept = null;
         this.left = null;
@@ -19,11 +19,7 @@ gloam.Effect = class {
     }
 
     newOcclusion() {
-        return new gloam.AmbientOcclusion(this.passes, this.data, {depth: "linear", normals: "view"});
-    }
-
-    get api() {
-        return this.passes.api;
+        return new gloam.AmbientOcclusion(this.passes, gloam.effectData, {depth: "linear", normals: "view"});
     }
 
     // Settings of the method, in use until setMethod() is called again.
@@ -143,8 +139,7 @@ gloam.Effect = class {
 
     drawGbuffer(view, projection) {
         this.passes.begin();
-        this.passes.drawMesh(this.gbuffer, {view, projection, zero_to_one: this.passes.zeroToOne}, this.images,
-            this.mesh);
+        this.passes.drawMesh(this.gbuffer, {view, projection}, this.images, this.mesh);
     }
 
     // Draws the last frame to the canvas. view: as show.frag numbers them. split: part of the width, from the left,
@@ -159,8 +154,7 @@ gloam.Effect = class {
             albedo_image: images.albedo, occlusion_image: result.image, history_image: history.image,
             kept_image: (this.compared ?? result).image, has_kept: this.compared !== null, size: [width, height],
             shown: view, weight_max: this.settings.weight_max,
-            split: Math.round(split * width), up: [rotation[1], rotation[4], rotation[7]],
-            bottom_up: this.passes.bottomUp}, this.passes.screen);
+            split: Math.round(split * width), up: [rotation[1], rotation[4], rotation[7]]}, this.passes.screen);
     }
 
     // The history of the last frame, four floats for each of its pixels, the top row first: occlusion, samples
@@ -172,10 +166,5 @@ gloam.Effect = class {
     // The occlusion that is shown of the last frame, one float for each pixel, the top row first.
     async readOcclusion() {
         return this.occlusion.readOcclusion();
-    }
-
-    // Gives back all that it holds. The canvas cannot be used again.
-    close() {
-        this.passes.close();
     }
 };

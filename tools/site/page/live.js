@@ -9,8 +9,8 @@ gloam.live = (() => {
     const framesKept = 128;
     const steps = ["480x270", "960x540", "1920x1080"];  // sizes that the page tries where none is chosen
     const smooth = 20;  // ms from frame to frame
-    const controls = ["scene", "preset", "method", "radius", "view", "size", "api", "left", "split"];
-    const lists = ["scene", "preset", "method", "view", "size", "api", "left"];
+    const controls = ["scene", "preset", "method", "radius", "view", "size", "left", "split"];
+    const lists = ["scene", "preset", "method", "view", "size", "left"];
     const views = {lit: "", visibility: "White is open, black is occluded.",
         convergence: "Dark blue: no history. Yellow: the mean holds as many samples as it may.",
         samples: "Samples in the mean, on a logarithmic scale: dark blue 0, yellow 1024 or more.",
@@ -51,7 +51,6 @@ gloam.live = (() => {
 
     function writeAddress() {
         const values = Object.fromEntries(controls.map((id) => [id, at(id).value]));
-        if (values.api === "auto") delete values.api;
         if (values.left === "kept") delete values.left;  // nobody else has it
         if (values.scene === "own") delete values.scene;
         if (state.turned) values.camera = state.orbit.numbers;
@@ -64,9 +63,8 @@ gloam.live = (() => {
     // Applies the choice of method, preset and radius, and says what they are.
     async function applyMethod() {
         const name = at("method").value;
-        const {effect} = state;
-        const method = await gloam.method(name, effect.api);
-        if (name !== at("method").value || effect !== state.effect) return;  // another was chosen while it was loaded
+        const method = await gloam.method(name);
+        if (name !== at("method").value) return;  // another was chosen while it was loaded
         state.keeping = 0;
         const radius = radiusNow();
         state.effect.setMethod(method, at("preset").value, radius);
@@ -159,12 +157,10 @@ gloam.live = (() => {
     // Applies the choice of what stands on the left: a kept picture stays, everything else is made here.
     async function applyLeft() {
         const name = at("left").value;
-        const {effect} = state;
-        const {images, scene} = effect;
-        const method = methodNamed(name) ? await gloam.method(name, effect.api) : null;
+        const {images, scene} = state.effect;
+        const method = methodNamed(name) ? await gloam.method(name) : null;
         const truth = name === "truth" ? await gloam.truth(scene.name, images) : null;
-        const stale = name !== at("left").value || effect !== state.effect || images !== effect.images ||
-            scene !== effect.scene;
+        const stale = name !== at("left").value || images !== state.effect.images || scene !== state.effect.scene;
         if (stale) return;  // another was chosen while it was loaded
         state.effect.setLeft(method, at("preset").value, radiusNow());
         if (name === "kept" && state.effect.kept !== null) return;
@@ -226,8 +222,7 @@ gloam.live = (() => {
         if (count < 1) return;
         state.ms = (now - state.times[0]) / count;
         const gpu = state.effect.passes.timer.ms;
-        const title = gloam.api.titles[state.effect.api];
-        at("timing").textContent = [`${title}: ${state.ms.toFixed(1)} ms from frame to frame`,
+        at("timing").textContent = [`WebGL2: ${state.ms.toFixed(1)} ms from frame to frame`,
             ...(gpu === null ? [] : [`${gpu.toFixed(2)} ms of the GPU for the occlusion`]),
             state.keeping > 0 ? `${state.keeping} frames until the picture is kept`
                 : `${state.effect.frames} frames since the last choice`,
@@ -243,8 +238,7 @@ gloam.live = (() => {
         if (!asked) state.error = null;
         else if (now - (state.measured ?? -1000) > 500) {
             state.measured = now;
-            const error = await effect.error();
-            if (effect === state.effect) state.error = error;
+            state.error = await effect.error();
         }
     }
 
@@ -266,7 +260,6 @@ gloam.live = (() => {
             keepAddress(now);
             await grow();
         }
-        await state.effect.passes.paced();
         requestAnimationFrame(guarded(draw));
     }
 
@@ -287,7 +280,6 @@ gloam.live = (() => {
     function listen() {
         at("scene").addEventListener("change", guarded(applyScene));
         at("size").addEventListener("change", guarded(applySize));
-        at("api").addEventListener("change", guarded(() => keepingView(chooseApi)));
         for (const id of ["method", "preset", "radius"]) at(id).addEventListener("input", guarded(applyMethod));
         at("preset").addEventListener("change", guarded(async () => {
             at("method").value = presetNamed(at("preset").value).method;
@@ -311,62 +303,9 @@ gloam.live = (() => {
         addEventListener("hashchange", guarded((event) => restore(new URL(event.newURL).hash)));
     }
 
-    // Begins the effect in an API. Its canvas is a new one: a canvas keeps the kind of its first context.
-    async function begin(api) {
-        const [old, canvas] = [at("canvas"), at("canvas").cloneNode()];
-        const effect = await gloam.api.effect(api, canvas);
-        state.effect?.close();
-        const focused = document.activeElement === old;
-        old.replaceWith(canvas);
-        if (focused) canvas.focus();
-        state.effect = effect;
-        state.orbit = new gloam.Orbit(canvas, take);
-        effect.passes.lost.then(guarded((why) => effect === state.effect ? leaveApi(api, why) : null));
-    }
-
-    // Begins the effect in the API that is chosen, or in WebGL2 where the browser does not have it.
-    async function chooseApi() {
-        const asked = at("api").value;
-        const api = asked === "auto" ? await gloam.api.best() : asked;
-        if (api === state.effect?.api) return;
-        try {
-            await begin(api);
-        } catch (error) {
-            await fallBack(api, error.message);
-        }
-    }
-
-    // Goes on in WebGL2 after what has happened to another API.
-    async function fallBack(api, why) {
-        if (api === "webgl2") throw new Error(why);
-        await begin("webgl2");
-        at("api").value = "webgl2";
-        const line = why.trim().split("\n")[0].replace(/\.$/, "");
-        at("told").textContent = [at("told").textContent, `${gloam.api.titles[api]}: ${line}`,
-            "The picture runs in WebGL2."].filter((text) => text !== "").join(". ");
-    }
-
-    async function leaveApi(api, why) {
-        await keepingView(() => fallBack(api, why));
-    }
-
-    // Changes the effect, and shows the same view as before.
-    async function keepingView(change) {
-        const {number, turned} = state;
-        const numbers = turned ? state.orbit.numbers : null;
-        await change();
-        await applySize();
-        await applyScene();
-        state.number = number;
-        if (!turned) return;
-        take();
-        state.orbit.numbers = numbers;
-    }
-
     // Applies all that the address holds.
     async function restore(hash) {
         const camera = readAddress(hash);
-        await chooseApi();
         await applySize();
         at("legend").textContent = views[at("view").value];
         await applyScene();
@@ -377,6 +316,9 @@ gloam.live = (() => {
 
     async function beginPage() {
         fillControls();
+        state.effect = new gloam.Effect(at("canvas"));
+        state.effect.passes.lost.then((why) => fail(new Error(why)));
+        state.orbit = new gloam.Orbit(at("canvas"), take);
         state.source = new gloam.Source();
         at("source").append(state.source.root);
         await restore(location.hash);

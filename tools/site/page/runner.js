@@ -5,8 +5,6 @@
 gloam.runner = (() => {
     // Seconds that the worker has for one request. The slowest check takes 1/50 of it over SwiftShader.
     const limits = {open: 30, evaluate: 20};
-    // The members of a check that hold its kernel and why there is none.
-    const kernels = {webgl2: ["kernel", "unsupported"], webgpu: ["wgsl", "wgsl_unsupported"]};
 
     // Why there is no result. reason: "hang", "device lost", "stopped" or "error".
     class RunError extends Error {
@@ -20,10 +18,9 @@ gloam.runner = (() => {
     const startWorker = () =>
         new Worker(URL.createObjectURL(new Blob([gloam.workerText], {type: "text/javascript"})));
 
-    // The GPU of an interface, "webgl2" or "webgpu".
+    // The GPU.
     class Runner {
-        constructor(api) {
-            this.api = api;
+        constructor() {
             this.worker = null;
             this.stopRequest = null;  // while the worker has one
         }
@@ -33,20 +30,11 @@ gloam.runner = (() => {
             if (this.worker !== null) return;
             this.worker = startWorker();
             try {
-                this.facts = await this.ask("open", this.api);
+                this.facts = await this.ask("open");
             } catch (error) {
                 this.end();
                 throw error;
             }
-        }
-
-        kernel(check) {
-            return check[kernels[this.api][0]];
-        }
-
-        // Why a check has no kernel; empty where it has one.
-        unsupported(check) {
-            return check[kernels[this.api][1]];
         }
 
         // Runs the kernel of a check on its decoded scenarios: {outputs, fault} of each. The GPU is open. Throws a
@@ -56,7 +44,7 @@ gloam.runner = (() => {
             const inputs = scenarios.map((data) => ({count: data.count, inputs: data.inputs, images: data.images}));
             try {
                 return await this.ask("evaluate",
-                    {check: {text: this.kernel(check), row, targets, outputs}, scenarios: inputs});
+                    {check: {text: check.kernel, row, targets, outputs}, scenarios: inputs});
             } catch (error) {
                 if (error.reason !== "error") this.end();
                 throw error;
@@ -91,10 +79,5 @@ gloam.runner = (() => {
         }
     }
 
-    // Whether this browser has a GPU for WebGPU.
-    async function hasWebgpu() {
-        return Boolean(await navigator.gpu?.requestAdapter());
-    }
-
-    return {limits, Runner, hasWebgpu};
+    return {limits, Runner};
 })();

@@ -14,9 +14,6 @@ gloam.WebGl2 = class extends gloam.Passes {
     constructor(gl) {
         super(gl);
         this.timer = new gloam.GpuTimer(gl);
-        this.api = "webgl2";
-        this.zeroToOne = false;  // the range of z in clip space; else [-1, 1]
-        this.bottomUp = true;    // row 0 of the canvas is its bottom row
         this.lost = new Promise((resolve) => gl.canvas.addEventListener("webglcontextlost", () =>
             resolve("the context was lost")));
     }
@@ -104,11 +101,4 @@ gloam.WebGl2 = class extends gloam.Passes {
         return copy;
     }
 
-    // The browser itself lets no frames wait.
-    async paced() {}
-
-    // Gives back all that the context holds. The canvas cannot be used again.
-    close() {
-        this.gl.getExtension("WEBGL_lose_context")?.loseContext();
-    }
 };

@@ -7,7 +7,6 @@ layout(location = 2) in vec4 color;
 
 uniform mat4 view;        // world to view
 uniform mat4 projection;  // view to clip: y down, z in [0, 1]
-uniform bool zero_to_one;  // the range of z in the clip space of the API; else [-1, 1]
 
 out vec3 view_position;
 out vec3 view_normal;
@@ -19,5 +18,5 @@ void main() {
     view_normal = mat3(view) * normal;
     albedo = color.rgb;
     vec4 clip = projection * at;
-    gl_Position = vec4(clip.xy, zero_to_one ? clip.z : 2.0 * clip.z - clip.w, clip.w);
+    gl_Position = vec4(clip.xy, 2.0 * clip.z - clip.w, clip.w);  // WebGL has z in [-1, 1]
 }

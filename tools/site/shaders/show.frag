@@ -10,7 +10,6 @@ uniform bool has_kept;
 uniform ivec2 size;               // of the images, pixels
 uniform int shown;                // 0 lit, 1 visibility, 2 convergence, 3 samples accumulated, 4 normals, 5 difference
 uniform float weight_max;         // samples at which a pixel has converged
-uniform bool bottom_up;           // row 0 of the canvas is its bottom row
 uniform int split;                // left of this column the kept occlusion is shown, or none, pixels
 uniform vec3 up;                  // of the world, in view space
 
@@ -48,7 +47,7 @@ vec3 picture(ivec2 pixel, bool left) {
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    if (bottom_up) pixel.y = size.y - 1 - pixel.y;
+    pixel.y = size.y - 1 - pixel.y;  // row 0 of the canvas is its bottom row
     if (abs(pixel.x - split) < 1 && split > 0 && split < size.x) {
         color = vec4(0.1, 0.45, 0.85, 1.0);
         return;

@@ -80,11 +80,3 @@ class Comments {
 [[nodiscard]] std::string tidy(const std::string& text, Target target);
 
 }  // namespace gloam::shader::internal
-
-namespace gloam::shader::internal::wgsl {
-
-// A text that pack() wrote for Vulkan, as WGSL with its comments: see translated(). Throws CompileError;
-// WgslError.
-[[nodiscard]] std::string packed_text(const Source& packed, Stage stage);
-
-}  // namespace gloam::shader::internal::wgsl

@@ -10,7 +10,6 @@ gloam.bounded = (() => {
     const isOver = `gloam_kernel_rounds > ${most}u`;
     const glslHead = "uint gloam_kernel_rounds = 0u; bool gloam_kernel_round() " +
         `{ gloam_kernel_rounds += 1u; return !(${isOver}); } `;
-    const wgslHead = "var<private> gloam_kernel_rounds: u32; ";
 
     // The position of the parenthesis that closes the one at `open`.
     function closing(text, open) {
@@ -55,14 +54,6 @@ gloam.bounded = (() => {
         return marked.replace(/^(?!#|precision\b)/m, glslHead);
     }
 
-    // A kernel in WGSL, with its lines where they were. The bodies of its loops are in braces.
-    function wgsl(text) {
-        const canary = "gloamKernelRun.gloam_kernel_canary";
-        const bounded = text.replace(/\b(?:loop|for|while)\b[^{}]*\{/g,
-            `$& gloam_kernel_rounds += 1u; if (${isOver}) { break; }`);
-        return wgslHead + withMark(bounded, canary, `select(${canary}, ~${canary}, ${isOver})`);
-    }
-
     // Throws an Error where the word that a kernel has written at its end for input `i` is not the one that it had to
     // write.
     function requireEnd(word, canary, i) {
@@ -72,5 +63,5 @@ gloam.bounded = (() => {
             : `the kernel did not finish for input ${i}`);
     }
 
-    return {glsl, wgsl, requireEnd};
+    return {glsl, requireEnd};
 })();

@@ -12,8 +12,7 @@ void main() {
     gl_Position = vec4(vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0), 0.0, 1.0);
 }`;
 
-    // What is reported of the GPU, and how kernels run: the same members as those of gloam.webgpu.open(). Throws an
-    // Error where there is no WebGL2.
+    // What is reported of the GPU, and how kernels run. Throws an Error where there is no WebGL2.
     function open() {
         if (typeof OffscreenCanvas === "undefined") throw new Error("this browser has no OffscreenCanvas");
         const canvas = new OffscreenCanvas(1, 1);

@@ -8,29 +8,26 @@ gloam.serve = (() => {
     let device = null;
 
     const requests = {
-        // Opens the device of an interface, "webgl2" or "webgpu". Returns what is reported of the GPU.
-        async open(name) {
-            device = await (name === "webgpu" ? gloam.webgpu : gloam.kernel).open();
+        // Opens the device. Returns what is reported of the GPU.
+        open() {
+            device = gloam.kernel.open();
             return device.facts;
         },
 
         // Runs a kernel on the inputs of each scenario. Returns {outputs, fault} of each.
-        async evaluate({check, scenarios}) {
-            const program = await device.compile(check.text);
-            const results = [];
-            for (const data of scenarios) results.push(await device.run(program, check, data));
+        evaluate({check, scenarios}) {
+            const program = device.compile(check.text);
+            const results = scenarios.map((data) => device.run(program, check, data));
             device.drop(program);
             return results;
         }
     };
 
     // Answers a message {request, argument} with {value} or with {error, lost}.
-    return async ({data}) => {
+    return ({data}) => {
         try {
-            postMessage({value: await requests[data.request](data.argument)});
+            postMessage({value: requests[data.request](data.argument)});
         } catch (error) {
-            // A lost device of WebGPU says so after the error.
-            await new Promise((resolve) => setTimeout(resolve, 100));
             postMessage({error: String(error.message), lost: device !== null && device.isLost()});
         }
     };
