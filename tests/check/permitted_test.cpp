@@ -263,7 +263,7 @@ struct Mixed {
 };
 
 template <class T>
-T round_trip(const T& value) {
+T there_and_back(const T& value) {
     std::vector<Word> words;
     append_words(value, words);
     std::span<const Word> rest = words;
@@ -274,12 +274,12 @@ T round_trip(const T& value) {
 
 TEST(Scalars, ValuesSurviveAsWords) {
     EXPECT_TRUE(rc::check("any bit pattern of a float", [](unsigned bits) {
-        RC_ASSERT(std::bit_cast<unsigned>(round_trip(std::bit_cast<float>(bits))) == bits);
+        RC_ASSERT(std::bit_cast<unsigned>(there_and_back(std::bit_cast<float>(bits))) == bits);
     }));
     EXPECT_TRUE(
         rc::check("a structure, member by member", [](bool flag, int count, unsigned bits, short x, short y) {
             const Mixed mixed{flag, glm::vec3(x, y, 1), count, glm::mat2(x, y, y, x), bits};
-            const Mixed back = round_trip(mixed);
+            const Mixed back = there_and_back(mixed);
             RC_ASSERT(back.flag == flag && back.count == count && back.bits == bits);
             RC_ASSERT(back.position == mixed.position && back.matrix == mixed.matrix);
         }));

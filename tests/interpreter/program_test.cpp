@@ -18,7 +18,7 @@ shader::Spirv compiled(const std::string& text, const char* variant = "shipped")
 std::vector<Word> words_of(const std::string& body, const std::vector<Word>& inputs, std::size_t count,
                            const std::string& functions = {}) {
     std::vector<Word> first;
-    for (const char* variant : {"shipped", "strict", "optimized", "small", "round_trip", "hlsl"}) {
+    for (const char* variant : {"shipped", "strict", "optimized", "small"}) {
         const Program program(compiled(test::row_shader(4, count, body, functions), variant));
         const std::vector<Word> words =
             test::rounded_correctly(program, {.inputs = inputs, .input_words = 4, .output_words = count});

@@ -73,7 +73,7 @@ TEST_F(SpirvCacheTest, KeepsApartWhateverDiffers) {
               compile(source, with_fixtures(Optimization::performance)));
     EXPECT_EQ(cache.compile(source, with_fixtures(Optimization::size)),
               compile(source, with_fixtures(Optimization::size)));
-    for (const char* name : {"strict", "relaxed", "round_trip"}) {
+    for (const char* name : {"strict", "relaxed"}) {
         CompileOptions options = with_fixtures();
         options.variant = variant(name);
         EXPECT_EQ(cache.compile(source, options), compile(source, options)) << name;
@@ -81,11 +81,11 @@ TEST_F(SpirvCacheTest, KeepsApartWhateverDiffers) {
     static_cast<void>(cache.compile(renamed, with_fixtures()));
     static_cast<void>(cache.compile(changed, with_fixtures()));
     static_cast<void>(cache.functions(source, with_fixtures()));
-    EXPECT_EQ(files_in(folder.path()), 9u);
+    EXPECT_EQ(files_in(folder.path()), 8u);
     CompileOptions strict = with_fixtures();
     strict.variant = variant("strict");
     static_cast<void>(cache.functions(source, strict));
-    EXPECT_EQ(files_in(folder.path()), 9u) << "functions are those of every variant";
+    EXPECT_EQ(files_in(folder.path()), 8u) << "functions are those of every variant";
 
     const Source any_stage{"any", "#version 450\nvoid main() {}\n"};
     for (const Stage stage : {Stage::compute, Stage::vertex, Stage::fragment})

@@ -255,11 +255,11 @@ shader::Spirv Lab::compile_kernel(const shader::Source& text, const std::vector<
                                   shader::Stage stage) const {
     shader::CompileOptions options = compile_options();
     options.stage = stage;
-    shader::Spirv module = compiled(text, options);
+    shader::Spirv module = compile(text, options);
     if (const std::string other = shader::spirv::other_number(module); !other.empty())
         throw backend::Unsupported(text.name + ": " + shader::spirv::not_judged(other));
     for (const shader::Resource& resource : shader::used_resources(module)) {
-        constexpr std::string_view ours = "GloamKernel";  // translations keep one of the two names
+        constexpr std::string_view ours = "GloamKernel";  // a step may keep one of the two names
         if (resource.block.starts_with(ours) || resource.name.starts_with(ours)) continue;
         const auto bound = [&](const ImagePrototype& image) { return is_of(resource.name, image); };
         if (std::ranges::any_of(images, bound)) continue;
@@ -269,19 +269,6 @@ shader::Spirv Lab::compile_kernel(const shader::Source& text, const std::vector<
             text.name, resource.kind, resource.name.empty() ? resource.block : resource.name));
     }
     return module;
-}
-
-shader::Spirv Lab::compiled(const shader::Source& text, const shader::CompileOptions& options) const {
-    if (options.variant.through == shader::Variant::Through::none) return compile(text, options);
-    try {
-        return compile(text, options);
-    } catch (const shader::CompileError&) {
-        shader::CompileOptions direct = options;
-        direct.variant.through = shader::Variant::Through::none;
-        if (!shader::has_float16(compile(text, direct))) throw;
-        throw backend::Unsupported(fmt::format("{}: needs float16_t, which the variant {} cannot translate",
-                                               text.name, options.variant.name));
-    }
 }
 
 void Lab::require_silent_validation() const {

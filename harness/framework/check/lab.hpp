@@ -164,11 +164,6 @@ class Lab {
     [[nodiscard]] shader::CompileOptions compile_options() const;
 
   private:
-    // The same as compile(). Throws backend::Unsupported for numbers that the variant cannot
-    // translate.
-    [[nodiscard]] shader::Spirv compiled(const shader::Source& text,
-                                         const shader::CompileOptions& options) const;
-
     LabOptions options_;
     std::shared_ptr<backend::Backend> device_;
     shader::SpirvCache cache_;

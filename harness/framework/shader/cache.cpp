@@ -16,7 +16,6 @@ base::Hash key_of(std::string_view kind, const Source& source, const CompileOpti
     fingerprint.add(static_cast<std::uint64_t>(options.stage));
     const Variant& variant = options.variant;
     fingerprint.add(static_cast<std::uint64_t>(variant.optimization));
-    fingerprint.add(static_cast<std::uint64_t>(variant.through));
     for (const bool step : {variant.strict, variant.relaxed, options.lines})
         fingerprint.add(std::uint64_t{step});
     fingerprint.add(source.name);

@@ -151,12 +151,6 @@ std::vector<Variant> variants() {
         {.name = "small",
          .description = "optimised for size by SPIRV-Tools (-Os)",
          .optimization = Optimization::size},
-        {.name = "round_trip",
-         .description = "turned into GLSL by SPIRV-Cross and compiled again",
-         .through = Variant::Through::glsl},
-        {.name = "hlsl",
-         .description = "turned into HLSL by SPIRV-Cross and compiled by glslang's HLSL front end",
-         .through = Variant::Through::hlsl},
         {.name = "relaxed",
          .description = "every float result RelaxedPrecision (mediump), and NoContraction",
          .strict = true,
@@ -194,10 +188,8 @@ Variant variant(const std::string& name) {
 namespace {
 
 // Applies the variant to the front end's module; each step produces a valid module.
-Spirv varied(Spirv module, Stage stage, const std::string& name, const Variant& variant) {
+Spirv varied(Spirv module, const Variant& variant) {
     validate(module);
-    if (variant.through != Variant::Through::none)
-        module = internal::round_trip(module, stage, name, variant.through);
     const auto decorated = [&variant](Spirv words) {
         if (variant.strict) words = with_no_contraction(words);
         if (variant.relaxed) words = with_relaxed_precision(words);
@@ -208,9 +200,7 @@ Spirv varied(Spirv module, Stage stage, const std::string& name, const Variant& 
     module = decorated(std::move(module));
     if (variant.optimization != Optimization::none)
         module = decorated(optimize(module, variant.optimization));
-    if (variant.through != Variant::Through::none || variant.strict || variant.relaxed ||
-        variant.optimization != Optimization::none)
-        validate(module);
+    if (variant.strict || variant.relaxed || variant.optimization != Optimization::none) validate(module);
     return module;
 }
 
@@ -220,7 +210,7 @@ Spirv internal::compile_here(const Source& source, const CompileOptions& options
     internal::require_vulkan_version(source);
     Spirv module = internal::to_spirv(source, options.stage, options.include_roots, {.lines = options.lines});
     try {
-        return varied(std::move(module), options.stage, source.name, options.variant);
+        return varied(std::move(module), options.variant);
     } catch (const CompileError&) {
         throw;
     } catch (const std::runtime_error& error) {

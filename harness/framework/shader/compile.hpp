@@ -108,15 +108,11 @@ struct Variant {
     // or does not.
     enum class Constants { none, literals, specialization };
 
-    // A language into which SPIRV-Cross translates the module. glslang compiles the text again.
-    enum class Through { none, glsl, hlsl };
-
     std::string name;
     std::string description;
     Optimization optimization = Optimization::none;
     bool strict = false;   // every float operation has NoContraction, as if all were `precise`
     bool relaxed = false;  // every float result has RelaxedPrecision, as if all were `mediump`
-    Through through = Through::none;
     Constants constants = Constants::none;
     // What the kernel of a function goes through after that, in order (steps.hpp). compile() ignores them.
     std::vector<std::string> steps = {};
@@ -124,12 +120,12 @@ struct Variant {
     // Whether an OpenGL device takes it: one that is given the text, or, with compute shaders, the front
     // end's module after the steps as text again. The other variants are ways to make a module.
     [[nodiscard]] bool runs_on_opengl(bool has_compute) const {
-        return optimization == Optimization::none && !strict && !relaxed && through == Through::none &&
-               constants == Constants::none && (has_compute || steps.empty());
+        return optimization == Optimization::none && !strict && !relaxed && constants == Constants::none &&
+               (has_compute || steps.empty());
     }
 };
 
-// All variants: shipped, strict, optimized, small, round_trip, hlsl, relaxed, literals, specialization.
+// All variants: shipped, strict, optimized, small, relaxed, literals, specialization.
 [[nodiscard]] std::vector<Variant> variants();
 
 // The variant with this name, which steps may follow: "shipped | spirv-opt --ccp". Throws

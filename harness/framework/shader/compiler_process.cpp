@@ -38,7 +38,7 @@ auto fields(Is<Source> auto& all) {
     return std::tie(all.name, all.text);
 }
 auto fields(Is<Variant> auto& all) {  // what compile() reads
-    return std::tie(all.optimization, all.through, all.strict, all.relaxed);
+    return std::tie(all.optimization, all.strict, all.relaxed);
 }
 auto fields(Is<CompileOptions> auto& all) {
     return std::tie(all.stage, all.include_roots, all.variant, all.lines);

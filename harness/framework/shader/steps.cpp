@@ -148,9 +148,9 @@ Spirv taken_unchecked(const std::string& step, const StepInput& input) {
     if (is_program(step)) return run_program(step, input);
     Words words = words_of(step);
     if (words[0] == translator) {
-        const auto through = words[1] == "glsl" ? Variant::Through::glsl : Variant::Through::hlsl;
+        const bool hlsl = words[1] == "hlsl";
         return made_apart(
-            [&] { return internal::round_trip(input.module, input.stage, "the module", through); });
+            [&] { return internal::translated_back(input.module, input.stage, "the module", hlsl); });
     }
     if (words[0] == changer) {
         const Seeded seeded = seeded_from(step);

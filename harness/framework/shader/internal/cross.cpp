@@ -263,10 +263,9 @@ Spirv with_storage_buffers(Spirv module) {
     return module;
 }
 
-Spirv round_trip(const Spirv& module, Stage stage, const std::string& name, Variant::Through through) {
-    const bool hlsl = through == Variant::Through::hlsl;
+Spirv translated_back(const Spirv& module, Stage stage, const std::string& name, bool hlsl) {
     try {
-        const Source source{.name = name + (hlsl ? ", as HLSL" : ", round trip through SPIRV-Cross"),
+        const Source source{.name = name + (hlsl ? ", as HLSL" : ", as GLSL"),
                             .text = hlsl ? to_hlsl(module) : to_glsl(module)};
         return with_float_controls_of(module,
                                       hlsl ? with_storage_buffers(legalized(hlsl_to_spirv(source, stage)))

@@ -48,11 +48,10 @@ class Cross {
 // constants are the buffer after the last binding. The entry point gets this name.
 [[nodiscard]] std::string to_msl(const Spirv& module, const std::string& entry);
 
-// The module translated to a language and compiled again. Float controls, which SPIRV-Cross drops, are added
-// again. `name`: for messages. Throws CompileError if SPIRV-Cross cannot translate the module or glslang
-// rejects the result.
-[[nodiscard]] Spirv round_trip(const Spirv& module, Stage stage, const std::string& name,
-                               Variant::Through through);
+// The module translated to GLSL, or to HLSL, and compiled again. Float controls, which SPIRV-Cross drops, are
+// added again. `name`: for messages. Throws CompileError if SPIRV-Cross cannot translate the module or
+// glslang rejects the result.
+[[nodiscard]] Spirv translated_back(const Spirv& module, Stage stage, const std::string& name, bool hlsl);
 
 // Name and version of SPIRV-Cross.
 [[nodiscard]] std::string cross_version();
