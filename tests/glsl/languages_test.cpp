@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every method as a fragment shader of OpenGL ES 3.0: the results are those of Vulkan.
 #include "backend/gl/device.hpp"
-#include "backend/vulkan/commands.hpp"
 #include "gathers.hpp"
 
 namespace gloam::languages_test {
@@ -13,7 +12,6 @@ using namespace test;
 
 const Camera camera{glm::vec2(1.8F, -2.0F), glm::ivec2(64, 48), false};
 
-// Written in HLSL below.
 constexpr Method values{.range = 2.0F,
                         .epsilon = 0.05F,
                         .intensity = 0.2F,
@@ -111,76 +109,5 @@ TEST_P(OpenGlMethods, GiveTheResultsOfVulkan) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, OpenGlMethods, testing::ValuesIn(test::method_names()), test::parameter_name);
-
-// Every method as HLSL, as an engine gets it: compiled by glslang's HLSL front end, it gives the results of
-// the GLSL.
-
-struct Point {
-    glm::vec4 position;  // and the number of its first sample
-    glm::vec4 normal;
-};
-
-// What the engine adds to the file of functions.
-constexpr const char* engine = R"(
-StructuredBuffer<float4> points : register(t0);
-StructuredBuffer<float4> pixels : register(t1);  // depth and normal, then what is prepared
-RWStructuredBuffer<float2> results : register(u2);
-int index_of(int2 p) { return clamp(p.y, 0, 47) * 64 + clamp(p.x, 0, 63); }
-float gloam_fetch_depth(int2 p) { return pixels[2 * index_of(p)].x; }
-float3 gloam_fetch_normal(int2 p) { return pixels[2 * index_of(p)].yzw; }
-float4 gloam_fetch_prepared(int2 p) { return pixels[2 * index_of(p) + 1]; }
-[numthreads(1, 1, 1)]
-void main(uint3 id : SV_DispatchThreadID) {
-    GloamCamera camera = { float2(1.8f, -2.0f), int2(64, 48), false };
-    GatherKernel kernel = { 0.6f, 1e-3f, 0.7f, uint(points[2 * id.x].w), 16u };
-    MethodValues values = { 2.0f, 0.05f, 0.2f, 1e3f, 0.0f, 0.0f, 4u, 0.05f, 1e18f, 1 };
-    results[id.x] = method_gather(points[2 * id.x].xyz, points[2 * id.x + 1].xyz, camera, kernel, values);
-}
-)";
-
-std::vector<glm::vec2> by_hlsl(const gpu::Device& device, const std::string& hlsl,
-                               const view::Inputs& given) {
-    const shader::Spirv module =
-        shader::compile_hlsl({.name = "method.hlsl", .text = hlsl + engine}, shader::Stage::compute);
-    gpu::Buffer points(device, given.size() * sizeof(Point));
-    std::ranges::transform(given, points.as<Point>().begin(), [](const auto& input) {
-        const auto& [position, normal, camera, samples, method] = input;
-        return Point{{position, static_cast<float>(samples.first)}, {normal, 0.0F}};
-    });
-    const glm::ivec2 size = view::camera.size;
-    gpu::Buffer pixels(device, sizeof(glm::vec4) * 2 * static_cast<std::size_t>(size.x * size.y));
-    for (int i = 0; i < size.x * size.y; ++i) {
-        const glm::ivec2 p(i % size.x, i / size.x);
-        const auto at = 2 * static_cast<std::size_t>(i);
-        pixels.as<glm::vec4>()[at] = glm::vec4(view::depth(p), view::normal(p));
-        pixels.as<glm::vec4>()[at + 1] = view::prepared(p);
-    }
-    gpu::Buffer results(device, given.size() * sizeof(glm::vec2));
-    const gpu::ComputePipeline pipeline(
-        device, {.spirv = module, .bindings = std::vector(3, gpu::BindingKind::storage_buffer)});
-    gpu::Commands commands(device);
-    commands.dispatch(pipeline, std::vector<gpu::Resource>{points, pixels, results},
-                      {static_cast<std::uint32_t>(given.size()), 1, 1});
-    commands.submit();
-    const auto values = results.as<glm::vec2>();
-    return {values.begin(), values.end()};
-}
-
-class HlslMethods : public testing::TestWithParam<std::string> {
-  protected:
-    test::MethodFunctions functions;
-};
-
-TEST_P(HlslMethods, GiveTheResultsOfGlsl) {
-    const std::string file = test::MethodFunctions::file(GetParam());
-    const std::string glsl = test::packed_method(functions, file);
-    const std::string hlsl = shader::translated({.name = file, .text = glsl}, shader::Target::hlsl);
-    const view::Inputs points = view::points();
-    view::expect_alike(
-        by_hlsl(*test::SharedDevice::get(), hlsl, points),
-        check::Function<Gather>(functions.lab(), file, effect::method_function)(points, view::images(glsl)));
-}
-
-INSTANTIATE_TEST_SUITE_P(All, HlslMethods, testing::ValuesIn(test::method_names()), test::parameter_name);
 
 }  // namespace gloam::languages_test

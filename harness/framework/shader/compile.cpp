@@ -218,18 +218,6 @@ Spirv internal::compile_here(const Source& source, const CompileOptions& options
     }
 }
 
-Spirv compile_hlsl(const Source& source, Stage stage) {
-    try {
-        Spirv module = internal::with_storage_buffers(internal::hlsl_to_spirv(source, stage));
-        validate(module);
-        return module;
-    } catch (const CompileError&) {
-        throw;
-    } catch (const std::runtime_error& error) {
-        throw CompileError(source.name + ": " + error.what());
-    }
-}
-
 std::string compiler_version() {
     const glslang::Version version = glslang::GetVersion();
     return "glslang " + std::to_string(version.major) + "." + std::to_string(version.minor) + "." +

@@ -168,11 +168,6 @@ using Spirv = std::vector<std::uint32_t>;
 // CompileError, also for an include that is missing or includes itself.
 [[nodiscard]] Spirv compile(const Source& source, const CompileOptions& options);
 
-// Compiles HLSL of shader model 6.0 without includes by glslang's HLSL front end, to a validated module of
-// SPIR-V 1.3. The entry point is main; the number of a register is the binding in descriptor set 0. Buffers
-// are storage buffers. Throws CompileError, also for uniform buffers.
-[[nodiscard]] Spirv compile_hlsl(const Source& source, Stage stage);
-
 // The functions that the text and its includes define, and the functions that they declare and call without a
 // definition, in order of definition or first call. Types and names are those of the compiled module.
 // Overloads are separate entries. The text needs no main; the variant has no effect. Throws like compile().

@@ -120,16 +120,11 @@ enum class Target { hlsl, msl };
 // The suffix of a file: ".hlsl", ".metal".
 [[nodiscard]] std::string suffix(Target target);
 
-// A text that pack() wrote for Vulkan, translated by SPIRV-Cross: HLSL of shader model 6.0, or Metal Shading
-// Language 2.1. Names are kept; comments above functions, structures and constants, and those behind members,
-// are put back; comments inside functions are lost.
-// - A text without a main stays a file of functions. What it declares and the user defines is declared in the
-//   result, too. In MSL these functions have a last parameter, a structure GloamImages of the user's images,
-//   and so has every function that calls them.
-// - A text with a main of this stage is one whole shader. A line at its head names its registers (HLSL) or
-//   its indices (MSL). The entry point is main in HLSL, NAME_main in MSL: NAME is that of the text,
-//   without folder and suffix.
-// HLSL has been compiled by glslang. Throws CompileError if the text, or the HLSL, does not compile;
+// A text that pack() wrote for Vulkan, as SPIRV-Cross translates it, with the licences of the text above it:
+// HLSL of shader model 6.0, or Metal Shading Language 2.1. The numbers of registers and indices are those of
+// the bindings; push constants have the number after the last one. The entry point is main in HLSL, main0 in
+// MSL. A text without a main gets one that calls every function, and functions that its user defines get a
+// body that returns an undefined `gloam_result`. Throws CompileError if the text does not compile;
 // std::invalid_argument for what cannot be translated.
 [[nodiscard]] std::string translated(const Source& packed, Target target, Stage stage = Stage::compute);
 

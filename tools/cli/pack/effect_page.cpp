@@ -234,9 +234,9 @@ class PageWriter {
 
     void translation(shader::Target target) {
         const bool hlsl = target == shader::Target::hlsl;
-        put("\n## {}\n\nEach pass is there a second time, as `{}{}`. A line at its head lists its {}: the "
-            "numbers are those of the bindings above, and the push constants are {}. Their layouts in "
-            "`gloam_effect.h` hold there, too.\n",
+        put("\n## {}\n\nEach pass is there a second time, as `{}{}`. The numbers of its {} are those of the "
+            "bindings above, and the push constants are {}. Their layouts in `gloam_effect.h` hold there, "
+            "too.\n",
             hlsl ? "HLSL" : "Metal", effect_.passes.back().plan.name, shader::suffix(target),
             hlsl ? "registers" : "indices",
             hlsl ? "the constant buffer after the last uniform buffer" : "the buffer after the last binding");

@@ -47,26 +47,13 @@ std::span<const spvc_reflected_resource> resources_of(const Cross& cross, spvc_r
     return {first, count};
 }
 
-// "TileLists" as "tile_lists".
-std::string in_snake_case(const std::string& name) {
-    std::string result;
-    for (const char c : name) {
-        const bool upper = c >= 'A' && c <= 'Z';
-        if (upper && !result.empty()) result += '_';
-        result += upper ? static_cast<char>(c - 'A' + 'a') : c;
-    }
-    return result;
-}
-
-// A buffer without a name of its own gets that of its block, which HLSL has not. In MSL it is a variable
-// beside the block's type.
-void name_buffers(const Cross& cross, bool beside_type = false) {
+// A buffer without a name of its own gets that of its block, which HLSL has not.
+void name_buffers(const Cross& cross) {
     for (const spvc_reflected_resource& buffer : resources_of(cross, SPVC_RESOURCE_TYPE_STORAGE_BUFFER)) {
         const std::string own = spvc_compiler_get_name(cross.compiler(), buffer.id);
         if (!own.empty()) continue;
         const std::string block = spvc_compiler_get_name(cross.compiler(), buffer.base_type_id);
-        spvc_compiler_set_name(cross.compiler(), buffer.id,
-                               (beside_type ? in_snake_case(block) : block).c_str());
+        spvc_compiler_set_name(cross.compiler(), buffer.id, block.c_str());
     }
 }
 
@@ -148,18 +135,15 @@ std::string to_direct3d_hlsl(const Spirv& module) {
     return text_of(cross, options);
 }
 
-std::string to_msl(const Spirv& module, const std::string& entry) {
+std::string to_msl(const Spirv& module) {
     const Cross cross(module, SPVC_BACKEND_MSL, "write the module as MSL");
     const spvc_compiler_options options = options_of(cross);
     set(cross, options, SPVC_COMPILER_OPTION_MSL_VERSION, SPVC_MAKE_MSL_VERSION(2, 1, 0));
     enable(cross, options, SPVC_COMPILER_OPTION_MSL_ENABLE_DECORATION_BINDING);
-    name_buffers(cross, true);
-    const SpvExecutionModel stage = spvc_compiler_get_execution_model(cross.compiler());
-    cross.require(spvc_compiler_rename_entry_point(cross.compiler(), "main", entry.c_str(), stage));
     constexpr std::array buffers{SPVC_RESOURCE_TYPE_UNIFORM_BUFFER, SPVC_RESOURCE_TYPE_STORAGE_BUFFER};
     spvc_msl_resource_binding push_constants;
     spvc_msl_resource_binding_init(&push_constants);
-    push_constants.stage = stage;
+    push_constants.stage = spvc_compiler_get_execution_model(cross.compiler());
     push_constants.desc_set = SPVC_MSL_PUSH_CONSTANT_DESC_SET;
     push_constants.binding = SPVC_MSL_PUSH_CONSTANT_BINDING;
     push_constants.msl_buffer = next_binding(cross, buffers);

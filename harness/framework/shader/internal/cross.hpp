@@ -45,8 +45,8 @@ class Cross {
 [[nodiscard]] std::string to_direct3d_hlsl(const Spirv& module);
 
 // Metal Shading Language 2.1. The number of a buffer, texture or sampler is that of the binding; push
-// constants are the buffer after the last binding. The entry point gets this name.
-[[nodiscard]] std::string to_msl(const Spirv& module, const std::string& entry);
+// constants are the buffer after the last binding.
+[[nodiscard]] std::string to_msl(const Spirv& module);
 
 // The module translated to GLSL, or to HLSL, and compiled again. Float controls, which SPIRV-Cross drops, are
 // added again. `name`: for messages. Throws CompileError if SPIRV-Cross cannot translate the module or

@@ -385,13 +385,4 @@ std::string line_directive(int line, const std::string& file) {
     return "#line " + std::to_string(line) + " \"" + name + "\"\n";
 }
 
-Outline outline(const std::string& text) {
-    ActiveText active;
-    TextFile& file = active.files.emplace_back(TextFile{.text = text});
-    file.lines = split_lines(file.text);
-    active.given = 1;
-    for (std::size_t line = 0; line < file.lines.size(); ++line) active.lines.push_back({0, line});
-    return outline(active);
-}
-
 }  // namespace gloam::shader::internal

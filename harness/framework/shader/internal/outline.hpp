@@ -50,9 +50,6 @@ enum class Keep { comments, line_numbers };
 // "#line 12 "file"": the next line is that line of the file.
 [[nodiscard]] std::string line_directive(int line, const std::string& file);
 
-// The declarations of one text without includes and conditions, of any language with C's declarations.
-[[nodiscard]] Outline outline(const std::string& text);
-
 // Kind, names and mentions of a declaration, from its code without comments and directives.
 [[nodiscard]] Piece piece_of(std::string_view code);
 
