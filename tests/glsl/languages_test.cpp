@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Every method as a fragment shader of OpenGL ES 3.0: the results are those of Vulkan.
 #include "backend/gl/device.hpp"
+#include "base/text.hpp"
 #include "gathers.hpp"
+#include "shader/pack.hpp"
 
 namespace gloam::languages_test {
 
@@ -109,5 +111,42 @@ TEST_P(OpenGlMethods, GiveTheResultsOfVulkan) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, OpenGlMethods, testing::ValuesIn(test::method_names()), test::parameter_name);
+
+// docs/integration.md: the fragment block of a material of Filament, whose compiler adds the parameters.
+constexpr const char* material = R"(
+#include "gloam.glsl"
+
+float gloam_fetch_depth(ivec2 pixel) {
+    return gloam_linear_depth_perspective_vk(texelFetch(materialParams_depth, pixel, 0).x, 0.0, materialParams.near);
+}
+
+float occlusion_at(ivec2 pixel, ivec2 size, float radius) {
+    GloamCamera camera = GloamCamera(materialParams.p00_p11, size, false);
+    vec3 position = gloam_camera_position(pixel, gloam_fetch_depth(pixel), camera);
+    vec3 normal = gloam_normal_from_depth(pixel, size, camera.p00_p11);
+    GloamKernel kernel = GloamKernel(radius, 1e-3 * radius, gloam_lattice_rotation(pixel), 0u, 96u, GLOAM_FARTHEST);
+    return gloam_sweep(position, normal, camera, kernel, GloamSweep(5u, 1.0, GLOAM_FALLOFF_LINEAR)).occlusion;
+}
+)";
+
+TEST(Materials, CallThePackedFunctions) {
+    const std::filesystem::path library = GLOAM_GLSL_DIR;
+    const shader::PackRequest functions{
+        .language = shader::Language::gl330,
+        .functions = {"gloam_sweep", "gloam_camera_position", "gloam_normal_from_depth",
+                      "gloam_linear_depth_perspective_vk", "gloam_lattice_rotation"}};
+    const std::string packed = shader::pack(
+        {library / "gloam/methods/sweep.glsl", library / "gloam/geometry/normal_from_depth.glsl",
+         library / "gloam/geometry/linear_depth.glsl", library / "gloam/sampling/lattice_rotation.glsl"},
+        functions, {library});
+    const std::string parameters =
+        "uniform sampler2D materialParams_depth;\n"
+        "uniform struct { vec2 p00_p11; float near; } materialParams;\n";
+    const std::string text =
+        parameters + base::replaced(material, "#include \"gloam.glsl\"\n", packed.substr(packed.find('\n')));
+    const std::vector<shader::Source> whole{{.name = "material", .text = text}};
+    EXPECT_THAT(shader::pack(whole, {.language = shader::Language::gl330, .functions = {"occlusion_at"}}, {}),
+                HasSubstr("float occlusion_at("));
+}
 
 }  // namespace gloam::languages_test
