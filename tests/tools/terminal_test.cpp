@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What people see on a terminal: colour, completion, examples, and nothing where they want quiet.
+// What people see on a terminal: colour, examples, and nothing where they want quiet.
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -67,38 +67,6 @@ TEST_F(Terminal, HelpHasExamples) {
         EXPECT_THAT(help.out, HasSubstr(std::string("Examples:\n  gloam ") + command)) << command;
     }
     EXPECT_THAT(gloam("--help").out, HasSubstr("Examples:\n  gloam demo"));
-}
-
-// What bash offers for the last word of a command line.
-std::string completions(const std::string& line) {
-    const std::string script =
-        "source <(\"$0\" completion bash)\n"
-        "COMP_WORDS=(" +
-        line +
-        ")\n"
-        "COMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n"
-        "_gloam\nprintf '%s\\n' \"${COMPREPLY[@]}\"";
-    const CommandResult result =
-        run_program("/bin/bash", words("--norc -c {} {}", script, GLOAM_BUILT_BINARY));
-    EXPECT_EQ(result.err, "") << line;
-    return result.out;
-}
-
-TEST(Completion, KnowsCommandsOptionsAndNames) {
-    EXPECT_EQ(completions("gloam ren"), "render\n");
-    EXPECT_THAT(completions("gloam ''"), HasSubstr("demo\n"));
-    EXPECT_THAT(completions("gloam ''"), Not(HasSubstr("worker")));  // hidden
-    EXPECT_EQ(completions("gloam check --val"), "--validation\n");
-    EXPECT_EQ(completions("gloam render --method gta"), "gtao\n");
-    EXPECT_EQ(completions("gloam check --variant stri"), "strict\n");
-    EXPECT_EQ(completions("gloam render col"), "columns\n");
-    EXPECT_EQ(completions("gloam bench temp"), "temporal\n");
-    EXPECT_EQ(completions("gloam --vers"), "--version\n");
-}
-
-TEST(Completion, OtherShellsAreNamed) {
-    expect_could_not_run(gloam("completion powershell"), "powershell");
-    expect_could_not_run(gloam("completion"), "shell");
 }
 
 // A browser runs the page's script, which its content security policy names by a hash: it counts the rows.

@@ -9,7 +9,7 @@ class Usage : public InFolder {};
 TEST_F(Usage, HelpNamesEveryCommand) {
     const std::string result = output_of(gloam("--help"));
     for (const char* command : {"demo", "devices", "list", "check", "report", "render", "bench", "stress",
-                                "pack", "explain", "completion"}) {
+                                "pack", "explain"}) {
         EXPECT_THAT(result, HasSubstr(command));
         const std::string help = output_of(gloam("{} --help", command));
         EXPECT_THAT(help, HasSubstr(command));

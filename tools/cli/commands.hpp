@@ -64,10 +64,6 @@ void add_pack(CLI::App& app);
 // Adds the subcommand that writes a static site with checks for the visitor's browser.
 void add_site(CLI::App& app);
 
-// `gloam completion bash`: prints a bash script that completes commands, options, and the names that options
-// accept. It is generated from the commands that `app` has when it runs, without hidden ones.
-void add_completion(CLI::App& app);
-
 // Adds examples to the end of the help of the program and of its commands. Call it after all commands were
 // added.
 void add_help_examples(CLI::App& app);
