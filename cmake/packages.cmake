@@ -58,7 +58,7 @@ if(NOT GLOAM_FRAMEWORK_ONLY)
   gloam_debian(program gloam "GLSL ambient occlusion, measured: the program" SECTION graphics
     DEPENDS "gloam-glsl ${same}, libvulkan1"
     RECOMMENDS "mesa-vulkan-drivers, fonts-dejavu-core"
-    SUGGESTS "libegl1, gnuplot-nox, glmark2-data, spirv-tools, vulkan-validationlayers")
+    SUGGESTS "libegl1, glmark2-data, spirv-tools, vulkan-validationlayers")
 endif()
 
 set(CPACK_SOURCE_GENERATOR TGZ)

@@ -286,10 +286,9 @@ TEST(ExperimentTable, TheSlopeIsThatOfTheMeanSquareError) {
     EXPECT_EQ(rows_of(scored(), table), "| -2.00 |\n");
 }
 
-TEST(ExperimentTable, FramesHaveRowsAndAPlot) {
-    Table table{.rows = "frames",
+TEST(ExperimentTable, FramesHaveRows) {
+    const Table table{.rows = "frames",
                 .keep = "doubling",
-                .plot = "convergence",
                 .columns = {{.title = "frame", .label = "frame"},
                             {.title = "samples", .value = "samples_so_far", .digits = 0},
                             {.title = "raw", .value = "rmse_raw", .against = "limit"},
@@ -297,19 +296,6 @@ TEST(ExperimentTable, FramesHaveRowsAndAPlot) {
                             {.title = "settled", .value = "rmse", .pixels = "settled"}}};
     EXPECT_EQ(rows_of(scored(), table),
               "| 1 | 8 | 0.40 | 0.40 | - |\n| 2 | 16 | 0.20 | 0.28 | - |\n| 4 | 32 | 0.10 | 0.20 | 0.20 |\n");
-    Experiment what;
-    const Record record = scored();
-    const std::vector<SizeResult> results = results_of(what, choose_recorded(what, record), record);
-    what.tables = {table};
-    const std::vector<FramePlot> plots = frame_plots(what, results, 0);
-    ASSERT_EQ(plots.size(), 1U);
-    EXPECT_EQ(plots[0].name, "a-convergence");
-    EXPECT_EQ(plots[0].x, "frame");
-    EXPECT_EQ(plots[0].y, "rmse, settled");
-    ASSERT_EQ(plots[0].curves.size(), 4U);
-    EXPECT_EQ(plots[0].curves[0].first, "samples");
-    EXPECT_THAT(plots[0].curves[1].second, ElementsAre(Pair(1.0, 0.4), Pair(2.0, 0.2), Pair(4.0, 0.1)));
-    EXPECT_EQ(plots[0].curves[3].second.size(), 1U);
 }
 
 TEST(ExperimentTable, AColumnsOwnTargetIsMetOrMissed) {

@@ -141,9 +141,6 @@ struct Table {
     // on. Empty: all.
     std::string keep;
     bool in_report = false;  // it stands in the report alone
-    // Of rows "frames": the name of a plot of the other columns over the first, for each case. Empty: none.
-    std::string plot;
-    bool logarithmic = false;  // both axes of the plot
     std::vector<Column> columns;
 };
 

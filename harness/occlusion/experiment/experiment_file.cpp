@@ -179,8 +179,6 @@ Table table_from(const Value& value) {
     members.read("group", table.group);
     members.read("keep", table.keep, std::vector<std::string>{"front", "best", "doubling"});
     members.read("in_report", table.in_report);
-    members.read("plot", table.plot);
-    members.read("logarithmic", table.logarithmic);
     const Value* columns = members.find("columns");
     members.require("rows", !table.rows.empty());
     members.require("columns", columns != nullptr);

@@ -51,31 +51,6 @@ class Writer {
         return text;
     }
 
-    // The columns over the first, in one case.
-    [[nodiscard]] FramePlot plotted(std::size_t size, std::size_t number) {
-        const std::vector<Shown> columns = columns_of(size);
-        const Column& last = *columns.back().column;
-        FramePlot plot{.name = results_[size].cases[number].shown.name + "-" + table_.plot,
-                       .x = columns.front().title,
-                       .y = fmt::format("{}{}{}", last.value, last.pixels.empty() ? "" : ", " + last.pixels,
-                                        last.against.empty() ? "" : ", against the " + last.against),
-                       .logarithmic = table_.logarithmic,
-                       .curves = {}};
-        for (std::size_t i = 1; i < columns.size(); ++i) {
-            std::vector<std::pair<double, double>> points;
-            for (const Row& row : rows_.of(size)) {
-                if (row.cases.front() != number || !columns[i].column->label.empty()) continue;
-                const std::optional<double> x = columns.front().column->label.empty()
-                                                    ? number_in(row, columns.front())
-                                                    : std::optional<double>(row.frame);
-                const std::optional<double> y = number_in(row, columns[i]);
-                if (x && y) points.emplace_back(*x, *y);
-            }
-            if (!points.empty()) plot.curves.emplace_back(columns[i].title, std::move(points));
-        }
-        return plot;
-    }
-
     [[nodiscard]] bool missed() const { return missed_; }
 
   private:
@@ -238,18 +213,6 @@ class Writer {
 };
 
 }  // namespace
-
-std::vector<FramePlot> frame_plots(const Experiment& experiment, const std::vector<SizeResult>& results,
-                                   std::size_t size) {
-    std::vector<FramePlot> plots;
-    for (const Table& table : experiment.tables) {
-        for (std::size_t i = 0; !table.plot.empty() && i < results[size].cases.size(); ++i) {
-            FramePlot plot = Writer(experiment, results, table).plotted(size, i);
-            if (!plot.curves.empty()) plots.push_back(std::move(plot));
-        }
-    }
-    return plots;
-}
 
 Text to_text(const Experiment& experiment, const std::vector<SizeResult>& results) {
     Text all;

@@ -34,18 +34,6 @@ struct Text {
 // for what was not measured.
 [[nodiscard]] Text to_text(const Experiment& experiment, const std::vector<SizeResult>& results);
 
-// A table over frames as curves, of one case.
-struct FramePlot {
-    std::string name;  // the table's plot, behind the case
-    std::string x;
-    std::string y;
-    bool logarithmic = false;
-    std::vector<std::pair<std::string, std::vector<std::pair<double, double>>>> curves;  // those with a point
-};
-
-// Those of the tables that ask for one, at a size.
-[[nodiscard]] std::vector<FramePlot> frame_plots(const Experiment& experiment,
-                                                 const std::vector<SizeResult>& results, std::size_t size);
 
 // What of a cell counts. Of times the passes with this name, or whose names begin with one of the prefixes;
 // all where both are empty. Of scores the pixels of a class against a reference, and the last scored frame up

@@ -18,11 +18,11 @@ struct ExperimentPaths {
     std::filesystem::path json;    // every number
     std::filesystem::path csv;     // a line for each candidate of each case
     std::filesystem::path page;    // whose blocks of the tables' names, or the experiment's, are written anew
-    std::filesystem::path report;  // a page of its own; its plots lie in images/NAME beside it
-    std::filesystem::path out;     // folder for results, plots, pictures and the journal
+    std::filesystem::path report;  // a page of its own
+    std::filesystem::path out;     // folder for results, pictures and the journal
 };
 
-// The results with all that pages and plots say of them.
+// The results with all that pages say of them.
 struct Measured {
     const experiment::Experiment& what;
     const experiment::Record& record;
@@ -49,8 +49,7 @@ class ExperimentFiles {
     void show(const experiment::Picture& picture);
     [[nodiscard]] bool shows_pictures() const { return out_.has_value(); }
 
-    // Writes all files. Throws std::runtime_error for a file that cannot be written, and if gnuplot is
-    // missing.
+    // Writes all files. Throws std::runtime_error for a file that cannot be written.
     void write(const Measured& measured, const std::string& heading, const std::string& versions);
 
   private:
@@ -61,7 +60,6 @@ class ExperimentFiles {
     report::OutputFile page_;
     report::OutputFile report_;
     std::optional<report::OutputFolder> out_;
-    std::optional<report::OutputFolder> images_;
     std::optional<report::LineJournal> journal_;
 };
 

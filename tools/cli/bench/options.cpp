@@ -178,8 +178,8 @@ void add_outputs(CLI::App& command, ExperimentOptions& options) {
     command.add_option("--csv", paths.csv, "a line for each candidate of each case");
     command.add_option("--page", paths.page,
                        "page whose blocks of the tables' names, or the experiment's, are written anew");
-    command.add_option("--report", paths.report, "write a page with all tables; its plots lie beside it");
-    command.add_option("--out", paths.out, "folder for results, plots, pictures and the journal");
+    command.add_option("--report", paths.report, "write a page with all tables");
+    command.add_option("--out", paths.out, "folder for results, pictures and the journal");
     command.add_flag("--fail-if-missed", options.fail_if_missed, "status 1 where a target is missed");
 }
 
