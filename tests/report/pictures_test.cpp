@@ -26,9 +26,7 @@ TEST(Page, ForeignTextsStayText) {
     page.heading(hostile);
     page.paragraph(hostile);
     page.preformatted(hostile);
-    page.compare({hostile, hostile}, {hostile, hostile}, hostile);
-    page.pictures({{hostile, hostile}});
-    page.turntable({{hostile, hostile}, {"../../x:y", "b"}}, hostile);
+    page.choose({{hostile, hostile}, {"../../x:y", "b"}}, hostile);
     page.table({.columns = {{.title = hostile, .meaning = hostile, .filter = true}},
                 .rows = {{{hostile}}, {{"other"}}}});
     const std::string html = page.html();

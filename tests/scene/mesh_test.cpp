@@ -241,24 +241,6 @@ TEST(MeshScene, UpIsAnAxisOfTheFile) {
     for (const char* name : {"", "w", "+x", "--x", "xy", "X"}) EXPECT_FALSE(axis_named(name)) << name;
 }
 
-TEST(MeshScene, ATurntableGoesAroundAndSeesAll) {
-    const Mesh box = make_box({0, 0, 0}, {9, 1, 1}, 10.0);
-    constexpr int frames = 8;
-    const Scene scene = mesh_scene(box, "box", {.turntable = frames, .aspect = 1.5});
-    double reach = 0.0;
-    glm::dvec3 sum(0.0);
-    for (int frame = 0; frame < frames; ++frame) {
-        reach = std::max(reach, expect_seen(scene, box.positions.size(), frame, 1.5));
-        const Camera camera = camera_at(scene, frame);
-        EXPECT_NEAR(glm::distance(camera.eye, camera.target),
-                    glm::distance(scene.camera.eye, scene.camera.target), 1e-9);
-        sum += camera.eye - camera.target;
-    }
-    EXPECT_NEAR(reach, 0.84, 1e-3);
-    EXPECT_NEAR(sum.x, 0.0, 1e-9);
-    EXPECT_NEAR(sum.z, 0.0, 1e-9);
-}
-
 TEST(MeshScene, AnEyeOfOnesOwn) {
     const Mesh box = make_box({0, 0, 0}, {1, 1, 1}, 10.0);
     const Scene scene =
@@ -277,7 +259,6 @@ TEST(MeshScene, RefusesWhatCannotBe) {
     refused({.elevation_deg = 90.0}, "elevation");
     refused({.elevation_deg = std::nan("")}, "elevation");
     refused({.azimuth_deg = INFINITY}, "azimuth");
-    refused({.turntable = -1}, "turntable");
     refused({.eye = glm::dvec3(0, 1, 0), .look_at = glm::dvec3(0, 1, 0)}, "eye");
     refused({.aspect = 0.0}, "aspect");
 }

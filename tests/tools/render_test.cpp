@@ -37,20 +37,12 @@ TEST_F(RenderErrors, Numbers) {
         expect_refused(words("corner --size 16x9 --guard {}", guard), "guard");
     expect_refused(words("corner --frames 0"), "--frames");
     expect_refused(words("corner --antialias 9"), "--antialias");
-    for (const char* crop :
-         {"0,0", "0,0,0x4", "0,0,17x9", "9,0,8x9", "-1,0,4x4", "0,6,4x4", "0,0,4x4x4", "4294967295,0,2x2"})
-        expect_refused(words("corner --size 16x9 --crop {}", crop),
-                       "expected LEFT,TOP,WIDTHxHEIGHT within 16 x 9");
 }
 
 TEST_F(RenderErrors, WhatDoesNotGoTogether) {
     expect_refused(words("corner --preset fast,quality --method gtao,hbao"), "several of one of the two");
-    expect_refused(words("corner --preset fast,quality --film {}", path("film")), "--film");
     expect_refused(words("corner --preset fast,fast"), "fast: expected each once");
     expect_refused(words("corner --method gtao,gtao"), "gtao: expected each once");
-    expect_refused(words("corner --film {}", path("film")), "expected a sequence");
-    expect_refused(words("--gbuffer {} --crop 0,0,4x4", gbuffer()), "--crop");
-    EXPECT_FALSE(fs::exists(path("film")));
 }
 
 TEST_F(RenderErrors, Settings) {

@@ -35,7 +35,7 @@ const std::map<std::string, std::string>& examples() {
         {"",
          "  gloam demo                                  pictures, a check, a page\n"
          "  gloam check --device all --html check.html  every equation on every driver\n"
-         "  gloam render mesh.obj --gallery page        a mesh in light, with sliders\n"
+         "  gloam render mesh.obj                       a mesh in light, with and without\n"
          "  gloam site my-site                          checks for any browser\n"
          "  gloam COMMAND --help                        the options of a command\n"},
         {"demo", "  gloam demo --out first-look\n"},
@@ -57,7 +57,7 @@ const std::map<std::string, std::string>& examples() {
          "  gloam report now.json --since last-week.json\n"},
         {"render",
          "  gloam render mesh.obj --frames 8\n"
-         "  gloam render mesh.obj --up z --orbit 40,25 --turntable 24 --gallery page\n"
+         "  gloam render mesh.obj --up z --orbit 40,25\n"
          "  gloam render columns --method all --truth\n"
          "  gloam render --gbuffer FOLDER --radius 0.5\n"},
         {"bench",

@@ -75,8 +75,8 @@ report::Page page_of(const std::vector<Shown>& scenes, report::OutputFolder& out
     report::Page page("gloam demo");
     page.paragraph(
         "Ambient occlusion, rendered on " + scenes.front().run.report.device.name +
-        ". Move each slider: light without ambient occlusion to its left, with it to its right. The "
-        "error is the root mean square error against occlusion traced with rays.");
+        ". Choose above each picture: the light with ambient occlusion, without it, and more. The error "
+        "is the root mean square error against occlusion traced with rays.");
     for (const Shown& scene : scenes) {
         page.heading(scene.name + ": " + scene.what);
         add_pictures(page, out, scene.name + "_", scene.run);
@@ -151,7 +151,7 @@ int run_demo(const DemoOptions& demo) {
     out.write("index.html", page.html());
     out.keep();
     say(demo, check_line(outcome));
-    say(demo, "look at   " + (folder / "index.html").string() + " (sliders, and the check's table)");
+    say(demo, "look at   " + (folder / "index.html").string() + " (pictures, and the check's table)");
     say(demo, "next      gloam check --help, gloam render --help");
     return std::max(validation_status(bench.device), outcome.counts.exit_status());
 }

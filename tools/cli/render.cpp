@@ -43,8 +43,8 @@ std::vector<Run> runs_of(const RenderOptions& options) {
     if (methods.size() > 1 && presets.size() > 1)
         throw std::invalid_argument("--method and --preset: expected several of one of the two");
     const bool several = methods.size() * presets.size() > 1;
-    if (several && (!options.write_gbuffer.empty() || !options.film.empty()))
-        throw std::invalid_argument("--write-gbuffer and --film go with one method and one preset");
+    if (several && !options.write_gbuffer.empty())
+        throw std::invalid_argument("--write-gbuffer goes with one method and one preset");
     std::vector<Run> runs;
     std::set<std::string> prefixes;
     for (const std::string& preset : presets) {
@@ -63,21 +63,6 @@ std::vector<Run> runs_of(const RenderOptions& options) {
         }
     }
     return runs;
-}
-
-// The part of the image that --crop names.
-Crop crop_of(const std::string& text, gpu::Extent extent) {
-    const std::size_t comma = std::min(text.rfind(','), text.size());
-    const auto corner = pair_from(std::string_view(text).substr(0, comma), ',');
-    const auto size = pair_from(std::string_view(text).substr(std::min(comma + 1, text.size())), 'x');
-    const auto fits = [](std::uint64_t from, std::uint64_t length, std::uint32_t side) {
-        return length > 0 && from + length <= side;
-    };
-    if (corner && size && fits(corner->first, size->first, extent.width) &&
-        fits(corner->second, size->second, extent.height))
-        return {corner->first, corner->second, {size->first, size->second}};
-    throw std::invalid_argument(fmt::format("--crop {}: expected LEFT,TOP,WIDTHxHEIGHT within {} x {} pixels",
-                                            text, extent.width, extent.height));
 }
 
 void print_comparison(const std::vector<Rendered>& rendered) {
@@ -121,8 +106,6 @@ void add_view_options(CLI::App& command, RenderOptions& options) {
                      "stop the scene at --frame and accumulate frames of that view");
     command.add_option("--write-gbuffer", options.write_gbuffer, "folder for the G-buffers that were shaded");
     command.add_option("--out", options.out, "folder for pictures and render.json")->capture_default_str();
-    command.add_option("--gallery", options.gallery,
-                       "folder for index.html: the pictures behind before/after sliders, times and errors");
     command
         .add_option(
             "--antialias", options.antialias,
@@ -130,14 +113,6 @@ void add_view_options(CLI::App& command, RenderOptions& options) {
             "of the pixels")
         ->check(CLI::Range(1, 8))
         ->capture_default_str();
-    command.add_option(
-        "--crop", options.crop,
-        "LEFT,TOP,WIDTHxHEIGHT: the sheet shows this part, magnified: without occlusion, each run "
-        "and the truth, lit, and below them the occlusion alone");
-    command.add_option(
-        "--film", options.film,
-        "folder for a lit picture of each view of a sequence; a bar moves across them, without "
-        "occlusion to its left");
     command.add_flag("--quiet", options.quiet, "print nothing but errors");
 }
 
@@ -155,8 +130,6 @@ void add_mesh_options(CLI::App& command, MeshOptions& mesh) {
     command.add_option(
         "--look-at", mesh.look_at,
         "X,Y,Z: the point that the eye looks at, in the same unit (default: the centre of the mesh)");
-    command.add_option("--turntable", mesh.turntable, "frames of one full turn around the mesh")
-        ->check(CLI::Range(1, 9999));
 }
 
 void add_effect_options(CLI::App& command, RenderOptions& options) {
@@ -246,27 +219,18 @@ void take_scene_from_truth(RenderOptions& options) {
 
 int run_render(const RenderOptions& options) {
     std::vector<Run> runs = runs_of(options);
-    std::optional<Crop> crop;
-    if (!options.crop.empty() && !options.gbuffer.empty())
-        throw std::invalid_argument("--crop goes with a scene or a mesh, not with --gbuffer");
-    if (!options.crop.empty()) crop = crop_of(options.crop, parse_size(options.size));
     report::OutputFolder out(options.out);
-    std::optional<report::OutputFolder> gallery;
-    if (!options.gallery.empty()) gallery.emplace(options.gallery);
     RenderBench bench(options);
     std::vector<Rendered> rendered;
     for (const Run& run : runs) {
         rendered.push_back(render(run.options, run.input, bench, {&out, run.prefix}));
         if (runs.size() == 1 && !options.quiet) fmt::print("{}", to_text(rendered.front().report));
     }
-    out.write("sheet.png", crop ? cropped_sheet_of(rendered, *crop) : sheet_of(rendered));
-    if (gallery) write_gallery(*gallery, rendered);
+    out.write("sheet.png", sheet_of(rendered));
     out.keep();
-    if (gallery) gallery->keep();
     if (!options.quiet) {
         if (runs.size() > 1) print_comparison(rendered);
         fmt::print("pictures: {}\n", (out.path() / "sheet.png").string());
-        if (gallery) fmt::print("page: {}\n", (gallery->path() / "index.html").string());
     }
     return validation_status(bench.device);
 }

@@ -23,10 +23,9 @@ struct MeshOptions {
     std::string orbit;    // "AZIMUTH,ELEVATION"; empty: the default
     std::string up = "y";
     bool no_ground = false;
-    int turntable = 0;
 
     [[nodiscard]] bool given() const {
-        return !eye.empty() || !look_at.empty() || !orbit.empty() || up != "y" || no_ground || turntable > 0;
+        return !eye.empty() || !look_at.empty() || !orbit.empty() || up != "y" || no_ground;
     }
 };
 
@@ -67,9 +66,6 @@ struct RenderOptions {
     MeshOptions mesh;
     std::vector<std::string> methods;  // several: each is run, and a sheet compares them; "all"
     std::vector<std::string> presets;  // likewise; several of one of the two
-    std::string crop;                  // "LEFT,TOP,WIDTHxHEIGHT": the sheet shows this part; empty: all
-    std::filesystem::path gallery;     // folder for a page of the pictures; empty: none
-    std::filesystem::path film;        // folder for a picture of each view; empty: none
     bool quiet = false;
 };
 

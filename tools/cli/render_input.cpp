@@ -60,7 +60,7 @@ std::optional<glm::dvec3> parse_point(const char* option, const std::string& tex
 }
 
 scene::MeshView mesh_view(const MeshOptions& mesh, gpu::Extent extent) {
-    scene::MeshView view{.ground = !mesh.no_ground, .turntable = mesh.turntable};
+    scene::MeshView view{.ground = !mesh.no_ground};
     const auto up = scene::axis_named(mesh.up);
     if (!up) throw std::invalid_argument(fmt::format("--up {}: expected x, y, z, -x, -y or -z", mesh.up));
     view.up = *up;
@@ -82,9 +82,8 @@ scene::Scene load_scene(const RenderOptions& options, gpu::Extent extent) {
     if (is_among(scene_names(), source) || is_among(view_names(), source)) {
         if (options.mesh.given())
             throw std::invalid_argument(
-                fmt::format("\"{}\" has a camera of its own: --eye, --look-at, --orbit, --up, --no-ground "
-                            "and --turntable go "
-                            "with a mesh file",
+                fmt::format("\"{}\" has a camera of its own: --eye, --look-at, --orbit, --up and "
+                            "--no-ground go with a mesh file",
                             source));
         return is_among(scene_names(), source) ? scene::make_scene(source)
                                                : scene::make_view(source, scene::installed_meshes());
@@ -112,7 +111,7 @@ RenderInput from_scene(const RenderOptions& options, const RenderInput* like) {
     const auto scene = like != nullptr && like->scene
                            ? like->scene
                            : std::make_shared<const scene::Scene>(load_scene(options, extent));
-    const int frames = options.frames.value_or(std::max(1, options.mesh.turntable));
+    const int frames = options.frames.value_or(1);
     const bool moves = scene->camera_path || !scene->objects.empty();
     const bool follows = moves && !options.still && frames > 1;
     RenderInput input{.name = scene->name,
@@ -148,8 +147,7 @@ RenderInput from_gbuffer(const RenderOptions& options) {
     if (options.still) throw std::invalid_argument("--still goes with a scene, not with --gbuffer");
     if (options.frame != 0) throw std::invalid_argument("--frame goes with a scene, not with --gbuffer");
     if (options.mesh.given())
-        throw std::invalid_argument(
-            "--eye, --look-at, --orbit, --up, --no-ground and --turntable go with a mesh file");
+        throw std::invalid_argument("--eye, --look-at, --orbit, --up and --no-ground go with a mesh file");
     if (!options.source.empty()) {
         throw std::invalid_argument(fmt::format("\"{}\" and --gbuffer {}: give one of the two",
                                                 options.source, options.gbuffer.string()));

@@ -94,13 +94,12 @@ struct Pictures {
     base::RgbBytes truth;       // white where open; empty: there is no truth
     base::RgbBytes truth_lit;   // lit, with the true occlusion; empty: there is no truth
     base::RgbBytes error;       // of the occlusion against the truth; empty: there is no truth
-    double none_error = 0.0;    // root mean square error of no occlusion at all; 0: there is no truth
 };
 
-// One run of one method: its report, and the pictures of its last frame; for a turntable those of all frames.
+// One run of one method: its report, and the pictures of its last frame.
 struct Rendered {
     RenderReport report;
-    std::vector<Pictures> pictures;
+    Pictures last;
 };
 
 // The error at the bright end of the heat map.
@@ -112,7 +111,7 @@ inline constexpr double brightest_error = 0.25;
                                    const scene::PictureLight& light, const std::vector<float>& occlusion,
                                    const effect::Truth& truth, bool multi_bounce);
 
-// Writes NAME_plain.png, NAME_shaded.png, and NAME_error.png if there is an error.
+// Writes NAME_plain.png and NAME_shaded.png, with a truth NAME_true.png and NAME_error.png as well.
 void write_pictures(report::OutputFolder& folder, const Pictures& pictures);
 
 // Sum of the passes of the last frame, ms; NaN where the device has no clock.
@@ -120,9 +119,6 @@ void write_pictures(report::OutputFolder& folder, const Pictures& pictures);
 
 // Root mean square error of the last frame's filtered image; nullopt without a truth.
 [[nodiscard]] std::optional<double> frame_error(const RenderReport& report);
-
-// "3.2 ms, error 0.031", as far as they are known.
-[[nodiscard]] std::string time_and_error_of(const RenderReport& report);
 
 // "sweep, 3.2 ms, error 0.031": for captions.
 [[nodiscard]] std::string caption_of(const RenderReport& report);
@@ -132,30 +128,9 @@ void write_pictures(report::OutputFolder& folder, const Pictures& pictures);
 // error. Throws std::invalid_argument for no runs.
 [[nodiscard]] std::string sheet_of(const std::vector<Rendered>& runs);
 
-// A part of an image, pixels.
-struct Crop {
-    std::uint32_t left = 0;
-    std::uint32_t top = 0;
-    gpu::Extent extent;
-};
-
-// A PNG sheet of one part of each picture, magnified: lit without occlusion, with that of each run, and with
-// the true one if it is known; below each the occlusion alone with its time and error. Throws
-// std::invalid_argument for no runs and a part that is not in the image.
-[[nodiscard]] std::string cropped_sheet_of(const std::vector<Rendered>& runs, const Crop& crop);
-
-// The picture at a share of a film, [0, 1]: a bar moves from the left edge to the right and back, with the
-// light without occlusion to its left.
-[[nodiscard]] base::RgbBytes wiped(const Pictures& pictures, double share);
-
 // Writes the pictures of a run into a page's folder, under names that begin with `prefix`, and adds them to
-// the page: the light without and with occlusion behind a slider, then the occlusion alone and its error. A
-// turntable has all of its views.
+// the page, one of them shown at a time.
 void add_pictures(report::Page& page, report::OutputFolder& folder, const std::string& prefix,
                   const Rendered& run);
-
-// Writes index.html and its pictures: one section for each run, and a table of times and errors if there are
-// several.
-void write_gallery(report::OutputFolder& folder, const std::vector<Rendered>& runs);
 
 }  // namespace gloam::cli

@@ -129,9 +129,6 @@ class Renderer {
           truth_(options, input_),
           progress_(options.quiet ? [](double) {} : progress_bar(input_.name + ": frames")) {
         if (!options.write_gbuffer.empty()) gbuffer_out_.emplace(options.write_gbuffer);
-        if (!options.film.empty() && input_.views.size() < 2)
-            throw std::invalid_argument("--film: expected a sequence, with --frames or --turntable");
-        if (!options.film.empty()) film_out_.emplace(options.film);
         report_ = {.source = input_.name,
                    .name = name_of(options),
                    .preset = options.preset,
@@ -145,7 +142,6 @@ class Renderer {
         if (output_.folder != nullptr)
             output_.folder->write(output_.prefix + "render.json", to_json(report_));
         if (gbuffer_out_) gbuffer_out_->keep();
-        if (film_out_) film_out_->keep();
         return {std::move(report_), std::move(pictures_)};
     }
 
@@ -173,8 +169,7 @@ class Renderer {
             if (i == 0) entry.history.cut = cut;
             const bool last = i + 1 == input_.frames_per_view;
             compare(entry, view, frame, truth, last);
-            const bool kept = options_.mesh.turntable > 0 || number == input_.views.back();
-            if (last && (kept || film_out_)) show(number, number + i, view, frame, truth, kept);
+            if (last && is_shown(number)) show(number, number + i, view, frame, truth);
             report_.frames.push_back(std::move(entry));
             progress_(static_cast<double>(report_.frames.size()) / static_cast<double>(frame_count()));
         }
@@ -253,23 +248,19 @@ class Renderer {
         entry.errors->metrics = effect::metrics_of(frame.filtered, truth.truth, view.extent);
     }
 
-    // Makes the pictures of a view's last frame. kept: for the sheet and the gallery; else for the film
-    // alone.
+    // Whether there are pictures of a view: the last, and of one run all that are written.
+    [[nodiscard]] bool is_shown(int number) const {
+        return number == input_.views.back() || (output_.folder != nullptr && output_.prefix.empty());
+    }
+
+    // Makes the pictures of a view's last frame.
     void show(int view_number, int frame_number, const scene::GBuffer& view, const effect::Frame& frame,
-              const ViewTruth& truth, bool kept) {
-        const scene::PictureLight& light =
-            bench_.light_of(input_, view_number, view, !options_.quiet && !film_out_);
-        Pictures pictures = pictures_of(bench_.composite, stem(frame_number), light, frame.filtered,
-                                        truth.truth, options_.multi_bounce);
-        if (film_out_) {
-            const auto done = static_cast<double>(report_.frames.size());
-            film_out_->write(pictures.name + ".png",
-                             base::to_rgb_png(wiped(pictures, done / static_cast<double>(frame_count())),
-                                              view.extent.width, view.extent.height));
-        }
-        if (!kept) return;
-        if (output_.folder != nullptr) write_pictures(*output_.folder, pictures);
-        pictures_.push_back(std::move(pictures));
+              const ViewTruth& truth) {
+        const bool watched = !options_.quiet && input_.views.size() == 1;
+        const scene::PictureLight& light = bench_.light_of(input_, view_number, view, watched);
+        pictures_ = pictures_of(bench_.composite, stem(frame_number), light, frame.filtered, truth.truth,
+                                options_.multi_bounce);
+        if (output_.folder != nullptr) write_pictures(*output_.folder, pictures_);
     }
 
     [[nodiscard]] std::string stem(int number) const { return output_.prefix + scene::frame_prefix(number); }
@@ -291,14 +282,13 @@ class Renderer {
     const RenderOutput& output_;
     TruthSource truth_;
     std::optional<report::OutputFolder> gbuffer_out_;
-    std::optional<report::OutputFolder> film_out_;
     std::optional<effect::AmbientOcclusion> effect_;
     std::optional<effect::Directional> directional_;
     std::optional<Before> before_;
     RenderHistory history_;
     std::function<void(double)> progress_;
     RenderReport report_;
-    std::vector<Pictures> pictures_;
+    Pictures pictures_;  // of the last view
 };
 
 }  // namespace

@@ -80,7 +80,7 @@ ordered_json render_scene(const Shown& shown, const PictureOptions& options, Ren
     const RenderInput input = open_input(render_options);
     bench.forget_light();
     const Rendered run = render(render_options, input, bench, {});
-    const Pictures& last = run.pictures.back();
+    const Pictures& last = run.last;
     const std::string prefix = std::string("gallery-") + shown.name + "-";
     return {{"title", shown.title},
             {"before", folder.write(prefix + "plain.png", last.plain, last.extent)},
@@ -110,7 +110,7 @@ std::string render_preview(const PictureOptions& options, RenderBench& bench, Pi
                                        .quiet = true};
     bench.forget_light();
     const Rendered run = render(render_options, open_input(render_options), bench, {});
-    return folder.write("preview.png", run.pictures.back().shaded, run.pictures.back().extent);
+    return folder.write("preview.png", run.last.shaded, run.last.extent);
 }
 
 constexpr int rays_of_truth = 256;
@@ -144,7 +144,7 @@ site::MethodPicture render_method(const std::string& name, const PictureOptions&
                                        .device = options.device,
                                        .quiet = true};
     const Rendered run = render(render_options, open_input(render_options), bench, {});
-    const Pictures& last = run.pictures.back();
+    const Pictures& last = run.last;
     return {
         folder.write("method-" + name + ".png", last.visibility, last.extent),
         fmt::format(

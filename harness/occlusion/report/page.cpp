@@ -42,9 +42,8 @@ std::string url_of(std::string_view file) {
     return url;
 }
 
-std::string image(const PagePicture& picture, const char* style = "") {
-    return fmt::format("<img{} src=\"{}\" alt=\"{}\">", style, url_of(picture.file),
-                       escaped_html(picture.caption));
+std::string image(const PagePicture& picture) {
+    return fmt::format("<img src=\"{}\" alt=\"{}\">", url_of(picture.file), escaped_html(picture.caption));
 }
 
 const char* class_of(Tone tone) {
@@ -143,32 +142,15 @@ void Page::source(const std::vector<PageLine>& lines) {
     body_ += "</pre>\n";
 }
 
-void Page::compare(const PagePicture& before, const PagePicture& after, std::string_view caption) {
-    body_ += fmt::format(
-        "<figure class=\"compare\">\n<div class=\"pair\">{}{}</div>\n"
-        "<input type=\"range\" min=\"0\" max=\"100\" value=\"50\" aria-label=\"from {} to {}\">\n"
-        "<div class=\"sides\"><span>{}</span><span>{}</span></div>\n<figcaption>{}</figcaption>\n</figure>\n",
-        image(before), image(after, " class=\"after\""), escaped_html(before.caption),
-        escaped_html(after.caption), escaped_html(before.caption), escaped_html(after.caption),
-        escaped_html(caption));
-}
-
-void Page::pictures(const std::vector<PagePicture>& pictures) {
-    body_ += "<div class=\"grid\">\n";
-    for (const PagePicture& picture : pictures)
-        body_ += fmt::format("<figure><a href=\"{}\">{}</a><figcaption>{}</figcaption></figure>\n",
-                             url_of(picture.file), image(picture), escaped_html(picture.caption));
-    body_ += "</div>\n";
-}
-
-void Page::turntable(const std::vector<PagePicture>& pictures, std::string_view caption) {
-    if (pictures.empty()) return;
-    body_ += "<figure class=\"turn\">\n";
+void Page::choose(const std::vector<PagePicture>& pictures, std::string_view caption) {
+    const std::string group = fmt::format("choice{}", ++choices_);
+    body_ += "<figure class=\"choose\">\n";
+    for (std::size_t i = 0; i < pictures.size(); ++i)
+        body_ += fmt::format(
+            "<input type=\"radio\" name=\"{0}\" id=\"{0}-{1}\"{2}><label for=\"{0}-{1}\">{3}</label>\n",
+            group, i, i == 0 ? " checked" : "", escaped_html(pictures[i].caption));
     for (const PagePicture& picture : pictures) body_ += image(picture) + "\n";
-    body_ += fmt::format(
-        "<input type=\"range\" min=\"0\" max=\"{}\" value=\"0\" aria-label=\"picture\">\n"
-        "<figcaption>{}</figcaption>\n</figure>\n",
-        pictures.size() - 1, escaped_html(caption));
+    body_ += fmt::format("<figcaption>{}</figcaption>\n</figure>\n", escaped_html(caption));
 }
 
 void Page::table(const PageTable& table) {

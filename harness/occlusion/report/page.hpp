@@ -64,14 +64,8 @@ class Page {
     void preformatted(std::string_view text);
     void source(const std::vector<PageLine>& lines);
 
-    // Two pictures of one size on top of each other with a slider; `before` is on its left.
-    void compare(const PagePicture& before, const PagePicture& after, std::string_view caption);
-
-    // Pictures side by side, as many in a row as fit.
-    void pictures(const std::vector<PagePicture>& pictures);
-
-    // One of several pictures, chosen with a slider: views around an object, or frames.
-    void turntable(const std::vector<PagePicture>& pictures, std::string_view caption);
+    // Pictures of one size with a button each: the chosen one is shown, at first the first. At most five.
+    void choose(const std::vector<PagePicture>& pictures, std::string_view caption);
 
     // Throws std::invalid_argument for a row with another number of cells than columns.
     void table(const PageTable& table);
@@ -82,6 +76,7 @@ class Page {
   private:
     std::string title_;
     std::string body_;
+    int choices_ = 0;
 };
 
 // Escapes a text for HTML, in element content and in quoted attributes: & < > " ' become entities, control

@@ -17,7 +17,6 @@ namespace {
 
 constexpr double mesh_fovy_rad = 0.7;
 constexpr double margin = 0.08;  // of the image, on each side
-constexpr int most_frames = 9999;
 constexpr glm::vec3 ground_color(0.42F, 0.41F, 0.4F);
 
 void check(const MeshView& view) {
@@ -25,8 +24,6 @@ void check(const MeshView& view) {
     if (!(std::abs(view.elevation_deg) <= 89.0))
         refuse(fmt::format("elevation of {} degrees, expected -89 to 89", view.elevation_deg));
     if (!std::isfinite(view.azimuth_deg)) refuse("the azimuth is not finite");
-    if (view.turntable < 0 || view.turntable > most_frames)
-        refuse(fmt::format("turntable of {} frames, expected 0 to {}", view.turntable, most_frames));
     if (!(view.aspect > 0.0)) refuse(fmt::format("aspect {}, expected > 0", view.aspect));
 }
 
@@ -83,18 +80,10 @@ void place_camera(Scene& scene, const MeshView& view, const glm::dvec3& middle, 
         view.eye ? *view.eye - target : direction_of(view.azimuth_deg, view.elevation_deg);
     const double azimuth = std::atan2(first.x, first.z) * 180.0 / std::numbers::pi;
     const double elevation = std::atan2(first.y, std::hypot(first.x, first.z)) * 180.0 / std::numbers::pi;
-    const auto back = [azimuth, elevation, frames = std::max(view.turntable, 1)](int frame) {
-        return direction_of(azimuth + 360.0 * frame / frames, elevation);
-    };
-    double distance = glm::length(first);
-    if (!view.eye) {
-        distance = 0.0;
-        for (int frame = 0; frame < std::max(view.turntable, 1); ++frame)
-            distance = std::max(distance, fitting_distance(scene.mesh, target, back(frame), view.aspect));
-    }
-    const auto camera = [=](int frame) { return camera_from(target + distance * back(frame), target, size); };
-    scene.camera = camera(0);
-    if (view.turntable > 0) scene.camera_path = camera;
+    const glm::dvec3 back = direction_of(azimuth, elevation);
+    const double distance =
+        view.eye ? glm::length(first) : fitting_distance(scene.mesh, target, back, view.aspect);
+    scene.camera = camera_from(target + distance * back, target, size);
 }
 
 }  // namespace

@@ -32,7 +32,6 @@ struct MeshView {
     bool ground = true;                   // a plane under the mesh
     double azimuth_deg = 20.0;            // of the eye around the mesh, from the front towards +x
     double elevation_deg = 22.0;          // of the eye above the horizon, -89 to 89
-    int turntable = 0;                    // frames of one full turn around the mesh; 0: static camera
     std::optional<glm::dvec3> eye{};      // instead of azimuth and elevation
     std::optional<glm::dvec3> look_at{};  // default: the middle of the mesh
     double aspect = 1.0;                  // of the image, width over height
@@ -42,9 +41,9 @@ struct MeshView {
 [[nodiscard]] std::optional<glm::dvec3> axis_named(std::string_view name);
 
 // A scene of a mesh, scaled to a height of 1 (if it has nearly none, to a longest side of 1), on the plane y
-// = 0. Without `eye`, the camera is as near as possible so that the whole mesh is visible with a margin, from
-// every side of a turntable. Throws std::invalid_argument for a mesh without extent, an elevation or a number
-// of frames out of range, an aspect that is not > 0, and an eye at the point it looks at.
+// = 0. Without `eye`, the camera is as near as possible so that the whole mesh is visible with a
+// margin. Throws std::invalid_argument for a mesh without extent, an elevation out of range, an aspect that
+// is not > 0, and an eye at the point it looks at.
 [[nodiscard]] Scene mesh_scene(Mesh mesh, std::string name, const MeshView& view = {});
 
 }  // namespace gloam::scene

@@ -1,20 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What a page does: pairs of pictures behind a slider, turntables, tables that are sorted and filtered.
+// What a page does: tables that are sorted and filtered.
 // It reads nothing but the page and writes no markup.
 "use strict";
-for (const figure of document.querySelectorAll("figure.compare")) {
-  const slider = figure.querySelector("input");
-  const move = () => figure.querySelector(".pair").style.setProperty("--at", slider.value + "%");
-  slider.addEventListener("input", move);
-  move();
-}
-for (const figure of document.querySelectorAll("figure.turn")) {
-  const slider = figure.querySelector("input");
-  const pictures = figure.querySelectorAll("img");
-  const show = () => pictures.forEach((picture, i) => picture.classList.toggle("shown", i === Number(slider.value)));
-  slider.addEventListener("input", show);
-  show();
-}
 const keyOf = (row, column) => {
   const cell = row.cells[column];
   return cell.dataset.value === undefined ? cell.textContent : Number(cell.dataset.value);
