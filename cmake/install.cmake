@@ -51,9 +51,9 @@ install(DIRECTORY glsl/ DESTINATION ${data}/glsl COMPONENT glsl)
 if(NOT GLOAM_FRAMEWORK_ONLY)
   install(DIRECTORY docs experiments DESTINATION ${data} COMPONENT program)
   install(DIRECTORY tools/stress/shaders/ DESTINATION ${data}/stress COMPONENT program)
-  install(DIRECTORY tools/site/effect tools/site/npm tools/site/page tools/site/shaders tools/site/third-party
+  install(DIRECTORY tools/site/effect tools/site/npm tools/site/page tools/site/shaders
     DESTINATION ${data}/site COMPONENT program)
-  install(FILES tools/site/method.html tools/site/template.html DESTINATION ${data}/site COMPONENT program)
+  install(FILES tools/site/template.html DESTINATION ${data}/site COMPONENT program)
 endif()
 
 include(cmake/spdx.cmake)

@@ -21,7 +21,7 @@ function(gloam_spdx_package NAME VERSION LICENCE COPYRIGHT PURL)
   set(spdx_packages ${spdx_packages} "${text}}" PARENT_SCOPE)
 endfunction()
 
-# gloam_spdx_relation(FROM TYPE TO), as in "SPDXRef-gloam CONTAINS SPDXRef-uplot".
+# gloam_spdx_relation(FROM TYPE TO), as in "SPDXRef-gloam STATIC_LINK SPDXRef-glslang".
 function(gloam_spdx_relation FROM TYPE TO)
   string(REPLACE "_" "-" TO ${TO})
   string(CONCAT text "{\"spdxElementId\": \"SPDXRef-${FROM}\", \"relationshipType\": \"${TYPE}\", "
@@ -68,21 +68,6 @@ foreach(row ${spdx_libraries})
   gloam_spdx_package(${name} "${version}" "${licence}" NOASSERTION "")
   gloam_spdx_relation(${part} STATIC_LINK ${name})
 endforeach()
-
-# The copies from npm in the site, from the table that lists them:
-# | files | `package`: files | version | licence, file |
-if(NOT GLOAM_FRAMEWORK_ONLY)
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS tools/site/third-party/README.md)
-  file(STRINGS tools/site/third-party/README.md rows REGEX "^\\| `")
-  foreach(row ${rows})
-    if(NOT row MATCHES "^\\|[^|]+\\| `([^`]+)`[^|]*\\| ([0-9.]+) \\| ([A-Za-z0-9.-]+),")
-      message(FATAL_ERROR "tools/site/third-party/README.md: ${row}: expected the columns of cmake/spdx.cmake")
-    endif()
-    set(name ${CMAKE_MATCH_1})
-    gloam_spdx_package(${name} ${CMAKE_MATCH_2} ${CMAKE_MATCH_3} NOASSERTION "pkg:npm/${name}@${CMAKE_MATCH_2}")
-    gloam_spdx_relation(gloam CONTAINS ${name})
-  endforeach()
-endif()
 
 string(TIMESTAMP spdx_time UTC)
 string(SHA256 spdx_key "${PROJECT_VERSION} ${spdx_packages}")

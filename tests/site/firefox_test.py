@@ -46,12 +46,7 @@ class FirefoxTest(SiteCase):
         self.assertRegex(self.browser.text("timing"),
                          "^WebGL2: .* ms from frame to frame")
         for page, ready in (("methods", "document.querySelectorAll('tbody tr').length === 1"),
-                            ("method-sweep", "document.querySelector('.source').textContent.includes('gloam_sweep')"),
-                            ("check", "document.getElementById('gpu').textContent !== 'unknown'"),
-                            ("measurements", "document.querySelectorAll('.chart canvas').length > 0"),
-                            ("drivers", "document.querySelectorAll('table').length > 0"),
-                            ("gallery", "document.getElementById('device').textContent !== ''"),
-                            ("licences", "document.querySelectorAll('pre').length === 2")):
+                            ("check", "document.getElementById('gpu').textContent !== 'unknown'")):
             self.browser.open(self.site / f"{page}.html")
             self.browser.wait(ready)
         self.assertEqual([], self.browser.problems())

@@ -179,9 +179,9 @@ class LandingTest(SiteCase):
                 self.assertIn("gloam_sweep" if "pack" in words else " 0 failed", done.stdout)
 
     def test_previews_have_the_address_of_the_site(self):
-        text = (self.site / "method-gtao.html").read_text(encoding="utf-8")
-        self.assertIn('<meta property="og:url" content="https://example.org/gloam/method-gtao.html">', text)
-        self.assertIn('<meta property="og:title" content="gtao: ', text)
+        text = (self.site / "methods.html").read_text(encoding="utf-8")
+        self.assertIn('<meta property="og:url" content="https://example.org/gloam/methods.html">', text)
+        self.assertIn('<meta property="og:title" content="gloam: methods', text)
 
     def test_wrong_options_write_nothing(self):
         for option, value, words in (("--address", "example.org", '"example.org": expected an address like'),

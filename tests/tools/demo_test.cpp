@@ -166,7 +166,6 @@ TEST_F(SiteTest, WhatCannotBeWrittenIsOneLineAndLeavesNothing) {
     EXPECT_FALSE(fs::exists(site));
     expect_could_not_run(gloam("site {} --inputs 0", site), "--inputs");
     expect_could_not_run(gloam("site /dev/null --no-pictures"), "/dev/null");
-    expect_could_not_run(gloam("site {} --measured no-such.md", site), "no-such.md");
 }
 
 }  // namespace gloam::test::demo_test

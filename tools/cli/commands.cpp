@@ -85,9 +85,7 @@ const std::map<std::string, std::string>& examples() {
         {"pack", "  gloam pack gloam/geometry/linear_depth.glsl --version 310es\n"},
         {"site",
          "  gloam site my-site                             then open my-site/index.html\n"
-         "  gloam site few 'TSSAO-*' --inputs 2048         some equations, with more inputs\n"
-         "  gloam site my-site --measured front.md         with the tables of gloam bench front > "
-         "front.md\n"}};
+         "  gloam site few 'TSSAO-*' --inputs 2048         some equations, with more inputs\n"}};
     return table;
 }
 

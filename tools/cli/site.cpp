@@ -28,7 +28,7 @@ namespace {
 
 // Which pictures of a site to render.
 struct PictureOptions {
-    bool pictures = true;              // without: the gallery is empty and says so
+    bool pictures = true;
     std::string device;                // name or index; empty: the default
     std::vector<std::string> methods;  // each gets a picture; empty: all
 };
@@ -40,19 +40,8 @@ struct RenderedPictures {
 
 using nlohmann::ordered_json;
 
-struct Shown {
-    const char* name;
-    const char* title;
-};
-
-// Scenes that show much occlusion, each in its own light.
-constexpr Shown scenes[] = {{"columns", "A hall of columns, lit by a lamp"},
-                            {"knot", "A knot on a plane, in the sun"},
-                            {"room", "A room, lit by a lamp"}};
-
-ordered_json empty_gallery(const std::string& reason) {
-    return {{"device", "There are no pictures: " + reason}, {"scenes", ordered_json::array()}};
-}
+// The scenes of the first page.
+constexpr const char* scenes[] = {"columns", "knot", "room"};
 
 // Writes pictures and counts their bytes.
 class PictureFolder {
@@ -73,47 +62,34 @@ class PictureFolder {
     std::size_t bytes_ = 0;
 };
 
-ordered_json render_scene(const Shown& shown, const PictureOptions& options, RenderBench& bench,
-                          PictureFolder& folder) {
-    const RenderOptions render_options{
-        .source = shown.name, .frames = 16, .size = "640x360", .device = options.device, .quiet = true};
-    const RenderInput input = open_input(render_options);
-    bench.forget_light();
-    const Rendered run = render(render_options, input, bench, {});
-    const Pictures& last = run.last;
-    const std::string prefix = std::string("gallery-") + shown.name + "-";
-    return {{"title", shown.title},
-            {"before", folder.write(prefix + "plain.png", last.plain, last.extent)},
-            {"after", folder.write(prefix + "shaded.png", last.shaded, last.extent)},
-            {"occlusion", folder.write(prefix + "occlusion.png", last.visibility, last.extent)},
-            {"caption", caption_of(run.report)}};
-}
-
-// The device, or why there is none.
-std::unique_ptr<RenderBench> open_bench(const PictureOptions& options, std::string& reason) {
+// The device, or null where there is none.
+std::unique_ptr<RenderBench> open_bench(const PictureOptions& options) {
     try {
         return std::make_unique<RenderBench>(RenderOptions{.device = options.device});
-    } catch (const std::exception& error) {
+    } catch (const std::exception&) {
         if (!options.device.empty()) throw;  // it was asked for
-        reason = base::one_line(error.what());
         return nullptr;
     }
 }
 
-// Room and light as the first page begins, in the size that other sites show previews in.
-std::string render_preview(const PictureOptions& options, RenderBench& bench, PictureFolder& folder) {
+constexpr int rays_of_truth = 256;
+
+// The room without and with occlusion, and with the true one (page/index.html). Returns their caption.
+std::string render_room(const PictureOptions& options, RenderBench& bench, PictureFolder& folder) {
     const RenderOptions render_options{.source = "room",
                                        .frames = 16,
                                        .still = true,
-                                       .size = "1200x630",
                                        .device = options.device,
+                                       .trace_truth = true,
+                                       .truth_rays = rays_of_truth,
                                        .quiet = true};
     bench.forget_light();
     const Rendered run = render(render_options, open_input(render_options), bench, {});
-    return folder.write("preview.png", run.last.shaded, run.last.extent);
+    folder.write("room-with.png", run.last.shaded, run.last.extent);
+    folder.write("room-without.png", run.last.plain, run.last.extent);
+    folder.write("room-truth.png", run.last.truth_lit, run.last.extent);
+    return fmt::format("A room, rendered on {}: {}", bench.device.info().name, caption_of(run.report));
 }
-
-constexpr int rays_of_truth = 256;
 
 // The first view of a scene, and its ray-traced truth as a script for the page: a picture of a file cannot be
 // read by the scripts of another file.
@@ -162,28 +138,21 @@ std::vector<std::string> methods_of(const PictureOptions& options) {
     return names;
 }
 
-// Renders the pictures of the gallery and of the methods, traces the truth of the scenes that the first page
-// shows, and writes all into the folder. Without a Vulkan device there are none, and the gallery says why.
+// Renders the pictures of the room and of the methods, traces the truth of the scenes that the first page
+// shows, and writes all into the folder. Without a Vulkan device there are none.
 // Throws std::invalid_argument for an unknown method.
 RenderedPictures write_site_pictures(const PictureOptions& options, report::OutputFolder& folder) {
     RenderedPictures all;
     const std::vector<std::string> methods = methods_of(options);
-    std::string reason = "the site was written without them.";
-    const std::unique_ptr<RenderBench> bench = options.pictures ? open_bench(options, reason) : nullptr;
-    if (!bench) {
-        all.of_site.gallery = empty_gallery(reason).dump();
-        return all;
-    }
-    ordered_json json{{"device", "Rendered on " + bench->device.info().name + "."},
-                      {"scenes", ordered_json::array()}};
+    const std::unique_ptr<RenderBench> bench = options.pictures ? open_bench(options) : nullptr;
+    if (!bench) return all;
     PictureFolder pictures(folder);
-    for (const Shown& shown : scenes) {
-        json["scenes"].push_back(render_scene(shown, options, *bench, pictures));
-        write_truth_script(shown.name, *bench, folder);
-        all.of_site.truths.emplace_back(shown.name);
+    for (const char* name : scenes) {
+        write_truth_script(name, *bench, folder);
+        all.of_site.truths.emplace_back(name);
     }
-    all.of_site.gallery = json.dump();
-    all.of_site.preview = render_preview(options, *bench, pictures);
+    all.of_site.caption = render_room(options, *bench, pictures);
+    all.of_site.preview = "room-with.png";
     bench->forget_light();
     for (const std::string& name : methods)
         all.of_site.methods[name] = render_method(name, options, *bench, pictures);
@@ -243,12 +212,8 @@ void add_site(CLI::App& app) {
         ->check(CLI::Range(1, 65'536))
         ->capture_default_str();
     site->add_option("--seed", command->options.seed, "of the inputs")->capture_default_str();
-    site->add_option(
-            "--measured", command->options.measured,
-            "Markdown of gloam bench, gloam report --accuracy or gloam pack --lines, for the page of "
-            "measurements")
-        ->check(CLI::ExistingFile);
-    site->add_option("--method", command->options.methods, "methods that get a page; none: all");
+    site->add_option("--method", command->options.methods,
+                     "methods that the page of methods shows; none: all");
     site->add_option("--address", command->options.address,
                      "address of the published site, ending in /: previews of its pages need it")
         ->check(is_address);

@@ -143,14 +143,13 @@ std::map<std::string, std::string> effect_methods(const ShaderFolders& folders) 
     return all;
 }
 
-std::string npm_effect(const ShaderFolders& folders, const std::map<std::string, std::string>& methods) {
+std::string npm_effect(const ShaderFolders& folders) {
     ordered_json core = core_json();
     add_passes(class_passes(), folders, core);
     core["multi_bounce"] = function_text("gloam/shading/multi_bounce.glsl", "gloam_multi_bounce", folders);
-    for (const auto& [name, method] : methods) {
-        const auto uses = [&named = name](const ordered_json& preset) { return preset["method"] == named; };
-        if (std::ranges::any_of(core["presets"], uses))
-            core["methods"].push_back(ordered_json::parse(method));
+    for (const effect::MethodInfo& method : effect::methods()) {
+        const auto uses = [&method](const ordered_json& preset) { return preset["method"] == method.name; };
+        if (std::ranges::any_of(core["presets"], uses)) core["methods"].push_back(method_json(method, folders));
     }
     return text_of(core);
 }

@@ -23,18 +23,16 @@ std::string package_json(const std::string& version) {
     const auto typed = [](const std::string& types, const std::string& module) {
         return ordered_json{{"types", "./" + types}, {"default", "./" + module}};
     };
-    const ordered_json json{{"name", "gloam"},
-                            {"version", version},
-                            {"description", "Screen-space ambient occlusion for WebGL2 and three.js"},
-                            {"license", "MIT"},
-                            {"type", "module"},
-                            {"sideEffects", false},
-                            {"exports",
-                             {{".", typed("index.d.ts", "index.js")},
-                              {"./three", typed("three.d.ts", "three.js")},
-                              {"./methods/*", typed("method.d.ts", "method-*.js")}}},
-                            {"peerDependencies", {{"three", ">=" + std::string(least_three)}}},
-                            {"peerDependenciesMeta", {{"three", {{"optional", true}}}}}};
+    const ordered_json json{
+        {"name", "gloam"},
+        {"version", version},
+        {"description", "Screen-space ambient occlusion for WebGL2 and three.js"},
+        {"license", "MIT"},
+        {"type", "module"},
+        {"sideEffects", false},
+        {"exports", {{".", typed("index.d.ts", "index.js")}, {"./three", typed("three.d.ts", "three.js")}}},
+        {"peerDependencies", {{"three", ">=" + std::string(least_three)}}},
+        {"peerDependenciesMeta", {{"three", {{"optional", true}}}}}};
     return json.dump(2) + "\n";
 }
 
@@ -42,14 +40,11 @@ std::string package_json(const std::string& version) {
 
 std::map<std::string, std::string> npm_package(const NpmOptions& options) {
     const ShaderFolders folders{options.library, options.files / "shaders"};
-    const std::map<std::string, std::string> methods = effect_methods(folders);
     std::map<std::string, std::string> files{{"package.json", package_json(options.version)},
-                                             {"index.js", index_text(options, npm_effect(folders, methods))},
+                                             {"index.js", index_text(options, npm_effect(folders))},
                                              {"LICENSE", base::read_file(options.licence)}};
-    for (const char* name : {"index.d.ts", "method.d.ts", "three.js", "three.d.ts", "README.md"})
+    for (const char* name : {"index.d.ts", "three.js", "three.d.ts", "README.md"})
         files[name] = base::read_file(options.files / "npm" / name);
-    for (const auto& [name, method] : methods)
-        files["method-" + name + ".js"] = licence_line + std::string("export default ") + method + ";\n";
     return files;
 }
 

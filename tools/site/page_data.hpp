@@ -40,13 +40,6 @@ class Bytes {
 [[nodiscard]] std::string check_json(const catalogue::Description& description,
                                      const check::Question& question, const check::PreparedCheck& prepared);
 
-// A page of the documents as JSON for page/document.js: an array of blocks in order. Each has a "kind":
-// "heading" with "level" and "text", "paragraph" with "text", "list" with "items", "code" with "text",
-// "table" with "head" and "rows". Texts keep `code` spans; links are reduced to their words. Pictures are
-// left out. markdown: what the pages of docs use: ATX headings, lists with "-" or numbers, fenced or indented
-// code, tables.
-[[nodiscard]] std::string document_json(std::string_view markdown);
-
 // The folders of the shaders that the effect of the page is made from.
 struct ShaderFolders {
     std::filesystem::path library;  // with gloam/ and passes/
@@ -62,10 +55,8 @@ struct ShaderFolders {
 // the pass (pass_text()). Throws like shader::pack().
 [[nodiscard]] std::map<std::string, std::string> effect_methods(const ShaderFolders& folders);
 
-// What another page of WebGL2 needs, as JSON: the passes with the methods that the presets run. methods: of
-// effect_methods().
-[[nodiscard]] std::string npm_effect(const ShaderFolders& folders,
-                                     const std::map<std::string, std::string>& methods);
+// What another page of WebGL2 needs, as JSON: the passes with the methods that the presets run.
+[[nodiscard]] std::string npm_effect(const ShaderFolders& folders);
 
 // The classes of the effect in WebGL2 (effect/*.js): JavaScript that defines AmbientOcclusion and what it
 // uses. Throws std::runtime_error for a file that cannot be read.
@@ -99,13 +90,10 @@ inline constexpr const char* vulkan_text = "GLSL 4.50";
     const effect::MethodInfo& method, const std::string& text,
     const std::map<std::string, catalogue::Description>& equations);
 
-// What the pages say of a method, as JSON (page/method.js). equations: those that it uses.
+// What the page of methods says of one, as JSON (page/methods.js). equations: those that it uses.
 [[nodiscard]] std::string method_json(const effect::MethodInfo& method,
                                       const std::vector<catalogue::Description>& equations,
                                       const MethodFailure& failure, const MethodPicture& picture);
-
-// A line without the blanks at its ends.
-[[nodiscard]] std::string_view without_ends(std::string_view line);
 
 // A GLSL text without its comments, indents and blank lines. Other lines stay lines of their own. Where it
 // defines no macro, it is also without #undef lines.

@@ -126,25 +126,29 @@ std::string worker_text(const fs::path& folder) {
     return nlohmann::ordered_json(text).dump();
 }
 
-void write_page(const std::string& name, const std::string& text, const SiteOptions& options, Files& files) {
-    files.write(name, page_text(name, text, options));
+// The page with the picture of a room between two comments, or without it.
+std::string with_picture(std::string page, const SiteOptions& options) {
+    const std::string begin = "<!-- begin picture -->\n";
+    const std::string end = "<!-- end picture -->\n";
+    std::string picture = between(page, begin, end, "index.html");
+    const std::size_t at = page.find(begin);
+    const std::size_t size = begin.size() + picture.size() + end.size();
+    if (options.pictures.caption.empty()) picture.clear();
+    return page.replace(at, size,
+                        base::replaced(picture, "CAPTION", report::escaped_html(options.pictures.caption)));
 }
 
-// The pages, the libraries that they use, and the licences of these as a script.
 void write_pages(const SiteOptions& options, Files& files) {
-    const fs::path third_party = options.files / "third-party";
     copy_files(options.files / "page", ".js.css", files);
-    for (const fs::directory_entry& file : fs::directory_iterator(options.files / "page"))
-        if (file.path().extension() == ".html")
-            write_page(file.path().filename().string(), base::read_file(file.path()), options, files);
+    for (const fs::directory_entry& file : fs::directory_iterator(options.files / "page")) {
+        if (file.path().extension() != ".html") continue;
+        const std::string name = file.path().filename().string();
+        const std::string text = base::read_file(file.path());
+        files.write(name,
+                    page_text(name, name == "index.html" ? with_picture(text, options) : text, options));
+    }
     files.write("worker-text.js",
                 "gloam.workerText = " + worker_text(options.files / "page" / "worker") + ";\n");
-    copy_files(third_party, ".js.css", files);
-    nlohmann::ordered_json licences = nlohmann::ordered_json::array();
-    for (const char* name : {"uplot", "img-comparison-slider"})
-        licences.push_back(base::read_file(third_party / (std::string(name) + "-licence.txt")));
-    files.write("licences-data.js", "gloam.licences = " + licences.dump() + ";\n");
-    files.write("gallery-data.js", "gloam.gallery = " + options.pictures.gallery + ";\n");
 }
 
 // The value of a name, or an empty one.
@@ -154,7 +158,7 @@ Value known(const std::map<std::string, Value>& values, const std::string& name)
     return at == values.end() ? Value{} : at->second;
 }
 
-// The methods that get a page, in the order of all.
+// The methods that the page of methods shows, in the order of all.
 std::vector<effect::MethodInfo> methods_of(const SiteOptions& options) {
     if (options.methods.empty()) return effect::methods();
     std::vector<effect::MethodInfo> methods;
@@ -162,9 +166,8 @@ std::vector<effect::MethodInfo> methods_of(const SiteOptions& options) {
     return methods;
 }
 
-// A page for each method, its source text, and what all these pages say as one script.
+// The source text of each method, and what their page says of them.
 void write_methods(const fs::path& library, const SiteOptions& options, Files& files) {
-    const std::string form = base::read_file(options.files / "method.html");
     const auto failures = method_failures(base::read_file(options.documents / "methods.md"));
     const auto equations = catalogue::descriptions(library);
     std::string all;
@@ -176,26 +179,8 @@ void write_methods(const fs::path& library, const SiteOptions& options, Files& f
                            known(failures, name), known(options.pictures.methods, name));
         files.write("source-" + name + ".js", "gloam.addSource(\"" + name + "\", " +
                                                   nlohmann::ordered_json(texts).dump(-1, ' ', true) + ");\n");
-        write_page("method-" + name + ".html",
-                   base::replaced(base::replaced(form, "NAME", name), "DESCRIPTION",
-                                  report::escaped_html(method.description)),
-                   options, files);
     }
-    files.write("methods-data.js", "gloam.methodPages = [\n" + all + "\n];\n");
-}
-
-// The pages of drivers and measurements, one script each. The measurements end with the pages of the user.
-void write_documents(const SiteOptions& options, Files& files) {
-    std::map<std::string, std::vector<fs::path>> sources;
-    for (const std::string name : {"drivers", "measurements"})
-        sources[name].push_back(options.documents / (name + ".md"));
-    for (const fs::path& page : options.measured) sources["measurements"].push_back(page);
-    for (const auto& [name, pages] : sources) {
-        std::string blocks;
-        for (const fs::path& page : pages)
-            blocks += (blocks.empty() ? "" : ",\n") + document_json(base::read_file(page));
-        files.write("document-" + name + ".js", "gloam.documents = [\n" + blocks + "\n];\n");
-    }
+    files.write("methods-data.js", "gloam.methodList = [\n" + all + "\n];\n");
 }
 
 // The class of the effect as a script of the pages, whose names are members of `gloam`.
@@ -254,7 +239,6 @@ SiteSummary write_site(const check::Lab& lab, const SiteOptions& options, report
     summary.unsupported = static_cast<std::size_t>(std::ranges::count(written, false, &Written::supported));
     Files files(folder);
     write_pages(options, files);
-    write_documents(options, files);
     write_effect(lab, options, files);
     write_methods(glsl, options, files);
     write_checks(entries, written, options, files);

@@ -14,7 +14,7 @@
 
 namespace gloam::site {
 
-// A picture of a method, for its page.
+// A picture of a method.
 struct MethodPicture {
     std::string file;  // in the site's folder; empty: there is none
     std::string caption;
@@ -22,7 +22,7 @@ struct MethodPicture {
 
 // The pictures that were rendered for the site. Files are in its folder.
 struct SitePictures {
-    std::string gallery;              // JSON: page/gallery.js
+    std::string caption;  // of a room without and with occlusion (page/index.html); empty: there is none
     std::vector<std::string> truths;  // scenes of which the file truth-SCENE.js has ray-traced truth
     std::map<std::string, MethodPicture> methods;
     std::string preview;  // file that stands for the site elsewhere; empty: there is none
@@ -32,10 +32,9 @@ struct SiteOptions {
     std::vector<std::string> equations;  // IDs, functions or globs; empty: all
     std::size_t inputs = 512;            // of each check
     std::uint64_t seed = 1;
-    std::filesystem::path files;                  // folder of the pages and the shaders
-    std::filesystem::path documents;              // folder of the Markdown pages
-    std::vector<std::filesystem::path> measured;  // Markdown pages that the page of measurements ends with
-    std::vector<std::string> methods;             // with a page; empty: all
+    std::filesystem::path files;       // folder of the pages and the shaders
+    std::filesystem::path documents;   // folder of methods.md
+    std::vector<std::string> methods;  // that the page of methods shows; empty: all
     SitePictures pictures;
     std::string address;   // of the published site, for previews of its pages; can be empty
     std::string versions;  // of this program, for the results file

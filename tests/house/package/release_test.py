@@ -94,18 +94,6 @@ class Spdx(unittest.TestCase):
             related.add(one["relatedSpdxElement"])
         self.assertEqual(set(self.packages), related)
 
-    def test_the_copies_in_the_site_are_in_it(self):
-        folder = SOURCE / "tools" / "site" / "third-party"
-        rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in
-                (folder / "README.md").read_text(encoding="utf-8").splitlines() if line.startswith("| `")]
-        listed = {"README.md"}
-        for files, package, version, licence in rows:
-            identifier, file = re.fullmatch(r"(\S+), `(\S+)`", licence).groups()
-            listed.update(re.findall(r"`([^`]+)`", files), [file])
-            found = self.packages["SPDXRef-" + re.match(r"`([^`]+)`", package)[1]]
-            self.assertEqual((version, identifier), (found["versionInfo"], found["licenseDeclared"]))
-        self.assertEqual({path.name for path in folder.iterdir()}, listed)
-
 
 class SourceArchive(unittest.TestCase):
     def test_it_builds_outside_git(self):

@@ -3,7 +3,6 @@
 import {OrthographicCamera, Vector3, WebGLRenderTarget, DepthTexture, FloatType, HalfFloatType} from "three";
 import {EffectComposer} from "three/addons/postprocessing/EffectComposer.js";
 import {AmbientOcclusion, effect} from "gloam";
-import hbao from "gloam/methods/hbao";
 import {encodings} from "./encodings.js";
 import {View} from "./view.js";
 
@@ -128,5 +127,5 @@ function refusal(call) {
     return null;
 }
 
-window.page = {AmbientOcclusion, ambient, apart, closed, effect, encodings, frames, hbao, jitter, made, measured,
+window.page = {AmbientOcclusion, ambient, apart, closed, effect, encodings, frames, jitter, made, measured,
     occlusion, orthographic, refusal, shown, withComposerDepth};

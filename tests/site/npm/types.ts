@@ -3,12 +3,11 @@
 import {PerspectiveCamera, Scene} from "three";
 import {EffectComposer} from "three/addons/postprocessing/EffectComposer.js";
 import {AmbientOcclusion, effect, type Frame} from "gloam";
-import hbao from "gloam/methods/hbao";
 import {AmbientOcclusionPass} from "gloam/three";
 
 export function renderWith(gl: WebGL2RenderingContext, frame: Frame): WebGLTexture {
     const occlusion = new AmbientOcclusion(gl, effect, {depth: "buffer", range: "zero-to-one", normals: "view-unorm"});
-    occlusion.setPreset("fast", 0.5, hbao);
+    occlusion.setPreset("fast", 0.5);
     occlusion.setSize(640, 360);
     return occlusion.render(frame);
 }

@@ -51,10 +51,10 @@ class AmbientOcclusion {
         this.deleteImages();
     }
 
-    // The same by the preset's own method, where none is given.
-    setPreset(preset, radius, method = null) {
+    // The same by the preset's own method.
+    setPreset(preset, radius) {
         const own = this.presetNamed(preset).method;
-        this.setMethod(method ?? this.effect.methods.find((one) => one.name === own), preset, radius);
+        this.setMethod(this.effect.methods.find((one) => one.name === own), preset, radius);
     }
 
     presetNamed(name) {

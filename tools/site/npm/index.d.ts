@@ -68,8 +68,8 @@ export class AmbientOcclusion {
     readonly frames: number;
     /** The settings in use; a change holds until a preset is set. */
     readonly settings: Record<string, Setting>;
-    /** radius: world units. method: another one than the preset's. Begins a new history. */
-    setPreset(preset: string, radius: number, method?: Method | null): void;
+    /** radius: world units. Begins a new history. */
+    setPreset(preset: string, radius: number): void;
     /** Pixels of the images that render() gets. Begins a new history. */
     setSize(width: number, height: number): void;
     /** Forgets the history: call it where the picture is cut. */

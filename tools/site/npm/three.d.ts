@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 import type {Camera, Material, Scene, WebGLRenderer, WebGLRenderTarget} from "three";
 import {Pass} from "three/addons/postprocessing/Pass.js";
-import type {Method} from "./index.js";
 
 export interface PassOptions {
     /** "fast", "balanced" (the default), "quality" or "reference". */
     preset?: string;
-    /** Another method than the preset's, of `gloam/methods/NAME`. */
-    method?: Method | null;
     /** How far what blocks light may be, world units; default 1. */
     radius?: number;
     /** Share of the occlusion that is shown, 0 to 1; default 1. */
@@ -33,7 +30,6 @@ export class AmbientOcclusionPass extends Pass {
     /** Another camera begins a new history. */
     camera: Camera;
     preset: string;
-    method: Method | null;
     radius: number;
     intensity: number;
     output: "shaded" | "visibility" | "ambient";

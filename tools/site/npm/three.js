@@ -74,14 +74,14 @@ class NormalMaterials {
 }
 
 export class AmbientOcclusionPass extends Pass {
-    constructor(scene, camera, {preset = effect.preset, method = null, radius = 1, intensity = 1, output = "shaded",
+    constructor(scene, camera, {preset = effect.preset, radius = 1, intensity = 1, output = "shaded",
         source = "scene", bounces = false} = {}) {
         super();
         for (const [name, value, expected] of [["output", output, ["shaded", "visibility", "ambient"]],
             ["source", source, ["scene", "composer"]]])
             if (!expected.includes(value))
                 throw new Error(`${name} "${value}": expected ${expected.map((one) => `"${one}"`).join(" or ")}`);
-        Object.assign(this, {scene, camera, preset, method, radius, intensity, output, source, bounces});
+        Object.assign(this, {scene, camera, preset, radius, intensity, output, source, bounces});
         this.size = [1, 1];
         this.occlusion = null;
         this.materials = new NormalMaterials();
@@ -158,10 +158,10 @@ export class AmbientOcclusionPass extends Pass {
             this.made = made;
             this.chosen = this.sized = this.seen = null;
         }
-        const {occlusion, size, preset, radius, method, camera} = this;
-        if (this.chosen?.some((one, i) => one !== [preset, radius, method][i]) ?? true)
-            occlusion.setPreset(preset, radius, method);
-        this.chosen = [preset, radius, method];
+        const {occlusion, size, preset, radius, camera} = this;
+        if (this.chosen?.some((one, i) => one !== [preset, radius][i]) ?? true)
+            occlusion.setPreset(preset, radius);
+        this.chosen = [preset, radius];
         if (this.sized !== String(size)) occlusion.setSize(...size);
         this.sized = String(size);
         if (this.seen !== camera) occlusion.restart();

@@ -48,10 +48,6 @@ gloam.pages = [
     ["index.html", "gloam"],
     ["check.html", "Check this browser"],
     ["methods.html", "Methods"],
-    ["gallery.html", "Gallery"],
-    ["drivers.html", "Drivers"],
-    ["measurements.html", "Measurements"],
-    ["licences.html", "Licences"],
 ];
 
 // Fills the navigation. The scripts are deferred: the page is there.

@@ -33,7 +33,7 @@ gloam.live = (() => {
     // What the address may hold.
     function kinds() {
         const {oneOf, within, list} = gloam.address;
-        const missing = ["own", "kept", ...(gloam.effectData.truths.length === 0 ? ["truth"] : [])];
+        const missing = ["kept", ...(gloam.effectData.truths.length === 0 ? ["truth"] : [])];
         const optionsOf = (id) => [...at(id).options].map(({value}) => value).filter((one) => !missing.includes(one));
         const ofRange = (id) => within(Number(at(id).min), Number(at(id).max));
         return {...Object.fromEntries(lists.map((id) => [id, oneOf(optionsOf(id))])),
@@ -52,7 +52,6 @@ gloam.live = (() => {
     function writeAddress() {
         const values = Object.fromEntries(controls.map((id) => [id, at(id).value]));
         if (values.left === "kept") delete values.left;  // nobody else has it
-        if (values.scene === "own") delete values.scene;
         if (state.turned) values.camera = state.orbit.numbers;
         const hash = "#" + gloam.address.write(values);
         if (hash !== location.hash) history.replaceState(null, "", hash);
@@ -93,23 +92,6 @@ gloam.live = (() => {
         state.number = 0;
         await applyMethod();
         await applyLeft();
-    }
-
-    // Shows a model of the visitor's. What is wrong with it is told, and the scene stays.
-    async function applyFile(file) {
-        if (file === undefined) return;
-        try {
-            for (const script of ["model.js", "obj.js", "gltf.js"])
-                if (!gloam.readGltf) await gloam.loadScript(script);
-            gloam.scenes.set("own", await gloam.model.read(file));
-        } catch (error) {
-            at("told").textContent = error.message;
-            return;
-        }
-        at("told").textContent = "";
-        at("own").disabled = false;
-        at("scene").value = "own";
-        await applyScene();
     }
 
     async function applySize() {
@@ -292,12 +274,6 @@ gloam.live = (() => {
             await leaveView();
         }));
         at("view").addEventListener("input", () => { at("legend").textContent = views[at("view").value]; });
-        at("file").addEventListener("change", guarded(() => applyFile(at("file").files[0])));
-        addEventListener("dragover", (event) => event.preventDefault());
-        addEventListener("drop", (event) => {
-            event.preventDefault();
-            guarded(applyFile)(event.dataTransfer.files[0]);
-        });
         at("source").addEventListener("toggle", guarded(showSource));
         // The address may have been written again since the event.
         addEventListener("hashchange", guarded((event) => restore(new URL(event.newURL).hash)));
