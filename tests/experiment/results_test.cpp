@@ -288,12 +288,12 @@ TEST(ExperimentTable, TheSlopeIsThatOfTheMeanSquareError) {
 
 TEST(ExperimentTable, FramesHaveRows) {
     const Table table{.rows = "frames",
-                .keep = "doubling",
-                .columns = {{.title = "frame", .label = "frame"},
-                            {.title = "samples", .value = "samples_so_far", .digits = 0},
-                            {.title = "raw", .value = "rmse_raw", .against = "limit"},
-                            {.title = "independent", .value = "rmse_independent", .against = "limit"},
-                            {.title = "settled", .value = "rmse", .pixels = "settled"}}};
+                      .keep = "doubling",
+                      .columns = {{.title = "frame", .label = "frame"},
+                                  {.title = "samples", .value = "samples_so_far", .digits = 0},
+                                  {.title = "raw", .value = "rmse_raw", .against = "limit"},
+                                  {.title = "independent", .value = "rmse_independent", .against = "limit"},
+                                  {.title = "settled", .value = "rmse", .pixels = "settled"}}};
     EXPECT_EQ(rows_of(scored(), table),
               "| 1 | 8 | 0.40 | 0.40 | - |\n| 2 | 16 | 0.20 | 0.28 | - |\n| 4 | 32 | 0.10 | 0.20 | 0.20 |\n");
 }

@@ -13,6 +13,8 @@ from site_case import GLOAM, SiteCase, main
 DOCS = Path(sys.argv[2])
 PAGES = ["index", "check", "methods"]
 METHODS = ["gtao", "sweep"]
+
+
 class PagesTest(SiteCase):
     @classmethod
     def words(cls):

@@ -149,7 +149,8 @@ std::string npm_effect(const ShaderFolders& folders) {
     core["multi_bounce"] = function_text("gloam/shading/multi_bounce.glsl", "gloam_multi_bounce", folders);
     for (const effect::MethodInfo& method : effect::methods()) {
         const auto uses = [&method](const ordered_json& preset) { return preset["method"] == method.name; };
-        if (std::ranges::any_of(core["presets"], uses)) core["methods"].push_back(method_json(method, folders));
+        if (std::ranges::any_of(core["presets"], uses))
+            core["methods"].push_back(method_json(method, folders));
     }
     return text_of(core);
 }

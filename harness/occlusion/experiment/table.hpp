@@ -34,7 +34,6 @@ struct Text {
 // for what was not measured.
 [[nodiscard]] Text to_text(const Experiment& experiment, const std::vector<SizeResult>& results);
 
-
 // What of a cell counts. Of times the passes with this name, or whose names begin with one of the prefixes;
 // all where both are empty. Of scores the pixels of a class against a reference, and the last scored frame up
 // to `frame`, or all with 0.

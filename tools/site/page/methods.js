@@ -20,7 +20,7 @@ gloam.methodRow = (() => {
     const presets = (method) => method.presets.length === 0 ? [] : [tableOf("Presets", [
         {title: "preset", value: (preset) => preset.name},
         {title: "error", number: true, value: (preset) => preset.error, cell: ({error}) => error.toFixed(4)},
-        {title: "copies", number: true, value: (preset) => preset.copies, cell: ({copies}) => copies.toFixed(1)},
+        {title: "time", number: true, value: (preset) => preset.time, cell: ({time}) => time.toFixed(2)},
         {title: "what it is", value: (preset) => preset.description}], method.presets)];
 
     const picture = (method) => method.picture === "" ? [] : [gloam.element("figure", {},
