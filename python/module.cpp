@@ -42,7 +42,7 @@ struct Variable {
 std::string dtype_of(const shader::Type& type) {
     if (type.scalar == shader::Scalar::bool_) return "bool";
     if (type.scalar == shader::Scalar::structure) return "words";  // its scalars may differ
-    if (shader::is_float(type.scalar)) return fmt::format("float{}", shader::bits_of(type.scalar));
+    if (shader::is_float(type.scalar)) return "float" + std::to_string(shader::bits_of(type.scalar));
     return type.scalar == shader::Scalar::int_ ? "int32" : "uint32";
 }
 

@@ -5,12 +5,13 @@
 A row of the table is FOLDER LINES, or FOLDER LINES OWED PAYER: the folder may have OWED lines more until PAYER, another
 folder of the table, has as many fewer. A folder counts with its subfolders, but for those with a row of their own. The
 row `all` limits the sum of the column LINES: a folder's number rises only by what another's falls. PAYER `repairs` needs
-no folder; the rows of a table owe it at most REPAIRS lines.
+no folder; the rows owe it at most REPAIRS lines in all.
 Prints one line per violation and exits 1 when there is one. With --print: each folder's lines beside its budget.
 """
-import subprocess
 import sys
 from pathlib import Path
+
+from borders import files_of
 
 TABLE = Path(__file__).with_name("budgets.txt")
 REPAIRS = 2500
@@ -27,19 +28,17 @@ def rows_of(text):
         yield words[0], int(words[1]), int((words + ["0"])[2]), (words + ["0", ""])[3]
 
 
-def lines_of(root):
-    """The lines of every text file that git knows or would take, by path."""
-    found = subprocess.run(["git", "-C", root, "grep", "-I", "-c", "--untracked", "", "--", "."],
-                           capture_output=True, text=True, check=True).stdout
-    return {path: int(lines) for path, lines in (row.rsplit(":", 1) for row in found.splitlines())}
+def lines_of(file):
+    """Lines of a text file; 0 of one that holds a zero byte, which is none."""
+    content = file.read_bytes()
+    if b"\0" in content:
+        return 0
+    return content.count(b"\n") + (not content.endswith(b"\n") and bool(content))
 
 
 def folder_of(path, table):
     """The innermost folder with a row that holds a file; `.` holds what no other does."""
-    folder = Path(path).parent
-    while folder.as_posix() != "." and folder.as_posix() not in table:
-        folder = folder.parent
-    return folder.as_posix()
+    return next((folder.as_posix() for folder in Path(path).parents if folder.as_posix() in table), ".")
 
 
 def violations(counts, table, total):
@@ -58,18 +57,18 @@ def violations(counts, table, total):
 
 
 def main(root, *options):
-    rows = list(rows_of(TABLE.read_text()))
+    rows = list(rows_of(TABLE.read_text(encoding="utf-8")))
     table = {folder: (lines, owed, payer) for folder, lines, owed, payer in rows if folder != "all"}
     counts = dict.fromkeys(table, 0)
-    for path, lines in lines_of(root).items():
-        folder = folder_of(path, table)
-        counts[folder] = counts.get(folder, 0) + lines
-    found = list(violations(counts, table, next((lines for folder, lines, _, _ in rows if folder == "all"), 0)))
+    for path in files_of(Path(root)):
+        counts[folder_of(path, table)] += lines_of(Path(root, path))
     if "--print" in options:
         for folder, lines in counts.items():
-            print(f"{folder:32} {lines:7} of {sum(table.get(folder, (0, 0))[:2]):7}")
+            print(f"{folder:32} {lines:7} of {sum(table[folder][:2]):7}")
         print(f"{'all':32} {sum(counts.values()):7}")
-    print("\n".join(found), end="\n" if found else "")
+    found = list(violations(counts, table, next((lines for folder, lines, _, _ in rows if folder == "all"), 0)))
+    for message in found:
+        print(message)
     return 1 if found else 0
 
 

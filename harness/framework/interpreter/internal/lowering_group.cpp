@@ -123,10 +123,7 @@ void Lowering::lower_collective(const shader::Instruction& i, Scope& scope) {
     std::array<Slot, 2> operands{};
     std::uint32_t components = 0;
     for (std::size_t k = 0; k < operands.size() && word < i.words.size(); ++k, ++word) {
-        if (k == 0) {
-            components = module_.types.slots(type_of(i.word(word), scope));
-            require_words(type_of(i.word(word), scope), "an operation of a subgroup");
-        }
+        if (k == 0) components = module_.types.slots(type_of(i.word(word), scope));
         operands.at(k) = slot_of(i.word(word), scope);
     }
     if (operation > SpvGroupOperationClusteredReduce)
