@@ -30,7 +30,7 @@ constexpr bool initializable(std::index_sequence<I...>) {
     return requires { T{((void)I, AnyField{})...}; };
 }
 
-template <class T, std::size_t N = 9>
+template <class T, std::size_t N = 10>
 constexpr std::size_t field_count() {
     if constexpr (N == 0) {
         return 0;
@@ -43,7 +43,7 @@ constexpr std::size_t field_count() {
 
 }  // namespace detail
 
-// Calls visit(member&) for each member of an aggregate of 1 to 9 members.
+// Calls visit(member&) for each member of an aggregate of 1 to 10 members.
 template <class T, class Visit>
 void for_each_field(T& value, Visit&& visit) {
     using Value = std::remove_const_t<T>;
@@ -51,8 +51,8 @@ void for_each_field(T& value, Visit&& visit) {
         std::is_aggregate_v<Value>,
         "a parameter must be a scalar, a GLM vector or matrix, or a std::array or plain struct of those");
     constexpr std::size_t count = detail::field_count<Value>();
-    static_assert(count > 0 && !detail::initializable<Value>(std::make_index_sequence<10>{}),
-                  "a struct has 1 to 9 members");
+    static_assert(count > 0 && !detail::initializable<Value>(std::make_index_sequence<11>{}),
+                  "a struct has 1 to 10 members");
     const auto all = [&visit](auto&... fields) { (visit(fields), ...); };
     if constexpr (count == 1) {
         auto& [a] = value;
@@ -78,9 +78,12 @@ void for_each_field(T& value, Visit&& visit) {
     } else if constexpr (count == 8) {
         auto& [a, b, c, d, e, f, g, h] = value;
         all(a, b, c, d, e, f, g, h);
-    } else {
+    } else if constexpr (count == 9) {
         auto& [a, b, c, d, e, f, g, h, i] = value;
         all(a, b, c, d, e, f, g, h, i);
+    } else {
+        auto& [a, b, c, d, e, f, g, h, i, j] = value;
+        all(a, b, c, d, e, f, g, h, i, j);
     }
 }
 
