@@ -118,8 +118,7 @@ double on_a_plane(const std::string& method) {
     return with_method(Settings{}, method).remap_a > 0.0F ? 0.5 : 0.0;
 }
 
-// With normals and without, and with as many samples as were asked for. `gloam stress` tries every method in
-// full-size images of one pixel and of one row (tests/tools/stress/robust_test.cpp).
+// With normals and without, and with as many samples as were asked for.
 TEST_P(Invariants, ABarePlaneIsOpenInImagesOfAnySize) {
     Settings settings = plain(GetParam(), 1.0F);
     settings.least_radius = 0.0F;  // in the smallest a pixel is wider than the radius
@@ -127,9 +126,7 @@ TEST_P(Invariants, ABarePlaneIsOpenInImagesOfAnySize) {
     const MethodInfo& method = method_named(GetParam());
     for (const Resolution resolution : {Resolution::full, Resolution::half}) {
         settings.resolution = resolution;
-        std::vector<gpu::Extent> extents{{17, 9}, {18, 10}};
-        if (resolution == Resolution::half) extents.push_back({1, 1});
-        for (const gpu::Extent extent : extents) {
+        for (const gpu::Extent extent : {gpu::Extent{17, 9}, gpu::Extent{18, 10}, gpu::Extent{1, 1}}) {
             for (const auto projection : {scene::Projection::perspective, scene::Projection::orthographic}) {
                 scene::GBuffer view = plane(extent, {.projection = projection}, tilted);
                 for (const bool normals : {true, false}) {

@@ -31,7 +31,7 @@ TEST_F(Stress, ABrokenBoundIsStatusOne) {
 TEST_F(Stress, BadInputIsOneClearLine) {
     const CommandResult unknown = gloam("stress --only no-such-run");
     expect_could_not_run(unknown, "no-such-run");
-    EXPECT_THAT(unknown.err, HasSubstr("long-run, far-away"));
+    EXPECT_THAT(unknown.err, HasSubstr("long-run, poison"));
     expect_could_not_run(gloam("stress --frames 0"), "--frames");
     expect_could_not_run(gloam("stress --only worst-inputs --equation no-such"), "no-such");
     expect_could_not_run(gloam("stress --device no-such-device"), "no-such-device");

@@ -81,8 +81,7 @@ int run_stress(const StressOptions& options) {
 void add_stress(CLI::App& app, int& status) {
     auto options = std::make_shared<StressOptions>();
     CLI::App* command = app.add_subcommand(
-        "stress",
-        "test long runs, large coordinates, invalid buffers and unusual sizes against the documentation");
+        "stress", "test long runs, invalid buffers and the worst inputs against the documentation");
     std::string runs;
     for (const stress::Run& run : stress::all_runs()) runs += (runs.empty() ? "" : ", ") + run.name;
     command->add_option("--only", options->only, "one run: " + runs);
@@ -92,7 +91,7 @@ void add_stress(CLI::App& app, int& status) {
     command->add_option("--frames", options->frames, "frames of the long runs")
         ->check(CLI::Range(std::uint64_t{4}, std::uint64_t{1'000'000'000}))
         ->capture_default_str();
-    command->add_flag("--brief", options->brief, "fewer sizes and distances: seconds instead of minutes");
+    command->add_flag("--brief", options->brief, "fewer inputs and places: seconds instead of minutes");
     command->add_option("--json", options->json, "write the numbers to this file");
     add_device_options(*command, options->device, options->validation);
     command->callback([options, &status] { status = run_stress(*options); });

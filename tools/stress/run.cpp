@@ -23,9 +23,7 @@ std::vector<effect::MethodInfo> methods_of(const Context& context) {
 std::vector<Run> all_runs() {
     return {{"worst-inputs", "the input of each equation with the largest error, searched for", worst_inputs},
             {"long-run", "the history over very many frames", long_run},
-            {"far-away", "scene and camera moved far from the origin together", far_away},
-            {"poison", "NaN, infinities and other bad values in every buffer", poison},
-            {"shapes", "image sizes, radii and sample counts at their ends", shapes}};
+            {"poison", "NaN, infinities and other bad values in every buffer", poison}};
 }
 
 std::vector<Run> select_runs(const std::string& name) {

@@ -15,9 +15,6 @@
 namespace gloam::catalogue {
 struct Entry;
 }
-namespace gloam::effect {
-class AmbientOcclusion;
-}
 
 namespace gloam::stress {
 
@@ -67,12 +64,6 @@ struct Context {
 // The same for one of them.
 [[nodiscard]] Rows worst_inputs(const Context& context, const catalogue::Entry& entry);
 
-// Scene and camera moved together, as far as 1e8 units. What is centred on the camera (positions and eye
-// difference formed in double by the host) must not change in a single bit: matrices, previous positions,
-// previous texture coordinates, and the picture of a whole scene. The same in world coordinates: how many
-// pixels it is off at which distance.
-[[nodiscard]] Rows far_away(const Context& context);
-
 constexpr const char* poison_name = "poison";
 
 // Depth and normals that go into the passes of a method. What it returns keeps the passes that methods share,
@@ -96,21 +87,6 @@ constexpr const char* poison_name = "poison";
 // a poisoned history counts as none. Nothing is fetched outside an image. All the same without
 // robustBufferAccess.
 [[nodiscard]] Rows poison(const Context& context);
-
-// Image sizes from 1 x 1 over odd primes and the edges of work groups to the device's limit: every pixel is
-// written, a bare plane is open. Radii that are zero, negative, infinite or NaN, and sample counts from none
-// to the most: what cannot be is refused, the rest is counted to the last sample.
-[[nodiscard]] Rows shapes(const Context& context);
-
-// The same with an effect of shapes_effect() that other methods may have used: it has compiled the passes
-// that methods share.
-[[nodiscard]] Rows shapes(const Context& context, effect::AmbientOcclusion& effect);
-[[nodiscard]] effect::AmbientOcclusion shapes_effect(const Context& context);
-
-// The row of one image size: pixels that are not as they must be, with each of the context's
-// methods, with normals and without.
-// A size at the device's limit is tried less often in a brief run.
-[[nodiscard]] Row one_size(const Context& context, gpu::Extent size);
 
 // One way to stress the library. `go` throws what the backend, check and effect rooms throw.
 struct Run {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "effect/ambient_occlusion.hpp"
 #include "stress/views.hpp"
 #include "support/method_names.hpp"
 #include "tools/gloam.hpp"
@@ -105,40 +104,6 @@ TEST(Footprint, WidensAndMeasures) {
     EXPECT_EQ(std::ranges::count(wide, true), 15);
     EXPECT_EQ(reach_of(wide, extent, {0, 2}), 2);
     EXPECT_EQ(reach_of(Mask(35), extent, {0, 2}), 0);
-}
-
-class ShapesOf : public EachMethod {
-  protected:
-    static void SetUpTestSuite() {
-        EachMethod::SetUpTestSuite();
-        effect_.emplace(shapes_effect(bench().context()));
-    }
-    static void TearDownTestSuite() {
-        effect_.reset();
-        EachMethod::TearDownTestSuite();
-    }
-    inline static std::optional<effect::AmbientOcclusion> effect_;
-};
-
-TEST_P(ShapesOf, AllAreAsTheyMustBe) {
-    expect_all_passed(shapes(context(), *effect_));
-}
-
-INSTANTIATE_TEST_SUITE_P(All, ShapesOf, testing::ValuesIn(gloam::test::method_names()),
-                         gloam::test::parameter_name);
-
-// A sample that is always blocked, of a method whose tiles are never taken for open, and a pass that leaves
-// out the last pixel of each row.
-TEST(Shapes, NoticesWhatIsBroken) {
-    for (const auto& [file, from, to] :
-         {std::array{"gloam/occlusion/blocked.glsl", "in_front > bias", "in_front > -10.0"},
-          std::array{"passes/ambient_occlusion.comp", "pixel.x < parameters.size.x &&",
-                     "pixel.x < parameters.size.x - 1 &&"}}) {
-        const Installation broken;
-        broken.replace(file, from, to);
-        const Bench bench(broken.glsl());
-        EXPECT_FALSE(one_size(bench.context_of("poisson"), {9, 8}).passed()) << to;
-    }
 }
 
 }  // namespace gloam::stress::test::robust_test
