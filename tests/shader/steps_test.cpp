@@ -30,11 +30,6 @@ TEST(Steps, AProgramReadsTheModuleAndWritesAnother) {
     EXPECT_NO_THROW(validate(after("glslangValidator --quiet -V --target-env vulkan1.2 {glsl} -o {out}")));
 }
 
-TEST(Steps, ATranslationCompilesAgain) {
-    for (const char* step : {"spirv-cross glsl", "spirv-cross hlsl"})
-        EXPECT_NE(without_names(after(step)), without_names(module())) << step;
-}
-
 TEST(Steps, OneThatFailsSaysWhichAndWhy) {
     const auto message = [](const std::string& step) {
         return message_of<StepError>([&] { (void)after(step); });
@@ -65,7 +60,7 @@ TEST(Steps, WhatIsNoneIsNamed) {
     };
     EXPECT_THAT(message("spirv-opt --no-such-pass"), HasSubstr("--no-such-pass"));
     EXPECT_THAT(message("spirv-opt"), HasSubstr("expected passes"));
-    EXPECT_THAT(message("spirv-cross metal"), HasSubstr("spirv-cross glsl or spirv-cross hlsl"));
+    EXPECT_THAT(message("spirv-cross glsl"), HasSubstr("a program with {in} and {out}"));
     EXPECT_THAT(message("metamorphic x"), HasSubstr("metamorphic SEED"));
     EXPECT_THAT(message("metamorphic 1 only 99"), HasSubstr("positions below 24"));
     EXPECT_THAT(message("cc {out}"), HasSubstr("{in} or {glsl}"));
@@ -100,7 +95,7 @@ TEST(Steps, HavePartsThatCanBeLeftOut) {
     EXPECT_EQ(parts_of("metamorphic 3").size(), metamorphic_changes);
     EXPECT_EQ(with_parts("metamorphic 3", {"4", "9"}), "metamorphic 3 only 4 9");
     EXPECT_THAT(parts_of("metamorphic 3 only 4 9"), ElementsAre("4", "9"));
-    EXPECT_TRUE(parts_of("spirv-cross glsl").empty());
+    EXPECT_TRUE(parts_of("cat {in} {out}").empty());
 }
 
 // Every kind of change is made somewhere in 60 seeds of one shader, and each leaves a valid module.

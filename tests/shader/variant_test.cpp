@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "shader/include.hpp"
-#include "shader/internal/cross.hpp"
 #include "support.hpp"
 #include "support/library_files.hpp"
 
 namespace gloam::shader::variant_test {
-
-using internal::to_glsl;
-using internal::translated_back;
-using internal::with_float_controls_of;
 
 TEST(Variants, HaveTheirNamesInOrder) {
     std::vector<std::string> names;
@@ -177,79 +172,9 @@ TEST(Language, UnknownLanguageIsRefused) {
     EXPECT_THROW(static_cast<void>(preamble(static_cast<Language>(99))), std::invalid_argument);
 }
 
-const Source with_names = kernel(R"(
-#extension GL_EXT_spirv_intrinsics : require
-spirv_execution_mode(extensions = ["SPV_KHR_float_controls"], capabilities = [4466], 4461, 32);
-layout(constant_id = 7) const uint chosen = 3u;
-layout(push_constant) uniform Run { uint first_word; float second_word; };
-layout(std430, binding = 1) readonly buffer In { uint words[]; };
-struct Pair { float lower; vec2 upper; };
-float named_function(float x, inout vec2 changed) {
-    changed *= x;
-    return isnan(x) || x == uintBitsToFloat(0x7f800000u) ? 0.0 : x + float(chosen);
-})",
-                                 "named_function(uintBitsToFloat(words[first_word]) * second_word, seen)");
-
-Spirv original() {
-    Source source = with_names;
-    source.text.replace(source.text.find("result[gl"), 0, "vec2 seen = vec2(1.0, 2.0); ");
-    return compile(source, {});
-}
-
-TEST(TranslatedBack, KeepsNamesBindingsAndConstants) {
-    const std::string text = to_glsl(original());
-    EXPECT_THAT(text, AllOf(HasSubstr("#version 450"), HasSubstr("named_function"), HasSubstr("second_word"),
-                            HasSubstr("binding = 1"), HasSubstr("constant_id = 7"),
-                            HasSubstr("layout(push_constant")));
-    const Spirv back = translated_back(original(), Stage::compute, "test", false);
-    EXPECT_NO_THROW(validate(back));
-    EXPECT_NE(back, original());
-    EXPECT_THAT(disassemble(back), AllOf(HasSubstr("%named_function"), HasSubstr("\"second_word\""),
-                                         HasSubstr("SpecId 7"), HasSubstr("Binding 1")));
-}
-
-TEST(TranslatedBack, FloatControlsSurvive) {
-    const std::string back = disassemble(translated_back(original(), Stage::compute, "test", false));
-    EXPECT_THAT(back, AllOf(HasSubstr("OpExecutionMode %main SignedZeroInfNanPreserve 32"),
-                            HasSubstr("OpCapability SignedZeroInfNanPreserve"),
-                            HasSubstr("OpExtension \"SPV_KHR_float_controls\"")));
-}
-
-TEST(TranslatedBack, FloatControlsAreNotMadeUp) {
-    const Spirv plain = compile(kernel("", "1.0"), {});
-    EXPECT_THAT(disassemble(translated_back(plain, Stage::compute, "test", false)),
-                Not(HasSubstr("Preserve")));
-    EXPECT_EQ(with_float_controls_of(plain, plain), plain);
-}
-
-TEST(TranslatedBack, FloatControlsAreThereOnce) {
-    EXPECT_EQ(with_float_controls_of(original(), original()), original());
-    const Spirv plain = compile(kernel("", "1.0"), {});
-    const Spirv patched = with_float_controls_of(original(), plain);
-    EXPECT_NO_THROW(validate(patched));
-    EXPECT_EQ(with_float_controls_of(original(), patched), patched);
-    EXPECT_GT(patched.size(), plain.size());
-}
-
-TEST(TranslatedBack, ServesEveryStage) {
-    const Source vertex{"v",
-                        "#version 450\nlayout(location = 1) out vec2 uv;\n"
-                        "void main() { uv = vec2(0.5); gl_Position = vec4(0.0); }\n"};
-    const Source fragment{"f",
-                          "#version 450\nlayout(location = 1) in vec2 uv;\nlayout(location = 0) out vec4 c;\n"
-                          "void main() { c = gl_FragCoord * uv.x; }\n"};
-    const auto back = [](const Source& source, Stage stage) {
-        return disassemble(translated_back(compile(source, {.stage = stage}), stage, "test", false));
-    };
-    EXPECT_THAT(back(vertex, Stage::vertex), HasSubstr("OpEntryPoint Vertex"));
-    EXPECT_THAT(back(fragment, Stage::fragment), HasSubstr("OpEntryPoint Fragment"));
-}
-
-TEST(TranslatedBack, WhatCannotBeWrittenIsSaid) {
-    EXPECT_THAT(message_of<std::runtime_error>([] { (void)to_glsl({1, 2, 3}); }), HasSubstr("SPIRV-Cross"));
-    EXPECT_THAT(
-        message_of<CompileError>([] { (void)translated_back({1, 2, 3}, Stage::compute, "the test", false); }),
-        AllOf(HasSubstr("the test: "), HasSubstr("SPIRV-Cross cannot write the module as GLSL")));
+TEST(OpenglText, WhatCannotBeWrittenIsSaid) {
+    EXPECT_THAT(message_of<std::runtime_error>([] { (void)opengl_text({1, 2, 3}, Language::es310, 0); }),
+                HasSubstr("SPIRV-Cross cannot write the module as GLSL for OpenGL"));
 }
 
 }  // namespace gloam::shader::variant_test

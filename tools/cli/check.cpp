@@ -330,8 +330,8 @@ void add_check(CLI::App& app, int& status) {
         ->capture_default_str();
     command->add_option("--compiler", options->compilers,
                         "steps that the modules take, judged by the modules before them: 'spirv-opt --ccp', "
-                        "'spirv-opt {each}', 'spirv-cross glsl', a program with {in} or "
-                        "{glsl} and {out}; several joined by ' | '");
+                        "'spirv-opt {each}', a program with {in} or {glsl} and {out}; several joined by "
+                        "' | '");
     command->add_option("--seeds", options->seeds, "seeds of metamorphic steps, from --seed on")
         ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
         ->capture_default_str();

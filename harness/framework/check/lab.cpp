@@ -238,7 +238,7 @@ void Lab::take_steps(KernelModule& module, const shader::Source& text) const {
     const auto stage = stage_of(module.team);
     const auto glsl = [&] { return shader::pack({text}, {.stage = stage}, options_.include_roots); };
     shader::Stepped stepped =
-        shader::all_taken(options_.variant.steps, {.module = module.spirv, .stage = stage, .glsl = glsl});
+        shader::all_taken(options_.variant.steps, {.module = module.spirv, .glsl = glsl});
     module.before = std::move(stepped.before);
     module.spirv = std::move(stepped.after);
 }

@@ -120,9 +120,8 @@ void validate(const Spirv& module) {
 
 namespace {
 
-// The module after the passes that `add` registers, not validated. `task`: "optimise", for the message.
-Spirv after_passes(const Spirv& module, const std::string& task,
-                   const std::function<void(spvtools::Optimizer&)>& add) {
+// The module after the passes that `add` registers, not validated.
+Spirv after_passes(const Spirv& module, const std::function<void(spvtools::Optimizer&)>& add) {
     std::string messages;
     spvtools::Optimizer optimizer(environment);
     optimizer.SetMessageConsumer(collect_into(messages));
@@ -131,7 +130,7 @@ Spirv after_passes(const Spirv& module, const std::string& task,
     options.set_run_validator(false);
     Spirv result;
     if (!optimizer.Run(module.data(), module.size(), &result, options))
-        throw std::runtime_error("cannot " + task + " the SPIR-V module: " + messages);
+        throw std::runtime_error("cannot optimise the SPIR-V module: " + messages);
     return result;
 }
 
@@ -139,7 +138,7 @@ Spirv after_passes(const Spirv& module, const std::string& task,
 
 Spirv optimize(const Spirv& module, Optimization optimization) {
     if (optimization == Optimization::none) return module;
-    Spirv optimized = after_passes(module, "optimise", [optimization](spvtools::Optimizer& optimizer) {
+    Spirv optimized = after_passes(module, [optimization](spvtools::Optimizer& optimizer) {
         if (optimization == Optimization::size)
             optimizer.RegisterSizePasses();
         else
@@ -155,7 +154,7 @@ Spirv optimize(const Spirv& module, Optimization optimization) {
 }
 
 Spirv with_passes(const Spirv& module, const std::vector<std::string>& passes) {
-    return after_passes(module, "optimise", [&passes](spvtools::Optimizer& optimizer) {
+    return after_passes(module, [&passes](spvtools::Optimizer& optimizer) {
         for (const std::string& pass : passes)
             if (!optimizer.RegisterPassFromFlag(pass))
                 throw std::runtime_error(pass + " is no pass of SPIRV-Tools");
@@ -166,15 +165,6 @@ bool is_pass(const std::string& option) {
     spvtools::Optimizer optimizer(environment);
     optimizer.SetMessageConsumer({});
     return optimizer.RegisterPassFromFlag(option);
-}
-
-Spirv legalized(const Spirv& module) {
-    const auto is_opaque = [](const Instruction& i) {
-        return i.opcode == SpvOpTypeImage || i.opcode == SpvOpTypeSampler;
-    };
-    if (std::ranges::none_of(instructions(module), is_opaque)) return module;
-    return after_passes(module, "legalise",
-                        [](spvtools::Optimizer& optimizer) { optimizer.RegisterLegalizationPasses(); });
 }
 
 std::string disassemble(const Spirv& module) {

@@ -63,10 +63,6 @@ void validate(const Spirv& module);
 // Whether SPIRV-Tools has a pass of this option.
 [[nodiscard]] bool is_pass(const std::string& option);
 
-// The module of an HLSL front end as Vulkan permits it: such a front end stores images and samplers in
-// variables of functions. One without images is returned unchanged. Throws like optimize().
-[[nodiscard]] Spirv legalized(const Spirv& module);
-
 // The module as assembly text with friendly names. Throws std::runtime_error when it cannot be decoded.
 [[nodiscard]] std::string disassemble(const Spirv& module);
 

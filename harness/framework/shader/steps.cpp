@@ -13,7 +13,6 @@
 #include "base/number.hpp"
 #include "base/process.hpp"
 #include "base/text.hpp"
-#include "shader/internal/cross.hpp"
 #include "shader/metamorphic.hpp"
 #include "shader/spirv.hpp"
 
@@ -21,7 +20,6 @@ namespace gloam::shader {
 namespace {
 
 constexpr std::string_view optimizer = "spirv-opt";
-constexpr std::string_view translator = "spirv-cross";
 constexpr std::string_view changer = "metamorphic";
 
 using Words = std::vector<std::string>;
@@ -81,16 +79,13 @@ void require_step(const std::string& step) {
             refuse(step, "a program that is given {in} or {glsl}");
     } else if (words[0] == changer) {
         static_cast<void>(seeded_from(step));
-    } else if (words[0] == translator) {
-        if (words.size() != 2 || (words[1] != "glsl" && words[1] != "hlsl"))
-            refuse(step, "spirv-cross glsl or spirv-cross hlsl");
     } else if (words[0] == optimizer) {
         const auto unknown = std::find_if_not(words.begin() + 1, words.end(), is_pass);
         if (words.size() == 1) refuse(step, "passes, as in spirv-opt --ccp");
         if (unknown != words.end())
             refuse(step, fmt::format("passes of SPIRV-Tools, and {} is none", *unknown));
     } else {
-        refuse(step, "spirv-opt, spirv-cross, metamorphic, or a program with {out}");
+        refuse(step, "spirv-opt, metamorphic, or a program with {in} and {out}");
     }
 }
 
@@ -147,11 +142,6 @@ Spirv run_program(const std::string& step, const StepInput& input) {
 Spirv taken_unchecked(const std::string& step, const StepInput& input) {
     if (is_program(step)) return run_program(step, input);
     Words words = words_of(step);
-    if (words[0] == translator) {
-        const bool hlsl = words[1] == "hlsl";
-        return made_apart(
-            [&] { return internal::translated_back(input.module, input.stage, "the module", hlsl); });
-    }
     if (words[0] == changer) {
         const Seeded seeded = seeded_from(step);
         return metamorphic(input.module, seeded.seed, seeded.positions).module;
@@ -176,7 +166,7 @@ Spirv taken(const std::string& step, const StepInput& input) {
 Stepped all_taken(const std::vector<std::string>& steps, const StepInput& input) {
     Stepped stepped{input.module, input.module};
     for (const std::string& step : steps) {
-        stepped.after = taken(step, {.module = stepped.after, .stage = input.stage, .glsl = input.glsl});
+        stepped.after = taken(step, {.module = stepped.after, .glsl = input.glsl});
         if (is_metamorphic(step)) stepped.before = stepped.after;
     }
     if (without_names(stepped.after) == without_names(input.module)) throw Unchanged();

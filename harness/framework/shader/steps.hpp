@@ -16,7 +16,6 @@ namespace gloam::shader {
 // Steps that a module takes after the front end, each written as a text of words:
 //
 //   spirv-opt --ccp --cfg-cleanup     passes of the SPIRV-Tools that gloam is linked with
-//   spirv-cross glsl, spirv-cross hlsl   to that language and back
 //   metamorphic 17                    the changes of seed 17 (metamorphic.hpp)
 //   metamorphic 17 only 3 5           of these, the changes 3 and 5
 //   PROGRAM ARGUMENT...               a program that reads the module {in}, or the kernel's GLSL {glsl}, and
@@ -31,7 +30,6 @@ inline constexpr std::string_view step_separator = " | ";
 // What a step reads.
 struct StepInput {
     const Spirv& module;
-    Stage stage = Stage::compute;
     std::function<std::string()> glsl;  // the text that the module was made from, without includes
 };
 

@@ -32,13 +32,6 @@ class Cross {
 // Modules as texts of other languages, as SPIRV-Cross writes them; names are kept. All of these throw
 // std::runtime_error with SPIRV-Cross's message.
 
-// GLSL 4.50 for Vulkan.
-[[nodiscard]] std::string to_glsl(const Spirv& module);
-
-// HLSL of shader model 6.0 for Vulkan: push constants have the attribute [[vk::push_constant]], images are
-// as in the module.
-[[nodiscard]] std::string to_hlsl(const Spirv& module);
-
 // HLSL of shader model 6.0 for Direct3D. The number of a register is that of the binding: b for uniform
 // buffers, t for what is only read, u for what is written, s for samplers. Push constants are the constant
 // buffer after the last one.
@@ -48,22 +41,7 @@ class Cross {
 // constants are the buffer after the last binding.
 [[nodiscard]] std::string to_msl(const Spirv& module);
 
-// The module translated to GLSL, or to HLSL, and compiled again. Float controls, which SPIRV-Cross drops, are
-// added again. `name`: for messages. Throws CompileError if SPIRV-Cross cannot translate the module or
-// glslang rejects the result.
-[[nodiscard]] Spirv translated_back(const Spirv& module, Stage stage, const std::string& name, bool hlsl);
-
 // Name and version of SPIRV-Cross.
 [[nodiscard]] std::string cross_version();
-
-// `module` with those float controls of `original` that it lacks: execution modes such as
-// SignedZeroInfNanPreserve, with their capabilities and the extension. Both have one entry point. Throws
-// std::runtime_error for words that are not a SPIR-V module.
-[[nodiscard]] Spirv with_float_controls_of(const Spirv& original, const Spirv& module);
-
-// The module with its storage buffers as SPIR-V has them from version 1.3 on: blocks of the storage class
-// StorageBuffer. glslang's HLSL front end makes them BufferBlocks of the class Uniform. Throws
-// std::runtime_error for a module that has uniform buffers too: their pointers are of the same class.
-[[nodiscard]] Spirv with_storage_buffers(Spirv module);
 
 }  // namespace gloam::shader::internal

@@ -123,18 +123,13 @@ EShLanguage language_of(Stage stage) {
 EShMessages messages_of(Client client) {
     unsigned rules = EShMsgCascadingErrors;
     if (client != Client::none) rules |= unsigned{EShMsgSpvRules} | unsigned{EShMsgVulkanRules};
-    if (client == Client::hlsl) rules |= unsigned{EShMsgReadHlsl};
     return static_cast<EShMessages>(rules);
 }
 
-void set_client(glslang::TShader& shader, EShLanguage language, Client client) {
-    const bool hlsl = client == Client::hlsl;
-    if (hlsl) shader.setEntryPoint("main");
-    shader.setEnvInput(hlsl ? glslang::EShSourceHlsl : glslang::EShSourceGlsl, language,
-                       glslang::EShClientVulkan, 100);
+void set_client(glslang::TShader& shader, EShLanguage language) {
+    shader.setEnvInput(glslang::EShSourceGlsl, language, glslang::EShClientVulkan, 100);
     shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_2);
-    // The HLSL front end has buffers as SPIR-V had them up to version 1.3 (BufferBlock).
-    shader.setEnvTarget(glslang::EShTargetSpv, hlsl ? glslang::EShTargetSpv_1_3 : glslang::EShTargetSpv_1_5);
+    shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_5);
 }
 
 }  // namespace
@@ -162,8 +157,8 @@ Parse::Parse(Stage stage, Client client, std::string name, std::vector<Source> p
       strings_(pieces_),
       shader_(language_) {
     strings_.give_to(shader_);
-    if (client != Client::hlsl) shader_.setPreamble(preamble);
-    if (client != Client::none) set_client(shader_, language_, client);
+    shader_.setPreamble(preamble);
+    if (client != Client::none) set_client(shader_, language_);
     Includer includer(include_folders(roots, pieces_));
     const bool accepted =
         shader_.parse(GetDefaultResources(), version_when_missing, false, messages_, includer);
@@ -190,7 +185,7 @@ std::string preprocessed(const std::vector<Source>& pieces, Stage stage, Client 
     const Strings strings(pieces);
     strings.give_to(shader);
     shader.setPreamble(preamble);
-    if (client != Client::none) set_client(shader, language, client);
+    if (client != Client::none) set_client(shader, language);
     std::string result;
     if (!shader.preprocess(GetDefaultResources(), version_when_missing, ENoProfile, false, false,
                            messages_of(client), &result, includer))
@@ -199,9 +194,9 @@ std::string preprocessed(const std::vector<Source>& pieces, Stage stage, Client 
     return result.substr(std::min(result.find("#version"), result.size()));
 }
 
-namespace {
-
-Spirv spirv_of(Parse& parse, const Source& source, const Translation& how) {
+Spirv to_spirv(const Source& source, Stage stage, const std::vector<std::filesystem::path>& roots,
+               const Translation& how) {
+    Parse parse(stage, Client::vulkan, source.name, {source}, roots);
     Spirv module;
     spv::SpvBuildLogger logger;
     glslang::SpvOptions options;
@@ -212,19 +207,6 @@ Spirv spirv_of(Parse& parse, const Source& source, const Translation& how) {
     for (const char* failure : {"error: ", "Missing functionality: "})
         if (messages.find(failure) != std::string::npos) throw CompileError(source.name + ": " + messages);
     return module;
-}
-
-}  // namespace
-
-Spirv to_spirv(const Source& source, Stage stage, const std::vector<std::filesystem::path>& roots,
-               const Translation& how) {
-    Parse parse(stage, Client::vulkan, source.name, {source}, roots);
-    return spirv_of(parse, source, how);
-}
-
-Spirv hlsl_to_spirv(const Source& source, Stage stage) {
-    Parse parse(stage, Client::hlsl, source.name, {source}, {});
-    return spirv_of(parse, source, {});
 }
 
 }  // namespace gloam::shader::internal

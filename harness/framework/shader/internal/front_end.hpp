@@ -46,9 +46,8 @@ class Includer final : public glslang::TShader::Includer {
     std::optional<std::string> local_failure_;
 };
 
-// The rules that apply to the text: those of SPIR-V for Vulkan 1.2, the same for HLSL, or those of GLSL
-// alone.
-enum class Client { vulkan, hlsl, none };
+// The rules that apply to the text: those of SPIR-V for Vulkan 1.2, or those of GLSL alone.
+enum class Client { vulkan, none };
 [[nodiscard]] Client client_of(Language language);
 
 // What happens to functions that main does not call.
@@ -107,9 +106,6 @@ struct Translation {
 // The text translated to SPIR-V by glslang, neither optimised nor validated. Throws CompileError.
 [[nodiscard]] Spirv to_spirv(const Source& source, Stage stage,
                              const std::vector<std::filesystem::path>& roots, const Translation& how = {});
-
-// A text of HLSL without includes, translated in the same way. The entry point is main. Throws CompileError.
-[[nodiscard]] Spirv hlsl_to_spirv(const Source& source, Stage stage);
 
 // The errors of glslang's log as "file:line: message" lines. `file`: for messages without a place.
 [[nodiscard]] std::string error_lines(const std::string& log, const std::string& file);
