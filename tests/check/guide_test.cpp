@@ -3,8 +3,6 @@
 #include "check/matchers.hpp"
 #include "support/lab.hpp"
 
-#define GOLDEN_DIR FIXTURES "/guide"
-
 namespace gloam::check::guide_test {
 
 Lab guide_lab() {
@@ -157,30 +155,8 @@ TEST(Guide, WholePasses) {
     const PassInputs inputs{{"source", make_image<float>({16, 4}, step)}, {"radius", 1}};
     const PassResult out = blur.run(inputs);
     const auto wanted = [](glm::ivec2 pixel) { return std::clamp((pixel.x - 6) / 3.0, 0.0, 1.0); };
-    const ImageComparison same = out.image("result").compare(wanted, {.ulp = 1});
+    const ImageComparison same = out.image("result").compare(make_image<float>({16, 4}, wanted), 1e-7);
     EXPECT_TRUE(same) << same;
-    // End
-    // Begin: golden
-    const ImageComparison golden = is_golden(out.image("result"), GOLDEN_DIR "/blur.pfm", {.ulp = 1});
-    EXPECT_TRUE(golden) << golden;
-    // End
-    // Begin: pass properties
-    EXPECT_TRUE(blur.symmetric(Mirror::x, inputs, "source", "result", {.ulp = 2}));
-    EXPECT_TRUE(blur.keeps_energy(inputs, "source", "result", 1e-6));
-    EXPECT_FALSE(blur.idempotent(inputs, "source", "result"));  // it blurs further
-    // End
-}
-
-TEST(Guide, WholePassesThatDraw) {
-    const Lab lab = test::make_lab(std::string(FIXTURES) + "/passes");
-    const Image picture =
-        make_image<glm::vec4>({8, 6}, [](glm::ivec2 p) { return glm::vec4(p.x, p.y, 1, 1); });
-    const Image depths = make_image<float>({8, 6}, [](glm::ivec2) { return 2.0F; });
-    // Begin: draw
-    const Pass tone(lab, "whole.vert", "tone.frag");
-    const PassResult out = tone.run({{"scene", picture}, {"exposure", 0.5}, {"depths", depths}});
-    EXPECT_EQ(out.unwritten(), "");
-    EXPECT_EQ(out.image("color").at<glm::vec3>({2, 0}).r, 0.5F);
     // End
 }
 

@@ -6,8 +6,10 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <ostream>
 
 #include "check/internal/pass_work.hpp"
+#include "numeric/numbers.hpp"
 #include "shader/include.hpp"
 #include "shader/module.hpp"
 
@@ -21,13 +23,12 @@ using internal::PassWork;
 
 struct Pass::Impl {
     const Lab* lab;
-    internal::PassModules modules;
     internal::PassInterface interface;
 };
 
 namespace {
 
-shader::Spirv compiled(const Lab& lab, const std::string& file, shader::Stage stage) {
+shader::Spirv compiled(const Lab& lab, const std::string& file) {
     std::filesystem::path path;
     try {
         path = shader::resolve_include(file, {}, lab.options().include_roots);
@@ -35,20 +36,11 @@ shader::Spirv compiled(const Lab& lab, const std::string& file, shader::Stage st
         throw std::invalid_argument(file + ": " + error.what());
     }
     shader::CompileOptions options = lab.compile_options();
-    options.stage = stage;
     options.lines = lab.info().type == interpreter_name;  // its errors have a place
     shader::Spirv module = lab.compile({.name = path.string(), .text = shader::read_text(path)}, options);
     if (const std::string other = shader::spirv::other_number(module); !other.empty())
         throw std::invalid_argument(file + ": " + shader::spirv::not_judged(other));
     return module;
-}
-
-std::shared_ptr<const Pass::Impl> made(const Lab& lab, internal::PassModules modules) {
-    internal::PassInterface interface = internal::interface_of(modules);
-    if (modules.compute.empty() && interface.colors.empty())
-        throw std::invalid_argument(modules.name +
-                                    ": writes no colour, expected an output of the fragment shader");
-    return std::make_shared<const Pass::Impl>(&lab, std::move(modules), std::move(interface));
 }
 
 // Two contents of what is not given. What holds both, each in its run, was not written.
@@ -62,22 +54,12 @@ Word texel_of(const BoundImage& image, const Canary& canary) {
     return image.integers ? static_cast<Word>(canary.texel) : std::bit_cast<Word>(canary.texel);
 }
 
-template <class Visit>
-void for_each_image(PassWork& work, const Visit& visit) {
-    for (Bound& bound : work.bindings)
-        if (auto* image = std::get_if<BoundImage>(&bound)) visit(*image);
-    for (BoundImage& image : work.colors) visit(image);
-}
-
 // Whether something is fresh.
 bool fill(PassWork& work, const Canary& canary) {
     bool any = false;
-    for_each_image(work, [&](BoundImage& image) {
-        if (image.fresh) std::ranges::fill(image.texels, texel_of(image, canary));
-        if (image.fresh && !work.colors.empty()) work.background = canary.texel;
-        any = any || image.fresh;
-    });
     for (Bound& bound : work.bindings) {
+        if (auto* image = std::get_if<BoundImage>(&bound); image != nullptr && image->fresh)
+            std::ranges::fill(image->texels, texel_of(*image, canary)), any = true;
         auto* buffer = std::get_if<BoundBuffer>(&bound);
         for (std::size_t w = 0; buffer != nullptr && w < buffer->words.size(); ++w)
             if (buffer->fresh[w]) buffer->words[w] = canary.word, any = true;
@@ -126,7 +108,7 @@ PassResult result_of(const internal::PassInterface& pass, const PassWork& first,
     std::map<std::string, PassResult::Values> values;
     for (const PassSlot& slot : pass.slots) {
         if (slot.kind != PassSlot::Kind::image && slot.kind != PassSlot::Kind::buffer_member) continue;
-        const shader::Binding& binding = pass.bindings[slot.index];
+        const shader::Binding& binding = pass.declared.bindings[slot.index];
         if (!binding.writes) continue;
         const Bound& one = first.bindings[binding.number];
         const Bound& two = second.bindings[binding.number];
@@ -136,12 +118,6 @@ PassResult result_of(const internal::PassInterface& pass, const PassWork& first,
         else
             values.emplace(slot.name,
                            values_of(slot, std::get<BoundBuffer>(one), std::get<BoundBuffer>(two)));
-    }
-    for (std::size_t i = 0; i < pass.colors.size(); ++i) {
-        const shader::Type pixel{.scalar = shader::Scalar::float_,
-                                 .rows = static_cast<int>(pass.colors[i].rows)};
-        images.emplace(pass.colors[i].name, image_of(pass.name + ": " + pass.colors[i].name, first.colors[i],
-                                                     second.colors[i], pixel));
     }
     return {std::move(images), std::move(values), pass.name};
 }
@@ -160,26 +136,17 @@ const typename Map::mapped_type& found_in(const Map& all, const std::string& nam
 
 }  // namespace
 
-Pass::Pass(const Lab& lab, const std::string& compute_file)
-    : impl_(made(lab, {.name = compute_file,
-                       .compute = compiled(lab, compute_file, shader::Stage::compute),
-                       .vertex = {},
-                       .fragment = {}})) {}
-
-Pass::Pass(const Lab& lab, const std::string& vertex_file, const std::string& fragment_file)
-    : impl_(made(lab, {.name = vertex_file + " and " + fragment_file,
-                       .compute = {},
-                       .vertex = compiled(lab, vertex_file, shader::Stage::vertex),
-                       .fragment = compiled(lab, fragment_file, shader::Stage::fragment)})) {}
+Pass::Pass(const Lab& lab, const std::string& file)
+    : impl_(std::make_shared<const Impl>(&lab, internal::interface_of(file, compiled(lab, file)))) {}
 
 PassResult Pass::run(const PassInputs& inputs, const PassOptions& options) const {
     const Lab& lab = *impl_->lab;
     PassWork first = internal::bound(impl_->interface, inputs, options);
     const auto run = [&](PassWork& work) {
         if (lab.info().type == interpreter_name)
-            internal::run_interpreted(impl_->modules, work);
+            internal::run_interpreted(impl_->interface, work);
         else
-            internal::run_on_device(lab.device(), impl_->modules, work);
+            internal::run_on_device(lab.device(), impl_->interface, work);
     };
     PassWork second = first;
     const bool twice = fill(first, canaries[0]);
@@ -223,96 +190,76 @@ std::string PassResult::unwritten() const {
     return text;
 }
 
-Image mirrored(const Image& image, Mirror mirror) {
-    Image result = image;
-    if (mirror == Mirror::transpose) result.size = {image.size.y, image.size.x};
-    const std::size_t pixel = scalars_of(image.element).size();
-    for (int y = 0; y < result.size.y; ++y) {
-        for (int x = 0; x < result.size.x; ++x) {
-            const glm::ivec2 from = mirror == Mirror::x   ? glm::ivec2(image.size.x - 1 - x, y)
-                                    : mirror == Mirror::y ? glm::ivec2(x, image.size.y - 1 - y)
-                                                          : glm::ivec2(y, x);
-            const auto at = [pixel](glm::ivec2 p, int width) {
-                return static_cast<std::ptrdiff_t>(
-                    (static_cast<std::size_t>(p.y) * static_cast<std::size_t>(width) +
-                     static_cast<std::size_t>(p.x)) *
-                    pixel);
-            };
-            std::copy_n(image.words.begin() + at(from, image.size.x), pixel,
-                        result.words.begin() + at({x, y}, result.size.x));
-        }
-    }
-    return result;
-}
-
 namespace {
 
-const Image& image_in(const PassInputs& inputs, const std::string& name) {
-    const auto found = inputs.find(name);
-    if (found == inputs.end() || !found->second.image())
-        throw std::invalid_argument(fmt::format("\"{}\" is not among the inputs as an image", name));
-    return *found->second.image();
+bool is_float(const Image& image) {
+    return image.element.scalar == shader::Scalar::float_;
 }
 
-PassInputs with(PassInputs inputs, const std::string& name, const Image& image) {
-    inputs.insert_or_assign(name, PassValue(image));
-    return inputs;
+double difference_of(const Image& image, Word got, Word want) {
+    if (is_float(image))
+        return numeric::absolute_error(std::bit_cast<float>(got), std::bit_cast<float>(want));
+    if (image.element.scalar == shader::Scalar::int_)
+        return std::abs(1.0 * std::bit_cast<std::int32_t>(got) - std::bit_cast<std::int32_t>(want));
+    return std::abs(1.0 * got - want);
 }
 
-ImageComparison named(ImageComparison comparison, const std::string& property) {
-    if (!comparison.story.empty()) comparison.story = property + ": " + comparison.story;
-    return comparison;
+std::string text_of(const Image& image, Word word) {
+    if (is_float(image)) return numeric::to_text(std::bit_cast<float>(word));
+    const bool is_signed = image.element.scalar == shader::Scalar::int_;
+    return fmt::format("{} (0x{:08x})",
+                       is_signed ? std::int64_t{std::bit_cast<std::int32_t>(word)} : std::int64_t{word},
+                       word);
+}
+
+void require_alike(const PassImage& image, const Image& reference) {
+    if (!(reference.element == image.element))
+        throw std::invalid_argument(fmt::format("{}: is compared with {}, expected {}", image.name,
+                                                shader::name_of(reference.element),
+                                                shader::name_of(image.element)));
+    if (reference.size != image.size)
+        throw std::invalid_argument(fmt::format("{}: is {} x {}, the reference {} x {}", image.name,
+                                                image.size.x, image.size.y, reference.size.x,
+                                                reference.size.y));
 }
 
 }  // namespace
 
-ImageComparison Pass::idempotent(const PassInputs& inputs, const std::string& source,
-                                 const std::string& result, const ImageBudget& budget,
-                                 const PassOptions& options) const {
-    const PassImage once = run(inputs, options).image(result);
-    Image again = once;
-    again.sampling = image_in(inputs, source).sampling;
-    const PassResult twice = run(with(inputs, source, again), options);
-    return named(twice.image(result).compare(static_cast<const Image&>(once), budget), "not idempotent");
-}
-
-ImageComparison Pass::symmetric(Mirror mirror, const PassInputs& inputs, const std::string& source,
-                                const std::string& result, const ImageBudget& budget,
-                                PassOptions options) const {
-    const Image expected = mirrored(run(inputs, options).image(result), mirror);
-    if (mirror == Mirror::transpose) options.size = {options.size.y, options.size.x};
-    const PassInputs moved = with(inputs, source, mirrored(image_in(inputs, source), mirror));
-    return named(run(moved, options).image(result).compare(expected, budget), "not symmetric");
-}
-
-ImageComparison Pass::keeps_energy(const PassInputs& inputs, const std::string& source,
-                                   const std::string& result, double relative,
-                                   const PassOptions& options) const {
-    const PassResult done = run(inputs, options);
-    const PassImage& after = done.image(result);
-    const Image& before = image_in(inputs, source);
-    ImageComparison comparison{.pixels = after.unwritten.size(), .story = done.unwritten()};
-    if (!(before.element == after.element) || after.element.scalar != shader::Scalar::float_)
-        throw std::invalid_argument(fmt::format("{}: energy of {} and {}, expected the same floats",
-                                                after.name, shader::name_of(before.element),
-                                                shader::name_of(after.element)));
-    const std::size_t components = scalars_of(after.element).size();
-    for (std::size_t c = 0; c < components; ++c) {
-        std::array<double, 2> sums{};
-        double magnitude = 0.0;
-        for (std::size_t i = c; i < before.words.size(); i += components) {
-            sums[0] += std::bit_cast<float>(before.words[i]);
-            magnitude += std::abs(std::bit_cast<float>(before.words[i]));
+ImageComparison PassImage::compare(const Image& reference, double tolerance) const {
+    require_alike(*this, reference);
+    ImageComparison compared;
+    const std::size_t components = scalars_of(element).size();
+    const std::size_t pixels = words.size() / components;
+    std::size_t worst = words.size();
+    for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+        bool outside = !unwritten.empty() && unwritten[pixel];
+        for (std::size_t w = pixel * components; w < (pixel + 1) * components; ++w) {
+            const double difference = difference_of(*this, words[w], reference.words[w]);
+            outside = outside || difference > tolerance;
+            if (difference > compared.largest) compared.largest = difference, worst = w;
         }
-        for (std::size_t i = c; i < after.words.size(); i += components)
-            sums[1] += std::bit_cast<float>(after.words[i]);
-        if (std::abs(sums[1] - sums[0]) <= relative * magnitude) continue;
-        comparison.story += fmt::format(
-            "{}: energy is not kept: component {} of \"{}\" sums to {}, after the pass "
-            "to {}, expected within {:g} of it\n",
-            after.name, c, source, sums[0], sums[1], relative);
+        compared.outside += outside ? 1 : 0;
     }
-    return comparison;
+    const auto width = static_cast<std::size_t>(size.x);
+    if (worst < words.size())
+        compared.worst = {static_cast<int>(worst / components % width),
+                          static_cast<int>(worst / components / width)};
+    if (compared.outside == 0) return compared;
+    const auto missing = std::ranges::count(unwritten, true);
+    compared.story =
+        fmt::format("{}: {} of {} pixels differ by more than {:g}{}\n", name, compared.outside, pixels,
+                    tolerance, missing == 0 ? "" : fmt::format(", {} of them not written", missing));
+    if (worst < words.size())
+        compared.story +=
+            fmt::format("  pixel ({}, {}) component {}: got {}, expected {}, difference {:.6g}\n",
+                        compared.worst.x, compared.worst.y, worst % components, text_of(*this, words[worst]),
+                        text_of(*this, reference.words[worst]), compared.largest);
+    return compared;
+}
+
+std::ostream& operator<<(std::ostream& stream, const ImageComparison& comparison) {
+    if (comparison) return stream << fmt::format("largest difference {:g}\n", comparison.largest);
+    return stream << comparison.story;
 }
 
 }  // namespace gloam::check

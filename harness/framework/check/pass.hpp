@@ -5,6 +5,7 @@
 #include <concepts>
 #include <cstddef>
 #include <glm/glm.hpp>
+#include <iosfwd>
 #include <map>
 #include <memory>
 #include <optional>
@@ -14,7 +15,6 @@
 #include <utility>
 #include <vector>
 
-#include "check/image_comparison.hpp"
 #include "check/lab.hpp"
 #include "check/question.hpp"
 #include "check/signature.hpp"
@@ -22,7 +22,7 @@
 namespace gloam::check {
 
 // What a pass is given under a name: an image, a scalar, vector, matrix, array or plain struct of those, or a
-// std::vector of one of them for an array (of a buffer, or of vertices).
+// std::vector of one of them for an array.
 class PassValue {
   public:
     PassValue(Image image) : image_(std::move(image)) {}
@@ -53,16 +53,33 @@ class PassValue {
 };
 
 // By the names of the shader: of images and samplers; of members of uniform blocks, storage buffers and push
-// constants ("Block.member" where several have the name); of specialization constants (or their number); of
-// vertex attributes.
+// constants ("Block.member" where several have the name); of specialization constants (or their number).
 using PassInputs = std::map<std::string, PassValue>;
 
 struct PassOptions {
     glm::ivec2 size{0};                     // of the outputs; 0 x 0: that of the given images
-    std::array<std::uint32_t, 3> groups{};  // of a compute pass; zeros: enough for a pixel per invocation
-    std::uint32_t vertices = 3;             // of triangles without attributes; gl_VertexIndex numbers them
-    // What the colour outputs hold where no triangle is. Without it every pixel must be drawn.
-    std::optional<float> background;
+    std::array<std::uint32_t, 3> groups{};  // zeros: enough for a pixel per invocation
+};
+
+// The differences of two images.
+struct ImageComparison {
+    double largest = 0.0;     // of a component; infinite where it is NaN in one image alone
+    glm::ivec2 worst{-1};     // the pixel of that difference; -1: the images are equal
+    std::size_t outside = 0;  // pixels that differ by more than the tolerance, or were not written
+    std::string story;        // why it fails, in lines for people; empty: it passes
+
+    [[nodiscard]] explicit operator bool() const { return story.empty(); }
+};
+std::ostream& operator<<(std::ostream& stream, const ImageComparison& comparison);
+
+// An image that a pass wrote. `at<T>(pixel)` reads it.
+struct PassImage : Image {
+    std::string name;             // "blur.comp: result"
+    std::vector<bool> unwritten;  // by pixel; empty: all are written
+
+    // Compares it with another image: a reference, or the output of another pass. A component may differ by
+    // `tolerance`. Throws std::invalid_argument for another size or type.
+    [[nodiscard]] ImageComparison compare(const Image& reference, double tolerance = 0.0) const;
 };
 
 // What a pass wrote.
@@ -103,39 +120,20 @@ class PassResult {
     std::string pass_;
 };
 
-// How symmetric() moves the pixels of an image.
-enum class Mirror { x, y, transpose };  // left and right; top and bottom; rows and columns
-[[nodiscard]] Image mirrored(const Image& image, Mirror mirror);
-
-// A whole shader with its own main(), run on images and buffers by name: a compute shader, or a vertex and a
-// fragment shader, which draw triangles. An output that is not given and that the shader cannot read starts
-// as nothing: what the pass does not write is found (two runs with different contents) and fails every
-// comparison. The interpreter takes compute passes, and reports accesses outside an image, races and
-// barriers that not all invocations reach.
+// A whole compute shader with its own main(), run on images and buffers by name. An output that is not given
+// and that the shader cannot read starts as nothing: what the pass does not write is found (two runs with
+// different contents) and fails every comparison. The interpreter reports accesses outside an image, races
+// and barriers that not all invocations reach.
 // The lab must outlive it.
 class Pass {
   public:
-    // Files are searched in the lab's include roots. Throws std::invalid_argument for a file that is not
+    // The file is searched in the lab's include roots. Throws std::invalid_argument for a file that is not
     // there, and for an interface that is not supported; shader::CompileError.
-    Pass(const Lab& lab, const std::string& compute_file);
-    Pass(const Lab& lab, const std::string& vertex_file, const std::string& fragment_file);
+    Pass(const Lab& lab, const std::string& file);
 
     // Throws std::invalid_argument, in one line with what was expected, for a name that is unknown or not
     // given and a value of another type or size; backend::Error; std::runtime_error for validation messages.
     [[nodiscard]] PassResult run(const PassInputs& inputs, const PassOptions& options = {}) const;
-
-    // Whether a run on its own output changes nothing: `source` is an input, `result` an output.
-    [[nodiscard]] ImageComparison idempotent(const PassInputs& inputs, const std::string& source,
-                                             const std::string& result, const ImageBudget& budget = {},
-                                             const PassOptions& options = {}) const;
-    // Whether the mirrored input gives the mirrored output. Other inputs stay as they are.
-    [[nodiscard]] ImageComparison symmetric(Mirror mirror, const PassInputs& inputs,
-                                            const std::string& source, const std::string& result,
-                                            const ImageBudget& budget = {}, PassOptions options = {}) const;
-    // Whether the sum over all pixels is kept in each component, within `relative` of the sum of magnitudes.
-    [[nodiscard]] ImageComparison keeps_energy(const PassInputs& inputs, const std::string& source,
-                                               const std::string& result, double relative,
-                                               const PassOptions& options = {}) const;
 
     struct Impl;
 

@@ -13,7 +13,7 @@
 // And a whole shader with its own main(): check/pass.hpp
 //   const Pass blur(lab, "blur.comp");
 //   const PassResult out = blur.run({{"source", picture}, {"radius", 2}});
-//   out.image("result").compare(reference, {.ulp = 2})
+//   out.image("result").compare(reference, 1e-6)
 #include "check/answer.hpp"
 #include "check/function.hpp"
 #include "check/pass.hpp"

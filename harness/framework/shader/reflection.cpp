@@ -73,8 +73,6 @@ class Reflector {
                                                                          &sizes[2]);
         for (std::size_t axis = 0; axis < 3; ++axis)
             if (sizes.at(axis).id != 0) all.local_size_ids.at(axis) = sizes.at(axis).constant_id;
-        all.inputs = stage_variables(SPVC_RESOURCE_TYPE_STAGE_INPUT);
-        all.outputs = stage_variables(SPVC_RESOURCE_TYPE_STAGE_OUTPUT);
         return all;
     }
 
@@ -84,20 +82,6 @@ class Reflector {
         std::size_t count = 0;
         cross_.require(spvc_resources_get_resource_list_for_type(resources_, type, &first, &count));
         return {first, count};
-    }
-
-    std::vector<StageVariable> stage_variables(spvc_resource_type kind) const {
-        std::vector<StageVariable> all;
-        for (const spvc_reflected_resource& resource : list(kind)) {
-            const spvc_type type = spvc_compiler_get_type_handle(compiler_, resource.type_id);
-            if (spvc_type_get_basetype(type) == SPVC_BASETYPE_STRUCT) continue;  // between two stages
-            all.push_back({.name = spvc_compiler_get_name(compiler_, resource.id),
-                           .location = decoration(resource.id, SpvDecorationLocation),
-                           .type = name_of(spvc_type_get_basetype(type)),
-                           .rows = spvc_type_get_vector_size(type)});
-        }
-        std::ranges::sort(all, {}, &StageVariable::location);
-        return all;
     }
 
     std::string shape_of(const spvc_reflected_resource& resource) const {

@@ -54,14 +54,6 @@ struct SpecializationConstant {
     std::uint32_t bits = 0;  // default value
 };
 
-// An input or output of a stage.
-struct StageVariable {
-    std::string name;
-    std::uint32_t location = 0;
-    std::string type;   // of its components: "float", "int", "uint"
-    unsigned rows = 1;  // of a vector
-};
-
 // The interface of a module.
 struct ModuleInterface {
     std::vector<Binding> bindings;  // by set and number
@@ -70,8 +62,6 @@ struct ModuleInterface {
     std::array<std::uint32_t, 3> local_size{};
     // The constants that replace them, by axis; empty: none does.
     std::array<std::optional<std::uint32_t>, 3> local_size_ids{};
-    std::vector<StageVariable> inputs;  // by location, without those that are built in
-    std::vector<StageVariable> outputs;
 };
 
 // The interface of a module. Throws std::runtime_error for words that are not a module, and for a binding of

@@ -35,13 +35,10 @@ class Binder {
     PassWork run() {
         for (const auto& [name, value] : inputs_) require_fit(name, value);
         make_bindings();
-        work_.push_constants.resize(pass_.push_constant_bytes);
+        const auto& constants = pass_.declared.push_constants;
+        work_.push_constants.resize(constants ? constants->size : 0);
         for (const PassSlot& slot : pass_.slots) bind(slot);
-        if (!pass_.attributes.empty()) interleave();
-        if (pass_.colors.empty())
-            set_groups();
-        else
-            set_colors();
+        set_groups();
         for (const Bound& binding : work_.bindings)
             if (const auto* buffer = std::get_if<BoundBuffer>(&binding);
                 buffer != nullptr && buffer->words.empty())
@@ -94,7 +91,7 @@ class Binder {
         if (!image.sampling && image.words.size() != words)
             refuse(slot.name, fmt::format("is {} with {} words, expected {}", size_text(image.size),
                                           image.words.size(), words));
-        const shader::Binding& binding = pass_.bindings[slot.index];
+        const shader::Binding& binding = pass_.declared.bindings[slot.index];
         if (binding.type != BindingType::sampled_image) {
             if (!(found == slot.type))
                 refuse(slot.name, fmt::format("is an image of {}, expected {} ({})", shader::name_of(found),
@@ -134,12 +131,12 @@ class Binder {
     }
 
     void make_bindings() {
-        for (const shader::Binding& binding : pass_.bindings) {
+        for (const shader::Binding& binding : pass_.declared.bindings) {
             if (work_.bindings.size() <= binding.number) work_.bindings.resize(binding.number + 1);
             if (!binding.block) continue;
             std::size_t bytes = binding.block->size;
             for (const PassSlot& slot : pass_.slots)
-                if (slot.kind == Kind::buffer_member && &pass_.bindings[slot.index] == &binding)
+                if (slot.kind == Kind::buffer_member && &pass_.declared.bindings[slot.index] == &binding)
                     bytes = std::max(bytes, end_of(slot));
             BoundBuffer buffer{.words = std::vector<Word>((bytes + 3) / sizeof(Word)),
                                .uniform = binding.type == BindingType::uniform_buffer};
@@ -170,10 +167,7 @@ class Binder {
                 return store(slot, value->words(), work_.push_constants);
             case Kind::constant:
                 if (value == nullptr) return;  // it has a default
-                work_.constants.push_back({pass_.constants[slot.index].id, value->words().front()});
-                return;
-            case Kind::attribute:
-                if (value == nullptr) refuse_missing(slot);
+                work_.constants.push_back({pass_.declared.constants[slot.index].id, value->words().front()});
         }
     }
 
@@ -188,7 +182,7 @@ class Binder {
     }
 
     void bind_member(const PassSlot& slot, const PassValue* value) {
-        const shader::Binding& binding = pass_.bindings[slot.index];
+        const shader::Binding& binding = pass_.declared.bindings[slot.index];
         auto& buffer = std::get<BoundBuffer>(work_.bindings[binding.number]);
         if (value != nullptr)
             return store(slot, value->words(), std::as_writable_bytes(std::span(buffer.words)));
@@ -199,7 +193,7 @@ class Binder {
     }
 
     void bind_image(const PassSlot& slot, const PassValue* value) {
-        const shader::Binding& binding = pass_.bindings[slot.index];
+        const shader::Binding& binding = pass_.declared.bindings[slot.index];
         Bound& bound = work_.bindings[binding.number];
         const bool sampled = binding.type == BindingType::sampled_image;
         if (value == nullptr && (sampled || binding.reads))
@@ -250,42 +244,6 @@ class Binder {
         }
     }
 
-    void interleave() {
-        std::vector<const PassSlot*> slots(pass_.attributes.size());
-        for (const PassSlot& slot : pass_.slots)
-            if (slot.kind == Kind::attribute) slots[slot.index] = &slot;
-        work_.vertex_count = static_cast<std::uint32_t>(elements_in(given(*slots.front())));
-        for (const PassSlot* slot : slots) {
-            if (elements_in(given(*slot)) != work_.vertex_count)
-                refuse(slot->name, fmt::format("has {} vertices, \"{}\" has {}", elements_in(given(*slot)),
-                                               slots.front()->name, work_.vertex_count));
-            work_.attribute_sizes.push_back(slot->type.rows);
-        }
-        for (std::size_t vertex = 0; vertex < work_.vertex_count; ++vertex)
-            for (const PassSlot* slot : slots)
-                for (std::size_t row = 0; row < static_cast<std::size_t>(slot->type.rows); ++row)
-                    work_.vertices.push_back(std::bit_cast<float>(
-                        given(*slot)->words()[vertex * static_cast<std::size_t>(slot->type.rows) + row]));
-    }
-
-    void set_colors() {
-        if (pass_.attributes.empty()) work_.vertex_count = options_.vertices;
-        if (work_.vertex_count == 0 || work_.vertex_count % 3 != 0)
-            throw std::invalid_argument(fmt::format("{}: {} vertices, expected triangles of three each",
-                                                    pass_.name, work_.vertex_count));
-        for (const shader::StageVariable& color : pass_.colors) {
-            BoundImage image{.format = color.rows == 1 ? gpu::Format::r32f : gpu::Format::rgba32f,
-                             .size = size_for(color.name),
-                             .written = true,
-                             .fresh = !options_.background};
-            image.texels.resize(static_cast<std::size_t>(image.size.x) *
-                                static_cast<std::size_t>(image.size.y) *
-                                static_cast<std::size_t>(gpu::channels(image.format)));
-            work_.colors.push_back(std::move(image));
-        }
-        work_.background = options_.background.value_or(0.0F);
-    }
-
     // The size of the first image that the pass writes.
     [[nodiscard]] glm::ivec2 written_size() const {
         for (const Bound& bound : work_.bindings)
@@ -295,11 +253,11 @@ class Binder {
     }
 
     void set_groups() {
-        work_.group_size = pass_.local_size;
+        work_.group_size = pass_.declared.local_size;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            if (!pass_.local_size_ids.at(axis)) continue;
-            const std::uint32_t id = *pass_.local_size_ids.at(axis);
-            for (const shader::SpecializationConstant& constant : pass_.constants)
+            if (!pass_.declared.local_size_ids.at(axis)) continue;
+            const std::uint32_t id = *pass_.declared.local_size_ids.at(axis);
+            for (const shader::SpecializationConstant& constant : pass_.declared.constants)
                 if (constant.id == id) work_.group_size.at(axis) = constant.bits;
             for (const backend::Constant& constant : work_.constants)
                 if (constant.id == id) work_.group_size.at(axis) = constant.bits;

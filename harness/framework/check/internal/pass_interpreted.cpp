@@ -109,13 +109,11 @@ class InterpretedPass {
 
 }  // namespace
 
-void run_interpreted(const PassModules& modules, PassWork& work) {
-    if (modules.compute.empty())
-        throw backend::Unsupported(modules.name + ": the interpreter runs compute passes, expected one");
+void run_interpreted(const PassInterface& pass, PassWork& work) {
     try {
-        InterpretedPass(modules.compute, work).run();
+        InterpretedPass(pass.module, work).run();
     } catch (const interpreter::Error& error) {
-        const std::string message = modules.name + ": " + error.what();
+        const std::string message = pass.name + ": " + error.what();
         if (error.kind() == interpreter::Error::Kind::unknown_instruction)
             throw backend::Unsupported(message);
         throw backend::Fault(message);

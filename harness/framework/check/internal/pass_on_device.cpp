@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <bit>
-#include <cstring>
 #include <deque>
-#include <numeric>
 
 #include "backend/vulkan/commands.hpp"
 #include "check/internal/pass_work.hpp"
@@ -32,7 +30,6 @@ class DeviceMemory {
   public:
     DeviceMemory(const gpu::Device& device, const PassWork& work) : device_(device) {
         for (const Bound& bound : work.bindings) std::visit([this](const auto& one) { add(one); }, bound);
-        for (const BoundImage& color : work.colors) colors_.push_back(std::ref(make_image(color)));
     }
 
     void read_back(PassWork& work) const {
@@ -44,24 +41,17 @@ class DeviceMemory {
                 std::ranges::copy(memory.as<Word>(), buffer->words.begin());
             }
         }
-        for (std::size_t i = 0; i < colors_.size(); ++i) read(colors_[i], work.colors[i]);
     }
 
     std::vector<gpu::Resource> resources;
     std::vector<gpu::BindingKind> kinds;
-    [[nodiscard]] const std::vector<std::reference_wrapper<const gpu::Image>>& colors() const {
-        return colors_;
-    }
-
-    template <class T>
-    const gpu::Buffer& make_buffer(const std::vector<T>& contents) {
-        gpu::Buffer& buffer =
-            buffers_.emplace_back(device_, std::max(contents.size(), std::size_t{1}) * sizeof(T));
-        std::ranges::copy(contents, buffer.as<T>().begin());
-        return buffer;
-    }
 
   private:
+    const gpu::Buffer& make_buffer(const std::vector<Word>& contents) {
+        gpu::Buffer& buffer = buffers_.emplace_back(device_, contents.size() * sizeof(Word));
+        std::ranges::copy(contents, buffer.as<Word>().begin());
+        return buffer;
+    }
     void add(std::monostate) { add(gpu::BindingKind::storage_buffer, make_buffer(std::vector<Word>{0})); }
     void add(const BoundImage& image) { add(gpu::BindingKind::storage_image, make_image(image)); }
     void add(const BoundBuffer& buffer) {
@@ -100,53 +90,20 @@ class DeviceMemory {
     std::deque<gpu::Image> images_;
     std::deque<gpu::Buffer> buffers_;
     std::deque<gpu::SampledImage> samplers_;
-    std::vector<std::reference_wrapper<const gpu::Image>> colors_;
 };
 
-void draw(const gpu::Device& device, const PassModules& modules, const PassWork& work, DeviceMemory& memory) {
-    std::vector<gpu::Format> formats;
-    for (const BoundImage& color : work.colors) formats.push_back(color.format);
-    const gpu::RasterPipeline pipeline(
-        device, {.vertex_spirv = modules.vertex,
-                 .fragment_spirv = modules.fragment,
-                 .attribute_sizes = work.attribute_sizes,
-                 .color_formats = std::move(formats),
-                 .push_constant_bytes = static_cast<std::uint32_t>(work.push_constants.size()),
-                 .bindings = memory.kinds,
-                 .constants = work.constants});
-    std::vector<std::uint32_t> indices(work.vertex_count);
-    std::iota(indices.begin(), indices.end(), 0U);
-    const gpu::Image depth(device, extent_of(work.colors.front().size), gpu::Format::depth32f);
-    const gpu::Draw all{.vertices = memory.make_buffer(work.vertices),
-                        .indices = memory.make_buffer(indices),
-                        .index_count = work.vertex_count,
-                        .push_constants = work.push_constants,
-                        .resources = memory.resources};
-    gpu::Commands commands(device);
-    gpu::render(commands, pipeline, memory.colors(), depth, work.background, std::span(&all, 1));
-    commands.submit();
-}
+}  // namespace
 
-void dispatch(const gpu::Device& device, const PassModules& modules, const PassWork& work,
-              const DeviceMemory& memory) {
+void run_on_device(const gpu::Device& device, const PassInterface& pass, PassWork& work) {
+    DeviceMemory memory(device, work);
     const gpu::ComputePipeline pipeline(
-        device, {.spirv = modules.compute,
+        device, {.spirv = pass.module,
                  .bindings = memory.kinds,
                  .push_constant_bytes = static_cast<std::uint32_t>(work.push_constants.size()),
                  .constants = work.constants});
     gpu::Commands commands(device);
     commands.dispatch(pipeline, memory.resources, work.groups, work.push_constants);
     commands.submit();
-}
-
-}  // namespace
-
-void run_on_device(const gpu::Device& device, const PassModules& modules, PassWork& work) {
-    DeviceMemory memory(device, work);
-    if (modules.compute.empty())
-        draw(device, modules, work, memory);
-    else
-        dispatch(device, modules, work, memory);
     memory.read_back(work);
 }
 

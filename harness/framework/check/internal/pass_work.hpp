@@ -5,20 +5,51 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
 #include "backend/backend.hpp"
 #include "backend/vulkan/device.hpp"
 #include "backend/vulkan/resources.hpp"
-#include "check/internal/pass_interface.hpp"
 #include "check/pass.hpp"
+#include "shader/reflection.hpp"
 
-// One run of a pass: what is bound, in the host's memory. A run changes it as the pass does.
 namespace gloam::check::internal {
 
-// A storage image or colour output.
+// A name of a pass, and what stands behind it.
+struct PassSlot {
+    enum class Kind { image, buffer_member, push_constant, constant };
+
+    Kind kind = Kind::image;
+    std::string name;        // as users give it
+    std::string other_name;  // a second one: "Block.member", the number of a constant
+    std::string says;        // what is expected: "int", "image of vec4", "sampler2D"
+    shader::Type type;       // of a value, or of a pixel
+    std::size_t index = 0;   // of the binding or constant in its list
+    shader::LaidOut member;  // of a block
+};
+
+struct PassInterface {
+    std::string name;  // for messages: "blur.comp"
+    shader::Spirv module;
+    shader::ModuleInterface declared;
+    std::vector<PassSlot> slots;
+
+    // The slot that users call so; null: there is none.
+    [[nodiscard]] const PassSlot* find(const std::string& given) const;
+};
+
+// Throws std::invalid_argument, with the pass and the name, for what a pass cannot have.
+[[nodiscard]] PassInterface interface_of(std::string name, shader::Spirv module);
+
+// The place in bytes of each scalar of a member, in the order of a C++ value's words. `elements`: of an
+// unbounded array.
+[[nodiscard]] std::vector<std::size_t> places_of(const shader::LaidOut& member, std::size_t elements);
+
+// One run of a pass: what is bound, in the host's memory. A run changes it as the pass does.
+
+// A storage image.
 struct BoundImage {
     gpu::Format format = gpu::Format::rgba32f;
     glm::ivec2 size{1};
@@ -43,15 +74,10 @@ using Bound = std::variant<std::monostate, BoundImage, BoundSampler, BoundBuffer
 
 struct PassWork {
     std::vector<Bound> bindings;  // by number
-    std::vector<BoundImage> colors;
     std::vector<std::byte> push_constants;
     std::vector<backend::Constant> constants;
     std::array<std::uint32_t, 3> groups{};
     std::array<std::uint32_t, 3> group_size{};
-    std::vector<float> vertices;
-    std::vector<int> attribute_sizes;
-    std::uint32_t vertex_count = 0;
-    float background = 0.0F;
 };
 
 // A run of a pass with these inputs, ready but for the contents of what is not given. Throws
@@ -59,11 +85,10 @@ struct PassWork {
 [[nodiscard]] PassWork bound(const PassInterface& pass, const PassInputs& inputs, const PassOptions& options);
 
 // Runs a pass on a device. Throws like gpu::Commands and the pipelines.
-void run_on_device(const gpu::Device& device, const PassModules& modules, PassWork& work);
+void run_on_device(const gpu::Device& device, const PassInterface& pass, PassWork& work);
 
-// Runs a compute pass on the interpreter, one invocation after another. Throws backend::Unsupported for other
-// passes, barriers, and instructions that it does not know; backend::Fault, with the place, for an access
-// outside an image or array.
-void run_interpreted(const PassModules& modules, PassWork& work);
+// Runs a pass on the interpreter, one invocation after another. Throws backend::Unsupported for instructions
+// that it does not know; backend::Fault, with the place, for an access outside an image or array.
+void run_interpreted(const PassInterface& pass, PassWork& work);
 
 }  // namespace gloam::check::internal
