@@ -9,8 +9,8 @@
 // "view" takes world to view space, "model" takes object to world space. Clip points stay homogeneous throughout:
 // nothing is divided before the last step, so points at infinity (w = 0 in world space) are carried as well.
 
-// texture coordinates of a clip-space point (TSSAO-RP-uv): `xy / (2 w) + 1/2, inside where |x|, |y| <= w` [TSSAO
-// (Mattausch et al.), reprojection].
+// texture coordinates of a clip-space point (TSSAO-RP-uv): `xy / (2 w) + 1/2, inside where |x|, |y| <= w` [TSSAO,
+// reprojection].
 // clip: homogeneous clip-space point. uv: texture coordinates in [0, 1]^2 with y in the direction of clip y (down in
 // Vulkan); (0, 0) when the result is false.
 // Returns whether the point projects into the image, borders included: false behind the camera (w below 1e-30),
@@ -25,7 +25,7 @@ bool gloam_uv_from_clip(vec4 clip, out vec2 uv) {
     return true;
 }
 
-// previous texture coordinates, static scene (TSSAO-RP): `t' = P' V' V^-1 P^-1 t` [TSSAO (Mattausch et al.),
+// previous texture coordinates, static scene (TSSAO-RP): `t' = P' V' V^-1 P^-1 t` [TSSAO,
 // reprojection].
 // Previous texture coordinates of a point of the current image, static scene, one matrix prepared by the host (in
 // double): P_(f-1) V_(f-1) V_f^-1 P_f^-1.
@@ -38,7 +38,7 @@ bool gloam_reproject_clip(vec4 clip_position, mat4 previous_from_current, out ve
     return gloam_uv_from_clip(previous_from_current * clip_position, uv);
 }
 
-// previous clip-space point of a static surface point (TSSAO-RP-static): `P' V' V^-1 P^-1 t` [TSSAO (Mattausch et al.),
+// previous clip-space point of a static surface point (TSSAO-RP-static): `P' V' V^-1 P^-1 t` [TSSAO,
 // reprojection].
 // clip: clip-space point of the current frame. inverse_projection, inverse_view: of the current frame.
 // previous_view, previous_projection: of the previous frame.
@@ -52,8 +52,8 @@ vec4 gloam_previous_clip_static(vec4 clip, mat4 inverse_projection, mat4 inverse
     return gloam_is_finite4(previous) ? previous : vec4(0.0);
 }
 
-// previous clip-space point of a point of a moving object (TSSAO-RP-moving): `P' V' M' M^-1 V^-1 P^-1 t` [TSSAO
-// (Mattausch et al.), reprojection].
+// previous clip-space point of a point of a moving object (TSSAO-RP-moving): `P' V' M' M^-1 V^-1 P^-1 t` [TSSAO,
+// reprojection].
 // (Printed without frame indices, the chain P V M M^-1 V^-1 P^-1 would be the identity.)
 // clip: clip-space point of the current frame. inverse_projection, inverse_view, inverse_model: of the current frame.
 // previous_model, previous_view, previous_projection: of the previous frame.
@@ -68,7 +68,19 @@ vec4 gloam_previous_clip_moving(vec4 clip, mat4 inverse_projection, mat4 inverse
     return gloam_is_finite4(previous) ? previous : vec4(0.0);
 }
 
-// depth of a point in the previous camera (TSSAO-RP-depth): `d' = -(V' x').z` [TSSAO (Mattausch et al.), reprojection].
+// previous world position of a point of a moving object (TSSAO-RP-world): `M' M^-1 x` [TSSAO,
+// reprojection].
+// world: current world-space position. inverse_model: of the current frame. previous_model: of the previous frame
+// (both affine).
+// Returns the position in world units; the zero vector where it is not finite. Error: 4 ulp of the largest component,
+// or 2.4e-4 where sums cancel whose terms add up to no more than 200 units: 1.2e-6 of them.
+// No method or pass here calls it: it is TSSAO, the reprojection; the pass reads displacements.
+vec3 gloam_previous_world(vec3 world, mat4 inverse_model, mat4 previous_model) {
+    vec4 previous = previous_model * (inverse_model * vec4(world, 1.0));
+    return gloam_is_finite3(previous.xyz) ? previous.xyz : vec3(0.0);
+}
+
+// depth of a point in the previous camera (TSSAO-RP-depth): `d' = -(V' x').z` [TSSAO, reprojection].
 // This, and not its depth in the current camera, is what the stored depth is compared with (TSSAO-8).
 // previous_world: world-space position of the point in the previous frame. previous_view: view matrix of the previous
 // frame.

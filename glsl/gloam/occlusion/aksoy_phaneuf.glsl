@@ -8,17 +8,17 @@
 // Poisson-disc occlusion after Aksoy and Phaneuf 2011: surface points under the taps of a disc, at a fine and at a
 // broad radius.
 
-// contribution of a surface point in front of the tangent plane (CS-J): `1 - |v| / R if v . n > bias, else 0` [Aksoy
-// and Phaneuf 2011, corrected].
+// contribution of a surface point in front of the tangent plane (CS-J): `max(1 - |v| / R, 0) if v . n > bias, else 0`
+// [Aksoy and Phaneuf 2011, corrected].
 // (In print points BEHIND the plane occlude; they cannot.)
 // offset: v = s - p, world units. normal: n, unit vector, same space. radius: R, world units, > 0. bias: world units,
 // >= 0.
-// Returns a contribution, at most 1; 0 on and behind the plane, and 0 or less from the radius on, where nothing counts.
-// Error: 4e-7 up to the radius, but for points within rounding of the plane.
+// Returns a contribution in [0, 1]; 0 on and behind the plane and from the radius on. Error: 4e-7, but for points
+// within rounding of the plane.
 float gloam_contribution_aksoy_phaneuf(vec3 offset, vec3 normal, float radius, float bias) {
     float squared = dot(offset, offset);
     float weight = 1.0 - squared * inversesqrt(max(squared, GLOAM_LEAST_SQUARE)) / radius;
-    return dot(offset, normal) > bias ? weight : 0.0;
+    return dot(offset, normal) > bias ? max(weight, 0.0) : 0.0;
 }
 
 // occlusion from two radii (CS-J-radii): `min(fine + broad, 1)` [Aksoy and Phaneuf 2011, corrected].

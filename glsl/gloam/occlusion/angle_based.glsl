@@ -54,17 +54,17 @@ vec3 gloam_angle_pair(vec3 first, vec3 second, vec3 normal, vec3 view, float ran
     return a ? vec3(valid, mirrored, 0.5) : vec3(mirrored, valid, 0.5);
 }
 
-// a step along one side in the engine's later shader (CS-P-unreal): `scale (v . n) / (v . v) if v . n > bias, else 0`
-// [Unreal Engine 4, as ported].
-// The largest of a side's steps, at most 1, is its occlusion.
+// a step along one side in the engine's later shader (CS-P-unreal): `min(scale (v . n) / (v . v), 1) if v . n > bias,
+// else 0` [Unreal Engine 4, as ported].
+// The largest of a side's steps is its occlusion.
 // offset: v = s - p, view space, world units. normal: n, unit. bias: world units, >= 0. scale: world units, 0.8 in the
 // engine.
-// Returns a contribution >= 0, not limited to 1; 0 for what is no higher than the bias over the tangent plane.
-// Error: 5e-7 of scale / |v|.
+// Returns a contribution in [0, 1]; 0 for what is no higher than the bias over the tangent plane. Error: 5e-7 of
+// scale / |v|.
 float gloam_contribution_unreal(vec3 offset, vec3 normal, float bias, float scale) {
     float above = dot(offset, normal);
     float counted = scale * (above / dot(offset, offset));
-    return above > bias ? counted : 0.0;
+    return above > bias ? min(counted, 1.0) : 0.0;
 }
 
 // what a side leaves open in the engine's later shader (CS-P-unreal-side): `(1 - occ)^2` [Unreal Engine 4, as ported].

@@ -4,8 +4,8 @@
 
 #include "gloam/occlusion/gather_kernel.glsl"
 
-// whether the depth buffer blocks a sample point (TSSAO-3-V): `V = 1 if bias < d_s - d_b <= range, else 0` [TSSAO
-// (Mattausch et al.), eq 3 in screen space].
+// whether the depth buffer blocks a sample point (TSSAO-3-V): `V = 1 if bias < d_s - d_b <= range, else 0` [TSSAO,
+// eq 3 in screen space].
 // It does where the surface at the sample's pixel is nearer to the eye than the sample by more than the bias, but not
 // by more than the range. A surface further in front is taken for another object, with open space behind it.
 // sample_depth: eye-linear depth of the sample, world units. buffer_depth: eye-linear depth at its pixel, world units.

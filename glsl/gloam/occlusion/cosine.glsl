@@ -4,8 +4,8 @@
 
 #include "gloam/geometry/safe_normalize.glsl"
 
-// clamped cosine of a sample's angle to the normal (TSSAO-1-cos): `max((s - p) . n / |s - p|, 0)` [TSSAO (Mattausch et
-// al.), eq 1 with the clamp it lacks in print].
+// clamped cosine of a sample's angle to the normal (TSSAO-1-cos): `max((s - p) . n / |s - p|, 0)` [TSSAO,
+// eq 1 with the clamp it lacks in print].
 // Cosine of the angle between a sample's offset and the normal, clamped to the hemisphere: max((s - p) . n / |s - p|,
 // 0) (TSSAO-1, whose printed integrand lacks the clamp; TSSAO-3 and -12).
 // offset: s - p, any space and unit. normal: unit vector, same space.

@@ -37,4 +37,48 @@ float gloam_falloff_quadratic(float hit_distance, float radius) {
     return min(a * (2.0 - a), 1.0);
 }
 
+// step falloff (FALLOFF-step): `D = 1 if d <= R, else 0` [TSSAO, the simplest D of eq 1].
+// The plain AO integral, cut off.
+// hit_distance: d, world units. radius: R, world units, >= 0; at 0 only d = 0 counts.
+// Returns 0 or 1. Error: none.
+// No method or pass here calls it: it is TSSAO, the simplest D of eq 1; the methods draw radii instead.
+float gloam_falloff_step(float hit_distance, float radius) {
+    return abs(hit_distance) <= radius ? 1.0 : 0.0;
+}
+
+// exponential falloff, cut below 1/255 (FALLOFF-exponential): `D = exp(-d / R), 0 where below 1/255` [TSSAO,
+// notes on eq 1].
+// It would never end otherwise: the cut is at d = 5.5413 R.
+// hit_distance: d, world units. radius: R, world units, > 0: the distance at which 1/e is left.
+// Returns a weight in {0} and [1/255, 1]; 0 for R = 0. Error: 10 ULP; within 4 ULP of the cut a distance may fall to
+// either side.
+// No method or pass here calls it: it is TSSAO, the D = exp() of the notes on eq 1.
+float gloam_falloff_exponential(float hit_distance, float radius) {
+    float d = abs(hit_distance);
+    if (!(d <= GLOAM_LARGEST && radius >= GLOAM_SMALLEST)) return 0.0;
+    if (!(radius <= GLOAM_LARGEST)) return 1.0;
+    float scale =
+        radius > 1.8446744e19 ? 5.421010862427522e-20 : (radius < 5.421010862427522e-20 ? 1.8446744073709552e19 : 1.0);
+    float r = radius * scale;
+    float scaled = d * scale;
+    return scaled <= 5.541263545 * r ? min(exp(-(scaled / r)), 1.0) : 0.0;
+}
+
+// falloff of Alchemy (FALLOFF-alchemy): `D = u d / max(u, d)^2` [McGuire et al. 2011; Aalund and Baerentzen 2013,
+// eqs 3.6 to 3.10].
+// That is u / d beyond u and d / u below: the obscurance of touching geometry vanishes.
+// hit_distance: d, world units. u: distance of the strongest influence, world units, > 0.
+// Returns a weight in [0, 1]; 0 (not 1) at d = 0, and 0 for u not positive, subnormal or NaN and for infinite d or u.
+// Error: 1 ULP.
+// No method or pass here calls it: it is the falloff of the comparative study; Alchemy's contribution has it.
+float gloam_falloff_alchemy(float hit_distance, float u) {
+    float d = abs(hit_distance);
+    if (!(d <= GLOAM_LARGEST && u >= GLOAM_SMALLEST && u <= GLOAM_LARGEST)) return 0.0;
+    float smaller = d < u ? d : u;
+    float larger = d < u ? u : d;
+    float scale =
+        larger > 1.8446744e19 ? 5.421010862427522e-20 : (larger < 5.421010862427522e-20 ? 1.8446744073709552e19 : 1.0);
+    return min(smaller * scale / (larger * scale), 1.0);
+}
+
 #endif

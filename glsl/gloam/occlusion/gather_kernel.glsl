@@ -46,7 +46,7 @@ struct GloamEstimate {
 const float GLOAM_FARTHEST = 1e18;
 
 // whether there is anything to gather at a point (TSSAO-2-can): `surface in front of the eye, |n| in [1e-15, 1e15],
-// lengths and projection in [1e-18, 1e18]` [edges of TSSAO (Mattausch et al.), eq 2].
+// lengths and projection in [1e-18, 1e18]` [edges of TSSAO, eq 2].
 // Whether there is anything to gather at a point: a surface in front of the eye with a normal, and a radius of
 // influence.
 // position: view space, world units. normal: view space, of a length in [1e-15, 1e15]. radius: world units.
@@ -66,7 +66,7 @@ bool gloam_can_gather(vec3 position, vec3 normal, float radius, GloamCamera came
 // Of a pixel with nothing to gather.
 const GloamEstimate GLOAM_NO_ESTIMATE = GloamEstimate(0.0, 0.0, 1.0);
 
-// estimate of a weighted mean (TSSAO-2-estimate): `min(sum / weight, 1)` [TSSAO (Mattausch et al.), eq 2].
+// estimate of a weighted mean (TSSAO-2-estimate): `min(sum / weight, 1)` [TSSAO, eq 2].
 // occluded: sum of occlusion times weight, >= 0. whole: sum of weights, >= 0. samples: taken.
 // Returns occlusion occluded / whole inside [0, 1]; 0 where nothing has a weight, and for NaN. Error: 2.5 ULP.
 GloamEstimate gloam_estimate(float occluded, float whole, uint samples) {

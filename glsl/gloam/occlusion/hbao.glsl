@@ -3,8 +3,10 @@
 #define GLOAM_OCCLUSION_HBAO_GLSL
 
 #include "gloam/geometry/finite.glsl"
+#include "gloam/geometry/safe_normalize.glsl"
 #include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/sincos.glsl"
+#include "gloam/numeric/square_root.glsl"
 
 // Horizon-based ambient occlusion (Bavoil and Sainz 2008; CS-3.2 to 3.4): (1 / 2 pi) times the integral over
 // directions of the image of W (sin h - sin t). h is the elevation of the horizon and t that of the tangent above the
@@ -14,11 +16,26 @@
 
 // slope of the tangent plane in a direction of the image (CS-C-slope): `tan t = -(n.xy . direction) / n.z` [Bavoil and
 // Sainz 2008; Aalund and Baerentzen 2013, eqs 3.2 to 3.4].
-// (Printed from the derivatives of the position, T.z / |T.xy| with T = x dP/du + y dP/dv.)
+// (Printed from the derivatives of the position: gloam_tangent_slope_of_derivatives.)
 // normal: n, unit, view space. direction: unit, in the image plane, y as in view space.
 // Returns a tangent in [-1e6, 1e6]; where n.z is below 1e-6, it is read as 1e-6. Error: 3 ULP, and 1e-7 / n.z.
 float gloam_tangent_slope(vec3 normal, vec2 direction) {
     return clamp(-dot(normal.xy, direction) / max(normal.z, 1e-6), -1e6, 1e6);
+}
+
+// slope of the tangent plane from derivatives of the position (CS-C-derivatives): `T.z / |T.xy|, T = x dP/du + y dP/dv`
+// [Bavoil and Sainz 2008; Aalund and Baerentzen 2013, eqs 3.2 to 3.4].
+// Slope of the tangent plane in a direction of the image, from the derivatives of the position: tan t = T.z / |T.xy|,
+// T = x dP/du + y dP/dv.
+// direction: (x, y), in units of u and v. dpdu, dpdv: view space, world units; each the smaller of the two one-sided
+// differences.
+// Returns a tangent in [-1e6, 1e6]; 0 where T is not finite or has no direction. Error: 6 ULP, and 8e-6 of the
+// longest derivative over |T.xy|.
+// No method or pass here calls it: it is the tangent of the comparative study, as printed; the methods have normals.
+float gloam_tangent_slope_of_derivatives(vec2 direction, vec3 dpdu, vec3 dpdv) {
+    vec3 t = gloam_safe_normalize(direction.x * dpdu + direction.y * dpdv, vec3(0.0));
+    float across = gloam_sqrt(dot(t.xy, t.xy));
+    return across > 1e-6 ? clamp(t.z / across, -1e6, 1e6) : (t.z > 0.0 ? 1e6 : (t.z < 0.0 ? -1e6 : 0.0));
 }
 
 // sine of the angle with a tangent (CS-C-sine): `t / (1 + t^2)^(1/2), 1 from 1e6 on` [Bavoil and Sainz 2008; Aalund and

@@ -48,7 +48,7 @@ float gloam_contribution_issao_attenuated(vec3 offset, vec3 normal, float radius
 
 // ISSAO's contribution of a tap (ISSAO-6): `lambda phi max(0, v . n - psi) / (v . v + sigma) for |v| < R` [ISSAO, eq 6,
 // reconstructed].
-// Printed with the gain lambda (1 to 1.06 in the paper's figures) before the sum over taps.
+// Printed with the gain lambda before the sum over taps (gloam_issao_occlusion); here it is a factor of phi.
 // offset: v = s - p, view space, world units. normal: n, unit vector. radius: R, world units. phi: times lambda, world
 // units, how dark.
 // bias: psi, world units, >= 0, constant or of gloam_depth_bias. sigma: world units squared, > 0, prevents 0 / 0 and
@@ -60,6 +60,16 @@ float gloam_contribution_issao(vec3 offset, vec3 normal, float radius, float phi
     float above = dot(offset, normal) - bias;
     float counted = phi * (above / (squared + sigma));
     return above > 0.0 && squared < radius * radius ? counted : 0.0;
+}
+
+// ISSAO's occlusion factor (ISSAO-6-mean): `A_0 = min((lambda / s) sum, 1)` [ISSAO, eq 6, reconstructed].
+// accumulated: (sum, count) of gloam_estimator_add. lambda: gain of the shadow, >= 0, 1 to 1.06 in the paper's figures.
+// Returns occlusion in [0, 1]; 0 for a count below 1 and for NaN. Error: 1.5 ULP.
+// No method or pass here calls it: it is ISSAO, eq 6, with lambda where it is printed; the method multiplies each tap.
+float gloam_issao_occlusion(vec2 accumulated, float lambda) {
+    if (!(accumulated.y >= 1.0 && accumulated.x > 0.0 && lambda > 0.0)) return 0.0;
+    float occlusion = lambda * (accumulated.x / accumulated.y);
+    return occlusion < 1.0 ? occlusion : (occlusion >= 1.0 ? 1.0 : 0.0);
 }
 
 #endif

@@ -5,8 +5,8 @@
 #include "gloam/numeric/sincos.glsl"
 #include "gloam/numeric/square_root.glsl"
 
-// uniform point of the disc (TSSAO-13): `a = 2 pi zeta_x, r = sqrt(zeta_y); s = (r cos a, r sin a)` [TSSAO (Mattausch
-// et al.), eq 13; Fox and Compton's kernel].
+// uniform point of the disc (TSSAO-13): `a = 2 pi zeta_x, r = sqrt(zeta_y); s = (r cos a, r sin a)` [TSSAO,
+// eq 13; Fox and Compton's kernel].
 // The Fox-Compton kernel.
 // zeta: uniform point of [0, 1)^2 (a Halton point). Outside, zeta_x counts modulo 1 and zeta_y is taken to the nearer
 // end; NaN counts as 0, an infinite zeta_x too.

@@ -5,7 +5,7 @@
 #include "gloam/sampling/disc.glsl"
 #include "gloam/sampling/halton.glsl"
 
-// point of a sample: disc (POINTS-disc): `TSSAO-13 of the Halton point` [TSSAO (Mattausch et al.), eqs 13 and 14].
+// point of a sample: disc (POINTS-disc): `TSSAO-13 of the Halton point` [TSSAO, eqs 13 and 14].
 // Point of the unit disc before it is rotated (TSSAO-13): what all pixels share of a tap (halton.glsl).
 // index: number of the Halton point, 1 for the first. Returns the point in xy; z is 0. Error: 5e-7.
 vec3 gloam_disc_point(uint index) {

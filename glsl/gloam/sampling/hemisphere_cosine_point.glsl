@@ -5,8 +5,8 @@
 #include "gloam/sampling/halton.glsl"
 #include "gloam/sampling/hemisphere.glsl"
 
-// point of a sample: hemisphere_cosine (POINTS-hemisphere-cosine): `TSSAO-14 of the Halton point` [TSSAO (Mattausch et
-// al.), eqs 13 and 14].
+// point of a sample: hemisphere_cosine (POINTS-hemisphere-cosine): `TSSAO-14 of the Halton point` [TSSAO,
+// eqs 13 and 14].
 // Point of the half ball before it is rotated, cosine-weighted directions of uniform radius (TSSAO-14): what all
 // pixels share of a sample (halton.glsl).
 // index: number of the Halton point, 1 for the first. Returns the point in tangent space, z along the normal. Error:

@@ -5,8 +5,8 @@
 #include "gloam/sampling/halton.glsl"
 #include "gloam/sampling/hemisphere.glsl"
 
-// point of a sample: hemisphere_uniform (POINTS-hemisphere-uniform): `TSSAO-14-uniform of the Halton point` [TSSAO
-// (Mattausch et al.), eqs 13 and 14].
+// point of a sample: hemisphere_uniform (POINTS-hemisphere-uniform): `TSSAO-14-uniform of the Halton point` [TSSAO,
+// eqs 13 and 14].
 // Point of the half ball before it is rotated, uniform in direction and radius: what all pixels share of a sample
 // (halton.glsl).
 // index: number of the Halton point, 1 for the first. Returns the point in tangent space, z along the normal. Error:

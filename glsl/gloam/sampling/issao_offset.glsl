@@ -7,7 +7,7 @@
 #include "gloam/sampling/unit_interval.glsl"
 
 // Sampling offsets of the improved method (ISSAO-1) in two readings. Radii are uniform, so taps are denser near the
-// centre.
+// centre. The paper draws e_1 and e_2 "in a fixed relation" that it does not print; here they are independent.
 
 // sampling offset inside the disc (ISSAO-1): `r_max e_1 (sin 2 pi e_2, cos 2 pi e_2)` [ISSAO, eq 1].
 // The reading that fits the prose: r_max e_1 (sin 2 pi e_2, cos 2 pi e_2), inside the disc, its radius uniform.

@@ -6,6 +6,19 @@
 #include "gloam/numeric/precise.glsl"
 #include "gloam/numeric/square_root.glsl"
 
+// Poisson-disc condition (POISSON): `|s_i - s_j| > d` [Aalund and Baerentzen 2013; Sourimant et al. 2011].
+// candidate, other: points of the unit disc (coordinates below 1e18).
+// min_distance: smallest allowed distance, in [0, 2]; a negative one is met by every pair of points.
+// Returns whether the candidate may stand beside the other point; false if anything is NaN. Differences below 1e-19
+// count as 0.
+// Error: none, but for distances within rounding of min_distance.
+// No method or pass here calls it: it is the condition of the comparative study; the methods take a finished pattern.
+bool gloam_poisson_accepts(vec2 candidate, vec2 other, float min_distance) {
+    vec2 offset = candidate - other;
+    float squared = dot(offset, offset);
+    return min_distance < 0.0 ? squared >= 0.0 : squared > min_distance * min_distance;
+}
+
 // disc point lifted onto the hemisphere (POISSON-lift): `(x, y, sqrt(1 - x^2 - y^2))` [Sourimant et al. 2011].
 // disc: point of the unit disc; one outside is pulled to the rim.
 // Returns a unit vector in tangent space (z along the normal). Uniform disc points become cosine-weighted directions,

@@ -113,6 +113,14 @@ Values positions() {
 }
 
 void append_previous(Entries& entries) {
+    add(entries, "TSSAO-RP-world", &reference::gloam_previous_world,
+        {.domain = {positions(), rigid_matrices(10).and_special(), rigid_matrices(10).and_special()},
+         .budget = {.ulp = 4, .absolute = 2.4e-4, .of_largest_component = true},
+         .codomain = {-huge, huge}},
+        [](const glm::dvec3& world, const auto&... matrices) {
+            return moderate(smallest_entry, largest_entry, world, matrices...) &&
+                   carried_near(glm::dvec4(world, 1.0), {glm::dmat4(matrices)...}, false);
+        });
     add(entries, "TSSAO-RP-depth", &reference::gloam_previous_depth,
         {.domain = {positions(), rigid_matrices(10).and_special()},
          .budget = {.absolute = 5e-5},

@@ -25,7 +25,7 @@ Domain distances() {
     const Values length = either(log_uniform(0.5, 2), signed_log_uniform(1e-37, 1e38))
                               .and_near({subnormal_end, float_max, 0x1p-64, 0x1p64})
                               .and_special();
-    return Domain{length, length}.tied(0, 1).tied(0, 1, -1.0).tied(0, 1, 0.5);
+    return Domain{length, length}.tied(0, 1).tied(0, 1, -1.0).tied(0, 1, 0.5).tied(0, 1, 5.541263545);
 }
 
 void add_falloff(Entries& entries, const char* id, double (*reference)(double, double), Budget budget) {
@@ -35,6 +35,10 @@ void add_falloff(Entries& entries, const char* id, double (*reference)(double, d
 void append_falloffs(Entries& entries) {
     add_falloff(entries, "FALLOFF-linear", &reference::gloam_falloff_linear, {.ulp = 3});
     add_falloff(entries, "FALLOFF-quadratic", &reference::gloam_falloff_quadratic, {.ulp = 4.5});
+    add_falloff(entries, "FALLOFF-step", &reference::gloam_falloff_step, {});
+    add_falloff(entries, "FALLOFF-exponential", &reference::gloam_falloff_exponential,
+                {.ulp = 10, .backward_ulp = 4});
+    add_falloff(entries, "FALLOFF-alchemy", &reference::gloam_falloff_alchemy, {.ulp = 1});
 }
 
 Values depths() {
@@ -74,6 +78,8 @@ void append_ritschel(Entries& entries) {
     const Domain three{factor, factor, factor};
     add(entries, "TSSAO-3", &reference::gloam_contribution_ritschel,
         {.domain = three, .budget = {.ulp = 1.5}, .codomain = {0, 1}});
+    add(entries, "TSSAO-3-uniform", &reference::gloam_contribution_uniform_directions,
+        {.domain = three, .budget = {.ulp = 1.5}, .codomain = {0, 2}});
 }
 
 void append_fox_compton(Entries& entries) {
@@ -81,8 +87,15 @@ void append_fox_compton(Entries& entries) {
         {.domain = {finite_offsets(), unit_vector(3),
                     either(log_uniform(0.01, 10), log_uniform(1e-15, 1e15))},
          .budget = {.absolute = 3.5e-7},
-         .codomain = {-1.01, 1}},
+         .codomain = {0, 1}},
         [](glm::dvec3 v, glm::dvec3, double) { return moderate(1e-15, 1e15, glm::length(v)); });
+    add(entries, "TSSAO-12-unscaled", &reference::gloam_contribution_fox_compton_unscaled,
+        {.domain = {finite_offsets(), unit_vector(3), either(log_uniform(0.1, 10), log_uniform(1e-15, 1e15))},
+         .budget = {.absolute = 4e-6},
+         .codomain = {0, 1.01e15}},
+        [](glm::dvec3 v, glm::dvec3, double epsilon) {
+            return epsilon >= 0.1 && moderate(1e-15, 1e15, glm::length(v));
+        });
 }
 
 void append_means(Entries& entries) {
@@ -170,6 +183,17 @@ void append_issao_contributions(Entries& entries) {
          .budget = {.absolute = 3e-6, .backward_ulp = 4},
          .codomain = {0, numeric::infinity}},
         [](glm::dvec3 v, const auto&...) { return ordinary(v); });
+    const Values sums = made_by<glm::vec2>([](numeric::Random& random) {
+                            const auto n = static_cast<float>(1 + random.below(64));
+                            return glm::vec2(n * static_cast<float>(random.uniform(0, 1.2)), n);
+                        })
+                            .and_value(glm::vec2(0))
+                            .and_special();
+    add(entries, "ISSAO-6-mean", &reference::gloam_issao_occlusion,
+        {.domain = {sums, either(uniform(0.5, 1.5), lengths()).and_special()},
+         .budget = {.ulp = 1.5},
+         .codomain = {0, 1}},
+        [](glm::dvec2 sum, double lambda) { return moderate(1e-9, 1e9, sum, lambda); });
 }
 
 void append_issao_samples(Entries& entries) {
@@ -215,6 +239,17 @@ void append_covering_radii(Entries& entries) {
 void append_crytek_and_filion(Entries& entries) {
     add(entries, "CS-A", &reference::gloam_contribution_crytek,
         {.domain = Domain{depths(), depths()}.tied(1, 0), .codomain = {0, 1}});
+    const Values value = uniform(0, 1).and_near({0.0, 1.0}).and_special();
+    add(entries, "CS-A-buffer", &reference::gloam_contribution_crytek_buffer,
+        {.domain = Domain{value, value}.tied(1, 0), .codomain = {0, 1}});
+    add(entries, "CS-A-sample", &reference::gloam_crytek_sample,
+        {.domain = {vector(2, uniform(0, 1)), uniform(0, 1), vector_of_length(3, uniform(0, 1)),
+                    log_uniform(0.1, 10), depths(), log_uniform(50, 2000).and_special()},
+         .budget = {.ulp = 4, .absolute = 1e-6, .of_largest_component = true},
+         .codomain = {-float_max, float_max}},
+        [](glm::dvec2, double, glm::dvec3, double, double depth, double z_far) {
+            return moderate(0.5, 1e9, depth) && moderate(1, 1e9, z_far);
+        });
     add(entries, "CS-B", &reference::gloam_contribution_filion,
         {.domain =
              Domain{log_uniform(1e-3, 1e6).only_as_drawn(), depths(), log_uniform(0.01, 10).only_as_drawn()}

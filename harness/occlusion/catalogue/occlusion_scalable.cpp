@@ -164,9 +164,9 @@ void append_aksoy_phaneuf(Entries& entries) {
         {.domain = {vector_of_length(3, either(uniform(0, 2), log_uniform(1e-17, 1e17))), unit_vector(3),
                     log_uniform(0.02, 2), either(uniform(0, 0.1), constant(0.0F))},
          .budget = {.absolute = 4e-7, .backward_ulp = 4},
-         .codomain = {-infinity, 1}},
-        [](glm::dvec3 v, glm::dvec3 n, double r, double bias) {
-            return glm::length(v) <= r && std::abs(glm::dot(v, n) - bias) > 1e-6 * glm::length(v);
+         .codomain = {0, 1}},
+        [](glm::dvec3 v, glm::dvec3 n, double, double bias) {
+            return std::abs(glm::dot(v, n) - bias) > 1e-6 * glm::length(v);
         });
     const Values occlusion = uniform(0, 1).and_near({0.0, 1.0}).and_special();
     add(entries, "CS-J-radii", &reference::gloam_two_radii_sum,

@@ -18,6 +18,17 @@ void append_tangents(Entries& entries) {
     add(entries, "CS-C-slope", &reference::gloam_tangent_slope,
         {.domain = {unit_vector(3), unit_vector(2)}, .budget = {.absolute = 4e-6}, .codomain = {-1e6, 1e6}},
         [](glm::dvec3 n, glm::dvec2) { return n.z > 0.05; });
+    const Values small = uniform(-0.2, 0.2);
+    add(entries, "CS-C-derivatives", &reference::gloam_tangent_slope_of_derivatives,
+        {.domain = {unit_vector(2),
+                    vector({uniform(0.5, 1), small, signed_log_uniform(0.01, 100)}).and_special(),
+                    vector({small, uniform(-1, -0.5), signed_log_uniform(0.01, 100)}).and_special()},
+         .budget = {.ulp = 6, .absolute = 8e-6},
+         .codomain = {-1e6, 1e6}},
+        [](glm::dvec2, glm::dvec3 u, glm::dvec3 v) {
+            return moderate(1e-9, 1e9, u, v) && std::abs(u.x) >= 0.4 && std::abs(v.y) >= 0.4 &&
+                   std::abs(u.y) <= 0.3 && std::abs(v.x) <= 0.3;
+        });
     add(entries, "CS-C-sine", &reference::gloam_sine_of_tangent,
         {.domain =
              {either(uniform(-4, 4), signed_log_uniform(1e-30, 1e30)).and_near({1e6, -1e6}).and_special()},

@@ -130,14 +130,55 @@ void append_hash(Entries& entries) {
          .codomain = {0, 6.2831855}});
 }
 
+Values normals() {
+    return near_an_axis(either(unit_vector(3), vector_of_length(3, log_uniform(1e-37, 1e38)))).and_special();
+}
+
+void append_reflections(Entries& entries) {
+    const Values texel = vector(3, uniform(0, 1).and_near({0.5}))
+                             .and_value(glm::vec3(0.5F))
+                             .and_value(glm::vec3(0.5F, 0.5F, 0.50000006F), true)
+                             .and_special();
+    add(entries, "REFLECT", &reference::gloam_reflect_sample,
+        {.domain = {kernel_points(3).and_special(), texel},
+         .budget = {.ulp = 16, .of_largest_component = true},
+         .codomain = {-4e19, 4e19}},
+        [](const glm::vec3& s, const glm::vec3&) { return turnable(s); });
+    add(entries, "FLIP", &reference::gloam_hemisphere_flip,
+        {.domain = {kernel_points(3).and_special(), normals()},
+         .budget = {.backward_ulp = 2},
+         .codomain = {-1e19, 1e19}},
+        [](glm::dvec3 s, glm::dvec3 normal) { return moderate(1e-15, 1e15, s, normal); });
+}
+
 void append_sample_rotations(Entries& entries) {
     add(entries, "FRAME", &reference::gloam_tangent_frame,
         {.domain = {unit_normals()}, .budget = {.absolute = 3e-7}, .codomain = {-1.000001, 1.000001}});
     append_rotations(entries);
     append_hash(entries);
+    append_reflections(entries);
+}
+
+// Sets one input in eight to the distance itself, where the result changes.
+void place_at_distance(std::span<Word> words) {
+    if (words[0] % 8U != 2U) return;  // no special float ends in these bits
+    const glm::dvec2 a(from_word<double>(words[0]), from_word<double>(words[1]));
+    const glm::dvec2 b(from_word<double>(words[2]), from_word<double>(words[3]));
+    words[4] = to_word(glm::distance(a, b));
 }
 
 void append_poisson(Entries& entries) {
+    const Values point = vector_of_length(2, uniform(0, 1)).and_special();
+    const auto representable = [](glm::dvec2 a, glm::dvec2 b, double distance) {
+        const double apart = glm::distance(a, b);
+        // Squares of values outside this range overflow or underflow.
+        return !(distance > 0 && distance < 1e-18) && !(apart > 0 && apart < 1e-18) && !(apart > 1e18) &&
+               !(distance > 1e18);
+    };
+    add(entries, "POISSON", &reference::gloam_poisson_accepts,
+        {.domain = Domain{point, point, uniform(0, 2).and_special()}.adjusted(place_at_distance),
+         .budget = {.backward_ulp = 3}},
+        representable);
     add(entries, "POISSON-lift", &reference::gloam_hemisphere_lift,
         {.domain = {either(vector_of_length(2, either(uniform(0, 1), either(uniform(0.9999, 1.0001),
                                                                             uniform(0.9999995, 1.0000005)))),

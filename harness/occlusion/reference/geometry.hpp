@@ -238,6 +238,11 @@ inline dvec4 gloam_previous_clip_moving(dvec4 clip, dmat4 inverse_projection, dm
     return gloam_previous_clip_static(clip, inverse_projection, world, previous_view, previous_projection);
 }
 
+inline dvec3 gloam_previous_world(dvec3 world, dmat4 inverse_model, dmat4 previous_model) {
+    const dvec3 previous = previous_model * inverse_model * dvec4(world, 1.0);
+    return is_finite(previous) ? previous : dvec3(0.0);
+}
+
 inline double gloam_previous_depth(dvec3 previous_world, dmat4 previous_view) {
     const double depth = -(previous_view * dvec4(previous_world, 1.0)).z;
     return is_finite(depth) ? depth : 0.0;

@@ -32,10 +32,25 @@ inline double gloam_falloff_quadratic(double hit_distance, double radius) {
     return 1.0 - pow(falloff_ratio(hit_distance, radius), 2);
 }
 
+inline double gloam_falloff_step(double hit_distance, double radius) {
+    return abs(hit_distance) <= radius ? 1.0 : 0.0;
+}
+
+inline double gloam_falloff_exponential(double hit_distance, double radius) {
+    if (!is_finite(hit_distance) || !(radius >= float_min)) return 0.0;
+    const double weight = exp(-abs(hit_distance) / radius);
+    return weight >= 1.0 / 255.0 ? weight : 0.0;
+}
+
+inline double gloam_falloff_alchemy(double hit_distance, double u) {
+    const double d = abs(hit_distance);
+    return is_finite(d) && is_finite(u) && u >= float_min ? u * d / pow(max(u, d), 2) : 0.0;
+}
+
 // Step, linear, quadratic, cubic; any other number is linear.
 inline double gloam_falloff_at(unsigned falloff, double x) {
     if (falloff == 0U) return x <= 1.0 ? 1.0 : 0.0;
-    return 1.0 - pow(x, falloff <= 3U ? falloff : 1U);
+    return max(1.0 - pow(x, falloff <= 3U ? falloff : 1U), 0.0);
 }
 
 inline dvec2 gloam_estimator_add(dvec2 accumulated, double contribution) {
@@ -129,6 +144,17 @@ inline double gloam_contribution_crytek(double sample_depth, double buffer_depth
     return gloam_tap_sees(buffer_depth) && buffer_depth <= sample_depth ? 1.0 : 0.0;
 }
 
+inline double gloam_contribution_crytek_buffer(double sample_value, double buffer_value) {
+    return buffer_value < 1.0 && buffer_value <= sample_value ? 1.0 : 0.0;
+}
+
+inline dvec3 gloam_crytek_sample(dvec2 uv, double buffer_value, dvec3 s, double radius, double depth,
+                                 double z_far) {
+    const dvec3 center(uv, buffer_value);
+    if (gloam_is_background(depth) || !(z_far >= 1e-30 && z_far <= 0x1p126)) return center;
+    return center + radius / depth * s * dvec3(1.0, 1.0, 100.0 / z_far * buffer_value);
+}
+
 inline double gloam_contribution_filion(double sample_depth, double buffer_depth, double radius) {
     const double in_front = sample_depth - buffer_depth;
     if (!(gloam_tap_sees(buffer_depth) && in_front > 0.0)) return 0.0;
@@ -137,6 +163,10 @@ inline double gloam_contribution_filion(double sample_depth, double buffer_depth
 
 inline double gloam_contribution_ritschel(double blocked, double falloff, double cosine) {
     return gloam_unit_interval(blocked) * gloam_unit_interval(falloff) * gloam_unit_interval(cosine);
+}
+
+inline double gloam_contribution_uniform_directions(double blocked, double falloff, double cosine) {
+    return 2.0 * gloam_contribution_ritschel(blocked, falloff, cosine);
 }
 
 inline double gloam_occlusion_bowl(double a, double b) {

@@ -9,13 +9,18 @@
 // Contributions of the surface points around, and what becomes of their sum.
 namespace gloam::reference {
 
+inline double gloam_contribution_fox_compton_unscaled(dvec3 offset, dvec3 normal, double epsilon) {
+    if (!(length(offset) > 0.0)) return 0.0;
+    return max(dot(normalize(offset), normal), 0.0) / max(epsilon, length(offset));
+}
+
 inline double gloam_contribution_fox_compton(dvec3 offset, dvec3 normal, double epsilon) {
     if (!(length(offset) > 0.0)) return 0.0;
-    return dot(normalize(offset), normal) * min(max(epsilon, 0.0) / length(offset), 1.0);
+    return max(dot(normalize(offset), normal), 0.0) * min(max(epsilon, 0.0) / length(offset), 1.0);
 }
 
 inline double gloam_contribution_aksoy_phaneuf(dvec3 offset, dvec3 normal, double radius, double bias) {
-    return dot(offset, normal) > bias ? 1.0 - length(offset) / radius : 0.0;
+    return dot(offset, normal) > bias ? max(1.0 - length(offset) / radius, 0.0) : 0.0;
 }
 
 inline double gloam_two_radii_sum(double fine, double broad) {
@@ -58,6 +63,11 @@ inline double gloam_contribution_issao(dvec3 offset, dvec3 normal, double radius
     const double above = dot(offset, normal) - bias;
     if (!(length(offset) < radius && above > 0.0)) return 0.0;
     return phi * above / (dot(offset, offset) + sigma);
+}
+
+inline double gloam_issao_occlusion(dvec2 accumulated, double lambda) {
+    if (!(accumulated.y >= 1.0 && accumulated.x > 0.0 && lambda > 0.0)) return 0.0;
+    return gloam_unit_interval(lambda / accumulated.y * accumulated.x);
 }
 
 inline double gloam_contribution_mssao(dvec3 offset, dvec3 normal, double radius) {
@@ -139,7 +149,7 @@ inline dvec3 gloam_angle_pair(dvec3 first, dvec3 second, dvec3 normal, dvec3 vie
 
 inline double gloam_contribution_unreal(dvec3 offset, dvec3 normal, double bias, double scale) {
     const double above = dot(offset, normal);
-    return above > bias ? scale * above / dot(offset, offset) : 0.0;
+    return above > bias ? min(scale * above / dot(offset, offset), 1.0) : 0.0;
 }
 
 inline double gloam_unreal_side(double occlusion) {

@@ -12,6 +12,11 @@ inline double gloam_tangent_slope(dvec3 normal, dvec2 direction) {
     return clamp(-dot(dvec2(normal), direction) / max(normal.z, 1e-6), -1e6, 1e6);
 }
 
+inline double gloam_tangent_slope_of_derivatives(dvec2 direction, dvec3 dpdu, dvec3 dpdv) {
+    const dvec3 t = direction.x * dpdu + direction.y * dpdv;
+    return has_direction(t) ? clamp(t.z / length(dvec2(t)), -1e6, 1e6) : 0.0;
+}
+
 inline double gloam_sine_of_tangent(double tangent) {
     return std::isnan(tangent) ? 0.0 : sin(atan(tangent));
 }

@@ -126,6 +126,20 @@ inline double gloam_lattice_rotation(glm::ivec2 pixel) {
     return 2.0 * std::numbers::pi * 0x1p-32 * static_cast<std::uint32_t>(turns);
 }
 
+inline dvec3 gloam_reflect_sample(dvec3 s, dvec3 encoded) {
+    if (!(length(s) <= 1e19)) return dvec3(0.0);
+    return glm::reflect(s, gloam_safe_normalize(2.0 * encoded - 1.0, dvec3(0.0)));
+}
+
+inline dvec3 gloam_hemisphere_flip(dvec3 s, dvec3 normal) {
+    if (!(length(s) <= 1e19)) return dvec3(0.0);
+    return dot(s, normal) > 0.0 ? s : -s;
+}
+
+inline bool gloam_poisson_accepts(dvec2 candidate, dvec2 other, double min_distance) {
+    return distance(candidate, other) > min_distance;
+}
+
 inline dvec3 gloam_hemisphere_lift(dvec2 disc) {
     if (!is_finite(disc)) return {0.0, 0.0, 1.0};
     const double r = length(disc);
