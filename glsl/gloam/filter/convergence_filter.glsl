@@ -20,7 +20,7 @@ vec2 gloam_fetch_occlusion_convergence(ivec2 pixel);
 vec3 gloam_fetch_position(ivec2 pixel);
 
 // smoothing that trusts neighbours as far as they have converged (TSSAO-10): `AO = (1/K) sum of g(|p - x|) conv(x)
-// AO(x), K = sum of g(|p - x|) conv(x)` [TSSAO (Mattausch et al.), eqs 10 and 11].
+// AO(x), K = sum of g(|p - x|) conv(x)` [TSSAO, eqs 10 and 11].
 // Filtered occlusion of one pixel along one axis (TSSAO-10 and -11): (1 / K) sum of g(|p - x|) conv(x) AO(x) over the
 // window, K = sum of g(|p - x|) conv(x), the window shrunk by gloam_shrink of the pixel's own convergence.
 // pixel: inside the image. axis: (1, 0) or (0, 1). size: image size in pixels; neighbours outside are left out.

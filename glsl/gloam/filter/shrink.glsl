@@ -5,7 +5,7 @@
 #include "gloam/numeric/constants.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
-// factor on the filter's support (TSSAO-11): `s = max(c - conv, 0) / c` [TSSAO (Mattausch et al.), eq 11].
+// factor on the filter's support (TSSAO-11): `s = max(c - conv, 0) / c` [TSSAO, eq 11].
 // Pixels that have converged are not filtered.
 // convergence: conv; below 0 it is read as 0, NaN gives 1. c_adaptive: c, 0.2: the convergence from which nothing is
 // filtered.

@@ -14,13 +14,13 @@ struct GloamWeightedMean {
     float high;    // largest value with a weight
 };
 
-// weighted mean of nothing (TSSAO-10-empty): `(0, 0)` [TSSAO (Mattausch et al.), the quotient of eq 10].
+// weighted mean of nothing (TSSAO-10-empty): `(0, 0)` [TSSAO, the quotient of eq 10].
 // The mean of nothing: no weight, an empty range. Error: none.
 GloamWeightedMean gloam_weighted_mean_empty() {
     return GloamWeightedMean(0.0, 0.0, 1.0, 0.0);
 }
 
-// one more value in a weighted mean (TSSAO-10-add): `(sum + w AO, K + w)` [TSSAO (Mattausch et al.), the quotient of eq
+// one more value in a weighted mean (TSSAO-10-add): `(sum + w AO, K + w)` [TSSAO, the quotient of eq
 // 10].
 // mean: what was added so far. value: occlusion in [0, 1]. weight: >= 0.
 // Returns the mean with the value; unchanged for a value outside [0, 1] or NaN and for a weight that is not positive
@@ -32,8 +32,8 @@ GloamWeightedMean gloam_weighted_mean_add(GloamWeightedMean mean, float value, f
                              max(mean.high, value));
 }
 
-// weighted mean, or what stands in for it (TSSAO-10-mean): `sum / K, the fallback for K < 1e-8` [TSSAO (Mattausch et
-// al.), the quotient of eq 10].
+// weighted mean, or what stands in for it (TSSAO-10-mean): `sum / K, the fallback for K < 1e-8` [TSSAO,
+// the quotient of eq 10].
 // The mean of the values added.
 // mean: of weights below 1e30. fallback: what to return where the weights sum to less than 1e-8; taken to the nearer
 // end outside [0, 1], NaN to 0.

@@ -9,14 +9,14 @@
 // border / size, a little different along x and y; the field of view and the texture coordinates must use that one
 // (gloam_guard_band_guard), not the guard asked for, or the cropped image is scaled.
 
-// nearest pixel of the image (TSSAO-BORDER): `clamp(p, 0, size - 1)` [TSSAO (Mattausch et al.), frame borders].
+// nearest pixel of the image (TSSAO-BORDER): `clamp(p, 0, size - 1)` [TSSAO, frame borders].
 // pixel: integer pixel. size: image size in pixels; below 1 it is read as 1.
 // Returns the pixel with each coordinate taken into [0, size - 1]. Error: none.
 ivec2 gloam_clamp_to_edge(ivec2 pixel, ivec2 size) {
     return clamp(pixel, ivec2(0), max(size, ivec2(1)) - 1);
 }
 
-// width of the guard band in pixels (TSSAO-BORDER-width): `floor(g size + 1/2)` [TSSAO (Mattausch et al.), frame
+// width of the guard band in pixels (TSSAO-BORDER-width): `floor(g size + 1/2)` [TSSAO, frame
 // borders].
 // Width of the guard band in pixels: guard times size, rounded to the nearest integer, the same on opposite sides.
 // size: size of the cropped image in pixels, at most 2^22 a side; below 0 it is read as 0.
@@ -31,7 +31,7 @@ ivec2 gloam_guard_band_border(ivec2 size, float guard) {
     return ivec2(whole + step(vec2(0.5), width - whole));
 }
 
-// guard actually rendered (TSSAO-BORDER-guard): `border / size` [TSSAO (Mattausch et al.), frame borders].
+// guard actually rendered (TSSAO-BORDER-guard): `border / size` [TSSAO, frame borders].
 // size: size of the cropped image in pixels, at most 2^22 a side. guard: part of the image asked for on each side, 0
 // to 1.
 // Returns the guard along x and y, for the functions below; 0 along an axis of size below 1. Error: at most 2.5 ulp,
@@ -41,7 +41,7 @@ vec2 gloam_guard_band_guard(ivec2 size, float guard) {
     return min(vec2(gloam_guard_band_border(size, guard)) / vec2(max(size, ivec2(1))), 1.0);
 }
 
-// half field of view with the guard band (TSSAO-BORDER-tan): `tan' = (1 + 2 g) tan` [TSSAO (Mattausch et al.), frame
+// half field of view with the guard band (TSSAO-BORDER-tan): `tan' = (1 + 2 g) tan` [TSSAO, frame
 // borders].
 // tan_half_fov: tangent of half the field of view of the cropped image, along one axis. guard: g of
 // gloam_guard_band_guard, that axis.

@@ -4,7 +4,7 @@
 
 #include "gloam/geometry/finite.glsl"
 
-// position relative to the previous eye (TSSAO-PREC): `q' = q + (eye - eye')` [TSSAO (Mattausch et al.), precision of
+// position relative to the previous eye (TSSAO-PREC): `q' = q + (eye - eye')` [TSSAO, precision of
 // positions].
 // Positions are stored relative to the eye because world coordinates far from the origin are coarse (at 1e5 a float's
 // spacing is 0.008).

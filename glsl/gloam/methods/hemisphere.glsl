@@ -27,7 +27,7 @@ struct GloamHemisphere {
 };
 
 // occlusion of a pixel by points of the half ball (TSSAO-2-hemisphere): `mean of V(p, s_i), s_i of TSSAO-14, i = j + 1
-// ... j + k` [TSSAO (Mattausch et al.), eqs 2 to 4 and 14; Ritschel et al. 2009].
+// ... j + k` [TSSAO, eqs 2 to 4 and 14; Ritschel et al. 2009].
 // All samples of one pixel in one frame (GloamEstimate), by points.
 GloamEstimate gloam_hemisphere(vec3 position, vec3 normal, GloamCamera camera, GloamKernel kernel,
                                GloamHemisphere settings) {

@@ -5,8 +5,8 @@
 #include "gloam/numeric/constants.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
-// weight of a history value, if it can be one (TSSAO-5-weight): `min(w', w_max) if 0 <= AO' <= 1, else 0` [TSSAO
-// (Mattausch et al.), edges of eq 5].
+// weight of a history value, if it can be one (TSSAO-5-weight): `min(w', w_max) if 0 <= AO' <= 1, else 0` [TSSAO,
+// edges of eq 5].
 // Weight of a history value: 0 where the value cannot be occlusion.
 // history: AO_(f-1). weight: w_(f-1), in samples. weight_max: w_max, in samples.
 // Returns a weight in [0, max(w_max, 0)], finite: 0 for a history outside [0, 1] or NaN and for a weight or w_max not
@@ -18,8 +18,8 @@ float gloam_history_weight(float history, float weight, float weight_max) {
     return weight < cap ? weight : cap;
 }
 
-// blend of the history with new samples (TSSAO-5): `AO = AO' + (C - AO') k / (w' + k);  w = min(w' + k, w_max)` [TSSAO
-// (Mattausch et al.), eqs 4 and 5, arguments corrected].
+// blend of the history with new samples (TSSAO-5): `AO = AO' + (C - AO') k / (w' + k);  w = min(w' + k, w_max)` [TSSAO,
+// eqs 4 and 5, arguments corrected].
 // New samples blended into the history (TSSAO-4 and -5): AO = (w AO_(f-1) + k C) / (w + k), new weight min(w + k,
 // w_max). The weight in the denominator is the reprojected one, w_(f-1)(p_(f-1)). Written as the value of larger
 // weight plus its part of the difference, AO_(f-1) + (C - AO_(f-1)) k / (w + k) or C + (AO_(f-1) - C) w / (w + k): it

@@ -4,7 +4,7 @@
 
 #include "gloam/numeric/constants.glsl"
 
-// how far a pixel has converged (TSSAO-6): `conv = w / w_max` [TSSAO (Mattausch et al.), eq 6].
+// how far a pixel has converged (TSSAO-6): `conv = w / w_max` [TSSAO, eq 6].
 // weight: w, accumulated samples. weight_max: w_max, in samples.
 // Returns convergence in [0, 1]: 0 for a weight that is 0, negative or NaN, 1 from w_max on. 1 for w_max zero,
 // subnormal, negative or NaN: nothing is to be accumulated then, so nothing is missing. Error: 2.5 ULP

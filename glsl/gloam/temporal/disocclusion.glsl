@@ -5,7 +5,7 @@
 #include "gloam/numeric/constants.glsl"
 
 // whether the history is of the same surface (TSSAO-8): `|d' - d~| < epsilon d', d~ the point's depth in the previous
-// camera` [TSSAO (Mattausch et al.), eq 8].
+// camera` [TSSAO, eq 8].
 // Whether the surface that the history remembers is the one shaded now (TSSAO-8): |1 - expected / stored| < epsilon,
 // as |stored - expected| < epsilon stored. Not symmetric: accepts expected depths in (stored (1 - epsilon), stored (1
 // + epsilon)).

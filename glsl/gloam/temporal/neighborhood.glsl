@@ -6,7 +6,7 @@
 #include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/square_root.glsl"
 
-// change of the distance to a neighbouring point (TSSAO-9): `||s - p| - |s' - p'||` [TSSAO (Mattausch et al.), eq 9].
+// change of the distance to a neighbouring point (TSSAO-9): `||s - p| - |s' - p'||` [TSSAO, eq 9].
 // How much the distance between a shaded point and a surface point near it has changed since the last frame
 // (TSSAO-9): d = | |s - p| - |s' - p'| |. Common motion of both leaves it 0. With a = s - p and b = s' - p' it is |(a
 // - b) . (a + b)| / (|a| + |b|), which subtracts before squaring: the error is that of a and b, not that of their
@@ -33,14 +33,14 @@ float gloam_neighborhood_change(vec3 sample_position, vec3 position, vec3 previo
     return min(abs(dot(a - b, a + b)) / sum / scale, GLOAM_LARGEST);
 }
 
-// whether a neighbourhood counts as unchanged (TSSAO-9-test): `d < epsilon` [TSSAO (Mattausch et al.), eq 9].
+// whether a neighbourhood counts as unchanged (TSSAO-9-test): `d < epsilon` [TSSAO, eq 9].
 // change: d, world units. epsilon: world units, 0.01 to 0.05 of the kernel radius.
 // Returns false for NaN in either. Error: none.
 bool gloam_neighborhood_unchanged(float change, float epsilon) {
     return change < epsilon;
 }
 
-// whether a surface point can block another at all (TSSAO-9-probe): `(s - p) . n > 0` [TSSAO (Mattausch et al.), eq 9].
+// whether a surface point can block another at all (TSSAO-9-probe): `(s - p) . n > 0` [TSSAO, eq 9].
 // Whether a surface point can tell anything about the occlusion of another: it lies above the tangent plane, (s - p)
 // . n > 0. What lies below cannot block, however it moves.
 // offset: s - p, world units. normal: n, unit vector, same space.
@@ -52,7 +52,7 @@ bool gloam_probe_useful(vec3 offset, vec3 normal) {
 }
 
 // change of the distance to a sample that may block (TSSAO-9-reach): `||a| - |b|| if min(|a|, |b|) <= r and a . n > 0,
-// else 0` [TSSAO (Mattausch et al.), eq 9].
+// else 0` [TSSAO, eq 9].
 // gloam_neighborhood_change for the surface points under samples, without a branch. What could not block the point in
 // either frame does not count. Lengths are subtracted here; that they lose digits does not matter within the reach.
 // now: a, from the point to the sample, world units. before: b, the same in the previous frame; the camera's own motion

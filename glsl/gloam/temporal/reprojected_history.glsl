@@ -13,7 +13,7 @@
 vec4 gloam_fetch_history(ivec2 pixel);
 
 // history of a point, from the texels of the same surface around where it was (TSSAO-RP-history): `mean of (AO, w) over
-// the four texels with |d - d'| < epsilon d, by bilinear weights; j of the heaviest` [TSSAO (Mattausch et al.), eqs 7
+// the four texels with |d - d'| < epsilon d, by bilinear weights; j of the heaviest` [TSSAO, eqs 7
 // and 8; validated bilinear taps].
 // History of a surface point, from where it was in the previous image (TSSAO-RP, -7, -8): occlusion and weight
 // interpolated between those of the four texels around that hold the same surface, the index from the one of them

@@ -9,7 +9,7 @@
 // (TSSAO-SI; a disoccluded pixel starts again with weight 0). Two forms are published: (a) clamps the sample count to
 // 32 to 64 samples, (b) scales it by a confidence with a factor of 15 to 30. The numbers are different quantities.
 
-// smooth invalidation by clamping the weight (TSSAO-SI-a): `w := min(w, w_small)` [TSSAO (Mattausch et al.), notes on
+// smooth invalidation by clamping the weight (TSSAO-SI-a): `w := min(w, w_small)` [TSSAO, notes on
 // smooth invalidation].
 // Form (a).
 // weight: w, accumulated samples. weight_small: w_small, 32 to 64 samples.
@@ -19,7 +19,7 @@ float gloam_invalidate_clamp(float weight, float weight_small) {
     return weight < weight_small ? weight : weight_small;
 }
 
-// confidence in the history after a change (TSSAO-SI-b): `conf = 1 / (1 + S d)` [TSSAO (Mattausch et al.), smooth
+// confidence in the history after a change (TSSAO-SI-b): `conf = 1 / (1 + S d)` [TSSAO, smooth
 // invalidation factor].
 // Form (b). Of several neighbours the smallest confidence counts.
 // change: d >= 0 (gloam_neighborhood_change; its magnitude is taken), over the kernel radius to be independent of
@@ -34,7 +34,7 @@ float gloam_confidence(float change, float factor) {
     return x <= GLOAM_LARGEST_DIVISOR ? min(1.0 / (1.0 + x), 1.0) : 0.0;
 }
 
-// smooth invalidation by a confidence (TSSAO-SI-b-weight): `w := conf w` [TSSAO (Mattausch et al.), smooth invalidation
+// smooth invalidation by a confidence (TSSAO-SI-b-weight): `w := conf w` [TSSAO, smooth invalidation
 // factor].
 // Form (b), weight after a change: conf w.
 // weight: w, accumulated samples. confidence: conf; read inside [0, 1], NaN as 0.
