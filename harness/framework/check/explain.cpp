@@ -153,23 +153,30 @@ shader::Function function_of(const shader::CompileOptions& options, const std::s
     throw std::invalid_argument(fmt::format("{}: no function {}", file, name));
 }
 
+// What is known of a value, whatever operation made it.
+ExplainedStep explained(const interpreter::Value<Explained>& value, const numeric::FloatFormat& format) {
+    if (!value.is_number()) return {.value = static_cast<double>(value.bits()), .whole = true};
+    const Explained x = value.number();
+    ExplainedStep one{.value = x.value,
+                      .exact = x.exact,
+                      .permitted = x.permitted.bounds(),
+                      .error = x.value - x.exact,
+                      .local = x.local,
+                      .ulps = numeric::ulp_error(x.value, x.exact, format)};
+    if (std::isnan(one.error)) one.error = 0.0;  // one infinity equals the other
+    return one;
+}
+
 void append(const interpreter::Step<Explained>& step, std::vector<ExplainedStep>& steps) {
     if (step.place.file.empty() || step.place.file == kernel_name) return;
     for (std::size_t k = 0; k < step.results.size(); ++k) {
-        if (!step.results[k].is_number()) continue;
-        const Explained x = step.results[k].number();
-        ExplainedStep one{.file = step.place.file,
-                          .line = step.place.line,
-                          .function = step.place.function,
-                          .operation = step.operation(),
-                          .component = k,
-                          .value = x.value,
-                          .exact = x.exact,
-                          .permitted = x.permitted.bounds(),
-                          .error = x.value - x.exact,
-                          .local = x.local,
-                          .ulps = numeric::ulp_error(x.value, x.exact, step.format)};
-        if (std::isnan(one.error)) one.error = 0.0;  // one infinity equals the other
+        if (!step.results[k].is_number() && !step.results[k].is_bits()) continue;
+        ExplainedStep one = explained(step.results[k], step.format);
+        one.file = step.place.file;
+        one.line = step.place.line;
+        one.function = step.place.function;
+        one.operation = step.operation();
+        one.component = k;
         steps.push_back(std::move(one));
     }
 }
@@ -180,6 +187,10 @@ std::vector<double> rises_of(const std::vector<ExplainedStep>& steps) {
     std::vector<double> rises;
     double highest = 0.0;
     for (const ExplainedStep& step : steps) {
+        if (step.whole) {
+            rises.push_back(-1.0);
+            continue;
+        }
         rises.push_back(std::max(step.ulps - highest, 0.0));
         highest = std::max(highest, step.ulps);
     }
@@ -189,7 +200,7 @@ std::vector<double> rises_of(const std::vector<ExplainedStep>& steps) {
 std::size_t worst_of(const std::vector<ExplainedStep>& steps) {
     const std::vector<double> rises = rises_of(steps);
     const auto most = std::ranges::max_element(rises);
-    return most == rises.end() || *most == 0.0 ? steps.size()
+    return most == rises.end() || *most <= 0.0 ? steps.size()
                                                : static_cast<std::size_t>(most - rises.begin());
 }
 
@@ -229,14 +240,52 @@ std::string place_of(const ExplainedStep& step) {
 
 constexpr std::string_view line_format = "{:<34} {:<24} {:>15} {:>22} {:>10} {:>11} {:>11}  {}\n";
 
+// Bits of an integer operation. SPIR-V's additions have no sign: what may be negative is shown as both.
+std::string whole_text(const ExplainedStep& step) {
+    const auto bits = static_cast<Word>(step.value);
+    const std::string& name = step.operation;
+    for (const char* decides :
+         {"Equal", "LessThan", "GreaterThan", "Logical", "OpAny", "OpAll", "OpIsNan", "OpIsInf"})
+        if (name.find(decides) != std::string::npos) return bits != 0 ? "true" : "false";
+    return bits >> 31U == 0 ? fmt::format("{}", bits)
+                            : fmt::format("{} or {}", bits, static_cast<std::int32_t>(bits));
+}
+
 std::string line_of(const ExplainedStep& step, bool is_worst) {
     const std::string place = place_of(step) + " " + step.function;
     const std::string operation = step.component == 0
                                       ? step.operation
                                       : fmt::format("{} .{}", step.operation, "xyzw"[step.component % 4]);
+    if (step.whole) return fmt::format("{:<34} {:<24} {:>15}\n", place, operation, whole_text(step));
     return fmt::format(line_format, place, operation, value_text(step.value, 9), value_text(step.exact, 17),
                        fmt::format("{:.3g}", step.ulps), share_text(step.local), share_text(step.inherited()),
                        permitted_text(step.permitted) + (is_worst ? "  <-- most of the error" : ""));
+}
+
+// A value that no operation made: floats without their bits.
+std::string bits_text(Scalar scalar, Word word) {
+    return scalar == Scalar::float_ ? value_text(double{from_word<float>(word)}, 9) : text_of(scalar, word);
+}
+
+// "result 0.5 (0.50000001 in double, permitted [0.49999997, 0.50000003])", lists for a vector and for out
+// parameters.
+std::string result_line(const Explanation& all) {
+    std::vector<std::string> values;
+    std::vector<std::string> exact;
+    std::vector<std::string> permitted;
+    bool calculated = false;
+    for (std::size_t i = 0; i < all.scalars.size() && i < all.result.size(); ++i) {
+        const ExplainedStep& one = all.result[i];
+        const std::string bits = one.whole ? bits_text(all.scalars[i], static_cast<Word>(one.value)) : "";
+        values.push_back(one.whole ? bits : value_text(one.value, 9));
+        exact.push_back(one.whole ? bits : value_text(one.exact, 17));
+        permitted.push_back(one.whole ? bits : permitted_text(one.permitted));
+        calculated = calculated || !one.whole;
+    }
+    if (values.empty()) return "";
+    if (!calculated) return fmt::format("result {}\n", fmt::join(values, ", "));
+    return fmt::format("result {} ({} in double, permitted {})\n", fmt::join(values, ", "),
+                       fmt::join(exact, ", "), fmt::join(permitted, ", "));
 }
 
 // Where the error grows most, and where the first NaN arises.
@@ -288,6 +337,8 @@ Explanation explain(InterpretedKernel<Explained>& kernel, std::span<const Word> 
     Explanation all;
     const auto run = [&] {
         kernel.run(input, [&](const interpreter::Step<Explained>& step) { append(step, all.steps); });
+        for (std::size_t word = 0; word < kernel.output_words(); ++word)
+            all.result.push_back(explained(kernel.output(word), numeric::float32));
         throw numeric::Paths::Enough{};
     };
     // The path is that of float32. Where only intervals leave a branch undecided, the first way is taken.
@@ -306,7 +357,10 @@ Explanation explain(const shader::CompileOptions& options, const KernelSource& s
     const interpreter::Program program(module.spirv);
     const std::vector<std::vector<Word>> words = image_words(module.images, images, source.function.name);
     InterpretedKernel<Explained> kernel(program, module, words);
-    return explain(kernel, input);
+    Explanation all = explain(kernel, input);
+    all.scalars = Signature{.result = source.function.result, .parameters = source.function.parameters}
+                      .output_scalars();
+    return all;
 }
 
 Explanation explain(const shader::CompileOptions& options, const std::string& file,
@@ -323,7 +377,7 @@ std::string to_text(const Explanation& explanation, std::size_t most) {
     for (const std::size_t i : shown) text += line_of(steps[i], i == explanation.worst);
     if (shown.size() < steps.size())
         text += fmt::format("({} of {} operations)\n", shown.size(), steps.size());
-    return text + last_lines(explanation);
+    return text + result_line(explanation) + last_lines(explanation);
 }
 
 }  // namespace gloam::check

@@ -21,14 +21,15 @@ struct ExplainedStep {
     std::string file;
     unsigned line = 0;  // in the source file
     std::string function;
-    std::string operation;      // "OpFAdd"
-    std::size_t component = 0;  // of a vector, from 0
-    double value = 0.0;         // correctly rounded at every operation
-    double exact = 0.0;         // in double
-    numeric::Bounds permitted;  // by Vulkan's rules, on this path
-    double error = 0.0;         // value - exact
-    double local = 0.0;         // the part of the error that this operation adds by rounding
-    double ulps = 0.0;          // error in units in the last place of the exact result
+    std::string operation;        // "OpFAdd"
+    std::size_t component = 0;    // of a vector, from 0
+    double value = 0.0;           // correctly rounded at every operation
+    double exact = 0.0;           // in double
+    numeric::Bounds permitted{};  // by Vulkan's rules, on this path
+    double error = 0.0;           // value - exact
+    double local = 0.0;           // the part of the error that this operation adds by rounding
+    double ulps = 0.0;            // error in units in the last place of the exact result
+    bool whole = false;           // an integer or a bool, whose bits are the value: it has no error
 
     // The part of the error that came with the operands.
     [[nodiscard]] double inherited() const { return error - local; }
@@ -36,10 +37,13 @@ struct ExplainedStep {
 
 // The operations of a shader function on one input.
 struct Explanation {
-    std::vector<ExplainedStep> steps;  // the operations with float results, in the order of execution
+    std::vector<ExplainedStep> steps;  // in the order of execution
     // The step at which the error, in ULP, rises most above those of all steps before it; steps.size() if
     // none does.
     std::size_t worst = 0;
+    // Its outputs, as steps without a place; empty for a kernel whose function is not known.
+    std::vector<ExplainedStep> result;
+    std::vector<shader::Scalar> scalars;  // of the result
 };
 
 // Runs a function on one input (the words of its in and inout parameters in order) along the path that
@@ -69,9 +73,9 @@ struct Explanation {
 // What Vulkan's precision rules say of its operations, a line for each kind: "OpFDiv: 2.5 ULP where ...".
 [[nodiscard]] std::vector<std::string> rules_of(const Explanation& explanation);
 
-// A table: titles, then a line for each step; the line with the largest rise of the error is marked. If there
-// are more than `most` steps, the table has those at which the error rises most; among equal rises the later
-// steps.
+// A table: titles, then a line for each step, and the result. The line with the largest rise of the error is
+// marked. If there are more than `most` steps, the table has those at which the error rises most; among equal
+// rises the later steps.
 [[nodiscard]] std::string to_text(const Explanation& explanation, std::size_t most);
 
 }  // namespace gloam::check

@@ -104,6 +104,8 @@ class InterpretedKernel {
         return machine_.read(0, KernelBinding::outputs, first_ + word);
     }
 
+    [[nodiscard]] std::size_t output_words() const { return row_ - 1; }
+
     // Accesses outside an image in the last run.
     [[nodiscard]] KernelFaults faults() const {
         const auto word = [this](std::size_t k) { return machine_.read(0, KernelBinding::faults, k).bits(); };
