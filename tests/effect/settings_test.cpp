@@ -76,6 +76,23 @@ TEST(Presets, NoneBeatsTheFront) {
     }
 }
 
+// Of the sources TSSAO alone keeps a history. What a source has is named by its symbol, the rest is ours.
+TEST(Presets, PublishedOnesRunWhatTheirSourceRan) {
+    for (const Preset& preset : presets()) {
+        if (!preset.published) continue;
+        EXPECT_EQ(preset.settings.history, preset.name == "tssao-paper") << preset.name;
+        EXPECT_FALSE(preset.printed.empty()) << preset.name;
+        for (const auto& [setting, symbol] : preset.printed) {
+            EXPECT_NO_THROW((void)setting_named(setting)) << preset.name;
+            EXPECT_EQ(origin_of(preset, setting), symbol) << preset.name;
+        }
+        EXPECT_EQ(origin_of(preset, "output"), "ours") << preset.name;
+    }
+    for (const char* silent : {"study-alchemy-performance", "study-volumetric-performance",
+                               "study-angle-performance", "issao-figure5", "toy-story-3"})
+        EXPECT_EQ(origin_of(preset_named(silent), "samples"), "ours") << silent;
+}
+
 TEST(Presets, AnOldNameGivesTheNewOne) {
     std::set<std::string> names;
     for (const Preset& preset : presets()) EXPECT_TRUE(names.insert(preset.name).second) << preset.name;

@@ -104,6 +104,14 @@ Settings blurred(Settings settings, int half_width) {
     return settings;
 }
 
+Printed printed_by_study(const Printed& more) {
+    Printed all{{"method", "CS"},
+                {"history", "none in the study"},
+                {"filter", "its blur (CS-BLUR); none in the quality configuration"}};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
 Settings rays(const MethodInfo& method, std::uint32_t count, std::uint32_t steps) {
     Settings settings = configuration(method, count * steps);
     settings.own.steps = steps;

@@ -34,12 +34,16 @@ struct Preparation {
 // method that needs none.
 [[nodiscard]] std::optional<Preparation> preparation_of(const Settings& settings, gpu::Extent view);
 
+// Settings of a source by name, each with the symbol or the words that it has there.
+using Printed = std::vector<std::pair<std::string, std::string>>;
+
 // Settings that belong together; lengths are for a radius of 1. Error and time are what `gloam bench presets`
 // prints.
 struct Preset {
     std::string name;
     std::string description;
     Settings settings;
+    Printed printed{};      // the settings that its source has; all others are ours
     bool published = true;  // by its source, which its name or description gives; else gloam's own
     double error = 0.0;     // RMSE of sequences on unseen views, against ray-traced truth
     double time = 0.0;      // of a frame on llvmpipe, in that of the preset `fast`
@@ -50,6 +54,10 @@ struct Preset {
 
 // The preset that every command takes if none is named.
 inline constexpr const char* default_preset = "balanced";
+
+// Where a preset has a setting from: the symbol of its source, or "ours" where print is silent. Of gloam's
+// own presets the symbol that TSSAO has for the setting; empty without one.
+[[nodiscard]] std::string origin_of(const Preset& preset, const std::string& setting);
 
 // The preset with this name. Throws std::invalid_argument that lists the names, or gives the new name of an
 // old one.

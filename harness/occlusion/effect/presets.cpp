@@ -150,6 +150,18 @@ const std::vector<Preset>& presets() {
     return all;
 }
 
+std::string origin_of(const Preset& preset, const std::string& setting) {
+    if (!preset.published && setting == "method") return "";
+    const std::string_view temporal = "tssao-paper";
+    const Preset& source =
+        preset.published ? preset : *std::ranges::find(presets(), temporal, [](const Preset& one) {
+            return std::string_view(one.name);
+        });
+    for (const auto& [name, symbol] : source.printed)
+        if (name == setting) return preset.published ? symbol : symbol.substr(0, symbol.find(','));
+    return preset.published ? "ours" : "";
+}
+
 Preset preset_named(std::string_view name) {
     const auto* old =
         std::ranges::find(replaced, name, &std::pair<std::string_view, std::string_view>::first);

@@ -23,6 +23,9 @@ namespace gloam::effect {
 // The study's performance configuration, with its blur. half_width: taps on each side, at least 1.
 [[nodiscard]] Settings blurred(Settings settings, int half_width = 2);
 
+// What the study prints for every method, and `more` for one.
+[[nodiscard]] Printed printed_by_study(const Printed& more);
+
 // `count` rays or slices of `steps` steps each.
 [[nodiscard]] Settings rays(const MethodInfo& method, std::uint32_t count, std::uint32_t steps);
 [[nodiscard]] Settings slices(const MethodInfo& method, std::uint32_t count, std::uint32_t steps);

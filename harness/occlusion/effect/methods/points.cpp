@@ -9,21 +9,43 @@ using enum Measure;
 
 // Table 1 of the paper, with lengths for a radius of 1: the defaults of Settings.
 std::vector<Preset> tssao_presets(const MethodInfo&) {
-    return {{"tssao-paper", "the TSSAO paper's table 1: 32 samples a frame, 500 in the mean", {}}};
+    return {{"tssao-paper",
+             "the TSSAO paper's table 1: 32 samples a frame, 500 in the mean",
+             {},
+             {{"method", "eqs 3 and 14"},
+              {"samples", "k_1"},
+              {"samples_converged", "k_2, 8 to 16"},
+              {"c_spatial", "c_spatial"},
+              {"weight_max", "w_max, 500 to 1500"},
+              {"c_rot", "c_rot"},
+              {"c_adaptive", "c_adaptive"},
+              {"depth_tolerance", "epsilon of eq 8, whose value is ours"},
+              {"history", "eq 5"},
+              {"invalidation", "smooth invalidation"},
+              {"change_tolerance", "epsilon of eq 9, whose value is ours"},
+              {"weight_small", "n of the clamp, 32 to 64"},
+              {"confidence_factor", "S, 15 to 30"},
+              {"filter", "eq 10"},
+              {"filter_half_width", "F, 5 x 5"}}}};
+}
+
+// Values of the study for points of a ball.
+Printed points_printed() {
+    return printed_by_study({{"samples", "N"}, {"samples_converged", "N"}, {"remap_a", "a"}});
 }
 
 std::vector<Preset> crytek_presets(const MethodInfo& method) {
     return {{"study-crytek-performance", "the comparative study's: 24 samples, its blur, no history",
-             blurred(configuration(method, 24))},
+             blurred(configuration(method, 24)), points_printed()},
             {"study-crytek-quality", "the study's: 200 samples, no blur, no history",
-             studied(configuration(method, 200))}};
+             studied(configuration(method, 200)), points_printed()}};
 }
 
 std::vector<Preset> filion_presets(const MethodInfo& method) {
     return {{"study-filion-performance", "the study's: 15 samples, its blur, no history",
-             blurred(configuration(method, 15))},
+             blurred(configuration(method, 15)), points_printed()},
             {"study-filion-quality", "the study's: 80 samples, no blur, no history",
-             studied(configuration(method, 80))}};
+             studied(configuration(method, 80)), points_printed()}};
 }
 
 }  // namespace
@@ -59,27 +81,40 @@ std::vector<MethodInfo> point_methods() {
 
 namespace {
 
+// The number of samples of the study's published shaders, which its text does not print.
+Printed shader_printed(Printed more = {}) {
+    more.insert(more.end(), {{"samples", "of the published shader, not in print"},
+                             {"samples_converged", "of the published shader, not in print"}});
+    return printed_by_study(more);
+}
+
 std::vector<Preset> volumetric_presets(const MethodInfo& method) {
-    return {{"study-volumetric-performance",
-             "the study's: pairs of lines, a blur of one pixel, no history; 6 pairs, because it does not "
-             "print a number",
-             blurred(configuration(method, 12), 1)},
-            {"study-volumetric-quality", "the study's: 32 pairs of lines, no blur, no history",
-             studied(configuration(method, 64))}};
+    return {
+        {"study-volumetric-performance",
+         "the study's: pairs of lines, a blur of one pixel, no history; the 6 pairs are ours",
+         blurred(configuration(method, 12), 1),
+         printed_by_study({{"remap_a", "a"}, {"filter_half_width", "1 pixel"}})},
+        {"study-volumetric-quality", "the study's: 32 pairs of lines as in its shader, no blur, no history",
+         studied(configuration(method, 64)), shader_printed({{"remap_a", "a"}})}};
 }
 
 // The game's other settings are not published. The number of pairs, 6, is that of
 // study-volumetric-performance.
 std::vector<Preset> spiral_presets(const MethodInfo& method) {
-    return {{"toy-story-3", "the game's: pairs on a turned spiral, 6 here; a blur of one pixel",
-             blurred(configuration(method, 12), 1)}};
+    return {{"toy-story-3",
+             "the game's: pairs on a turned spiral, 6 here; a blur of one pixel",
+             blurred(configuration(method, 12), 1),
+             {{"method", "pairs of lines on a turned spiral"}}}};
 }
 
 std::vector<Preset> angle_presets(const MethodInfo& method) {
-    return {{"study-angle-performance", "the study's: 6 pairs, its blur, no history",
-             blurred(configuration(method, 12))},
-            {"study-angle-quality", "the study's: 32 pairs, no blur, no history",
-             studied(configuration(method, 64))}};
+    const Printed lengths{{"range", "T, of the published shader"},
+                          {"angle_bias", "bias, of the published shader"}};
+    return {{"study-angle-performance",
+             "the study's blur, no history; the 6 pairs are ours: print has a 6, of pairs or of samples",
+             blurred(configuration(method, 12)), printed_by_study(lengths)},
+            {"study-angle-quality", "the study's: 32 pairs as in its shader, no blur, no history",
+             studied(configuration(method, 64)), shader_printed(lengths)}};
 }
 
 }  // namespace

@@ -18,23 +18,33 @@ void adapt_unreal(Settings& s) {
     s.own.steps = 3;
 }
 
-// Rays and steps of a frame. The history weighs by rays: as default settings keep 500 samples of 32 a frame,
-// it keeps those of 16 frames. What objects covered before is visible for as long.
-Settings remembered_rays(const MethodInfo& method, std::uint32_t count, std::uint32_t steps) {
-    constexpr std::uint32_t frames = 16;
-    Settings settings = rays(method, count, steps);
-    settings.weight_max = static_cast<float>(frames * count);
-    return settings;
+// Frames alone, as published, with the study's blur, because the sources name none.
+Settings alone(const MethodInfo& method, std::uint32_t count, std::uint32_t steps) {
+    return blurred(rays(method, count, steps));
 }
 
 std::vector<Preset> poisson_presets(const MethodInfo& method) {
-    return {{"sourimant-least", "Sourimant's least: 8 rays of 4 steps", remembered_rays(method, 8, 4)},
-            {"sourimant-most", "Sourimant's most: 24 rays of 8 steps", remembered_rays(method, 24, 8)}};
+    const Printed rays_printed{{"method", "rays of a lifted Poisson disc"},
+                               {"samples", "rays times steps"},
+                               {"samples_converged", "rays times steps"},
+                               {"steps", "steps of a ray"},
+                               {"history", "none in the source"}};
+    return {{"sourimant-least", "Sourimant's least: 8 rays of 4 steps, no history; the blur is ours",
+             alone(method, 8, 4), rays_printed},
+            {"sourimant-most", "Sourimant's most: 24 rays of 8 steps, no history; the blur is ours",
+             alone(method, 24, 8), rays_printed}};
 }
 
 std::vector<Preset> unreal_presets(const MethodInfo& method) {
-    return {
-        {"unreal-quality", "the engine's 6 mirrored directions of 3 steps", remembered_rays(method, 12, 3)}};
+    return {{"unreal-quality",
+             "the engine's 6 mirrored directions of 3 steps, no history; the blur is ours",
+             alone(method, 12, 3),
+             {{"method", "the later shader"},
+              {"samples", "6 mirrored offsets of 3 steps"},
+              {"samples_converged", "6 mirrored offsets of 3 steps"},
+              {"steps", "steps of a side"},
+              {"epsilon", "0.8"},
+              {"history", "none in the shader"}}}};
 }
 
 }  // namespace

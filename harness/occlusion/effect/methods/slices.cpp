@@ -29,20 +29,31 @@ Preparation first_direction(const Settings& settings, gpu::Extent view) {
 }
 
 std::vector<Preset> hbao_study_presets(const MethodInfo& method) {
+    const Printed shader = printed_by_study({{"samples", "of the published shader, not in print"},
+                                             {"samples_converged", "of the published shader, not in print"},
+                                             {"steps", "of the published shader, not in print"},
+                                             {"angle_bias", "bias, of the published shader"}});
     return {
-        {"study-hbao-performance", "the study's: 8 directions of 6 steps, its blur, no history",
-         blurred(slices(method, 4, 6))},
+        {"study-hbao-performance",
+         "8 directions of 6 steps as in the study's shader, its blur, no history; the blur with these is "
+         "ours",
+         blurred(slices(method, 4, 6)), shader},
         {"study-hbao-quality", "the study's published shader: 8 directions of 6 steps, no blur, no history",
-         studied(slices(method, 4, 6))}};
+         studied(slices(method, 4, 6)), shader}};
 }
 
 // Slices and steps to each side of XeGTAO's levels (Intel 2021), in single frames with a blur.
 std::vector<Preset> gtao_presets(const MethodInfo& method) {
+    const Printed levels{{"method", "GTAO"},
+                         {"samples", "SliceCount times 2 StepsPerSlice"},
+                         {"samples_converged", "SliceCount times 2 StepsPerSlice"},
+                         {"steps", "StepsPerSlice"},
+                         {"history", "none of its own"}};
     return {{"xegtao-low", "XeGTAO's 1 slice of 2 steps to each side, a blur, no history",
-             blurred(slices(method, 1, 2))},
-            {"xegtao-medium", "its 2 slices of 2 steps", blurred(slices(method, 2, 2))},
-            {"xegtao-high", "its 3 slices of 3 steps", blurred(slices(method, 3, 3))},
-            {"xegtao-ultra", "its 9 slices of 3 steps", blurred(slices(method, 9, 3))}};
+             blurred(slices(method, 1, 2)), levels},
+            {"xegtao-medium", "its 2 slices of 2 steps", blurred(slices(method, 2, 2)), levels},
+            {"xegtao-high", "its 3 slices of 3 steps", blurred(slices(method, 3, 3)), levels},
+            {"xegtao-ultra", "its 9 slices of 3 steps", blurred(slices(method, 9, 3)), levels}};
 }
 
 }  // namespace

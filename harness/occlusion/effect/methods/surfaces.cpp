@@ -67,8 +67,10 @@ Preparation area_moments(const Settings&, gpu::Extent view) {
 }
 
 std::vector<Preset> area_presets(const MethodInfo& method) {
-    return {{"loos-sloan-area", "Loos and Sloan's: a pair of area samples, a blur of one pixel, no history",
-             blurred(configuration(method, 2), 1)}};
+    return {{"loos-sloan-area",
+             "Loos and Sloan's: a pair of area samples, a blur of one pixel, no history",
+             blurred(configuration(method, 2), 1),
+             {{"method", "area samples"}, {"samples", "1 area sample"}, {"history", "none in the source"}}}};
 }
 
 // Pass: each pixel's visibility. It weights the pixel's disc for other pixels within the radius.

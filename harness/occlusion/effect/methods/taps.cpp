@@ -49,6 +49,7 @@ Preparation depth_chain(const Settings&, gpu::Extent view) {
 
 // Adds the SAO paper's blur. Its weight falls to 0 at a 2000th of the depth key's range of 300 m.
 Settings with_sao_blur(Settings settings) {
+    settings.history = false;
     settings.filter = Filter::sao;
     settings.filter_half_width = 4;
     settings.filter_depth = 0.15F;
@@ -56,8 +57,21 @@ Settings with_sao_blur(Settings settings) {
 }
 
 std::vector<Preset> sao_presets(const MethodInfo& method) {
-    return {{"sao-paper", "the SAO paper's 9 samples and blur", with_sao_blur(configuration(method, 9))},
-            {"sao-code", "the 11 samples of its published shader", with_sao_blur(configuration(method, 11))}};
+    const Printed shader{{"method", "A of the shader"},
+                         {"samples", "s"},
+                         {"samples_converged", "s"},
+                         {"bias", "beta"},
+                         {"epsilon", "the root of epsilon"},
+                         {"mip_distance", "2^(q + 1), log q = 3"},
+                         {"rotation", "10 (3 x XOR (y + x y))"},
+                         {"history", "none in the source"},
+                         {"filter", "its blur"},
+                         {"filter_half_width", "R"},
+                         {"filter_depth", "edge sharpness"}};
+    return {{"sao-paper", "the SAO paper's 9 samples and blur, no history; its intensity is ours",
+             with_sao_blur(configuration(method, 9)), shader},
+            {"sao-code", "the 11 samples of its published shader", with_sao_blur(configuration(method, 11)),
+             shader}};
 }
 
 // The study's values at its radius of 10: sigma 2, bias 1, epsilon^2 1e-5.
@@ -70,13 +84,17 @@ Settings study_alchemy(const MethodInfo& method, std::uint32_t samples) {
 }
 
 std::vector<Preset> alchemy_presets(const MethodInfo& method) {
-    return {
-        {"study-alchemy-performance",
-         "the study's lengths and blur, no history; 12 samples as in the Alchemy paper, because the study "
-         "does not print a number",
-         blurred(study_alchemy(method, 12))},
-        {"study-alchemy-quality", "the study's: 64 samples, no blur, no history",
-         studied(study_alchemy(method, 64))}};
+    const Printed lengths{{"intensity", "sigma / R, of the published shader"},
+                          {"bias", "beta / R, of the published shader"},
+                          {"epsilon", "the root of epsilon / R, of the published shader"}};
+    Printed with_samples = lengths;
+    with_samples.insert(with_samples.end(), {{"samples", "of the published shader, not in print"},
+                                             {"samples_converged", "of the published shader, not in print"}});
+    return {{"study-alchemy-performance",
+             "the study's lengths and blur, no history; the 12 samples are ours, those of the Alchemy paper",
+             blurred(study_alchemy(method, 12)), printed_by_study(lengths)},
+            {"study-alchemy-quality", "the study's: 64 samples as in its shader, no blur, no history",
+             studied(study_alchemy(method, 64)), printed_by_study(with_samples)}};
 }
 
 // Lengths in a figure of the ISSAO paper, and the radius for which they are given.
@@ -93,10 +111,24 @@ Settings of_figure(const MethodInfo& method, const Figure& figure) {
     settings.own.intensity = figure.lambda * figure.phi / figure.radius;
     settings.bias = figure.psi / figure.radius;
     settings.own.epsilon = figure.sigma_root / figure.radius;
+    settings.history = false;
     settings.filter = Filter::bilateral;
     // Radii are uniform: if there are more taps than the radius has pixels, some taps read the same pixel.
     settings.samples_radius = 12.0F;
     return settings;
+}
+
+// With the equation that the figure shows.
+Printed of_equation(const char* equation, bool has_taps = true) {
+    Printed printed{{"method", equation},
+                    {"intensity", "lambda phi / R"},
+                    {"bias", "psi / R"},
+                    {"epsilon", "the root of sigma / R"},
+                    {"samples_radius", "fewer samples far away, in prose"},
+                    {"history", "none in the paper"},
+                    {"filter", "eq 7"}};
+    if (has_taps) printed.insert(printed.end(), {{"samples", "s"}, {"samples_converged", "s"}});
+    return printed;
 }
 
 constexpr Figure figure4{1.05F, 0.43F, 0.014F, 1.00F, 0.0137840F};
@@ -104,23 +136,31 @@ constexpr Figure figure4{1.05F, 0.43F, 0.014F, 1.00F, 0.0137840F};
 std::vector<Preset> issao_presets(const MethodInfo& method) {
     return {
         {"issao-figure3", "the ISSAO paper's figure 3: 12 samples, fewer where the radius is below 12 pixels",
-         of_figure(method, {1.75F, 0.40F, 0.022F, 1.06F, 0.0126491F})},
-        {"issao-figure4", "its figure 4, by eq. 6", of_figure(method, figure4)},
-        {"issao-figure5", "its figure 5", of_figure(method, {2.20F, 0.55F, 0.018F, 1.00F, 0.0122474F})}};
+         of_figure(method, {1.75F, 0.40F, 0.022F, 1.06F, 0.0126491F}), of_equation("eq 6")},
+        {"issao-figure4", "its figure 4, by eq. 6", of_figure(method, figure4), of_equation("eq 6")},
+        {"issao-figure5", "its figure 5; the number of samples is ours, that of the other figures",
+         of_figure(method, {2.20F, 0.55F, 0.018F, 1.00F, 0.0122474F}), of_equation("eq 6", false)}};
 }
 
 std::vector<Preset> basic_presets(const MethodInfo& method) {
     Settings settings = of_figure(method, figure4);
     settings.own.intensity = 1.0F;  // eq. 3 has none
-    return {{"issao-figure4-basic", "its figure 4 on the left, by eq. 3", settings}};
+    return {{"issao-figure4-basic", "its figure 4 on the left, by eq. 3", settings, of_equation("eq 3")}};
 }
 
 std::vector<Preset> attenuated_presets(const MethodInfo& method) {
-    return {{"issao-figure4-attenuated", "its figure 4 on the right, by eq. 4", of_figure(method, figure4)}};
+    return {{"issao-figure4-attenuated", "its figure 4 on the right, by eq. 4", of_figure(method, figure4),
+             of_equation("eq 4")}};
 }
 
 std::vector<Preset> two_radii_presets(const MethodInfo& method) {
-    return {{"aksoy_phaneuf-two", "Aksoy and Phaneuf's 32 taps, at two radii", configuration(method, 32)}};
+    return {{"aksoy_phaneuf-two",
+             "Aksoy and Phaneuf's 32 taps, at two radii, no history; the blur is ours",
+             blurred(configuration(method, 32)),
+             {{"method", "at two radii"},
+              {"samples", "taps"},
+              {"samples_converged", "taps"},
+              {"history", "none in the source"}}}};
 }
 
 }  // namespace
