@@ -28,6 +28,16 @@ TEST_F(Stress, ABrokenBoundIsStatusOne) {
     EXPECT_THAT(result.out, HasSubstr("BROKEN"));
 }
 
+// Whoever stops it has what was found until then.
+TEST_F(Stress, RowsAppearAsTheyAreFound) {
+    const std::string report = path("rows.txt").string();
+    const std::string call =
+        fmt::format("timeout -s INT 60 {} stress --only worst-inputs --brief | head -n 8 > {}",
+                    GLOAM_BUILT_BINARY, report);
+    (void)run_program("/bin/bash", {"-c", call});
+    EXPECT_EQ(line_count(read_file(report)), 8);
+}
+
 TEST_F(Stress, BadInputIsOneClearLine) {
     const CommandResult unknown = gloam("stress --only no-such-run");
     expect_could_not_run(unknown, "no-such-run");

@@ -36,13 +36,20 @@ void show_progress(const std::string& text) {
     if (on_terminal()) fmt::print(stderr, "\r\033[K{}", text);
 }
 
-stress::Rows make_runs(const std::vector<stress::Run>& runs, const stress::Context& context) {
+// Each row is printed as it is found.
+stress::Rows make_runs(const std::vector<stress::Run>& runs, stress::Context context) {
     stress::Rows all;
-    for (const stress::Run& run : runs) {
-        const stress::Rows rows = run.go(context);
+    std::size_t printed = 0;  // rows of this run
+    context.found = [&](const stress::Row& row) {
         context.progress("");
-        for (const stress::Row& row : rows) fmt::print("{}\n", stress::table_line(row));
+        fmt::print("{}\n", stress::table_line(row));
         std::fflush(stdout);
+        ++printed;
+    };
+    for (const stress::Run& run : runs) {
+        printed = 0;
+        const stress::Rows rows = run.go(context);
+        while (printed < rows.size()) context.found(rows[printed]);
         all.insert(all.end(), rows.begin(), rows.end());
     }
     return all;
@@ -85,13 +92,14 @@ void add_stress(CLI::App& app, int& status) {
     std::string runs;
     for (const stress::Run& run : stress::all_runs()) runs += (runs.empty() ? "" : ", ") + run.name;
     command->add_option("--only", options->only, "one run: " + runs);
-    command->add_option("--equation", options->equations,
-                        "search the worst inputs of these only: IDs or functions, shell globs");
+    command->add_option(
+        "--equation", options->equations,
+        "search the worst inputs of these only: by any name of equations (gloam list equations)");
     command->add_option("--seed", options->seed, "seed of noise and points")->capture_default_str();
     command->add_option("--frames", options->frames, "frames of the long runs")
         ->check(CLI::Range(std::uint64_t{4}, std::uint64_t{1'000'000'000}))
         ->capture_default_str();
-    command->add_flag("--brief", options->brief, "fewer inputs and places: seconds instead of minutes");
+    command->add_flag("--brief", options->brief, "fewer inputs and places");
     command->add_option("--json", options->json, "write the numbers to this file");
     add_device_options(*command, options->device, options->validation);
     command->callback([options, &status] { status = run_stress(*options); });

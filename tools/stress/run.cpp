@@ -112,7 +112,10 @@ Rows worst_inputs(const Context& context) {
     Rows rows;
     const catalogue::Entries all = catalogue::all_entries(context.lab.options().include_roots.front());
     for (const catalogue::Entry& entry : catalogue::select(all, context.equations))
-        append(rows, worst_inputs(context, entry));
+        for (Row& row : worst_inputs(context, entry)) {
+            context.found(row);
+            rows.push_back(std::move(row));
+        }
     return rows;
 }
 

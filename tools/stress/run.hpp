@@ -51,6 +51,8 @@ struct Context {
         equations;  // whose worst inputs are searched: IDs or functions, shell globs; none: all
     std::vector<std::string> methods;  // whose passes and gathers are tried; none: all
     std::function<void(const std::string&)> progress = [](const std::string&) {};  // told what is done now
+    std::function<void(const Row&)> found = [](const Row&) {
+    };  // told of rows before the run ends, in their order
 };
 
 // Those that the context names. Throws like effect::method_named().
