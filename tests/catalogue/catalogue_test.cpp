@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "catalogue/catalogue.hpp"
 #include "catalogue/description.hpp"
+#include "catalogue/printed.hpp"
 #include "shader/compile.hpp"
 #include "support/entries.hpp"
 #include "support/files.hpp"
@@ -93,6 +94,58 @@ TEST(Catalogue, GlobsSelectByIdAndFunctionInAnyCase) {
     EXPECT_GT(select(entries, {"TSSAO-*"}).size(), 10U);
     EXPECT_EQ(select(entries, {"tssao-5", "TSSAO-5"}).size(), 1U);
     expect_error<std::invalid_argument>([&] { (void)select(entries, {"TSSAO-5", "NO-SUCH"}); }, {"NO-SUCH"});
+}
+
+// The functions that a name finds, in their order.
+std::vector<std::string> found_by(const std::string& name) {
+    std::vector<std::string> functions;
+    for (const Entry& entry : select(test::entries(), {name}))
+        functions.push_back(entry.description.function);
+    return functions;
+}
+
+TEST(Catalogue, NumbersOfPapersLeadToFunctions) {
+    const std::pair<const char*, const char*> rows[] = {{"TSSAO-1", "gloam_sample_cosine"},
+                                                        {"TSSAO-4", "gloam_estimator_mean"},
+                                                        {"TSSAO-5", "gloam_blend"},
+                                                        {"TSSAO-14", "gloam_hemisphere_cosine"},
+                                                        {"CGF-4", "gloam_previous_clip_static"},
+                                                        {"CGF-6", "gloam_blend"},
+                                                        {"Mattausch 6", "gloam_blend"},
+                                                        {"TSSAO eq. 12", "gloam_contribution_fox_compton"},
+                                                        {"issao-7", "gloam_bilateral_filter"},
+                                                        {"CS-2.1", "gloam_ambient_light"},
+                                                        {"CS-2.4", "gloam_contribution_uniform_directions"},
+                                                        {"cs 3.1", "gloam_contribution_crytek"},
+                                                        {"CS-3.5", "gloam_line_occlusion"},
+                                                        {"CS-3.7", "gloam_falloff_alchemy"},
+                                                        {"CS-3.10", "gloam_contribution_alchemy"}};
+    for (const auto& [number, function] : rows) EXPECT_EQ(found_by(number).front(), function) << number;
+    EXPECT_GT(found_by("CS-3.*").size(), 8U);
+    for (const char* none : {"TSSAO-15", "CS-3.11", "CS-3", "ISSAO-0"})
+        EXPECT_THROW((void)found_by(none), std::invalid_argument) << none;
+}
+
+TEST(Catalogue, EveryNumberHasAFunctionOrSaysWhatStandsForIt) {
+    for (const PrintedEquation& printed : printed_equations()) {
+        const Found found = find(test::entries(), {printed.number});
+        EXPECT_FALSE(found.entries.empty()) << printed.number;
+        EXPECT_EQ(found.notes.empty(), printed.note.empty()) << printed.number;
+    }
+}
+
+TEST(Catalogue, FilesAndFunctionsAndIdsAreNamesAlike) {
+    for (const char* name : {"TSSAO-11", "gloam_shrink", "GLOAM_SHRINK"})
+        EXPECT_EQ(found_by(name), std::vector<std::string>{"gloam_shrink"}) << name;
+    for (const char* file : {"gloam/filter/shrink.glsl", "filter/shrink.glsl",
+                             "glsl/gloam/filter/shrink.glsl", "gloam/filter/shr*"})
+        EXPECT_THAT(found_by(file), testing::Contains("gloam_shrink")) << file;
+    EXPECT_EQ(found_by("gloam_shrin?"), std::vector<std::string>{"gloam_shrink"});
+}
+
+TEST(Catalogue, ThePageOfNumbersIsWhatTheCatalogueHas) {
+    EXPECT_EQ(shader::read_text(fs::path(DOCS) / "equations.md"), printed_page(test::entries()))
+        << "write it again: gloam list numbers --markdown > docs/equations.md";
 }
 
 TEST(Catalogue, Globs) {

@@ -88,18 +88,18 @@ TEST(Devices, TheInterpreterNeedsNoDriver) {
 class List : public InFolder {};
 
 TEST_F(List, NamesOneALine) {
-    for (const char* kind : {"equations", "methods", "presets", "scenes", "variants", "views"}) {
+    for (const char* kind : {"equations", "methods", "numbers", "presets", "scenes", "variants", "views"}) {
         std::istringstream lines(output_of(gloam("list {}", kind)));
         std::vector<std::string> names;
-        // Of a preset error and time follow.
-        const bool more = std::string(kind) == "presets";
+        // Of a preset error and time follow, of a number its functions.
+        const bool more = std::string(kind) == "presets" || std::string(kind) == "numbers";
         for (std::string line; std::getline(lines, line);)
             names.push_back(more ? line.substr(0, line.find(' ')) : line);
         EXPECT_FALSE(names.empty()) << kind;
 
         const auto json = json::parse(gloam("list {} --json", kind).out).at(kind);
         ASSERT_EQ(json.size(), names.size()) << kind;
-        EXPECT_EQ(json[0].contains("time"), more) << kind;
+        EXPECT_EQ(json[0].contains("time"), std::string(kind) == "presets") << kind;
         for (std::size_t i = 0; i < names.size(); ++i) {
             EXPECT_EQ(json[i].at("name"), names[i]);
             EXPECT_THAT(names[i], Not(HasSubstr(" ")));
@@ -111,8 +111,8 @@ TEST_F(List, SettingsWithDefaultAndRange) {
     const CommandResult result = gloam("list settings");
     expect_success(result);
     for (const char* line :
-         {"samples            k_1: for each pixel that has not converged, in each frame (10 samples; ",
-          "skip_settled       off: tiles that would not change are shaded, to the same result (on; "
+         {"samples            k_1: for each pixel that has not converged, in each frame (balanced: 10 samples; ",
+          "skip_settled       off: tiles that would not change are shaded, to the same result (balanced: on; "
           "on or off)"})
         EXPECT_THAT(result.out, HasSubstr(line));
     const auto settings = json::parse(gloam("list settings --json").out).at("settings");
@@ -139,9 +139,9 @@ TEST_F(List, APresetSaysWhatItSets) {
     std::istringstream lines(result);
     for (std::string line; std::getline(lines, line);)
         if (line.starts_with("  method="))
-            by_settings.insert(by_settings.end(), {"--method", line.substr(9)});
-        else if (line.starts_with("  "))
-            by_settings.insert(by_settings.end(), {"--set", line.substr(2)});
+            by_settings.insert(by_settings.end(), {"--method", line.substr(9, line.find(' ', 9) - 9)});
+        else if (line.starts_with("  ") && !line.starts_with("  radius="))
+            by_settings.insert(by_settings.end(), {"--set", line.substr(2, line.find(' ', 2) - 2)});
     const auto used = [&](const std::vector<std::string>& options) {
         std::vector<std::string> all = words("render corner --radius 1 --size 16x9 --out {}", path("out"));
         all.insert(all.end(), options.begin(), options.end());
@@ -154,6 +154,61 @@ TEST_F(List, APresetSaysWhatItSets) {
     EXPECT_EQ(used(by_settings), expected);
     EXPECT_EQ(used(words("--preset {}", file)), expected);
     expect_could_not_run(gloam("list presets no-such"), "no-such");
+}
+
+TEST_F(List, APresetShowsEverySettingThatRunsWithItsSymbol) {
+    const std::size_t settings = json::parse(gloam("list settings --json").out).at("settings").size();
+    const std::vector<std::pair<const char*, std::vector<const char*>>> rows = {
+        {"tssao-paper",
+         {"samples=32 +k_1\n", "samples_converged=16 +k_2", "weight_max=500 +w_max", "F, 5 x 5"}},
+        {"issao-figure3",
+         {"history=off +none in the paper\n", "bias=0.01257.* psi / R\n", "weight_max=500 +ours"}},
+        {"sao-code", {"history=off", "samples=11 +s\n", "intensity=0.3 +ours"}},
+        {"study-volumetric-performance", {"samples=12 +ours", "history=off"}},
+        {"balanced", {"samples=10 +k_1\n", "history=on"}}};
+    for (const auto& [preset, lines] : rows) {
+        const std::string text = output_of(gloam("list presets {}", preset));
+        for (const char* line : lines) EXPECT_THAT(text, testing::ContainsRegex(line)) << preset;
+        const auto as_json = json::parse(gloam("list presets {} --json", preset).out);
+        EXPECT_EQ(as_json.at("settings").size(), settings) << preset;
+        EXPECT_EQ(as_json.at("origins").size(), settings) << preset;
+    }
+}
+
+// One way to name an equation: `list`, `check`, `explain` and `pack` take each.
+TEST_F(List, EveryCommandTakesEveryNameOfAnEquation) {
+    for (const char* name : {"TSSAO-11", "gloam_shrink", "gloam_shrin?", "tssao-eq-11"}) {
+        EXPECT_THAT(output_of(gloam("list equations {}", name)), HasSubstr("gloam_shrink")) << name;
+        EXPECT_THAT(output_of(gloam("explain {} 0.1 0.2", name)), HasSubstr("result 0.5")) << name;
+        EXPECT_THAT(output_of(gloam("pack {}", name)), HasSubstr("float gloam_shrink(")) << name;
+        EXPECT_THAT(output_of(gloam("check {} --device interpreter --inputs 64", name)),
+                    HasSubstr("TSSAO-11"))
+            << name;
+    }
+    const CommandResult mean = gloam("explain TSSAO-4 2 4");
+    EXPECT_THAT(mean.out, HasSubstr("result 0.5")) << mean.err;
+    EXPECT_THAT(mean.err, StartsWith("TSSAO-4, contribution of a frame: ")) << "why, and what stands for it";
+    EXPECT_THAT(output_of(gloam("list CS-3.1")), HasSubstr("gloam_contribution_crytek_buffer"));
+    EXPECT_THAT(output_of(gloam("list equations gloam/filter/shrink.glsl")),
+                HasSubstr("gloam_window_coverage"));
+    EXPECT_THAT(output_of(gloam("check gloam/filter/shrink.glsl --device interpreter --inputs 64")),
+                HasSubstr("TSSAO-11-window"));
+    expect_could_not_run(gloam("explain gloam_falloff_* 1 2"), "expected one");
+}
+
+TEST_F(List, ExplainEndsWithTheResult) {
+    const std::pair<const char*, const char*> rows[] = {
+        {"gloam_shrink 0.3 0.2", "result 0"},
+        {"gloam_falloff_linear 1 4", "result 0.75 (0.75 in double, permitted ["},
+        {"gloam_bit_count 255", "result 8\n"},
+        {"gloam_next_index 7 8 10", "result 5\n"},
+        {"gloam_clamp_to_edge -3 9 8 8", "result 0, 7\n"},
+        {"gloam_rotation_enabled 0.1 0.5", "result true\n"},
+        {"gloam_blend 0.5 4 1 4 500", "result 0.75, 8 ("}};
+    for (const auto& [call, result] : rows)
+        EXPECT_THAT(output_of(gloam("explain " + std::string(call))), HasSubstr(result)) << call;
+    EXPECT_THAT(output_of(gloam("explain gloam_bit_count 255")), HasSubstr("bit_count.glsl"))
+        << "its operations";
 }
 
 TEST_F(List, EquationsSayAllThatIsKnownOfThem) {

@@ -14,6 +14,7 @@
 #include "check/explain.hpp"
 #include "cli/check/checker.hpp"
 #include "cli/environment.hpp"
+#include "cli/names.hpp"
 #include "interpreter/program.hpp"
 #include "shader/compile.hpp"
 
@@ -24,9 +25,7 @@ using check::Word;
 using shader::Scalar;
 
 struct ExplainOptions {
-    std::filesystem::path file;
-    std::string function;
-    std::vector<std::string> values;
+    std::vector<std::string> words;  // what to run, then values
     std::string variant = "strict";
     std::vector<std::string> includes;  // further include roots
 };
@@ -102,31 +101,61 @@ std::vector<Word> input_from(const check::OwnFunction& own, const std::vector<st
     return input;
 }
 
+// A function of a file, and the values behind it on the command line.
+struct Target {
+    std::string file;
+    std::string function;
+    std::vector<std::string> values;
+};
+
+// The path of a file, or of one of the library by its name there ("gloam/filter/shrink.glsl").
+std::string path_of(const std::string& file) {
+    const std::filesystem::path ours = glsl_directory() / file;
+    std::error_code none;
+    return !std::filesystem::exists(file, none) && std::filesystem::exists(ours, none) ? ours.string() : file;
+}
+
+// FILE FUNCTION VALUE..., or EQUATION VALUE..., which is all that names the function.
+Target target_of(const std::vector<std::string>& words) {
+    std::error_code none;
+    if (is_shader_file(words.front()) || std::filesystem::exists(words.front(), none)) {
+        if (words.size() < 2)
+            throw std::invalid_argument(words.front() + ": expected a function of this file behind it");
+        return {path_of(words[0]), words[1], {words.begin() + 2, words.end()}};
+    }
+    const catalogue::Entries found = equations_named({words.front()});
+    const catalogue::Description& first = found.front().description;
+    if (words.front().find_first_of("*?") != std::string::npos && found.size() > 1)
+        throw std::invalid_argument(fmt::format("{} names {} functions: expected one, for example {}",
+                                                words.front(), found.size(), first.function));
+    return {path_of(first.file), first.function, {words.begin() + 1, words.end()}};
+}
+
 void run_explain(const ExplainOptions& options) {
+    const Target target = target_of(options.words);
     const check::OwnFunctions functions =
-        own_file(options.file.string(), {options.function}, {}, options.includes).functions;
+        own_file(target.file, {target.function}, {}, options.includes).functions;
     if (functions.found.empty())
-        throw std::invalid_argument(fmt::format("{}: {}: {}", options.file.string(),
-                                                functions.left_out.front().name,
+        throw std::invalid_argument(fmt::format("{}: {}: {}", target.file, functions.left_out.front().name,
                                                 functions.left_out.front().why));
     const check::OwnFunction& own = functions.found.front();
-    const std::vector<Word> input = input_from(own, options.values);
+    const std::vector<Word> input = input_from(own, target.values);
     try {
         numeric::Random random(1);
         const auto scenarios = check::random_scenarios(own.images);
         const check::ImageSet images =
             scenarios.empty() ? check::ImageSet{} : scenarios.front().make(scenarios.front().size, random);
-        const check::Explanation all = check::explain({.variant = shader::variant(options.variant)},
-                                                      {.file = options.file.filename().string(),
-                                                       .function = own.function,
-                                                       .images = own.images,
-                                                       .text = own.excerpt,
-                                                       .team = own.team},
-                                                      input, images);
+        const check::Explanation all =
+            check::explain({.variant = shader::variant(options.variant)},
+                           {.file = std::filesystem::path(target.file).filename().string(),
+                            .function = own.function,
+                            .images = own.images,
+                            .text = own.excerpt,
+                            .team = own.team},
+                           input, images);
         fmt::print("{}", to_text(all, all.steps.size()));
     } catch (const interpreter::Error& error) {
-        throw std::runtime_error(
-            fmt::format("{}: {}: {}", options.file.string(), options.function, error.what()));
+        throw std::runtime_error(fmt::format("{}: {}: {}", target.file, target.function, error.what()));
     }
 }
 
@@ -136,12 +165,14 @@ void add_explain(CLI::App& app) {
     auto options = std::make_shared<ExplainOptions>();
     CLI::App* command = app.add_subcommand(
         "explain", "run a shader function on one input and show the error of each operation, line by line");
-    command->add_option("file", options->file, "a GLSL file")->required();
-    command->add_option("function", options->function, "a function that it defines")->required();
-    command->add_option("value", options->values,
-                        "one for each scalar of its parameters, then of the uniforms that it uses, in order: "
-                        "a number, true or false, or bits as 0x...; of a quad or work group those of all its "
-                        "invocations, or of one, which all have then");
+    command
+        ->add_option(
+            "what", options->words,
+            "a GLSL file and a function that it defines, or an equation (gloam list equations); then a value "
+            "for each scalar of its parameters and of the uniforms that it uses, in order: a number, true or "
+            "false, or bits as 0x...; of a quad or work group those of all its invocations, or of one, which "
+            "all have then")
+        ->required();
     command->add_option("--variant", options->variant, "how the shader is compiled (gloam list variants)")
         ->capture_default_str();
     add_include_option(*command, options->includes);

@@ -14,6 +14,7 @@
 
 #include "base/version.hpp"
 #include "catalogue/catalogue.hpp"
+#include "catalogue/printed.hpp"
 #include "cli/environment.hpp"
 #include "cli/names.hpp"
 #include "cli/settings.hpp"
@@ -28,8 +29,9 @@ namespace {
 
 struct ListOptions {
     std::string kind;
-    std::string name;  // empty: all
+    std::vector<std::string> names;  // empty: all
     bool json = false;
+    bool markdown = false;
     std::filesystem::path html;
 };
 
@@ -52,9 +54,9 @@ std::vector<Named> variant_names() {
 using Kinds = std::vector<std::pair<std::string, std::function<std::vector<Named>()>>>;
 
 Kinds all_kinds() {
-    return {{"equations", equation_names}, {"methods", method_names},   {"presets", preset_names},
-            {"scenes", scene_names},       {"settings", setting_names}, {"variants", variant_names},
-            {"views", view_names}};
+    return {{"equations", equation_names}, {"methods", method_names}, {"numbers", number_names},
+            {"presets", preset_names},     {"scenes", scene_names},   {"settings", setting_names},
+            {"variants", variant_names},   {"views", view_names}};
 }
 
 nlohmann::ordered_json named_json(const Named& named) {
@@ -72,7 +74,7 @@ nlohmann::ordered_json equation_json(const catalogue::Entry& entry) {
             {"source", d.source}};
 }
 
-// As `--preset FILE.json` reads it: "settings" has those that differ from `tssao-paper`.
+// As `--preset FILE.json` reads it: "settings" has all that runs, "origins" where each is from.
 nlohmann::ordered_json preset_json(const Named& named) {
     const effect::Preset preset = effect::preset_named(named.name);
     nlohmann::ordered_json json{{"name", preset.name},
@@ -80,11 +82,9 @@ nlohmann::ordered_json preset_json(const Named& named) {
                                 {"published", preset.published},
                                 {"error", preset.error},
                                 {"time", preset.time}};
-    json["settings"] = nlohmann::ordered_json::object();
-    for (const effect::Setting& setting : effect::setting_table()) {
-        const effect::SettingValue value = setting.get(preset.settings);
-        if (value != setting.get(effect::Settings{})) json["settings"][setting.name] = json_of(value);
-    }
+    json["settings"] = json_of(preset.settings);
+    for (const effect::Setting& setting : effect::setting_table())
+        json["origins"][setting.name] = effect::origin_of(preset, setting.name);
     return json;
 }
 
@@ -98,38 +98,52 @@ nlohmann::ordered_json method_json(const Named& named) {
     return json;
 }
 
-// The names of a kind with all their properties.
-nlohmann::ordered_json kind_json(const std::string& kind, const std::vector<Named>& names) {
+nlohmann::ordered_json equations_json(const std::vector<std::string>& names) {
     auto json = nlohmann::ordered_json::array();
-    if (kind == "equations") {
-        for (const catalogue::Entry& entry : catalogue::all_entries(glsl_directory()))
-            json.push_back(equation_json(entry));
-        return json;
-    }
-    for (const Named& named : names)
-        json.push_back(kind == "settings"  ? json_of(effect::setting_named(named.name))
-                       : kind == "presets" ? preset_json(named)
-                       : kind == "methods" ? method_json(named)
-                                           : named_json(named));
+    for (const catalogue::Entry& entry : equations_named(names)) json.push_back(equation_json(entry));
     return json;
 }
 
 // All that is known of one name. Throws std::invalid_argument for a name that the kind does not have.
-nlohmann::ordered_json one_of(const std::string& kind, const nlohmann::ordered_json& all,
+nlohmann::ordered_json one_of(const std::string& kind, const std::vector<Named>& all,
                               const std::string& name) {
-    for (const auto& each : all)
-        if (each.at("name") == name) return each;
     if (kind == "presets") (void)effect::preset_named(name);  // gives the new name of an old one
-    throw std::invalid_argument(
-        fmt::format("{} \"{}\": expected a name of `gloam list {}`", kind, name, kind));
+    const auto named = std::ranges::find(all, name, &Named::name);
+    if (named == all.end())
+        throw std::invalid_argument(
+            fmt::format("{} \"{}\": expected a name of `gloam list {}`", kind, name, kind));
+    return kind == "settings"  ? json_of(effect::setting_named(name))
+           : kind == "presets" ? preset_json(*named)
+           : kind == "methods" ? method_json(*named)
+                               : named_json(*named);
 }
 
-// A property a line; what a preset sets as `--set` takes it, and the method as `--method` does.
+// These names of a kind, or all, with all their properties.
+nlohmann::ordered_json kind_json(const std::string& kind, const std::vector<Named>& all,
+                                 const std::vector<std::string>& names) {
+    if (kind == "equations") return equations_json(names);
+    auto json = nlohmann::ordered_json::array();
+    for (const Named& named : all)
+        if (names.empty()) json.push_back(one_of(kind, all, named.name));
+    for (const std::string& name : names) json.push_back(one_of(kind, all, name));
+    return json;
+}
+
+// A property a line; of a preset each setting as `--set` takes it, and the method as `--method` does, with
+// the symbol that its source has for it.
 void print_one(const nlohmann::ordered_json& one) {
     for (const auto& [key, value] : one.items()) {
         if (!value.is_object()) fmt::print("{}: {}\n", key, text_of(value));
-        if (value.is_object())
-            for (const auto& [setting, set] : value.items()) fmt::print("  {}={}\n", setting, text_of(set));
+        if (key != "settings") continue;
+        for (const auto& [setting, set] : value.items())
+            fmt::print("  {:<30} {}\n", setting + "=" + text_of(set), text_of(one.at("origins").at(setting)));
+    }
+}
+
+void print_each(const nlohmann::ordered_json& all) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (i > 0) fmt::print("\n");
+        print_one(all[i]);
     }
 }
 
@@ -162,10 +176,10 @@ std::string equations_page() {
     return page.html();
 }
 
-// One name a line; with its meaning where all kinds are listed, and for settings and presets, between which
-// one chooses by value, error and time.
+// One name a line; with its meaning where all kinds are listed, for settings and presets, between which one
+// chooses by value, error and time, and for numbers, which mean nothing alone.
 void print_names(const std::vector<Named>& names, const std::string& kind) {
-    const bool alone = !kind.empty() && kind != "settings" && kind != "presets";
+    const bool alone = !kind.empty() && kind != "settings" && kind != "presets" && kind != "numbers";
     std::size_t width = 18;
     for (const Named& named : names) width = std::max(width, named.name.size());
     for (const Named& named : names) {
@@ -175,33 +189,55 @@ void print_names(const std::vector<Named>& names, const std::string& kind) {
     }
 }
 
-void run_list(const ListOptions& options) {
+// One kind, or all of it that the names say; as text, or into the JSON. Of one name its properties are those
+// of the whole document.
+void list_kind(const std::string& kind, const std::vector<Named>& all, const ListOptions& options,
+               nlohmann::ordered_json& json) {
+    const bool named = !options.names.empty();
+    if (!options.json && !named) return print_names(all, options.kind);
+    nlohmann::ordered_json found = kind_json(kind, all, options.names);
+    if (!options.json) return print_each(found);
+    if (named && found.size() == 1)
+        json.update(found.front());
+    else
+        json[kind] = std::move(found);
+}
+
+// What is no kind may be a name of equations: `gloam list CS-3.1`.
+ListOptions with_kind(ListOptions options) {
+    const Kinds kinds = all_kinds();
+    if (options.kind.empty() || std::ranges::count(kinds, options.kind, &Kinds::value_type::first) > 0)
+        return options;
+    std::vector<std::string> known;
+    for (const auto& [kind, names] : kinds) known.push_back(kind);
+    options.names.insert(options.names.begin(), options.kind);
+    options.kind = "equations";
+    try {
+        (void)catalogue::find(catalogue::all_entries(glsl_directory()), {options.names.front()});
+    } catch (const std::invalid_argument&) {
+        throw std::invalid_argument(fmt::format("unknown kind \"{}\": expected {}, or a name of an equation",
+                                                options.names.front(), fmt::join(known, ", ")));
+    }
+    return options;
+}
+
+void run_list(const ListOptions& given) {
+    const ListOptions options = with_kind(given);
+    if (options.markdown) {
+        if (options.kind != "numbers")
+            throw std::invalid_argument("--markdown goes with `gloam list numbers`");
+        return fmt::print("{}", catalogue::printed_page(catalogue::all_entries(glsl_directory())));
+    }
     if (!options.html.empty()) {
         if (options.kind != "equations")
             throw std::invalid_argument("--html goes with `gloam list equations`");
-        report::OutputFile(options.html).write(equations_page());
-        return;
+        return report::OutputFile(options.html).write(equations_page());
     }
     nlohmann::ordered_json json{{"gloam", base::version()}};
-    std::vector<std::string> known;
     for (const auto& [kind, names] : all_kinds()) {
-        known.push_back(kind);
         if (!options.kind.empty() && options.kind != kind) continue;
         if (options.kind.empty() && !options.json) fmt::print("{}\n", kind);
-        const std::vector<Named> all = names();
-        json[kind] = kind_json(kind, all);
-        if (!options.name.empty()) json[kind] = one_of(kind, json[kind], options.name);
-        if (options.json) continue;
-        if (!options.name.empty()) print_one(json[kind]);
-        if (options.name.empty()) print_names(all, options.kind);
-    }
-    if (json.size() == 1) {
-        throw std::invalid_argument(
-            fmt::format("unknown kind \"{}\": expected {}", options.kind, fmt::join(known, ", ")));
-    }
-    if (!options.name.empty()) {
-        json.update(nlohmann::ordered_json(json[options.kind]));
-        json.erase(options.kind);
+        list_kind(kind, names(), options, json);
     }
     if (options.json) fmt::print("{}\n", json.dump(2));
 }
@@ -211,15 +247,19 @@ void run_list(const ListOptions& options) {
 void add_list(CLI::App& app) {
     auto options = std::make_shared<ListOptions>();
     CLI::App* command = app.add_subcommand("list", "the names that the other commands take");
+    command->add_option("kind", options->kind,
+                        "equations, methods, numbers (of equations in the papers), presets, scenes, "
+                        "settings, variants or views: one "
+                        "name a line, of settings with meaning, default and range, of presets with error and "
+                        "time, gloam's own first; "
+                        "all when not given");
     command->add_option(
-        "kind", options->kind,
-        "equations, methods, presets, scenes, settings, variants or views: one name a line, of "
-        "settings with meaning, default and range, of presets with error and time, gloam's own first; all "
-        "when not given");
-    command->add_option("name", options->name,
-                        "all that is known of this one: of a preset the settings that it changes, of a "
-                        "method what it measures");
+        "name", options->names,
+        "all that is known of these: of a preset every setting that runs and its source's symbol, of "
+        "a method what it measures; an equation by ID, number in a paper, function, file or glob");
     command->add_flag("--json", options->json, "names, descriptions and all other properties as JSON");
+    command->add_flag("--markdown", options->markdown,
+                      "numbers only: the page docs/equations.md, a table for each paper");
     command->add_option("--html", options->html,
                         "equations only: write a page of them all that is searched and sorted");
     command->callback([options] { run_list(*options); });

@@ -3,10 +3,18 @@
 
 #include <fmt/format.h>
 
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdio>
 #include <stdexcept>
+#include <utility>
 
 #include "base/text.hpp"
 #include "base/version.hpp"
+#include "catalogue/catalogue.hpp"
+#include "catalogue/printed.hpp"
+#include "cli/environment.hpp"
 #include "effect/methods.hpp"
 #include "effect/settings.hpp"
 #include "scene/scene.hpp"
@@ -43,7 +51,8 @@ std::vector<Named> setting_names() {
             effect::text_of(setting.get(effect::preset_named(effect::default_preset).settings));
         const std::string unit = setting.unit.empty() ? "" : " " + setting.unit;
         names.push_back(
-            {setting.name, fmt::format("{} ({}{}; {})", setting.meaning, value, unit, expected_of(setting))});
+            {setting.name, fmt::format("{} ({}: {}{}; {})", setting.meaning, effect::default_preset, value,
+                                       unit, expected_of(setting))});
     }
     return names;
 }
@@ -57,6 +66,27 @@ std::vector<Named> view_names() {
     for (const scene::ViewInfo& view : scene::all_views())
         names.push_back({view.name, fmt::format("{} ({} half; {})", view.description,
                                                 scene::name_of(view.half), view.kind)});
+    return names;
+}
+
+catalogue::Entries equations_named(const std::vector<std::string>& names) {
+    catalogue::Found found = catalogue::find(catalogue::all_entries(glsl_directory()), names);
+    for (const std::string& note : found.notes) fmt::print(stderr, "{}\n", note);
+    return std::move(found.entries);
+}
+
+std::vector<Named> number_names() {
+    const catalogue::Entries all = catalogue::all_entries(glsl_directory());
+    std::vector<Named> names;
+    for (const catalogue::PrintedEquation& printed : catalogue::printed_equations()) {
+        std::vector<std::string> functions;
+        for (const catalogue::Entry& entry : all)
+            if (std::ranges::find(printed.ids, entry.description.id) != printed.ids.end())
+                functions.push_back(entry.description.function);
+        const std::string note = printed.note.empty() ? "" : "; " + printed.note;
+        names.push_back(
+            {printed.number, fmt::format("{}: {}{}", printed.title, fmt::join(functions, ", "), note)});
+    }
     return names;
 }
 

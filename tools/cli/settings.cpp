@@ -40,6 +40,7 @@ ordered_json json_of(const effect::Setting& setting) {
             std::isfinite(setting.range.most) ? ordered_json(setting.range.most) : ordered_json(nullptr);
     }
     json["default"] = json_of(value);
+    json["default_of"] = effect::default_preset;
     return json;
 }
 

@@ -9,6 +9,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "catalogue/printed.hpp"
+
 namespace gloam::catalogue {
 namespace {
 
@@ -16,8 +18,50 @@ bool same_letter(char a, char b) {
     return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
 }
 
-bool matches_entry(const Entry& entry, std::string_view glob) {
-    return matches_glob(entry.description.id, glob) || matches_glob(entry.description.function, glob);
+bool is_glob(std::string_view name) {
+    return name.find_first_of("*?") != std::string_view::npos;
+}
+
+// Whether the name is the entry's ID or function, or the file that has it, also by a longer or shorter path.
+bool names_entry(const Entry& entry, std::string_view name) {
+    const Description& d = entry.description;
+    if (matches_glob(d.id, name) || matches_glob(d.function, name) || matches_glob(d.file, name)) return true;
+    return name.ends_with(".glsl") &&
+           (name.ends_with("/" + d.file) || d.file.ends_with("/" + std::string(name)));
+}
+
+// Adds an entry that is not there yet.
+void add_once(Entries& entries, const Entry& entry) {
+    const auto same = [&entry](const Entry& other) { return other.description.id == entry.description.id; };
+    if (std::ranges::none_of(entries, same)) entries.push_back(entry);
+}
+
+// What a number stands for. The same number as the ID of an entry means this entry alone.
+bool find_number(const Entries& all, const std::string& name, Found& found) {
+    bool any = false;
+    for (const PrintedEquation& printed : printed_equations()) {
+        if (!matches_glob(printed.number, number_from(name))) continue;
+        any = true;
+        for (const std::string& id : printed.ids)
+            for (const Entry& entry : all)
+                if (entry.description.id == id) add_once(found.entries, entry);
+        if (!printed.note.empty() && !is_glob(name))
+            found.notes.push_back(printed.number + ", " + printed.title + ": " + printed.note);
+    }
+    return any;
+}
+
+void find_one(const Entries& all, const std::string& name, Found& found) {
+    bool any = false;
+    for (const Entry& entry : all) {
+        if (!names_entry(entry, name)) continue;
+        any = true;
+        add_once(found.entries, entry);
+    }
+    if (any && !is_glob(name)) return;
+    if (!find_number(all, name, found) && !any)
+        throw std::invalid_argument("no equation matches \"" + name +
+                                    "\"; `gloam list equations` and `gloam list numbers` name them all");
 }
 
 // Gives each entry what the comments of the shader library say of its equation.
@@ -73,21 +117,15 @@ bool matches_glob(std::string_view text, std::string_view glob) {
            matches_glob(text.substr(1), glob.substr(1));
 }
 
-Entries select(const Entries& entries, const std::vector<std::string>& patterns) {
-    if (patterns.empty()) return entries;
-    for (const std::string& pattern : patterns) {
-        const auto known = [&pattern](const Entry& entry) { return matches_entry(entry, pattern); };
-        if (std::ranges::none_of(entries, known)) {
-            throw std::invalid_argument("no equation matches \"" + pattern +
-                                        "\"; `gloam list equations` names them all");
-        }
-    }
-    Entries selected;
-    for (const Entry& entry : entries) {
-        const auto wanted = [&entry](const std::string& pattern) { return matches_entry(entry, pattern); };
-        if (std::ranges::any_of(patterns, wanted)) selected.push_back(entry);
-    }
-    return selected;
+Found find(const Entries& entries, const std::vector<std::string>& names) {
+    if (names.empty()) return {.entries = entries, .notes = {}};
+    Found found;
+    for (const std::string& name : names) find_one(entries, name, found);
+    return found;
+}
+
+Entries select(const Entries& entries, const std::vector<std::string>& names) {
+    return find(entries, names).entries;
 }
 
 }  // namespace gloam::catalogue

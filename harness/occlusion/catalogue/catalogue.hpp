@@ -14,9 +14,19 @@ namespace gloam::catalogue {
 // describe.
 [[nodiscard]] Entries all_entries(const std::filesystem::path& glsl);
 
-// The entries whose ID or function matches one of the patterns (shell globs: * and ?, in any case); without
-// patterns all. Throws std::invalid_argument with a pattern that matches nothing.
-[[nodiscard]] Entries select(const Entries& entries, const std::vector<std::string>& patterns);
+// What names stand for.
+struct Found {
+    Entries entries;                 // each once, in the order of the names
+    std::vector<std::string> notes;  // of numbers that are no entry's own: what stands for them, and why
+};
+
+// Every command of the command line finds equations by this: by ID, by the number in a paper (printed.hpp),
+// by function, by file of the library ("gloam/filter/shrink.glsl") and by shell globs of these (* and ?), in
+// any case; without names all. Throws std::invalid_argument with a name that is none of them.
+[[nodiscard]] Found find(const Entries& entries, const std::vector<std::string>& names);
+
+// The entries of find().
+[[nodiscard]] Entries select(const Entries& entries, const std::vector<std::string>& names);
 
 // Whether the text matches the glob, in any case.
 [[nodiscard]] bool matches_glob(std::string_view text, std::string_view glob);

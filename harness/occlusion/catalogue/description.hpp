@@ -10,7 +10,7 @@ namespace gloam::catalogue {
 // The description of an equation for people. All but the file stands in the comment of its GLSL function,
 // which begins with one sentence:
 //
-//     // how far a pixel has converged (TSSAO-6): `conv = w / w_max` [TSSAO (Mattausch et al.), eq 6].
+//     // how far a pixel has converged (TSSAO-6): `conv = w / w_max` [TSSAO, eq 6].
 //     float gloam_convergence(float weight, float weight_max) {
 struct Description {
     std::string id;        // as in the paper or sheet, unique, no spaces: "TSSAO-5", "TSSAO-14-uniform"

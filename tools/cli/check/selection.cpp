@@ -2,6 +2,7 @@
 #include "cli/check/selection.hpp"
 
 #include <fmt/format.h>
+#include <filesystem>
 #include <map>
 #include <stdexcept>
 
@@ -70,8 +71,14 @@ std::vector<shader::Variant> variants_of(const CheckOptions& options) {
     return variants;
 }
 
+// A file of the library by its name there is its equations, unless there is a file of this name.
 bool is_of_file(const CheckOptions& options) {
-    return !options.equations.empty() && is_shader_file(options.equations.front());
+    if (options.equations.empty()) return false;
+    const std::string& first = options.equations.front();
+    std::error_code none;
+    if (std::filesystem::exists(first, none) || !std::filesystem::exists(glsl_directory() / first, none))
+        return is_shader_file(first);
+    return false;
 }
 
 namespace {
@@ -85,8 +92,7 @@ std::vector<std::string> names_of(const CheckOptions& options, CheckOutcome& out
         return own.names;
     }
     std::vector<std::string> names;
-    for (const catalogue::Entry& entry :
-         catalogue::select(catalogue::all_entries(glsl_directory()), options.equations))
+    for (const catalogue::Entry& entry : equations_named(options.equations))
         names.push_back(entry.description.id);
     return names;
 }

@@ -15,7 +15,9 @@
 
 #include "base/text.hpp"
 #include "base/version.hpp"
+#include "cli/check/checker.hpp"
 #include "cli/environment.hpp"
+#include "cli/names.hpp"
 #include "cli/pack/effect.hpp"
 #include "effect/methods.hpp"
 #include "report/output.hpp"
@@ -90,11 +92,39 @@ struct PackOptions {
     EffectPackOptions of_effect;
 };
 
-// A file by its path, or by its name inside the library.
-fs::path find_file(const std::string& name, const std::vector<fs::path>& roots) {
+// What is packed: whole files, or functions of some.
+struct Packed {
+    std::vector<fs::path> files;
+    std::vector<std::string> functions;
+};
+
+// A file by its path, or by its name inside the library; else an equation, of which only the function is
+// packed.
+void find_one(const std::string& name, const std::vector<fs::path>& roots, Packed& packed) {
     std::error_code none;
-    if (fs::exists(name, none)) return name;  // reading it says whether it is a text
-    return shader::resolve_include(name, {}, roots);
+    if (fs::exists(name, none))
+        return packed.files.emplace_back(name), void();  // reading it says if it is a text
+    const bool is_file = is_shader_file(name) || name.find('/') != std::string::npos;
+    if (is_file && name.find_first_of("*?") == std::string::npos)
+        return packed.files.push_back(shader::resolve_include(name, {}, roots));
+    for (const catalogue::Entry& entry : equations_named({name})) {
+        const fs::path file = shader::resolve_include(entry.description.file, {}, roots);
+        if (std::ranges::find(packed.files, file) == packed.files.end()) packed.files.push_back(file);
+        packed.functions.push_back(entry.description.function);
+    }
+}
+
+Packed find_all(const PackOptions& options, const std::vector<fs::path>& roots) {
+    Packed packed{.files = {}, .functions = options.functions};
+    bool whole = false;
+    for (const std::string& name : options.files) {
+        const std::size_t before = packed.functions.size();
+        find_one(name, roots, packed);
+        whole = whole || packed.functions.size() == before;
+    }
+    if (whole && packed.functions.size() > options.functions.size())
+        throw std::invalid_argument("files and equations together: expected one or the other");
+    return packed;
 }
 
 // The stage from the suffix of a file's name.
@@ -137,11 +167,10 @@ void pack_files(const PackOptions& options) {
     const std::optional<shader::Target> target = target_of(options);
     std::vector<fs::path> roots{glsl_directory()};
     roots.insert(roots.begin(), options.includes.begin(), options.includes.end());
-    std::vector<fs::path> files;
-    for (const std::string& name : options.files) files.push_back(find_file(name, roots));
+    const auto [files, functions] = find_all(options, roots);
     const report::OutputFile out(options.out);
     const shader::PackRequest request{
-        .language = *language, .functions = options.functions, .stage = stage_of(files)};
+        .language = *language, .functions = functions, .stage = stage_of(files)};
     const std::string text =
         with_version(in_language(shader::pack(files, request, roots), files.front(), target, request.stage));
     if (options.out.empty()) {
@@ -238,7 +267,9 @@ void add_pack(CLI::App& app) {
     auto options = std::make_shared<PackOptions>();
     CLI::App* command = app.add_subcommand(
         "pack", "one self-contained file of what is used, in GLSL or another language, or the whole effect");
-    command->add_option("file", options->files, "includes or whole shaders, as paths or as gloam/...");
+    command->add_option(
+        "file", options->files,
+        "includes or whole shaders, as paths or as gloam/..., or equations (gloam list equations)");
     command
         ->add_option("--function", options->functions,
                      "only this function and what it uses (default: main, else every function of the files); "
