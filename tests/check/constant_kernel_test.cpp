@@ -147,7 +147,7 @@ TEST(ConstantKernel, NeedsAVariantWithConstants) {
 
 TEST(ConstantCode, LiteralsAreExact) {
     using shader::Scalar;
-    const auto of = [](Scalar scalar, Word word) { return literal(scalar, std::span(&word, 1)); };
+    const auto of = [](Scalar scalar, Word word) { return literal(scalar, word); };
     const auto of_float = [&](float value) { return of(Scalar::float_, std::bit_cast<Word>(value)); };
     EXPECT_EQ(of_float(1.0F), "1.0");
     EXPECT_EQ(of_float(-0.0F), "-0.0");

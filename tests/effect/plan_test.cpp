@@ -270,13 +270,13 @@ TEST_F(Layouts, Buffers) {
                            MEMBER(M, angle_bias), MEMBER(M, mip_distance), MEMBER(M, steps),
                            MEMBER(M, disagreement), MEMBER(M, feature_thickness), MEMBER(M, layers)}));
     using S = TileState;
-    const std::vector<LaidOut> states = buffer_of(selection_source(1), "StatesAfter");
+    const std::vector<LaidOut> states = buffer_of({.file = "tiles/select.comp"}, "StatesAfter");
     ASSERT_EQ(states.size(), 1U);
     EXPECT_EQ(states[0].stride, sizeof(S));
     EXPECT_EQ(lines_of(states[0].members),
               (std::vector{MEMBER(S, flags), MEMBER(S, missed), MEMBER(S, pixels)}));
     using L = TileList;
-    const std::vector<LaidOut> lists = buffer_of(selection_source(1), "TileLists");
+    const std::vector<LaidOut> lists = buffer_of({.file = "tiles/select.comp"}, "TileLists");
     ASSERT_EQ(lists.size(), 2U);
     EXPECT_EQ(lists[0].sizes, std::vector<unsigned>{header_lists});
     EXPECT_EQ(lists[0].stride, sizeof(L));

@@ -8,8 +8,8 @@ class Usage : public InFolder {};
 
 TEST_F(Usage, HelpNamesEveryCommand) {
     const std::string result = output_of(gloam("--help"));
-    for (const char* command : {"demo", "devices", "list", "check", "report", "render", "bench", "stress",
-                                "pack", "explain"}) {
+    for (const char* command :
+         {"demo", "devices", "list", "check", "report", "render", "bench", "stress", "pack", "explain"}) {
         EXPECT_THAT(result, HasSubstr(command));
         const std::string help = output_of(gloam("{} --help", command));
         EXPECT_THAT(help, HasSubstr(command));
@@ -111,7 +111,8 @@ TEST_F(List, SettingsWithDefaultAndRange) {
     const CommandResult result = gloam("list settings");
     expect_success(result);
     for (const char* line :
-         {"samples            k_1: for each pixel that has not converged, in each frame (balanced: 10 samples; ",
+         {"samples            k_1: for each pixel that has not converged, in each frame (balanced: 10 "
+          "samples; ",
           "skip_settled       off: tiles that would not change are shaded, to the same result (balanced: on; "
           "on or off)"})
         EXPECT_THAT(result.out, HasSubstr(line));

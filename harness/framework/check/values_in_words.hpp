@@ -98,7 +98,7 @@ concept FloatValue = std::same_as<T, float> || std::same_as<T, double>;
 
 // The float16_t of the shader; its word is that of the float of its value.
 struct Float16 {
-    float value = 0.0F;
+    float value;  // 0 where it is value-initialized; trivial, so that GLM's vectors of it are, too
     constexpr Float16() = default;
     constexpr Float16(float x) : value(x) {}
     constexpr operator float() const { return value; }
