@@ -135,8 +135,12 @@ void print_one(const nlohmann::ordered_json& one) {
     for (const auto& [key, value] : one.items()) {
         if (!value.is_object()) fmt::print("{}: {}\n", key, text_of(value));
         if (key != "settings") continue;
-        for (const auto& [setting, set] : value.items())
-            fmt::print("  {:<30} {}\n", setting + "=" + text_of(set), text_of(one.at("origins").at(setting)));
+        for (const auto& [setting, set] : value.items()) {
+            const std::string origin = text_of(one.at("origins").at(setting));
+            const std::string assignment = setting + "=" + text_of(set);
+            if (origin.empty()) fmt::print("  {}\n", assignment);
+            if (!origin.empty()) fmt::print("  {:<30} {}\n", assignment, origin);
+        }
     }
 }
 

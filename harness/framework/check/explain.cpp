@@ -262,9 +262,10 @@ std::string line_of(const ExplainedStep& step, bool is_worst) {
                        permitted_text(step.permitted) + (is_worst ? "  <-- most of the error" : ""));
 }
 
-// A value that no operation made: floats without their bits.
+// A value that no operation of floats made; numbers without their bits.
 std::string bits_text(Scalar scalar, Word word) {
-    return scalar == Scalar::float_ ? value_text(double{from_word<float>(word)}, 9) : text_of(scalar, word);
+    if (scalar == Scalar::float_) return value_text(double{from_word<float>(word)}, 9);
+    return scalar == Scalar::uint_ ? fmt::format("{}", word) : text_of(scalar, word);
 }
 
 // "result 0.5 (0.50000001 in double, permitted [0.49999997, 0.50000003])", lists for a vector and for out
