@@ -69,7 +69,7 @@ float gloam_falloff_exponential(float hit_distance, float radius) {
 // That is u / d beyond u and d / u below: the obscurance of touching geometry vanishes.
 // hit_distance: d, world units. u: distance of the strongest influence, world units, > 0.
 // Returns a weight in [0, 1]; 0 (not 1) at d = 0, and 0 for u not positive, subnormal or NaN and for infinite d or u.
-// Error: 1 ULP.
+// Error: 2.5 ULP.
 // No method or pass here calls it: it is the falloff of the comparative study; Alchemy's contribution has it.
 float gloam_falloff_alchemy(float hit_distance, float u) {
     float d = abs(hit_distance);

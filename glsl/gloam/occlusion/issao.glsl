@@ -64,7 +64,7 @@ float gloam_contribution_issao(vec3 offset, vec3 normal, float radius, float phi
 
 // ISSAO's occlusion factor (ISSAO-6-mean): `A_0 = min((lambda / s) sum, 1)` [ISSAO, eq 6, reconstructed].
 // accumulated: (sum, count) of gloam_estimator_add. lambda: gain of the shadow, >= 0, 1 to 1.06 in the paper's figures.
-// Returns occlusion in [0, 1]; 0 for a count below 1 and for NaN. Error: 1.5 ULP.
+// Returns occlusion in [0, 1]; 0 for a count below 1 and for NaN. Error: 2.5 ULP.
 // No method or pass here calls it: it is ISSAO, eq 6, with lambda where it is printed; the method multiplies each tap.
 float gloam_issao_occlusion(vec2 accumulated, float lambda) {
     if (!(accumulated.y >= 1.0 && accumulated.x > 0.0 && lambda > 0.0)) return 0.0;

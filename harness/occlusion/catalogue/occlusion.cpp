@@ -38,7 +38,7 @@ void append_falloffs(Entries& entries) {
     add_falloff(entries, "FALLOFF-step", &reference::gloam_falloff_step, {});
     add_falloff(entries, "FALLOFF-exponential", &reference::gloam_falloff_exponential,
                 {.ulp = 10, .backward_ulp = 4});
-    add_falloff(entries, "FALLOFF-alchemy", &reference::gloam_falloff_alchemy, {.ulp = 1});
+    add_falloff(entries, "FALLOFF-alchemy", &reference::gloam_falloff_alchemy, {.ulp = 2.5});
 }
 
 Values depths() {
@@ -191,7 +191,7 @@ void append_issao_contributions(Entries& entries) {
                             .and_special();
     add(entries, "ISSAO-6-mean", &reference::gloam_issao_occlusion,
         {.domain = {sums, either(uniform(0.5, 1.5), lengths()).and_special()},
-         .budget = {.ulp = 1.5},
+         .budget = {.ulp = 2.5},
          .codomain = {0, 1}},
         [](glm::dvec2 sum, double lambda) { return moderate(1e-9, 1e9, sum, lambda); });
 }

@@ -56,10 +56,12 @@ struct Measured {
     double time;
 };
 
-// What `gloam bench presets` prints on llvmpipe (LLVM 15.0.6), two cores.
+// What `gloam bench presets` prints: errors, which an H200 and llvmpipe have alike, and times on llvmpipe
+// (LLVM 15.0.6), two cores. Those of sao-*, issao-*, sourimant-*, unreal-quality and aksoy_phaneuf-two were
+// measured with the history that these presets had.
 constexpr Measured measured[] = {{"fast", 0.0585, 1.00},
-                                 {"balanced", 0.0503, 1.62},
-                                 {"quality", 0.0474, 2.60},
+                                 {"balanced", 0.0498, 1.62},
+                                 {"quality", 0.0472, 2.60},
                                  {"reference", 0.0442, 4.99},
                                  {"tssao-paper", 0.0708, 2.42},
                                  {"study-crytek-performance", 0.1022, 2.39},
@@ -68,14 +70,14 @@ constexpr Measured measured[] = {{"fast", 0.0585, 1.00},
                                  {"study-filion-quality", 0.0711, 4.38},
                                  {"study-alchemy-performance", 0.0921, 1.49},
                                  {"study-alchemy-quality", 0.0913, 3.18},
-                                 {"sao-paper", 0.0840, 2.50},
-                                 {"sao-code", 0.0843, 2.71},
-                                 {"issao-figure3", 0.1014, 2.43},
-                                 {"issao-figure4", 0.0887, 2.46},
-                                 {"issao-figure5", 0.0999, 2.37},
-                                 {"issao-figure4-attenuated", 0.0863, 2.76},
-                                 {"issao-figure4-basic", 0.0826, 2.64},
-                                 {"aksoy_phaneuf-two", 0.1062, 2.35},
+                                 {"sao-paper", 0.0855, 2.50},
+                                 {"sao-code", 0.0852, 2.71},
+                                 {"issao-figure3", 0.0983, 2.43},
+                                 {"issao-figure4", 0.0846, 2.46},
+                                 {"issao-figure5", 0.0966, 2.37},
+                                 {"issao-figure4-attenuated", 0.0828, 2.76},
+                                 {"issao-figure4-basic", 0.0798, 2.64},
+                                 {"aksoy_phaneuf-two", 0.1069, 2.35},
                                  {"study-volumetric-performance", 0.1103, 1.60},
                                  {"study-volumetric-quality", 0.1111, 2.95},
                                  {"toy-story-3", 0.1118, 1.90},
@@ -87,9 +89,9 @@ constexpr Measured measured[] = {{"fast", 0.0585, 1.00},
                                  {"xegtao-medium", 0.0973, 1.60},
                                  {"xegtao-high", 0.0884, 2.14},
                                  {"xegtao-ultra", 0.0881, 5.11},
-                                 {"sourimant-least", 0.1292, 10.71},
-                                 {"sourimant-most", 0.1478, 30.42},
-                                 {"unreal-quality", 0.1509, 3.90},
+                                 {"sourimant-least", 0.1237, 10.71},
+                                 {"sourimant-most", 0.1430, 30.42},
+                                 {"unreal-quality", 0.1497, 3.90},
                                  {"loos-sloan-area", 0.1200, 2.30}};
 
 // Presets that were renamed or, if another took less time with less error, removed: the old name, and the one
