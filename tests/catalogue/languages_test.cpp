@@ -86,17 +86,11 @@ INSTANTIATE_TEST_SUITE_P(All, Languages, testing::ValuesIn(languages),
 // The file below glsl/, the text of the line, and the way of the branch (empty: the line itself).
 using Point = std::tuple<std::string, std::string, std::string>;
 
-constexpr const char* unusable =
-    "no weight so far: the chords of volumetric all have a length; tests/glsl/relatives_test.cpp tries it";
 constexpr const char* flushed =
     "NaN: only a device that flushes a subnormal contrast beside an infinite occlusion comes here";
 
 // Lines that the inputs of no entry reach, with the reason; it applies to all ways of the line.
 const std::map<std::pair<std::string, std::string>, std::string> unreached{
-    {{"gloam/gather/pair.glsl",
-      "return seen && (most.whole > 0.0 ? found.occluded * most.whole >= most.occluded * found.whole : "
-      "found.whole > 0.0);"},
-     unusable},
     {{"gloam/occlusion/hbao.glsl", "return visibility > 0.0 ? visibility : (visibility <= 0.0 ? 0.0 : 1.0);"},
      flushed}};
 
