@@ -198,7 +198,7 @@ class CacheDamage : public testing::Test {
         static_cast<void>(cache_.compile(doubling, {}));
         module_entry_ = only_file("spv");
         static_cast<void>(cache_.functions(doubling, {}));
-        functions_entry_ = only_file("types");
+        functions_entry_ = only_file("functions");
         module_bytes_ = base::read_file(module_entry_);
         functions_bytes_ = base::read_file(functions_entry_);
     }

@@ -202,14 +202,18 @@ class Faults {
     int brackets_ = 0;
 };
 
-// Throws what the first stage says of a text that is valid in none, by no rules.
+// Throws what the first stage says of a text that is valid in none, by no rules. A text without #version is
+// GLSL 4.50.
 void require_valid(const Source& source, const std::vector<std::filesystem::path>& roots) {
     using internal::Client;
+    std::vector<Source> pieces{source};
+    if (source.text.find("#version") == std::string::npos)
+        pieces.insert(pieces.begin(), {.name = source.name, .text = preamble(Language::vulkan450)});
     std::string why;
     for (const Client client : {Client::vulkan, Client::none}) {
         for (const Stage stage : {Stage::compute, Stage::fragment, Stage::vertex}) {
             try {
-                const internal::Parse parse(stage, client, source.name, {source}, roots);
+                const internal::Parse parse(stage, client, source.name, pieces, roots);
                 return;
             } catch (const CompileError& error) {
                 if (why.empty()) why = error.what();
