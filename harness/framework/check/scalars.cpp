@@ -57,7 +57,9 @@ Word stepped_float(Scalar scalar, Word word, std::int64_t steps) {
         return to_word(numeric::step(from_word<float>(word), static_cast<int>(steps)));
     const auto value = from_word<double>(word);
     if (!std::isfinite(value)) return word;
-    return float_word(scalar, value + static_cast<double>(steps) * numeric::float16.ulp(value));
+    // Below a power of two the numbers stand closer.
+    const double within = static_cast<double>(steps) * value < 0.0 ? std::nextafter(value, 0.0) : value;
+    return float_word(scalar, value + static_cast<double>(steps) * numeric::float16.ulp(within));
 }
 
 bool same_bits(std::span<const Scalar> scalars, std::span<const Word> a, std::span<const Word> b) {
