@@ -19,7 +19,7 @@ TEST(MethodFiles, EachHasADescriptor) {
 
 // The members of a struct of some file of the methods: a method may have that of a relative.
 std::vector<std::string> members_of(const std::string& structure) {
-    const std::regex member(R"( +(?:float|uint|bool) (\w+);.*)");
+    const std::regex member(R"( +(?:float|u?int|bool) (\w+);.*)");
     std::vector<std::string> members;
     for (const auto& entry :
          std::filesystem::directory_iterator(std::filesystem::path(GLOAM_GLSL_DIR) / "gloam/methods")) {

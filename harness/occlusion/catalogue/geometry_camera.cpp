@@ -115,7 +115,7 @@ Values positions() {
 void append_previous(Entries& entries) {
     add(entries, "TSSAO-RP-world", &reference::gloam_previous_world,
         {.domain = {positions(), rigid_matrices(10).and_special(), rigid_matrices(10).and_special()},
-         .budget = {.ulp = 4, .absolute = 2.4e-4, .of_largest_component = true},
+         .budget = {.ulp = 4, .absolute = 1.2e-4, .of_largest_component = true},
          .codomain = {-huge, huge}},
         [](const glm::dvec3& world, const auto&... matrices) {
             return moderate(smallest_entry, largest_entry, world, matrices...) &&

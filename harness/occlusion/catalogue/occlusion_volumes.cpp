@@ -49,7 +49,7 @@ Values sides() {
 void append_sides(Entries& entries) {
     add(entries, "FALLOFF-choice", &reference::gloam_falloff_at,
         {.domain = {integers(0, 5), uniform(0, 1.2).and_near({1.0})},
-         .budget = {.absolute = 4e-7},
+         .budget = {.absolute = 2e-7},
          .codomain = {0, 1}});
     add(entries, "SWEEP-start", &reference::gloam_sweep_side,
         {.domain = {uniform(-1, 1)}, .codomain = {-1, 1}});
