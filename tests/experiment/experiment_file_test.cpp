@@ -129,7 +129,6 @@ TEST(ExperimentFile, AColumnAsksForWhatThereIs) {
     refused(R"("value": "ms", "statistic": "slope")", ": expected a \"value\" of rmse, rmse_raw");
     refused(R"("value": "rmse", "frame": 0)", ".frame: expected a whole number from 1");
     refused(R"("value": "rmse", "most": "little")", ".most: expected a number");
-    refused(R"("value": "rmse", "beside": "luck")", ".beside: expected one of ms");
     refused(R"("value": "rmse", "repeated": "cakes")", ".repeated: expected one of candidates, cases");
     expect_refused(with("\"over\": \"loop\"", "\"cases\": [\"ski\"]"), "cases: \"ski\"");
     expect_refused(with("\"rows\": \"cases\"", "\"rows\": \"cases\", \"keep\": \"some\""),

@@ -15,7 +15,7 @@ Record everything() {
     more.shown.what = "25 %";
     more.quality->flicker = 0.001;
     more.quality->converged = Converged{.similarity = 0.5, .own = effect::Errors{.rmse = 0.25}};
-    more.point = PointQuality{.truth = 0.5, .occlusion = 0.4, .own = 0.3};
+    more.point = PointQuality{.truth = 0.5, .occlusion = 0.4, .shown = 0.3};
     more.quality->bias = std::numeric_limits<double>::quiet_NaN();
     more.work = {.pixels = 64, .samples = std::uint64_t{1} << 40U, .tiles_unfiltered = 7};
     record.add(more);
@@ -44,8 +44,7 @@ TEST(ExperimentRecord, ReadsWhatItWrote) {
     EXPECT_EQ(last.quality->flicker, 0.001);
     EXPECT_EQ(last.quality->converged->own->rmse, 0.25);
     EXPECT_FALSE(last.quality->converged->depth);
-    EXPECT_EQ(last.point->own, 0.3);
-    EXPECT_FALSE(last.point->shown);
+    EXPECT_EQ(last.point->shown, 0.3);
     EXPECT_TRUE(std::isnan(last.quality->bias));
     EXPECT_EQ(last.quality->memory_bytes, 3'145'728U);
     EXPECT_EQ(last.work.samples, std::uint64_t{1} << 40U);
@@ -310,13 +309,13 @@ TEST(ExperimentTable, AColumnsOwnTargetIsMetOrMissed) {
     EXPECT_TRUE(missed);
 }
 
-// Two methods at two points; the own value of the second is not known.
-TEST(ExperimentTable, PointsHaveTheirOwnValuesBeside) {
+// Two methods at two points; the second has no remapped value.
+TEST(ExperimentTable, OfPoints) {
     Record record({.experiment = "mine"});
     for (const char* shown : {"near", "far"}) {
         const bool near = shown[0] == 'n';
         Visit one = visit_of(shown, "one");
-        one.point = PointQuality{.truth = 0.5, .occlusion = near ? 0.25 : 0.75, .own = 0.3, .shown = 0.4};
+        one.point = PointQuality{.truth = 0.5, .occlusion = near ? 0.25 : 0.75, .shown = near ? 0.4 : 0.7};
         Visit two = visit_of(shown, "two");
         two.point = PointQuality{.truth = 0.5, .occlusion = 0.5};
         record.add(one);
@@ -325,12 +324,12 @@ TEST(ExperimentTable, PointsHaveTheirOwnValuesBeside) {
     }
     const Table table{.rows = "candidates",
                       .columns = {{.label = "candidate"},
-                                  {.value = "occlusion", .repeated = "cases", .beside = "own"},
+                                  {.value = "occlusion", .repeated = "cases"},
                                   {.value = "occlusion", .cases = {"near"}},
-                                  {.value = "off_own", .statistic = "furthest", .with_sign = true},
+                                  {.value = "off_truth", .statistic = "furthest", .with_sign = true},
                                   {.value = "off_truth"}}};
     EXPECT_EQ(rows_of(record, table),
-              "| one | 0.25 (0.30) | 0.75 (0.30) | 0.25 | far: +0.45 | -0.10 |\n"
+              "| one | 0.25 | 0.75 | 0.25 | far: +0.20 | 0.05 |\n"
               "| two | 0.50 | 0.50 | 0.50 | - | - |\n");
 }
 

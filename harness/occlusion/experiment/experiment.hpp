@@ -119,7 +119,6 @@ struct Column {
     // scored frames: "slope", the exponent of the mean square error as a power of the samples taken, as long
     // as all samples count.
     std::string statistic = "median";
-    std::string beside;  // a quantity in brackets behind the value
     int digits = 2;
     bool percent = false;
     bool with_sign = false;

@@ -156,7 +156,6 @@ Column column_from(const Value& value) {
     members.read("repeated", column.repeated, std::vector<std::string>{"candidates", "cases", "sizes"});
     members.read("statistic", column.statistic,
                  std::vector<std::string>{"median", "least", "most", "furthest", "of_best", "slope"});
-    members.read("beside", column.beside, quantities());
     members.read("digits", column.digits, 0, 9);
     members.read("percent", column.percent);
     members.read("with_sign", column.with_sign);

@@ -171,8 +171,6 @@ void members(Io& io, PointQuality& all) {
     io.member("truth", all.truth);
     io.member("occlusion", all.occlusion);
     io.member("standard_error", all.standard_error);
-    io.member("own", all.own);
-    io.member("own_standard_error", all.own_standard_error);
     io.member("shown", all.shown);
 }
 

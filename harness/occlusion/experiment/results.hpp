@@ -33,8 +33,6 @@ struct PointQuality {
     double truth = 0.0;  // cosine-weighted, linear falloff
     double occlusion = 0.0;
     double standard_error = 0.0;
-    std::optional<double> own;  // to which the method converges on ever finer images; nullopt: not known
-    std::optional<double> own_standard_error;
     std::optional<double> shown;  // nullopt: of the truth itself
 };
 

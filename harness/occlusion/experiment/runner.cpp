@@ -16,7 +16,6 @@
 #include "effect/methods.hpp"
 #include "effect/plan.hpp"
 #include "effect/study/closed_form.hpp"
-#include "effect/study/own_value.hpp"
 #include "experiment/internal/subject.hpp"
 
 namespace gloam::experiment {
@@ -263,17 +262,11 @@ class SizeRun {
         if (!study) study = std::make_unique<effect::ClosedFormStudy>(place_.device, place_.passes, pixels);
         const effect::Estimate measured =
             study->measure(view, settings, {.pixels = pixels, .frames = experiment_.frames});
-        constexpr double tolerance = 5e-4;
-        const bool of_pixels = effect::own_value_of(settings.method).of_pixels;
-        const auto own = effect::own_value(view, settings, of_pixels ? pixels : 0, tolerance);
         const effect::Remap remap = remap_of(settings);
-        PointQuality point{.truth = view.occlusion,
-                           .occlusion = measured.value,
-                           .standard_error = measured.error,
-                           .shown = 1.0 - remap(1.0 - measured.value)};
-        if (own) point.own = own->value;
-        if (own) point.own_standard_error = own->error;
-        return point;
+        return PointQuality{.truth = view.occlusion,
+                            .occlusion = measured.value,
+                            .standard_error = measured.error,
+                            .shown = 1.0 - remap(1.0 - measured.value)};
     }
 
     // The radius in the world stays that of the candidate; only the truth is another.

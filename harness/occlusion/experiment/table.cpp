@@ -155,10 +155,6 @@ class Writer {
         if (!value) return "-";
         std::string text = number_text(*value, column);
         if (column.most) text += most_text(*value, *column.most);
-        if (!column.beside.empty())
-            if (const auto other =
-                    mean_value(cases, of, column.beside, column.statistic, part_of(row, column)))
-                text += fmt::format(" ({})", number_text(*other, column));
         return column.front && on_front(cases, of) ? "**" + text + "**" : text;
     }
 

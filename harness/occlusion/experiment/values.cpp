@@ -49,10 +49,6 @@ std::optional<double> rmse_of(const std::optional<effect::Errors>& errors) {
     return errors ? std::optional(errors->rmse) : std::nullopt;
 }
 
-std::optional<double> difference(const std::optional<double>& a, const std::optional<double>& b) {
-    return a && b ? std::optional(*a - *b) : std::nullopt;
-}
-
 bool counts(const Part& passes, const std::string& name) {
     if (!passes.name.empty()) return name == passes.name;
     return passes.prefixes.empty() || std::ranges::any_of(passes.prefixes, [&](const std::string& prefix) {
@@ -190,10 +186,10 @@ const std::vector<Quantity>& untimed() {
         converged("converged_own", [](const Converged& all) { return rmse_of(all.own); }),
         point("truth", [](const PointQuality& all) { return std::optional(all.truth); }),
         point("occlusion", [](const PointQuality& all) { return std::optional(all.occlusion); }),
-        point("own", [](const PointQuality& all) { return all.own; }),
-        point("off_own", [](const PointQuality& all) { return difference(all.occlusion, all.own); }),
         point("shown", [](const PointQuality& all) { return all.shown; }),
-        point("off_truth", [](const PointQuality& all) { return difference(all.shown, all.truth); })};
+        point("off_truth", [](const PointQuality& all) {
+            return all.shown ? std::optional(*all.shown - all.truth) : std::nullopt;
+        })};
     return all;
 }
 
