@@ -4,10 +4,15 @@
 #include <cstdint>
 
 #include "effect/ambient_occlusion.hpp"
-#include "effect/study/own_value.hpp"
 #include "scene/analytic_scene.hpp"
 
 namespace gloam::effect {
+
+// A measured number and its standard error.
+struct Estimate {
+    double value = 0.0;
+    double error = 0.0;
+};
 
 struct ClosedFormOptions {
     std::uint32_t pixels = 129;        // on each side of the image, odd
