@@ -326,7 +326,7 @@ TEST_F(Layouts, SpecializationConstants) {
             EXPECT_EQ(found.push_constants->size, pass.parameters.size()) << method << " " << pass.name;
         }
     }
-    EXPECT_EQ(given.size(), 8U);
+    EXPECT_EQ(given.size(), 7U);
     for (const auto& [file, constants] : given)
         for (const std::uint32_t constant : constants) EXPECT_THAT(known[file], Contains(constant)) << file;
 }

@@ -157,11 +157,11 @@ TEST_F(CheckSteps, ABudgetOfTimeLeavesChecksForALaterRun) {
     const auto more = [&file](const std::string& words_of_it) {
         return words(words_of_it + " --json {}", file);
     };
-    const CommandResult first = check("HALTON-*", {"spirv-opt {each}"}, more("--budget 0.2"));
+    const CommandResult first = check("HALTON-base2", {"spirv-opt {each}"}, more("--budget 0.2"));
     EXPECT_EQ(first.status, 0) << first.out << first.err;
     EXPECT_THAT(first.out,
                 HasSubstr("checks were not run: the budget of 0.2 s is spent; --resume runs them"));
-    const CommandResult second = check("HALTON-*", {"spirv-opt {each}"}, more("--resume"));
+    const CommandResult second = check("HALTON-base2", {"spirv-opt {each}"}, more("--resume"));
     EXPECT_EQ(second.status, 0) << second.out << second.err;
     EXPECT_THAT(second.out, HasSubstr(" checks, 0 failed"));
     EXPECT_THAT(second.out, Not(HasSubstr("not run")));
