@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
 """Headless Chromium over SwiftShader, driven through its own protocol on a pipe. It needs no package of Python."""
-import base64
 import json
 import os
 import select
@@ -53,16 +52,14 @@ class Page:
 class Browser(Page):
     """One browser with one page. Use it in a `with` statement."""
 
-    def __init__(self, timeout=60, without=()):
-        """without: flags to leave out, or beginnings of flags."""
+    def __init__(self, timeout=60):
         self.timeout = timeout
-        flags = [flag for flag in FLAGS if not flag.startswith(tuple(without))]
         self.folder = tempfile.mkdtemp(prefix="gloam-browser-")
         to_read, self.to_browser = os.pipe()
         self.from_browser, to_write = os.pipe()
         self.process = subprocess.Popen(
             ["sh", "-c", f'exec "$0" "$@" 3<&{to_read} 4>&{to_write}', program(),
-             f"--user-data-dir={self.folder}", *flags],
+             f"--user-data-dir={self.folder}", *FLAGS],
             pass_fds=(to_read, to_write), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
             start_new_session=True)
         os.close(to_read)
@@ -120,10 +117,10 @@ class Browser(Page):
                 raise BrowserError(f"{method}: {answer['error']['message']}")
             return answer["result"]
 
-    def open(self, file, behind=""):
-        """Opens a file, with that text behind its address, and waits until its scripts have run."""
-        self.call("Page.navigate", url="about:blank")  # what differs behind the # alone would not load the page again
-        self.call("Page.navigate", url=Path(file).resolve().as_uri() + behind)
+    def open(self, file):
+        """Opens a file and waits until its scripts have run."""
+        self.call("Page.navigate", url="about:blank")
+        self.call("Page.navigate", url=Path(file).resolve().as_uri())
         self.wait("document.readyState === 'complete' && location.protocol === 'file:'")
 
     def evaluate(self, script):
@@ -134,29 +131,22 @@ class Browser(Page):
             raise BrowserError(details.get("exception", {}).get("description", details["text"]))
         return answer["result"].get("value")
 
-    def key(self, name, until="true", modifiers=0):
-        """Presses a key until an expression in the page is true: one of KEYS."""
+    def key(self, name):
+        """Presses a key: one of KEYS."""
         code, text = KEYS[name]
-        press = {"key": text if text and text != "\r" else name, "code": name, "windowsVirtualKeyCode": code,
-                 "modifiers": modifiers}
+        press = {"key": text if text and text != "\r" else name, "code": name, "windowsVirtualKeyCode": code}
         self.call("Input.dispatchKeyEvent", type="keyDown", **press, **({"text": text} if text else {}))
-        self.wait(until)
         self.call("Input.dispatchKeyEvent", type="keyUp", **press)
 
-    def mouse(self, *steps, button="left", modifiers=0):
-        """Moves the mouse through points of the window, with a button down from the first on. modifiers: 8 is shift."""
+    def mouse(self, *steps):
+        """Moves the mouse through points of the window, with its button down from the first on."""
         kinds = ["mousePressed", *["mouseMoved"] * (len(steps) - 1)]
         for kind, (x, y) in [*zip(kinds, steps), ("mouseReleased", steps[-1])]:
-            self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button=button, clickCount=1, modifiers=modifiers,
+            self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1,
                       buttons=0 if kind == "mouseReleased" else 1)
 
     def wheel(self, x, y, delta):
         self.call("Input.dispatchMouseEvent", type="mouseWheel", x=x, y=y, deltaX=0, deltaY=delta)
-
-    def touch(self, *steps):
-        """Fingers on the screen: each step is the points of all of them."""
-        for kind, points in [("touchStart", steps[0]), *[("touchMove", step) for step in steps[1:]], ("touchEnd", [])]:
-            self.call("Input.dispatchTouchEvent", type=kind, touchPoints=[{"x": x, "y": y} for x, y in points])
 
     def problems(self):
         """Exceptions and errors that the pages have reported so far."""
@@ -181,13 +171,9 @@ class Browser(Page):
     def save_downloads_to(self, folder):
         self.call("Browser.setDownloadBehavior", behavior="allow", downloadPath=str(folder))
 
-    def look(self, width, height, dark=False, scale=1):
+    def look(self, width, height, dark=False):
         """Sets the size of the window and its colours."""
-        self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=scale,
+        self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1,
                   mobile=width < 600)
         self.call("Emulation.setEmulatedMedia",
                   features=[{"name": "prefers-color-scheme", "value": "dark" if dark else "light"}])
-
-    def picture(self, file):
-        """Saves what the window shows as a PNG."""
-        Path(file).write_bytes(base64.b64decode(self.call("Page.captureScreenshot", format="png")["data"]))

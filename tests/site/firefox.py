@@ -115,9 +115,8 @@ class Firefox(Page):
             raise BrowserError(f"{command}: {error.get('message')}")
         return result
 
-    def open(self, file, behind=""):
-        """Opens a file, with that text behind its address."""
-        self.call("WebDriver:Navigate", {"url": Path(file).resolve().as_uri() + behind})
+    def open(self, file):
+        self.call("WebDriver:Navigate", {"url": Path(file).resolve().as_uri()})
 
     def evaluate(self, script):
         """The value of an expression in the page; a promise is awaited."""

@@ -10,41 +10,36 @@ import browser
 import firefox
 from site_case import SHADE, SiteCase, main
 
-HASH = "#scene=columns&size=320x180"
-
 
 class FirefoxTest(SiteCase):
     open_browser = firefox.Firefox
 
     def begin(self, page):
-        page.open(self.site / "index.html", HASH)
-        page.wait("gloam.live.state.effect?.frames > 1")
+        page.open(self.site / "index.html")
+        page.wait("gloam.live.state.picture?.occlusion.frames > 1")
 
-    def occlusion(self, page, method):
+    def occlusion(self, page):
         self.begin(page)
-        script = SHADE.format(width=192, height=108, method=method, preset="balanced", frames=4, moves="true",
-                              read="readOcclusion")
+        script = SHADE.format(width=192, height=108, preset="balanced", frames=4, moves="true", read="readOcclusion")
         return array.array("f", base64.b64decode(page.evaluate(script)))
 
     def test_the_occlusion_is_that_of_chromium(self):
         """Their rasterizers differ, so pixels at edges may differ at all: means and percentiles are compared. The
-        bounds are twice those of effect_test.py, which compares either with the program."""
-        for method in ("sweep", "hemisphere"):
-            with browser.Browser() as chromium:
-                want = self.occlusion(chromium, method)
-            got = self.occlusion(self.browser, method)
-            self.assertEqual(192 * 108, len(got))
-            self.assertGreater(max(got) - min(got), 0.5)
-            errors = sorted(abs(a - b) for a, b in zip(got, want))
-            self.assertLess(sum(errors) / len(errors), 0.003, method)
-            self.assertLess(errors[len(errors) // 2], 4e-5, method)
-            self.assertLess(errors[len(errors) * 95 // 100], 0.006, method)
+        bounds are twice those of effect_test.py, which compares Chromium with the program."""
+        with browser.Browser() as chromium:
+            want = self.occlusion(chromium)
+        got = self.occlusion(self.browser)
+        self.assertEqual(192 * 108, len(got))
+        self.assertGreater(max(got) - min(got), 0.5)
+        errors = sorted(abs(a - b) for a, b in zip(got, want))
+        self.assertLess(sum(errors) / len(errors), 0.003)
+        self.assertLess(errors[len(errors) // 2], 4e-5)
+        self.assertLess(errors[len(errors) * 95 // 100], 0.006)
 
     def test_every_page_works(self):
         self.begin(self.browser)
         self.assertEqual("", self.browser.text("told"))
-        self.assertRegex(self.browser.text("timing"),
-                         "^WebGL2: .* ms from frame to frame")
+        self.assertRegex(self.browser.text("timing"), "^WebGL2: .* ms from frame to frame")
         for page, ready in (("methods", "document.querySelectorAll('tbody tr').length === 1"),
                             ("check", "document.getElementById('gpu').textContent !== 'unknown'")):
             self.browser.open(self.site / f"{page}.html")

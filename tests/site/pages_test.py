@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""pages_test.py GLOAM DOCS: the pages of the site in headless Chromium, and the pictures and the truth of the first.
+"""pages_test.py GLOAM DOCS: the pages of the site in headless Chromium, their pictures, and what the program refuses.
 
 Left with status 77 where there is no Chromium."""
 import json
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 from site_case import GLOAM, SiteCase, main
@@ -18,7 +19,7 @@ METHODS = ["gtao", "sweep"]
 class PagesTest(SiteCase):
     @classmethod
     def words(cls):
-        return ["TSSAO-5", "--method", *METHODS]
+        return ["TSSAO-5", "--method", *METHODS, "--address", "https://example.org/gloam/"]
 
     def open(self, page, dark=False, width=1000):
         self.browser.look(width, 900, dark)
@@ -95,25 +96,33 @@ class PagesTest(SiteCase):
         self.assertEqual(3, len({(self.site / f"room-{name}.png").read_bytes()
                                  for name in ("with", "without", "truth")}))
         self.assertIn("error", self.text(".choose figcaption"))
-        self.assertIn('content="room-with.png"', (self.site / "index.html").read_text(encoding="utf-8"))
+        self.assertIn('content="https://example.org/gloam/room-with.png"', (self.site / "index.html").read_text(encoding="utf-8"))
 
-    def test_truth_is_that_of_the_program(self):
-        """The page and the program rasterize for themselves, so their pixels at edges differ."""
-        self.browser.look(1000, 900)
-        self.browser.open(self.site / "index.html", "#left=truth&view=difference&method=gtao")
-        if self.browser.evaluate("gloam.effectData.truths.length") == 0:
-            self.skipTest("there is no Vulkan device")
-        self.browser.wait("gloam.live.state.effect?.frames >= 16")
-        self.assertEqual("truth: 256 rays a pixel of 480x270, radius 0.3", self.text("#left-told"))
-        got = self.browser.evaluate("gloam.live.state.effect.error()")
-        out = self.site.parent / "truth"
-        subprocess.run([GLOAM, "render", "room", "--still", "--frames", "16", "--size", "480x270", "--method", "gtao",
-                        "--truth", "--truth-rays", "256", "--out", out, "--quiet"], check=True)
-        want = json.loads((out / "render.json").read_text(encoding="utf-8"))["frames"][-1]["errors"]["filtered"]["rmse"]
-        self.assertAlmostEqual(want, got, delta=0.005)
-        self.assertGreater(got, 0.02)
-        self.browser.evaluate("gloam.live.state.orbit.change({yaw: 0.1})")
-        self.browser.wait("document.getElementById('left-told').textContent === 'without'")
+    def test_the_commands_of_the_doors_run(self):
+        self.open("index")
+        commands = self.browser.evaluate("[...document.querySelectorAll('pre.command')].map((one) => one.textContent)")
+        self.assertEqual(3, len(commands))
+        with tempfile.TemporaryDirectory() as folder:
+            Path(folder, "luminance.glsl").write_text(self.text("#luminance"), encoding="utf-8")
+            for command in commands:
+                name, *words = command.split()
+                self.assertEqual("gloam", name)
+                done = subprocess.run([GLOAM, *words], check=True, capture_output=True, text=True, cwd=folder)
+                self.assertIn("gloam_sweep" if "pack" in words else " 0 failed", done.stdout)
+
+    def test_previews_have_the_address_of_the_site(self):
+        text = (self.site / "methods.html").read_text(encoding="utf-8")
+        self.assertIn('<meta property="og:url" content="https://example.org/gloam/methods.html">', text)
+        self.assertIn('<meta property="og:title" content="gloam: methods', text)
+
+    def test_wrong_options_write_nothing(self):
+        for option, value, words in (("--address", "example.org", '"example.org": expected an address like'),
+                                     ("--method", "no_such", "no_such")):
+            wrong = subprocess.run([GLOAM, "site", self.site.parent / "wrong", option, value, "--no-pictures"],
+                                   check=False, capture_output=True, text=True)
+            self.assertNotEqual(0, wrong.returncode)
+            self.assertIn(words, wrong.stderr)
+            self.assertFalse((self.site.parent / "wrong").exists())
 
     def test_a_site_without_pictures_has_none(self):
         folder = self.site.parent / "plain"

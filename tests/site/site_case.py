@@ -11,17 +11,16 @@ from browser import Browser, program
 
 GLOAM = sys.argv[1]
 
-# Renders the first frames of the path on the first page, and gives what `read` reads of the last one as base64.
+# Renders the first frames of the path in columns, and gives what `read` reads of the last one as base64.
 SHADE = """(async () => {{
-    const {{effect}} = gloam.live.state;
     gloam.live.state.failed = true;  // ends the page's own loop
-    effect.setSize({width}, {height});
-    effect.setMethod(await gloam.method("{method}"), "{preset}", effect.scene.radius);
-    for (let i = 0; i < {frames}; ++i) effect.frame(gloam.camera.at(effect.scene.cameras, {moves} ? i : 0));
-    const bytes = new Uint8Array((await effect.{read}()).buffer);
-    let text = "";
-    for (const byte of bytes) text += String.fromCharCode(byte);
-    return btoa(text);
+    const picture = new gloam.Picture(new OffscreenCanvas(1, 1), {width}, {height});
+    const scene = await gloam.scene("columns");
+    picture.set(scene, "{preset}", scene.radius);
+    for (let i = 0; i < {frames}; ++i) picture.frame(gloam.cameraAt(scene, {moves} ? i : 0));
+    const bytes = new Uint8Array(picture.occlusion.{read}().buffer);
+    picture.passes.gl.getExtension("WEBGL_lose_context").loseContext();
+    return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
 }})()"""
 
 

@@ -6,11 +6,9 @@
 #include <cstddef>
 #include <exception>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "base/text.hpp"
 #include "cli/environment.hpp"
 #include "cli/names.hpp"
 #include "cli/progress.hpp"
@@ -20,7 +18,6 @@
 #include "effect/methods.hpp"
 #include "report/image.hpp"
 #include "report/output.hpp"
-#include "scene/truth.hpp"
 #include "site/site.hpp"
 
 namespace gloam::cli {
@@ -37,11 +34,6 @@ struct RenderedPictures {
     site::SitePictures of_site;
     std::size_t bytes = 0;
 };
-
-using nlohmann::ordered_json;
-
-// The scenes of the first page.
-constexpr const char* scenes[] = {"columns", "knot", "room"};
 
 // Writes pictures and counts their bytes.
 class PictureFolder {
@@ -72,8 +64,6 @@ std::unique_ptr<RenderBench> open_bench(const PictureOptions& options) {
     }
 }
 
-constexpr int rays_of_truth = 256;
-
 // The room without and with occlusion, and with the true one (page/index.html). Returns their caption.
 std::string render_room(const PictureOptions& options, RenderBench& bench, PictureFolder& folder) {
     const RenderOptions render_options{.source = "room",
@@ -81,7 +71,7 @@ std::string render_room(const PictureOptions& options, RenderBench& bench, Pictu
                                        .still = true,
                                        .device = options.device,
                                        .trace_truth = true,
-                                       .truth_rays = rays_of_truth,
+                                       .truth_rays = 256,
                                        .quiet = true};
     bench.forget_light();
     const Rendered run = render(render_options, open_input(render_options), bench, {});
@@ -89,24 +79,6 @@ std::string render_room(const PictureOptions& options, RenderBench& bench, Pictu
     folder.write("room-without.png", run.last.plain, run.last.extent);
     folder.write("room-truth.png", run.last.truth_lit, run.last.extent);
     return fmt::format("A room, rendered on {}: {}", bench.device.info().name, caption_of(run.report));
-}
-
-// The first view of a scene, and its ray-traced truth as a script for the page: a picture of a file cannot be
-// read by the scripts of another file.
-void write_truth_script(const std::string& name, RenderBench& bench, report::OutputFolder& folder) {
-    const RenderOptions render_options{.source = name, .frames = 1, .still = true, .size = "480x270"};
-    const RenderInput input = open_input(render_options);
-    const scene::GBuffer view = scene::cropped(input.load(bench.device, bench.passes, input.views.front()));
-    const scene::TruthSettings settings{.rays = {.radius = *view.ao_radius, .rays = rays_of_truth}};
-    const scene::TracedTruth truth =
-        scene::TruthCache(truth_cache_directory()).geometry(*input.scene, input.first_frame, view, settings);
-    const std::string png = report::to_visibility_png(truth.occlusion, view.extent.width, view.extent.height);
-    const std::vector<unsigned char> bytes(png.begin(), png.end());
-    const ordered_json json{{"picture", base::base64(bytes)},
-                            {"width", view.extent.width},
-                            {"height", view.extent.height},
-                            {"rays", truth.rays}};
-    folder.write("truth-" + name + ".js", "gloam.truths.set(\"" + name + "\", " + json.dump() + ");\n");
 }
 
 // What a method makes of the room, in the preset that the page begins with.
@@ -138,19 +110,14 @@ std::vector<std::string> methods_of(const PictureOptions& options) {
     return names;
 }
 
-// Renders the pictures of the room and of the methods, traces the truth of the scenes that the first page
-// shows, and writes all into the folder. Without a Vulkan device there are none.
-// Throws std::invalid_argument for an unknown method.
+// Renders the pictures of the room and of the methods into the folder. Without a Vulkan device there are
+// none. Throws std::invalid_argument for an unknown method.
 RenderedPictures write_site_pictures(const PictureOptions& options, report::OutputFolder& folder) {
     RenderedPictures all;
     const std::vector<std::string> methods = methods_of(options);
     const std::unique_ptr<RenderBench> bench = options.pictures ? open_bench(options) : nullptr;
     if (!bench) return all;
     PictureFolder pictures(folder);
-    for (const char* name : scenes) {
-        write_truth_script(name, *bench, folder);
-        all.of_site.truths.emplace_back(name);
-    }
     all.of_site.caption = render_room(options, *bench, pictures);
     all.of_site.preview = "room-with.png";
     bench->forget_light();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 #include <variant>
 
@@ -49,29 +49,15 @@ ordered_json value_json(const effect::SettingValue& value) {
     return std::get<std::string>(value);
 }
 
-// All settings by name, and what follows from the method.
-ordered_json settings_json(const effect::Settings& settings, const effect::MethodInfo& method) {
+// All settings by name, for a radius of 1, and what follows from the method.
+ordered_json settings_json(const effect::Settings& settings) {
+    const effect::MethodInfo& method = effect::method_named(settings.method);
     ordered_json json = ordered_json::object();
     for (const effect::Setting& setting : effect::setting_table())
         json[setting.name] = value_json(setting.get(settings));
     json["samples_unit"] = effect::unit_of(method, settings.own.steps);
     json["rounds_up"] = method.unit == effect::SampleUnit::pair;
     return json;
-}
-
-ordered_json method_json(const effect::MethodInfo& method, const ShaderFolders& folders) {
-    ordered_json settings = ordered_json::object();
-    for (const effect::Preset& preset : effect::presets()) {
-        if (!runs_live(preset)) continue;
-        const effect::Settings own = preset.settings.method == method.name
-                                         ? preset.settings
-                                         : effect::with_method(preset.settings, method.name);
-        settings[preset.name] = settings_json(own, method);
-    }
-    return {{"name", method.name},
-            {"description", method.description},
-            {"settings", std::move(settings)},
-            {"text", pass_text(occlusion_pass(method, folders), folders)}};
 }
 
 // A function of the library with what it uses, as a text that another shader can contain: without its head.
@@ -86,28 +72,6 @@ std::string function_text(const std::string& file, const std::string& function,
     return text;
 }
 
-// The passes of the class, but for the methods.
-const std::vector<std::string>& class_passes() {
-    static const std::vector<std::string> files{
-        "whole_image.vert",  "take_inputs.frag", "normals_from_depth.frag",
-        "halve_inputs.frag", "reproject.frag",   "spatial_filter.frag",
-        "upsample.frag"};
-    return files;
-}
-
-// What every user of the class needs, but for shaders.
-ordered_json core_json() {
-    ordered_json json{{"preset", effect::default_preset}};
-    for (const effect::Preset& preset : effect::presets())
-        if (runs_live(preset))
-            json["presets"].push_back({{"name", preset.name},
-                                       {"description", preset.description},
-                                       {"method", preset.settings.method}});
-    for (const effect::Setting& setting : effect::setting_table())
-        if (setting.unit == "world units") json["lengths"].push_back(setting.name);
-    return json;
-}
-
 std::string text_of(const ordered_json& json) {
     return json.dump(-1, ' ', true);
 }
@@ -120,39 +84,36 @@ std::string pass_text(const PassText& pass, const ShaderFolders& folders) {
                                   {folders.library}));
 }
 
-bool runs_in_page(const effect::MethodInfo& method) {
-    return method.prepare == nullptr;
-}
-
-std::string effect_json(const std::vector<std::string>& truths, const ShaderFolders& folders) {
-    ordered_json json = core_json();
-    json["truths"] = truths;
-    for (const effect::MethodInfo& method : effect::methods())
-        if (runs_in_page(method))
-            json["methods"].push_back({{"name", method.name}, {"description", method.description}});
-    add_passes(class_passes(), folders, json);
-    json["gbuffer_vertices"] = pass_text(file_pass("gbuffer.vert", folders), folders);
-    add_passes({"gbuffer.frag", "show.frag"}, folders, json);
+std::string effect_json(const ShaderFolders& folders) {
+    ordered_json json{{"preset", effect::default_preset}};
+    std::set<std::string> methods;
+    for (const effect::Preset& preset : effect::presets()) {
+        if (!runs_live(preset)) continue;
+        methods.insert(preset.settings.method);
+        json["presets"].push_back({{"name", preset.name},
+                                   {"description", preset.description},
+                                   {"method", preset.settings.method},
+                                   {"settings", settings_json(preset.settings)}});
+    }
+    for (const effect::Setting& setting : effect::setting_table())
+        if (setting.unit == "world units") json["lengths"].push_back(setting.name);
+    add_passes({"whole_image.vert", "take_inputs.frag", "normals_from_depth.frag", "halve_inputs.frag",
+                "reproject.frag", "spatial_filter.frag", "upsample.frag"},
+               folders, json);
+    json["multi_bounce"] = function_text("gloam/shading/multi_bounce.glsl", "gloam_multi_bounce", folders);
+    for (const std::string& name : methods) {
+        const effect::MethodInfo& method = effect::method_named(name);
+        json["methods"].push_back({{"name", name},
+                                   {"description", method.description},
+                                   {"text", pass_text(occlusion_pass(method, folders), folders)}});
+    }
     return text_of(json);
 }
 
-std::map<std::string, std::string> effect_methods(const ShaderFolders& folders) {
-    std::map<std::string, std::string> all;
-    for (const effect::MethodInfo& method : effect::methods())
-        if (runs_in_page(method)) all[method.name] = text_of(method_json(method, folders));
-    return all;
-}
-
-std::string npm_effect(const ShaderFolders& folders) {
-    ordered_json core = core_json();
-    add_passes(class_passes(), folders, core);
-    core["multi_bounce"] = function_text("gloam/shading/multi_bounce.glsl", "gloam_multi_bounce", folders);
-    for (const effect::MethodInfo& method : effect::methods()) {
-        const auto uses = [&method](const ordered_json& preset) { return preset["method"] == method.name; };
-        if (std::ranges::any_of(core["presets"], uses))
-            core["methods"].push_back(method_json(method, folders));
-    }
-    return text_of(core);
+std::string picture_json(const ShaderFolders& folders) {
+    ordered_json json{{"gbuffer_vertices", pass_text(file_pass("gbuffer.vert", folders), folders)}};
+    add_passes({"gbuffer.frag", "show.frag"}, folders, json);
+    return text_of(json);
 }
 
 std::string effect_classes(const std::filesystem::path& folder) {

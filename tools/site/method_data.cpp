@@ -52,8 +52,11 @@ std::map<std::string, MethodFailure> method_failures(std::string_view markdown) 
 }
 
 std::vector<catalogue::Description> method_equations(
-    const effect::MethodInfo& method, const std::string& text,
+    const effect::MethodInfo& method, const std::filesystem::path& library,
     const std::map<std::string, catalogue::Description>& equations) {
+    const std::string own = "gloam_" + method.name;
+    const std::string text =
+        shader::pack(std::vector{library / file_of(method)}, {.functions = {own}}, {library});
     std::vector<catalogue::Description> used;
     for (const auto& [id, equation] : equations) {
         const bool of_occlusion =
@@ -61,8 +64,7 @@ std::vector<catalogue::Description> method_equations(
         if (of_occlusion && text.find(" " + equation.function + "(") != std::string::npos)
             used.push_back(equation);
     }
-    std::ranges::stable_partition(
-        used, [&method](const auto& equation) { return equation.function == "gloam_" + method.name; });
+    std::ranges::stable_partition(used, [&own](const auto& equation) { return equation.function == own; });
     return used;
 }
 
@@ -76,28 +78,13 @@ std::string method_json(const effect::MethodInfo& method,
                         {"formula", equation.formula},
                         {"source", equation.source},
                         {"function", equation.function}});
-    const ordered_json json{{"name", method.name},       {"description", method.description},
-                            {"file", file_of(method)},   {"measure", to_string(method.measure)},
-                            {"falloff", method.falloff}, {"live", runs_in_page(method)},
-                            {"equations", rows},         {"presets", presets_of(method)},
-                            {"fails", failure.words},    {"number", failure.number},
-                            {"picture", picture.file},   {"caption", picture.caption}};
+    const ordered_json json{{"name", method.name},           {"description", method.description},
+                            {"file", file_of(method)},       {"measure", to_string(method.measure)},
+                            {"falloff", method.falloff},     {"equations", rows},
+                            {"presets", presets_of(method)}, {"fails", failure.words},
+                            {"number", failure.number},      {"picture", picture.file},
+                            {"caption", picture.caption}};
     return json.dump(-1, ' ', true);
-}
-
-std::map<std::string, std::string> method_texts(const effect::MethodInfo& method,
-                                                const std::filesystem::path& library) {
-    const std::vector<std::filesystem::path> files{library / file_of(method)};
-    const auto packed = [&](shader::Language language) {
-        return shader::pack(files, {.language = language, .functions = {"gloam_" + method.name}}, {library});
-    };
-    const std::string vulkan = packed(shader::Language::vulkan450);
-    std::map<std::string, std::string> texts{{vulkan_text, vulkan},
-                                             {"GLSL 3.30", packed(shader::Language::gl330)},
-                                             {"GLSL ES 3.00", packed(shader::Language::es300)}};
-    for (const auto& [name, target] : {std::pair{"HLSL", shader::Target::hlsl}, {"MSL", shader::Target::msl}})
-        texts[name] = shader::translated({.name = file_of(method), .text = vulkan}, target);
-    return texts;
 }
 
 }  // namespace gloam::site

@@ -41,7 +41,7 @@ std::string package_json(const std::string& version) {
 std::map<std::string, std::string> npm_package(const NpmOptions& options) {
     const ShaderFolders folders{options.library, options.files / "shaders"};
     std::map<std::string, std::string> files{{"package.json", package_json(options.version)},
-                                             {"index.js", index_text(options, npm_effect(folders))},
+                                             {"index.js", index_text(options, effect_json(folders))},
                                              {"LICENSE", base::read_file(options.licence)}};
     for (const char* name : {"index.d.ts", "three.js", "three.d.ts", "README.md"})
         files[name] = base::read_file(options.files / "npm" / name);

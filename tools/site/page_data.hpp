@@ -35,7 +35,7 @@ class Bytes {
     std::vector<unsigned char> bytes_;
 };
 
-// A prepared check as JSON for the page (page/checks.js lists the members). Words and doubles are base64 of
+// A prepared check as JSON for the page (page/judge.js reads it). Words and doubles are base64 of
 // their little-endian bytes.
 [[nodiscard]] std::string check_json(const catalogue::Description& description,
                                      const check::Question& question, const check::PreparedCheck& prepared);
@@ -46,27 +46,18 @@ struct ShaderFolders {
     std::filesystem::path page;     // with occlusion.frag
 };
 
-// The presets, the methods that run in the page, and its passes (pass_text()) but for those of methods, by
-// name: as JSON (effect/ambient-occlusion.js). truths: the scenes with ray-traced truth. Throws like
-// shader::pack().
-[[nodiscard]] std::string effect_json(const std::vector<std::string>& truths, const ShaderFolders& folders);
+// What AmbientOcclusion needs (effect/ambient-occlusion.js), as JSON: gloam's own presets, their methods, and
+// the passes by name. Throws like shader::pack().
+[[nodiscard]] std::string effect_json(const ShaderFolders& folders);
 
-// The methods that run in the page, by name, as JSON: settings of the presets, for a radius of 1, and `text`,
-// the pass (pass_text()). Throws like shader::pack().
-[[nodiscard]] std::map<std::string, std::string> effect_methods(const ShaderFolders& folders);
-
-// What another page of WebGL2 needs, as JSON: the passes with the methods that the presets run.
-[[nodiscard]] std::string npm_effect(const ShaderFolders& folders);
+// The passes that draw a scene of the page and show it (page/picture.js), by name, as JSON.
+[[nodiscard]] std::string picture_json(const ShaderFolders& folders);
 
 // The classes of the effect in WebGL2 (effect/*.js): JavaScript that defines AmbientOcclusion and what it
 // uses. Throws std::runtime_error for a file that cannot be read.
 [[nodiscard]] std::string effect_classes(const std::filesystem::path& folder);
 
-// Whether the page can run the method: its loops read depths and normals, no image that further passes
-// prepare.
-[[nodiscard]] bool runs_in_page(const effect::MethodInfo& method);
-
-// The triangles of a scene and its camera in each of `frames` frames, as JSON (page/assets.js).
+// The triangles of a scene and its camera in each of `frames` frames, as JSON (page/scene.js).
 [[nodiscard]] std::string scene_json(const scene::Scene& scene, int frames);
 
 // Where a method fails, in words, and by how much.
@@ -79,15 +70,10 @@ struct MethodFailure {
 // std::runtime_error where there is no such table.
 [[nodiscard]] std::map<std::string, MethodFailure> method_failures(std::string_view markdown);
 
-// The method's function with all that it uses, in every language that gloam pack writes, by the language's
-// name. Throws like shader::pack() and shader::translated().
-[[nodiscard]] std::map<std::string, std::string> method_texts(const effect::MethodInfo& method,
-                                                              const std::filesystem::path& library);
-inline constexpr const char* vulkan_text = "GLSL 4.50";
-
-// The equations of occlusion in the text of a method's function, its own first. equations: of the library.
+// The equations of occlusion that a method's function uses, its own first. equations: of the library, which
+// is the folder. Throws like shader::pack().
 [[nodiscard]] std::vector<catalogue::Description> method_equations(
-    const effect::MethodInfo& method, const std::string& text,
+    const effect::MethodInfo& method, const std::filesystem::path& library,
     const std::map<std::string, catalogue::Description>& equations);
 
 // What the page of methods says of one, as JSON (page/methods.js). equations: those that it uses.

@@ -166,20 +166,15 @@ std::vector<effect::MethodInfo> methods_of(const SiteOptions& options) {
     return methods;
 }
 
-// The source text of each method, and what their page says of them.
+// What the page of methods says of them.
 void write_methods(const fs::path& library, const SiteOptions& options, Files& files) {
     const auto failures = method_failures(base::read_file(options.documents / "methods.md"));
     const auto equations = catalogue::descriptions(library);
     std::string all;
-    for (const effect::MethodInfo& method : methods_of(options)) {
-        const std::string& name = method.name;
-        const std::map<std::string, std::string> texts = method_texts(method, library);
-        all += (all.empty() ? "" : ",\n") +
-               method_json(method, method_equations(method, texts.at(vulkan_text), equations),
-                           known(failures, name), known(options.pictures.methods, name));
-        files.write("source-" + name + ".js", "gloam.addSource(\"" + name + "\", " +
-                                                  nlohmann::ordered_json(texts).dump(-1, ' ', true) + ");\n");
-    }
+    for (const effect::MethodInfo& method : methods_of(options))
+        all += (all.empty() ? "" : ",\n") + method_json(method, method_equations(method, library, equations),
+                                                        known(failures, method.name),
+                                                        known(options.pictures.methods, method.name));
     files.write("methods-data.js", "gloam.methodList = [\n" + all + "\n];\n");
 }
 
@@ -189,16 +184,13 @@ std::string effect_script(const fs::path& folder) {
            "return {AmbientOcclusion, Passes};\n})());\n";
 }
 
-// The triangles of the scenes and the shaders, as scripts. The page loads those of a scene or a method when
-// it is chosen.
-void write_effect(const check::Lab& lab, const SiteOptions& options, Files& files) {
+// The shaders and the triangles of the scenes, as scripts. The page loads a scene when it is chosen.
+void write_effect(const fs::path& library, const SiteOptions& options, Files& files) {
     constexpr int frames = 240;
-    const ShaderFolders folders{lab.options().include_roots.front(), options.files / "shaders"};
-    files.write("effect-data.js",
-                "gloam.effectData = " + effect_json(options.pictures.truths, folders) + ";\n");
+    const ShaderFolders folders{library, options.files / "shaders"};
+    files.write("effect-data.js", "gloam.effect = " + effect_json(folders) +
+                                      ";\ngloam.shaders = " + picture_json(folders) + ";\n");
     files.write("ambient-occlusion.js", effect_script(options.files / "effect"));
-    for (const auto& [name, method] : effect_methods(folders))
-        files.write("method-" + name + ".js", "gloam.addMethod(" + method + ");\n");
     for (const std::string name : {"columns", "room", "knot"})
         files.write("scene-" + name + ".js",
                     "gloam.addScene(" + scene_json(scene::make_scene(name), frames) + ");\n");
@@ -239,7 +231,7 @@ SiteSummary write_site(const check::Lab& lab, const SiteOptions& options, report
     summary.unsupported = static_cast<std::size_t>(std::ranges::count(written, false, &Written::supported));
     Files files(folder);
     write_pages(options, files);
-    write_effect(lab, options, files);
+    write_effect(glsl, options, files);
     write_methods(glsl, options, files);
     write_checks(entries, written, options, files);
     summary.bytes = files.bytes();

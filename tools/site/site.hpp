@@ -23,7 +23,6 @@ struct MethodPicture {
 // The pictures that were rendered for the site. Files are in its folder.
 struct SitePictures {
     std::string caption;  // of a room without and with occlusion (page/index.html); empty: there is none
-    std::vector<std::string> truths;  // scenes of which the file truth-SCENE.js has ray-traced truth
     std::map<std::string, MethodPicture> methods;
     std::string preview;  // file that stands for the site elsewhere; empty: there is none
 };

@@ -12,13 +12,11 @@ class AmbientOcclusion {
     //   range    of the projection's depth: "negative-one-to-one", or "zero-to-one"
     //   normals  "none": they are made from depth; "view" or "world" space, and behind it "-octahedral", "-unorm" or
     //            both, as `gloam pack --normals` has them
-    // gl: the context, or an object that runs passes as Passes does; it stays whose it is.
     // Throws an Error for other inputs, and where the context is not WebGL2 or cannot draw floats.
     constructor(gl, effect, {depth = "buffer", range = "negative-one-to-one", normals = "none"} = {}) {
         this.inputs = AmbientOcclusion.checkedInputs(depth, range, normals);
         this.effect = effect;
-        this.own = typeof gl?.program !== "function";
-        this.passes = this.own ? new Passes(gl) : gl;
+        this.passes = new Passes(gl);
         this.targets = new Map();
         this.size = null;
         this.settings = null;
@@ -37,37 +35,17 @@ class AmbientOcclusion {
         return {depth, range, normals};
     }
 
-    // method: of effect.methods, or an object of that form. preset: a name. radius: world units; settings that are
-    // lengths scale with it. Begins a new history. Throws an Error for another preset or radius, and for a method that
-    // does not compile.
-    setMethod(method, preset, radius) {
-        this.presetNamed(preset);
-        if (!(radius > 0 && radius <= 1e18)) throw new Error(`radius ${radius}: expected a number above 0`);
-        const settings = {...method.settings[preset]};
-        for (const name of this.effect.lengths) settings[name] *= radius;
-        this.method = method;
-        this.occlusionProgram();
-        this.settings = settings;
-        this.deleteImages();
-    }
-
-    // The same by the preset's own method.
+    // preset: a name. radius: world units; settings that are lengths scale with it. Begins a new history. Throws an
+    // Error for another preset or radius.
     setPreset(preset, radius) {
-        const own = this.presetNamed(preset).method;
-        this.setMethod(this.effect.methods.find((one) => one.name === own), preset, radius);
-    }
-
-    presetNamed(name) {
-        const {presets} = this.effect;
-        const found = presets.find((one) => one.name === name);
-        if (!found) throw new Error(`preset "${name}": expected ${presets.map((one) => one.name).join(", ")}`);
-        return found;
-    }
-
-    // Compiled once for each kind of camera.
-    occlusionProgram() {
-        return this.passes.program("occlusion by " + this.method.name, this.effect.whole_image, this.method.text,
-            {orthographic: this.orthographic});
+        const {presets, methods, lengths} = this.effect;
+        const found = presets.find(({name}) => name === preset);
+        if (!found) throw new Error(`preset "${preset}": expected ${presets.map(({name}) => name).join(", ")}`);
+        if (!(radius > 0 && radius <= 1e18)) throw new Error(`radius ${radius}: expected a number above 0`);
+        this.method = methods.find(({name}) => name === found.method);
+        this.settings = {...found.settings};
+        for (const name of lengths) this.settings[name] *= radius;
+        this.deleteImages();
     }
 
     // Pixels of the images that render() gets. Begins a new history.
@@ -99,7 +77,7 @@ class AmbientOcclusion {
     // Returns a texture whose first channel is the occlusion: 0 open, 1 blocked.
     render({depth, normal = null, projection, view}) {
         if (this.size === null || this.settings === null)
-            throw new Error("no size or no method: setSize() and setMethod() must come before render()");
+            throw new Error("no size or no preset: setSize() and setPreset() must come before render()");
         const given = viewOf(projection, view, this.size);
         this.passes.begin();
         const full = this.taken(given, depth, normal);
@@ -173,8 +151,10 @@ class AmbientOcclusion {
     }
 
     drawOcclusion(now, before) {
-        const {settings} = this;
-        this.passes.draw(this.occlusionProgram(), {...settings, ...now, depth_image: now.depth,
+        const {settings, method} = this;
+        const program = this.passes.program("occlusion by " + method.name, this.effect.whole_image, method.text,
+            {orthographic: this.orthographic});
+        this.passes.draw(program, {...settings, ...now, depth_image: now.depth,
             normal_image: now.normal, history_before: before.image, border: [0, 0], samples_asked: settings.samples,
             on_lattice: settings.rotation === "lattice"}, this.history);
     }
@@ -214,6 +194,6 @@ class AmbientOcclusion {
     // Deletes what this object has made in the context.
     dispose() {
         this.deleteImages();
-        if (this.own) this.passes.dispose();
+        this.passes.dispose();
     }
 }

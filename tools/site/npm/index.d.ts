@@ -3,12 +3,11 @@
 /** The value of a setting; null is infinity. */
 export type Setting = number | boolean | string | null;
 
-/** A method: its pass in GLSL ES 3.00, and its settings by preset, for a radius of 1. */
+/** A method: its pass in GLSL ES 3.00. */
 export interface Method {
     readonly name: string;
     readonly description: string;
     readonly text: string;
-    readonly settings: Readonly<Record<string, Readonly<Record<string, Setting>>>>;
 }
 
 export interface Preset {
@@ -16,6 +15,8 @@ export interface Preset {
     readonly description: string;
     /** Name of its method. */
     readonly method: string;
+    /** For a radius of 1. */
+    readonly settings: Readonly<Record<string, Setting>>;
 }
 
 /** The shaders in GLSL ES 3.00, the presets, and the methods that these use. */

@@ -40,9 +40,6 @@ gloam.element = (tag, attributes = {}, ...children) => {
     return element;
 };
 
-// Lets the browser draw and react before work continues.
-gloam.pause = () => new Promise((resolve) => setTimeout(resolve, 0));
-
 // The pages of the site, as every page links them.
 gloam.pages = [
     ["index.html", "gloam"],

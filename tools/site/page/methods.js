@@ -30,13 +30,10 @@ gloam.methodRow = (() => {
     const failures = (method) => method.fails === "" ? []
         : [paragraph(`Where it fails: ${method.fails}. Error, by gloam bench methods: ${method.number}.`)];
 
-    function links(method) {
-        const live = gloam.element("a", {href: `index.html#method=${method.name}`}, "See it live");
-        return paragraph(...(method.live ? [live, ". "] : []), "Copy it by ", gloam.element("code", {},
-            `gloam pack ${method.file} --function gloam_${method.name}`));
-    }
+    const copied = ({file, name}) => paragraph("Copy it by ", gloam.element("code", {},
+        `gloam pack ${file} --function gloam_${name}`), ".");
 
-    const more = (method) => [links(method), paragraph(`Falloff with the distance: ${method.falloff}.`),
+    const more = (method) => [copied(method), paragraph(`Falloff with the distance: ${method.falloff}.`),
         equations(method), ...presets(method), ...failures(method), ...picture(method)];
 
     return {more};
