@@ -51,19 +51,8 @@ gloam.checkRow = (() => {
     // What is shown below a row.
     const more = (shown) => [factsOf(shown), ...shown.kernel === "" ? [] : [kernelText(shown)]];
 
-    // Why there is no verdict, and a button that calls again(shown).
-    function actionsOf(shown, again) {
-        const {check, row} = shown;
-        const reason = row.error || row.fault || row.not_judged_because;
-        const button = gloam.element("button", {type: "button", class: "small again",
-            "aria-label": `run ${check.equation} again`}, "run again");
-        button.addEventListener("click", () => again(shown));
-        return gloam.element("span", {}, ...reason === "" ? [] : [gloam.element("span", {class: "reason"}, reason)],
-            button);
-    }
-
-    // The columns of the table. A row of it: {check, row, worst, kernel}. again(shown) runs its check again.
-    const columns = (again) => [
+    // The columns of the table. A row of it: {check, row, worst, kernel}.
+    const columns = [
         {title: "equation", value: ({row}) => row.equation},
         {title: "function", value: ({row}) => row.function},
         {title: "verdict", value: ({row}) => verdictOf(row), cell: ({row}) => gloam.element("span",
@@ -77,8 +66,9 @@ gloam.checkRow = (() => {
         {title: "inputs", number: true, value: ({row}) => row.inputs},
         {title: "judged", number: true, value: ({row}) => row.judged},
         {title: "ms", number: true, value: ({row}) => Math.round(row.seconds * 1000)},
-        {title: "details", value: ({row}) => row.worst === null ? row.error : row.worst.values,
-            cell: (shown) => actionsOf(shown, again)}
+        {title: "details", value: ({row}) => row.error || row.fault || row.not_judged_because,
+            cell: ({row}) => gloam.element("span", {class: "reason"},
+                row.error || row.fault || row.not_judged_because)}
     ];
 
     return {columns, more};

@@ -4,8 +4,7 @@
 
 gloam.checkPage = (() => {
     const at = (id) => document.getElementById(id);
-    // rows: the results; shown: what the table shows of them, in the same order.
-    const state = {running: false, stop: false, rows: [], shown: [], runner: null, table: null, toldAt: 0};
+    const state = {running: false, stop: false, rows: [], runner: null, table: null, toldAt: 0};
 
     // What a check gave: {tally, fault, error, reason, seconds} for gloam.results.row(), null where it was stopped.
     async function runOf(check) {
@@ -28,16 +27,11 @@ gloam.checkPage = (() => {
         return {...run, seconds: (performance.now() - begin) / 1000};
     }
 
-    // What the table shows of a check, without its inputs: they take most of the memory.
-    function shownOf({scenarios, ...check}, run) {
-        return {check, row: gloam.results.row(check, run), worst: run.tally.worst, kernel: check.kernel};
-    }
-
-    function add(check, run) {
-        const shown = shownOf(check, run);
-        state.shown.push(shown);
-        state.rows.push(shown.row);
-        state.table.add(shown);
+    // The table is given a check without its inputs: they take most of the memory.
+    function add({scenarios, ...check}, run) {
+        const row = gloam.results.row(check, run);
+        state.rows.push(row);
+        state.table.add({check, row, worst: run.tally.worst, kernel: check.kernel});
         at("progress").value = state.rows.length;
         if (performance.now() - state.toldAt > 1000) tellProgress();  // a screen reader reads each
     }
@@ -65,18 +59,20 @@ gloam.checkPage = (() => {
             if (state.stop) return;
             await state.runner.open();
             const run = await runOf(check);
-            if (run !== null) add({...check, from: file}, run);
+            if (run !== null) add(check, run);
         }
     }
 
-    // Does some work with the buttons as they are while checks run.
-    async function whileRunning(work) {
-        Object.assign(state, {running: true, stop: false});
+    async function runAll() {
+        Object.assign(state, {running: true, stop: false, rows: []});
+        state.table.clear();
+        Object.assign(at("progress"), {value: 0, max: gloam.site.checks});
         const focused = document.activeElement;
         setButtons();
         if (focused === at("run")) at("stop").focus();
         try {
-            await work();
+            tellProgress();
+            for (const file of gloam.site.files) if (!state.stop) await runFile(file);
             state.running = false;
             tellProgress();
         } catch (error) {
@@ -95,35 +91,6 @@ gloam.checkPage = (() => {
         at("save").disabled = state.running || state.rows.length === 0;
         at("run").textContent = state.rows.length === 0 ? "Run the checks" : "Run all again";
     }
-
-    function clear() {
-        Object.assign(state, {rows: [], shown: []});
-        state.table.clear();
-        at("progress").value = 0;
-    }
-
-    const runAll = () => whileRunning(async () => {
-        clear();
-        tellProgress();
-        at("progress").max = gloam.site.checks;
-        for (const file of gloam.site.files) if (!state.stop) await runFile(file);
-    });
-
-    // Runs one check again, and shows the new result in the place of the old one.
-    const runAgain = (old) => state.running || whileRunning(async () => {
-        at("told").textContent = `${old.check.equation} runs again`;
-        const checks = await checksOf(old.check.from);
-        const check = checks.find(({equation}) => equation === old.check.equation);
-        await state.runner.open();
-        const run = await runOf(check);
-        if (run === null) return;
-        const shown = shownOf({...check, from: old.check.from}, run);
-        const index = state.shown.indexOf(old);
-        state.shown[index] = shown;
-        state.rows[index] = shown.row;
-        const line = state.table.replace(old, shown);
-        if (document.activeElement === document.body) line.querySelector(".again").focus();
-    });
 
     function stop() {
         state.stop = true;
@@ -145,13 +112,11 @@ gloam.checkPage = (() => {
     async function begin() {
         at("agent").textContent = navigator.userAgent;
         at("versions").textContent = gloam.site.versions;
-        state.table = new gloam.Table(gloam.checkRow.columns(runAgain), "One line for each equation",
-            gloam.checkRow.more);
+        state.table = new gloam.Table(gloam.checkRow.columns, "One line for each equation", gloam.checkRow.more);
         at("results").append(state.table.root);
         at("run").addEventListener("click", runAll);
         at("stop").addEventListener("click", stop);
         at("save").addEventListener("click", save);
-        at("filter").addEventListener("input", () => state.table.filter(at("filter").value));
         state.runner = new gloam.runner.Runner();
         await state.runner.open();
         at("gpu").textContent = `${state.runner.facts.renderer} (${state.runner.facts.version})`;

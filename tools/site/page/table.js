@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A table that sorts by a click on a column's head, shows only the rows with a given text, and more of a row on demand.
+// A table that sorts by a click on a column's head, and shows more of a row on demand.
 "use strict";
 
 gloam.Table = class {
-    // columns: {title, number?, value(row), cell?(row)}. value() gives what is sorted by and searched; cell() gives a
+    // columns: {title, number?, value(row), cell?(row)}. value() gives what is sorted by; cell() gives a
     // text or an element to show in its place. more: the elements that a button in the last column shows below a row.
     constructor(columns, caption, more = null) {
         this.columns = columns;
         this.more = more;
         this.lines = [];
-        this.needle = "";
         this.sorted = {column: null, descending: false};
         this.body = gloam.element("tbody");
         this.heads = columns.map((column) => this.makeHead(column));
@@ -30,22 +29,11 @@ gloam.Table = class {
         this.body.append(...line.elements);
     }
 
-    // Puts a row in the place of another one. Returns its element.
-    replace(old, row) {
-        const at = this.lines.findIndex((line) => line.row === old);
-        const line = this.makeLine(row);
-        this.lines[at].elements.slice(1).forEach((element) => element.remove());
-        this.lines[at].elements[0].replaceWith(...line.elements);
-        this.lines[at] = line;
-        return line.elements[0];
-    }
-
     makeLine(row) {
         const cells = this.columns.map((column) => gloam.element("td", {class: column.number ? "number" : ""},
             column.cell ? column.cell(row) : String(column.value(row))));
-        const line = {row, open: false, elements: [gloam.element("tr", {}, ...cells)]};
+        const line = {row, elements: [gloam.element("tr", {}, ...cells)]};
         if (this.more !== null) cells.at(-1).append(this.makeOpener(line));
-        this.show(line);
         return line;
     }
 
@@ -54,21 +42,16 @@ gloam.Table = class {
         const button = gloam.element("button", {type: "button", class: "small", "aria-expanded": "false",
             "aria-label": `details of ${this.columns[0].value(line.row)}`}, "details");
         button.addEventListener("click", () => {
-            line.open = !line.open;
-            button.setAttribute("aria-expanded", line.open);
+            const open = button.getAttribute("aria-expanded") === "false";
+            button.setAttribute("aria-expanded", open);
             if (line.elements.length === 1) {
                 const cell = gloam.element("td", {colspan: this.columns.length}, ...this.more(line.row));
                 line.elements.push(gloam.element("tr", {class: "more"}, cell));
                 line.elements[0].after(line.elements[1]);
             }
-            this.show(line);
+            line.elements[1].hidden = !open;
         });
         return button;
-    }
-
-    show(line) {
-        const matches = this.matches(line);
-        line.elements.forEach((element, i) => { element.hidden = !matches || (i > 0 && !line.open); });
     }
 
     clear() {
@@ -93,15 +76,5 @@ gloam.Table = class {
     static compare(a, b) {
         if (typeof a === "number" && typeof b === "number") return a === b ? 0 : a < b ? -1 : 1;
         return String(a).localeCompare(String(b), undefined, {numeric: true});
-    }
-
-    filter(needle) {
-        this.needle = needle.toLowerCase();
-        for (const line of this.lines) this.show(line);
-    }
-
-    matches(line) {
-        return this.needle === "" ||
-            this.columns.some((column) => String(column.value(line.row)).toLowerCase().includes(this.needle));
     }
 };
