@@ -30,30 +30,6 @@ struct PictureOptions {
     std::vector<std::string> methods;  // each gets a picture; empty: all
 };
 
-struct RenderedPictures {
-    site::SitePictures of_site;
-    std::size_t bytes = 0;
-};
-
-// Writes pictures and counts their bytes.
-class PictureFolder {
-  public:
-    explicit PictureFolder(report::OutputFolder& folder) : folder_(folder) {}
-
-    // Returns the name.
-    std::string write(const std::string& name, const base::RgbBytes& rgb, gpu::Extent extent) {
-        const std::string png = base::to_rgb_png(rgb, extent.width, extent.height);
-        folder_.write(name, png);
-        bytes_ += png.size();
-        return name;
-    }
-    [[nodiscard]] std::size_t bytes() const { return bytes_; }
-
-  private:
-    report::OutputFolder& folder_;
-    std::size_t bytes_ = 0;
-};
-
 // The device, or null where there is none.
 std::unique_ptr<RenderBench> open_bench(const PictureOptions& options) {
     try {
@@ -65,7 +41,7 @@ std::unique_ptr<RenderBench> open_bench(const PictureOptions& options) {
 }
 
 // The room without and with occlusion, and with the true one (page/index.html). Returns their caption.
-std::string render_room(const PictureOptions& options, RenderBench& bench, PictureFolder& folder) {
+std::string render_room(const PictureOptions& options, RenderBench& bench, report::OutputFolder& folder) {
     const RenderOptions render_options{.source = "room",
                                        .frames = 16,
                                        .still = true,
@@ -75,15 +51,16 @@ std::string render_room(const PictureOptions& options, RenderBench& bench, Pictu
                                        .quiet = true};
     bench.forget_light();
     const Rendered run = render(render_options, open_input(render_options), bench, {});
-    folder.write("room-with.png", run.last.shaded, run.last.extent);
-    folder.write("room-without.png", run.last.plain, run.last.extent);
-    folder.write("room-truth.png", run.last.truth_lit, run.last.extent);
+    const auto [width, height] = run.last.extent;
+    folder.write("room-with.png", base::to_rgb_png(run.last.shaded, width, height));
+    folder.write("room-without.png", base::to_rgb_png(run.last.plain, width, height));
+    folder.write("room-truth.png", base::to_rgb_png(run.last.truth_lit, width, height));
     return fmt::format("A room, rendered on {}: {}", bench.device.info().name, caption_of(run.report));
 }
 
 // What a method makes of the room, in the preset that the page begins with.
 site::MethodPicture render_method(const std::string& name, const PictureOptions& options, RenderBench& bench,
-                                  PictureFolder& folder) {
+                                  report::OutputFolder& folder) {
     const RenderOptions render_options{.source = "room",
                                        .method = name,
                                        .frames = 8,
@@ -93,8 +70,10 @@ site::MethodPicture render_method(const std::string& name, const PictureOptions&
                                        .quiet = true};
     const Rendered run = render(render_options, open_input(render_options), bench, {});
     const Pictures& last = run.last;
+    const std::string file = "method-" + name + ".png";
+    folder.write(file, base::to_rgb_png(last.visibility, last.extent.width, last.extent.height));
     return {
-        folder.write("method-" + name + ".png", last.visibility, last.extent),
+        file,
         fmt::format(
             "The room, {}x{} pixels: visibility after {} frames of the preset {} with this method, on {}.",
             last.extent.width, last.extent.height, run.report.frames.size(), run.report.preset,
@@ -112,19 +91,16 @@ std::vector<std::string> methods_of(const PictureOptions& options) {
 
 // Renders the pictures of the room and of the methods into the folder. Without a Vulkan device there are
 // none. Throws std::invalid_argument for an unknown method.
-RenderedPictures write_site_pictures(const PictureOptions& options, report::OutputFolder& folder) {
-    RenderedPictures all;
+site::SitePictures write_site_pictures(const PictureOptions& options, report::OutputFolder& folder) {
+    site::SitePictures pictures;
     const std::vector<std::string> methods = methods_of(options);
     const std::unique_ptr<RenderBench> bench = options.pictures ? open_bench(options) : nullptr;
-    if (!bench) return all;
-    PictureFolder pictures(folder);
-    all.of_site.caption = render_room(options, *bench, pictures);
-    all.of_site.preview = "room-with.png";
+    if (!bench) return pictures;
+    pictures.caption = render_room(options, *bench, folder);
     bench->forget_light();
     for (const std::string& name : methods)
-        all.of_site.methods[name] = render_method(name, options, *bench, pictures);
-    all.bytes = pictures.bytes();
-    return all;
+        pictures.methods[name] = render_method(name, options, *bench, folder);
+    return pictures;
 }
 
 struct SiteCommand {
@@ -139,8 +115,7 @@ void run_site(SiteCommand command) {
     command.options.files = site_directory();
     command.options.documents = documents_directory();
     command.pictures.methods = command.options.methods;
-    const RenderedPictures pictures = write_site_pictures(command.pictures, folder);
-    command.options.pictures = pictures.of_site;
+    command.options.pictures = write_site_pictures(command.pictures, folder);
     command.options.versions = versions();
     const check::Lab lab({.device = std::string(check::interpreter_name),
                           .include_roots = {glsl_directory()},
@@ -152,8 +127,7 @@ void run_site(SiteCommand command) {
         });
     folder.keep();
     if (command.quiet) return;
-    fmt::print("{}: {} checks, {:.1f} MB\n", (folder.path() / "index.html").string(), written.checks,
-               static_cast<double>(written.bytes + pictures.bytes) / 1e6);
+    fmt::print("{}: {} checks\n", (folder.path() / "index.html").string(), written.checks);
     if (written.unsupported > 0)
         fmt::print("{} functions are no GLSL ES 3.00 and are only listed\n", written.unsupported);
     if (written.left_out > 0)

@@ -22,21 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Writes the files of a site and counts their bytes.
-class Files {
-  public:
-    explicit Files(report::OutputFolder& folder) : folder_(folder) {}
-    void write(const std::string& name, const std::string& text) {
-        folder_.write(name, text);
-        bytes_ += text.size();
-    }
-    [[nodiscard]] std::size_t bytes() const { return bytes_; }
-
-  private:
-    report::OutputFolder& folder_;
-    std::size_t bytes_ = 0;
-};
-
 // The text between two others; throws with the name of the page that lacks it.
 std::string between(const std::string& text, const std::string& begin, const std::string& end,
                     const std::string& page) {
@@ -56,7 +41,7 @@ std::string preview_of(const std::string& title, const std::string& description,
         meta("og:type", "website") + meta("og:title", title) + meta("og:description", description);
     const std::string address = report::escaped_html(options.address);
     if (!address.empty()) text += meta("og:url", address + page);
-    if (!options.pictures.preview.empty()) text += meta("og:image", address + options.pictures.preview);
+    if (!options.pictures.caption.empty()) text += meta("og:image", address + "room-with.png");
     return text;
 }
 
@@ -109,11 +94,11 @@ std::vector<Written> prepare_all(const check::Lab& lab, const SiteOptions& optio
     return all;
 }
 
-void copy_files(const fs::path& from, std::string_view extensions, Files& files) {
+void copy_files(const fs::path& from, std::string_view extensions, report::OutputFolder& folder) {
     for (const fs::directory_entry& file : fs::directory_iterator(from)) {
         const fs::path& path = file.path();
         if (file.is_regular_file() && extensions.find(path.extension().string()) != std::string_view::npos)
-            files.write(path.filename().string(), base::read_file(path));
+            folder.write(path.filename().string(), base::read_file(path));
     }
 }
 
@@ -138,17 +123,17 @@ std::string with_picture(std::string page, const SiteOptions& options) {
                         base::replaced(picture, "CAPTION", report::escaped_html(options.pictures.caption)));
 }
 
-void write_pages(const SiteOptions& options, Files& files) {
-    copy_files(options.files / "page", ".js.css", files);
+void write_pages(const SiteOptions& options, report::OutputFolder& folder) {
+    copy_files(options.files / "page", ".js.css", folder);
     for (const fs::directory_entry& file : fs::directory_iterator(options.files / "page")) {
         if (file.path().extension() != ".html") continue;
         const std::string name = file.path().filename().string();
         const std::string text = base::read_file(file.path());
-        files.write(name,
-                    page_text(name, name == "index.html" ? with_picture(text, options) : text, options));
+        folder.write(name,
+                     page_text(name, name == "index.html" ? with_picture(text, options) : text, options));
     }
-    files.write("worker-text.js",
-                "gloam.workerText = " + worker_text(options.files / "page" / "worker") + ";\n");
+    folder.write("worker-text.js",
+                 "gloam.workerText = " + worker_text(options.files / "page" / "worker") + ";\n");
 }
 
 // The value of a name, or an empty one.
@@ -167,7 +152,7 @@ std::vector<effect::MethodInfo> methods_of(const SiteOptions& options) {
 }
 
 // What the page of methods says of them.
-void write_methods(const fs::path& library, const SiteOptions& options, Files& files) {
+void write_methods(const fs::path& library, const SiteOptions& options, report::OutputFolder& folder) {
     const auto failures = method_failures(base::read_file(options.documents / "methods.md"));
     const auto equations = catalogue::descriptions(library);
     std::string all;
@@ -175,7 +160,7 @@ void write_methods(const fs::path& library, const SiteOptions& options, Files& f
         all += (all.empty() ? "" : ",\n") + method_json(method, method_equations(method, library, equations),
                                                         known(failures, method.name),
                                                         known(options.pictures.methods, method.name));
-    files.write("methods-data.js", "gloam.methodList = [\n" + all + "\n];\n");
+    folder.write("methods-data.js", "gloam.methodList = [\n" + all + "\n];\n");
 }
 
 // The class of the effect as a script of the pages, whose names are members of `gloam`.
@@ -185,20 +170,20 @@ std::string effect_script(const fs::path& folder) {
 }
 
 // The shaders and the triangles of the scenes, as scripts. The page loads a scene when it is chosen.
-void write_effect(const fs::path& library, const SiteOptions& options, Files& files) {
+void write_effect(const fs::path& library, const SiteOptions& options, report::OutputFolder& folder) {
     constexpr int frames = 240;
     const ShaderFolders folders{library, options.files / "shaders"};
-    files.write("effect-data.js", "gloam.effect = " + effect_json(folders) +
-                                      ";\ngloam.shaders = " + picture_json(folders) + ";\n");
-    files.write("ambient-occlusion.js", effect_script(options.files / "effect"));
+    folder.write("effect-data.js", "gloam.effect = " + effect_json(folders) +
+                                       ";\ngloam.shaders = " + picture_json(folders) + ";\n");
+    folder.write("ambient-occlusion.js", effect_script(options.files / "effect"));
     for (const std::string name : {"columns", "room", "knot"})
-        files.write("scene-" + name + ".js",
-                    "gloam.addScene(" + scene_json(scene::make_scene(name), frames) + ");\n");
+        folder.write("scene-" + name + ".js",
+                     "gloam.addScene(" + scene_json(scene::make_scene(name), frames) + ");\n");
 }
 
 // One script for each part of the library, and one that lists them.
 void write_checks(const catalogue::Entries& entries, const std::vector<Written>& written,
-                  const SiteOptions& options, Files& files) {
+                  const SiteOptions& options, report::OutputFolder& folder) {
     std::map<std::string, std::string> parts;
     for (std::size_t i = 0; i < entries.size(); ++i) {
         std::string& text = parts[part_of(entries[i].question.file)];
@@ -207,7 +192,7 @@ void write_checks(const catalogue::Entries& entries, const std::vector<Written>&
     nlohmann::ordered_json names = nlohmann::ordered_json::array();
     for (const auto& [part, text] : parts) {
         const std::string name = "checks-" + part + ".js";
-        files.write(name, "gloam.addChecks(\"" + part + "\", [\n" + text + "\n]);\n");
+        folder.write(name, "gloam.addChecks(\"" + part + "\", [\n" + text + "\n]);\n");
         names.push_back(name);
     }
     const nlohmann::ordered_json index{{"versions", options.versions},
@@ -215,7 +200,7 @@ void write_checks(const catalogue::Entries& entries, const std::vector<Written>&
                                        {"seed", options.seed},
                                        {"checks", entries.size()},
                                        {"files", names}};
-    files.write("site.js", "gloam.site = " + index.dump(2) + ";\n");
+    folder.write("site.js", "gloam.site = " + index.dump(2) + ";\n");
 }
 
 }  // namespace
@@ -229,12 +214,10 @@ SiteSummary write_site(const check::Lab& lab, const SiteOptions& options, report
     summary.checks = entries.size();
     const std::vector<Written> written = prepare_all(lab, options, entries, told);
     summary.unsupported = static_cast<std::size_t>(std::ranges::count(written, false, &Written::supported));
-    Files files(folder);
-    write_pages(options, files);
-    write_effect(glsl, options, files);
-    write_methods(glsl, options, files);
-    write_checks(entries, written, options, files);
-    summary.bytes = files.bytes();
+    write_pages(options, folder);
+    write_effect(glsl, options, folder);
+    write_methods(glsl, options, folder);
+    write_checks(entries, written, options, folder);
     return summary;
 }
 

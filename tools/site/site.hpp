@@ -22,9 +22,10 @@ struct MethodPicture {
 
 // The pictures that were rendered for the site. Files are in its folder.
 struct SitePictures {
-    std::string caption;  // of a room without and with occlusion (page/index.html); empty: there is none
+    // Of room-with.png, room-without.png and room-truth.png (page/index.html), of which the first stands for
+    // the site elsewhere; empty: there are none.
+    std::string caption;
     std::map<std::string, MethodPicture> methods;
-    std::string preview;  // file that stands for the site elsewhere; empty: there is none
 };
 
 struct SiteOptions {
@@ -44,7 +45,6 @@ struct SiteSummary {
     std::size_t checks = 0;
     std::size_t left_out = 0;     // equations that have no accuracy to judge
     std::size_t unsupported = 0;  // functions that are no GLSL ES 3.00
-    std::size_t bytes = 0;        // of all files
 };
 
 // Writes the files of the site. `told` is called with the number of finished and of all checks. Throws
