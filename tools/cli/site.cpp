@@ -58,9 +58,10 @@ std::string render_room(const PictureOptions& options, RenderBench& bench, repor
     return fmt::format("A room, rendered on {}: {}", bench.device.info().name, caption_of(run.report));
 }
 
-// What a method makes of the room, in the preset that the page begins with.
-site::MethodPicture render_method(const std::string& name, const PictureOptions& options, RenderBench& bench,
-                                  report::OutputFolder& folder) {
+// What a method makes of the room, in the preset that the page begins with. Returns the caption of any
+// method.
+std::string render_method(const std::string& name, const PictureOptions& options, RenderBench& bench,
+                          report::OutputFolder& folder) {
     const RenderOptions render_options{.source = "room",
                                        .method = name,
                                        .frames = 8,
@@ -70,14 +71,12 @@ site::MethodPicture render_method(const std::string& name, const PictureOptions&
                                        .quiet = true};
     const Rendered run = render(render_options, open_input(render_options), bench, {});
     const Pictures& last = run.last;
-    const std::string file = "method-" + name + ".png";
-    folder.write(file, base::to_rgb_png(last.visibility, last.extent.width, last.extent.height));
-    return {
-        file,
-        fmt::format(
-            "The room, {}x{} pixels: visibility after {} frames of the preset {} with this method, on {}.",
-            last.extent.width, last.extent.height, run.report.frames.size(), run.report.preset,
-            bench.device.info().name)};
+    folder.write("method-" + name + ".png",
+                 base::to_rgb_png(last.visibility, last.extent.width, last.extent.height));
+    return fmt::format(
+        "The room, {}x{} pixels: visibility after {} frames of the preset {} with this method, on {}.",
+        last.extent.width, last.extent.height, run.report.frames.size(), run.report.preset,
+        bench.device.info().name);
 }
 
 // The names of the methods that get a picture.
@@ -96,10 +95,9 @@ site::SitePictures write_site_pictures(const PictureOptions& options, report::Ou
     const std::vector<std::string> methods = methods_of(options);
     const std::unique_ptr<RenderBench> bench = options.pictures ? open_bench(options) : nullptr;
     if (!bench) return pictures;
-    pictures.caption = render_room(options, *bench, folder);
+    pictures.room = render_room(options, *bench, folder);
     bench->forget_light();
-    for (const std::string& name : methods)
-        pictures.methods[name] = render_method(name, options, *bench, folder);
+    for (const std::string& name : methods) pictures.methods = render_method(name, options, *bench, folder);
     return pictures;
 }
 

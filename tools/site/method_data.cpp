@@ -70,7 +70,7 @@ std::vector<catalogue::Description> method_equations(
 
 std::string method_json(const effect::MethodInfo& method,
                         const std::vector<catalogue::Description>& equations, const MethodFailure& failure,
-                        const MethodPicture& picture) {
+                        const std::string& caption) {
     ordered_json rows = ordered_json::array();
     for (const catalogue::Description& equation : equations)
         rows.push_back({{"name", equation.id},
@@ -82,8 +82,7 @@ std::string method_json(const effect::MethodInfo& method,
                             {"file", file_of(method)},       {"measure", to_string(method.measure)},
                             {"falloff", method.falloff},     {"equations", rows},
                             {"presets", presets_of(method)}, {"fails", failure.words},
-                            {"number", failure.number},      {"picture", picture.file},
-                            {"caption", picture.caption}};
+                            {"number", failure.number},      {"caption", caption}};
     return json.dump(-1, ' ', true);
 }
 

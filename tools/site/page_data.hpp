@@ -77,9 +77,10 @@ struct MethodFailure {
     const std::map<std::string, catalogue::Description>& equations);
 
 // What the page of methods says of one, as JSON (page/methods.js). equations: those that it uses.
+// caption: of its picture; empty: there is none.
 [[nodiscard]] std::string method_json(const effect::MethodInfo& method,
                                       const std::vector<catalogue::Description>& equations,
-                                      const MethodFailure& failure, const MethodPicture& picture);
+                                      const MethodFailure& failure, const std::string& caption);
 
 // A GLSL text without its comments, indents and blank lines. Other lines stay lines of their own. Where it
 // defines no macro, it is also without #undef lines.

@@ -41,7 +41,7 @@ std::string preview_of(const std::string& title, const std::string& description,
         meta("og:type", "website") + meta("og:title", title) + meta("og:description", description);
     const std::string address = report::escaped_html(options.address);
     if (!address.empty()) text += meta("og:url", address + page);
-    if (!options.pictures.caption.empty()) text += meta("og:image", address + "room-with.png");
+    if (!options.pictures.room.empty()) text += meta("og:image", address + "room-with.png");
     return text;
 }
 
@@ -118,9 +118,9 @@ std::string with_picture(std::string page, const SiteOptions& options) {
     std::string picture = between(page, begin, end, "index.html");
     const std::size_t at = page.find(begin);
     const std::size_t size = begin.size() + picture.size() + end.size();
-    if (options.pictures.caption.empty()) picture.clear();
+    if (options.pictures.room.empty()) picture.clear();
     return page.replace(at, size,
-                        base::replaced(picture, "CAPTION", report::escaped_html(options.pictures.caption)));
+                        base::replaced(picture, "CAPTION", report::escaped_html(options.pictures.room)));
 }
 
 void write_pages(const SiteOptions& options, report::OutputFolder& folder) {
@@ -134,13 +134,6 @@ void write_pages(const SiteOptions& options, report::OutputFolder& folder) {
     }
     folder.write("worker-text.js",
                  "gloam.workerText = " + worker_text(options.files / "page" / "worker") + ";\n");
-}
-
-// The value of a name, or an empty one.
-template <class Value>
-Value known(const std::map<std::string, Value>& values, const std::string& name) {
-    const auto at = values.find(name);
-    return at == values.end() ? Value{} : at->second;
 }
 
 // The methods that the page of methods shows, in the order of all.
@@ -157,9 +150,10 @@ void write_methods(const fs::path& library, const SiteOptions& options, report::
     const auto equations = catalogue::descriptions(library);
     std::string all;
     for (const effect::MethodInfo& method : methods_of(options))
-        all += (all.empty() ? "" : ",\n") + method_json(method, method_equations(method, library, equations),
-                                                        known(failures, method.name),
-                                                        known(options.pictures.methods, method.name));
+        all += (all.empty() ? "" : ",\n") +
+               method_json(method, method_equations(method, library, equations),
+                           failures.contains(method.name) ? failures.at(method.name) : MethodFailure{},
+                           options.pictures.methods);
     folder.write("methods-data.js", "gloam.methodList = [\n" + all + "\n];\n");
 }
 

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -14,18 +13,12 @@
 
 namespace gloam::site {
 
-// A picture of a method.
-struct MethodPicture {
-    std::string file;  // in the site's folder; empty: there is none
-    std::string caption;
-};
-
-// The pictures that were rendered for the site. Files are in its folder.
+// Captions of the pictures that were rendered into the site's folder; empty: there are none.
 struct SitePictures {
-    // Of room-with.png, room-without.png and room-truth.png (page/index.html), of which the first stands for
-    // the site elsewhere; empty: there are none.
-    std::string caption;
-    std::map<std::string, MethodPicture> methods;
+    // Of room-with.png, which stands for the site elsewhere, room-without.png and room-truth.png
+    // (page/index.html).
+    std::string room;
+    std::string methods;  // of method-NAME.png, each
 };
 
 struct SiteOptions {

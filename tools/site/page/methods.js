@@ -23,8 +23,8 @@ gloam.methodRow = (() => {
         {title: "time", number: true, value: (preset) => preset.time, cell: ({time}) => time.toFixed(2)},
         {title: "what it is", value: (preset) => preset.description}], method.presets)];
 
-    const picture = (method) => method.picture === "" ? [] : [gloam.element("figure", {},
-        gloam.element("img", {src: method.picture, alt: "its occlusion in a room"}),
+    const picture = (method) => method.caption === "" ? [] : [gloam.element("figure", {},
+        gloam.element("img", {src: `method-${method.name}.png`, alt: "its occlusion in a room"}),
         gloam.element("figcaption", {}, method.caption))];
 
     const failures = (method) => method.fails === "" ? []
