@@ -24,22 +24,29 @@ bool runs_live(const effect::Preset& preset) {
            preset.settings.filter == effect::Filter::convergence;
 }
 
-PassText file_pass(const std::string& file, const ShaderFolders& folders) {
-    const Stage stage = file.ends_with(".vert") ? Stage::vertex : Stage::fragment;
-    return {file, base::read_file(folders.page / file), stage};
+// A pass as one text in GLSL ES 3.00: it has loose uniforms, as OpenGL ES has them, and the specialization
+// constants of Vulkan.
+std::string pass_text(const std::string& name, const std::string& text, const ShaderFolders& folders) {
+    const Stage stage = name.ends_with(".vert") ? Stage::vertex : Stage::fragment;
+    return condensed(shader::pack({shader::Source{.name = name, .text = text}},
+                                  {.language = shader::Language::es300, .stage = stage}, {folders.library}));
 }
 
-PassText occlusion_pass(const effect::MethodInfo& method, const ShaderFolders& folders) {
-    return {"occlusion by " + method.name, "#include \"" + file_of(method) + "\"\n" +
-                                               "#define METHOD(position, normal, camera, kernel, values) " +
-                                               call_of(method) + "\n" +
-                                               base::read_file(folders.page / "occlusion.frag")};
+std::string file_text(const std::string& file, const ShaderFolders& folders) {
+    return pass_text(file, base::read_file(folders.page / file), folders);
+}
+
+std::string occlusion_text(const effect::MethodInfo& method, const ShaderFolders& folders) {
+    return pass_text("occlusion by " + method.name,
+                     "#include \"" + file_of(method) + "\"\n" +
+                         "#define METHOD(position, normal, camera, kernel, values) " + call_of(method) +
+                         "\n" + base::read_file(folders.page / "occlusion.frag"),
+                     folders);
 }
 
 // Adds passes by their names.
 void add_passes(const std::vector<std::string>& files, const ShaderFolders& folders, ordered_json& json) {
-    for (const std::string& file : files)
-        json[file.substr(0, file.find('.'))] = pass_text(file_pass(file, folders), folders);
+    for (const std::string& file : files) json[file.substr(0, file.find('.'))] = file_text(file, folders);
 }
 
 ordered_json value_json(const effect::SettingValue& value) {
@@ -78,12 +85,6 @@ std::string text_of(const ordered_json& json) {
 
 }  // namespace
 
-std::string pass_text(const PassText& pass, const ShaderFolders& folders) {
-    return condensed(shader::pack({shader::Source{.name = pass.name, .text = pass.text}},
-                                  {.language = shader::Language::es300, .stage = pass.stage},
-                                  {folders.library}));
-}
-
 std::string effect_json(const ShaderFolders& folders) {
     ordered_json json{{"preset", effect::default_preset}};
     std::set<std::string> methods;
@@ -103,15 +104,14 @@ std::string effect_json(const ShaderFolders& folders) {
     json["multi_bounce"] = function_text("gloam/shading/multi_bounce.glsl", "gloam_multi_bounce", folders);
     for (const std::string& name : methods) {
         const effect::MethodInfo& method = effect::method_named(name);
-        json["methods"].push_back({{"name", name},
-                                   {"description", method.description},
-                                   {"text", pass_text(occlusion_pass(method, folders), folders)}});
+        json["methods"].push_back(
+            {{"name", name}, {"description", method.description}, {"text", occlusion_text(method, folders)}});
     }
     return text_of(json);
 }
 
 std::string picture_json(const ShaderFolders& folders) {
-    ordered_json json{{"gbuffer_vertices", pass_text(file_pass("gbuffer.vert", folders), folders)}};
+    ordered_json json{{"gbuffer_vertices", file_text("gbuffer.vert", folders)}};
     add_passes({"gbuffer.frag", "show.frag"}, folders, json);
     return text_of(json);
 }

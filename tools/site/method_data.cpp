@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
 #include <stdexcept>
 
+#include "catalogue/catalogue.hpp"
 #include "effect/methods.hpp"
 #include "shader/pack.hpp"
 #include "site/page_data.hpp"
@@ -34,8 +36,13 @@ ordered_json presets_of(const effect::MethodInfo& method) {
     return rows;
 }
 
-}  // namespace
+// Where a method fails, in words, and by how much.
+struct MethodFailure {
+    std::string words;
+    std::string number;
+};
 
+// Of the methods that the table names.
 std::map<std::string, MethodFailure> method_failures(std::string_view markdown) {
     static const std::regex row(R"(^\| ([^|]*) \| ([^|]*) \| ([^|]*) \|$)");
     constexpr std::string_view head = "| method | fails | number |\n";
@@ -51,9 +58,12 @@ std::map<std::string, MethodFailure> method_failures(std::string_view markdown) 
     return failures;
 }
 
-std::vector<catalogue::Description> method_equations(
-    const effect::MethodInfo& method, const std::filesystem::path& library,
-    const std::map<std::string, catalogue::Description>& equations) {
+using Equations = std::map<std::string, catalogue::Description>;
+
+// The equations of occlusion that a method's function uses, its own first.
+std::vector<catalogue::Description> method_equations(const effect::MethodInfo& method,
+                                                     const std::filesystem::path& library,
+                                                     const Equations& equations) {
     const std::string own = "gloam_" + method.name;
     const std::string text =
         shader::pack(std::vector{library / file_of(method)}, {.functions = {own}}, {library});
@@ -68,21 +78,34 @@ std::vector<catalogue::Description> method_equations(
     return used;
 }
 
-std::string method_json(const effect::MethodInfo& method,
-                        const std::vector<catalogue::Description>& equations, const MethodFailure& failure,
-                        const std::string& caption) {
+ordered_json equations_json(const std::vector<catalogue::Description>& equations) {
     ordered_json rows = ordered_json::array();
     for (const catalogue::Description& equation : equations)
         rows.push_back({{"name", equation.id},
                         {"title", equation.title},
                         {"formula", equation.formula},
-                        {"source", equation.source},
-                        {"function", equation.function}});
-    const ordered_json json{{"name", method.name},           {"description", method.description},
-                            {"file", file_of(method)},       {"measure", to_string(method.measure)},
-                            {"falloff", method.falloff},     {"equations", rows},
-                            {"presets", presets_of(method)}, {"fails", failure.words},
-                            {"number", failure.number},      {"caption", caption}};
+                        {"source", equation.source}});
+    return rows;
+}
+
+}  // namespace
+
+std::string methods_json(const std::vector<effect::MethodInfo>& methods, const std::filesystem::path& library,
+                         std::string_view failures, const std::string& caption) {
+    std::map<std::string, MethodFailure> known = method_failures(failures);
+    const Equations equations = catalogue::descriptions(library);
+    ordered_json json = ordered_json::array();
+    for (const effect::MethodInfo& method : methods)
+        json.push_back({{"name", method.name},
+                        {"description", method.description},
+                        {"file", file_of(method)},
+                        {"measure", to_string(method.measure)},
+                        {"falloff", method.falloff},
+                        {"equations", equations_json(method_equations(method, library, equations))},
+                        {"presets", presets_of(method)},
+                        {"fails", known[method.name].words},
+                        {"number", known[method.name].number},
+                        {"caption", caption}});
     return json.dump(-1, ' ', true);
 }
 

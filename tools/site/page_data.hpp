@@ -4,7 +4,6 @@
 #include <array>
 #include <bit>
 #include <filesystem>
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,7 +13,6 @@
 #include "check/prepared_check.hpp"
 #include "effect/methods.hpp"
 #include "scene/scene.hpp"
-#include "shader/compile.hpp"
 #include "site/site.hpp"
 
 namespace gloam::site {
@@ -60,41 +58,15 @@ struct ShaderFolders {
 // The triangles of a scene and its camera in each of `frames` frames, as JSON (page/scene.js).
 [[nodiscard]] std::string scene_json(const scene::Scene& scene, int frames);
 
-// Where a method fails, in words, and by how much.
-struct MethodFailure {
-    std::string words;
-    std::string number;
-};
-
-// Of the methods that the table "method | fails | number" of a page names: docs/methods.md has it. Throws
-// std::runtime_error where there is no such table.
-[[nodiscard]] std::map<std::string, MethodFailure> method_failures(std::string_view markdown);
-
-// The equations of occlusion that a method's function uses, its own first. equations: of the library, which
-// is the folder. Throws like shader::pack().
-[[nodiscard]] std::vector<catalogue::Description> method_equations(
-    const effect::MethodInfo& method, const std::filesystem::path& library,
-    const std::map<std::string, catalogue::Description>& equations);
-
-// What the page of methods says of one, as JSON (page/methods.js). equations: those that it uses.
-// caption: of its picture; empty: there is none.
-[[nodiscard]] std::string method_json(const effect::MethodInfo& method,
-                                      const std::vector<catalogue::Description>& equations,
-                                      const MethodFailure& failure, const std::string& caption);
+// What the page of methods says of them, as JSON (page/methods.js). failures: a page with the table "method |
+// fails | number", as docs/methods.md has it. caption: of their pictures; empty: there are none. Throws
+// std::runtime_error where there is no such table, and like shader::pack().
+[[nodiscard]] std::string methods_json(const std::vector<effect::MethodInfo>& methods,
+                                       const std::filesystem::path& library, std::string_view failures,
+                                       const std::string& caption);
 
 // A GLSL text without its comments, indents and blank lines. Other lines stay lines of their own. Where it
 // defines no macro, it is also without #undef lines.
 [[nodiscard]] std::string condensed(std::string_view text);
-
-// A pass of the page: a text with loose uniforms, as OpenGL ES has them, and the specialization constants of
-// Vulkan.
-struct PassText {
-    std::string name;
-    std::string text;
-    shader::Stage stage = shader::Stage::fragment;
-};
-
-// The pass as one text in GLSL ES 3.00, condensed. Throws like shader::pack().
-[[nodiscard]] std::string pass_text(const PassText& pass, const ShaderFolders& folders);
 
 }  // namespace gloam::site

@@ -144,19 +144,6 @@ std::vector<effect::MethodInfo> methods_of(const SiteOptions& options) {
     return methods;
 }
 
-// What the page of methods says of them.
-void write_methods(const fs::path& library, const SiteOptions& options, report::OutputFolder& folder) {
-    const auto failures = method_failures(base::read_file(options.documents / "methods.md"));
-    const auto equations = catalogue::descriptions(library);
-    std::string all;
-    for (const effect::MethodInfo& method : methods_of(options))
-        all += (all.empty() ? "" : ",\n") +
-               method_json(method, method_equations(method, library, equations),
-                           failures.contains(method.name) ? failures.at(method.name) : MethodFailure{},
-                           options.pictures.methods);
-    folder.write("methods-data.js", "gloam.methodList = [\n" + all + "\n];\n");
-}
-
 // The class of the effect as a script of the pages, whose names are members of `gloam`.
 std::string effect_script(const fs::path& folder) {
     return "Object.assign(gloam, (() => {\n\"use strict\";\n" + effect_classes(folder) +
@@ -210,7 +197,11 @@ SiteSummary write_site(const check::Lab& lab, const SiteOptions& options, report
     summary.unsupported = static_cast<std::size_t>(std::ranges::count(written, false, &Written::supported));
     write_pages(options, folder);
     write_effect(glsl, options, folder);
-    write_methods(glsl, options, folder);
+    folder.write("methods-data.js", "gloam.methodList = " +
+                                        methods_json(methods_of(options), glsl,
+                                                     base::read_file(options.documents / "methods.md"),
+                                                     options.pictures.methods) +
+                                        ";\n");
     write_checks(entries, written, options, folder);
     return summary;
 }
