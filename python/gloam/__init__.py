@@ -63,7 +63,8 @@ class Function:
         """The result, then each out parameter: one array, or a tuple of several. Raises ValueError for a wrong number
         of values, or shapes that do not fit."""
         words, batch = self._words(values)
-        rows = self._function.run(words)
+        none = np.zeros((0, sum(map(_word_count, self._outputs))), dtype=np.uint32)
+        rows = self._function.run(words) if len(words) else none
         outputs = [_values(rows, first, one).reshape(batch + tuple(one.shape))
                    for first, one in _positions(self._outputs)]
         outputs = [one if one.ndim else one[()] for one in outputs]
@@ -109,8 +110,10 @@ class Function:
                                           for array, one in zip(arrays, self._inputs)))
         except ValueError as error:
             raise ValueError(f"{self!r}: {error}") from None
-        rows = [np.ascontiguousarray(np.broadcast_to(array, batch + tuple(one.shape)).reshape(int(np.prod(batch)), -1))
-                .view(np.uint32) for array, one in zip(arrays, self._inputs)]
+        count = int(np.prod(batch))
+        rows = [np.ascontiguousarray(np.broadcast_to(array, batch + tuple(one.shape))
+                                     .reshape(count, _word_count(one))).view(np.uint32)
+                for array, one in zip(arrays, self._inputs)]
         words = np.concatenate(rows, axis=1) if rows else np.zeros((1, 0), dtype=np.uint32)
         return np.ascontiguousarray(words), batch
 

@@ -61,6 +61,11 @@ class Module(unittest.TestCase):
         _, discarded = file["cut_out"]([0.2, 0.6, 0.7, 0.4])
         self.assertEqual(discarded.tolist(), [True, False, False, True])
 
+    def test_no_inputs_give_no_results(self):
+        self.assertEqual(self.tone([]).shape, (0,))
+        normal = gloam.File(FIXTURES / "quads.frag")["face_normal"]
+        self.assertEqual(normal(np.zeros((0, 4, 3))).shape, (0, 4, 3))
+
     def test_a_reference_judges(self):
         right = self.tone.compare(lambda x: x / (1 + x), {"x": (0, 1000)}, ulp=4, inputs=512)
         self.assertTrue(right, str(right))
