@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `gloam mutate FILE... -- COMMAND`.
+#include <sys/stat.h>
+
 #include "tools/gloam.hpp"
 
 namespace gloam::test::mutate_test {
@@ -37,6 +39,20 @@ class Mutate : public InFolder {
         return lines;
     }
 };
+
+TEST_F(Mutate, WhatIsNoShaderInTheFolderIsNoMatter) {
+    const std::string shader = tone();
+    const fs::path folder = fs::path(shader).parent_path();
+    fs::create_symlink("a", folder / "b");
+    fs::create_symlink("b", folder / "a");
+    fs::create_symlink("nowhere", folder / "dangling.glsl");
+    fs::create_directory(folder / "sub");
+    fs::create_symlink("..", folder / "sub" / "up");
+    ASSERT_EQ(::mkfifo((folder / "fifo.glsl").c_str(), 0600), 0);
+    const CommandResult result = gloam("mutate {} -- {}", folder.string(), test());
+    EXPECT_EQ(result.status, 1) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("tone.glsl"));
+}
 
 TEST_F(Mutate, AGoodTestKillsAndWhatItMissesSurvives) {
     const std::string file = path("faults.json").string();

@@ -33,7 +33,8 @@ void require_small(const fs::path& folder) {
     std::size_t files = 0;
     for (const fs::directory_entry& one : fs::recursive_directory_iterator(folder)) {
         ++files;
-        if (one.is_regular_file() && !one.is_symlink()) bytes += one.file_size();
+        std::error_code none;  // of a link in a loop
+        if (one.symlink_status(none).type() == fs::file_type::regular) bytes += one.file_size();
         if (bytes > most_bytes || files > most_files)
             throw std::runtime_error(fmt::format(
                 "{}: expected a folder of shaders to copy, found more than {} MiB or {} files; --include "
@@ -42,14 +43,27 @@ void require_small(const fs::path& folder) {
     }
 }
 
+// Copies folders, files and links. What a compiler cannot read, for example a FIFO, is left out.
+void copy_all(const fs::path& from, const fs::path& to) {
+    for (const fs::directory_entry& one : fs::recursive_directory_iterator(from)) {
+        const fs::path target = to / one.path().lexically_relative(from);
+        const fs::file_type type = one.symlink_status().type();
+        if (type == fs::file_type::directory) fs::create_directories(target);
+        if (type == fs::file_type::regular) fs::copy_file(one.path(), target);
+        if (type == fs::file_type::symlink) fs::copy_symlink(one.path(), target);
+    }
+}
+
 }  // namespace
 
 Overlay::Overlay(fs::path original) : original_(std::move(original)), folder_("mutate") {
     require_small(original_);
-    std::error_code error;
-    fs::copy(original_, folder_.path(), fs::copy_options::recursive | fs::copy_options::copy_symlinks, error);
-    if (error)
-        throw std::runtime_error(fmt::format("cannot copy {}: {}", original_.string(), error.message()));
+    try {
+        copy_all(original_, folder_.path());
+    } catch (const fs::filesystem_error& error) {
+        throw std::runtime_error(
+            fmt::format("cannot copy {}: {}", original_.string(), error.code().message()));
+    }
 }
 
 void Overlay::change(const fs::path& file, std::string_view text) const {
@@ -98,7 +112,8 @@ std::vector<fs::path> shaders_of(const std::vector<std::string>& paths) {
         if (fs::is_directory(path)) {
             found.clear();
             for (const fs::directory_entry& one : fs::recursive_directory_iterator(path))
-                if (one.is_regular_file() && is_shader_file(one.path().string())) found.push_back(one.path());
+                if (std::error_code none; one.is_regular_file(none) && is_shader_file(one.path().string()))
+                    found.push_back(one.path());
             std::ranges::sort(found);
             if (found.empty()) throw std::runtime_error(path + ": a folder without shaders");
         }
