@@ -362,6 +362,10 @@ INSTANTIATE_TEST_SUITE_P(
                "((a - b) * (a + b))",
                {{"a", {1, 2}}, {"b", {1, 2}}}},
         Helped{"float f(float x) { return pow(x, 2.0); }", "((x) * (x))", {{"x", {-2, 2}}}},
+        Helped{"float f(float x) { return pow(1.0 - x, 5.0); }",
+               "((1.0 - x) * (1.0 - x) * (1.0 - x) * (1.0 - x) * (1.0 - x))",
+               {{"x", {0, 1}}}},
+        Helped{"float f(float x) { return pow(x, 3.); }", "((x) * (x) * (x))", {{"x", {0, 4}}}},
         Helped{"float f(vec3 d) { return length(d); }", "scaled_length(d)", {{"d", {1e18, 1e22}}}},
         Helped{"float f(float x) { return sin(x); }", "sin(within_pi(x))", {{"x", {-6, 6}}}},
         Helped{

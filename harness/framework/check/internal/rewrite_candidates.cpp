@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <cctype>
@@ -178,12 +179,19 @@ class Finder {
             "0.111111111)))); }\n");
     }
 
+    // The exponents 2 to 8 as they are written: "5.0", "5.", "5"; 0 for others.
+    static std::size_t small_exponent(std::string_view text) {
+        const bool is_whole = text.size() == 1 || text.substr(1) == "." || text.substr(1) == ".0";
+        return is_whole && text[0] >= '2' && text[0] <= '8' ? static_cast<std::size_t>(text[0] - '0') : 0;
+    }
+
     void add_power(const Call& call) {
         if (call.arguments.size() != 2) return;
         const std::string& x = call.arguments[0];
-        if (call.arguments[1] == "2.0")
-            add(call.first, call.last, fmt::format("(({0}) * ({0}))", x),
-                "a product is rounded once; pow is a logarithm and an exponential");
+        const std::vector<std::string> factors(small_exponent(call.arguments[1]), "(" + x + ")");
+        if (!factors.empty())
+            add(call.first, call.last, fmt::format("({})", fmt::join(factors, " * ")),
+                "a product is rounded at each factor; pow is a logarithm and an exponential");
         add(call.first, call.last, fmt::format("pow(max({}, 0.0), {})", x, call.arguments[1]),
             "pow is undefined below 0");
         add(call.first, call.last, fmt::format("exp2({1} * log2({0}))", x, call.arguments[1]),
