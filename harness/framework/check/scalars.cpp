@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <cmath>
+#include <limits>
 
 #include "check/values_in_words.hpp"
 
@@ -57,8 +58,9 @@ Word stepped_float(Scalar scalar, Word word, std::int64_t steps) {
         return to_word(numeric::step(from_word<float>(word), static_cast<int>(steps)));
     const auto value = from_word<double>(word);
     if (!std::isfinite(value)) return word;
-    // Below a power of two the numbers stand closer.
-    const double within = static_cast<double>(steps) * value < 0.0 ? std::nextafter(value, 0.0) : value;
+    // At a power of two the numbers above stand twice as far apart as those below.
+    const double infinity = std::numeric_limits<double>::infinity();
+    const double within = std::nextafter(value, steps < 0 ? -infinity : infinity);
     return float_word(scalar, value + static_cast<double>(steps) * numeric::float16.ulp(within));
 }
 
