@@ -285,7 +285,7 @@ TEST(Mutations, OfTheLibraryCompile) {
             }
         }
     }
-    EXPECT_GT(tried, 30U);
+    EXPECT_GE(tried, 30U);
     EXPECT_LT(refused, tried / 10);
 }
 
