@@ -176,80 +176,34 @@ TEST(RejectionAtTwoRadii, IsThatOfEachRadius) {
     }
 }
 
-// Depth layers behind what the eye sees.
-
-// Methods that see that many layers.
-template <int layers>
-class Layers : public testing::TestWithParam<std::string> {
-  protected:
-    test::Gathers gathers{layers};
-    check::Function<Gather> gather = gathers[GetParam()];
-
+// A tunnel whose sides rise beside the point; a fence hangs in front of them, too far to block anything. A
+// fence whose back is seen blocks nothing behind it: what the layer behind the back shows is all there is.
+TEST(DepthLayers, BehindTheBackOfAnObjectOnlyTheNextOneBlocks) {
+    const test::Gathers gathers(3);
+    const check::Function<Gather> gather = gathers["hemisphere"];
+    const auto beside = [](float sides, float middle) -> test::Depths {
+        return [=](glm::ivec2 p) { return std::abs(p.x - 32) > 4 ? sides : middle; };
+    };
     // The mean of 256 samples at the middle of a floor at depth 5.
-    [[nodiscard]] double mean(const test::Depths& first, const test::Depths& second,
-                              const test::Depths& third = rough::none) const {
+    const auto mean = [&](const test::Depths& first, const test::Depths& second, const test::Depths& third) {
         const Camera camera{glm::vec2(0.5F, -0.5F), glm::ivec2(65), true};
         check::ImageSet images = test::view_of(camera.size, first);
         images.insert_or_assign("gloam_fetch_layers",
                                 check::make_image<glm::vec3>(camera.size, [&](glm::ivec2 p) {
                                     return glm::vec3(second(p), third(p), 0);
                                 }));
-        images.insert_or_assign(
-            "gloam_fetch_prepared",
-            check::make_image<glm::vec4>(camera.size, [](glm::ivec2) { return glm::vec4(0); }));
-        const Samples samples{.radius = 1.0F, .bias = 1e-4F, .angle = 0.0F, .first = 0, .count = 256};
-        const Method method{.range = 1.5F,
-                            .epsilon = 0.05F,
-                            .intensity = 0.2F,
-                            .thickness = 1e3F,
-                            .steps = 16,
-                            .feature_thickness = 1e18F};
-        const glm::vec2 sum =
-            gather.with_images(images, {glm::vec3(0, 0, -5), glm::vec3(0, 0, 1), camera, samples, method});
+        const test::Samples samples{.radius = 1.0F, .bias = 1e-4F, .angle = 0.0F, .first = 0, .count = 256};
+        const glm::vec2 sum = gather.with_images(
+            images, {glm::vec3(0, 0, -5), glm::vec3(0, 0, 1), camera, samples, test::Method{.range = 1.5F}});
         return static_cast<double>(sum.x / sum.y);
-    }
-};
-
-class FurtherLayers : public Layers<2> {};
-class ThreeLayers : public Layers<3> {};
-
-// A tunnel whose sides rise beside the point; a fence hangs in front of them, too far to block anything.
-test::Depths beside(float sides, float middle) {
-    return [=](glm::ivec2 p) { return std::abs(p.x - 32) > 4 ? sides : middle; };
-}
-const test::Depths tunnel = beside(4.6F, 5.0F);
-const test::Depths fenced = beside(1.0F, 5.0F);
-const test::Depths back_of_fence = beside(-1.1F, 0.0F);
-const test::Depths sides = beside(4.6F, 0.0F);
-const test::Depths bare = beside(5.0F, 5.0F);
-const test::Depths nothing = beside(0.0F, 0.0F);
-
-// What the first layer hides blocks as if it were seen (CS-LAYERS).
-TEST_P(FurtherLayers, ASecondLayerBlocksWhatTheFirstDoesNotShow) {
-    const double seen = mean(tunnel, nothing);
-    const double hidden = mean(fenced, nothing);
-    ASSERT_GT(seen, hidden + 0.005);
-    EXPECT_NEAR(mean(fenced, tunnel), seen, 1e-6);
-}
-
-// A layer that blocks less, or is not there, takes nothing away.
-TEST_P(FurtherLayers, TheOneThatBlocksMostCounts) {
-    const double seen = mean(tunnel, nothing);
-    EXPECT_EQ(mean(tunnel, tunnel), seen);
-    EXPECT_EQ(mean(tunnel, [](glm::ivec2) { return 7.0F; }), seen);
-}
-
-// A fence whose back is seen blocks nothing behind it: what the layer behind the back shows is all there is.
-TEST_P(ThreeLayers, BehindTheBackOfAnObjectOnlyTheNextOneBlocks) {
-    const double seen = mean(tunnel, nothing);
-    const double open = mean(bare, nothing);
+    };
+    const double seen = mean(beside(4.6F, 5.0F), rough::none, rough::none);
+    const double open = mean(beside(5.0F, 5.0F), rough::none, rough::none);
     ASSERT_GT(seen, open + 0.005);
-    EXPECT_NEAR(mean(fenced, back_of_fence, sides), seen, 1e-6);
-    EXPECT_NEAR(mean(fenced, back_of_fence, bare), open, 1e-6);
+    const test::Depths fenced = beside(1.0F, 5.0F);
+    const test::Depths back_of_fence = beside(-1.1F, 0.0F);
+    EXPECT_NEAR(mean(fenced, back_of_fence, beside(4.6F, 0.0F)), seen, 1e-6);
+    EXPECT_NEAR(mean(fenced, back_of_fence, beside(5.0F, 5.0F)), open, 1e-6);
 }
-
-INSTANTIATE_TEST_SUITE_P(Points, ThreeLayers, testing::Values("hemisphere"), test::parameter_name);
-
-INSTANTIATE_TEST_SUITE_P(Loops, FurtherLayers, testing::Values("hemisphere", "ssdo"), test::parameter_name);
 
 }  // namespace gloam::method_layers_test
