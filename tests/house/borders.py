@@ -20,6 +20,7 @@ WINGS = {
         "numeric": {"base"},
         "interpreter": {"base", "backend", "shader", "numeric"},
         "check": {"base", "backend", "shader", "numeric", "interpreter"},
+        "cost": {"base", "backend", "shader"},
     },
     "occlusion": {
         "reference": {"numeric"},
@@ -31,7 +32,7 @@ WINGS = {
     },
 }
 MAY_INCLUDE = {**WINGS["framework"], **WINGS["occlusion"],
-               "tools": {"base", "backend", "report", "experiment", "effect", "scene", "catalogue", "check",
+               "tools": {"base", "backend", "report", "experiment", "effect", "scene", "catalogue", "check", "cost",
                          "interpreter", "shader", "numeric"}}
 
 # Libraries that belong to one room, or one folder of it, by what their headers are called.

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "base/process.hpp"
+#include "base/compiler_limits.hpp"
 #include "shader/include.hpp"
 #include "shader/internal/include_folders.hpp"
 
@@ -119,10 +119,6 @@ std::optional<std::vector<Function>> decode(std::string_view bytes) {
 
 namespace {
 
-const base::ProcessLimits limits{.memory_bytes = std::uint64_t{3} << 30,
-                                 .cpu = std::chrono::seconds(60),
-                                 .patience = std::chrono::minutes(5)};
-
 enum class Work { compile, functions, excerpts, mutations, pack, translate };
 
 // The first byte of an answer: the result follows, or the message of what the work threw.
@@ -168,7 +164,7 @@ std::string answer_to(std::string_view question) {
 
 // The result of the work. `name`: of the text, for the limits' messages.
 std::string asked(Work work, const std::string& name, Json arguments) {
-    thread_local base::Apart compiler(answer_to, limits);
+    thread_local base::Apart compiler(answer_to, base::compiler_limits);
     const std::string question = bytes_of(Json::array({work, dependency_list(), std::move(arguments)}));
     std::string answer;
     try {

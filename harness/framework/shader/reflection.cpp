@@ -97,9 +97,19 @@ class Reflector {
         return spvc_type_get_num_array_dimensions(whole) > 0 ? shape + "[]" : shape;
     }
 
+    // Of an array without a size 1.
+    std::uint32_t count_of(const spvc_reflected_resource& resource) const {
+        const spvc_type type = spvc_compiler_get_type_handle(compiler_, resource.type_id);
+        std::uint32_t count = 1;
+        for (unsigned d = 0; d < spvc_type_get_num_array_dimensions(type); ++d)
+            count *= std::max(1U, spvc_type_get_array_dimension(type, d));
+        return count;
+    }
+
     Binding binding(const spvc_reflected_resource& resource, BindingType type) const {
         Binding result{.set = decoration(resource.id, SpvDecorationDescriptorSet),
                        .number = decoration(resource.id, SpvDecorationBinding),
+                       .count = count_of(resource),
                        .name = spvc_compiler_get_name(compiler_, resource.id),
                        .type = type};
         const auto has = [&](SpvDecoration d) {

@@ -37,7 +37,8 @@ enum class BindingType { storage_image, sampled_image, texture, sampler, storage
 struct Binding {
     std::uint32_t set = 0;
     std::uint32_t number = 0;
-    std::string name;  // of the variable; for an unnamed variable that of its block
+    std::uint32_t count = 1;  // of an array
+    std::string name;         // of the variable; for an unnamed variable that of its block
     BindingType type = BindingType::storage_image;
     std::string format;  // of a storage image, as GLSL has it: "rgba32f"; empty: none is said
     std::string texel;   // of an image: what the shader reads: "float", "int", "uint"; else empty

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include "cost/cost.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "backend/vulkan/radv.hpp"
+#include "base/compiler_limits.hpp"
+#include "shader/reflection.hpp"
+
+namespace gloam::cost {
+
+std::span<const CostField> cost_fields() {
+    static constexpr std::array<CostField, 9> fields{{{"instructions", &Cost::instructions},
+                                                      {"valu", &Cost::valu},
+                                                      {"loads", &Cost::loads},
+                                                      {"stores", &Cost::stores},
+                                                      {"registers", &Cost::registers},
+                                                      {"waves", &Cost::waves},
+                                                      {"spilled", &Cost::spilled},
+                                                      {"loops", &Cost::loops},
+                                                      {"in_loops", &Cost::in_loops}}};
+    return fields;
+}
+
+namespace {
+
+std::string_view first_word(std::string_view line) {
+    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+    return line.substr(0, line.find_first_of(" \t"));
+}
+
+bool begins(std::string_view word, std::initializer_list<std::string_view> with) {
+    return std::ranges::any_of(with, [&](std::string_view one) { return word.starts_with(one); });
+}
+
+// An instruction's name has the unit that executes it in front.
+bool is_instruction(std::string_view word) {
+    const auto is_of_name = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+    };
+    return word.size() > 2 && std::ranges::all_of(word, is_of_name) && word != "s_code_end" &&
+           begins(word, {"s_", "v_", "ds_", "image_", "buffer_", "global_", "flat_", "scratch_", "exp_"});
+}
+
+void count(std::string_view instruction, Cost& cost) {
+    ++cost.instructions;
+    if (begins(instruction, {"v_"})) ++cost.valu;
+    if (begins(instruction, {"image_store", "image_atomic", "buffer_store", "buffer_atomic", "global_store",
+                             "global_atomic"}))
+        ++cost.stores;
+    else if (begins(instruction, {"image_", "buffer_load", "global_load"}))
+        ++cost.loads;
+}
+
+// A label of the form BB12, which a line begins with or a branch ends with; empty: there is none.
+std::string label_in(std::string_view text) {
+    const std::size_t at = text.find("BB");
+    if (at == std::string_view::npos) return {};
+    const std::size_t end = std::min(text.find_first_not_of("0123456789", at + 2), text.size());
+    return end > at + 2 ? std::string(text.substr(at, end - at)) : std::string();
+}
+
+}  // namespace
+
+Cost counted(std::string_view assembly) {
+    Cost cost;
+    std::map<std::string, std::size_t> labels;  // and the number of instructions before them
+    std::map<std::size_t, std::size_t> loops;   // begin and end, by such numbers
+    while (!assembly.empty()) {
+        const std::string_view line = assembly.substr(0, assembly.find('\n'));
+        assembly.remove_prefix(std::min(line.size() + 1, assembly.size()));
+        const std::string_view word = first_word(line.substr(0, line.find(';')));
+        if (word.starts_with("BB")) labels.emplace(label_in(word), cost.instructions);
+        if (!is_instruction(word)) continue;
+        count(word, cost);
+        if (!begins(word, {"s_branch", "s_cbranch"})) continue;
+        const auto back = labels.find(label_in(line.substr(0, line.find(';'))));
+        if (back == labels.end()) continue;
+        std::size_t& end = loops[back->second];
+        end = std::max<std::size_t>(end, cost.instructions);
+    }
+    cost.loops = loops.size();
+    std::size_t behind = 0;  // loops may stand in each other
+    for (const auto& [begin, end] : loops) {
+        cost.in_loops += end > behind ? end - std::max(begin, behind) : 0;
+        behind = std::max(behind, end);
+    }
+    return cost;
+}
+
+namespace {
+
+// A chip, and its names in RADV, the newest last.
+struct Family {
+    const char* name;
+    std::vector<std::string> chips;
+};
+
+const std::vector<Family>& family_table() {
+    static const std::vector<Family> table{
+        {"NAVI21", {"NAVI21"}}, {"NAVI31", {"GFX1100", "NAVI31"}}, {"POLARIS10", {"POLARIS10"}}};
+    return table;
+}
+
+gpu::DescriptorKind kind_of(shader::BindingType type) {
+    switch (type) {
+        case shader::BindingType::storage_image:
+            return gpu::DescriptorKind::storage_image;
+        case shader::BindingType::sampled_image:
+            return gpu::DescriptorKind::sampled_image;
+        case shader::BindingType::texture:
+            return gpu::DescriptorKind::texture;
+        case shader::BindingType::sampler:
+            return gpu::DescriptorKind::sampler;
+        case shader::BindingType::storage_buffer:
+            return gpu::DescriptorKind::storage_buffer;
+        case shader::BindingType::uniform_buffer:
+            return gpu::DescriptorKind::uniform_buffer;
+    }
+    throw std::logic_error("a binding of an unknown type");
+}
+
+gpu::RadvProgram program_of(const shader::Spirv& module, const CostOptions& options) {
+    const shader::ModuleInterface interface = shader::reflect(module);
+    gpu::RadvProgram program{.spirv = module, .descriptors = {}, .constants = options.constants};
+    for (const shader::Binding& one : interface.bindings)
+        program.descriptors.push_back(
+            {.set = one.set, .number = one.number, .count = one.count, .kind = kind_of(one.type)});
+    if (interface.push_constants)
+        program.push_constant_bytes = static_cast<std::uint32_t>(interface.push_constants->size);
+    return program;
+}
+
+Cost cost_from(const gpu::RadvReport& report) {
+    if (!report.messages.empty())
+        throw std::runtime_error(fmt::format("Vulkan validation: {}", fmt::join(report.messages, " | ")));
+    Cost cost = counted(report.assembly);
+    for (const auto& [name, value] :
+         {std::pair("instructions", &Cost::instructions), std::pair("vgprs", &Cost::registers),
+          std::pair("subgroups per simd", &Cost::waves), std::pair("spilled vgprs", &Cost::spilled)}) {
+        const auto found = report.statistics.find(name);
+        if (found == report.statistics.end())
+            throw std::runtime_error(fmt::format("RADV does not say its number of {}", name));
+        cost.*value = found->second;
+    }
+    return cost;
+}
+
+// The work of a process of its own. Nothing that the driver prints is for the user.
+std::string compiled(const shader::Spirv& module, const CostOptions& options, const std::string& chip) {
+    if (const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0)
+        dup2(nowhere, STDERR_FILENO);
+    const auto validation = options.validation ? gpu::Validation::on : gpu::Validation::off;
+    const Cost cost = cost_from(gpu::compiled_by_radv(program_of(module, options), chip, validation));
+    nlohmann::json numbers;
+    for (const CostField& field : cost_fields()) numbers.push_back(cost.*field.value);
+    return numbers.dump();
+}
+
+}  // namespace
+
+std::vector<std::string> families() {
+    std::vector<std::string> names;
+    for (const Family& family : family_table()) names.emplace_back(family.name);
+    return names;
+}
+
+Cost cost_of(const shader::Spirv& module, const CostOptions& options) {
+    const auto family = std::ranges::find(family_table(), options.family, &Family::name);
+    if (family == family_table().end())
+        throw std::invalid_argument(
+            fmt::format("unknown family \"{}\": expected {}", options.family, fmt::join(families(), ", ")));
+    for (std::size_t i = 0;; ++i) {
+        try {
+            const auto numbers = nlohmann::json::parse(base::run_apart(
+                [&] { return compiled(module, options, family->chips[i]); }, base::compiler_limits));
+            Cost cost;
+            for (std::size_t n = 0; const CostField& field : cost_fields())
+                numbers.at(n++).get_to(cost.*field.value);
+            return cost;
+        } catch (const base::LimitError& error) {  // RADV ends the process where it does not know the name
+            if (i + 1 == family->chips.size())
+                throw base::LimitError(std::string("the compiler of the GPU ") + error.what());
+        }
+    }
+}
+
+}  // namespace gloam::cost
