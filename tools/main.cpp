@@ -90,6 +90,7 @@ int run(int argc, char** argv) {
     gloam::cli::add_check_worker(app);
     gloam::cli::add_audit(app, status);
     gloam::cli::add_explain(app);
+    gloam::cli::add_cost(app, status);
     gloam::cli::add_mutate(app, std::move(tested), status);
     gloam::cli::add_mesh_reader(app, status);
     gloam::cli::add_report(app, status);

@@ -52,12 +52,7 @@ class AuditedFile {
     [[nodiscard]] const std::string& text() const { return text_; }
 
     [[nodiscard]] check::Lab lab(const std::string& device) const {
-        const std::filesystem::path path = std::filesystem::absolute(command_.file);
-        const auto roots = include_roots_of(path, command_.includes);
-        return check::Lab({.device = device,
-                           .include_roots = roots,
-                           .cache_directory = cache_directory(),
-                           .excerpts = shader::excerpts({path.string(), text_}, roots).functions});
+        return lab_of_file(command_.file, command_.includes, device);
     }
 
     [[nodiscard]] check::Audit audit(const check::Lab& lab, const check::OwnFunction& function) const {

@@ -68,6 +68,11 @@ const std::map<std::string, std::string>& examples() {
          "first\n"
          "  gloam audit tone.glsl curve --range x=0:16 --html audit.html\n"
          "  gloam audit tone.glsl --device 0 1                 what two drivers give for the worst inputs\n"},
+        {"cost",
+         "  gloam cost tone.glsl curve --below 40              a function; status 1 above 40 vector "
+         "instructions\n"
+         "  gloam cost blur.comp --define RADIUS=3             a whole compute shader\n"
+         "  gloam cost --preset balanced --family NAVI31       the passes of a frame\n"},
         {"mutate",
          "  gloam mutate shaders/tone.glsl -- ctest --test-dir build\n"
          "  gloam mutate shaders --count 200 --seed 1 --json faults.json -- ./tests\n\n"

@@ -27,6 +27,10 @@ void add_explain(CLI::App& app);
 // an input gives NaN, infinity or an undefined result.
 void add_audit(CLI::App& app, int& status);
 
+// `gloam cost FILE [FUNCTION]`: what a GPU's compiler makes of a shader. `status` receives 0, or 1 if it
+// costs more than --below says.
+void add_cost(CLI::App& app, int& status);
+
 // Takes the words behind the first "--" of `gloam mutate` from its arguments: its COMMAND.
 [[nodiscard]] std::vector<std::string> take_command(std::vector<std::string>& arguments);
 

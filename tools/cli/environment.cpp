@@ -38,6 +38,12 @@ fs::path glsl_directory() {
     return data_in("gloam/glsl", GLOAM_GLSL_DIR, "gloam");
 }
 
+std::string path_of_shader(const std::string& file) {
+    const fs::path ours = glsl_directory() / file;
+    std::error_code none;
+    return !fs::exists(file, none) && fs::exists(ours, none) ? ours.string() : file;
+}
+
 std::vector<fs::path> include_roots_of(const fs::path& file, const std::vector<std::string>& further) {
     std::vector<fs::path> roots{fs::absolute(file).parent_path()};
     for (const std::string& folder : further) roots.push_back(fs::absolute(folder));

@@ -108,27 +108,20 @@ struct Target {
     std::vector<std::string> values;
 };
 
-// The path of a file, or of one of the library by its name there ("gloam/filter/shrink.glsl").
-std::string path_of(const std::string& file) {
-    const std::filesystem::path ours = glsl_directory() / file;
-    std::error_code none;
-    return !std::filesystem::exists(file, none) && std::filesystem::exists(ours, none) ? ours.string() : file;
-}
-
 // FILE FUNCTION VALUE..., or EQUATION VALUE..., which is all that names the function.
 Target target_of(const std::vector<std::string>& words) {
     std::error_code none;
     if (is_shader_file(words.front()) || std::filesystem::exists(words.front(), none)) {
         if (words.size() < 2)
             throw std::invalid_argument(words.front() + ": expected a function of this file behind it");
-        return {path_of(words[0]), words[1], {words.begin() + 2, words.end()}};
+        return {path_of_shader(words[0]), words[1], {words.begin() + 2, words.end()}};
     }
     const catalogue::Entries found = equations_named({words.front()});
     const catalogue::Description& first = found.front().description;
     if (words.front().find_first_of("*?") != std::string::npos && found.size() > 1)
         throw std::invalid_argument(fmt::format("{} names {} functions: expected one, for example {}",
                                                 words.front(), found.size(), first.function));
-    return {path_of(first.file), first.function, {words.begin() + 1, words.end()}};
+    return {path_of_shader(first.file), first.function, {words.begin() + 1, words.end()}};
 }
 
 void run_explain(const ExplainOptions& options) {

@@ -67,10 +67,7 @@ gpu::BindingKind kind_of(shader::BindingType type) {
 
 shader::Spirv module_of(const gpu::Device& device, const scene::PassLibrary& library,
                         const PassSource& source) {
-    const scene::PassLibrary& optimized = source.unrolls ? library.unrolled() : library;
-    std::vector<std::string> defines = source.defines;
-    if (reads_storage_images(device, library.inputs())) defines.emplace_back("GLOAM_STORAGE_INPUTS");
-    return optimized.compile(source.file, defines, source.replaced);
+    return module_of(source, library, reads_storage_images(device, library.inputs()));
 }
 
 // kinds: of the bindings that the module lacks.
@@ -90,6 +87,13 @@ gpu::ComputePipeline pipeline_of(const gpu::Device& device, const PassSource& so
 }
 
 }  // namespace
+
+shader::Spirv module_of(const PassSource& source, const scene::PassLibrary& library, bool storage_inputs) {
+    const scene::PassLibrary& optimized = source.unrolls ? library.unrolled() : library;
+    std::vector<std::string> defines = source.defines;
+    if (storage_inputs) defines.emplace_back("GLOAM_STORAGE_INPUTS");
+    return optimized.compile(source.file, defines, source.replaced);
+}
 
 bool runs_on_cpu(const gpu::Device& device) {
     return device.info().type == "cpu";

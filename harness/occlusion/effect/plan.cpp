@@ -31,7 +31,11 @@ Moment moment_of(const Settings& settings, const PlanOptions& options) {
     moment.bent_normals = options.bent_normals;
     moment.filtered = filters(settings);
     moment.has_tiles = moment.listed = options.tiles;
-    if (options.tiles) moment.counting = Counting::each_group;
+    if (options.first) {
+        moment.has_tiles = moment.shows_unfiltered = true;
+        moment.moved = false;
+    }
+    if (options.tiles || options.first) moment.counting = Counting::each_group;
     if (tabulates_samples(settings)) moment.tabulated = {1, last_tabulated(settings)};
     return moment;
 }

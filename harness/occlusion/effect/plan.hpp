@@ -105,6 +105,7 @@ struct PlanOptions {
     bool motion_vectors = false;  // it gives motion vectors, from which these follow
     bool orthographic = false;
     bool tiles = false;   // passes run over lists of tiles (docs/passes.md); otherwise over the whole image
+    bool first = false;   // the first frame of AmbientOcclusion on a GPU, whose groups count their work
     bool normals = true;  // the engine has normals; otherwise they are reconstructed from depth
     bool bent_normals = false;  // an image of the mean open directions is written as well
     scene::Encoding encoding;   // of the engine's depth and normals
@@ -112,5 +113,9 @@ struct PlanOptions {
 
 // The plan of a frame with these settings. Throws std::invalid_argument like validate().
 [[nodiscard]] Plan plan_of(const Settings& settings, const PlanOptions& options);
+
+// The module of a pass. storage_inputs: as drivers that run on the CPU get it (scene::Inputs).
+[[nodiscard]] shader::Spirv module_of(const PassSource& source, const scene::PassLibrary& library,
+                                      bool storage_inputs = false);
 
 }  // namespace gloam::effect

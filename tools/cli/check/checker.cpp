@@ -61,6 +61,17 @@ OwnFile own_file(const std::string& file, const std::vector<std::string>& names,
     return own;
 }
 
+check::Lab lab_of_file(const std::filesystem::path& file, const std::vector<std::string>& includes,
+                       const std::string& device) {
+    const std::filesystem::path path = std::filesystem::absolute(file);
+    const auto roots = include_roots_of(path, includes);
+    return check::Lab(
+        {.device = device,
+         .include_roots = roots,
+         .cache_directory = cache_directory(),
+         .excerpts = shader::excerpts({path.string(), shader::read_text(file)}, roots).functions});
+}
+
 std::string why_nothing(const std::vector<check::LeftOut>& left_out) {
     if (left_out.empty()) return "it defines no function but main, or its #if conditions leave none";
     if (left_out.size() == 1) return left_out.front().name + ": " + left_out.front().why;

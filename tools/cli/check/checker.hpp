@@ -44,6 +44,10 @@ struct OwnFile {
                                const std::vector<std::string>& ranges,
                                const std::vector<std::string>& includes);
 
+// A lab for the functions of a file.
+[[nodiscard]] check::Lab lab_of_file(const std::filesystem::path& file,
+                                     const std::vector<std::string>& includes, const std::string& device);
+
 // Why nothing is left of a file of which these functions were left out.
 [[nodiscard]] std::string why_nothing(const std::vector<check::LeftOut>& left_out);
 

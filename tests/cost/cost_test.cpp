@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "cost/cost.hpp"
+
+#include "backend/vulkan/radv.hpp"
+#include "base/process.hpp"
+#include "tools/gloam.hpp"
+
+namespace gloam::test::cost_test {
+
+using cost::Cost;
+
+std::string fixture(const std::string& name) {
+    return std::string(FIXTURES "/") + name;
+}
+
+shader::Spirv compiled(const std::string& name) {
+    return shader::compile({fixture(name), read_file(fixture(name))}, {});
+}
+
+// As RADV writes it: a loop in a loop, then a branch forward.
+constexpr const char* assembly =
+    "BB0:\n"
+    "\tv_mov_b32_e32 v1, 0                    ; 7e020280\n"
+    "\ts_load_dwordx4 s[4:7], s[4:5], null    ; f4080102 fa000000\n"
+    "BB1:\n"
+    "\tbuffer_load_dword v2, off, s[4:7], 0   ; e0300000\n"
+    "BB2:\n"
+    "\timage_sample v[3:4], v[5:6], s[8:15]   ; f0800000\n"
+    "\ts_cbranch_scc1 BB2                     ; bf85000a\n"
+    "\tv_pk_add_f16 v1, v1, v2                ; 06020501\n"
+    "\ts_branch BB1                           ; bf82ffeb\n"
+    "BB3:\n"
+    "\ts_cbranch_execz BB4                    ; bf880000\n"
+    "\timage_store v0, v[1:2], s[0:7]         ; f0200000\n"
+    "\tglobal_atomic_add_u32 v0, v1, s[0:1]   ; dcc80000\n"
+    "BB4:\n"
+    "\ts_endpgm                               ; bf810000\n"
+    "\ts_code_end                             ; bf9f0000\n";
+
+TEST(Counted, InstructionsByTheUnitThatExecutesThem) {
+    const Cost cost = cost::counted(assembly);
+    EXPECT_EQ(cost.instructions, 11U);
+    EXPECT_EQ(cost.valu, 2U);
+    EXPECT_EQ(cost.loads, 2U);
+    EXPECT_EQ(cost.stores, 2U);
+    EXPECT_EQ(cost.loops, 2U);
+    EXPECT_EQ(cost.in_loops, 5U);
+}
+
+TEST(Counted, NothingOfWhatIsNoProgram) {
+    for (const char* text : {"", "\n", "BB0:", "BB", "s_branch", "; v_mov_b32", "V_MOV_B32 v1, 0"})
+        EXPECT_EQ(cost::counted(text).valu, 0U) << text;
+}
+
+// What a driver for a chip says: without RADV there is nothing to test.
+class OfChip : public InFolder {
+  protected:
+    void SetUp() override {
+        InFolder::SetUp();
+        try {
+            (void)cost::cost_of(compiled("filter3.comp"));
+        } catch (const base::WorkError& error) {
+            if (std::string(error.what()) == gpu::no_radv_message) GTEST_SKIP() << error.what();
+        }
+    }
+    static json json_of(const std::vector<std::string>& arguments) {
+        return json::parse(output_of(run_command(arguments)));
+    }
+};
+
+// The count is that of 22.3.6 and of 25.0.7, the two Debians' Mesa.
+TEST_F(OfChip, AFilterOfThreeByThree) {
+    const Cost cost = cost::cost_of(compiled("filter3.comp"));
+    EXPECT_EQ(cost.valu, 129U);
+    EXPECT_EQ(cost.loads, 4U);
+    EXPECT_EQ(cost.stores, 2U);
+    EXPECT_EQ(cost.loops, 0U);
+    EXPECT_EQ(cost.spilled, 0U);
+    EXPECT_GT(cost.registers, 0U);
+    EXPECT_GT(cost.waves, 0U);
+}
+
+TEST_F(OfChip, EveryFamilyCompiles) {
+    for (const std::string& family : cost::families()) {
+        const Cost cost = cost::cost_of(compiled("filter3.comp"), {.family = family});
+        EXPECT_THAT(static_cast<double>(cost.valu), testing::DoubleNear(129, 30)) << family;
+    }
+}
+
+TEST_F(OfChip, EveryKindOfBindingIsValid) {
+    const Cost cost = cost::cost_of(compiled("descriptors.comp"), {.validation = true});
+    EXPECT_EQ(cost.loops, 1U);
+    EXPECT_GT(cost.in_loops, 0U);
+    EXPECT_LT(cost.in_loops, cost.instructions);
+}
+
+TEST_F(OfChip, ConstantsAreThoseGiven) {
+    const std::string file = path("constant.comp");
+    std::ofstream(file)
+        << "#version 450\nlayout(constant_id = 3) const int n = 1;\n"
+           "layout(binding = 0) buffer B { float v; };\n"
+           "void main() { float s = v; for (int i = 0; i < n; ++i) s = sin(s) + 0.5; v = s; }\n";
+    const shader::Spirv module = shader::compile({file, read_file(file)}, {});
+    const Cost one = cost::cost_of(module);
+    const Cost four = cost::cost_of(module, {.constants = {{.id = 3, .bits = 4}}});
+    EXPECT_GT(four.valu, one.valu + 5);
+}
+
+TEST_F(OfChip, TheEnvironmentOfAUserChangesNothing) {
+    const Arguments arguments{"cost", fixture("filter3.comp")};
+    const std::string usual = output_of(run_command(arguments));
+    for (const char* variable :
+         {"RADV_DEBUG=nooutoforder,shaders", "RADV_FORCE_FAMILY=POLARIS10", "ACO_DEBUG=noopt,nosched",
+          "RADV_PERFTEST=cswave32", "VK_INSTANCE_LAYERS=VK_LAYER_no_such"})
+        EXPECT_EQ(output_of(run_command(arguments, {.environment = {variable}})), usual) << variable;
+}
+
+TEST_F(OfChip, AboveItsLimitTheStatusIsOne) {
+    expect_success(gloam("cost {} --below 129", fixture("filter3.comp")));
+    const CommandResult above = gloam("cost {} --below 128", fixture("filter3.comp"));
+    EXPECT_EQ(above.status, 1);
+    EXPECT_EQ(above.err, "filter3.comp: 129 vector instructions, allowed are 128\n");
+}
+
+TEST_F(OfChip, FunctionsOfAFile) {
+    std::ofstream(path("two.glsl")) << "float twice(float x) { return 2.0 * x; }\n"
+                                       "float curve(float x) { return exp(sin(x)) / (1.0 + sqrt(x)); }\n"
+                                       "float slope(float x) { return dFdx(x); }\n";
+    const CommandResult all = gloam("cost {} --json", path("two.glsl"));
+    EXPECT_EQ(all.status, 0);
+    EXPECT_EQ(line_count(all.err), 1) << all.err;
+    EXPECT_THAT(all.err, HasSubstr("slope"));
+    const json shaders = json::parse(all.out).at("shaders");
+    ASSERT_EQ(shaders.size(), 2U);
+    EXPECT_EQ(shaders[0].at("name"), "twice");
+    EXPECT_GT(shaders[1].at("valu"), shaders[0].at("valu"));
+    const json one = json_of(words("cost {} curve --json", path("two.glsl"))).at("shaders");
+    EXPECT_EQ(one, json::array({shaders[1]}));
+    expect_success(gloam("cost gloam/sampling/halton.glsl gloam_halton_2d"));
+}
+
+TEST_F(OfChip, DefinitionsKeepTheNumbersOfLines) {
+    const std::string file = path("defined.comp");
+    std::ofstream(file) << "#version 450\nlayout(binding = 0) buffer B { float v; };\n"
+                           "void main() { v = VALUE; }\n";
+    expect_success(gloam("cost {} --define VALUE=2.0", file));
+    expect_could_not_run(gloam("cost {} --define OTHER", file), "defined.comp:3: ");
+}
+
+// The passes that a GPU gets, and their sum.
+TEST_F(OfChip, AFrameOfAPreset) {
+    const json frame = json_of(words("cost --preset fast --json"));
+    double valu = 0.0;
+    for (const json& pass : frame.at("passes")) {
+        valu += pass.at("valu_per_pixel").get<double>();
+        EXPECT_EQ(pass.at("loops"), 0) << pass;
+        EXPECT_GT(pass.at("bytes_per_pixel"), 0) << pass;
+        EXPECT_NEAR(pass.at("valu").get<double>() / pass.at("pixels").get<double>(),
+                    pass.at("valu_per_pixel"), 1e-6);
+    }
+    EXPECT_NEAR(valu, 620, 31);
+    const CommandResult above = gloam("cost --preset fast --below {}", std::to_string(valu - 0.01));
+    EXPECT_EQ(above.status, 1);
+    EXPECT_THAT(above.err, StartsWith("fast: "));
+}
+
+TEST_F(OfChip, WhatCannotBeCountedIsOneLine) {
+    const std::string filter = fixture("filter3.comp");
+    expect_could_not_run(gloam("cost"), "--preset NAME");
+    expect_could_not_run(gloam("cost {} --preset fast", filter), "--preset NAME");
+    expect_could_not_run(gloam("cost --preset none"), "none");
+    expect_could_not_run(gloam("cost {} --family GTX", filter), "expected NAVI21, NAVI31, POLARIS10");
+    std::ofstream(path("far.comp")) << "#version 450\nlayout(set = 40, binding = 0) buffer B { float v; };\n"
+                                       "void main() { v = 1.0; }\n";
+    expect_could_not_run(gloam("cost {}", path("far.comp")), "descriptor set 40:");
+    std::ofstream(path("quad.frag")) << "float f(float x) { return dFdx(x); }\n";
+    expect_could_not_run(gloam("cost {}", path("quad.frag")), "derivatives");
+    const CommandResult without =
+        run_command({"cost", filter}, {.environment = {"VK_DRIVER_FILES=/none", "VK_ICD_FILENAMES=/none"}});
+    expect_could_not_run(without, gpu::no_radv_message);
+}
+
+}  // namespace gloam::test::cost_test

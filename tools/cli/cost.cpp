@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+#include "cost/cost.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "base/text.hpp"
+#include "base/version.hpp"
+#include "check/kernel_code.hpp"
+#include "cli/check/checker.hpp"
+#include "cli/commands.hpp"
+#include "cli/environment.hpp"
+#include "cli/pack/effect.hpp"
+#include "cli/settings.hpp"
+#include "effect/plan.hpp"
+#include "shader/include.hpp"
+#include "shader/reflection.hpp"
+#include "shader/spirv.hpp"
+
+namespace gloam::cli {
+namespace {
+
+struct CostCommand {
+    std::string file;
+    std::vector<std::string> functions;
+    std::string preset;
+    std::vector<std::string> includes;
+    std::vector<std::string> defines;
+    cost::CostOptions options;
+    std::optional<double> below;
+    bool json = false;
+};
+
+struct CostRow {
+    std::string name;
+    cost::Cost cost;
+    // Of a pass of a frame.
+    double pixels = 1.0;  // of the view, that an invocation makes
+    double bytes = 0.0;   // of a pixel of the view
+
+    [[nodiscard]] double valu_per_pixel() const { return static_cast<double>(cost.valu) / pixels; }
+};
+
+// The text with definitions behind its #version line, and its own numbers of lines.
+std::string with_definitions(std::string text, const std::vector<std::string>& defines) {
+    if (defines.empty()) return text;
+    const std::size_t version = text.find("#version");
+    const std::size_t end = version == std::string::npos ? std::string::npos : text.find('\n', version);
+    const std::size_t at = end == std::string::npos ? 0 : end + 1;
+    std::string lines;
+    for (std::string one : defines) {
+        const std::size_t equals = one.find('=');
+        if (equals != std::string::npos) one[equals] = ' ';
+        lines += "#define " + one + "\n";
+    }
+    return text.insert(
+        at, fmt::format("{}#line {}\n", lines,
+                        std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n') + 1));
+}
+
+std::vector<CostRow> cost_of_shader(const CostCommand& command, const std::filesystem::path& file) {
+    const std::string text = with_definitions(shader::read_text(file), command.defines);
+    const shader::Spirv module = shader::compile({std::filesystem::absolute(file).string(), text},
+                                                 {.include_roots = include_roots_of(file, command.includes)});
+    return {{file.filename().string(), cost_of(module, command.options)}};
+}
+
+// The kernel that `gloam check` makes, but for what it declares of NaN.
+shader::Spirv kernel_of(const check::Lab& lab, const std::string& file, const check::OwnFunction& own) {
+    check::KernelSource source = lab.source(file, own.function.name, own.signature());
+    source.preserve_nan = false;
+    return lab.compile_kernel({"kernel of " + own.name, kernel_code(source)}, source.images);
+}
+
+std::vector<CostRow> cost_of_functions(const CostCommand& command, const std::filesystem::path& file) {
+    if (!command.defines.empty())
+        throw std::invalid_argument("--define is for whole compute shaders (.comp)");
+    OwnFile own = own_file(file.string(), command.functions, {}, command.includes);
+    std::vector<check::LeftOut>& left_out = own.functions.left_out;
+    std::erase_if(own.functions.found, [&](const check::OwnFunction& one) {
+        const bool of_quad = one.team.kind == backend::Team::Kind::quad;
+        if (of_quad) left_out.push_back({one.name, "it needs the derivatives of a fragment shader"});
+        return of_quad;
+    });
+    if (own.functions.found.empty())
+        throw std::runtime_error(
+            fmt::format("{}: nothing was counted: {}", file.string(), why_nothing(left_out)));
+    for (const check::LeftOut& one : left_out)
+        fmt::print(stderr, "{}\n", base::one_line(fmt::format("{} was left out: {}", one.name, one.why)));
+    const check::Lab lab = lab_of_file(file, command.includes, std::string(check::interpreter_name));
+    std::vector<CostRow> rows;
+    for (const check::OwnFunction& one : own.functions.found)
+        rows.push_back({one.name, cost_of(kernel_of(lab, file.filename().string(), one), command.options)});
+    return rows;
+}
+
+std::vector<CostRow> cost_of_file(const CostCommand& command, const std::filesystem::path& file) {
+    const bool whole = file.extension() == ".comp" && command.functions.empty();
+    return whole ? cost_of_shader(command, file) : cost_of_functions(command, file);
+}
+
+// The name of a format says the bits of each channel: VK_FORMAT_R16G16_SFLOAT.
+double bytes_of_texel(gpu::Format format) {
+    double bits = 0.0;
+    const std::string name = vulkan_format(format);
+    for (std::size_t at = 0; (at = name.find_first_of("0123456789", at)) != std::string::npos;
+         at = name.find_first_not_of("0123456789", at))
+        bits += std::stod(name.substr(at));
+    return bits / 8.0;
+}
+
+// Bytes of what the pass reads and writes, each image and buffer once, a pixel of the view.
+double bytes_per_pixel(const effect::Plan& plan, const effect::PlannedPass& pass,
+                       const scene::PassLibrary& library, double view) {
+    const effect::PassSource& source = pass.source;
+    std::map<std::uint32_t, std::uint32_t> constants;
+    for (const gpu::SpecializationConstant& one : source.constants) constants[one.id] = one.bits;
+    const std::string text = library.text(source.file, source.defines, source.replaced, constants);
+    const shader::Spirv used = shader::with_passes(shader::compile({source.file, text}, {}),
+                                                   {"--freeze-spec-const", "--fold-spec-const-op-composite",
+                                                    "--ccp", "--eliminate-dead-branches", "-O"});
+    double bytes = 0.0;
+    for (const shader::Binding& binding : shader::reflect(used).bindings) {
+        const std::string& name = pass.resources.at(binding.number);
+        const double times = (binding.reads ? 1.0 : 0.0) + (binding.writes ? 1.0 : 0.0);
+        for (const effect::PlannedImage& image : plan.images)
+            if (image.name == name)
+                bytes += times * image.extent.width * image.extent.height * bytes_of_texel(image.format);
+        for (const effect::PlannedBuffer& buffer : plan.buffers)
+            if (buffer.name == name) bytes += times * static_cast<double>(buffer.bytes);
+    }
+    return bytes / view;
+}
+
+double pixels_of_invocation(const effect::PlannedPass& pass, const shader::Spirv& module, double view) {
+    const auto [x, y, z] = shader::reflect(module).local_size;
+    const double invocations = 1.0 * x * y * z;
+    if (pass.pixels[0] > 0) return 1.0 * pass.pixels[0] * pass.pixels[1] / invocations;
+    return view / (invocations * pass.groups[0] * pass.groups[1] * pass.groups[2]);
+}
+
+std::vector<CostRow> cost_of_preset(const CostCommand& command) {
+    const effect::PlanOptions options{.first = true};
+    const double view = 1.0 * options.view.width * options.view.height;
+    const effect::Plan plan = effect::plan_of(preset_settings(command.preset), options);
+    const scene::PassLibrary library(glsl_directory(), cache_directory());
+    std::vector<CostRow> rows;
+    for (const effect::PlannedPass& pass : plan.passes) {
+        if (pass.turn == effect::Turn::once) continue;
+        const shader::Spirv module = effect::module_of(pass.source, library);
+        cost::CostOptions of_pass = command.options;
+        of_pass.constants = pass.source.constants;
+        rows.push_back({.name = pass.name,
+                        .cost = cost_of(module, of_pass),
+                        .pixels = pixels_of_invocation(pass, module, view),
+                        .bytes = bytes_per_pixel(plan, pass, library, view)});
+    }
+    return rows;
+}
+
+std::string text_of_costs(const CostCommand& command, const std::vector<CostRow>& rows) {
+    const bool frame = !command.preset.empty();
+    std::size_t width = 4;
+    for (const CostRow& row : rows) width = std::max(width, row.name.size());
+    std::string text =
+        fmt::format("{:{}}", command.options.family, std::max(width, command.options.family.size()));
+    width = text.size();
+    for (const cost::CostField& field : cost::cost_fields())
+        text += fmt::format(" {:>{}}", field.name, field.name.size());
+    text += frame ? "  pixels  valu/px  bytes/px\n" : "\n";
+    double valu = 0.0;
+    double bytes = 0.0;
+    for (const CostRow& row : rows) {
+        text += fmt::format("{:{}}", base::one_line(row.name), width);
+        for (const cost::CostField& field : cost::cost_fields())
+            text += fmt::format(" {:>{}}", row.cost.*field.value, field.name.size());
+        if (frame)
+            text += fmt::format(" {:>7.3g} {:>8.1f} {:>9.1f}", row.pixels, row.valu_per_pixel(), row.bytes);
+        text += '\n';
+        valu += row.valu_per_pixel();
+        bytes += row.bytes;
+    }
+    if (frame)
+        text += fmt::format("a frame of {}: {:.0f} vector instructions, {:.1f} bytes a pixel\n",
+                            command.preset, valu, bytes);
+    return text;
+}
+
+nlohmann::ordered_json json_of_costs(const CostCommand& command, const std::vector<CostRow>& rows) {
+    nlohmann::ordered_json json{{"gloam", base::version()}, {"family", command.options.family}};
+    const bool frame = !command.preset.empty();
+    if (frame) json["preset"] = command.preset;
+    auto& shaders = json[frame ? "passes" : "shaders"] = nlohmann::ordered_json::array();
+    for (const CostRow& row : rows) {
+        nlohmann::ordered_json one{{"name", row.name}};
+        for (const cost::CostField& field : cost::cost_fields())
+            one[std::string(field.name)] = row.cost.*field.value;
+        if (frame) {
+            one["pixels"] = row.pixels;
+            one["valu_per_pixel"] = row.valu_per_pixel();
+            one["bytes_per_pixel"] = row.bytes;
+        }
+        shaders.push_back(std::move(one));
+    }
+    return json;
+}
+
+// What costs more than --below: a frame, or each shader. Says so.
+bool costs_more(const CostCommand& command, const std::vector<CostRow>& rows) {
+    if (!command.below) return false;
+    std::vector<std::pair<std::string, double>> valus;
+    for (const CostRow& row : rows)
+        if (command.preset.empty() || valus.empty())
+            valus.emplace_back(command.preset.empty() ? row.name : command.preset, row.valu_per_pixel());
+        else
+            valus.back().second += row.valu_per_pixel();
+    bool more = false;
+    for (const auto& [name, valu] : valus) {
+        if (valu <= *command.below) continue;
+        more = true;
+        fmt::print(stderr, "{}\n",
+                   base::one_line(fmt::format("{}: {:g} vector instructions, allowed are {:g}", name, valu,
+                                              *command.below)));
+    }
+    return more;
+}
+
+int run_cost(const CostCommand& command) {
+    if (command.file.empty() == command.preset.empty())
+        throw std::invalid_argument("expected a file, or --preset NAME");
+    const std::vector<CostRow> rows =
+        command.file.empty() ? cost_of_preset(command) : cost_of_file(command, path_of_shader(command.file));
+    if (command.json)
+        fmt::print(
+            "{}\n",
+            json_of_costs(command, rows).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    else
+        fmt::print("{}", text_of_costs(command, rows));
+    return costs_more(command, rows) ? 1 : 0;
+}
+
+}  // namespace
+
+void add_cost(CLI::App& app, int& status) {
+    auto command = std::make_shared<CostCommand>();
+    CLI::App* cost =
+        app.add_subcommand("cost", "count what a GPU pays for a shader, by a GPU's compiler, without a GPU");
+    cost->add_option("file", command->file, "a GLSL file, or a whole compute shader (.comp)");
+    cost->add_option("function", command->functions, "functions that it defines (all when none is given)");
+    cost->add_option("--preset", command->preset,
+                     "the passes of one frame of 1920 x 1080 pixels instead (gloam list presets)");
+    add_include_option(*cost, command->includes);
+    cost->add_option("--define", command->defines, "NAME or NAME=VALUE, of a compute shader; may be repeated")
+        ->allow_extra_args(false);
+    cost->add_option("--family", command->options.family,
+                     fmt::format("the chip: {}", fmt::join(cost::families(), ", ")))
+        ->capture_default_str();
+    cost->add_option(
+        "--below", command->below,
+        "most vector instructions, of an invocation or of a frame's pixel; above it the status is 1");
+    cost->add_flag("--validation", command->options.validation,
+                   "Vulkan validation layers on; any message is an error");
+    cost->add_flag("--json", command->json, "as JSON");
+    cost->callback([command, &status] { status = run_cost(*command); });
+}
+
+}  // namespace gloam::cli
