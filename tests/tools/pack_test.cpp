@@ -89,7 +89,13 @@ TEST_F(Pack, CountsLines) {
     const std::string result = output_of(gloam("pack --lines {} gloam/temporal/history.glsl", halton));
     EXPECT_THAT(result,
                 StartsWith("| file | lines of code |\n| --- | --- |\n| `gloam/sampling/halton.glsl` | "));
-    EXPECT_EQ(line_count(result), 4);
+    EXPECT_EQ(line_count(result), 5);
+    write("both.glsl", "float twice(float x) {\n    return 2.0 * x;\n}\n");
+    const std::string text =
+        "#version 450\n#include \"both.glsl\"\nlayout(binding = 0) buffer B { float v; };\n";
+    for (const char* name : {"a.comp", "b.comp"}) write(name, text + "void main() {\n    v = twice(v);\n}\n");
+    EXPECT_THAT(output_of(gloam("pack --lines {} {}", path("a.comp"), path("b.comp"))),
+                HasSubstr("b.comp` | 8 |\n| together | 13 |\n"));
 }
 
 TEST_F(Pack, BadInputIsNamed) {

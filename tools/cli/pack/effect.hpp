@@ -110,8 +110,9 @@ void pack_effect(const EffectPackOptions& options);
 // The packed text with gloam's version at its head: behind #version, which must be the first line.
 [[nodiscard]] std::string with_version(std::string text);
 
-// A Markdown table: for each file its lines of code as packed, without blank ones and comments. Without
-// files: those of glsl/gloam/methods, and the passes of each method's effect. Throws like shader::pack().
+// A Markdown table: for each file its lines of code as packed, without blank ones and comments, and behind
+// them those of all together, each function once. Without files: those of glsl/gloam/methods, and the passes
+// of each method's effect. Throws like shader::pack().
 [[nodiscard]] std::string line_table(const std::filesystem::path& glsl,
                                      const std::vector<std::string>& files);
 

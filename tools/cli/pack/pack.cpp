@@ -21,6 +21,7 @@
 #include "cli/pack/effect.hpp"
 #include "effect/methods.hpp"
 #include "report/output.hpp"
+#include "shader/code_lines.hpp"
 #include "shader/include.hpp"
 #include "shader/pack.hpp"
 #include "site/npm_package.hpp"
@@ -30,28 +31,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::size_t lines_of(const fs::path& file, const fs::path& glsl, const std::vector<std::string>& functions) {
-    return shader::code_lines(shader::pack({file}, {.functions = functions}, {glsl}));
-}
-
 std::string of_files(const fs::path& glsl, const std::vector<std::string>& files) {
     std::string text = "| file | lines of code |\n| --- | --- |\n";
+    std::vector<std::string> all;
     for (const std::string& name : files) {
         std::error_code none;
         const fs::path file =
             fs::is_regular_file(name, none) ? fs::path(name) : shader::resolve_include(name, {}, {glsl});
-        text += fmt::format("| `{}` | {} |\n", name, lines_of(file, glsl, {}));
+        all.push_back(shader::pack({file}, {.functions = {}}, {glsl}));
+        text += fmt::format("| `{}` | {} |\n", name, shader::code_lines(all.back()));
     }
-    return text;
+    return text + fmt::format("| together | {} |\n", shader::code_lines(all));
 }
 
-// Lines of the passes of a method's frame with its usual settings.
-std::size_t pass_lines(const fs::path& glsl, const std::string& method) {
+// The pass of a method's frame with its usual settings that takes the samples.
+std::string sampling_pass(const fs::path& glsl, const std::string& method) {
     const effect::Settings settings = effect::with_method(effect::Settings{}, method);
-    std::size_t lines = 0;
     for (const PackedPass& pass : packed_effect(settings, {}, scene::PassLibrary(glsl)).passes)
-        if (pass.plan.name == "ambient_occlusion") lines += shader::code_lines(pass.text);
-    return lines;
+        if (pass.plan.name == "ambient_occlusion") return pass.text;
+    throw std::logic_error("a frame without the pass ambient_occlusion");
 }
 
 }  // namespace
@@ -64,15 +62,20 @@ std::string line_table(const fs::path& glsl, const std::vector<std::string>& fil
         "method alone\n"
         "(`gloam pack gloam/methods/FILE.glsl --function gloam_NAME`). Pass: the one that blends it into a "
         "history\n"
-        "(`ambient_occlusion.comp` of `gloam pack --effect --method NAME`). This page is written by "
-        "`gloam pack --lines`.\n\n"
+        "(`ambient_occlusion.comp` of `gloam pack --effect --method NAME`). Together: each function once. "
+        "This page is written by `gloam pack --lines`.\n\n"
         "| method | function | pass |\n| --- | --- | --- |\n";
+    std::vector<std::string> functions;
+    std::vector<std::string> passes;
     for (const effect::MethodInfo& method : effect::methods()) {
-        text += fmt::format("| {} | {} | {} |\n", method.name,
-                            lines_of(glsl / file_of(method), glsl, {"gloam_" + method.name}),
-                            pass_lines(glsl, method.name));
+        functions.push_back(
+            shader::pack({glsl / file_of(method)}, {.functions = {"gloam_" + method.name}}, {glsl}));
+        passes.push_back(sampling_pass(glsl, method.name));
+        text += fmt::format("| {} | {} | {} |\n", method.name, shader::code_lines(functions.back()),
+                            shader::code_lines(passes.back()));
     }
-    return text;
+    return text +
+           fmt::format("| together | {} | {} |\n", shader::code_lines(functions), shader::code_lines(passes));
 }
 
 namespace {
