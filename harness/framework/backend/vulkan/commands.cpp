@@ -104,7 +104,6 @@ const char* name_of(BindingKind kind) {
 ComputePipeline::Impl::Impl(Context& owner, const ComputeProgram& made_of)
     : context(owner),
       bindings(made_of.bindings),
-      push_constant_bytes(made_of.push_constant_bytes),
       program{{made_of.spirv.begin(), made_of.spirv.end()}, made_of.constants, made_of.bindings},
       handles(owner, create(owner, made_of)) {}
 
@@ -207,50 +206,6 @@ Recording create(const Context& context) {
     return {.buffers = std::move(buffers), .descriptors = {}, .timestamps = {}, .framebuffers = {}};
 }
 
-bool is_buffer(BindingKind kind) {
-    return kind == BindingKind::storage_buffer || kind == BindingKind::uniform_buffer;
-}
-
-bool is_buffer(const Resource& resource) {
-    return std::holds_alternative<std::reference_wrapper<const Buffer>>(resource);
-}
-
-void check_resource(const char* what, const Context& context, BindingKind wanted, const Resource& resource,
-                    std::size_t binding) {
-    if (is_buffer(resource) != is_buffer(wanted)) {
-        throw std::invalid_argument(fmt::format("{}: resource {} is {}, the pipeline's binding is a {}", what,
-                                                binding, is_buffer(resource) ? "a buffer" : "an image",
-                                                name_of(wanted)));
-    }
-    if (is_buffer(wanted)) {
-        const Buffer& buffer = std::get<std::reference_wrapper<const Buffer>>(resource);
-        check_same_device(buffer.impl().context, context, fmt::format("{}: a buffer", what));
-        return;
-    }
-    if (const auto* sampled = std::get_if<std::reference_wrapper<const SampledImage>>(&resource)) {
-        check_same_device(sampled->get().impl().context, context, fmt::format("{}: an image", what));
-        if (descriptor_type(wanted) == vk::DescriptorType::eCombinedImageSampler) return;
-        throw std::invalid_argument(
-            fmt::format("{}: resource {} is a sampled image, the pipeline's binding is a {}", what, binding,
-                        name_of(wanted)));
-    }
-    if (const auto* layered = std::get_if<std::reference_wrapper<const LayeredImage>>(&resource)) {
-        check_same_device(layered->get().impl().context, context, fmt::format("{}: an image", what));
-        if (wanted == BindingKind::storage_image) return;
-        throw std::invalid_argument(
-            fmt::format("{}: resource {} is an image of layers, the pipeline's binding is a {}", what,
-                        binding, name_of(wanted)));
-    }
-    const Image& image = std::get<std::reference_wrapper<const Image>>(resource);
-    check_same_device(image.impl().context, context, fmt::format("{}: an image", what));
-    if (image.format() == Format::depth32f) {
-        throw std::invalid_argument(
-            fmt::format("{}: resource {} is a depth32f image, which no shader can store to: expected a "
-                        "colour format",
-                        what, binding));
-    }
-}
-
 void check_groups(const DeviceInfo& device, const std::array<std::uint32_t, 3>& groups) {
     for (std::size_t i = 0; i < groups.size(); ++i) {
         if (groups[i] > device.max_group_count[i]) {
@@ -261,45 +216,13 @@ void check_groups(const DeviceInfo& device, const std::array<std::uint32_t, 3>& 
     }
 }
 
-void check_push_constants(const ComputePipeline::Impl& pipeline, std::span<const std::byte> push_constants) {
-    if (push_constants.size() != pipeline.push_constant_bytes) {
-        throw std::invalid_argument(fmt::format("dispatch: {} bytes of push constants, the pipeline has {}",
-                                                push_constants.size(), pipeline.push_constant_bytes));
-    }
-}
-
 }  // namespace
-
-void check_resources(const char* what, const Context& context, std::span<const BindingKind> kinds,
-                     std::span<const Resource> resources) {
-    if (resources.size() != kinds.size()) {
-        throw std::invalid_argument(fmt::format("{}: {} resources, the pipeline has {} bindings", what,
-                                                resources.size(), kinds.size()));
-    }
-    for (std::size_t i = 0; i < resources.size(); ++i)
-        check_resource(what, context, kinds[i], resources[i], i);
-}
-
-void check_same_device(const Context& a, const Context& b, const std::string& what) {
-    if (&a != &b) {
-        throw std::invalid_argument(fmt::format("{} belongs to another device than the one in use, \"{}\"",
-                                                what, b.physical.info.name));
-    }
-}
 
 Commands::Impl::Impl(Context& owner) : context(owner), handles(owner, create(owner)) {}
 
 const vk::raii::CommandBuffer& Commands::Impl::recording() const {
     if (state != State::recording) throw std::runtime_error("these commands were submitted: record new ones");
     return handles->buffers.front();
-}
-
-void Commands::Impl::check(const ComputePipeline& pipeline, std::span<const Resource> resources,
-                           std::span<const std::byte> push_constants) const {
-    (void)recording();
-    check_same_device(pipeline.impl().context, context, "dispatch: the pipeline");
-    check_resources("dispatch", context, pipeline.impl().bindings, resources);
-    check_push_constants(pipeline.impl(), push_constants);
 }
 
 void Commands::Impl::bind(const ComputePipeline& pipeline, std::span<const Resource> resources,
@@ -323,7 +246,6 @@ Commands::Commands(const Device& device) : impl_(base::make_hidden<Impl>(device.
 
 void Commands::dispatch(const ComputePipeline& pipeline, std::span<const Resource> resources,
                         std::array<std::uint32_t, 3> groups, std::span<const std::byte> push_constants) {
-    impl_->check(pipeline, resources, push_constants);
     check_groups(impl_->context.physical.info, groups);
     impl_->bind(pipeline, resources, push_constants);
     const auto& commands = impl_->recording();
@@ -334,15 +256,6 @@ void Commands::dispatch(const ComputePipeline& pipeline, std::span<const Resourc
 void Commands::dispatch_indirect(const ComputePipeline& pipeline, std::span<const Resource> resources,
                                  const Buffer& groups, std::size_t offset,
                                  std::span<const std::byte> push_constants) {
-    impl_->check(pipeline, resources, push_constants);
-    check_same_device(groups.impl().context, impl_->context, "dispatch: the buffer of group counts");
-    constexpr std::size_t needed = sizeof(vk::DispatchIndirectCommand);
-    if (offset % 4 != 0 || offset > groups.size() || groups.size() - offset < needed) {
-        throw std::invalid_argument(fmt::format(
-            "dispatch: group counts at byte {} of a buffer of {}: expected a multiple of 4 and {} "
-            "bytes from there on",
-            offset, groups.size(), needed));
-    }
     impl_->bind(pipeline, resources, push_constants);
     const auto& commands = impl_->recording();
     commands.dispatchIndirect(*groups.impl().handles->buffer, offset);

@@ -54,17 +54,14 @@ class Commands {
   public:
     explicit Commands(const Device& device);
 
-    // Runs `groups` work groups with resources[i] at binding i; 0 groups do nothing. Throws
-    // std::invalid_argument when the resources do not match the pipeline's bindings, the push constants
-    // (copied here) do not match its size, or a group count exceeds the device's limit.
+    // Runs `groups` work groups with resources[i] at binding i; 0 groups do nothing. Push constants are
+    // copied here. Throws std::invalid_argument when a group count exceeds the device's limit. Resources and
+    // push constants must match the pipeline; only the validation layer checks this, here and below.
     void dispatch(const ComputePipeline& pipeline, std::span<const Resource> resources,
                   std::array<std::uint32_t, 3> groups, std::span<const std::byte> push_constants = {});
 
     // The same with the numbers of groups in x, y and z from a buffer, read when the dispatch runs, after the
-    // writes of the commands before it. They are three uint at `offset` bytes. Throws like dispatch(), and
-    // std::invalid_argument for an offset that is not a multiple of 4 or leaves less than 12 bytes. Numbers
-    // beyond the device's limit are an error of the shader that wrote them; only the validation layer reports
-    // them.
+    // writes of the commands before it. They are three uint at `offset` bytes.
     void dispatch_indirect(const ComputePipeline& pipeline, std::span<const Resource> resources,
                            const Buffer& groups, std::size_t offset,
                            std::span<const std::byte> push_constants = {});
@@ -104,7 +101,7 @@ struct RasterProgram {
 };
 
 // A compiled graphics pipeline. Throws std::runtime_error when the driver rejects it; std::invalid_argument
-// when the words are not a SPIR-V module, or a count, size or format is invalid.
+// when the words are not a SPIR-V module.
 class RasterPipeline {
   public:
     RasterPipeline(const Device& device, const RasterProgram& program);
@@ -125,9 +122,8 @@ struct Draw {
 };
 
 // Renders all draws in one pass, in order. The attachments are first cleared to clear_color (each channel)
-// and the far depth; later commands can read them. All images have the same extent. Throws
-// std::invalid_argument when images, resources, push constants or index counts do not match the pipeline or
-// each other. Indices must be valid vertices.
+// and the far depth; later commands can read them. All images have the same extent. Indices must be valid
+// vertices.
 void render(Commands& commands, const RasterPipeline& pipeline,
             std::span<const std::reference_wrapper<const Image>> colors, const Image& depth,
             float clear_color, std::span<const Draw> draws);

@@ -2,7 +2,6 @@
 #include "backend/vulkan/commands.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "backend/vulkan/internal/context.hpp"
 #include "backend/vulkan/internal/objects.hpp"
@@ -80,33 +79,12 @@ VertexLayout vertex_layout(std::span<const int> sizes) {
                                  vk::Format::eR32G32B32Sfloat, vk::Format::eR32G32B32A32Sfloat};
     VertexLayout layout;
     for (const int size : sizes) {
-        if (size < 1 || size > 4) {
-            throw std::invalid_argument(
-                fmt::format("raster pipeline: attribute of {} floats, expected 1 to 4", size));
-        }
         layout.attributes.push_back({.location = static_cast<std::uint32_t>(layout.attributes.size()),
-                                     .format = formats[static_cast<std::size_t>(size - 1)],
+                                     .format = formats.at(static_cast<std::size_t>(size - 1)),
                                      .offset = layout.stride});
         layout.stride += static_cast<std::uint32_t>(size) * 4;
     }
     return layout;
-}
-
-void check_limit(std::size_t count, std::uint32_t limit, const char* what) {
-    if (count > limit) {
-        throw std::invalid_argument(
-            fmt::format("raster pipeline with {} {}: the device allows {}", count, what, limit));
-    }
-}
-
-void check(const Context& context, const RasterProgram& program) {
-    const auto& limits = context.physical.properties.limits;
-    check_limit(program.attribute_sizes.size(), limits.maxVertexInputAttributes, "vertex attributes");
-    check_limit(program.color_formats.size(),
-                std::min(limits.maxColorAttachments, limits.maxFragmentOutputAttachments), "colour images");
-    if (std::ranges::count(program.color_formats, Format::depth32f) > 0) {
-        throw std::invalid_argument("raster pipeline: depth32f among the colour formats");
-    }
 }
 
 vk::PipelineShaderStageCreateInfo stage(vk::ShaderStageFlagBits which, const vk::raii::ShaderModule& module,
@@ -175,7 +153,6 @@ vk::raii::Pipeline make_pipeline(const Context& context, const RasterProgram& pr
 }
 
 RasterHandles create(const Context& context, const RasterProgram& program) {
-    check(context, program);
     auto render_pass = make_render_pass(context, program.color_formats);
     auto set_layout = make_set_layout(context, program.bindings, raster_stages);
     auto layout = make_layout(context, set_layout, raster_stages, program.push_constant_bytes);
@@ -187,8 +164,7 @@ RasterHandles create(const Context& context, const RasterProgram& program) {
 
 RasterPipeline::Impl::Impl(Context& owner, const RasterProgram& program)
     : context(owner),
-      color_formats(program.color_formats),
-      push_constant_bytes(program.push_constant_bytes),
+      color_images(program.color_formats.size()),
       reversed_z(program.reversed_z),
       bindings(program.bindings),
       handles(owner, create(owner, program)) {}
@@ -199,47 +175,6 @@ RasterPipeline::RasterPipeline(const Device& device, const RasterProgram& progra
 namespace {
 
 using Images = std::span<const std::reference_wrapper<const Image>>;
-
-void check_image(const RasterPipeline::Impl& pipeline, const Image& image, Format wanted, Extent extent,
-                 const std::string& which) {
-    check_same_device(image.impl().context, pipeline.context, "render: an image");
-    if (image.format() != wanted) {
-        throw std::invalid_argument(fmt::format("render: {} is {}, the pipeline renders to {}", which,
-                                                traits(image.format()).name, traits(wanted).name));
-    }
-    if (image.extent() != extent) {
-        throw std::invalid_argument(fmt::format("render: {} is {}x{}, the depth image {}x{}", which,
-                                                image.extent().width, image.extent().height, extent.width,
-                                                extent.height));
-    }
-}
-
-void check_images(const RasterPipeline::Impl& pipeline, Images colors, const Image& depth) {
-    if (colors.size() != pipeline.color_formats.size()) {
-        throw std::invalid_argument(fmt::format("render: {} colour images, the pipeline renders to {}",
-                                                colors.size(), pipeline.color_formats.size()));
-    }
-    check_image(pipeline, depth, Format::depth32f, depth.extent(), "the depth image");
-    for (std::size_t i = 0; i < colors.size(); ++i) {
-        check_image(pipeline, colors[i], pipeline.color_formats[i], depth.extent(),
-                    fmt::format("colour image {}", i));
-    }
-}
-
-void check_draw(const RasterPipeline::Impl& pipeline, const Draw& draw) {
-    check_same_device(draw.vertices.get().impl().context, pipeline.context, "render: a vertex buffer");
-    check_same_device(draw.indices.get().impl().context, pipeline.context, "render: an index buffer");
-    const auto available = draw.indices.get().size() / sizeof(std::uint32_t);
-    if (draw.index_count > available) {
-        throw std::invalid_argument(
-            fmt::format("render: {} indices, the index buffer holds {}", draw.index_count, available));
-    }
-    if (draw.push_constants.size() != pipeline.push_constant_bytes) {
-        throw std::invalid_argument(fmt::format("render: {} bytes of push constants, the pipeline has {}",
-                                                draw.push_constants.size(), pipeline.push_constant_bytes));
-    }
-    check_resources("render", pipeline.context, pipeline.bindings, draw.resources);
-}
 
 vk::raii::Framebuffer make_framebuffer(const RasterPipeline::Impl& pipeline, Images colors,
                                        const Image& depth) {
@@ -258,7 +193,7 @@ vk::raii::Framebuffer make_framebuffer(const RasterPipeline::Impl& pipeline, Ima
 void begin_pass(const vk::raii::CommandBuffer& commands, const RasterPipeline::Impl& pipeline,
                 const vk::raii::Framebuffer& framebuffer, Extent extent, float clear_color) {
     const vk::ClearValue color{.color = {.float32 = {{clear_color, clear_color, clear_color, clear_color}}}};
-    std::vector<vk::ClearValue> clear(pipeline.color_formats.size(), color);
+    std::vector<vk::ClearValue> clear(pipeline.color_images, color);
     clear.push_back({.depthStencil = {.depth = pipeline.reversed_z ? 0.0f : 1.0f}});
     const vk::Rect2D area{.extent = {extent.width, extent.height}};
     commands.beginRenderPass(
@@ -301,10 +236,6 @@ void render(Commands& commands, const RasterPipeline& pipeline, Images colors, c
             float clear_color, std::span<const Draw> draws) {
     const auto& program = pipeline.impl();
     const auto& recording = commands.impl().recording();
-    check_same_device(program.context, commands.impl().context, "render: the pipeline");
-    check_images(program, colors, depth);
-    for (const auto& draw : draws) check_draw(program, draw);
-
     auto& framebuffers = commands.impl().handles->framebuffers;
     framebuffers.push_back(make_framebuffer(program, colors, depth));
     begin_pass(recording, program, framebuffers.back(), depth.extent(), clear_color);

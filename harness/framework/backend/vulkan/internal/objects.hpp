@@ -100,7 +100,6 @@ struct ComputePipeline::Impl {
 
     Context& context;
     std::vector<BindingKind> bindings;
-    std::uint32_t push_constant_bytes;
     PipelineProgram program;
     Guarded<ComputeHandles> handles;
 };
@@ -121,10 +120,6 @@ struct Specialization {
 [[nodiscard]] vk::raii::DescriptorSetLayout make_set_layout(const Context& context,
                                                             std::span<const BindingKind> kinds,
                                                             vk::ShaderStageFlags stages);
-
-// Throws std::invalid_argument, with `what` in front, where the resources do not fit to the bindings.
-void check_resources(const char* what, const Context& context, std::span<const BindingKind> kinds,
-                     std::span<const Resource> resources);
 
 // Descriptor sets for one recording, from pools that are added on demand.
 class DescriptorAllocator {
@@ -161,8 +156,7 @@ struct RasterPipeline::Impl {
     Impl(Context& owner, const RasterProgram& program);
 
     Context& context;
-    std::vector<Format> color_formats;
-    std::uint32_t push_constant_bytes;
+    std::size_t color_images;
     bool reversed_z;
     std::vector<BindingKind> bindings;
     Guarded<RasterHandles> handles;
@@ -189,9 +183,6 @@ struct Commands::Impl {
     // The command buffer. Throws std::runtime_error after submit().
     [[nodiscard]] const vk::raii::CommandBuffer& recording() const;
 
-    // Throws like dispatch() if the arguments do not match the pipeline.
-    void check(const ComputePipeline& pipeline, std::span<const Resource> resources,
-               std::span<const std::byte> push_constants) const;
     // Records the pipeline, its resources and its push constants.
     void bind(const ComputePipeline& pipeline, std::span<const Resource> resources,
               std::span<const std::byte> push_constants);
@@ -201,8 +192,5 @@ struct Commands::Impl {
     Guarded<Recording> handles;
     State state = State::recording;
 };
-
-// Throws std::invalid_argument when the object belongs to another device.
-void check_same_device(const Context& a, const Context& b, const std::string& what);
 
 }  // namespace gloam::gpu
