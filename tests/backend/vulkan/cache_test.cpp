@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The pipeline cache on disk: the file format by itself, then a device that finds the file in every state.
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include "backend/vulkan/gpu_test.hpp"
 #include "backend/vulkan/internal/pipeline_cache.hpp"
 #include "base/cached_file.hpp"
 #include "shaders/fill_comp.h"
+#include "support/full_disk.hpp"
 
 namespace gloam::gpu::test::cache_test {
 
@@ -38,11 +42,8 @@ TEST_F(CacheFile, ComesBackAsItWas) {
     EXPECT_EQ(files_in(file.parent_path()).size(), 1u) << "a temporary file was left behind";
 }
 
-TEST_F(CacheFile, MissingIsEmpty) {
+TEST_F(CacheFile, MissingAndOfAnotherKeyIsEmpty) {
     EXPECT_FALSE(base::read_cached("/nonexistent/cache", key));
-}
-
-TEST_F(CacheFile, AnotherKeyIsMissing) {
     const auto file = folder.path() / "cache";
     ASSERT_TRUE(base::write_cached(file, key, some_bytes(40)));
     EXPECT_FALSE(base::read_cached(file, {1, 3}));
@@ -72,13 +73,38 @@ TEST_F(CacheFile, AnyOtherLengthShows) {
     EXPECT_FALSE(base::read_cached(file, key));
 }
 
-TEST_F(CacheFile, AFolderThatCannotBeWrittenIsNoError) {
+TEST_F(CacheFile, WhatIsInPlaceIsReplaced) {
+    const auto file = folder.path() / "cache";
+    const std::array<std::function<void()>, 3> in_place{
+        [&] { fs::create_directory(file); }, [&] { fs::create_symlink(folder.path() / "nowhere", file); },
+        [&] { ASSERT_EQ(mkfifo(file.c_str(), 0600), 0); }};  // opening a pipe would wait for ever
+    for (const auto& make : in_place) {
+        make();
+        EXPECT_FALSE(base::read_cached(file, key));
+        EXPECT_TRUE(base::write_cached(file, key, some_bytes(4)));
+        EXPECT_EQ(base::read_cached(file, key), some_bytes(4));
+        fs::remove(file);
+    }
+}
+
+TEST_F(CacheFile, WhatCannotBeReadOrWrittenIsNoError) {
     folder.write("file", "");
-    EXPECT_FALSE(base::write_cached(folder.path() / "file" / "cache", key, some_bytes(4)));
-    fs::create_directory(folder.path() / "taken");
     folder.write("taken/x", "");
-    EXPECT_FALSE(base::write_cached(folder.path() / "taken", key, some_bytes(4)));
+    for (const char* name : {"file/cache", "taken"})
+        EXPECT_FALSE(base::write_cached(folder.path() / name, key, some_bytes(4)));
+    {
+        const gloam::test::FullDisk disk(40);
+        EXPECT_FALSE(base::write_cached(folder.path() / "full", key, some_bytes(400)));
+    }
     EXPECT_EQ(files_in(folder.path()).size(), 2u) << "a temporary file was left behind";
+    if (geteuid() == 0) return;  // root reads and writes everything
+    const auto file = folder.path() / "cache";
+    ASSERT_TRUE(base::write_cached(file, key, some_bytes(4)));
+    fs::permissions(file, fs::perms::none);
+    EXPECT_FALSE(base::read_cached(file, key));
+    fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec);
+    EXPECT_FALSE(base::write_cached(file, key, some_bytes(4)));
+    fs::permissions(folder.path(), fs::perms::owner_all);
 }
 
 // Vulkan's header: its length, version 1, vendor, device, UUID; then what is the driver's own.
