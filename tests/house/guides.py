@@ -9,9 +9,9 @@ one of them does not do what the page says. A block's first line says what it is
     ```sh WHY       commands that another test runs, or that would take too long here; WHY is one of WHY_NOT_RUN
     ```text         what the commands above printed: every line, in its order; "..." stands for any lines
     ```python       statements, run with the module of the build folder, if it has one
-    ```glsl NAME    the file tests/check/fixtures/guide/NAME, which is compiled by the tests; NAME.frag: the file
-                    examples/fragment/NAME.frag, which is drawn by them
-    ```cpp          lines of tests/check/guide_test.cpp
+    ```glsl NAME    a file that tests/check/snippets.py makes of the block; engine.glsl: lines of a fixture beside it;
+                    NAME.frag: lines of examples/fragment/NAME.frag, which is drawn by the tests
+    ```cpp          a test, in docs/testing.md, by tests/check/snippets.py
     ```cpp consumer    lines of the test in examples/own_function
     ```cmake consumer  lines of its CMakeLists.txt; others may stand between them
 
@@ -93,12 +93,17 @@ class Guide:
             if any((self.module / "gloam").glob("_gloam*")):
                 self.run(text, ("/usr/bin/python3",))
         elif kind == "glsl":
-            folder = "examples/fragment" if argument.endswith(".frag") else "tests/check/fixtures/guide"
-            self.expect_in(f"{folder}/{argument}", text)
-            shutil.copy(self.root / folder / argument, self.folder)  # for the commands after it
+            folder = {"engine.glsl": "tests/check/fixtures/guide", "method.frag": "examples/fragment"}.get(argument)
+            if folder:
+                self.expect_in(f"{folder}/{argument}", text)
+                shutil.copy(self.root / folder / argument, self.folder)  # for the commands after it
+            else:
+                (self.folder / argument).write_text(text, encoding="utf-8")
+        elif kind == "cpp" and argument:
+            self.expect_in("examples/own_function/shader_test.cpp", text)
         elif kind == "cpp":
-            self.expect_in("examples/own_function/shader_test.cpp" if argument else "tests/check/guide_test.cpp",
-                           text)
+            if self.name != "testing.md":
+                self.fail("a block in C++ that no test has")
         elif kind == "cmake":
             file = self.root / "examples/own_function/CMakeLists.txt"
             lines = iter(squeezed(file.read_text(encoding="utf-8")).splitlines())
