@@ -33,16 +33,11 @@ TEST(Compile, ServesEveryStage) {
     EXPECT_THROW(static_cast<void>(compile(vertex, {.stage = Stage::fragment})), CompileError);
 }
 
-TEST(Compile, IncludesNeedNoExtensionLine) {
-    EXPECT_NO_THROW(static_cast<void>(
-        compile(kernel("#include \"math/hypot.glsl\"", "fx_hypot(3.0, 4.0)"), with_fixtures())));
-}
-
-TEST(Compile, IncludesBearAnExtensionLine) {
-    const Source source =
-        kernel("#extension GL_GOOGLE_include_directive : require\n#include \"math/hypot.glsl\"",
-               "fx_hypot(3.0, 4.0)");
-    EXPECT_NO_THROW(static_cast<void>(compile(source, with_fixtures())));
+TEST(Compile, IncludesMayHaveAnExtensionLine) {
+    for (const char* line : {"", "#extension GL_GOOGLE_include_directive : require\n"})
+        EXPECT_NO_THROW(static_cast<void>(
+            compile(kernel(line + std::string("#include \"math/hypot.glsl\""), "fx_hypot(3.0, 4.0)"),
+                    with_fixtures())));
 }
 
 TEST(Compile, IncludesLookInTheFolderOfTheSource) {
@@ -96,91 +91,46 @@ std::string error_of(const Source& source) {
     return message_of<CompileError>([&] { static_cast<void>(compile(source, with_fixtures())); });
 }
 
-TEST(CompileErrorMessage, NamesFileAndLineOfTheText) {
-    EXPECT_EQ(error_of({"bad.comp", "#version 450\nvoid main() {\n    foo();\n}\n"}),
-              "bad.comp:3: 'foo' : no matching overloaded function found");
-}
+struct ErrorRow {
+    Source source;
+    testing::Matcher<std::string> message;
+};
 
-TEST(CompileErrorMessage, NamesFileAndLineOfTheInclude) {
-    EXPECT_EQ(error_of(kernel("#include \"broken/inner.glsl\"", "1.0")),
-              fixture("broken/inner.glsl").string() + ":9: 'not_declared' : undeclared identifier");
-}
-
-TEST(CompileErrorMessage, NamesFileAndLineOfANestedInclude) {
-    EXPECT_EQ(error_of(kernel("\n\n#include \"broken/outer.glsl\"", "1.0")),
-              fixture("broken/inner.glsl").string() + ":9: 'not_declared' : undeclared identifier");
-}
-
-TEST(CompileErrorMessage, LinesAfterAnIncludeAreCountedRight) {
-    EXPECT_THAT(
-        error_of({"after.comp", "#version 450\n#include \"math/hypot.glsl\"\nvoid main() { oops = 1; }\n"}),
-        StartsWith("after.comp:3: 'oops'"));
-}
-
-TEST(CompileErrorMessage, ExtensionLineDoesNotShiftLines) {
-    EXPECT_THAT(error_of({"ext.comp",
-                          "#version 450\n#extension GL_GOOGLE_include_directive : require\n"
-                          "#include \"math/hypot.glsl\"\nvoid main() { oops = 1; }\n"}),
-                StartsWith("ext.comp:4: 'oops'"));
-}
-
-TEST(CompileErrorMessage, HasOneLinePerMessage) {
-    const std::string message =
-        error_of({"two.comp", "#version 450\nfloat f() { return a; }\nfloat g() { return b; }\n"});
-    EXPECT_THAT(message, StartsWith("two.comp:2: 'a'"));
-    EXPECT_THAT(message, HasSubstr("\ntwo.comp:3: 'b'"));
-    EXPECT_THAT(message,
-                AllOf(Not(HasSubstr("ERROR")), Not(HasSubstr("No code generated")), Not(EndsWith("\n"))));
-}
-
-TEST(CompileErrorMessage, LeavesWarningsOut) {
-    const std::string message =
-        error_of({"warn.comp", "#version 450\n#extension GL_NO_such : enable\nvoid main() { oops = 1; }\n"});
-    EXPECT_THAT(message, StartsWith("warn.comp:3: 'oops'"));
-    EXPECT_THAT(message, Not(HasSubstr("GL_NO_such")));
-}
-
-TEST(CompileErrorMessage, MissingIncludeNamesItsPlaceAndWhereItLooked) {
-    const std::string message =
-        error_of({"top.comp", "#version 450\n\n#include \"no/such.glsl\"\nvoid main() {}\n"});
-    EXPECT_EQ(message, "top.comp:3: cannot find include \"no/such.glsl\"; looked for " +
-                           fixture("no/such.glsl").string());
-}
-
-TEST(CompileErrorMessage, MissingIncludeOfAnIncludeNamesThatFile) {
-    EXPECT_THAT(error_of(kernel("#include \"broken/missing.glsl\"", "1.0")),
-                AllOf(StartsWith(fixture("broken/missing.glsl").string() + ":4: "),
-                      HasSubstr("\"broken/nowhere.glsl\"")));
-}
-
-TEST(CompileErrorMessage, IncludeCycleIsSpeltOut) {
+TEST(CompileErrorMessage, NamesFileLineAndCause) {
+    const std::string broken =
+        fixture("broken/inner.glsl").string() + ":9: 'not_declared' : undeclared identifier";
     const std::string a = fixture("cycle/a.glsl").string();
     const std::string b = fixture("cycle/b.glsl").string();
-    EXPECT_EQ(error_of(kernel("#include \"cycle/a.glsl\"", "1.0")),
-              b + ":5: include cycle: " + a + " -> " + b + " -> " + a);
-}
-
-TEST(CompileErrorMessage, FileThatIncludesItselfIsACycle) {
     const std::string self = fixture("cycle/self.glsl").string();
-    EXPECT_EQ(error_of(kernel("#include \"cycle/self.glsl\"", "1.0")),
-              self + ":2: include cycle: " + self + " -> " + self);
-}
-
-TEST(CompileErrorMessage, MissingBodyNamesTheFunction) {
-    EXPECT_THAT(error_of(kernel("#include \"fetch.glsl\"", "fx_twice(ivec2(0))")),
-                AllOf(StartsWith("kernel: "), HasSubstr(" fx_fetch_depth()"), Not(HasSubstr("\n"))));
-    EXPECT_THAT(error_of(kernel("float nothing();", "nothing()")), EndsWith(" nothing()"));
-}
-
-TEST(CompileErrorMessage, RecursionNamesTheFunction) {
-    EXPECT_THAT(
-        error_of(kernel("float f(float x) { return f(x - 1.0); }", "f(3.0)")),
-        AllOf(StartsWith("kernel: "), HasSubstr("Recursion"), HasSubstr(" f()"), Not(HasSubstr("f1;"))));
-}
-
-TEST(CompileErrorMessage, MissingMainIsAnError) {
-    EXPECT_THAT(error_of({"lib.comp", "#version 450\nfloat f() { return 1.0; }\n"}),
-                StartsWith("lib.comp: "));
+    const auto text = [](const std::string& lines) { return Source{"t.comp", "#version 450\n" + lines}; };
+    const std::string oops = "void main() { oops = 1; }\n";
+    const std::string hypot = "#include \"math/hypot.glsl\"\n";
+    const ErrorRow rows[] = {
+        {text("void main() {\n    foo();\n}\n"), "t.comp:3: 'foo' : no matching overloaded function found"},
+        {kernel("#include \"broken/inner.glsl\"", "1.0"), broken},
+        {kernel("\n\n#include \"broken/outer.glsl\"", "1.0"), broken},
+        {text(hypot + oops), StartsWith("t.comp:3: 'oops'")},
+        {text("#extension GL_GOOGLE_include_directive : require\n" + hypot + oops),
+         StartsWith("t.comp:4: 'oops'")},
+        {text("#extension GL_NO_such : enable\n" + oops),  // a warning
+         AllOf(StartsWith("t.comp:3: 'oops'"), Not(HasSubstr("GL_NO_such")))},
+        {text("float f() { return a; }\nfloat g() { return b; }\n"),
+         AllOf(StartsWith("t.comp:2: 'a'"), HasSubstr("\nt.comp:3: 'b'"), Not(HasSubstr("ERROR")),
+               Not(HasSubstr("No code generated")), Not(EndsWith("\n")))},
+        {text("\n#include \"no/such.glsl\"\nvoid main() {}\n"),
+         "t.comp:3: cannot find include \"no/such.glsl\"; looked for " + fixture("no/such.glsl").string()},
+        {kernel("#include \"broken/missing.glsl\"", "1.0"),
+         AllOf(StartsWith(fixture("broken/missing.glsl").string() + ":4: "),
+               HasSubstr("\"broken/nowhere.glsl\""))},
+        {kernel("#include \"cycle/a.glsl\"", "1.0"), b + ":5: include cycle: " + a + " -> " + b + " -> " + a},
+        {kernel("#include \"cycle/self.glsl\"", "1.0"), self + ":2: include cycle: " + self + " -> " + self},
+        {kernel("#include \"fetch.glsl\"", "fx_twice(ivec2(0))"),
+         AllOf(StartsWith("kernel: "), HasSubstr(" fx_fetch_depth()"), Not(HasSubstr("\n")))},
+        {kernel("float nothing();", "nothing()"), EndsWith(" nothing()")},
+        {kernel("float f(float x) { return f(x - 1.0); }", "f(3.0)"),
+         AllOf(StartsWith("kernel: "), HasSubstr("Recursion"), HasSubstr(" f()"), Not(HasSubstr("f1;")))},
+        {text("float f() { return 1.0; }\n"), StartsWith("t.comp: ")}};  // no main
+    for (const auto& [source, message] : rows) EXPECT_THAT(error_of(source), message) << source.text;
 }
 
 TEST(CompileErrorMessage, VersionLineMustComeFirstAndSuitVulkan) {

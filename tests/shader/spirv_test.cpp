@@ -98,19 +98,12 @@ TEST(Spirv, DisassemblyNamesThings) {
     EXPECT_THAT(disassemble(module()), HasSubstr("OpEntryPoint GLCompute %main \"main\""));
 }
 
-constexpr std::array arithmetic{"OpFNegate",
-                                "OpFAdd",
-                                "OpFSub",
-                                "OpFMul",
-                                "OpFDiv",
-                                "OpFMod",
-                                "OpVectorTimesScalar",
-                                "OpMatrixTimesScalar",
-                                "OpVectorTimesMatrix",
-                                "OpMatrixTimesVector",
-                                "OpMatrixTimesMatrix",
-                                "OpOuterProduct",
-                                "OpDot"};
+std::vector<std::string> arithmetic() {
+    std::istringstream text(
+        "OpFNegate OpFAdd OpFSub OpFMul OpFDiv OpFMod OpVectorTimesScalar OpMatrixTimesScalar "
+        "OpVectorTimesMatrix OpMatrixTimesVector OpMatrixTimesMatrix OpOuterProduct OpDot");
+    return {std::istream_iterator<std::string>(text), {}};
+}
 
 // One of each kind of float operation, in functions, on structs, vectors and matrices.
 const Source everything = kernel(R"(
@@ -134,7 +127,7 @@ const Source integers{"integers",
 
 std::set<std::string> arithmetic_results(const Disassembly& module) {
     std::set<std::string> ids;
-    for (const char* opcode : arithmetic) ids.merge(module.results(opcode));
+    for (const std::string& opcode : arithmetic()) ids.merge(module.results(opcode));
     return ids;
 }
 
@@ -144,7 +137,7 @@ std::multiset<std::string> each_once(const std::set<std::string>& ids) {
 
 TEST(NoContraction, IsOnEveryFloatArithmeticResultAndNothingElse) {
     const Spirv plain = compile(everything, {});
-    for (const char* opcode : arithmetic)
+    for (const std::string& opcode : arithmetic())
         EXPECT_FALSE(Disassembly(plain).results(opcode).empty())
             << opcode << " is missing in the test's shader";
     const Spirv strict = with_no_contraction(plain);
