@@ -97,16 +97,129 @@ TEST_F(OwnFunctionTest, UndefinedIntegersDoNotFail) {
         EXPECT_EQ(answer_of("undefined.glsl", name).outside(), 0U) << name;
 }
 
+struct Judged {
+    const char* file;
+    std::vector<const char*> names;
+    Ranges ranges = {};
+    std::size_t inputs = 256;
+    bool passes = false;  // enough of them are judged in every variant
+};
+
+const std::vector<Judged> judged_in_every_variant{
+    {"own.glsl", {"own_root", "own_scaled", "own_mean", "own_array"}, {}, 256, true},
+    {"arrays.glsl", {"array_dot", "array_transposed", "array_swapped", "array_split"}, {}, 256, true},
+    {"uniforms.glsl", {"graded", "lamp", "store", "shade", "sum", "pixel", "place"}, {{"i", {0, 15}}}},
+    {"numbers.glsl", {"half_sum", "half_vectors", "halves_changed", "halves_inside"}, {}, 1024},
+    {"own_images.glsl", {"blurred", "pair", "counted"}, {{"p", {0, 3}}}, 48},
+    {"samplers.glsl",
+     {"at_level", "gathered", "sampled", "two", "sheet", "biased", "shadow_at_level"},
+     {},
+     96},
+    {"samplers.glsl", {"one_of_cubes"}, {{"p", {-1, 1}}}, 96},
+    {"quads.frag",
+     {"edge_width", "slopes", "soft_edge", "face_normal", "cut_out", "in_one_branch", "in_some_iterations",
+      "across_the_screen"}}};
+
+// A quad has no kernel with constants. With constants each few inputs of images are a module of their own.
 TEST_F(OwnFunctionTest, AreJudgedByTheRulesInEveryVariant) {
     for (const shader::Variant& variant : shader::variants()) {
-        const Lab other(options_of("own.glsl", variant), test::SharedDevice::get());
-        for (const OwnFunction& own : own_functions(other.options(), "own.glsl").found) {
-            const Answer result = run(other, question_of(other, "own.glsl", own, {}), {.inputs = 256});
-            EXPECT_TRUE(result.passed()) << variant.name << " " << own.name << "\n" << result;
-            EXPECT_EQ(result.verdict, Verdict::rules);
-            EXPECT_GT(result.by_rules, 0U);
+        const bool constants = variant.constants != shader::Variant::Constants::none;
+        for (const auto& [file, names, ranges, inputs, passes] : judged_in_every_variant) {
+            const Lab other(options_of(file, variant), test::SharedDevice::get());
+            for (const char* name : names) {
+                SCOPED_TRACE(variant.name + " " + name);
+                if (constants && function_of(file, name).team.kind == backend::Team::Kind::quad) {
+                    EXPECT_THROW((void)answer_of(other, file, name, ranges, inputs), backend::Unsupported);
+                    continue;
+                }
+                const Answer answer =
+                    answer_of(other, file, name, ranges, constants && inputs == 48 ? 4 : inputs);
+                EXPECT_FALSE(answer.failed()) << answer;
+                EXPECT_TRUE(answer.passed() || !passes) << answer;
+                EXPECT_EQ(answer.verdict, Verdict::rules);
+                EXPECT_GT(answer.by_rules, 0U);
+                EXPECT_GT(answer.judged(), 0U);
+                if (file != std::string("quads.frag")) {
+                    EXPECT_EQ(answer.undefined, 0U);
+                }
+            }
         }
     }
+}
+
+struct LeftOutRow {
+    const char* file;
+    std::vector<const char*> names;
+    testing::Matcher<std::string> why;
+};
+
+TEST_F(OwnFunctionTest, OthersAreLeftOutWithTheReason) {
+    const std::string samplers =
+        "sampler2D, sampler2DArray, sampler3D, samplerCube, samplerCubeArray, those of integers, and "
+        "sampler2DShadow";
+    const auto drawn = [](const std::string& type, const std::string& reason) {
+        return "values of the parameter type " + type + " cannot be drawn: " + type + reason;
+    };
+    const auto sampler = [&](const char* type) {
+        return drawn(type, " is not judged: gloam judges " + samplers);
+    };
+    const auto used = [&](const std::string& name) {
+        return AllOf(HasSubstr("it uses \"" + name + "\", an image or sampler"),
+                     HasSubstr("expected no array, but one of " + samplers));
+    };
+    const auto number = [](const std::string& type) {
+        return type + " is not judged: gloam judges float, float16_t, int, uint and bool";
+    };
+    const std::string large = " has more than 4096 scalars";
+    const LeftOutRow rows[] = {
+        {"samplers.glsl", {"of_several"}, sampler("sampler2DMS")},
+        {"samplers.glsl", {"of_row"}, sampler("sampler1D")},
+        {"samplers.glsl", {"shadow_sheet"}, sampler("sampler2DArrayShadow")},
+        {"samplers.glsl", {"shadow_around"}, sampler("samplerCubeShadow")},
+        {"samplers.glsl", {"of_pair"}, sampler("sampler2D[2]")},
+        {"samplers.glsl", {"of_many"}, used("many")},
+        {"samplers.glsl", {"on_row"}, used("row")},
+        {"samplers.glsl", {"second"}, used("textures")},
+        {"samplers.glsl", {"picked"}, used("pair")},
+        {"numbers.glsl",
+         {"of_double", "of_double_vector", "double_inside", "double_called"},
+         number("double")},
+        {"numbers.glsl", {"of_short"}, number("int16_t")},
+        {"numbers.glsl", {"of_bytes"}, number("uint8_t")},
+        {"numbers.glsl", {"of_member"}, number("int64_t")},
+        {"uniforms.glsl", {"reads_double"}, HasSubstr(number("double"))},
+        {"arrays.glsl", {"array_of_doubles"}, HasSubstr(number("double"))},
+        {"arrays.glsl", {"array_too_large"}, drawn("float[5000]", large)},
+        {"arrays.glsl", {"array_of_arrays_too_large"}, HasSubstr("float[65536][65536][65536]" + large)},
+        {"arrays.glsl",
+         {"array_two_are_too_large"},
+         "its parameters and its result have more than 4096 scalars"},
+        {"uniforms.glsl", {"reads_large"}, "values of \"large\" cannot be drawn: float[5000]" + large},
+        {"uniforms.glsl",
+         {"nothing"},
+         "it has no result and no out parameter, and it writes no buffer or stage output"},
+        {"uniforms.glsl", {"assigns"}, "it assigns to \"gain\", which a shader can only read"},
+        {"uniforms.glsl",
+         {"assigns_built_in"},
+         "it assigns to \"gloam_FragCoord\", which a shader can only read"},
+        {"uniforms.glsl",
+         {"reserved"},
+         "it uses a name with gloam_kernel_, as only the generated kernel may"},
+        {"uniforms.glsl",
+         {"increments"},
+         AllOf(HasSubstr("atomicAdd at"), HasSubstr("memory that invocations share"))},
+        {"own_images.glsl", {"of_bytes"}, HasSubstr("an image2D with a format of 32 bits like r32f")},
+        {"own_images.glsl", {"of_several"}, HasSubstr("it uses \"several\", an image or sampler")},
+        {"own_images.glsl", {"sum_of"}, HasSubstr(drawn("image2D", " is not judged"))},
+        {"own_images.glsl",
+         {"in_quad"},
+         "the image \"picture\" is shared by the invocations that run it together"},
+        {"groups.comp",
+         {"stored"},
+         HasSubstr("the buffer \"results\", which it may write, is shared by its group")},
+        {"large.comp", {"place"}, "its work group has 2048 invocations, expected at most 1024"}};
+    for (const auto& [file, names, why] : rows)
+        for (const char* name : names) EXPECT_THAT(reason_of(file, name), why) << file << " " << name;
 }
 
 // A parameter without a range may be a share, a length or anything else.

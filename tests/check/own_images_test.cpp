@@ -56,18 +56,6 @@ TEST(OwnImages, APixelOutsideIsTheInputsFault) {
     EXPECT_EQ(any.outside(), 0U) << any;
 }
 
-TEST(OwnImages, AreJudgedInEveryVariant) {
-    for (const shader::Variant& variant : shader::variants()) {
-        const Lab lab(options_of(file, variant), test::SharedDevice::get());
-        // With constants each few inputs are a module of their own.
-        const bool constants = variant.constants != shader::Variant::Constants::none;
-        for (const char* name : {"blurred", "pair", "counted"}) {
-            const Answer answer = answer_of(lab, file, name, pixels, constants ? 4 : 48);
-            EXPECT_FALSE(answer.failed()) << variant.name << " " << name << "\n" << answer;
-        }
-    }
-}
-
 // What the device returns for a pixel that the function does not touch, and for one that it stores.
 TEST(OwnImages, AWrongPixelIsNoticed) {
     const auto outside = [](const char* name, test::ChangedDevice::After after) {
@@ -83,15 +71,6 @@ TEST(OwnImages, AWrongPixelIsNoticed) {
     EXPECT_EQ(outside("pair", [](std::span<Word> row) { row[2] = to_word(3.5F); }), 128U)
         << "a format of two channels";
     EXPECT_EQ(outside("counted", [](std::span<Word>) {}), 0U);
-}
-
-TEST(OwnImages, OtherOnesAreLeftOutWithTheReason) {
-    EXPECT_THAT(reason_of(file, "of_bytes"), HasSubstr("an image2D with a format of 32 bits like r32f"));
-    EXPECT_THAT(reason_of(file, "of_several"), HasSubstr("it uses \"several\", an image or sampler"));
-    EXPECT_THAT(reason_of(file, "sum_of"),
-                HasSubstr("values of the parameter type image2D cannot be drawn: image2D is not judged"));
-    EXPECT_EQ(reason_of(file, "in_quad"),
-              "the image \"picture\" is shared by the invocations that run it together");
 }
 
 TEST(OwnImages, AnExplanationHasThePixels) {

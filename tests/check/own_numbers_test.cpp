@@ -18,8 +18,6 @@ using shader::Scalar;
 constexpr const char* file = "numbers.glsl";
 constexpr std::size_t inputs_of_each = 1024;
 
-constexpr std::array all_names{"half_sum", "half_vectors", "halves_changed", "halves_inside"};
-
 // The answer to a device that changes the first output word.
 Answer changed(const std::string& name, const std::function<void(std::span<Word>)>& change) {
     const auto device = std::make_shared<test::ChangedDevice>(test::SharedDevice::get(), nullptr, change);
@@ -45,31 +43,11 @@ TEST(OwnNumbers, GoInAndOutOfAKernel) {
                     HasSubstr("float16_t half_sum(float16_t a, float16_t b)")));
 }
 
-TEST(OwnNumbers, AreJudgedInEveryVariant) {
-    for (const shader::Variant& variant : shader::variants()) {
-        const Lab lab(options_of(file, variant), test::SharedDevice::get());
-        for (const char* name : all_names) {
-            const Answer all = answer_of(lab, file, name, {}, inputs_of_each);
-            EXPECT_EQ(all.outside(), 0U) << variant.name << " " << name << "\n" << all;
-            EXPECT_GT(all.judged(), 0U) << variant.name << " " << name;
-        }
-    }
-}
-
-// One line each, of what is not judged and what is.
-TEST(OwnNumbers, OthersAreLeftOutWithTheirName) {
-    const std::string judged = " is not judged: gloam judges float, float16_t, int, uint and bool";
-    for (const auto& [name, type] : {std::pair{"of_double", "double"},
-                                     {"of_double_vector", "double"},
-                                     {"of_short", "int16_t"},
-                                     {"of_bytes", "uint8_t"},
-                                     {"of_member", "int64_t"},
-                                     {"double_inside", "double"},
-                                     {"double_called", "double"}})
-        EXPECT_EQ(reason_of(file, name), type + judged) << name;
+TEST(OwnNumbers, AFunctionOfOthersSaysSo) {
     const Lab lab = test::make_lab(FIXTURES);
-    EXPECT_THAT([&] { (void)Function<float(float)>(lab, file, "double_inside"); },
-                testing::ThrowsMessage<backend::Unsupported>(HasSubstr("double" + judged)));
+    EXPECT_THAT(
+        [&] { (void)Function<float(float)>(lab, file, "double_inside"); },
+        testing::ThrowsMessage<backend::Unsupported>(HasSubstr("double is not judged: gloam judges float")));
 }
 
 TEST(OwnNumbers, WrongResultsAreFound) {

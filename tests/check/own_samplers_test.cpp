@@ -69,24 +69,6 @@ TEST(OwnSamplers, AreGlobalsAndParameters) {
     EXPECT_THAT(samplers("offset"), ElementsAre("isampler2D offsets", "isampler2D more_offsets"));
 }
 
-TEST(OwnSamplers, AreJudgedInEveryVariant) {
-    for (const shader::Variant& variant : shader::variants()) {
-        const Lab lab(options_of(file, variant), test::SharedDevice::get());
-        const bool constants = variant.constants != shader::Variant::Constants::none;
-        for (const char* name : {"at_level", "gathered", "sampled", "two", "sheet", "biased", "one_of_cubes",
-                                 "shadow_at_level"}) {
-            const bool in_quads = function_of(file, name).team.kind == backend::Team::Kind::quad;
-            if (constants && in_quads) {
-                EXPECT_THROW((void)answer_of(lab, file, name, {}, 96), backend::Unsupported) << name;
-                continue;
-            }
-            const bool of_cube = std::string_view(name).find("cube") != std::string_view::npos;
-            const Answer answer = answer_of(lab, file, name, of_cube ? directions : Ranges{}, 96);
-            EXPECT_FALSE(answer.failed()) << variant.name << " " << name << "\n" << answer;
-        }
-    }
-}
-
 TEST(OwnSamplers, EveryFunctionIsWithinTheRules) {
     const Lab lab(options_of(file), test::SharedDevice::get());
     const Lab interpreted(options_of(file), interpreter());
@@ -212,27 +194,6 @@ TEST(OwnSamplers, ScenariosDifferInFilterEdgesAndLevels) {
     }
     EXPECT_THAT(names, ElementsAre("5 x 4, random, linear, repeat", "4 x 4, random, linear, edge, 3 levels",
                                    "5 x 4, random, nearest, mirrored, 2 levels"));
-}
-
-TEST(OwnSamplers, OtherOnesAreLeftOutWithTheReason) {
-    const std::string judged =
-        "sampler2D, sampler2DArray, sampler3D, samplerCube, samplerCubeArray, those of integers, and "
-        "sampler2DShadow";
-    for (const auto& [name, type] : {std::pair{"of_several", "sampler2DMS"},
-                                     {"of_row", "sampler1D"},
-                                     {"shadow_sheet", "sampler2DArrayShadow"},
-                                     {"shadow_around", "samplerCubeShadow"},
-                                     {"of_pair", "sampler2D[2]"}})
-        EXPECT_EQ(
-            reason_of(file, name),
-            fmt::format("values of the parameter type {0} cannot be drawn: {0} is not judged: gloam judges "
-                        "{1}",
-                        type, judged));
-    for (const auto& [name, sampler] :
-         {std::pair{"of_many", "many"}, {"on_row", "row"}, {"second", "textures"}, {"picked", "pair"}})
-        EXPECT_THAT(reason_of(file, name),
-                    AllOf(HasSubstr(fmt::format("it uses \"{}\", an image or sampler", sampler)),
-                          HasSubstr("expected no array, but one of " + judged)));
 }
 
 TEST(OwnSamplers, AReproductionSaysWhichImagesAreSampled) {

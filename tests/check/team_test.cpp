@@ -17,8 +17,8 @@ Answer answer_of(const Lab& lab, const std::string& file, const std::string& nam
     return run(lab, question_of(lab, file, own.found.front(), ranges), {.inputs = inputs});
 }
 
-Lab lab_for(const char* file, const shader::Variant& variant = {}) {
-    return {test::options_for(FIXTURES, file, variant), test::SharedDevice::get()};
+Lab lab_for(const char* file) {
+    return {test::options_for(FIXTURES, file), test::SharedDevice::get()};
 }
 
 constexpr auto quad_functions = {"edge_width", "slopes",        "soft_edge",          "face_normal",
@@ -32,15 +32,6 @@ TEST(Quads, EachFunctionIsWithinTheRulesOnEachDevice) {
             const Answer answer = answer_of(*each, "quads.frag", name);
             EXPECT_TRUE(answer.passed()) << each->info().name << "\n" << answer;
         }
-    }
-}
-
-TEST(Quads, EachFunctionIsWithinTheRulesInEachVariant) {
-    for (const shader::Variant& variant : shader::variants()) {
-        if (variant.constants != shader::Variant::Constants::none) continue;
-        const Lab lab = lab_for("quads.frag", variant);
-        for (const char* name : quad_functions)
-            EXPECT_FALSE(answer_of(lab, "quads.frag", name, {}, 256).failed()) << variant.name << " " << name;
     }
 }
 
@@ -133,11 +124,6 @@ TEST(Quads, NeighboursDifferByStepsInsideTheDomain) {
     EXPECT_GT(apart, inputs.count() / 16);
 }
 
-TEST(Quads, OpenGlAndConstantsAreUnsupported) {
-    const Lab lab = lab_for("quads.frag", shader::variant("literals"));
-    EXPECT_THROW((void)answer_of(lab, "quads.frag", "edge_width"), backend::Unsupported);
-}
-
 // Work groups.
 
 TEST(Groups, EachFunctionIsWithinTheRulesOnEachDevice) {
@@ -177,18 +163,6 @@ TEST(Groups, WhatDependsOnTheOrderIsNotJudged) {
     const Answer answer = answer_of(lab, "groups.comp", "ticket", {}, 64);
     EXPECT_EQ(answer.outside(), 0U);
     EXPECT_EQ(answer.open(), answer.inputs());
-}
-
-TEST(Groups, ABufferThatTheGroupSharesIsLeftOut) {
-    const Lab lab = lab_for("groups.comp");
-    EXPECT_THAT(own_functions(lab.options(), "groups.comp", {"stored"}).left_out.at(0).why,
-                HasSubstr("the buffer \"results\", which it may write, is shared by its group"));
-}
-
-TEST(Groups, TooLargeOnesAreLeftOut) {
-    const Lab lab = lab_for("large.comp");
-    EXPECT_EQ(own_functions(lab.options(), "large.comp", {"place"}).left_out.at(0).why,
-              "its work group has 2048 invocations, expected at most 1024");
 }
 
 TEST(Groups, AreCalledFromCpp) {
