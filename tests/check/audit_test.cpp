@@ -274,22 +274,6 @@ TEST(OrdinaryValues, DrawNoSubnormalNumbers) {
         EXPECT_NE(std::fpclassify(from_word<float>(inputs.row(i)[0])), FP_SUBNORMAL);
 }
 
-TEST(OrdinaryValues, UnitQuaternionsHaveLengthOneAndCoverTheSphere) {
-    const auto inputs = Domain{unit_vector(4)}.draw(20'000, 1);
-    glm::dvec4 sum(0);
-    glm::dvec4 squares(0);
-    for (std::size_t i = 0; i < inputs.count(); ++i) {
-        glm::dvec4 q(0);
-        for (int k = 0; k < 4; ++k) q[k] = from_word<float>(inputs.row(i)[static_cast<std::size_t>(k)]);
-        ASSERT_NEAR(glm::length(q), 1.0, 1e-7);
-        sum += q;
-        squares += q * q;
-    }
-    const auto count = static_cast<double>(inputs.count());
-    EXPECT_LT(glm::length(sum) / count, 0.03);
-    for (int k = 0; k < 4; ++k) EXPECT_NEAR(squares[k] / count, 0.25, 0.02);
-}
-
 TEST(OrdinaryValues, RelatedVectorsAreEqualOppositeAndParallel) {
     const Signature signature = SignatureOf<float(glm::vec3, glm::vec3)>::describe();
     const auto inputs = Domain{unit_vector(3), unit_vector(3)}.and_related(signature).draw(4'096, 1);

@@ -15,6 +15,11 @@ Lab lab_of(const std::string& variant = "shipped") {
                 .variant = shader::variant(variant)});
 }
 
+double exact(double distance, double radius) {
+    const double x = distance / radius;
+    return std::abs(distance) < radius ? 1.0 - x * x : 0.0;
+}
+
 TEST(InterpreterDevice, EvaluatesAFunction) {
     const Lab lab = lab_of();
     EXPECT_EQ(lab.info().name, "interpreter");
@@ -26,10 +31,6 @@ TEST(InterpreterDevice, EvaluatesAFunction) {
 
 TEST(InterpreterDevice, JudgesRightAndWrongFunctionsInEveryVariant) {
     const Domain domain{signed_log_uniform(1e-3, 10).and_special(), uniform(0.5, 8)};
-    const auto exact = [](double distance, double radius) {
-        const double x = distance / radius;
-        return std::abs(distance) < radius ? 1.0 - x * x : 0.0;
-    };
     for (const shader::Variant& variant : shader::variants()) {
         if (variant.relaxed) continue;  // the interpreter never rounds to half precision
         const Lab lab = lab_of(variant.name);
@@ -136,10 +137,6 @@ TEST_P(OpenGlDevice, SaysWhoItIs) {
 TEST_P(OpenGlDevice, JudgesARightAndAWrongFunction) {
     GLOAM_LAB_OR_SKIP(lab);
     const Domain domain{signed_log_uniform(1e-3, 10), uniform(0.5, 8)};
-    const auto exact = [](double distance, double radius) {
-        const double x = distance / radius;
-        return std::abs(distance) < radius ? 1.0 - x * x : 0.0;
-    };
     const Budget budget{.ulp = 2, .absolute = 4e-7};
     // More inputs than a row of the targets holds.
     const Answer right = Function<float(float, float)>(*lab, "wrong.glsl", "weight")

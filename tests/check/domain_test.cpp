@@ -89,15 +89,22 @@ TEST(Domain, AdjustmentsSeeEveryInput) {
 }
 
 TEST(Domain, UnitVectorsHaveLengthOneAndCoverTheSphere) {
-    const auto inputs = Domain{unit_vector(3)}.draw(20'000, 1);
-    glm::dvec3 sum(0);
-    for (std::size_t i = 0; i < inputs.count(); ++i) {
-        const auto row = inputs.row(i);
-        const glm::dvec3 v(from_word<float>(row[0]), from_word<float>(row[1]), from_word<float>(row[2]));
-        ASSERT_NEAR(glm::length(v), 1.0, 1e-7);
-        sum += v;
+    for (const int size : {3, 4}) {
+        const auto inputs = Domain{unit_vector(size)}.draw(20'000, 1);
+        const auto count = static_cast<double>(inputs.count());
+        glm::dvec4 sum(0);
+        glm::dvec4 squares(0);
+        for (std::size_t i = 0; i < inputs.count(); ++i) {
+            glm::dvec4 v(0);
+            for (int k = 0; k < size; ++k)
+                v[k] = from_word<float>(inputs.row(i)[static_cast<std::size_t>(k)]);
+            ASSERT_NEAR(glm::length(v), 1.0, 1e-7);
+            sum += v;
+            squares += v * v;
+        }
+        EXPECT_LT(glm::length(sum) / count, 0.03);
+        for (int k = 0; k < size; ++k) EXPECT_NEAR(squares[k] / count, 1.0 / size, 0.02);
     }
-    EXPECT_LT(glm::length(sum) / static_cast<double>(inputs.count()), 0.03);
 }
 
 TEST(Domain, IntegersIncludeTheirEndsAndNegativeOnes) {

@@ -8,8 +8,8 @@ Lab pass_lab() {
 }
 
 Lab interpreted_lab() {
-    return Lab(
-        {.device = std::string(interpreter_name), .include_roots = {std::string(FIXTURES) + "/passes"}});
+    return Lab({.device = std::string(interpreter_name),
+                .include_roots = {GLOAM_GLSL_DIR, std::string(FIXTURES) + "/passes"}});
 }
 
 Image picture(glm::ivec2 size = {13, 9}) {
@@ -30,6 +30,12 @@ Image mean_of(const Image& image, int radius) {
 }
 
 constexpr double rounding = 2e-5;  // of values below 128
+
+class OnEachDevice : public testing::TestWithParam<Lab (*)()> {
+  protected:
+    Lab lab = GetParam()();
+};
+INSTANTIATE_TEST_SUITE_P(Pass, OnEachDevice, testing::Values(pass_lab, interpreted_lab));
 
 PassInputs box_inputs(const Image& image, int radius, unsigned fault = 0) {
     return {{"source", image}, {"radius", radius}, {"fault", fault}};
@@ -116,7 +122,7 @@ PassInputs block_inputs() {
             {"scale", 4.0}};
 }
 
-void expect_blocks(const Lab& lab) {
+TEST_P(OnEachDevice, HasBlocksOfEveryKind) {
     const PassResult out = Pass(lab, "blocks.comp").run(block_inputs(), {.groups = {2, 1, 1}});
     const glm::vec3 sum = 8.0F * (0.5F * glm::vec3(1, 2, 4) + 0.25F * glm::vec3(8, 16, 32));
     EXPECT_EQ(out.values<glm::vec3>("total"), std::vector{glm::vec3(41, 52, 63) + sum});
@@ -130,11 +136,6 @@ void expect_blocks(const Lab& lab) {
         {"writes no buffer member \"bin\"", "bins, powers, total, untouched"});
 }
 
-TEST(Pass, HasBlocksOfEveryKind) {
-    expect_blocks(pass_lab());
-    expect_blocks(interpreted_lab());
-}
-
 Image checkers(bool linear) {
     Image image = make_image<glm::vec4>(
         {4, 4}, [](glm::ivec2 p) { return glm::vec4(static_cast<float>((p.x + p.y) % 2)); });
@@ -142,7 +143,7 @@ Image checkers(bool linear) {
     return image;
 }
 
-void expect_magnified(const Lab& lab) {
+TEST_P(OnEachDevice, HasSamplersAndSmallFormats) {
     const Pass magnify(lab, "magnify.comp");
     const PassOptions twice{.size = {8, 8}};
     const PassResult nearest = magnify.run({{"picture", checkers(false)}}, twice);
@@ -159,12 +160,7 @@ void expect_magnified(const Lab& lab) {
                           "  pixel (7, 0) component 0: got 7 (0x00000007), expected 0 (0x00000000), "));
 }
 
-TEST(Pass, HasSamplersAndSmallFormats) {
-    expect_magnified(pass_lab());
-    expect_magnified(interpreted_lab());
-}
-
-void expect_layers(const Lab& lab) {
+TEST_P(OnEachDevice, HasLayersAndTellsBlocksApart) {
     Image layers = make_image<glm::vec4>({2, 2}, [](glm::ivec2) { return glm::vec4(7.0F); });
     const Image second = make_image<glm::vec4>(
         {2, 2}, [](glm::ivec2 p) { return glm::vec4(static_cast<float>(p.x + 2 * p.y)); });
@@ -177,12 +173,7 @@ void expect_layers(const Lab& lab) {
     EXPECT_TRUE(same) << same;
 }
 
-TEST(Pass, HasLayersAndTellsBlocksApart) {
-    expect_layers(pass_lab());
-    expect_layers(interpreted_lab());
-}
-
-void expect_faces(const Lab& lab) {
+TEST_P(OnEachDevice, ReadsCubesAndCompares) {
     Image sky = make_image<float>({1, 1}, [](glm::ivec2) { return 1.0F; });
     for (int face = 1; face < 6; ++face) sky.words.push_back(to_word(static_cast<float>(face + 1)));
     sky.sampling = Image::Sampling{.depth = 6};
@@ -192,11 +183,6 @@ void expect_faces(const Lab& lab) {
     const auto faces = [](glm::ivec2 p) { return glm::dvec2(p.x + 1, p.x > 2 ? 1 : 0); };
     const ImageComparison same = out.image("result").compare(make_image<glm::vec2>({6, 1}, faces));
     EXPECT_TRUE(same) << same;
-}
-
-TEST(Pass, ReadsCubesAndCompares) {
-    expect_faces(pass_lab());
-    expect_faces(interpreted_lab());
 }
 
 TEST(Pass, OfTheInterpreterIsThatOfTheDevice) {
@@ -223,18 +209,13 @@ TEST(Pass, OfTheInterpreterIsThatOfTheDevice) {
         {"outside.comp: texel 3 of the 3 of \"result\"", "outside.comp:3"});
 }
 
-TEST(Pass, SharesMemoryInAGroup) {
-    const Lab device = pass_lab();
-    const Lab interpreted({.device = "interpreter", .include_roots = device.options().include_roots});
-    for (const Lab* lab : {&device, &interpreted}) {
-        const PassResult out =
-            Pass(*lab, "shared.comp")
-                .run({{"numbers", std::array{4.0F, 3.0F, 2.0F, 1.0F}}}, {.groups = {1, 1, 1}});
-        EXPECT_EQ(out.values<float>("numbers"), std::vector<float>(4, 4.0F)) << lab->info().name;
-    }
+TEST_P(OnEachDevice, SharesMemoryInAGroup) {
+    const PassResult out = Pass(lab, "shared.comp")
+                               .run({{"numbers", std::array{4.0F, 3.0F, 2.0F, 1.0F}}}, {.groups = {1, 1, 1}});
+    EXPECT_EQ(out.values<float>("numbers"), std::vector<float>(4, 4.0F));
 }
 
-void expect_normals(const Lab& lab) {
+TEST_P(OnEachDevice, OfTheLibraryIsRunAsItIs) {
     const Image wall = make_image<float>({8, 6}, [](glm::ivec2) { return 2.0F; });
     const PassResult out = Pass(lab, "passes/normals_from_depth.comp")
                                .run({{"depth_image", wall},
@@ -243,11 +224,6 @@ void expect_normals(const Lab& lab) {
                                      {"orthographic", 0U}});
     const auto to_the_eye = [](glm::ivec2) { return glm::vec4(0, 0, 1, 0); };
     EXPECT_TRUE(out.image("normal_image").compare(make_image<glm::vec4>({8, 6}, to_the_eye)));
-}
-
-TEST(Pass, OfTheLibraryIsRunAsItIs) {
-    expect_normals(test::make_lab());
-    expect_normals(Lab({.device = std::string(interpreter_name), .include_roots = {GLOAM_GLSL_DIR}}));
 }
 
 }  // namespace gloam::check::pass_test
