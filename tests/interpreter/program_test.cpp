@@ -228,7 +228,7 @@ TEST(Program, AnInstructionThatIsNotKnownIsNamed) {
         ADD_FAILURE() << "no error";
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), Error::Kind::unknown_instruction);
-        EXPECT_THAT(error.what(), AllOf(HasSubstr("opcode"), HasSubstr("in odd")));
+        EXPECT_THAT(error.what(), AllOf(HasSubstr("textureSamples"), HasSubstr("in odd")));
     }
 }
 

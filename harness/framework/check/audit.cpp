@@ -55,7 +55,12 @@ double digits_of(double relative, double unit) {
 }
 
 AuditPlace place_of(const ExplainedStep& step) {
-    return {step.file, step.line, step.function, step.operation};
+    return {step.file, step.line, step.function, step.undefined.empty() ? step.operation : step.undefined};
+}
+
+// Where an undefined value comes from, with the cause in place of an operation.
+AuditPlace place_of(const interpreter::Undefined& why) {
+    return {why.place.file, why.place.line, why.place.function, why.cause};
 }
 
 // The width of what is permitted, beside the exact value.
@@ -133,6 +138,11 @@ class Findings {
 
     // The operation at which an input goes wrong.
     AuditPlace origin(Concern concern, const std::vector<Word>& words) {
+        if (concern == Concern::undefined) {
+            const Reading reading = runs_.read(words);
+            for (const internal::OutputReading& output : reading.outputs)
+                if (output.undefined) return place_of(*output.undefined);
+        }
         const Explanation steps = runs_.steps(words, gaps_of(concern));
         const ExplainedStep* const step = first_with(concern, steps);
         return step == nullptr ? AuditPlace{} : place_of(*step);
@@ -306,7 +316,9 @@ Audit audit(const Lab& lab, const Question& asked, const std::vector<OrdinaryVal
               .domain = domain,
               .random = search.random,
               .inputs = search.inputs,
-              .findings = Findings(runs, search).all()};
+              .too_long = search.too_long};
+    if (!all.was_run()) return all;
+    all.findings = Findings(runs, search).all();
     // A function that mostly faults has no shape, and each run of an endless loop takes long.
     if (2 * search.faults.shown > search.random) return all;
     all.motions = internal::motions(runs, search, 3 * options.steps);

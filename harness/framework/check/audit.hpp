@@ -21,6 +21,9 @@ namespace gloam::check {
 inline constexpr double float_digits = 7.2;
 inline constexpr double half_digits = 3.3;
 
+// Of one input; more count as a loop without end.
+inline constexpr std::uint64_t most_audited_instructions = 500'000;
+
 enum class Concern {
     fault,        // an access outside an array, or a loop that does not end
     not_finite,   // a result is NaN or infinite
@@ -108,6 +111,7 @@ struct Audit {
     std::vector<OrdinaryValues> domain;  // for whom the inputs were drawn
     std::size_t random = 0;              // inputs drawn at random, without special values
     std::size_t inputs = 0;              // all that were run
+    std::size_t too_long = 0;            // of these, ended after most_audited_instructions
     std::vector<AuditFinding> findings;  // the gravest first
     std::vector<AuditMotion> motions;
     std::vector<AuditLine> lines;
@@ -115,6 +119,8 @@ struct Audit {
     std::optional<AuditFinding> half;  // the worst result if every operation is rounded to float16
     std::vector<AuditRewrite> rewrites;
 
+    // Whether an input came to its end. Otherwise nothing is known of the function.
+    [[nodiscard]] bool was_run() const { return inputs > too_long; }
     // Whether an input of the domain faults, or gives NaN, infinity or an undefined result.
     [[nodiscard]] bool is_broken() const;
 };

@@ -27,9 +27,15 @@ std::string number(double x) {
 
 // "acos", "-": as the source has it, or the name in SPIR-V.
 std::string operation_text(const std::string& operation) {
-    static const std::map<std::string, std::string> operators{
-        {"OpFAdd", "+"}, {"OpFSub", "-"},   {"OpFMul", "*"},  {"OpVectorTimesScalar", "*"},
-        {"OpFDiv", "/"}, {"OpFMod", "mod"}, {"OpDot", "dot"}, {"GLSL.std.450 Atan2", "atan"}};
+    static const std::map<std::string, std::string> operators{{"OpFAdd", "+"},
+                                                              {"OpFSub", "-"},
+                                                              {"OpFMul", "*"},
+                                                              {"OpVectorTimesScalar", "*"},
+                                                              {"OpFDiv", "/"},
+                                                              {"OpFMod", "mod"},
+                                                              {"OpDot", "dot"},
+                                                              {"GLSL.std.450 Atan2", "atan"},
+                                                              {"GLSL.std.450 MatrixInverse", "inverse"}};
     constexpr std::string_view set = "GLSL.std.450 ";
     const auto found = operators.find(operation);
     if (found != operators.end()) return found->second;
@@ -97,6 +103,8 @@ std::string result_text(const AuditFinding& finding) {
             return fmt::format("{}{}", number(finding.value),
                                std::isfinite(finding.exact) ? ", exactly " + number(finding.exact) : "");
         case Concern::undefined:
+            if (finding.permitted.is_anything()) return "Vulkan permits any value";
+            [[fallthrough]];
         case Concern::unspecified:
             return fmt::format("{} here, Vulkan permits {}", number(finding.value),
                                bounds_text(finding.permitted));
@@ -159,7 +167,14 @@ std::string to_text(const Audit& audit) {
         line(values.parameter, fmt::format("{} ({})", values.text, values.reason));
     line("inputs", fmt::format("{}, of these {} random", audit.inputs, audit.random));
     for (const AuditFinding& finding : audit.findings) text += finding_text(finding);
-    if (audit.findings.empty())
+    if (!audit.was_run())
+        line("not audited",
+             audit.inputs == 0
+                 ? "no input could be run; --inputs N draws more"
+                 : fmt::format("each of the {} inputs takes more than {} instructions; --range NAME=LOW:HIGH "
+                               "limits them to those that the function is made for",
+                               audit.inputs, most_audited_instructions));
+    else if (audit.findings.empty())
         line("well", "no input gives NaN, infinity or an undefined result, and none loses digits");
     for (const AuditMotion& motion : audit.motions)
         line("motion",

@@ -167,11 +167,21 @@ ExplainedStep explained(const interpreter::Value<Explained>& value, const numeri
     return one;
 }
 
-void append(const interpreter::Step<Explained>& step, std::vector<ExplainedStep>& steps) {
+// The same, or why it is undefined.
+ExplainedStep explained(interpreter::Machine<Explained>& machine, const interpreter::Value<Explained>& value,
+                        const numeric::FloatFormat& format) {
+    const auto why = machine.why_undefined(value);
+    if (!why) return explained(value, format);
+    return {.permitted = numeric::Bounds::anything(), .undefined = why->cause};
+}
+
+void append(const interpreter::Step<Explained>& step, interpreter::Machine<Explained>& machine,
+            std::vector<ExplainedStep>& steps) {
     if (step.place.file.empty() || step.place.file == kernel_name) return;
     for (std::size_t k = 0; k < step.results.size(); ++k) {
-        if (!step.results[k].is_number() && !step.results[k].is_bits()) continue;
-        ExplainedStep one = explained(step.results[k], step.format);
+        const interpreter::Value<Explained>& result = step.results[k];
+        if (!result.is_number() && !result.is_bits() && !result.is_undefined()) continue;
+        ExplainedStep one = explained(machine, result, step.format);
         one.file = step.place.file;
         one.line = step.place.line;
         one.function = step.place.function;
@@ -256,6 +266,8 @@ std::string line_of(const ExplainedStep& step, bool is_worst) {
     const std::string operation = step.component == 0
                                       ? step.operation
                                       : fmt::format("{} .{}", step.operation, "xyzw"[step.component % 4]);
+    if (!step.undefined.empty())
+        return fmt::format(line_format, place, operation, "undefined", "", "", "", "", step.undefined);
     if (step.whole) return fmt::format("{:<34} {:<24} {:>15}\n", place, operation, whole_text(step));
     return fmt::format(line_format, place, operation, value_text(step.value, 9), value_text(step.exact, 17),
                        fmt::format("{:.3g}", step.ulps), share_text(step.local), share_text(step.inherited()),
@@ -277,11 +289,14 @@ std::string result_line(const Explanation& all) {
     bool calculated = false;
     for (std::size_t i = 0; i < all.scalars.size() && i < all.result.size(); ++i) {
         const ExplainedStep& one = all.result[i];
-        const std::string bits = one.whole ? bits_text(all.scalars[i], static_cast<Word>(one.value)) : "";
-        values.push_back(one.whole ? bits : value_text(one.value, 9));
-        exact.push_back(one.whole ? bits : value_text(one.exact, 17));
+        const bool defined = one.undefined.empty();
+        const std::string bits = !defined    ? "undefined"
+                                 : one.whole ? bits_text(all.scalars[i], static_cast<Word>(one.value))
+                                             : "";
+        values.push_back(one.whole || !defined ? bits : value_text(one.value, 9));
+        exact.push_back(one.whole || !defined ? bits : value_text(one.exact, 17));
         permitted.push_back(one.whole ? bits : permitted_text(one.permitted));
-        calculated = calculated || !one.whole;
+        calculated = calculated || (!one.whole && defined);
     }
     if (values.empty()) return "";
     if (!calculated) return fmt::format("result {}\n", fmt::join(values, ", "));
@@ -300,6 +315,10 @@ std::string last_lines(const Explanation& explanation) {
             "the error in ULP grows most at {}, {}: {}\n", place_of(worst), worst.operation,
             cancels ? "the result is small beside its operands, whose errors it keeps" : "its own rounding");
     }
+    const auto undefined =
+        std::ranges::find_if(steps, [](const auto& step) { return !step.undefined.empty(); });
+    if (undefined != steps.end())
+        text += fmt::format("undefined at {}: {}\n", place_of(*undefined), undefined->undefined);
     const auto nan = std::ranges::find_if(steps, [](const auto& step) { return std::isnan(step.value); });
     if (nan == steps.end()) return text;
     return text + fmt::format("the first NaN is the result of {}, {}\n", place_of(*nan), nan->operation);
@@ -337,9 +356,11 @@ Explanation explain(InterpretedKernel<Explained>& kernel, std::span<const Word> 
     kernel.machine().set_limit(most_instructions);
     Explanation all;
     const auto run = [&] {
-        kernel.run(input, [&](const interpreter::Step<Explained>& step) { append(step, all.steps); });
+        kernel.run(input, [&](const interpreter::Step<Explained>& step) {
+            append(step, kernel.machine(), all.steps);
+        });
         for (std::size_t word = 0; word < kernel.output_words(); ++word)
-            all.result.push_back(explained(kernel.output(word), numeric::float32));
+            all.result.push_back(explained(kernel.machine(), kernel.output(word), numeric::float32));
         throw numeric::Paths::Enough{};
     };
     // The path is that of float32. Where only intervals leave a branch undecided, the first way is taken.

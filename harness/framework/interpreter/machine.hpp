@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -23,7 +24,13 @@ using backend::Word;
 template <class Number>
 class Value {
   public:
-    Value() = default;  // undefined
+    Value() = default;  // undefined: never written
+    // Undefined, as an instruction made it: its number in the program, from 1.
+    static Value undefined(Word origin) {
+        Value value;
+        value.bits_ = origin;
+        return value;
+    }
     static Value of(const Number& number) {
         Value value;
         value.number_ = number;
@@ -60,6 +67,9 @@ class Value {
     // Whether it is a number and not bits.
     [[nodiscard]] bool is_number() const { return state_ == State::number; }
     [[nodiscard]] bool is_bits() const { return state_ == State::bits; }
+    [[nodiscard]] bool is_undefined() const { return state_ == State::undefined; }
+    // Of an undefined value.
+    [[nodiscard]] Word origin() const { return bits_; }
 
   private:
     enum class State : std::uint8_t { undefined, bits, number, both };
@@ -83,8 +93,11 @@ class Value<float> {
     [[nodiscard]] float number() const { return std::bit_cast<float>(bits_); }
     [[nodiscard]] Word bits() const { return bits_; }
     static Value of_float(Word bits) { return of_bits(bits); }
+    static Value undefined(Word) { return {}; }
     [[nodiscard]] bool is_number() const { return false; }
     [[nodiscard]] bool is_bits() const { return false; }
+    [[nodiscard]] bool is_undefined() const { return false; }
+    [[nodiscard]] Word origin() const { return 0; }
 
   private:
     Word bits_ = 0;
@@ -116,6 +129,14 @@ struct Invocation {
 enum class Order { forward, backward };
 
 [[nodiscard]] std::string name_of_operation(std::uint16_t opcode);
+
+// Why a value is undefined.
+struct Undefined {
+    std::string cause;  // "a shift by less than 0 or by more than 31"
+    Place place;        // of the operation, or of the first read of what was never written
+    // Whether an operation reads it, or made it; false for a variable that was never written and only copied.
+    bool is_used = true;
+};
 
 // One executed instruction, with the value of every scalar of its result.
 template <class Number>
@@ -166,6 +187,9 @@ class Machine {
 
     // A word of a buffer or image after the run. Throws Error (missing, out_of_bounds).
     [[nodiscard]] Value<Number> read(std::uint32_t set, std::uint32_t binding, std::size_t word) const;
+
+    // Why a value of the last run is undefined; nullopt if it is not. Machine<float> does not know.
+    [[nodiscard]] std::optional<Undefined> why_undefined(const Value<Number>& value) const;
 
     // Whether the last run wrote to this buffer or image.
     [[nodiscard]] bool wrote(std::uint32_t set, std::uint32_t binding) const;

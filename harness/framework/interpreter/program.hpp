@@ -34,6 +34,7 @@ class Error : public std::runtime_error {
         missing,              // no such entry point, function, buffer or image
         out_of_bounds,        // an access outside an array, a buffer or an image
         too_many_steps,       // more instructions than the limit, for example an endless loop
+        undefined,            // a branch or an index depends on a value that is undefined
         race,                 // two invocations use one word, no barrier orders them, and one writes
         divergent_barrier     // some invocations of a group do not reach a barrier at which others wait
     };
@@ -47,7 +48,7 @@ class Error : public std::runtime_error {
     [[nodiscard]] bool is_of_group() const { return kind_ == Kind::race || kind_ == Kind::divergent_barrier; }
     // Whether the input, and not the module, stops the run: its result is undefined.
     [[nodiscard]] bool is_of_input() const {
-        return kind_ == Kind::out_of_bounds || kind_ == Kind::too_many_steps;
+        return kind_ == Kind::out_of_bounds || kind_ == Kind::too_many_steps || kind_ == Kind::undefined;
     }
 
   private:

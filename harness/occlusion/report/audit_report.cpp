@@ -54,11 +54,9 @@ ordered_json motion_json(const check::AuditMotion& motion) {
 }
 
 ordered_json audit_json(const check::Audit& audit) {
-    ordered_json json{{"function", audit.function},
-                      {"declaration", audit.declaration},
-                      {"inputs", audit.inputs},
-                      {"random", audit.random},
-                      {"broken", audit.is_broken()}};
+    ordered_json json{{"function", audit.function}, {"declaration", audit.declaration},
+                      {"inputs", audit.inputs},     {"random", audit.random},
+                      {"audited", audit.was_run()}, {"broken", audit.is_broken()}};
     for (const char* list : {"domain", "findings", "motions", "not_reached", "lines", "rewrites"})
         json[list] = ordered_json::array();
     for (const check::OrdinaryValues& values : audit.domain)
@@ -196,7 +194,9 @@ void add_rewrites(Page& page, const check::Audit& audit) {
 void add_function(Page& page, const AuditReport& report, const check::Audit& audit) {
     page.heading(audit.declaration);
     page.table(domain_table(audit));
-    if (audit.findings.empty())
+    if (!audit.was_run())
+        page.paragraph("Not audited: no input came to its end.");
+    else if (audit.findings.empty())
         page.paragraph(
             fmt::format("No input of {} gives NaN, infinity or an undefined result, and none loses digits.",
                         audit.inputs));

@@ -20,8 +20,6 @@ namespace {
 
 using shader::Scalar;
 
-constexpr std::uint64_t most_instructions = 500'000;  // of one input; more count as a loop without end
-
 ImageScenario first_scenario(const Question& question) {
     return question.scenarios.empty() ? ImageScenario{} : question.scenarios.front();
 }
@@ -55,16 +53,16 @@ AuditRuns::AuditRuns(KernelModule module, const Question& question, ImageSet ima
       images_(std::move(images)),
       modules_{std::make_shared<const KernelModule>(std::move(module))},
       decoded_(modules_, images_),
-      interpretation_(decoded_, scalars_),
+      interpretation_(decoded_, scalars_, scalars_.size()),
       kernel_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images),
       half_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images),
       floats_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images),
       drivers_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images) {
     drivers_.machine().set_sampling(1);
-    drivers_.machine().set_limit(most_instructions);
+    drivers_.machine().set_limit(most_audited_instructions);
     half_.machine().set_half(true);
-    for (auto* kernel : {&kernel_, &half_}) kernel->machine().set_limit(most_instructions);
-    floats_.machine().set_limit(most_instructions);
+    for (auto* kernel : {&kernel_, &half_}) kernel->machine().set_limit(most_audited_instructions);
+    floats_.machine().set_limit(most_audited_instructions);
 }
 
 Reading AuditRuns::read(InterpretedKernel<interpreter::Explained>& kernel, std::span<const Word> input,
@@ -76,7 +74,9 @@ Reading AuditRuns::read(InterpretedKernel<interpreter::Explained>& kernel, std::
             kernel.run(input);
             for (std::size_t w = 0; w < scalars_.size(); ++w) {
                 const auto value = kernel.output(w);
-                if (shader::is_float(scalars_[w])) {
+                if (auto why = kernel.machine().why_undefined(value)) {
+                    reading.outputs.push_back({.permitted = numeric::Bounds::anything(), .undefined = why});
+                } else if (shader::is_float(scalars_[w])) {
                     const interpreter::Explained x = value.number();
                     reading.outputs.push_back({x.value, x.exact, x.permitted.bounds()});
                 } else {
@@ -85,7 +85,9 @@ Reading AuditRuns::read(InterpretedKernel<interpreter::Explained>& kernel, std::
                 }
             }
         } catch (const interpreter::Error& error) {
-            reading = {.outputs = {}, .fault = error.what()};
+            reading = {.outputs = {},
+                       .fault = error.what(),
+                       .too_long = error.kind() == interpreter::Error::Kind::too_many_steps};
         }
         throw numeric::Paths::Enough{};
     };
@@ -112,9 +114,12 @@ bool AuditRuns::is_undefined(std::span<const Word> input, const Reading& reading
             try {
                 drivers_.run(input);
                 for (std::size_t w = 0; w < scalars_.size(); ++w) {
-                    const numeric::Bounds bounds = drivers_.output(w).number().bounds();
-                    undefined =
-                        undefined || (shader::is_float(scalars_[w]) && (bounds.is_anything() || bounds.nan));
+                    const auto value = drivers_.output(w);
+                    const bool is_float = shader::is_float(scalars_[w]);
+                    undefined = undefined || value.is_undefined();
+                    if (undefined || !is_float) continue;
+                    const numeric::Bounds bounds = value.number().bounds();
+                    undefined = bounds.is_anything() || bounds.nan;
                 }
             } catch (const interpreter::Error&) {
                 undefined = true;
@@ -139,7 +144,9 @@ std::vector<double> AuditRuns::in_double(std::span<const Word> input) {
     std::vector<double> outputs;
     try {
         instructions_ += interpretation_.calculate({0, input}, outputs);
-    } catch (const interpreter::Error&) {
+    } catch (const interpreter::Error& error) {
+        if (error.kind() == interpreter::Error::Kind::too_many_steps)
+            instructions_ += Interpretation::most_instructions;
         outputs.clear();
     }
     return outputs;
@@ -178,8 +185,10 @@ Explanation AuditRuns::steps_half(std::span<const Word> input) {
 
 void AuditRuns::set_usual(const Domain::Inputs& inputs) {
     constexpr double usual_part = 0x1p-10;
+    constexpr std::uint64_t most_instructions = 2'000'000;
+    const std::uint64_t before = instructions_;
     std::vector<std::vector<double>> lengths(sizes_.size());
-    for (std::size_t i = 0; i < inputs.count(); ++i) {
+    for (std::size_t i = 0; i < inputs.count() && instructions_ - before < most_instructions; ++i) {
         const std::vector<double> outputs = in_double(inputs.row(i));
         for (std::size_t v = 0, first = 0; !outputs.empty() && v < sizes_.size(); first += sizes_[v++]) {
             double length = 0.0;

@@ -22,12 +22,14 @@ struct OutputReading {
     double value = 0.0;
     double exact = 0.0;
     numeric::Bounds permitted = numeric::Bounds::point(0.0);
+    std::optional<interpreter::Undefined> undefined = {};  // every value is permitted
 };
 
 // The results of one input.
 struct Reading {
     std::vector<OutputReading> outputs;  // empty if there is a fault
     std::string fault;
+    bool too_long = false;  // the fault is that it does not end
 };
 
 // How a result of one input is off.

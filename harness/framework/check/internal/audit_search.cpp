@@ -39,6 +39,7 @@ class Search {
         found_.random = draw(usual, true, 0.25);
         Moves moves(runs_.question(), draws - random, runs_.image_size(), options_.seed, options_.seed);
         (void)draw(moves.drawn(), false, 0.5);
+        try_remainders(moves.drawn());
         for (const bool digits : {true, false})
             if (moves.possible()) climb(moves, digits, (options_.inputs - draws) / 2, digits ? 0.75 : 1.0);
         return std::move(found_);
@@ -47,6 +48,29 @@ class Search {
   private:
     [[nodiscard]] bool has_steps(double share) const {
         return static_cast<double>(runs_.instructions()) < share * static_cast<double>(options_.steps);
+    }
+
+    // What rounding leaves of zero, where a number may have both signs: fract() of a small negative one is 1.
+    // It shows an index beyond a table; nobody means such numbers, so it shows nothing else.
+    void try_remainders(const Domain::Inputs& drawn) {
+        constexpr std::size_t most_rows = 16;
+        const auto slots = slots_of(runs_.question());
+        for (std::size_t i = 0; i < std::min(drawn.count(), most_rows) && has_steps(0.5); ++i)
+            for (const Slot& slot : slots)
+                for (std::size_t k = 0; k < slot.count; ++k)
+                    for (const float sign : {-1.0F, 1.0F}) try_remainder(drawn.row(i), slot, k, sign);
+    }
+
+    void try_remainder(std::span<const Word> row, const Slot& slot, std::size_t k, float sign) {
+        if (scalars_of(slot.parameter->type).at(k) != shader::Scalar::float_) return;
+        std::vector<Word> words(row.begin(), row.end());
+        for (const float around : {-0x1p-6F, 0x1p-6F}) {
+            words[slot.first + k] = to_word(around);
+            if (!slot.values->admits(std::span(words).subspan(slot.first, slot.count))) return;
+        }
+        words[slot.first + k] = to_word(sign * 0x1p-30F);
+        runs_.question().domain.adjust(words);
+        if (shows(Concern::fault, runs_.read(words))) keep(found_.faults, words, false);
     }
 
     // Returns how many were run.
@@ -85,6 +109,7 @@ class Search {
         runs_.question().domain.adjust(words);
         Reading reading = runs_.read(words);
         ++found_.inputs;
+        if (reading.too_long) ++found_.too_long;
         if (found_.traced.size() < most_traced) found_.traced.push_back(words);
         if (shows(Concern::fault, reading)) keep(found_.faults, words, random);
         if (shows(Concern::not_finite, reading)) keep(found_.not_finite, words, random);

@@ -36,6 +36,7 @@ struct AuditSearch {
     std::vector<std::vector<Word>> traced;  // some drawn inputs, for the lines of the source
     std::size_t random = 0;                 // drawn without special values
     std::size_t inputs = 0;
+    std::size_t too_long = 0;  // that did not come to their end
 };
 
 // Draws half of the inputs, some of them without special values, and climbs with the others: to where float32

@@ -33,11 +33,13 @@ struct Scalars {
     explicit Scalars(const Signature& signature)
         : inputs(signature.input_scalars()),
           outputs(signature.output_scalars()),
-          output_values(signature.output_values()) {}
+          output_values(signature.output_values()),
+          result_words(shader::scalar_count(signature.result)) {}
 
     std::vector<shader::Scalar> inputs;
     std::vector<shader::Scalar> outputs;
     std::vector<std::size_t> output_values;
+    std::size_t result_words;  // of the outputs; those of out parameters follow
 };
 
 // Returns true to end the visit.

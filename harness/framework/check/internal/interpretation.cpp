@@ -66,6 +66,7 @@ std::uint64_t Interpretation::calculate(const InputRow& input, std::vector<doubl
     InterpretedKernel<double>& doubles = kernel(at.part, parts_[at.part].doubles);
     outputs.clear();
     const std::uint64_t before = doubles.machine().steps();
+    doubles.machine().set_limit(most_instructions);
     // A race may show in one order only.
     if (decoded_.parts()[at.part].module.team.kind == backend::Team::Kind::group) {
         doubles.set_order(interpreter::Order::backward);
@@ -75,6 +76,12 @@ std::uint64_t Interpretation::calculate(const InputRow& input, std::vector<doubl
     doubles.run(input.words, at.index);
     for (std::size_t w = 0; w < outputs_.size(); ++w) {
         const auto value = doubles.output(w);
+        const auto why = doubles.machine().why_undefined(value);
+        if (why && (why->is_used || w < results_)) {
+            constexpr auto kind = interpreter::Error::Kind::undefined;
+            if (why->place.function.empty()) throw interpreter::Error(kind, why->cause);
+            throw interpreter::Error(kind, why->cause, why->place);
+        }
         outputs.push_back(shader::is_float(outputs_[w]) ? value.number()
                                                         : whole_number(outputs_[w], value.bits()));
     }

@@ -37,14 +37,19 @@ struct InputRow {
 // Interprets the modules of a run for one input at a time, on each number type. For one thread.
 class Interpretation {
   public:
-    Interpretation(const Decoded& decoded, const std::vector<shader::Scalar>& outputs)
-        : decoded_(decoded), outputs_(outputs), parts_(decoded.parts().size()) {}
+    // `results`: outputs that are no out parameters.
+    Interpretation(const Decoded& decoded, const std::vector<shader::Scalar>& outputs, std::size_t results)
+        : decoded_(decoded), outputs_(outputs), results_(results), parts_(decoded.parts().size()) {}
 
     // Whether the outputs equal, in every bit, those of correctly rounded arithmetic; all NaNs are equal.
     // Vulkan permits these results for every module.
     [[nodiscard]] bool is_exact(const InputRow& input, std::span<const Word> got);
 
-    // The outputs in double. Returns how many instructions they took.
+    // Limit of instructions of one input in double.
+    static constexpr std::uint64_t most_instructions = 4'000'000;
+
+    // The outputs in double. Returns how many instructions they took. Throws interpreter::Error as well for
+    // an output that is undefined, but for an out parameter that the function leaves as it is.
     std::uint64_t calculate(const InputRow& input, std::vector<double>& outputs);
 
     // Whether some legal evaluation yields these outputs. It is faster than all_permitted(): it stops at the
@@ -81,6 +86,7 @@ class Interpretation {
 
     const Decoded& decoded_;
     const std::vector<shader::Scalar>& outputs_;
+    std::size_t results_;
     std::vector<Part> parts_;
     Permitted found_;
     std::vector<Word> exact_;
@@ -91,7 +97,7 @@ class Interpretation {
 class RulesJudge {
   public:
     RulesJudge(const Decoded& decoded, const Scalars& scalars)
-        : scalars_(scalars), interpretation_(decoded, scalars.outputs) {}
+        : scalars_(scalars), interpretation_(decoded, scalars.outputs, scalars.result_words) {}
 
     // Whether the outputs are permitted.
     [[nodiscard]] bool permits(const Sample& sample);

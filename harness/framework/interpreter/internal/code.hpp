@@ -26,7 +26,7 @@ enum Operation : std::uint16_t {
     pack_halves,      // count slots, each from the bits of two halves at a; b: whether they become floats
     unpack_halves,    // count slots, two halves from the bits of each slot at a
     gather,           // count slots, from those of the list at `extra`
-    undefine,         // count slots
+    undefine,         // count slots, of the variable `extra` of Code::variables
     select,           // b or c, selected by a; `stride`: 0 if one bool is for all components
     extract_dynamic,  // component b of the count components at a
     insert_dynamic,   // the count components at a, with component c replaced by b
@@ -71,6 +71,7 @@ inline constexpr std::uint8_t relaxed = 2;          // may be done in half preci
 inline constexpr std::uint8_t half = 4;             // 16-bit floats
 inline constexpr std::uint8_t is_signed = 8;        // integers
 inline constexpr std::uint8_t result_is_used = 16;  // of an atomic operation
+inline constexpr std::uint8_t reads_first = 32;     // all operands before the first result
 }  // namespace flags
 
 struct Instruction {
@@ -180,7 +181,8 @@ struct Code {
     std::vector<ConstantSlot> constants;
     std::vector<Resource> resources;
     std::vector<BuiltIn> built_ins;
-    std::vector<Place> places;  // one for each line, or each instruction of a module without lines
+    std::vector<std::string> variables;  // names; those of the front end are empty
+    std::vector<Place> places;           // one for each line, or each instruction of a module without lines
     std::uint32_t slots = 0;
     std::uint32_t most_copies = 0;  // largest number of slots that the copies of one edge need
     bool may_be_rearranged = false;
@@ -193,6 +195,9 @@ struct Code {
 
 // "OpFAdd", "GLSL.std.450 Sqrt"; the number if the name is unknown.
 [[nodiscard]] std::string name_of(std::uint16_t opcode);
+
+// Whether an operation reads all its operands before its first result.
+[[nodiscard]] bool reads_all_first(std::uint16_t opcode);
 
 // Whether the number of components is that of the first operand, not of the result: dot, any, length, ...
 [[nodiscard]] bool takes_count_of_operand(std::uint16_t opcode);

@@ -18,7 +18,12 @@ void copy_slots(State<N>& s, const Instruction& i, Slot from) {
         std::copy_n(s.slots.begin() + from, i.count, s.slots.begin() + i.result);
         return;
     }
-    for (std::uint32_t k = 0; k < i.count; ++k) s.set(i, i.result + k, s.number(i, from + k));
+    for (std::uint32_t k = 0; k < i.count; ++k) {
+        if (s.slots[from + k].is_undefined())
+            s.slots[i.result + k] = s.slots[from + k];
+        else
+            s.set(i, i.result + k, s.number(i, from + k));
+    }
 }
 
 template <class N>
@@ -46,13 +51,18 @@ void do_gather(State<N>& s, const Instruction& i) {
 
 template <class N>
 void do_undefine(State<N>& s, const Instruction& i) {
-    std::fill_n(s.slots.begin() + i.result, i.count, Value<N>());
+    std::fill_n(s.slots.begin() + i.result, i.count, Value<N>::undefined(s.next));
 }
 
 template <class N>
 void do_select(State<N>& s, const Instruction& i) {
-    for (std::uint32_t k = 0; k < i.count; ++k)
-        s.slots[i.result + k] = s.slots[(s.bits(i.a + k * i.stride) != 0 ? i.b : i.c) + k];
+    for (std::uint32_t k = 0; k < i.count; ++k) {
+        const Slot condition = i.a + k * i.stride;
+        if (s.touch(condition))
+            s.set(i, i.result + k, Word{0});
+        else
+            s.slots[i.result + k] = s.slots[(s.bits(condition) != 0 ? i.b : i.c) + k];
+    }
 }
 
 [[nodiscard]] inline std::uint32_t checked(Word index, std::uint32_t count) {
@@ -63,12 +73,12 @@ void do_select(State<N>& s, const Instruction& i) {
 
 template <class N>
 void do_extract(State<N>& s, const Instruction& i) {
-    s.slots[i.result] = s.slots[i.a + checked(s.bits(i.b), i.count)];
+    s.slots[i.result] = s.slots[i.a + checked(s.known_bits(i.b), i.count)];
 }
 
 template <class N>
 void do_insert(State<N>& s, const Instruction& i) {
-    const std::uint32_t index = checked(s.bits(i.c), i.count);
+    const std::uint32_t index = checked(s.known_bits(i.c), i.count);
     std::copy_n(s.slots.begin() + i.a, i.count, s.slots.begin() + i.result);
     s.slots[i.result + index] = s.slots[i.b];
 }
@@ -106,13 +116,13 @@ void do_jump(State<N>& s, const Instruction& i) {
 
 template <class N>
 void do_branch(State<N>& s, const Instruction& i) {
-    follow(s, s.bits(i.a) != 0 ? i.extra : i.b);
+    follow(s, s.known_bits(i.a) != 0 ? i.extra : i.b);
 }
 
 template <class N>
 void do_switch(State<N>& s, const Instruction& i) {
     const Switch& all = s.code.switches[i.extra];
-    const Word value = s.bits(i.a);
+    const Word value = s.known_bits(i.a);
     for (const auto& [literal, edge] : all.cases)
         if (literal == value) return follow(s, edge);
     follow(s, all.otherwise);
@@ -137,7 +147,7 @@ void do_chain(State<N>& s, const Instruction& i) {
         at.offset += all.base.offset;
     }
     for (const Chain::Step& step : all.steps) {
-        const Word index = s.bits(step.index);
+        const Word index = s.known_bits(step.index);
         const bool outside = step.length != 0 ? index >= step.length : step.is_signed && as_int(index) < 0;
         const std::uint64_t offset = at.offset + std::uint64_t{index} * step.stride;
         if (outside || offset > 0xffffffffU)
@@ -163,14 +173,14 @@ void do_store_slots(State<N>& s, const Instruction& i) {
 template <class N>
 [[nodiscard]] Value<N> load_scalar(const State<N>& s, const Pointer& pointer, std::uint32_t offset) {
     const Value<N> word = s.read(pointer, offset);
-    if ((offset & 1U) == 0) return word;
+    if ((offset & 1U) == 0 || word.is_undefined()) return word;
     const Word half = word.bits() >> (((pointer.offset + offset) & 2U) * 8U) & 0xffffU;
     return Value<N>::of_float(std::bit_cast<Word>(half_value(half)));
 }
 
 template <class N>
 void store_scalar(State<N>& s, const Pointer& pointer, std::uint32_t offset, const Value<N>& value) {
-    if ((offset & 1U) == 0) return s.write(pointer, offset, value);
+    if ((offset & 1U) == 0 || value.is_undefined()) return s.write(pointer, offset, value);
     const Word shift = ((pointer.offset + offset) & 2U) * 8U;
     const Word others = s.read(pointer, offset).bits() & ~(0xffffU << shift);
     s.write(pointer, offset, Value<N>::of_bits(others | apply(HalfBits{}, value.number()) << shift));
@@ -260,7 +270,7 @@ template <class N>
     std::array<Word, 3> at{};
     std::size_t index = 0;
     for (std::uint32_t k = 3; k-- > 0;) {
-        at.at(k) = k < dimensions ? s.bits(coordinates + k) : 0U;
+        at.at(k) = k < dimensions ? s.known_bits(coordinates + k) : 0U;
         if (at.at(k) >= backing.image->size.at(k))
             throw Fault{Error::Kind::out_of_bounds,
                         fmt::format("texel {} of the {} of \"{}\" (dimension {})", as_int(at.at(k)),
@@ -272,7 +282,7 @@ template <class N>
 
 template <class N>
 void require_first_level(State<N>& s, const Instruction& i) {
-    if (i.extra != 0 && s.bits(i.extra - 1) != 0)
+    if (i.extra != 0 && s.known_bits(i.extra - 1) != 0)
         throw Fault{Error::Kind::out_of_bounds, "a level of an image that has one"};
 }
 

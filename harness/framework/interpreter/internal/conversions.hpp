@@ -30,10 +30,25 @@ void convert_integer(State<N>& s, const Instruction& i) {
         s.set(i, i.result + k, from_integer<N>(static_cast<I>(s.bits(i.a + k))));
 }
 
+// Whether an integer has the whole part of a number. Intervals tell by themselves (ToInteger).
+template <class I, class N>
+[[nodiscard]] bool fits(const N& x) {
+    if constexpr (std::is_same_v<N, double>) {
+        constexpr double end = 0x1p31 * (std::is_signed_v<I> ? 1.0 : 2.0);
+        return x > (std::is_signed_v<I> ? -0x1p31 - 1.0 : -1.0) && x < end;
+    } else if constexpr (std::is_same_v<N, Explained>) {
+        return fits<I>(x.value);
+    } else {
+        return true;
+    }
+}
+
 template <class N, class I>
 void convert_to_integer(State<N>& s, const Instruction& i) {
-    for (std::uint32_t k = 0; k < i.count; ++k)
-        s.set(i, i.result + k, static_cast<Word>(apply(ToInteger<I>{}, s.number(i, i.a + k))));
+    for (std::uint32_t k = 0; k < i.count; ++k) {
+        const N x = s.number(i, i.a + k);
+        s.set_if(fits<I>(x), i, i.result + k, static_cast<Word>(apply(ToInteger<I>{}, x)));
+    }
 }
 
 // Of one format to another.
@@ -45,7 +60,9 @@ void convert_float(State<N>& s, const Instruction& i) {
     };
     for (std::uint32_t k = 0; k < i.count; ++k) {
         const Value<N>& from = s.slots[i.a + k];
-        if constexpr (std::is_same_v<N, float>) {
+        if (from.is_undefined()) {
+            s.slots[i.result + k] = from;
+        } else if constexpr (std::is_same_v<N, float>) {
             s.slots[i.result + k] = Value<N>::of(static_cast<float>(rounded(from.number())));
         } else if constexpr (std::is_same_v<N, double>) {
             s.set(i, i.result + k, from.number());
@@ -76,13 +93,35 @@ void load_exponent(State<N>& s, const Instruction& i) {
         s.set(i, i.result + k, apply(Scale{as_int(s.bits(i.b + k))}, s.number(i, i.a + k)));
 }
 
+// The fraction of an infinite number is 0 or NaN: no text says which.
+[[nodiscard]] inline numeric::Interval with_zero_of_infinity(const numeric::Interval& x,
+                                                             const numeric::Interval& fraction) {
+    const numeric::Bounds& b = x.bounds();
+    const bool may_be_infinite = !b.empty() && (std::isinf(b.low) || std::isinf(b.high));
+    return may_be_infinite
+               ? numeric::Interval::within(numeric::hull(fraction.bounds(), numeric::Bounds::point(0.0)))
+               : fraction;
+}
+template <class N>
+[[nodiscard]] N with_zero_of_infinity(const N& x, const N& fraction) {
+    if constexpr (std::is_same_v<N, numeric::Rearranged>) {
+        return N(with_zero_of_infinity(x.interval(), fraction.interval()));
+    } else if constexpr (std::is_same_v<N, Explained>) {
+        N result = fraction;
+        result.permitted = with_zero_of_infinity(x.permitted, fraction.permitted);
+        return result;
+    } else {
+        return fraction;
+    }
+}
+
 // modf(): fractions, then integral parts; both have the sign of the argument.
 template <class N>
 void modf(State<N>& s, const Instruction& i) {
     for (std::uint32_t k = 0; k < i.count; ++k) {
         const N x = s.number(i, i.a + k);
         const N whole = apply(Trunc{}, x);
-        s.set(i, i.result + k, apply(Subtract{}, x, whole));
+        s.set(i, i.result + k, with_zero_of_infinity(x, apply(Subtract{}, x, whole)));
         s.set(i, i.result + i.count + k, whole);
     }
 }

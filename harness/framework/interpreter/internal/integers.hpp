@@ -10,8 +10,8 @@
 #include <type_traits>
 
 // Integers and bools, two's complement. SPIR-V and Vulkan leave some results undefined: division by zero, a
-// remainder of negative numbers, a shift by 32 and others. They are undefined values on intervals; the other
-// number types have one fixed result for each.
+// remainder of negative numbers, a shift by 32 and others. They are undefined values; float has one fixed
+// result for each.
 namespace gloam::interpreter::internal {
 
 inline constexpr Word word_bits = 32;
@@ -93,22 +93,13 @@ void compare(State<N>& s, const Instruction& i) {
     for (std::uint32_t k = 0; k < i.count; ++k)
         s.set(i, i.result + k, bool{F(s.bits(i.a + k), s.bits(i.b + k))});
 }
-// The number types that describe all permitted results.
-template <class N>
-inline constexpr bool describes_all =
-    std::is_same_v<N, numeric::Interval> || std::is_same_v<N, numeric::Rearranged>;
-
 // An operation with a result where `defined` says so.
 template <class N, auto F, auto Defined>
 void on_two_if(State<N>& s, const Instruction& i) {
     for (std::uint32_t k = 0; k < i.count; ++k) {
         const Word x = s.bits(i.a + k);
         const Word y = s.bits(i.b + k);
-        if (describes_all<N> && !Defined(x, y)) {
-            s.slots[i.result + k] = Value<N>();
-        } else {
-            s.set(i, i.result + k, static_cast<Word>(F(x, y)));
-        }
+        s.set_if(Defined(x, y), i, i.result + k, static_cast<Word>(F(x, y)));
     }
 }
 template <class N, auto F>
@@ -121,21 +112,19 @@ void on_three(State<N>& s, const Instruction& i) {
 template <class N, bool Signed>
 void bit_field_extract(State<N>& s, const Instruction& i) {
     for (std::uint32_t k = 0; k < i.count; ++k) {
-        if (describes_all<N> && !is_field(s.bits(i.b), s.bits(i.c))) {
-            s.slots[i.result + k] = Value<N>();
-        } else {
-            s.set(i, i.result + k, extracted(s.bits(i.a + k), s.bits(i.b), s.bits(i.c), Signed));
-        }
+        const Word offset = s.bits(i.b);
+        const Word width = s.bits(i.c);
+        const Word field = extracted(s.bits(i.a + k), offset, width, Signed);
+        s.set_if(is_field(offset, width), i, i.result + k, field);
     }
 }
 template <class N>
 void bit_field_insert(State<N>& s, const Instruction& i) {
     for (std::uint32_t k = 0; k < i.count; ++k) {
-        if (describes_all<N> && !is_field(s.bits(i.c), s.bits(i.extra))) {
-            s.slots[i.result + k] = Value<N>();
-        } else {
-            s.set(i, i.result + k, inserted(s.bits(i.a + k), s.bits(i.b + k), s.bits(i.c), s.bits(i.extra)));
-        }
+        const Word offset = s.bits(i.c);
+        const Word width = s.bits(i.extra);
+        const Word word = inserted(s.bits(i.a + k), s.bits(i.b + k), offset, width);
+        s.set_if(is_field(offset, width), i, i.result + k, word);
     }
 }
 
@@ -157,10 +146,9 @@ void shift_right(State<N>& s, const Instruction& i) {
         const Value<N>& x = s.slots[i.a + k];
         if (distance == word_bits - 1U && x.is_number()) {
             s.set(i, i.result + k, sign_bit(x.number()));
-        } else if (describes_all<N> && distance >= word_bits) {
-            s.slots[i.result + k] = Value<N>();
         } else {
-            s.set(i, i.result + k, Word{distance < word_bits ? x.bits() >> distance : 0U});
+            const Word word = s.bits(i.a + k);
+            s.set_if(distance < word_bits, i, i.result + k, distance < word_bits ? word >> distance : 0U);
         }
     }
 }
@@ -171,7 +159,7 @@ void bitwise_and(State<N>& s, const Instruction& i) {
     for (std::uint32_t k = 0; k < i.count; ++k) {
         const Value<N>& x = s.slots[i.a + k];
         const Value<N>& y = s.slots[i.b + k];
-        if (x.is_number() != y.is_number()) {
+        if (x.is_number() != y.is_number() && !x.is_undefined() && !y.is_undefined()) {
             const Value<N>& number = x.is_number() ? x : y;
             const bool exponent = (x.is_number() ? y : x).bits() == exponent_mask;
             const auto field = exponent ? exponent_field(number.number()) : std::nullopt;
@@ -180,7 +168,7 @@ void bitwise_and(State<N>& s, const Instruction& i) {
                 continue;
             }
         }
-        s.set(i, i.result + k, Word{x.bits() & y.bits()});
+        s.set(i, i.result + k, Word{s.bits(i.a + k) & s.bits(i.b + k)});
     }
 }
 
@@ -190,9 +178,11 @@ void compare_words(State<N>& s, const Instruction& i) {
     for (std::uint32_t k = 0; k < i.count; ++k) {
         const Value<N>& x = s.slots[i.a + k];
         const Value<N>& y = s.slots[i.b + k];
+        const bool touched = s.touch(i.a + k) || s.touch(i.b + k);
         const bool by_number =
-            x.is_number() != y.is_number() && (x.is_number() ? y : x).bits() == exponent_mask;
-        const bool equal = by_number ? apply(Equal{}, x.number(), y.number()) : x.bits() == y.bits();
+            !touched && x.is_number() != y.is_number() && (x.is_number() ? y : x).bits() == exponent_mask;
+        const bool equal =
+            by_number ? apply(Equal{}, x.number(), y.number()) : s.bits(i.a + k) == s.bits(i.b + k);
         s.set(i, i.result + k, equal == IfEqual);
     }
 }

@@ -43,6 +43,12 @@ Slot Lowering::new_slots(std::uint32_t count) {
     return first;
 }
 
+void Lowering::undefine_variable(PointerInfo& variable, std::uint32_t count, const std::string& name) {
+    variable.variable = static_cast<std::uint32_t>(code_.variables.size());
+    code_.variables.push_back(name);
+    emit(undefine, count, variable.target.offset).extra = variable.variable;
+}
+
 std::uint32_t Lowering::new_pointer() {
     code_.pointers.emplace_back();
     return static_cast<std::uint32_t>(code_.pointers.size() - 1);
@@ -142,7 +148,7 @@ void Lowering::place_variable(const shader::Instruction& variable) {
         if (decorations.built_in)
             code_.built_ins.push_back({*decorations.built_in, info.target.offset, count});
         else
-            emit(undefine, count, info.target.offset);
+            undefine_variable(info, count, name);
         if (variable.words.size() > 4) emit(copy, count, info.target.offset, slot_of(variable.word(4), {}));
     }
     global_pointers_[id] = info;
@@ -187,6 +193,7 @@ void Lowering::place_globals() {
 
 Code Lowering::run(const std::string& entry_point) {
     code_.places.push_back({});
+    code_.variables.emplace_back();
     place_globals();
     Scope scope;
     lower_function(module_.function(module_.entry_point(entry_point)), scope);

@@ -21,6 +21,7 @@ struct PointerInfo {
     Id pointee = 0;                   // type
     MatrixLayout matrix;              // in memory
     std::uint32_t scalar_stride = 0;  // of a column of a row-major matrix; 0: consecutive
+    std::uint32_t variable = 0;       // in Code::variables; 0: none
 };
 
 // Converts an entry point and all that it calls to Code. Every call becomes a copy of the function.
@@ -94,6 +95,8 @@ class Lowering {
 
     Instruction& emit(std::uint16_t op, std::uint32_t count, Slot result, Slot a = 0, Slot b = 0, Slot c = 0);
     [[nodiscard]] std::uint32_t new_edge();
+    // Leaves a variable unwritten.
+    void undefine_variable(PointerInfo& variable, std::uint32_t count, const std::string& name);
     [[nodiscard]] std::uint32_t edge_to(Id label, Scope& scope);
     [[nodiscard]] Slot new_slots(std::uint32_t count);
     [[nodiscard]] std::uint32_t new_pointer();

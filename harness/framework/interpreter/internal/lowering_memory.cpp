@@ -111,12 +111,12 @@ void Lowering::lower_local_variable(const shader::Instruction& i, Scope& scope) 
     PointerInfo info{.pointee = module_.types.at(i.word(1)).element};
     const std::uint32_t count = module_.types.slots(info.pointee);
     info.target.offset = new_slots(count);
-    scope.pointers[i.word(2)] = info;
     if (i.words.size() > 4) {
         emit(copy, count, info.target.offset, slot_of(i.word(4), scope));
     } else {
-        emit(undefine, count, info.target.offset);
+        undefine_variable(info, count, module_.name_of(i.word(2)));
     }
+    scope.pointers[i.word(2)] = info;
 }
 
 void Lowering::lower_access_chain(const shader::Instruction& i, Scope& scope) {
@@ -239,7 +239,8 @@ bool Lowering::lower_atomic(const shader::Instruction& i, Scope& scope) {
         case SpvOpAtomicCompareExchangeWeak:
         case SpvOpAtomicFlagTestAndSet:
         case SpvOpAtomicFlagClear:
-            fail(Error::Kind::unknown_instruction, fmt::format("opcode {}", i.opcode));
+            fail(Error::Kind::unknown_instruction,
+                 name_of(static_cast<std::uint16_t>(i.opcode)) + " is not known to the interpreter");
         default:
             instruction.b = slot_of(i.word(6), scope);
             return true;
@@ -283,8 +284,11 @@ bool Lowering::lower_control(const shader::Instruction& i, Scope& scope) {
             lower_switch(i, scope);
             return true;
         case SpvOpReturnValue:
-            emit(copy, module_.types.slots(scope.function->result_type), scope.result,
-                 slot_of(i.word(1), scope));
+            if (module_.undefined.contains(i.word(1)))  // the end of a function, without a value
+                emit(undefine, module_.types.slots(scope.function->result_type), scope.result);
+            else
+                emit(copy, module_.types.slots(scope.function->result_type), scope.result,
+                     slot_of(i.word(1), scope));
             [[fallthrough]];
         case SpvOpReturn:
             scope.returns.push_back(new_edge());
@@ -334,7 +338,10 @@ void Lowering::lower_call(const shader::Instruction& i, Scope& scope) {
         const Id argument = i.word(p + 4);
         inner.types[callee.parameters[p]] = type_of(argument, scope);
         if (module_.types.at(type_of(argument, scope)).kind == Type::Kind::pointer) {
-            inner.pointers[callee.parameters[p]] = pointer_of(argument, scope);
+            const PointerInfo& to = inner.pointers[callee.parameters[p]] = pointer_of(argument, scope);
+            // The front end passes out parameters by a variable that the source does not have.
+            if (to.variable != 0 && module_.name_of(argument) == "param")
+                code_.variables[to.variable] = module_.name_of(callee.parameters[p]);
         } else {
             inner.slots[callee.parameters[p]] = slot_of(argument, scope);
         }

@@ -189,6 +189,7 @@ void Lowering::lower_componentwise(const shader::Instruction& i, Scope& scope) {
         emit(opcode, count, slot_of(i.word(2), scope), operands[0], operands[1], operands[2]);
     instruction.extra = operands[3];
     instruction.flags = flags_of(i.word(2), i.word(1));
+    if (reads_all_first(opcode)) instruction.flags |= flags::reads_first;
     if (opcode == SpvOpVectorTimesScalar || opcode == SpvOpMatrixTimesScalar) instruction.stride = 0;
     if (to.kind == Type::Kind::boolean && scalar.kind == Type::Kind::real) {
         for (std::size_t k = 0; k < *arity; ++k)
@@ -217,6 +218,7 @@ void Lowering::lower_extended(const shader::Instruction& i, Scope& scope) {
     instruction.flags = flags_of(i.word(2), i.word(1));
     if (module_.types.at(i.word(1)).kind == Type::Kind::structure || by_pointer)
         instruction.flags = flags_of(i.word(2), type_of(i.word(5), scope));
+    if (reads_all_first(opcode)) instruction.flags |= flags::reads_first;
     if (!by_pointer) return;
     emit(copy, count, slot_of(i.word(2), scope), result);
     store(pointer_of(i.word(6), scope), result + count);

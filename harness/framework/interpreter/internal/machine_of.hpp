@@ -216,6 +216,7 @@ void Machine<N>::prepare() {
     state_->cost = 0;
     state_->running = true;
     state_->waits = false;
+    state_->undefinedness = {};
     for (internal::Lane<N>& lane : state_->lanes) {
         lane.next = 0;
         lane.way = {};
@@ -245,6 +246,7 @@ void Machine<N>::step(Tell& tell, std::uint32_t& at, std::uint64_t end, std::uin
             format = wanted;
         }
         s.handlers[at](s, i);
+        if (s.undefinedness.touched) s.forget_touched();
         tell(i);
     }
 }
@@ -333,6 +335,11 @@ void Machine<N>::run(Coverage& coverage) {
         for (std::uint32_t k = 0; k < (i.stride == 0 ? 1 : i.count); ++k)
             coverage.add(at, state_->bits(i.a + k) != 0 ? 1 : 0);
     });
+}
+
+template <class N>
+std::optional<Undefined> Machine<N>::why_undefined(const Value<N>& value) const {
+    return value.is_undefined() ? std::optional(state_->why_undefined(value.origin())) : std::nullopt;
 }
 
 template <class N>

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include "interpreter/internal/opcodes.hpp"
+#include "interpreter/internal/state.hpp"
 
 #include <algorithm>
 #include <array>
@@ -182,6 +183,32 @@ const Table& table() {
     return known;
 }
 
+// Those that are lowered to other operations, or unknown.
+const std::map<std::uint16_t, const char*>& other_names() {
+    static const std::map<std::uint16_t, const char*> names{
+        {SpvOpVectorTimesMatrix, "OpVectorTimesMatrix"},
+        {SpvOpMatrixTimesVector, "OpMatrixTimesVector"},
+        {SpvOpMatrixTimesMatrix, "OpMatrixTimesMatrix"},
+        {SpvOpOuterProduct, "OpOuterProduct"},
+        {SpvOpTranspose, "OpTranspose"},
+        {SpvOpImageSparseFetch, "OpImageSparseFetch"},
+        {SpvOpImageSparseRead, "OpImageSparseRead"},
+        {SpvOpImageQueryLod, "OpImageQueryLod (textureQueryLod)"},
+        {SpvOpImageQuerySamples, "OpImageQuerySamples (textureSamples)"},
+        {SpvOpAtomicCompareExchangeWeak, "OpAtomicCompareExchangeWeak"},
+        {SpvOpAtomicFlagTestAndSet, "OpAtomicFlagTestAndSet"},
+        {SpvOpAtomicFlagClear, "OpAtomicFlagClear"},
+        {SpvOpEmitVertex, "OpEmitVertex"},
+        {SpvOpEndPrimitive, "OpEndPrimitive"},
+        {SpvOpReadClockKHR, "OpReadClockKHR (clockARB)"},
+        {SpvOpTraceRayKHR, "OpTraceRayKHR"},
+        {SpvOpRayQueryInitializeKHR, "OpRayQueryInitializeKHR"},
+        {SpvOpDemoteToHelperInvocation, "OpDemoteToHelperInvocation (demote)"},
+        {SpvOpIsHelperInvocationEXT, "OpIsHelperInvocationEXT (helperInvocationEXT)"},
+        {image_sample, "OpImageSample"}};
+    return names;
+}
+
 #undef GLOAM_OP
 #undef GLOAM_EXTENDED
 
@@ -200,7 +227,7 @@ std::optional<std::uint8_t> arity_of(std::uint16_t opcode) {
 std::string name_of(std::uint16_t opcode) {
     const auto found = table().find(opcode);
     if (found != table().end()) return found->second.name;
-    if (opcode == image_sample) return "OpImageSample";
+    if (const auto other = other_names().find(opcode); other != other_names().end()) return other->second;
     if (opcode >= extended && opcode < copy)
         return fmt::format("GLSL.std.450 instruction {}", opcode - extended);
     return fmt::format("opcode {}", opcode);
@@ -213,6 +240,53 @@ bool takes_count_of_operand(std::uint16_t opcode) {
                                     extended + GLSLstd450Distance, extended + GLSLstd450Determinant,
                                     extended + GLSLstd450Modf, extended + GLSLstd450ModfStruct,
                                     extended + GLSLstd450Frexp, extended + GLSLstd450FrexpStruct, SpvOpDot});
+}
+
+bool reads_all_first(std::uint16_t opcode) {
+    return is_one_of(opcode,
+                     std::array<int, 13>{extended + GLSLstd450Normalize, extended + GLSLstd450Reflect,
+                                         extended + GLSLstd450Refract, extended + GLSLstd450FaceForward,
+                                         extended + GLSLstd450MatrixInverse, extended + GLSLstd450Modf,
+                                         extended + GLSLstd450ModfStruct, extended + GLSLstd450Frexp,
+                                         extended + GLSLstd450FrexpStruct, SpvOpIAddCarry, SpvOpISubBorrow,
+                                         SpvOpUMulExtended, SpvOpSMulExtended});
+}
+
+std::string where_text(const Place& place) {
+    return place.line == 0 && place.function.empty() ? "" : " at " + to_text(place);
+}
+
+std::string cause_of(const Code& code, const Instruction& instruction) {
+    switch (instruction.op) {
+        case undefine: {
+            const std::string& name = code.variables.at(instruction.extra);
+            return name.empty() ? "a value was never written or returned"
+                                : fmt::format("\"{}\" was never written", name);
+        }
+        case SpvOpUDiv:
+            return "an integer is divided by 0";
+        case SpvOpSDiv:
+            return "an integer is divided by 0, or -2147483648 by -1";
+        case SpvOpUMod:
+            return "% by 0";
+        case SpvOpSRem:
+        case SpvOpSMod:
+            return "% by 0, or of a negative number";
+        case SpvOpShiftLeftLogical:
+        case SpvOpShiftRightLogical:
+        case SpvOpShiftRightArithmetic:
+            return "a shift by less than 0 or by more than 31";
+        case SpvOpBitFieldInsert:
+        case SpvOpBitFieldSExtract:
+        case SpvOpBitFieldUExtract:
+            return "bits outside the 32 of a word";
+        case SpvOpConvertFToS:
+            return "int() of NaN or of a number beyond an int";
+        case SpvOpConvertFToU:
+            return "uint() of NaN, of a negative number or of one beyond a uint";
+        default:
+            return name_of(instruction.op) + " has no defined result";
+    }
 }
 
 bool writes_through_pointer(std::uint16_t opcode) {

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "interpreter/internal/code.hpp"
@@ -110,11 +112,21 @@ template <class N>
 inline constexpr bool has_bounds =
     std::is_same_v<N, numeric::Interval> || std::is_same_v<N, numeric::Rearranged>;
 
+// Whether a machine knows which of its values are undefined.
+template <class N>
+inline constexpr bool knows_undefined = !std::is_same_v<N, float>;
+
 // A fault of the running shader. The machine adds the place.
 struct Fault {
     Error::Kind kind;
     std::string message;
 };
+
+// " at tone.glsl:12"; empty if the place is unknown.
+[[nodiscard]] std::string where_text(const Place& place);
+
+// Why a value that this instruction made is undefined.
+[[nodiscard]] std::string cause_of(const Code& code, const Instruction& instruction);
 
 template <class N>
 struct State;
@@ -229,15 +241,61 @@ struct State {
     std::optional<numeric::Random> sampling;  // see Machine::set_sampling()
     std::uint64_t cost = 0;                   // of the last instruction, in steps besides its own
 
-    [[nodiscard]] Word bits(Slot slot) const { return slots[slot].bits(); }
+    // An operation on an undefined value has an undefined result.
+    struct Undefinedness {
+        bool touched = false;  // the running instruction reads one, with this origin
+        bool spread = false;   // to its result
+        Word origin = 0;
+        std::vector<std::pair<Word, std::uint32_t>> reads;  // origins, and which instruction read it first
+    };
+    mutable Undefinedness undefinedness;
+
+    // Whether an operand is undefined, which its reader has to respect.
+    bool touch([[maybe_unused]] Slot slot) const {
+        if constexpr (knows_undefined<N>) {
+            if (!slots[slot].is_undefined()) return false;
+            Undefinedness& all = undefinedness;
+            const Word origin = slots[slot].origin();
+            if (!all.touched) {
+                all.touched = true;
+                all.spread = false;
+                all.origin = origin;
+            }
+            if (std::ranges::find(all.reads, origin, &std::pair<Word, std::uint32_t>::first) ==
+                all.reads.end())
+                all.reads.emplace_back(origin, next - 1);
+            return true;
+        }
+        return false;
+    }
+    // After an instruction: on intervals every result is permitted where an undefined operand has gone into
+    // something else than a value.
+    void forget_touched() {
+        if (has_bounds<N> && !undefinedness.spread) throw numeric::Paths::Undetermined{};
+        undefinedness.touched = false;
+    }
+
+    [[nodiscard]] Word bits(Slot slot) const { return touch(slot) ? 0U : slots[slot].bits(); }
+
+    // The bits on which a branch or an index depends. Throws Fault if they are undefined.
+    [[nodiscard]] Word known_bits(Slot slot) const {
+        if (!touch(slot)) return slots[slot].bits();
+        if (has_bounds<N>) throw numeric::Paths::Undetermined{};
+        const Undefined why = why_undefined(slots[slot].origin());
+        throw Fault{Error::Kind::undefined, fmt::format("{}{}, and a branch or an index depends on it",
+                                                        why.cause, where_text(why.place))};
+    }
+    [[nodiscard]] Undefined why_undefined(Word origin) const;
 
     // A float operand with the precision that the instruction asks for.
     [[nodiscard]] N number(const Instruction& i, Slot slot) const {
+        touch(slot);
         const N x = slots[slot].number();
         if ((i.flags & flags::relaxed) != 0) return relaxed(x);
         return x;
     }
     void set(const Instruction& i, Slot slot, const N& x) {
+        if (spreads(i, slot)) return;
         if constexpr (std::is_same_v<N, numeric::Interval>) {
             if (sampling) {
                 slots[slot] = Value<N>::of(sampled(x, *sampling));
@@ -246,9 +304,19 @@ struct State {
         }
         slots[slot] = Value<N>::of(rounds_to_half(i) ? halved(x) : x);
     }
-    void set(const Instruction&, Slot slot, Word x) { slots[slot] = Value<N>::of_bits(x); }
-    void set(const Instruction&, Slot slot, int x) { slots[slot] = Value<N>::of_bits(static_cast<Word>(x)); }
-    void set(const Instruction&, Slot slot, bool x) { slots[slot] = Value<N>::of_bits(x ? 1U : 0U); }
+    void set(const Instruction& i, Slot slot, Word x) {
+        if (!spreads(i, slot)) slots[slot] = Value<N>::of_bits(x);
+    }
+    void set(const Instruction& i, Slot slot, int x) { set(i, slot, static_cast<Word>(x)); }
+    void set(const Instruction& i, Slot slot, bool x) { set(i, slot, x ? Word{1} : Word{0}); }
+    // The result of an operation that is defined for some operands only.
+    void set_if(bool defined, const Instruction& i, Slot slot, Word x) {
+        if (knows_undefined<N> && !defined && !undefinedness.touched) {
+            slots[slot] = Value<N>::undefined(next);
+        } else {
+            set(i, slot, x);
+        }
+    }
 
     // The index of a word in a resource. Throws Fault if it is outside.
     [[nodiscard]] std::size_t word_of(const Pointer& pointer, std::uint32_t offset) const {
@@ -287,6 +355,15 @@ struct State {
     }
 
   private:
+    // Whether the result is undefined, because an operand is. The components of an operation follow one
+    // another, but some operations read all operands before their first result.
+    bool spreads(const Instruction& i, Slot slot) {
+        if (!knows_undefined<N> || !undefinedness.touched) return false;
+        slots[slot] = Value<N>::undefined(undefinedness.origin);
+        undefinedness.spread = true;
+        undefinedness.touched = (i.flags & flags::reads_first) != 0;
+        return true;
+    }
     static N halved(const N& x);
     [[nodiscard]] bool rounds_to_half(const Instruction& i) const {
         return half || (i.flags & flags::half) != 0;
@@ -307,6 +384,20 @@ struct State {
                         to_text(code.places[code.instructions[other->instruction].place]))};
     }
 };
+
+template <class N>
+Undefined State<N>::why_undefined(Word origin) const {
+    const bool was_made = origin != 0 && code.instructions[origin - 1].op != undefine;
+    if (was_made)
+        return {cause_of(code, code.instructions[origin - 1]),
+                code.places[code.instructions[origin - 1].place]};
+    const auto& reads = undefinedness.reads;
+    const auto read = std::ranges::find(reads, origin, &std::pair<Word, std::uint32_t>::first);
+    const std::string cause =
+        origin == 0 ? "a value was never written or returned" : cause_of(code, code.instructions[origin - 1]);
+    if (read != reads.end()) return {cause, code.places[code.instructions[read->second].place]};
+    return {cause, origin == 0 ? Place{} : code.places[code.instructions[origin - 1].place], false};
+}
 
 // A number stored in 16 bits. Intervals are not rounded here: their operations have that format.
 template <class N>

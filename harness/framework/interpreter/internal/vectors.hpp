@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/matrix.hpp>
+#include <limits>
 
 #include "interpreter/internal/arithmetic.hpp"
 #include "numeric/interval.hpp"
+#include "numeric/paths.hpp"
 
 // Floats: sums of products, and the GLSL functions on vectors and matrices.
 namespace gloam::interpreter::internal {
@@ -205,79 +209,105 @@ template <class N>
 }
 
 // Determinants and inverses. Vulkan leaves their precision to the implementation, so every result is
-// permitted; float is rounded from double.
-
-[[nodiscard]] inline double as_double(float x) {
-    return x;
-}
-[[nodiscard]] inline double as_double(double x) {
-    return x;
-}
-[[nodiscard]] inline double as_double(const Explained& x) {
-    return x.exact;
-}
-
-template <class N>
-[[nodiscard]] N implementation_defined(double exact) {
-    if constexpr (std::is_floating_point_v<N>) {
-        return static_cast<N>(exact);
-    } else if constexpr (std::is_same_v<N, Explained>) {
-        return {.value = exact, .exact = exact, .local = 0.0, .permitted = numeric::Interval::anything()};
-    } else {
-        return undefined_number<N>();
-    }
-}
+// permitted. On Explained the value is that of cofactors in float32, as drivers do it: where the condition of
+// the matrix is bad, it is far from the exact one. float is rounded from double.
 
 inline constexpr std::size_t most_elements = 16;
+using Elements = std::array<double, most_elements>;
 
-template <class N>
-[[nodiscard]] std::array<double, most_elements> elements(State<N>& s, const Instruction& i) {
-    std::array<double, most_elements> all{};
-    if constexpr (!std::is_same_v<N, numeric::Interval> && !std::is_same_v<N, numeric::Rearranged>) {
-        for (std::uint32_t k = 0; k < i.count; ++k) all.at(k) = as_double(s.number(i, i.a + k));
-    }
-    return all;
-}
-
-template <glm::length_t D>
-[[nodiscard]] glm::mat<D, D, double> matrix_of(const std::array<double, most_elements>& all) {
-    glm::mat<D, D, double> m;
-    for (glm::length_t k = 0; k < D * D; ++k) m[k / D][k % D] = all.at(static_cast<std::size_t>(k));
+template <glm::length_t D, class T>
+[[nodiscard]] glm::mat<D, D, T> matrix_of(const Elements& all) {
+    glm::mat<D, D, T> m;
+    for (glm::length_t k = 0; k < D * D; ++k)
+        m[k / D][k % D] = static_cast<T>(all.at(static_cast<std::size_t>(k)));
     return m;
 }
 
-[[nodiscard]] inline double determinant_of(const std::array<double, most_elements>& all,
-                                           std::uint32_t count) {
-    switch (count) {
-        case 4:
-            return glm::determinant(matrix_of<2>(all));
-        case 9:
-            return glm::determinant(matrix_of<3>(all));
-        default:
-            return glm::determinant(matrix_of<4>(all));
+template <class T>
+struct Determinant {
+    template <glm::length_t D>
+    static Elements of(const Elements& all) {
+        return {static_cast<double>(glm::determinant(matrix_of<D, T>(all)))};
     }
+};
+
+template <class T>
+struct Inverse {
+    template <glm::length_t D>
+    static Elements of(const Elements& all) {
+        const glm::mat<D, D, T> m = glm::inverse(matrix_of<D, T>(all));
+        Elements result{};
+        for (glm::length_t k = 0; k < D * D; ++k)
+            result.at(static_cast<std::size_t>(k)) = static_cast<double>(m[k / D][k % D]);
+        return result;
+    }
+};
+
+template <class F>
+[[nodiscard]] Elements of_matrix(const Elements& all, std::uint32_t count) {
+    return count == 4 ? F::template of<2>(all) : count == 9 ? F::template of<3>(all) : F::template of<4>(all);
 }
 
-template <glm::length_t D>
-[[nodiscard]] std::array<double, most_elements> inverse_of(const std::array<double, most_elements>& all) {
-    const glm::mat<D, D, double> m = glm::inverse(matrix_of<D>(all));
-    std::array<double, most_elements> result{};
-    for (glm::length_t k = 0; k < D * D; ++k) result.at(static_cast<std::size_t>(k)) = m[k / D][k % D];
-    return result;
+[[nodiscard]] inline double exact_of(float x) {
+    return x;
+}
+[[nodiscard]] inline double exact_of(double x) {
+    return x;
+}
+[[nodiscard]] inline double exact_of(const Explained& x) {
+    return x.exact;
+}
+[[nodiscard]] inline double exact_of(const numeric::Interval& x) {
+    return x.bounds().empty() ? std::numeric_limits<double>::quiet_NaN() : (x.low() + x.high()) / 2.0;
+}
+[[nodiscard]] inline double exact_of(const numeric::Rearranged& x) {
+    return exact_of(x.interval());
+}
+
+// Any number; where gaps are closed, those between two results.
+[[nodiscard]] inline numeric::Interval by_implementation(double x, double y) {
+    if (!numeric::Paths::closes_gaps() || !std::isfinite(x) || !std::isfinite(y))
+        return numeric::Interval::anything();
+    return numeric::Interval::within(std::min(x, y), std::max(x, y));
+}
+
+template <template <class> class F, class N>
+void of_matrix(State<N>& s, const Instruction& i, std::uint32_t results) {
+    Elements operands{};
+    Elements rounded{};
+    for (std::uint32_t k = 0; k < i.count; ++k) {
+        const N x = s.number(i, i.a + k);
+        operands.at(k) = exact_of(x);
+        if constexpr (std::is_same_v<N, Explained>) rounded.at(k) = x.value;
+    }
+    const Elements exact = of_matrix<F<double>>(operands, i.count);
+    if constexpr (std::is_same_v<N, Explained>) {
+        const Elements values = of_matrix<F<float>>(rounded, i.count);
+        const Elements reached = of_matrix<F<double>>(rounded, i.count);
+        for (std::uint32_t k = 0; k < results; ++k)
+            s.set(i, i.result + k,
+                  N{.value = values.at(k),
+                    .exact = exact.at(k),
+                    .local = values.at(k) - reached.at(k),
+                    .permitted = by_implementation(values.at(k), exact.at(k))});
+    } else {
+        for (std::uint32_t k = 0; k < results; ++k) {
+            if constexpr (std::is_floating_point_v<N>)
+                s.set(i, i.result + k, static_cast<N>(exact.at(k)));
+            else
+                s.set(i, i.result + k, N(by_implementation(exact.at(k), exact.at(k))));
+        }
+    }
 }
 
 template <class N>
 void determinant(State<N>& s, const Instruction& i) {
-    s.set(i, i.result, implementation_defined<N>(determinant_of(elements(s, i), i.count)));
+    of_matrix<Determinant>(s, i, 1);
 }
 
 template <class N>
 void inverse(State<N>& s, const Instruction& i) {
-    const std::array<double, most_elements> m = elements(s, i);
-    const std::array<double, most_elements> result =
-        i.count == 4 ? inverse_of<2>(m) : (i.count == 9 ? inverse_of<3>(m) : inverse_of<4>(m));
-    for (std::uint32_t k = 0; k < i.count; ++k)
-        s.set(i, i.result + k, implementation_defined<N>(result.at(k)));
+    of_matrix<Inverse>(s, i, i.count);
 }
 
 template <class N>
