@@ -86,8 +86,10 @@ void print_coverage(const report::CheckReport& report) {
 void print_undefined(const report::CheckReport& report) {
     for (const check::Answer& row : report.rows)
         if (row.undefined > 0)
-            fmt::print("{} {}: the result is undefined for {} of {} inputs, which were not judged: {}\n",
-                       row.equation, row.variant, row.undefined, row.inputs(), row.first_undefined);
+            fmt::print("{} {}: {} {} of {} inputs, which were not judged: {}\n", row.equation, row.variant,
+                       row.first_undefined.starts_with("more than") ? "it takes too long for"
+                                                                    : "the result is undefined for",
+                       row.undefined, row.inputs(), row.first_undefined);
 }
 
 // What helps where the usual inputs of a user's function could not be judged.

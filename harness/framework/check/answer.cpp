@@ -109,8 +109,11 @@ std::string Answer::not_judged_because() const {
     if (is_no_verdict(reason)) return error;
     if (!ran() || outside() > 0 || !fault.empty()) return {};
     if (inputs() == 0) return "there are no inputs";
+    const bool is_long = first_undefined.starts_with("more than");
     const std::string why =
-        undefined == 0 ? "" : fmt::format("; its result is undefined: {}", first_undefined);
+        undefined == 0 ? ""
+                       : fmt::format("; {}: {}", is_long ? "it takes too long" : "its result is undefined",
+                                     first_undefined);
     if (recorded() == inputs() && undefined > 0) return "none of its inputs could be judged" + why;
     if (recorded() == inputs() && verdict == Verdict::rules)
         return "it documents no accuracy, and there are no precision rules for this device";

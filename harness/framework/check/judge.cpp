@@ -82,10 +82,10 @@ class Judge {
         try {
             if (find_want(sample) > long_run) answer.long_runs.push_back(sample.index);
         } catch (const interpreter::Error& error) {
-            if (question_.defined || !error.is_of_input()) throw;
+            const bool is_long = error.kind() == interpreter::Error::Kind::too_many_steps;
+            if ((question_.defined && !is_long) || !error.is_of_input()) throw;
             answer.add_undefined(sample.input_class, error.what());
-            if (error.kind() == interpreter::Error::Kind::too_many_steps)
-                answer.long_runs.push_back(sample.index);
+            if (is_long) answer.long_runs.push_back(sample.index);
             return;
         }
         if (!options_.nan && internal::holds_special(sample, scalars_.inputs)) {

@@ -50,8 +50,10 @@ Domain::Inputs only(const Domain::Inputs& inputs, std::size_t i) {
 
 // llvmpipe of Mesa 22.3 ends all loops of a group of invocations after 65,536 iterations of one of them, so
 // inputs that failed beside such a one are run again without it.
-void judge(const internal::Trial& trial, const Question& question, const Domain::Inputs& inputs,
+void judge(const internal::Trial& trial, const Question& question, const Domain::Inputs& drawn,
            Answer& answer) {
+    const Domain::Inputs inputs = trial.without_long_runs(drawn, answer);
+    if (inputs.count() == 0) return;
     internal::Trial::Evaluated evaluated = trial.run(inputs, answer);
     Answer judged = empty_answer({}, answer.verdict);
     trial.judge(evaluated, judged);

@@ -55,6 +55,11 @@ bool has_float16(const Spirv& module) {
     });
 }
 
+bool has_loop(const Spirv& module) {
+    return std::ranges::any_of(instructions(module),
+                               [](const Instruction& one) { return one.opcode == SpvOpLoopMerge; });
+}
+
 std::vector<float> float_constants(const Spirv& module) {
     constexpr std::uint32_t width = 32;
     std::uint32_t type = 0;

@@ -44,6 +44,9 @@ struct Instruction {
 // Whether a module calculates in float16.
 [[nodiscard]] bool has_float16(const Spirv& module);
 
+// Whether a function of the module has a loop.
+[[nodiscard]] bool has_loop(const Spirv& module);
+
 // The float32 constants of a module that are finite, each once, in their order.
 [[nodiscard]] std::vector<float> float_constants(const Spirv& module);
 

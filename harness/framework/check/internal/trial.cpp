@@ -5,11 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <functional>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
+#include "base/threads.hpp"
 #include "check/explain.hpp"
 #include "check/internal/budget_judge.hpp"
+#include "check/internal/interpretation.hpp"
 #include "check/kernel_code.hpp"
 #include "check/scalars.hpp"
 #include "shader/spirv.hpp"
@@ -45,6 +49,79 @@ Trial::Evaluated Trial::run(Domain::Inputs inputs, Answer& answer) const {
         answer.reason = Reason::fault;
     }
     return {std::move(inputs), std::move(outputs)};
+}
+
+namespace {
+
+constexpr std::uint64_t most_long = Interpretation::most_instructions;  // of an input
+constexpr std::uint64_t least_long = 4'096;      // the same where most inputs take many
+constexpr std::uint64_t most_all = 400'000'000;  // of all inputs, about
+
+Domain::Inputs rows_of(const Domain::Inputs& inputs, const std::function<bool(std::size_t)>& wanted) {
+    Domain::Inputs some{.width = inputs.width};
+    for (std::size_t i = 0; i < inputs.count(); ++i) {
+        if (!wanted(i)) continue;
+        const auto row = inputs.row(i);
+        some.words.insert(some.words.end(), row.begin(), row.end());
+        some.branch.push_back(inputs.branch[i]);
+    }
+    return some;
+}
+
+}  // namespace
+
+// Rounded to float32 or not, a loop may take another number of rounds.
+std::vector<char> Trial::long_runs(const Domain::Inputs& inputs, std::uint64_t limit) const {
+    const KernelModules modules{std::make_shared<const KernelModule>(kernel_.module())};
+    const Decoded decoded(modules, images_);
+    const Decoded::Part& part = decoded.parts().front();
+    std::vector<char> is_long(inputs.count(), 0);
+    const auto mark = [&](auto& kernel, std::size_t i) {
+        kernel.machine().set_limit(limit);
+        try {
+            kernel.run(inputs.row(i));
+        } catch (const interpreter::Error& error) {
+            if (error.kind() == interpreter::Error::Kind::too_many_steps) is_long[i] = 1;
+        }
+    };
+    const std::vector<base::Range> shares = base::shares_of(inputs.count(), base::processors());
+    base::for_each_index(shares.size(), 0, [&](std::size_t share) {
+        InterpretedKernel<float> floats(part.program, part.module, part.images);
+        InterpretedKernel<double> doubles(part.program, part.module, part.images);
+        for (std::size_t i = shares[share].begin; i < shares[share].end; ++i) {
+            mark(floats, i);
+            if (is_long[i] == 0) mark(doubles, i);
+        }
+    });
+    return is_long;
+}
+
+Domain::Inputs Trial::without_long_runs(const Domain::Inputs& inputs, Answer& answer) const {
+    const KernelModule& module = kernel_.module();
+    if (question_.reference || module.fixed_inputs > 0 || module.spirv.empty() ||
+        !shader::has_loop(module.spirv))
+        return inputs;
+    constexpr std::size_t probes = 64;
+    std::uint64_t limit = most_long;
+    std::vector<char> is_long;
+    try {
+        const std::size_t every = std::max<std::size_t>(inputs.count() / probes, 1);
+        const std::vector<char> probed =
+            long_runs(rows_of(inputs, [&](std::size_t i) { return i % every == 0; }), most_long);
+        const auto shown = static_cast<std::uint64_t>(std::ranges::count(probed, 1));
+        const std::uint64_t all =
+            shown * most_long * inputs.count() / std::max<std::size_t>(probed.size(), 1);
+        if (all > most_all) limit = std::max(least_long, most_long * most_all / all);
+        is_long = long_runs(inputs, limit);
+    } catch (const interpreter::Error&) {  // an unknown instruction: nothing will be judged
+        return inputs;
+    }
+    const std::vector<shader::Scalar> scalars = question_.signature.input_scalars();
+    for (std::size_t i = 0; i < inputs.count(); ++i)
+        if (is_long[i] != 0)
+            answer.add_undefined(class_of(inputs.row(i), scalars, inputs.branch[i]),
+                                 fmt::format("more than {} instructions", limit));
+    return rows_of(inputs, [&](std::size_t i) { return is_long[i] == 0; });
 }
 
 // One input after another. Where an input stores to images, those after it depend on it.
@@ -118,7 +195,8 @@ void for_each_scenario(const Question& question, std::size_t inputs,
     if (question.scenarios.empty()) return visit(ImageScenario{}, inputs);
     const std::size_t scenarios = question.scenarios.size();
     for (std::size_t i = 0; i < scenarios; ++i) {
-        visit(question.scenarios[i], inputs / scenarios + (i < inputs % scenarios ? 1 : 0));
+        const std::size_t share = inputs / scenarios + (i < inputs % scenarios ? 1 : 0);
+        if (share > 0) visit(question.scenarios[i], share);
     }
 }
 

@@ -29,6 +29,10 @@ class Trial {
     // What is undefined for the interpreter, which stops there, gets words that no function returns.
     [[nodiscard]] Evaluated run(Domain::Inputs inputs, Answer& answer) const;
 
+    // The inputs of a function without a reference that come to their end in a bounded number of instructions
+    // of the interpreter; the others are counted in the answer, and no device gets them.
+    [[nodiscard]] Domain::Inputs without_long_runs(const Domain::Inputs& inputs, Answer& answer) const;
+
     // Judges what run() returned, and adds the results to the answer. `fractions`: as in check::judge().
     void judge(const Evaluated& evaluated, Answer& answer, std::span<double> fractions = {}) const;
 
@@ -43,6 +47,7 @@ class Trial {
     [[nodiscard]] std::uint64_t input_seed() const { return input_seed_; }
 
   private:
+    [[nodiscard]] std::vector<char> long_runs(const Domain::Inputs& inputs, std::uint64_t limit) const;
     [[nodiscard]] KernelCore::Result run_each(const Domain::Inputs& inputs) const;
 
     const Lab& lab_;
