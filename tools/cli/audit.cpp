@@ -43,6 +43,9 @@ class AuditedFile {
         for (const check::LeftOut& function : own_.functions.left_out)
             fmt::print("{}\n", base::one_line(fmt::format("{}: {} was left out: {}", command.file.string(),
                                                           function.name, function.why)));
+        for (const std::string& made : own_.by_macro)
+            fmt::print("{}: {}: functions that a macro makes are not looked at\n", command.file.string(),
+                       made);
         if (functions().empty())
             throw std::runtime_error(fmt::format("{}: nothing was audited: {}", command.file.string(),
                                                  why_nothing(own_.functions.left_out)));
@@ -102,6 +105,7 @@ int run_audit(const AuditCommand& command) {
     for (const check::Audit& audit : report.audits) {
         fmt::print("{}\n", to_text(audit));
         if (audit.is_broken()) status = 1;
+        if (!audit.was_run() && status == 0) status = 2;
     }
     if (!command.json.empty()) json.write(to_audit_json(report));
     if (!command.html.empty()) html.write(to_audit_page(report));

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <optional>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -116,6 +118,24 @@ std::string why_not(const shader::Function& function, const shader::Excerpt& exc
     return {};
 }
 
+// A variable of GLSL 1.20 that later versions have not.
+bool is_legacy(std::string_view name) {
+    constexpr std::array<std::string_view, 20> beginnings{
+        "gl_ModelView", "gl_Projection", "gl_Normal",    "gl_TextureMatrix", "gl_MultiTexCoord",
+        "gl_TexCoord",  "gl_Color",      "gl_Secondary", "gl_Front",         "gl_Back",
+        "gl_FogCoord",  "gl_FogFrag",    "gl_Fog",       "gl_Light",         "gl_FragData",
+        "gl_ClipPlane", "gl_ClipVertex", "gl_Point",     "gl_TextureEnv",    "gl_MaxLights"};
+    if (name == "gl_Vertex" || name == "ftransform") return true;
+    return std::ranges::any_of(beginnings, [&](auto beginning) { return name.starts_with(beginning); });
+}
+
+// A word of HLSL; empty if the text has none.
+std::string word_of_hlsl(const std::string& text) {
+    static const std::regex words(R"(\b(float[234](x[234])?|half[234]|int[234]|uint[234]|cbuffer|SV_\w+)\b)");
+    std::smatch found;
+    return std::regex_search(text, found, words) ? found.str() : "";
+}
+
 // Why an excerpt does not compile as a part of a compute shader.
 LeftOut refused(const shader::Excerpt& excerpt, const std::string& definition, const std::string& errors) {
     const std::string first = errors.substr(0, errors.find('\n'));
@@ -133,6 +153,12 @@ LeftOut refused(const shader::Excerpt& excerpt, const std::string& definition, c
                         "image2D with a format of 32 bits like r32f, or values from parameters and "
                         "prototypes T name(ivec2)",
                         name, place, judged_samplers)};
+    if (is_legacy(name))
+        return {definition,
+                fmt::format("\"{}\" at {} is of GLSL 1.20; pass its value as a parameter or a uniform", name,
+                            place)};
+    if (const std::string word = word_of_hlsl(excerpt.text); !word.empty())
+        return {definition, fmt::format("it is HLSL (\"{}\"), and gloam reads GLSL: {}", word, first), true};
     if (is("not supported in this stage") || (name.starts_with("gl_") && is("undeclared identifier")))
         return {definition,
                 fmt::format("{} at {} needs another stage than compute and fragment", name, place)};

@@ -54,7 +54,7 @@ auto fields(Is<Excerpt> auto& all) {
                     all.needs);
 }
 auto fields(Is<Excerpts> auto& all) {
-    return std::tie(all.version, all.functions);
+    return std::tie(all.version, all.functions, all.by_macro);
 }
 auto fields(Is<Mutation> auto& all) {
     return std::tie(all.begin, all.end, all.line, all.before, all.after, all.kind, all.function);

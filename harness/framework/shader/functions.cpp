@@ -11,6 +11,7 @@
 #include "shader/internal/front_end.hpp"
 #include "shader/internal/lines.hpp"
 #include "shader/module.hpp"
+#include "shader/pack.hpp"
 #include "shader/spirv.hpp"
 
 namespace gloam::shader::internal {
@@ -261,8 +262,14 @@ std::vector<Declaration> in_order_of_definition(const std::vector<Declaration>& 
 // Combines a function of the module with what only the text contains: directions, and the names of opaque
 // types.
 Function function_of(const Signature& signature, const Declaration& declaration) {
-    Function function{signature.name,      signature.result,  signature.parameters,
-                      declaration.defined, signature.globals, signature.other_number};
+    const std::string name =
+        signature.name.starts_with(own_prefix) ? signature.name.substr(own_prefix.size()) : signature.name;
+    Function function{name,
+                      signature.result,
+                      signature.parameters,
+                      declaration.defined,
+                      signature.globals,
+                      signature.other_number};
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
         Parameter& parameter = function.parameters[i];
         const internal::DeclaredParameter& declared = declaration.parameters.at(i);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shader/pack.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -9,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/text.hpp"
 #include "shader/include.hpp"
 #include "shader/internal/compiler_process.hpp"
 #include "shader/internal/declarations.hpp"
@@ -280,7 +282,9 @@ constexpr std::array built_ins{BuiltIn{"FragCoord", "vec4"},
 
 // Stages without derivatives, where samplers read level 0.
 bool has_no_quads(const std::string& file) {
-    return file.ends_with(".comp") || file.ends_with(".vert");
+    const std::string name = base::lower(file);
+    return std::ranges::any_of(std::array{".comp", ".vert", ".cs", ".vs", ".vsh"},
+                               [&name](const char* ending) { return name.ends_with(ending); });
 }
 
 // What a function calls or mentions that needs other invocations.
@@ -325,6 +329,79 @@ std::string built_in_text(const std::set<std::string>& mentioned, Excerpt& excer
     return text;
 }
 
+// Whether a text has "NAME other": NAME is a type there.
+bool is_type_in(const Piece& piece, std::string_view name) {
+    if (piece.kind == Kind::macro || !piece.mentions.contains(std::string(name))) return false;
+    const std::vector<std::string> tokens = internal::tokens_of(piece.text);
+    for (std::size_t i = 0; i + 1 < tokens.size(); ++i)
+        if (tokens[i] == name && tokens[i + 1] != "(") return true;
+    return false;
+}
+
+// What samplers' functions are called in GLSL 1.20 and 1.00, and now.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 14> legacy_calls{
+    {{"texture2D", "texture"},
+     {"texture2DProj", "textureProj"},
+     {"texture2DLod", "textureLod"},
+     {"texture2DLodEXT", "textureLod"},
+     {"texture2DProjLod", "textureProjLod"},
+     {"texture2DProjLodEXT", "textureProjLod"},
+     {"texture2DGradEXT", "textureGrad"},
+     {"texture3D", "texture"},
+     {"texture3DLod", "textureLod"},
+     {"textureCube", "texture"},
+     {"textureCubeLod", "textureLod"},
+     {"textureCubeLodEXT", "textureLod"},
+     {"textureCubeGradEXT", "textureGrad"},
+     {"texture3DProj", "textureProj"}}};
+
+// Macros that give these functions the names of today, and those names. GLSL for Vulkan has types with some
+// of the old names; where a text declares one, it is not that old.
+std::string legacy_text(const Outline& outline, std::set<std::string>& mentioned) {
+    std::string text;
+    for (const auto& [old_name, name] : legacy_calls) {
+        if (!mentioned.contains(std::string(old_name))) continue;
+        const bool has_another_meaning = std::ranges::any_of(outline.pieces, [&](const Piece& piece) {
+            return is_type_in(piece, old_name) ||
+                   std::ranges::find(piece.names, old_name) != piece.names.end();
+        });
+        if (has_another_meaning) continue;
+        text += fmt::format("#define {} {}\n", old_name, name);
+        mentioned.insert(std::string(name));
+    }
+    return text;
+}
+
+// Built-in functions by their number of parameters, which have one type or are floats.
+const std::map<std::string_view, std::size_t>& built_in_functions() {
+    static const std::map<std::string_view, std::size_t> arities{
+        {"sinh", 1},        {"cosh", 1},    {"tanh", 1},    {"asinh", 1},        {"acosh", 1},
+        {"atanh", 1},       {"round", 1},   {"trunc", 1},   {"roundEven", 1},    {"fract", 1},
+        {"sign", 1},        {"floor", 1},   {"ceil", 1},    {"radians", 1},      {"degrees", 1},
+        {"exp", 1},         {"exp2", 1},    {"log", 1},     {"log2", 1},         {"sqrt", 1},
+        {"inversesqrt", 1}, {"abs", 1},     {"sin", 1},     {"cos", 1},          {"tan", 1},
+        {"asin", 1},        {"acos", 1},    {"isnan", 1},   {"isinf", 1},        {"length", 1},
+        {"normalize", 1},   {"inverse", 1}, {"mod", 2},     {"transpose", 1},    {"determinant", 1},
+        {"min", 2},         {"max", 2},     {"step", 2},    {"pow", 2},          {"distance", 2},
+        {"dot", 2},         {"cross", 2},   {"reflect", 2}, {"outerProduct", 2}, {"matrixCompMult", 2},
+        {"mix", 3},         {"clamp", 3},   {"fma", 3},     {"smoothstep", 3},   {"refract", 3},
+        {"faceforward", 3}};
+    return arities;
+}
+
+// Whether a function takes the place of a built-in one.
+bool is_own_built_in(const Piece& piece) {
+    if (piece.kind != Kind::function) return false;
+    const auto known = built_in_functions().find(piece.names.front());
+    if (known == built_in_functions().end()) return false;
+    const std::vector<Declaration> declared = internal::declarations(piece.text);
+    if (declared.empty() || declared.front().parameters.size() != known->second) return false;
+    return std::ranges::all_of(declared.front().parameters, [](const internal::DeclaredParameter& parameter) {
+        return parameter.type == "float" || parameter.type.starts_with("vec") ||
+               parameter.type.starts_with("mat");
+    });
+}
+
 Excerpt excerpt_of(const std::string& function, const ActiveText& active, const Outline& outline) {
     internal::Selection selection(outline, given);
     selection.want({function});
@@ -346,8 +423,14 @@ Excerpt excerpt_of(const std::string& function, const ActiveText& active, const 
         const bool declares = piece.kind == Kind::interface || piece.kind == Kind::variable;
         shares = shares || (declares && has_word(piece, "shared"));
     }
+    const std::string legacy = legacy_text(outline, mentioned);
     excerpt.needs = needs_of(mentioned, shares, active.files.front().name);
-    excerpt.text += built_in_text(mentioned, excerpt);
+    excerpt.text += legacy + built_in_text(mentioned, excerpt);
+    std::set<std::string> own;
+    for (std::size_t i = 0; i < outline.pieces.size(); ++i)
+        if (keeps(i) && is_own_built_in(outline.pieces[i])) own.insert(outline.pieces[i].names.front());
+    for (const std::string& name : own)
+        excerpt.text += fmt::format("#define {} {}{}\n", name, own_prefix, name);
     for (std::size_t i = 0; i < outline.pieces.size(); ++i) {
         const Piece& piece = outline.pieces[i];
         if (!keeps(i)) continue;
@@ -372,8 +455,10 @@ Excerpt excerpt_of(const std::string& function, const ActiveText& active, const 
 Excerpts internal::excerpts_here(const Source& source, const std::vector<std::filesystem::path>& roots) {
     const ActiveText active = internal::active_text({source}, Language::vulkan450, Stage::compute, roots);
     const Outline outline = internal::outline(active, internal::Keep::line_numbers);
-    Excerpts all{.version = version_of(active), .functions = {}};
+    Excerpts all{.version = version_of(active), .functions = {}, .by_macro = {}};
     for (const Piece& piece : outline.pieces) {
+        if (piece.by_macro && piece.file < given)
+            all.by_macro.push_back(fmt::format("line {}: {}", piece.line, base::one_line(piece.text)));
         if (piece.kind != Kind::function || piece.file >= given || defines(piece, "main")) continue;
         const std::string& name = piece.names.front();
         if (std::ranges::find(all.functions, name, &Excerpt::function) == all.functions.end())

@@ -101,9 +101,14 @@ struct Excerpt {
     Needs needs = Needs::nobody;
 };
 
+// What stands before the name of a function in an excerpt that has the name and parameters of a built-in one,
+// whose redefinition the front end refuses.
+inline constexpr std::string_view own_prefix = "gloam_own_";
+
 struct Excerpts {
-    std::string version;             // of the file's #version line: "330 core"; empty: there is none
-    std::vector<Excerpt> functions;  // that the file itself defines, but for main, in their order
+    std::string version;                // of the file's #version line: "330 core"; empty: there is none
+    std::vector<Excerpt> functions;     // that the file itself defines, but for main, in their order
+    std::vector<std::string> by_macro;  // "line 7: MAKE(name)": what macros may define is no excerpt
 };
 
 // The functions of a text. The text may have any #version and any stage; it is read as GLSL 4.50 for Vulkan,

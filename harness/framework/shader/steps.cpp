@@ -132,8 +132,13 @@ Spirv run_program(const std::string& step, const StepInput& input) {
         result = base::run_process(
             command, {}, {.memory_bytes = most_memory, .cpu = most_time, .patience = 2 * most_time});
     } catch (const std::system_error& error) {
-        throw StepError(fmt::format("{} cannot be started: {}", command.front(), error.what()));
+        throw StepUnavailable(fmt::format("{} cannot be started: {}", command.front(), error.what()));
     }
+    constexpr int not_executable = 126;  // of a shell, and of env
+    constexpr int not_found = 127;
+    const bool ended = result.end == base::ProcessResult::End::status;
+    if (ended && (result.number == not_executable || result.number == not_found))
+        throw StepUnavailable(fmt::format("{} {}", command.front(), result.how()));
     if (!result.succeeded())
         throw StepError(base::one_line(fmt::format("{} {}", command.front(), result.how())));
     return module_of(base::read_file(out), out.string());
@@ -158,6 +163,8 @@ Spirv taken(const std::string& step, const StepInput& input) {
         Spirv module = taken_unchecked(step, input);
         validate(module);
         return module;
+    } catch (const StepUnavailable& error) {
+        throw StepUnavailable(base::one_line(fmt::format("{}: {}", step, error.what())));
     } catch (const std::runtime_error& error) {
         throw StepError(base::one_line(fmt::format("{}: {}", step, error.what())));
     }

@@ -38,6 +38,11 @@ class StepError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+// A step that cannot be taken: its program or file is not here. It says nothing of the module.
+class StepUnavailable : public StepError {
+    using StepError::StepError;
+};
+
 // The steps left a module as it was, so that nothing can have gone wrong.
 class Unchanged : public std::runtime_error {
   public:

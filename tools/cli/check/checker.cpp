@@ -42,10 +42,16 @@ void require_known(const check::Ranges& ranges, const std::vector<check::OwnFunc
 
 }  // namespace
 
+bool has_shader_ending(const std::string& word) {
+    const std::string ending = base::lower(std::filesystem::path(word).extension().string());
+    const std::set<std::string> known{".glsl", ".comp", ".frag", ".vert",  ".fs", ".vs",
+                                      ".cs",   ".fsh",  ".vsh",  ".glslh", ".inc"};
+    return known.contains(ending);
+}
+
 bool is_shader_file(const std::string& word) {
-    const std::string extension = std::filesystem::path(word).extension().string();
-    const std::set<std::string> known{".glsl", ".comp", ".frag", ".vert"};
-    return known.contains(extension);
+    std::error_code none;
+    return has_shader_ending(word) || std::filesystem::is_regular_file(word, none);
 }
 
 OwnFile own_file(const std::string& file, const std::vector<std::string>& names,
@@ -54,7 +60,7 @@ OwnFile own_file(const std::string& file, const std::vector<std::string>& names,
     const std::string text = shader::read_text(file);
     const check::Ranges known = ranges_from(ranges);
     const shader::Excerpts all = shader::excerpts({path.string(), text}, include_roots_of(path, includes));
-    OwnFile own{all.version,
+    OwnFile own{all.version, all.by_macro,
                 check::own_functions({.cache_directory = cache_directory(), .excerpts = all.functions},
                                      path.filename().string(), names)};
     require_known(known, own.functions.found);
@@ -86,6 +92,9 @@ OwnSelection own_selection(const std::vector<std::string>& words, const std::vec
     if (!own.version.empty() && own.version != "450" && own.version != "450 core")
         selection.notes.push_back(
             fmt::format("{}: #version {} is compiled as #version 450 for Vulkan", file, own.version));
+    for (const std::string& made : own.by_macro)
+        selection.notes.push_back(fmt::format(
+            "{}: {}: functions that a macro makes are not looked at; write one out to check it", file, made));
     const std::vector<check::LeftOut>& left_out = own.functions.left_out;
     for (const check::LeftOut& function : left_out) {
         selection.notes.push_back(
@@ -207,6 +216,7 @@ check::Reason reason_of(const std::exception& error) {
     if (dynamic_cast<const backend::DeviceLost*>(&error) != nullptr) return Reason::device_lost;
     if (dynamic_cast<const backend::Hang*>(&error) != nullptr) return Reason::hang;
     if (dynamic_cast<const backend::Unsupported*>(&error) != nullptr) return Reason::unsupported;
+    if (dynamic_cast<const shader::StepUnavailable*>(&error) != nullptr) return Reason::unsupported;
     if (dynamic_cast<const shader::Unchanged*>(&error) != nullptr) return Reason::unchanged;
     if (const auto* of_shader = dynamic_cast<const interpreter::Error*>(&error)) {
         if (of_shader->kind() == interpreter::Error::Kind::race) return Reason::race;

@@ -25,14 +25,18 @@ class App;
 // The check of a user's shader file: no reference, no C++.
 namespace gloam::cli {
 
-// Whether a word of the command line is a shader file, not an equation.
+// Whether a name ends like that of a shader file: .glsl, .frag, .FRAG, .fs ...
+[[nodiscard]] bool has_shader_ending(const std::string& word);
+// Whether a word of the command line is a shader file, not an equation: it ends like one, or there is a file
+// of this name.
 [[nodiscard]] bool is_shader_file(const std::string& word);
 
 // The ranges that --range names. Throws std::invalid_argument for an invalid one.
 [[nodiscard]] check::Ranges ranges_from(const std::vector<std::string>& texts);
 
 struct OwnFile {
-    std::string version;  // of its #version line; empty: there is none
+    std::string version;                // of its #version line; empty: there is none
+    std::vector<std::string> by_macro;  // see shader::Excerpts
     check::OwnFunctions functions;
 };
 

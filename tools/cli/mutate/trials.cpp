@@ -112,7 +112,7 @@ std::vector<fs::path> shaders_of(const std::vector<std::string>& paths) {
         if (fs::is_directory(path)) {
             found.clear();
             for (const fs::directory_entry& one : fs::recursive_directory_iterator(path))
-                if (std::error_code none; one.is_regular_file(none) && is_shader_file(one.path().string()))
+                if (std::error_code none; one.is_regular_file(none) && has_shader_ending(one.path().string()))
                     found.push_back(one.path());
             std::ranges::sort(found);
             if (found.empty()) throw std::runtime_error(path + ": a folder without shaders");

@@ -133,9 +133,10 @@ Packed find_all(const PackOptions& options, const std::vector<fs::path>& roots) 
 // The stage from the suffix of a file's name.
 std::optional<shader::Stage> stage_of(const std::vector<fs::path>& files) {
     for (const fs::path& file : files) {
-        if (file.extension() == ".comp") return shader::Stage::compute;
-        if (file.extension() == ".vert") return shader::Stage::vertex;
-        if (file.extension() == ".frag") return shader::Stage::fragment;
+        const std::string ending = base::lower(file.extension().string());
+        if (ending == ".comp" || ending == ".cs") return shader::Stage::compute;
+        if (ending == ".vert" || ending == ".vs" || ending == ".vsh") return shader::Stage::vertex;
+        if (ending == ".frag" || ending == ".fs" || ending == ".fsh") return shader::Stage::fragment;
     }
     return std::nullopt;
 }
@@ -171,6 +172,8 @@ void pack_files(const PackOptions& options) {
     std::vector<fs::path> roots{glsl_directory()};
     roots.insert(roots.begin(), options.includes.begin(), options.includes.end());
     const auto [files, functions] = find_all(options, roots);
+    // As in check and audit, "#include <sub/x.glsl>" may name a file beside the one that is given.
+    for (const fs::path& file : files) roots.insert(roots.begin(), fs::absolute(file).parent_path());
     const report::OutputFile out(options.out);
     const shader::PackRequest request{
         .language = *language, .functions = functions, .stage = stage_of(files)};

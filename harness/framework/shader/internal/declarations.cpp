@@ -49,13 +49,25 @@ bool contains(Tokens tokens, std::string_view word) {
     return std::ranges::find(tokens, word) != tokens.end();
 }
 
+std::size_t behind_macro_lines(Tokens statement) {
+    std::size_t first = 0;
+    while (first + 2 < statement.size() && is_word_character(statement[first].front()) &&
+           statement[first] != "layout" && statement[first + 1] == "(") {
+        const std::size_t end = first + behind_bracket(statement.subspan(first), 1);
+        if (end >= statement.size() || !is_word_character(statement[end].front())) break;
+        first = end;
+    }
+    return first;
+}
+
 std::optional<std::size_t> parameter_list(Tokens statement) {
-    for (std::size_t i = 0; i < statement.size();) {
+    const std::size_t first = behind_macro_lines(statement);
+    for (std::size_t i = first; i < statement.size();) {
         if (statement[i] == "=" || statement[i] == "{") return std::nullopt;
         if (statement[i] == "[" || (statement[i] == "(" && i > 0 && statement[i - 1] == "layout")) {
             i = behind_bracket(statement, i);
         } else if (statement[i] == "(") {
-            return i >= 2 ? std::optional(i) : std::nullopt;
+            return i >= first + 2 ? std::optional(i) : std::nullopt;
         } else {
             ++i;
         }
@@ -119,9 +131,10 @@ std::optional<Declaration> declaration_of(Tokens statement, bool defined) {
     const auto open = parameter_list(statement);
     if (!open) return std::nullopt;
     const std::size_t close = behind_bracket(statement, *open) - 1;
+    const std::size_t first = behind_macro_lines(statement);
     return Declaration{.name = statement[*open - 1],
-                       .result = joined(statement.first(*open - 1), " "),
-                       .head = joined(statement.first(close + 1), " "),
+                       .result = joined(statement.subspan(first, *open - 1 - first), " "),
+                       .head = joined(statement.subspan(first, close + 1 - first), " "),
                        .parameters = parameters_of(statement.subspan(*open + 1, close - *open - 1)),
                        .defined = defined};
 }

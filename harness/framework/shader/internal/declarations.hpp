@@ -24,6 +24,10 @@ using Tokens = std::span<const std::string>;
 
 [[nodiscard]] bool contains(Tokens tokens, std::string_view word);
 
+// Where a declaration begins: behind macros that are called without a ';', as in "INFO(name) float f(float
+// x)".
+[[nodiscard]] std::size_t behind_macro_lines(Tokens statement);
+
 // The first parenthesis of a statement that starts a list of parameters: it follows a type and a name.
 [[nodiscard]] std::optional<std::size_t> parameter_list(Tokens statement);
 

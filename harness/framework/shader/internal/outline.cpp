@@ -45,11 +45,26 @@ void add_mentions(Tokens tokens, Piece& piece) {
         if (is_name(token)) piece.mentions.insert(token.substr(0, token.find('.')));
 }
 
+// Names that are assigned to, indexed or read, and never called: no function of that name is meant.
+void add_variables(Tokens tokens, Piece& piece) {
+    std::set<std::string> called;
+    for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+        if (!is_name(tokens[i])) continue;
+        const std::string name = tokens[i].substr(0, tokens[i].find('.'));
+        const std::string& next = tokens[i + 1];
+        if (name == tokens[i] && next == "(") called.insert(name);
+        // A macro may take the name of a function.
+        if (name != tokens[i] || (next != "(" && next != ")" && next != ",")) piece.variables.insert(name);
+    }
+    std::erase_if(piece.variables, [&](const std::string& name) { return called.contains(name); });
+}
+
 // A name of a parameter hides what has it at file scope.
 void take_function(Tokens tokens, std::size_t open, Piece& piece) {
     const std::size_t end = behind_bracket(tokens, open);
     piece.kind = contains(tokens.subspan(end), "{") ? Kind::function : Kind::prototype;
     piece.names = {tokens[open - 1]};
+    add_variables(tokens.subspan(end), piece);
     const Tokens list = tokens.subspan(open + 1, end - open - 2);
     std::vector<std::string> parameters;
     add_declared(list, parameters);
@@ -106,14 +121,25 @@ bool declares_nothing(Tokens tokens) {
     });
 }
 
+// "MAKE(name)", "MAKE(name);" and "MAKE(name) { ... }": a macro stands for the declaration.
+bool is_macro_call(Tokens tokens) {
+    if (tokens.size() < 3 || !is_name(tokens[0]) || tokens[0] == "layout" || tokens[1] != "(") return false;
+    const std::size_t end = behind_bracket(tokens, 1);
+    return end == tokens.size() || tokens[end] == "{" || tokens[end] == ";";
+}
+
 }  // namespace
 
 Piece piece_of(std::string_view code) {
     const std::vector<std::string> all = tokens_of(code);
-    const Tokens tokens = all;
     Piece piece;
-    if (tokens.empty()) return piece;
-    add_mentions(tokens, piece);
+    if (all.empty()) return piece;
+    add_mentions(all, piece);
+    const Tokens tokens = Tokens(all).subspan(behind_macro_lines(all));
+    if (is_macro_call(tokens)) {
+        piece.by_macro = true;
+        return piece;
+    }
     if (declares_nothing(tokens)) {
         piece.kind = tokens.front() == "layout" ? Kind::interface : Kind::other;
         return piece;
@@ -256,6 +282,17 @@ class Reader {
             crossing_ = line.crosses;
         }
         if (!code_.empty()) append(line, begin, line.text.size());
+        if (depth_ == 0 && last_ == ')' && calls_maker()) finish();
+    }
+
+    // Whether the declaration so far is the call of a macro with a body, which ends without a ';'.
+    bool calls_maker() const {
+        const std::vector<std::string> tokens = tokens_of(code_);
+        if (!is_macro_call(tokens) || behind_bracket(tokens, 1) != tokens.size()) return false;
+        return std::ranges::any_of(outline_.pieces, [&](const Piece& piece) {
+            return piece.kind == Kind::macro && piece.names.front() == tokens.front() &&
+                   piece.text.find('{') != std::string::npos;
+        });
     }
 
     // Whether the character, the last that was appended, ends the declaration.

@@ -24,11 +24,13 @@ struct Piece {
         other       // what has no name: a pragma, precision, a lone semicolon
     };
     Kind kind = Kind::other;
-    std::size_t file = 0;            // of ActiveText::files
-    int line = 1;                    // of the file, where the text begins
-    std::string text;                // as written, its comment above it, without the newline at the end
-    std::vector<std::string> names;  // that it declares: of a block without a name its members'
-    std::set<std::string> mentions;  // names that it uses, maybe: what stands behind a '.' is none
+    std::size_t file = 0;             // of ActiveText::files
+    int line = 1;                     // of the file, where the text begins
+    std::string text;                 // as written, its comment above it, without the newline at the end
+    std::vector<std::string> names;   // that it declares: of a block without a name its members'
+    std::set<std::string> mentions;   // names that it uses, maybe: what stands behind a '.' is none
+    std::set<std::string> variables;  // of these, what a function has as variables, maybe its own
+    bool by_macro = false;            // a macro that may make functions is called
     std::vector<std::string> parameter_types;  // words of a function's list of parameters
     std::size_t paragraph = 0;                 // pieces without a blank line between them have the same
 };

@@ -196,7 +196,12 @@ void Selection::keep(std::size_t first) {
         kept_[i] = true;
         for (const std::string& name : uses_of(i)) {
             const auto found = named_.find(name);
-            if (found != named_.end()) open.insert(open.end(), found->second.begin(), found->second.end());
+            if (found == named_.end()) continue;
+            std::ranges::copy_if(found->second, std::back_inserter(open), [&](std::size_t other) {
+                const Kind kind = pieces_[other].kind;
+                const bool callable = kind == Kind::function || kind == Kind::prototype;
+                return !callable || !pieces_[i].variables.contains(name);
+            });
         }
         add_constants_in_comments(pieces_[i], open);
     }
