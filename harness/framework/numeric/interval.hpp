@@ -107,6 +107,29 @@ class Interval {
     Bounds bounds_;
 };
 
+// While it exists, the running thread calculates steps of a formula from which Vulkan lets an operation
+// inherit its precision. A step need not be a float, so its bounds in ULP or by an absolute error are rounded
+// outwards; those of a result end at the last float inside.
+class Formula {
+  public:
+    Formula() { ++depth_; }
+    ~Formula() { --depth_; }
+    Formula(const Formula&) = delete;
+    Formula& operator=(const Formula&) = delete;
+
+    [[nodiscard]] static bool runs() { return depth_ > 0; }
+
+    // The result of f() as a step.
+    template <class F>
+    [[nodiscard]] static auto step(F&& f) {
+        const Formula formula;
+        return f();
+    }
+
+  private:
+    static thread_local int depth_;
+};
+
 // Arithmetic.
 [[nodiscard]] Interval operator+(const Interval& x);
 [[nodiscard]] Interval operator-(const Interval& x);
@@ -116,7 +139,11 @@ class Interval {
 [[nodiscard]] Interval operator/(const Interval& a, const Interval& b);
 [[nodiscard]] Interval fma(const Interval& a, const Interval& b, const Interval& c);
 
-// Comparisons: false with NaN, as in IEEE 754 (!= true).
+// Whether it is NaN, or an infinity: nothing else is permitted.
+[[nodiscard]] bool is_special(const Interval& x);
+
+// Comparisons: false with NaN, as in IEEE 754 (!= true). Undecided for NaN and infinity if these are not kept
+// (Paths::Specials): the first wordings of SignedZeroInfNanPreserve list no comparison.
 [[nodiscard]] bool operator<(const Interval& a, const Interval& b);
 [[nodiscard]] bool operator<=(const Interval& a, const Interval& b);
 [[nodiscard]] bool operator>(const Interval& a, const Interval& b);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "numeric/numbers.hpp"
 #include "numeric/paths.hpp"
@@ -31,46 +32,77 @@ double moved_out(double x, double distance) {
 
 }  // namespace
 
+// The rounding error of the sum is known exactly (Knuth).
+double sum_down(double a, double b) {
+    const double sum = a + b;
+    if (std::isnan(sum)) return infinity;  // infinities that cancel: not a number
+    // Finite numbers beyond the largest double are above it.
+    constexpr double largest = std::numeric_limits<double>::max();
+    if (std::isinf(sum)) return sum < 0.0 || std::isinf(a) || std::isinf(b) ? sum : largest;
+    const double part = sum - a;
+    const double error = (a - (sum - part)) + (b - part);
+    return error < 0.0 ? std::nextafter(sum, -infinity) : sum;
+}
+
 Bounds inflated(const Bounds& computed) {
     return {moved_out(computed.low, -std::abs(computed.low) * double_error),
             moved_out(computed.high, std::abs(computed.high) * double_error), computed.nan};
 }
 
-Interval within_ulps(const Bounds& exact, double ulps, Arguments arguments) {
-    if (exact.empty()) return Interval::within(exact);
+namespace {
+
+// The floats that lie within an error: none is beyond its end. A step of a formula is no float.
+Interval floats_within(const Bounds& error) {
+    const FloatFormat& format = Paths::format();
+    Bounds inside{format.round_up(error.low), format.round_down(error.high), error.nan};
+    if (Formula::runs() || inside.empty()) return enclose(error);
+    // Where an error goes beyond the largest number, the result is that number or infinity.
+    const double largest = format.largest();
+    if (error.low < -largest) inside.low = -infinity;
+    if (error.high > largest) inside.high = infinity;
+    inside.low = std::min(inside.low, std::isinf(error.low) ? error.low : largest);
+    inside.high = std::max(inside.high, std::isinf(error.high) ? error.high : -largest);
+    const double normal = format.smallest_normal();
+    if (inside.low > 0.0 && inside.low < normal) inside.low = 0.0;
+    if (inside.high < 0.0 && inside.high > -normal) inside.high = 0.0;
+    return Interval::within(inside);
+}
+
+}  // namespace
+
+Interval within_ulps(const Bounds& computed, double ulps, Arguments arguments) {
+    if (computed.empty()) return Interval::within(computed);
     const FloatFormat& format = Paths::format();
     // `inner`: the numbers next to this end lie further from zero than the end itself.
     const auto unit = [&](double x, bool inner) {
         if (std::isinf(x)) return 0.0;
-        if (arguments == Arguments::exact) return format.ulp(x);
-        return arguments == Arguments::range && inner ? reaching_ulp(format, x, ulps) : own_ulp(format, x);
+        if (arguments != Arguments::range) return format.ulp(x);
+        return inner ? reaching_ulp(format, x, ulps) : own_ulp(format, x);
     };
-    return enclose({moved_out(exact.low, -ulps * unit(exact.low, exact.low > 0.0)),
-                    moved_out(exact.high, ulps * unit(exact.high, exact.high < 0.0)), exact.nan});
+    const Bounds exact = arguments == Arguments::exact ? computed : inflated(computed);
+    const double below = ulps * unit(computed.low, computed.low > 0.0);
+    const double above = ulps * unit(computed.high, computed.high < 0.0);
+    return floats_within({-sum_down(-exact.low, below), sum_down(exact.high, above), exact.nan});
 }
 
-Interval within_absolute(const Bounds& exact, double error) {
+Interval within_absolute(const Bounds& exact, double error, Ends ends) {
     if (exact.empty()) return Interval::within(exact);
-    return enclose({exact.low - error, exact.high + error, exact.nan});
+    if (Formula::runs()) return enclose({exact.low - error, exact.high + error, exact.nan});
+    Bounds all{-sum_down(-exact.low, error), sum_down(exact.high, error), exact.nan};
+    if (ends == Ends::outside) {
+        all.low = std::nextafter(all.low, infinity);
+        all.high = std::nextafter(all.high, -infinity);
+    }
+    return floats_within(all);
 }
 
 }  // namespace gloam::numeric::internal
 
 namespace gloam::numeric {
+
+thread_local int Formula::depth_ = 0;
+
 namespace {
-
-constexpr double largest_double = std::numeric_limits<double>::max();
-
-// a + b rounded towards -infinity in double; the rounding error of the sum is known exactly (Knuth).
-double sum_down(double a, double b) {
-    const double sum = a + b;
-    if (std::isnan(sum)) return infinity;  // infinities that cancel: not a number
-    // Finite numbers beyond the largest double are above it.
-    if (std::isinf(sum)) return sum < 0.0 || std::isinf(a) || std::isinf(b) ? sum : largest_double;
-    const double part = sum - a;
-    const double error = (a - (sum - part)) + (b - part);
-    return error < 0.0 ? std::nextafter(sum, -infinity) : sum;
-}
 
 bool contains_infinity(const Bounds& x) {
     return x.low == -infinity || x.high == infinity;
@@ -109,9 +141,12 @@ bool is_divisor(const Bounds& y) {
     return (y.low >= least && y.high <= most) || (y.high <= -least && y.low >= -most);
 }
 
-// x / 0 is infinite, of either sign, since the sign of a zero may be lost.
-Interval over_zero(const Bounds& x) {
-    return Interval::within({-infinity, infinity, x.nan || x.contains(0.0)});
+// x / 0 is infinite, of either sign, since the sign of a zero may be lost; no number between is permitted.
+Interval over_zero(const Bounds& x, const Bounds& zero) {
+    if (x.nan || x.contains(0.0)) return Interval::anything();
+    const double infinite = std::copysign(infinity, x.low) * std::copysign(1.0, zero.low);
+    const double chosen = Paths::choose(2) == 0 ? infinite : -infinite;
+    return Interval::within(chosen, chosen);
 }
 
 constexpr double division_ulps = 2.5;
@@ -161,7 +196,7 @@ Interval operator+(const Interval& a, const Interval& b) {
         (x.low == -infinity && y.high == infinity) || (x.high == infinity && y.low == -infinity);
     const bool nan = x.nan || y.nan || cancels;
     if (is_nowhere(x, y)) return Interval::within(Bounds::only_nan());
-    return enclose({sum_down(x.low, y.low), -sum_down(-x.high, -y.high), nan});
+    return enclose({internal::sum_down(x.low, y.low), -internal::sum_down(-x.high, -y.high), nan});
 }
 
 Interval operator-(const Interval& a, const Interval& b) {
@@ -178,14 +213,14 @@ Interval operator/(const Interval& a, const Interval& b) {
     const Bounds& x = a.bounds();
     const Bounds& y = b.bounds();
     if (is_nowhere(x, y)) return Interval::within(Bounds::only_nan());
-    if (y.low == 0.0 && y.high == 0.0 && !y.nan) return over_zero(x);
+    if (y.low == 0.0 && y.high == 0.0 && !y.nan) return over_zero(x, y);
     if (!is_divisor(y)) return Interval::anything();
     const std::array quotients{x.low / y.low, x.low / y.high, x.high / y.low, x.high / y.high};
     const auto [low, high] = std::ranges::minmax(quotients);
     const Bounds quotient{low, high, x.nan || y.nan};
     const bool exact = x.low == x.high && y.low == y.high && std::fma(low, y.low, -x.low) == 0.0;
-    if (exact) return internal::within_ulps(quotient, division_ulps, internal::Arguments::exact);
-    return internal::within_ulps(internal::inflated(quotient), division_ulps, internal::arguments_of(x, y));
+    return internal::within_ulps(quotient, division_ulps,
+                                 exact ? internal::Arguments::exact : internal::arguments_of(x, y));
 }
 
 Interval fma(const Interval& a, const Interval& b, const Interval& c) {
@@ -224,6 +259,12 @@ bool is_nowhere(const Interval& a, const Interval& b) {
     return a.bounds().empty() || b.bounds().empty();
 }
 
+// The answer for NaN or infinity that a device need not keep; empty if it must, or there are none.
+std::optional<bool> answer_of_specials(const Interval& a, const Interval& b) {
+    if (Paths::specials() == Paths::Specials::kept || !(is_special(a) || is_special(b))) return std::nullopt;
+    return decide(true, true);
+}
+
 // Counts float32 values from zero.
 std::int64_t ordinal_of(float x) {
     const auto bits = std::bit_cast<std::uint32_t>(x);
@@ -233,12 +274,19 @@ std::int64_t ordinal_of(float x) {
 
 }  // namespace
 
+bool is_special(const Interval& x) {
+    const Bounds& b = x.bounds();
+    return b.empty() || (b.low == b.high && std::isinf(b.low));
+}
+
 bool operator<(const Interval& a, const Interval& b) {
+    if (const auto answer = answer_of_specials(a, b)) return *answer;
     if (is_nowhere(a, b)) return false;
     return decide(a.low() < b.high(), has_nan(a, b) || a.high() >= b.low());
 }
 
 bool operator<=(const Interval& a, const Interval& b) {
+    if (const auto answer = answer_of_specials(a, b)) return *answer;
     if (is_nowhere(a, b)) return false;
     return decide(a.low() <= b.high(), has_nan(a, b) || a.high() > b.low());
 }
@@ -252,6 +300,7 @@ bool operator>=(const Interval& a, const Interval& b) {
 }
 
 bool operator==(const Interval& a, const Interval& b) {
+    if (const auto answer = answer_of_specials(a, b)) return *answer;
     if (is_nowhere(a, b)) return false;
     const bool meet = a.low() <= b.high() && b.low() <= a.high();
     const bool same = a.low() == a.high() && b.low() == b.high() && a.low() == b.low();

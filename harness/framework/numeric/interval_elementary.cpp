@@ -98,22 +98,79 @@ Interval fract(const Interval& x) {
     return x - floor(x);
 }
 
+namespace {
+
+// What a formula permits is permitted to an operation that inherits from it; with NaN, anything.
+Interval inherited(const Interval& formula) {
+    return formula.may_be_nan() ? Interval::anything() : formula;
+}
+
+}  // namespace
+
 Interval mod(const Interval& x, const Interval& y) {
-    return x - y * floor(x / y);
+    return inherited(x - y * floor(Formula::step([&] { return x / y; })));
 }
 
 Interval remainder(const Interval& x, const Interval& y) {
-    return x - y * trunc(x / y);
+    return inherited(x - y * trunc(Formula::step([&] { return x / y; })));
 }
 
-Interval mix(const Interval& a, const Interval& b, const Interval& t) {
-    return any_of(a * (Interval(1.0) - t) + b * t, a + (b - a) * t);
+namespace {
+
+bool is_point(const Interval& x) {
+    return x.bounds().is_point();
 }
 
+bool is_bounded(const Interval& x) {
+    return !x.may_be_nan() && std::isfinite(x.low()) && std::isfinite(x.high());
+}
+
+// A formula that names an argument twice has wider intervals than results. This is the part of `all` within
+// the exact range, which is widened by the rounding errors of a few operations on numbers of this magnitude.
+Interval narrowed(const Interval& all, const Bounds& range, double magnitude) {
+    constexpr double operations = 6.0;
+    const FloatFormat& format = Paths::format();
+    const double slack =
+        operations * (std::ldexp(magnitude, 1 - format.precision) + format.smallest_normal());
+    const Bounds wide = enclose({range.low - slack, range.high + slack, false}).bounds();
+    return Interval::within(
+        {std::max(all.low(), wide.low), std::min(all.high(), wide.high), all.may_be_nan()});
+}
+
+// x (1 - t) + y t and x + (y - x) t, as intervals.
+Interval mix_in_order(const Interval& x, const Interval& y, const Interval& t) {
+    return inherited(any_of(x * (Interval(1.0) - t) + y * t, x + (y - x) * t));
+}
+
+}  // namespace
+
+// Linear in each operand: its extrema are at the corners.
+Interval mix(const Interval& x, const Interval& y, const Interval& t) {
+    const Interval all = mix_in_order(x, y, t);
+    if ((is_point(x) && is_point(y) && is_point(t)) || !is_bounded(x) || !is_bounded(y) || !is_bounded(t))
+        return all;
+    Bounds range{infinity, -infinity, false};
+    double magnitude = 0.0;
+    for (const double a : {x.low(), x.high()}) {
+        for (const double b : {y.low(), y.high()}) {
+            for (const double at : {t.low(), t.high()}) {
+                range = hull(range, Bounds::point(a * (1.0 - at) + b * at));
+                magnitude = std::max(magnitude, (std::abs(a) + std::abs(b)) * (1.0 + std::abs(at)));
+            }
+        }
+    }
+    return narrowed(all, range, magnitude);
+}
+
+// Rises with t from 0 to 1.
 Interval smoothstep(const Interval& edge0, const Interval& edge1, const Interval& x) {
     if (!(edge0.high() < edge1.low())) return Interval::anything();
-    const Interval t = clamp((x - edge0) / (edge1 - edge0), Interval(0.0), Interval(1.0));
-    return t * t * (Interval(3.0) - Interval(2.0) * t);
+    const Interval t =
+        clamp(Formula::step([&] { return (x - edge0) / (edge1 - edge0); }), Interval(0.0), Interval(1.0));
+    const Interval all = t * t * (Interval(3.0) - Interval(2.0) * t);
+    if (is_point(t) || !is_bounded(t)) return all;
+    const auto curve = [](double v) { return v * v * (3.0 - 2.0 * v); };
+    return narrowed(all, monotonic(t.bounds(), curve), 3.0);
 }
 
 Interval ldexp(const Interval& x, int exponent) {
@@ -121,14 +178,23 @@ Interval ldexp(const Interval& x, int exponent) {
     return enclose(monotonic(x.bounds(), [&](double v) { return std::ldexp(v, exponent); }));
 }
 
-Interval radians(const Interval& x) {
+namespace {
+
+// A product with a constant that is rounded correctly: to either neighbour, unless it is known what runs.
+Interval times_constant(const Interval& x, double constant) {
+    const Interval rounded = enclose(Bounds::point(constant));
     const Paths::EitherWay either;
-    return x * Interval(std::numbers::pi / 180.0);
+    return x * rounded;
+}
+
+}  // namespace
+
+Interval radians(const Interval& x) {
+    return times_constant(x, std::numbers::pi / 180.0);
 }
 
 Interval degrees(const Interval& x) {
-    const Paths::EitherWay either;
-    return x * Interval(180.0 / std::numbers::pi);
+    return times_constant(x, 180.0 / std::numbers::pi);
 }
 
 Interval quantize_to_half(const Interval& x) {
@@ -155,8 +221,8 @@ namespace {
 
 using internal::Arguments;
 using internal::arguments_of;
+using internal::Ends;
 using internal::inflated;
-using internal::monotonic;
 using internal::within_absolute;
 using internal::within_ulps;
 
@@ -178,6 +244,9 @@ Rules rules() {
 constexpr double inversesqrt_ulps = 2.0;
 constexpr double log_ulps = 3.0;
 
+// Sines and arcs of smaller numbers are nearer to 0 than the number, by less than the error of double.
+constexpr double near_zero = 0x1p-23;
+
 double largest_magnitude(const Bounds& x) {
     return std::max(std::abs(x.low), std::abs(x.high));
 }
@@ -187,15 +256,23 @@ double finite_result(double argument, double result) {
     return std::isinf(result) && !std::isinf(argument) ? std::numeric_limits<double>::max() : result;
 }
 
+// A power of a small exponent is above or below 1, where the ULP changes, though double may not tell it.
+double power_beside_one(double exponent, double power) {
+    if (power != 1.0 || exponent == 0.0) return power;
+    return std::nextafter(1.0, exponent > 0.0 ? 2.0 : 0.0);
+}
+
 template <class F>
 Interval exponential(const Interval& x, bool exact, F&& f) {
+    constexpr double small = 0x1p-30;  // the error of double then decides nothing
     const Bounds& b = x.bounds();
     if (b.nan) return Interval::anything();
-    const Bounds power = monotonic(b, [&](double v) { return finite_result(v, f(v)); });
+    const Bounds power = monotonic(b, [&](double v) { return power_beside_one(v, finite_result(v, f(v))); });
     const double magnitude = largest_magnitude(b);
     const double slope = 2.0 * std::min(magnitude, Paths::format().largest());
-    const Interval result = within_ulps(exact ? power : inflated(power), rules().exp_ulps + slope,
-                                        exact ? Arguments::exact : arguments_of(b));
+    const bool known = exact || (b.is_point() && magnitude < small);
+    const Interval result =
+        within_ulps(power, rules().exp_ulps + slope, known ? Arguments::exact : arguments_of(b));
     // A power is not negative, so the error of a result that underflows extends to zero only.
     return Interval::within({std::max(result.low(), 0.0), result.high(), result.may_be_nan()});
 }
@@ -204,10 +281,7 @@ template <class F>
 Interval logarithm(const Interval& x, bool exact, F&& f) {
     const Bounds& b = x.bounds();
     if (b.nan || !(b.low > 0.0)) return Interval::anything();
-    const auto part = [&](double low, double high) {
-        const Bounds range = monotonic({low, high, false}, f);
-        return exact ? range : inflated(range);
-    };
+    const auto part = [&](double low, double high) { return monotonic({low, high, false}, f); };
     const auto outside = [&](double low, double high) {
         return within_ulps(part(low, high), log_ulps, exact ? Arguments::exact : arguments_of(b)).bounds();
     };
@@ -216,7 +290,10 @@ Interval logarithm(const Interval& x, bool exact, F&& f) {
     if (b.high > 2.0) all = hull(all, outside(std::max(b.low, 2.0), b.high));
     const Bounds inside{std::max(b.low, 0.5), std::min(b.high, 2.0), false};
     if (!inside.empty()) {
-        all = hull(all, within_absolute(part(inside.low, inside.high), rules().log_absolute).bounds());
+        const Bounds range = part(inside.low, inside.high);
+        all = hull(
+            all,
+            within_absolute(exact ? range : inflated(range), rules().log_absolute, Ends::outside).bounds());
     }
     return Interval::within(all);
 }
@@ -230,10 +307,11 @@ Interval sinusoid(const Interval& x, double shift) {
         if (b.high - b.low >= pi) return Interval::within(-1.0, 1.0);
     }
     const auto f = [&](double v) { return shift == 0.0 ? std::cos(v) : std::sin(v); };
-    Bounds range = inflated(monotonic(b, f));
+    const bool is_near_zero = shift != 0.0 && b.is_point() && std::abs(b.low) < near_zero;
+    Bounds range = is_near_zero ? Bounds::point(std::nextafter(b.low, 0.0)) : inflated(monotonic(b, f));
     for (double k = std::ceil((b.low - shift) / pi); shift + k * pi <= b.high; ++k)
         range = hull(range, Bounds::point(std::fmod(k, 2.0) == 0.0 ? 1.0 : -1.0));
-    const Interval result = within_absolute(range, rules().sine_absolute);
+    const Interval result = within_absolute(range, rules().sine_absolute, Ends::inside);
     return Interval::within({std::max(result.low(), -1.0), std::min(result.high(), 1.0), false});
 }
 
@@ -244,7 +322,7 @@ Interval half_plane(const Bounds& y, const Bounds& x) {
     for (const double v : {y.low, y.high}) {
         for (const double u : {x.low, x.high}) angle = hull(angle, Bounds::point(std::atan2(v, u)));
     }
-    return within_ulps(inflated(angle), rules().atan_ulps, arguments_of(y, x));
+    return within_ulps(angle, rules().atan_ulps, arguments_of(y, x));
 }
 
 }  // namespace
@@ -257,7 +335,7 @@ Interval inversesqrt(const Interval& x) {
     const bool exact =
         b.is_point() && std::frexp(root.low, &exponent) == 0.5 && root.low * root.low * b.low == 1.0;
     if (exact) return within_ulps(root, inversesqrt_ulps, Arguments::exact);
-    return within_ulps(inflated(root), inversesqrt_ulps, arguments_of(b));
+    return within_ulps(root, inversesqrt_ulps, arguments_of(b));
 }
 
 Interval sqrt(const Interval& x) {
@@ -266,7 +344,7 @@ Interval sqrt(const Interval& x) {
         if (b.high == 0.0) return Interval::within(0.0, 0.0);
         return Interval::within(0.0, sqrt(Interval::within(b.high, b.high)).high());
     }
-    return Interval(1.0) / inversesqrt(x);
+    return Interval(1.0) / Formula::step([&] { return inversesqrt(x); });
 }
 
 Interval exp(const Interval& x) {
@@ -295,7 +373,7 @@ Interval pow(const Interval& x, const Interval& y) {
         if (b.high == 0.0) return Interval::within(0.0, 0.0);
         return Interval::within(0.0, pow(Interval::within(b.high, b.high), y).high());
     }
-    return exp2(y * log2(x));
+    return exp2(y * Formula::step([&] { return log2(x); }));
 }
 
 Interval sin(const Interval& x) {
@@ -307,13 +385,19 @@ Interval cos(const Interval& x) {
 }
 
 Interval tan(const Interval& x) {
-    return sin(x) / cos(x);
+    const Interval sine = Formula::step([&] { return sin(x); });
+    return sine / Formula::step([&] { return cos(x); });
 }
 
 Interval atan(const Interval& x) {
     if (x.may_be_nan() || x.bounds().empty()) return Interval::anything();
-    const Bounds angle = monotonic(x.bounds(), [](double v) { return std::atan(v); });
-    return within_ulps(inflated(angle), rules().atan_ulps, arguments_of(x.bounds()));
+    const Bounds& b = x.bounds();
+    if (b.is_point() && b.low != 0.0 && std::abs(b.low) < near_zero) {
+        const Bounds angle = Bounds::point(std::nextafter(b.low, 0.0));
+        return within_ulps(angle, rules().atan_ulps, Arguments::exact);
+    }
+    const Bounds angle = monotonic(b, [](double v) { return std::atan(v); });
+    return within_ulps(angle, rules().atan_ulps, arguments_of(b));
 }
 
 // The angle is monotonic along each edge of a box that does not touch the cut (y = 0, x <= 0), so its extrema
@@ -332,35 +416,37 @@ Interval atan(const Interval& y, const Interval& x) {
 }
 
 Interval asin(const Interval& x) {
-    return atan(x, sqrt(Interval(1.0) - x * x));
+    return atan(x, Formula::step([&] { return sqrt(Interval(1.0) - x * x); }));
 }
 
 Interval acos(const Interval& x) {
-    return atan(sqrt(Interval(1.0) - x * x), x);
+    return atan(Formula::step([&] { return sqrt(Interval(1.0) - x * x); }), x);
 }
 
 Interval sinh(const Interval& x) {
-    return (exp(x) - exp(-x)) * Interval(0.5);
+    return Formula::step([&] { return exp(x) - exp(-x); }) * Interval(0.5);
 }
 
 Interval cosh(const Interval& x) {
-    return (exp(x) + exp(-x)) * Interval(0.5);
+    return Formula::step([&] { return exp(x) + exp(-x); }) * Interval(0.5);
 }
 
 Interval tanh(const Interval& x) {
-    return sinh(x) / cosh(x);
+    const Interval sine = Formula::step([&] { return sinh(x); });
+    return sine / Formula::step([&] { return cosh(x); });
 }
 
 Interval asinh(const Interval& x) {
-    return log(x + sqrt(x * x + Interval(1.0)));
+    return log(x + Formula::step([&] { return sqrt(x * x + Interval(1.0)); }));
 }
 
 Interval acosh(const Interval& x) {
-    return log(x + sqrt(x * x - Interval(1.0)));
+    return log(x + Formula::step([&] { return sqrt(x * x - Interval(1.0)); }));
 }
 
 Interval atanh(const Interval& x) {
-    return log((Interval(1.0) + x) / (Interval(1.0) - x)) * Interval(0.5);
+    const auto half_of = [&] { return log((Interval(1.0) + x) / (Interval(1.0) - x)); };
+    return Formula::step(half_of) * Interval(0.5);
 }
 
 }  // namespace gloam::numeric

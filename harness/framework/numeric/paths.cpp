@@ -38,8 +38,8 @@ bool Paths::advance() {
 }
 
 Paths::Outcome Paths::explore(const FloatFormat& format, std::size_t most, const std::function<void()>& run,
-                              Gaps gaps, Rounding rounding) {
-    Paths paths(format, gaps, rounding);
+                              Gaps gaps, Rounding rounding, Specials specials) {
+    Paths paths(format, gaps, rounding, specials);
     const Guard guard(current_, &paths);
     for (std::size_t runs = 0; runs < most; ++runs) {
         paths.position_ = 0;
@@ -76,6 +76,10 @@ bool Paths::closes_gaps() {
 
 Paths::Rounding Paths::rounding() {
     return current_ == nullptr ? Rounding::either : current_->rounding_;
+}
+
+Paths::Specials Paths::specials() {
+    return current_ == nullptr ? Specials::kept : current_->specials_;
 }
 
 Paths::EitherWay::EitherWay() : before_(rounding()) {

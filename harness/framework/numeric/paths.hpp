@@ -30,13 +30,18 @@ class Paths {
     // Which neighbour a correctly rounded result is: Vulkan leaves that open, unless it is known what runs.
     enum class Rounding { either, to_even };
 
+    // Which operations keep NaN and infinity: all; those that SignedZeroInfNanPreserve binds in each of its
+    // wordings (Vulkan 1.1.95 to 1.4.360); none. The others may assume that there are none.
+    enum class Specials { kept, listed, dropped };
+
     enum class Outcome { complete, enough, undetermined, too_many };
 
     // Calls run() for every path, at most `most` times. `undetermined`: some path ended with Undetermined;
     // `too_many`: there are more than `most` paths. In both cases the runs do not cover all permitted
     // results.
     static Outcome explore(const FloatFormat& format, std::size_t most, const std::function<void()>& run,
-                           Gaps gaps = Gaps::open, Rounding rounding = Rounding::either);
+                           Gaps gaps = Gaps::open, Rounding rounding = Rounding::either,
+                           Specials specials = Specials::kept);
 
     // One of `count` >= 1 possibilities, chosen by the current path. Throws std::logic_error outside
     // explore().
@@ -49,6 +54,8 @@ class Paths {
     static bool closes_gaps();
 
     static Rounding rounding();
+
+    static Specials specials();
 
     // While it exists, results are rounded either way: for functions of several operations that a device may
     // evaluate as one.
@@ -72,14 +79,15 @@ class Paths {
         std::size_t count;
     };
 
-    Paths(const FloatFormat& format, Gaps gaps, Rounding rounding)
-        : format_(format), gaps_(gaps), rounding_(rounding) {}
+    Paths(const FloatFormat& format, Gaps gaps, Rounding rounding, Specials specials)
+        : format_(format), gaps_(gaps), rounding_(rounding), specials_(specials) {}
     bool advance();
 
     static thread_local Paths* current_;
     FloatFormat format_;
     Gaps gaps_;
     Rounding rounding_;
+    Specials specials_;
     std::vector<Choice> choices_;
     std::size_t position_ = 0;
 };

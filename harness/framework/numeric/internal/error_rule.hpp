@@ -9,15 +9,18 @@ namespace gloam::numeric::internal {
 // an ULP of double; sums of a few of them are within this error.)
 inline constexpr double double_error = 0x1p-50;
 
+// a + b rounded towards -infinity in double.
+[[nodiscard]] double sum_down(double a, double b);
+
 // Bounds widened by that error.
 [[nodiscard]] Bounds inflated(const Bounds& computed);
 
-// The arguments of exact bounds: one argument whose result is known without error; one argument; or several,
-// so that every result between the bounds has its own ULP.
+// The arguments of computed bounds: one argument whose result is known without error; one argument; or
+// several, so that every result between the bounds has its own ULP.
 enum class Arguments { exact, point, range };
 
-// enclose(exact widened by `ulps` units in the last place).
-[[nodiscard]] Interval within_ulps(const Bounds& exact, double ulps, Arguments arguments);
+// All floats in `computed` widened by `ulps` units in the last place, and by the error of double.
+[[nodiscard]] Interval within_ulps(const Bounds& computed, double ulps, Arguments arguments);
 
 // Whether each of these arguments is a single value.
 template <class... B>
@@ -25,8 +28,9 @@ template <class... B>
     return (bounds.is_point() && ...) ? Arguments::point : Arguments::range;
 }
 
-// enclose(exact widened by an absolute error).
-[[nodiscard]] Interval within_absolute(const Bounds& exact, double error);
+// All floats in `exact` widened by an absolute error, with the ends (at most) or without them (below).
+enum class Ends { inside, outside };
+[[nodiscard]] Interval within_absolute(const Bounds& exact, double error, Ends ends);
 
 // The bounds of a monotonic f over x, rising or falling; NaN is handled separately.
 template <class F>

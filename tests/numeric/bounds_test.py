@@ -1,0 +1,249 @@
+# SPDX-License-Identifier: MIT
+"""Calculates anew, in exact fractions and decimals, what Vulkan's rules permit to an operation, and compares it to
+the bit with the bounds of the interpreter's numbers.
+
+bounds_test.py PROGRAM: a thousand inputs for each operation, or GLOAM_BOUNDS_INPUTS of them."""
+
+import math
+import os
+import random
+import struct
+import subprocess
+import sys
+from decimal import Decimal, getcontext
+from fractions import Fraction
+
+getcontext().prec = 60
+LARGEST = Fraction(2**128 - 2**104)
+NORMAL = Fraction(1, 2**126)
+SMALL = Fraction(1, 2**40)  # below it, two terms of a series say more than 60 digits
+INFINITY = math.inf
+PI = Decimal("3.14159265358979323846264338327950288419716939937510582097494")
+LN2 = Decimal(2).ln()
+
+
+def to_float(bits):
+    return struct.unpack("<f", struct.pack("<I", bits))[0]
+
+
+def exponent(x):
+    """floor(log2(|x|))"""
+    guess = abs(x).numerator.bit_length() - x.denominator.bit_length()
+    return guess - 1 if abs(x) < Fraction(2) ** guess else guess
+
+
+def spacing(x):
+    """Of the floats around x, above zero."""
+    return Fraction(2) ** (max(exponent(x), -126) - 23)
+
+
+def down(x):
+    """The largest float that is at most x."""
+    if x in (0, INFINITY, -INFINITY):
+        return x
+    if x > LARGEST:
+        return LARGEST
+    if x < -LARGEST:
+        return -INFINITY
+    return math.floor(x / spacing(x)) * spacing(x)
+
+
+def up(x):
+    return -down(-x)
+
+
+def ulp(x):
+    """Harrison's: the distance of the two nearest floats that enclose x."""
+    if x == 0:
+        return Fraction(1, 2**149)
+    if abs(x) >= LARGEST:
+        return Fraction(2**104)
+    power = Fraction(2) ** exponent(x)
+    return spacing(x) / 2 if abs(x) == power and power > NORMAL else spacing(x)
+
+
+def flushed(low, high):
+    return 0 if 0 < low < NORMAL else low, 0 if -NORMAL < high < 0 else high
+
+
+def rounded(low, high):
+    """Correctly rounded: either neighbour."""
+    low, high = flushed(down(low) if abs(low) > 0 else low, up(high))
+    return (0 if 0 < low < NORMAL else low), high
+
+
+def inside(low, high):
+    """The floats between two ends; beyond the largest one, it or infinity."""
+    first = -INFINITY if low < -LARGEST else min(up(low), LARGEST)
+    last = INFINITY if high > LARGEST else max(down(high), -LARGEST)
+    return flushed(first, last)
+
+
+def within_ulps(x, count):
+    return inside(x - count * ulp(x), x + count * ulp(x))
+
+
+def root(x):
+    return Decimal(x.numerator) / Decimal(x.denominator)
+
+
+def logarithm(x, base):
+    if x == 1:
+        return Fraction(0)
+    number = abs(root(x)).ln() / base
+    whole = round(number)
+    return Fraction(whole) if base == LN2 and Fraction(2) ** whole == x else Fraction(number)
+
+
+def log_bounds(x, base):
+    value = logarithm(x, base)
+    if x < Fraction(1, 2) or x > 2:
+        return within_ulps(value, 3)
+    error = Fraction(1, 2**21)  # "<": the ends themselves are outside
+    low, high = inside(value - error, value + error)
+    low = up(low + Fraction(1, 2**160)) if low == value - error else low
+    return low, down(high - Fraction(1, 2**160)) if high == value + error else high
+
+
+def power(x, factor):
+    """exp(x * factor)"""
+    if abs(x) < SMALL:
+        step = x * Fraction(factor)
+        return 1 + step + step * step / 2
+    if x * Fraction(factor) > 200:
+        return Fraction(2) ** 300
+    if x * Fraction(factor) < -400:
+        return Fraction(1, 2**500)
+    whole = x.denominator == 1 and factor == LN2
+    return Fraction(2) ** x.numerator if whole else Fraction((root(x) * factor).exp())
+
+
+def power_bounds(x, factor):
+    low, high = within_ulps(power(x, factor), 3 + 2 * abs(x))
+    return max(low, 0), high
+
+
+def sine(x):
+    """Of a decimal in [-4, 4]."""
+    term, total, k = x, x, 1
+    while abs(term) > Decimal(10) ** -58:
+        k += 2
+        term = -term * x * x / (k * (k - 1))
+        total += term
+    return total
+
+
+def sine_bounds(value):
+    low, high = inside(value - Fraction(1, 2**11), value + Fraction(1, 2**11))
+    return max(low, -1), min(high, 1)
+
+
+def sin_bounds(x):
+    return sine_bounds(x - x**3 / 6 if abs(x) < SMALL else Fraction(sine(root(x))))
+
+
+def cos_bounds(x):
+    return sine_bounds(1 - x * x / 2 if abs(x) < SMALL else Fraction(sine(PI / 2 - root(x))))
+
+
+def arc(x):
+    if abs(x) < SMALL:
+        return x - x**3 / 3
+    t = root(x)
+    for _ in range(4):
+        t = t / (1 + (1 + t * t).sqrt())
+    term, total, k = t, t, 1
+    while abs(term) > abs(total) * Decimal(10) ** -58:
+        term = -term * t * t
+        k += 2
+        total += term / k
+    return Fraction(total * 16)
+
+
+def times_constant(x, constant):
+    constants = down(Fraction(constant)), up(Fraction(constant))
+    products = [x * c for c in constants]
+    return rounded(min(products), max(products))
+
+
+RULES = {
+    "add": lambda x, y: rounded(x + y, x + y),
+    "multiply": lambda x, y: rounded(x * y, x * y),
+    "divide": lambda x, y: within_ulps(x / y, Fraction(5, 2)),
+    "degrees": lambda x, _: times_constant(x, Decimal(180) / PI),
+    "radians": lambda x, _: times_constant(x, PI / Decimal(180)),
+    "inversesqrt": lambda x, _: within_ulps(Fraction(1 / root(x).sqrt()), 2),
+    "exp": lambda x, _: power_bounds(x, Decimal(1)),
+    "exp2": lambda x, _: power_bounds(x, LN2),
+    "log": lambda x, _: log_bounds(x, Decimal(1)),
+    "log2": lambda x, _: log_bounds(x, LN2),
+    "sin": lambda x, _: sin_bounds(x),
+    "cos": lambda x, _: cos_bounds(x),
+    "atan": lambda x, _: within_ulps(arc(x), 4096),
+}
+POSITIVE = {"inversesqrt", "log", "log2"}
+
+
+def draw(numbers, name):
+    """A normal float: of usual size, beside a power of two, or any."""
+    kind = numbers.randrange(4)
+    sign = 0 if name in POSITIVE else numbers.randrange(2) << 31
+    if name in ("sin", "cos"):
+        power_of_two = 127 - numbers.randrange(40) if kind < 3 else numbers.randrange(1, 128)
+    elif kind == 3:
+        power_of_two = numbers.randrange(1, 255)
+    else:
+        power_of_two = 127 + numbers.randrange(-8, 8)
+    fraction = numbers.randrange(4) if kind == 1 else numbers.randrange(2**23)
+    if kind == 1 and numbers.randrange(2):
+        fraction = 2**23 - 1 - fraction
+    return sign | power_of_two << 23 | fraction
+
+
+def is_divisor(bits):
+    return 1 <= (bits >> 23 & 255) < 253
+
+
+def cases(numbers, name, count):
+    while count > 0:
+        x, y = draw(numbers, name), draw(numbers, name)
+        if name == "divide" and not is_divisor(y):
+            continue
+        count -= 1
+        yield x, y
+
+
+def text_of(x):
+    return repr(float(x))
+
+
+def compare(program, name, count):
+    """The number of inputs with other bounds, and of those where the difference is within the error of double."""
+    numbers = random.Random(name)
+    inputs = list(cases(numbers, name, count))
+    lines = "".join(f"{name} {x:x} {y:x}\n" for x, y in inputs)
+    answers = subprocess.run([program], input=lines, capture_output=True, text=True, check=True).stdout.split("\n")
+    wrong = 0
+    for (x, y), answer in zip(inputs, answers):
+        got = tuple(to_float(int(bits, 16)) for bits in answer.split())
+        want = RULES[name](Fraction(to_float(x)), Fraction(to_float(y)))
+        if got == tuple(map(float, want)):
+            continue
+        wrong += 1
+        if wrong < 4:
+            print(f"{name}({to_float(x)!r}, {to_float(y)!r}): got {got}, want {tuple(map(text_of, want))}")
+    return wrong
+
+
+def main(program):
+    count = int(os.environ.get("GLOAM_BOUNDS_INPUTS", "1000"))
+    wrong = {name: compare(program, name, count) for name in RULES}
+    # Double tells the ends from a float beside them but for one in 2^26.
+    allowed = count // 100_000
+    failed = {name: number for name, number in wrong.items() if number > allowed}
+    print(f"{count} inputs for each of {len(RULES)} operations; other bounds: {failed or 'none'}")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1]))
