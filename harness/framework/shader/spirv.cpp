@@ -60,6 +60,12 @@ bool has_loop(const Spirv& module) {
                                [](const Instruction& one) { return one.opcode == SpvOpLoopMerge; });
 }
 
+bool preserves_specials(const Spirv& module) {
+    return std::ranges::any_of(instructions(module), [](const Instruction& one) {
+        return one.opcode == SpvOpExecutionMode && one.word(2) == SpvExecutionModeSignedZeroInfNanPreserve;
+    });
+}
+
 std::vector<float> float_constants(const Spirv& module) {
     constexpr std::uint32_t width = 32;
     std::uint32_t type = 0;

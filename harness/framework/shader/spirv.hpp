@@ -47,6 +47,9 @@ struct Instruction {
 // Whether a function of the module has a loop.
 [[nodiscard]] bool has_loop(const Spirv& module);
 
+// Whether a module declares SignedZeroInfNanPreserve.
+[[nodiscard]] bool preserves_specials(const Spirv& module);
+
 // The float32 constants of a module that are finite, each once, in their order.
 [[nodiscard]] std::vector<float> float_constants(const Spirv& module);
 

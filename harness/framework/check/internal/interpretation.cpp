@@ -7,6 +7,7 @@
 #include "interpreter/program.hpp"
 #include "numeric/numbers.hpp"
 #include "numeric/paths.hpp"
+#include "shader/spirv.hpp"
 
 namespace gloam::check::internal {
 namespace {
@@ -21,14 +22,22 @@ numeric::Bounds bounds_of(const numeric::Rearranged& x) {
     return x.interval().bounds();
 }
 
+// What a module asks a driver to keep. What the interpreter runs keeps everything.
+numeric::Paths::Specials specials_of(const KernelModule& module, const shader::Spirv& words) {
+    using enum numeric::Paths::Specials;
+    if (module.rounds_to_even) return kept;
+    return shader::preserves_specials(words) ? listed : dropped;
+}
+
 }  // namespace
 
 Decoded::Decoded(const KernelModules& modules, const ImageSet& images) {
     for (const auto& module : modules) {
+        const shader::Spirv& words = module->before.empty() ? module->spirv : module->before;
         parts_.push_back({.module = *module,
-                          .program = interpreter::Program(
-                              module->before.empty() ? module->spirv : module->before, module->constants),
-                          .images = image_words(module->images, images, "the kernel")});
+                          .program = interpreter::Program(words, module->constants),
+                          .images = image_words(module->images, images, "the kernel"),
+                          .specials = specials_of(*module, words)});
     }
 }
 
@@ -121,8 +130,10 @@ void Interpretation::explore(InterpretedKernel<N>& kernel, const InputRow& input
     };
     const bool to_even = decoded_.parts().front().module.rounds_to_even;
     const auto rounding = to_even ? numeric::Paths::Rounding::to_even : numeric::Paths::Rounding::either;
-    const auto outcome =
-        numeric::Paths::explore(numeric::float32, most_paths, run, numeric::Paths::Gaps::open, rounding);
+    const auto specials =
+        of_driver_ ? decoded_.parts()[place_of(input.index).part].specials : numeric::Paths::Specials::kept;
+    const auto outcome = numeric::Paths::explore(numeric::float32, most_paths, run,
+                                                 numeric::Paths::Gaps::open, rounding, specials);
     permitted.anything =
         outcome == numeric::Paths::Outcome::undetermined || outcome == numeric::Paths::Outcome::too_many;
     steps_ += kernel.machine().steps() - before;

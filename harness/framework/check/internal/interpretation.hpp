@@ -8,6 +8,7 @@
 
 #include "check/internal/budget_judge.hpp"
 #include "check/interpreted_kernel.hpp"
+#include "numeric/paths.hpp"
 
 namespace gloam::check::internal {
 
@@ -21,6 +22,7 @@ class Decoded {
         const KernelModule& module;
         interpreter::Program program;
         std::vector<std::vector<Word>> images;
+        numeric::Paths::Specials specials;  // that a driver must keep
     };
     [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
 
@@ -37,9 +39,12 @@ struct InputRow {
 // Interprets the modules of a run for one input at a time, on each number type. For one thread.
 class Interpretation {
   public:
-    // `results`: outputs that are no out parameters.
-    Interpretation(const Decoded& decoded, const std::vector<shader::Scalar>& outputs, std::size_t results)
-        : decoded_(decoded), outputs_(outputs), results_(results), parts_(decoded.parts().size()) {}
+    // `results`: outputs that are no out parameters. `of_driver`: what is permitted includes what a driver makes of NaN
+    // and infinity that it need not keep.
+    Interpretation(const Decoded& decoded, const std::vector<shader::Scalar>& outputs, std::size_t results,
+                   bool of_driver = true)
+        : decoded_(decoded), outputs_(outputs), results_(results), of_driver_(of_driver),
+          parts_(decoded.parts().size()) {}
 
     // Whether the outputs equal, in every bit, those of correctly rounded arithmetic; all NaNs are equal.
     // Vulkan permits these results for every module.
@@ -87,6 +92,7 @@ class Interpretation {
     const Decoded& decoded_;
     const std::vector<shader::Scalar>& outputs_;
     std::size_t results_;
+    bool of_driver_;
     std::vector<Part> parts_;
     Permitted found_;
     std::vector<Word> exact_;

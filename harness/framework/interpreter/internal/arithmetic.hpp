@@ -12,21 +12,51 @@
 // Operations on floats, component by component.
 namespace gloam::interpreter::internal {
 
+// Whether SignedZeroInfNanPreserve binds an operation in each of its wordings. Vulkan 1.1.95 lists these, but
+// for the division, of which it says in a sentence what a zero gives; 1.4.360 lists them and more.
+[[nodiscard]] constexpr bool keeps_specials(std::uint16_t opcode) {
+    return opcode == SpvOpFConvert || opcode == SpvOpFNegate || opcode == SpvOpFAdd || opcode == SpvOpFSub ||
+           opcode == SpvOpFMul || opcode == SpvOpFDiv;
+}
+
+// The result of an operation: anything if an operand is a NaN or an infinity that it need not keep.
+template <class N, class... Operands>
+[[nodiscard]] N assumed(const Instruction& i, const N& result, const Operands&... operands) {
+    using numeric::Paths;
+    if constexpr (has_bounds<N>) {
+        const auto is_special = [](const auto& x) { return numeric::is_special(settled(x)); };
+        const bool kept = Paths::specials() == Paths::Specials::kept ||
+                          (Paths::specials() == Paths::Specials::listed && keeps_specials(i.op));
+        if (!kept && (is_special(operands) || ...)) return undefined_number<N>();
+    }
+    return result;
+}
+
 template <class N, class F>
 void unary(State<N>& s, const Instruction& i) {
-    for (std::uint32_t k = 0; k < i.count; ++k) s.set(i, i.result + k, apply(F{}, s.number(i, i.a + k)));
+    for (std::uint32_t k = 0; k < i.count; ++k) {
+        const N x = s.number(i, i.a + k);
+        s.set(i, i.result + k, assumed(i, apply(F{}, x), x));
+    }
 }
 
 template <class N, class F>
 void binary(State<N>& s, const Instruction& i) {
-    for (std::uint32_t k = 0; k < i.count; ++k)
-        s.set(i, i.result + k, apply(F{}, s.number(i, i.a + k), s.number(i, i.b + k)));
+    for (std::uint32_t k = 0; k < i.count; ++k) {
+        const N x = s.number(i, i.a + k);
+        const N y = s.number(i, i.b + k);
+        s.set(i, i.result + k, assumed(i, apply(F{}, x, y), x, y));
+    }
 }
 
 template <class N, class F>
 void ternary(State<N>& s, const Instruction& i) {
-    for (std::uint32_t k = 0; k < i.count; ++k)
-        s.set(i, i.result + k, apply(F{}, s.number(i, i.a + k), s.number(i, i.b + k), s.number(i, i.c + k)));
+    for (std::uint32_t k = 0; k < i.count; ++k) {
+        const N x = s.number(i, i.a + k);
+        const N y = s.number(i, i.b + k);
+        const N z = s.number(i, i.c + k);
+        s.set(i, i.result + k, assumed(i, apply(F{}, x, y, z), x, y, z));
+    }
 }
 
 // An operation to which NoContraction applies. Without it, the operation may be rearranged together with
@@ -69,17 +99,19 @@ void arithmetic(State<N>& s, const Instruction& i) {
         const N x = s.number(i, i.a + k);
         const N y = s.number(i, i.b + k * i.stride);
         if constexpr (std::is_same_v<F, Multiply>) {
-            s.set(i, i.result + k, product(i, x, y));
+            s.set(i, i.result + k, assumed(i, product(i, x, y), x, y));
         } else {
-            s.set(i, i.result + k, contracted<F>(i, x, y));
+            s.set(i, i.result + k, assumed(i, contracted<F>(i, x, y), x, y));
         }
     }
 }
 
 template <class N>
 void negate(State<N>& s, const Instruction& i) {
-    for (std::uint32_t k = 0; k < i.count; ++k)
-        s.set(i, i.result + k, contracted<Negate>(i, s.number(i, i.a + k)));
+    for (std::uint32_t k = 0; k < i.count; ++k) {
+        const N x = s.number(i, i.a + k);
+        s.set(i, i.result + k, assumed(i, contracted<Negate>(i, x), x));
+    }
 }
 
 template <class N>

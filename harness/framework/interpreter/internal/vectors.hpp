@@ -16,6 +16,12 @@ namespace gloam::interpreter::internal {
 
 inline constexpr std::size_t most_components = 4;
 
+// The result of a sum of products, which is NaN or infinite where an operand is.
+template <class N>
+[[nodiscard]] N of_finite(const Instruction& i, const N& result) {
+    return assumed(i, result, result);
+}
+
 // The sum of up to four products. If it may be rearranged, every order is included.
 template <class N>
 [[nodiscard]] N sum(const std::array<N, most_components>& products, std::uint32_t count) {
@@ -83,7 +89,7 @@ template <class N>
 // See Lowering::lower_matrix: count rows, sums of `extra` products, c columns.
 template <class N>
 void dot_product(State<N>& s, const Instruction& i) {
-    s.set(i, i.result, dot(s, i, i.a, i.b, i.extra));
+    s.set(i, i.result, of_finite(i, dot(s, i, i.a, i.b, i.extra)));
 }
 
 template <class N>
@@ -91,13 +97,13 @@ void matrix_times_matrix(State<N>& s, const Instruction& i) {
     for (std::uint32_t column = 0; column < i.c; ++column)
         for (std::uint32_t row = 0; row < i.count; ++row)
             s.set(i, i.result + column * i.count + row,
-                  dot(s, i, i.a + row, i.b + column * i.extra, i.extra, i.count));
+                  of_finite(i, dot(s, i, i.a + row, i.b + column * i.extra, i.extra, i.count)));
 }
 
 template <class N>
 void vector_times_matrix(State<N>& s, const Instruction& i) {
     for (std::uint32_t column = 0; column < i.c; ++column)
-        s.set(i, i.result + column, dot(s, i, i.a, i.b + column * i.extra, i.extra));
+        s.set(i, i.result + column, of_finite(i, dot(s, i, i.a, i.b + column * i.extra, i.extra)));
 }
 
 template <class N>
@@ -105,12 +111,12 @@ void outer_product(State<N>& s, const Instruction& i) {
     for (std::uint32_t column = 0; column < i.c; ++column)
         for (std::uint32_t row = 0; row < i.count; ++row)
             s.set(i, i.result + column * i.count + row,
-                  product(i, s.number(i, i.a + row), s.number(i, i.b + column)));
+                  of_finite(i, product(i, s.number(i, i.a + row), s.number(i, i.b + column))));
 }
 
 template <class N>
 void length(State<N>& s, const Instruction& i) {
-    s.set(i, i.result, apply(Sqrt{}, dot(s, i, i.a, i.a, i.count)));
+    s.set(i, i.result, of_finite(i, apply(Sqrt{}, dot(s, i, i.a, i.a, i.count))));
 }
 
 template <class N>
@@ -120,14 +126,17 @@ void distance(State<N>& s, const Instruction& i) {
         const N difference = apply(Subtract{}, s.number(i, i.a + k), s.number(i, i.b + k));
         squares.at(k) = as_square(apply(Multiply{}, difference, difference));
     }
-    s.set(i, i.result, apply(Sqrt{}, sum(squares, i.count)));
+    s.set(i, i.result, of_finite(i, apply(Sqrt{}, sum(squares, i.count))));
 }
 
 template <class N>
 void normalize(State<N>& s, const Instruction& i) {
-    const N scale = apply(InverseSqrt{}, dot(s, i, i.a, i.a, i.count));
-    for (std::uint32_t k = 0; k < i.count; ++k)
-        s.set(i, i.result + k, apply(Multiply{}, s.number(i, i.a + k), scale));
+    const N scale =
+        numeric::Formula::step([&] { return apply(InverseSqrt{}, dot(s, i, i.a, i.a, i.count)); });
+    for (std::uint32_t k = 0; k < i.count; ++k) {
+        const N x = s.number(i, i.a + k);
+        s.set(i, i.result + k, of_finite(i, apply(Multiply{}, x, scale)));
+    }
 }
 
 template <class N>
@@ -137,7 +146,7 @@ void cross(State<N>& s, const Instruction& i) {
         const std::uint32_t last = (k + 2) % 3;
         const N plus = product(i, s.number(i, i.a + next), s.number(i, i.b + last));
         const N minus = product(i, s.number(i, i.a + last), s.number(i, i.b + next));
-        s.set(i, i.result + k, contracted<Subtract>(i, plus, minus));
+        s.set(i, i.result + k, of_finite(i, contracted<Subtract>(i, plus, minus)));
     }
 }
 
@@ -147,7 +156,8 @@ void reflect(State<N>& s, const Instruction& i) {
     const N twice = apply(Multiply{}, constant<N>(2.0), dot(s, i, i.b, i.a, i.count));
     for (std::uint32_t k = 0; k < i.count; ++k)
         s.set(i, i.result + k,
-              apply(Subtract{}, s.number(i, i.a + k), apply(Multiply{}, twice, s.number(i, i.b + k))));
+              of_finite(i, apply(Subtract{}, s.number(i, i.a + k),
+                                 apply(Multiply{}, twice, s.number(i, i.b + k)))));
 }
 
 // k = 1 - eta^2 (1 - dot(N, I)^2); 0 where k < 0, else eta I - (eta dot(N, I) + sqrt(k)) N.
@@ -159,11 +169,12 @@ void refract(State<N>& s, const Instruction& i) {
     const N sine_squared = apply(Subtract{}, one, apply(Multiply{}, cosine, cosine));
     const N rest = apply(Subtract{}, one, apply(Multiply{}, apply(Multiply{}, eta, eta), sine_squared));
     const bool total = apply(Less{}, rest, constant<N>(0.0));
-    const N along = total ? one : apply(Add{}, apply(Multiply{}, eta, cosine), apply(Sqrt{}, rest));
+    const auto root = [&] { return apply(Sqrt{}, rest); };
+    const N along = total ? one : apply(Add{}, apply(Multiply{}, eta, cosine), numeric::Formula::step(root));
     for (std::uint32_t k = 0; k < i.count; ++k) {
         const N bent = apply(Subtract{}, apply(Multiply{}, eta, s.number(i, i.a + k)),
                              apply(Multiply{}, along, s.number(i, i.b + k)));
-        s.set(i, i.result + k, total ? constant<N>(0.0) : bent);
+        s.set(i, i.result + k, of_finite(i, total ? constant<N>(0.0) : bent));
     }
 }
 
@@ -173,7 +184,7 @@ void face_forward(State<N>& s, const Instruction& i) {
     const bool same = apply(Less{}, dot(s, i, i.c, i.b, i.count), constant<N>(0.0));
     for (std::uint32_t k = 0; k < i.count; ++k) {
         const N x = s.number(i, i.a + k);
-        s.set(i, i.result + k, same ? x : apply(Negate{}, x));
+        s.set(i, i.result + k, of_finite(i, same ? x : apply(Negate{}, x)));
     }
 }
 
