@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -76,9 +77,13 @@ class AuditedFile {
     std::string text_;
 };
 
+// One function after the other, each shown as soon as it is known: what is stopped has said what it knew.
 std::vector<check::Audit> audits_of(const AuditCommand& command, const AuditedFile& file) {
     std::vector<check::Audit> audits;
     const check::Lab interpreter = file.lab(std::string(check::interpreter_name));
+    if (!command.devices.empty()) require_good_drivers();
+    std::vector<check::Lab> labs;
+    for (const std::string& device : command.devices) labs.push_back(file.lab(device));
     for (const check::OwnFunction& function : file.functions()) {
         try {
             audits.push_back(file.audit(interpreter, function));
@@ -86,11 +91,9 @@ std::vector<check::Audit> audits_of(const AuditCommand& command, const AuditedFi
             throw std::runtime_error(
                 fmt::format("{}: {}: {}", command.file.string(), function.name, error.what()));
         }
-    }
-    if (!command.devices.empty()) require_good_drivers();
-    for (const std::string& device : command.devices) {
-        const check::Lab lab = file.lab(device);
-        for (std::size_t i = 0; i < audits.size(); ++i) file.add_witness(audits[i], lab, file.functions()[i]);
+        for (const check::Lab& lab : labs) file.add_witness(audits.back(), lab, function);
+        fmt::print("{}\n", to_text(audits.back()));
+        (void)std::fflush(stdout);
     }
     return audits;
 }
@@ -103,7 +106,6 @@ int run_audit(const AuditCommand& command) {
         .file = command.file.string(), .source = file.text(), .audits = audits_of(command, file)};
     int status = 0;
     for (const check::Audit& audit : report.audits) {
-        fmt::print("{}\n", to_text(audit));
         if (audit.is_broken()) status = 1;
         if (!audit.was_run() && status == 0) status = 2;
     }

@@ -27,6 +27,8 @@ std::string name_of(Concern concern) {
             return "undefined";
         case Concern::unspecified:
             return "unspecified";
+        case Concern::parting:
+            return "two ways";
         case Concern::digits:
             return "loses digits";
         default:
@@ -115,6 +117,7 @@ class Findings {
         add_places(Concern::not_finite, search_.not_finite);
         add_places(Concern::undefined, search_.undefined);
         add_places(Concern::unspecified, search_.unspecified);
+        add_parting();
         add_loss();
         add_width();
         std::ranges::stable_sort(all_, {}, &AuditFinding::concern);
@@ -177,6 +180,27 @@ class Findings {
                 finding.share = share_of(examples.shown) * static_cast<double>(random[from]) /
                                 static_cast<double>(examples.random.size());
         }
+    }
+
+    void add_parting() {
+        const auto& examples = search_.parted;
+        if (examples.random.empty() && examples.others.empty()) return;
+        const std::vector<Word>& first =
+            examples.random.empty() ? examples.others.front() : examples.random.front();
+        const auto parting_of = [this](const std::vector<Word>& words) {
+            return runs_.parting_of(words, runs_.read(words));
+        };
+        AuditFinding& finding = add(Concern::parting, first, [&](const std::vector<Word>& words) {
+            return parting_of(words).has_value();
+        });
+        finding.share = share_of(examples.shown);
+        const auto parting = parting_of(finding.words);
+        if (!parting) return;
+        finding.output = parting->output;
+        finding.value = runs_.read(finding.words).outputs.at(parting->output).value;
+        finding.exact = parting->other;
+        finding.message = parting->driver == 0 ? "exactly" : "on another driver";
+        finding.place = runs_.place_of(*parting, finding.words);
     }
 
     void add_loss() {
@@ -350,7 +374,8 @@ void add_witness(Audit& audit, const Lab& lab, const Question& question, const A
                                 ? ImageSet{}
                                 : internal::images_of(question.scenarios.front(), options.seed);
     for (AuditFinding& finding : audit.findings) {
-        if (finding.concern == Concern::fault) continue;
+        const bool may_fault = finding.concern == Concern::parting && std::isnan(finding.exact);
+        if (finding.concern == Concern::fault || may_fault) continue;
         const KernelCore::Result result = kernel.run(finding.words, 1, images);
         const double seen = number_at(scalars[finding.output], result.outputs[finding.output]);
         finding.witnesses.push_back({lab.info().name, seen});

@@ -29,6 +29,7 @@ enum class Concern {
     not_finite,   // a result is NaN or infinite
     undefined,    // the result of an operation is undefined: every result is permitted, or NaN
     unspecified,  // the same, where only the precision is not stated: sin beyond pi, sqrt(0), pow(0, y)
+    parting,      // a decision on an inexact number, which double or another driver takes the other way
     digits,       // float32 loses digits that double keeps
     drivers       // two conforming drivers may differ
 };
@@ -58,11 +59,11 @@ struct AuditFinding {
     std::string values;       // "x = 0.5, n = (0, 1, 0)"
     std::size_t output = 0;   // word of the result that shows it most
     double value = 0.0;       // float32, correctly rounded
-    double exact = 0.0;       // in double
+    double exact = 0.0;       // in double; of a parting the other result, NaN where a driver faults
     numeric::Bounds permitted = numeric::Bounds::point(0.0);  // by Vulkan's rules
     double lost = 0.0;                                        // decimal digits, of the 7.2 that a float32 has
     bool cancels = false;  // digits: the result keeps the errors of its operands, and is small beside them
-    std::string message;   // of a fault
+    std::string message;   // of a fault; of a parting, whose result is the other one
     std::vector<AuditWitness> witnesses;
     AuditPlace place;  // where it arises
 };

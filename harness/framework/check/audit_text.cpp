@@ -34,7 +34,16 @@ std::string operation_text(const std::string& operation) {
                                                               {"OpFDiv", "/"},
                                                               {"OpFMod", "mod"},
                                                               {"OpDot", "dot"},
-                                                              {"GLSL.std.450 Atan2", "atan"},
+                                                              {"OpFOrdLessThan", "<"},
+                                                              {"OpFOrdGreaterThan", ">"},
+                                                              {"OpFOrdLessThanEqual", "<="},
+                                                              {"OpFOrdGreaterThanEqual", ">="},
+                                                              {"OpFOrdEqual", "=="},
+                                                              {"OpFOrdNotEqual", "!="},
+                                                              {"OpFUnordNotEqual", "!="},
+                                                              {"OpConvertFToS", "int"},
+                                                              {"OpConvertFToU", "uint"},
+                                                                                                                            {"GLSL.std.450 Atan2", "atan"},
                                                               {"GLSL.std.450 MatrixInverse", "inverse"}};
     constexpr std::string_view set = "GLSL.std.450 ";
     const auto found = operators.find(operation);
@@ -108,6 +117,9 @@ std::string result_text(const AuditFinding& finding) {
         case Concern::unspecified:
             return fmt::format("{} here, Vulkan permits {}", number(finding.value),
                                bounds_text(finding.permitted));
+        case Concern::parting:
+            return fmt::format("{}, {} {}", number(finding.value), finding.message,
+                               std::isnan(finding.exact) ? "a fault" : number(finding.exact));
         case Concern::digits:
             return fmt::format("{}, exactly {}", number(finding.value), number(finding.exact));
         default:
@@ -122,10 +134,13 @@ std::string extent_text(const AuditFinding& finding) {
 }
 
 std::string to_text(const AuditMotion& motion) {
+    // What was not tried may be otherwise.
+    constexpr std::string_view tried = " on the lines tried";
     std::string text = motion.kind == AuditMotion::Kind::rising ? "rises" : "falls";
+    text += tried;
     switch (motion.kind) {
         case AuditMotion::Kind::constant:
-            return "has no effect";
+            return fmt::format("has no effect{}", tried);
         case AuditMotion::Kind::rising:
         case AuditMotion::Kind::falling:
             if (motion.backward > 1.0)
@@ -133,7 +148,8 @@ std::string to_text(const AuditMotion& motion) {
                                     motion.backward);
             return text;
         case AuditMotion::Kind::turning:
-            if (motion.words.empty()) return "rises or falls, as the other parameters are";
+            if (motion.words.empty())
+                return fmt::format("rises or falls{}, as the other parameters are", tried);
             return fmt::format("turns at {:.6g}, where the result is {:.6g}", motion.at, motion.before);
         default:
             return fmt::format("jumps at {:.9g} from {:.6g} to {:.6g}{}", motion.at, motion.before,

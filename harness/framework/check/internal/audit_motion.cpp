@@ -16,9 +16,11 @@ namespace {
 constexpr std::size_t most_parameters = 6;
 constexpr std::size_t most_outputs = 4;
 constexpr std::size_t lines_of_each = 4;  // through so many drawn inputs
+constexpr std::size_t most_meeting = 8;   // where parameters meet
+constexpr std::size_t most_lines = 24;    // with those, and with those at constants
 constexpr std::size_t points = 129;       // of a line
-constexpr double jump_part = 1e-3;        // of the result, between neighbouring floats
-constexpr double least_jump = 5e-3;       // of the range of the middle half of a line's results
+constexpr double jump_ratio = 4.0;        // a step from one float to the next, beside those around it
+constexpr double visible_step = 1e-7;     // of the result: about the ULP of float32
 constexpr std::size_t tried_pairs = 12;   // of neighbouring points, where the line is steepest for its place
 constexpr double turn_part = 1e-9;        // of it: less is rounding of double
 constexpr std::size_t float_steps = 64;   // steps of float32 that are looked at
@@ -113,16 +115,64 @@ void locate(AuditMotion& motion, AuditRuns& runs, const std::vector<Word>& a, co
     }
 }
 
-std::vector<float> positions_of(const AuditSearch& search, const Domain::Inputs& drawn, const Slot& axis) {
+bool admits(const Slot& slot, float x) {
+    const Word word = to_word(x);
+    return slot.values->admits(std::span(&word, 1));
+}
+
+// A constant of the source, which a comparison may name, with its neighbours.
+std::vector<float> around(float constant) {
+    std::vector<float> all;
+    for (int steps = -2; steps <= 2; ++steps) all.push_back(numeric::step(constant, steps));
+    return all;
+}
+
+std::vector<float> positions_of(const AuditRuns& runs, const AuditSearch& search, const Domain::Inputs& drawn,
+                                const Slot& axis) {
     std::vector<float> all;
     for (const std::vector<Word>& words : search.traced) all.push_back(from_word<float>(words[axis.first]));
     for (std::size_t i = 0; i < drawn.count(); ++i) all.push_back(from_word<float>(drawn.row(i)[axis.first]));
+    for (const float constant : runs.constants())
+        for (const float x : around(constant))
+            if (x != 0.0F && admits(axis, x)) all.push_back(x);
     std::erase_if(all, [](float x) { return !std::isfinite(x); });
     std::ranges::sort(all, [](float a, float b) { return order_of(a) < order_of(b); });
     const auto same = std::ranges::unique(all);
     all.erase(same.begin(), same.end());
     return all;
 }
+
+// The inputs through which lines go: a few drawn ones, and the first of them with another parameter at a
+// constant or beside it, or as far beyond a third one as this one usually is.
+class Bases {
+  public:
+    Bases(const AuditRuns& runs, const AuditSearch& search, const Slot& axis, float middle)
+        : all_(search.traced.begin(), search.traced.begin() + static_cast<std::ptrdiff_t>(std::min(
+                                                                  lines_of_each, search.traced.size()))) {
+        if (all_.empty()) return;
+        std::vector<Slot> others = axes_of(runs.question());
+        std::erase_if(others, [&](const Slot& slot) { return slot.first == axis.first; });
+        for (const Slot& slot : others)
+            for (const Slot& other : others)
+                if (slot.first != other.first && all_.size() < lines_of_each + most_meeting)
+                    add(slot, from_word<float>(all_[0][other.first]) + middle);
+        for (const float constant : runs.constants())
+            for (const Slot& slot : others)
+                for (const int steps : {-1, 0, 1}) add(slot, numeric::step(constant, steps));
+    }
+
+    [[nodiscard]] const std::vector<std::vector<Word>>& all() const { return all_; }
+
+  private:
+    void add(const Slot& slot, float x) {
+        if (all_.size() == most_lines || !admits(slot, x)) return;
+        std::vector<Word> words = all_[0];
+        words[slot.first] = to_word(x);
+        all_.push_back(std::move(words));
+    }
+
+    std::vector<std::vector<Word>> all_;
+};
 
 struct Shape {
     bool rises = false;
@@ -167,14 +217,27 @@ Shape shape_of(const std::vector<Point>& all) {
     return shape;
 }
 
+// Whether the step between two neighbouring floats is none of a slope: those around it are far smaller.
+bool is_jump(const Line& line, const Point& a, const Point& b) {
+    if (order_of(b.x) - order_of(a.x) != 1) return false;
+    const double step = std::abs(b.y - a.y);
+    if (!(step > visible_step * std::max(std::abs(a.y), std::abs(b.y)))) return false;
+    const double before = std::abs(a.y - line.in_double(numeric::step(a.x, -1)));
+    const double behind = std::abs(line.in_double(numeric::step(b.x, 1)) - b.y);
+    const double around =
+        std::max(std::isfinite(before) ? before : 0.0, std::isfinite(behind) ? behind : 0.0);
+    return step > jump_ratio * around;
+}
+
 // The first jump of a line between two neighbouring floats.
 std::optional<std::pair<Point, Point>> jump_of(const Line& line, const std::vector<Point>& all,
                                                const Shape& shape) {
+    for (std::size_t i = 0; i + 1 < all.size(); ++i)
+        if (order_of(all[i + 1].x) - order_of(all[i].x) == 1 && is_jump(line, all[i], all[i + 1]))
+            return std::pair{all[i], all[i + 1]};
     for (const std::size_t i : shape.steep) {
-        const auto [a, b] = narrowed(line, all[i], all[i + 1]);
-        const double least =
-            std::max(jump_part * std::max(std::abs(a.y), std::abs(b.y)), least_jump * shape.usual);
-        if (order_of(b.x) - order_of(a.x) == 1 && std::abs(b.y - a.y) > least) return std::pair{a, b};
+        const auto pair = narrowed(line, all[i], all[i + 1]);
+        if (is_jump(line, pair.first, pair.second)) return pair;
     }
     return std::nullopt;
 }
@@ -183,7 +246,10 @@ std::optional<std::pair<Point, Point>> jump_of(const Line& line, const std::vect
 double backward_step(const Line& line, const std::vector<Point>& all, bool rising) {
     double most = 0.0;
     const std::size_t stride = std::max<std::size_t>(all.size() / float_steps, 1);
-    for (std::size_t i = 0; i < all.size(); i += stride) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        // Each of those at a constant, and some of the others.
+        const bool has_neighbour = i + 1 < all.size() && order_of(all[i + 1].x) - order_of(all[i].x) == 1;
+        if (!has_neighbour && i % stride != 0) continue;
         const double here = line.in_float(all[i].x);
         const double next = line.in_float(numeric::step(all[i].x, 1));
         const double back = rising ? here - next : next - here;
@@ -194,13 +260,16 @@ double backward_step(const Line& line, const std::vector<Point>& all, bool risin
 
 // Looks along the lines of one parameter at one output.
 AuditMotion motion_of(AuditRuns& runs, const AuditSearch& search, const Domain::Inputs& drawn,
-                      const Slot& axis, std::size_t output) {
+                      const Slot& axis, std::size_t output, std::uint64_t most_instructions) {
     AuditMotion motion{.parameter = axis.parameter->name, .output = output};
     bool rises = false;
     bool falls = false;
-    const std::vector<float> positions = positions_of(search, drawn, axis);
-    for (std::size_t base = 0; base < std::min(lines_of_each, search.traced.size()); ++base) {
-        const Line line(runs, axis, search.traced[base], output);
+    const std::vector<float> positions = positions_of(runs, search, drawn, axis);
+    const float middle = positions.empty() ? 0.0F : positions[positions.size() / 2];
+    const Bases bases(runs, search, axis, middle);
+    for (const std::vector<Word>& base : bases.all()) {
+        if (runs.instructions() > most_instructions) break;
+        const Line line(runs, axis, base, output);
         const std::vector<Point> all = line.sampled(positions);
         if (all.size() < 3) continue;
         const Shape shape = shape_of(all);
@@ -245,7 +314,7 @@ std::vector<AuditMotion> motions(AuditRuns& runs, const AuditSearch& search,
     for (const Slot& axis : axes)
         for (std::size_t output = 0; output < outputs; ++output) {
             if (runs.instructions() > most_instructions) return all;
-            AuditMotion motion = motion_of(runs, search, drawn, axis, output);
+            AuditMotion motion = motion_of(runs, search, drawn, axis, output, most_instructions);
             if (!motion.words.empty()) motion.values = runs.named(motion.words);
             all.push_back(std::move(motion));
         }

@@ -14,6 +14,7 @@
 #include "interpreter/program.hpp"
 #include "numeric/numbers.hpp"
 #include "numeric/paths.hpp"
+#include "shader/spirv.hpp"
 
 namespace gloam::check::internal {
 namespace {
@@ -52,17 +53,20 @@ AuditRuns::AuditRuns(KernelModule module, const Question& question, ImageSet ima
       image_size_(first_scenario(question).size),
       images_(std::move(images)),
       modules_{std::make_shared<const KernelModule>(std::move(module))},
+      constants_(shader::float_constants(modules_.front()->spirv)),
       decoded_(modules_, images_),
-      interpretation_(decoded_, scalars_, scalars_.size()),
+      interpretation_(decoded_, scalars_, scalars_.size(), false),
       kernel_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images),
       half_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images),
       floats_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images),
+      doubles_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images),
       drivers_(decoded_.parts().front().program, *modules_.front(), decoded_.parts().front().images) {
     drivers_.machine().set_sampling(1);
     drivers_.machine().set_limit(most_audited_instructions);
     half_.machine().set_half(true);
     for (auto* kernel : {&kernel_, &half_}) kernel->machine().set_limit(most_audited_instructions);
     floats_.machine().set_limit(most_audited_instructions);
+    doubles_.machine().set_limit(most_audited_instructions);
 }
 
 Reading AuditRuns::read(InterpretedKernel<interpreter::Explained>& kernel, std::span<const Word> input,

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "check/audit.hpp"
 #include "check/explain.hpp"
 #include "check/internal/interpretation.hpp"
 #include "check/internal/moves.hpp"
@@ -38,6 +39,13 @@ struct Loss {
     double relative = 0.0;   // beside the largest component of the same vector, or 2^-10 of its usual size
 };
 
+// An input at which a decision on an inexact number goes two ways: a comparison, an integer, an index.
+struct Parting {
+    std::size_t output = 0;
+    double other = 0.0;  // what double gives on its own path, or a driver; NaN where the driver faults
+    int driver = 0;      // that parts; 0: double
+};
+
 // A function that is ready to be run by the interpreter in every way that an audit needs. The objects that it
 // is made from must outlive it.
 class AuditRuns {
@@ -58,6 +66,12 @@ class AuditRuns {
     // keep it from every driver, which intervals along one path do not see. `reading`: of the input.
     [[nodiscard]] bool is_undefined(std::span<const Word> input, const Reading& reading,
                                     Gaps gaps = Gaps::closed);
+
+    // Whether double, or one of a few drivers that keep the rules, takes another path than float32 and gives
+    // another result; the first that does. `reading`: of the input.
+    [[nodiscard]] std::optional<Parting> parting_of(std::span<const Word> input, const Reading& reading);
+    // The decision that parts them; unknown if it has no line.
+    [[nodiscard]] AuditPlace place_of(const Parting& parting, std::span<const Word> input);
 
     // Bounds of each output on all paths, in any order of sums.
     [[nodiscard]] std::vector<numeric::Bounds> permitted(std::span<const Word> input);
@@ -81,12 +95,18 @@ class AuditRuns {
 
     [[nodiscard]] const Question& question() const { return question_; }
     [[nodiscard]] glm::ivec2 image_size() const { return image_size_; }
+    // The float constants of the function, at which a decision may be made.
+    [[nodiscard]] const std::vector<float>& constants() const { return constants_; }
     [[nodiscard]] std::uint64_t instructions() const { return instructions_; }
 
   private:
     AuditRuns(KernelModule module, const Question& question, ImageSet images);
     [[nodiscard]] Reading read(InterpretedKernel<interpreter::Explained>& kernel, std::span<const Word> input,
                                Gaps gaps);
+    [[nodiscard]] std::optional<Parting> parting_of_driver(std::span<const Word> input,
+                                                           const Reading& reading, int driver);
+    // The result that counts as large, for a word of the outputs.
+    [[nodiscard]] double usual_of(std::size_t output) const;
     template <class Measure>
     [[nodiscard]] Loss largest(const Reading& reading, const Measure& measure) const;
 
@@ -97,11 +117,13 @@ class AuditRuns {
     glm::ivec2 image_size_{1};
     ImageSet images_;
     KernelModules modules_;
+    std::vector<float> constants_;
     Decoded decoded_;
     Interpretation interpretation_;
     InterpretedKernel<interpreter::Explained> kernel_;
     InterpretedKernel<interpreter::Explained> half_;
     InterpretedKernel<float> floats_;
+    InterpretedKernel<double> doubles_;
     InterpretedKernel<numeric::Interval> drivers_;  // one driver after another
     std::uint64_t instructions_ = 0;
 };

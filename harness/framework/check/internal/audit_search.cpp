@@ -117,6 +117,7 @@ class Search {
         if (undefined) keep(found_.undefined, words, random);
         if (draws && !undefined && is_unspecified(words)) keep(found_.unspecified, words, random);
         if (!reading.fault.empty()) return reading;
+        if (draws && !undefined && runs_.parting_of(words, reading)) keep(found_.parted, words, random);
         note(found_.digits, words, runs_.loss_of(reading).relative);
         note(found_.drivers, words, runs_.width_of(reading).relative);
         return reading;

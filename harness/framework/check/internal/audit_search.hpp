@@ -31,6 +31,7 @@ struct AuditSearch {
     Examples not_finite;
     Examples undefined;
     Examples unspecified;  // of drawn inputs only
+    Examples parted;       // likewise; see Parting
     WorstInput digits;
     WorstInput drivers;
     std::vector<std::vector<Word>> traced;  // some drawn inputs, for the lines of the source
