@@ -11,9 +11,10 @@ namespace gloam::check {
 namespace {
 
 // Whether SignedZeroInfNanPreserve binds an operation: in each wording of its clause, in newer ones, or in
-// none. Vulkan 1.1.95 to 1.3.291 list OpFConvert, OpFNegate, OpFAdd, OpFSub and OpFMul, 1.4.360 further ones;
-// of OpFDiv the older ones say "Dividing a non-zero by a zero results in the appropriately signed IEEE 754
-// infinity". OpIsNan and OpIsInf "must always correctly detect" in the older wordings.
+// none. Vulkan 1.1.95 lists OpFConvert, OpFNegate, OpFAdd, OpFSub and OpFMul; 1.3.296 adds OpFDiv, of which
+// the older texts say "Dividing a non-zero by a zero results in the appropriately signed IEEE 754
+// infinity"; 1.4.304 adds comparisons, derivatives, and products of vectors and matrices. No wording lists an
+// extended instruction.
 enum class Specials { bound, newer, unbound };
 
 struct Rule {

@@ -12,8 +12,8 @@
 // Operations on floats, component by component.
 namespace gloam::interpreter::internal {
 
-// Whether SignedZeroInfNanPreserve binds an operation in each of its wordings. Vulkan 1.1.95 lists these, but
-// for the division, of which it says in a sentence what a zero gives; 1.4.360 lists them and more.
+// Whether SignedZeroInfNanPreserve binds an operation in each of its wordings, from Vulkan 1.1.95 on. Of the
+// division, which is listed since 1.3.296, the older ones say in a sentence what a zero gives.
 [[nodiscard]] constexpr bool keeps_specials(std::uint16_t opcode) {
     return opcode == SpvOpFConvert || opcode == SpvOpFNegate || opcode == SpvOpFAdd || opcode == SpvOpFSub ||
            opcode == SpvOpFMul || opcode == SpvOpFDiv;
