@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The interpreter as a device: whole checks with no driver at all.
 #include "backend/gl/device.hpp"
+#include "backend/vulkan/device.hpp"
 #include "check/internal/kernel_text.hpp"
 #include "check/lab.hpp"
 #include "check/reproduction.hpp"
@@ -27,6 +28,15 @@ TEST(InterpreterDevice, EvaluatesAFunction) {
     const Function<float(float, float)> weight(lab, "wrong.glsl", "weight");
     EXPECT_EQ(weight(1.0F, 2.0F), 0.75F);
     EXPECT_THROW((void)lab.device(), std::runtime_error);
+}
+
+// In this process nobody has told the loader of it.
+TEST(SwiftShader, IsFoundByItsName) {
+    if (gpu::drivers_are_chosen()) GTEST_SKIP() << "the environment chooses the drivers";
+    if (!gpu::find_swiftshader()) GTEST_SKIP() << "no SwiftShader here (Debian's package chromium has it)";
+    const Lab lab({.device = "SwiftShader", .include_roots = {GLOAM_GLSL_DIR, FIXTURES}});
+    EXPECT_THAT(lab.info().name, HasSubstr("SwiftShader"));
+    EXPECT_EQ((Function<float(float, float)>(lab, "wrong.glsl", "weight")(1.0F, 2.0F)), 0.75F);
 }
 
 TEST(InterpreterDevice, JudgesRightAndWrongFunctionsInEveryVariant) {

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
+#include <array>
 
 #include "backend/gl/device.hpp"
 #include "backend/gl/kernel.hpp"
+#include "base/text.hpp"
 #include "check/internal/kernel_text.hpp"
 #include "shader/module.hpp"
 #include "shader/spirv.hpp"
@@ -42,7 +44,14 @@ void require_opengl_options(const LabOptions& options, shader::Language language
         throw std::invalid_argument(options.device + ": the validation layers are of Vulkan");
 }
 
+// A browser's SwiftShader is no driver that the loader finds by itself. The environment's choice stays.
+void show_to_the_loader(const std::string& device) {
+    if (!base::lower(device).starts_with("swiftshader") || gpu::drivers_are_chosen()) return;
+    if (const auto manifest = gpu::find_swiftshader()) gpu::add_drivers(std::array{*manifest});
+}
+
 std::shared_ptr<backend::Backend> opened(const LabOptions& options) {
+    show_to_the_loader(options.device);
     if (options.device == interpreter_name) return interpreter();
     if (gl::is_device_name(options.device)) {
         return std::make_shared<gl::Device>(options.device);
