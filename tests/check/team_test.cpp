@@ -172,6 +172,16 @@ TEST(Groups, AreCalledFromCpp) {
     ones.fill(1.0F);
     ones[7] = 2.0F;
     EXPECT_THAT(sum(ones), Each(65.0F));
+    const Function<Group<float, 64>(Group<float, 64>)> racing(lab, "totals.glsl", "racing_total");
+    try {
+        (void)racing.check_rules({vector(64, uniform(0, 1))}, {.inputs = 16});
+        ADD_FAILURE() << "no error";
+    } catch (const interpreter::Error& error) {
+        EXPECT_EQ(error.kind(), interpreter::Error::Kind::race);
+        EXPECT_THAT(error.what(), AllOf(StartsWith("totals.glsl: racing_total: a race: invocation "),
+                                        HasSubstr("totals.glsl:16"), HasSubstr("totals.glsl:18"),
+                                        Not(HasSubstr("(word "))));
+    }
     using Mixed = Quad<float>(Group<float, 64>);
     EXPECT_THROW((void)SignatureOf<Mixed>::describe(), std::invalid_argument);
 }

@@ -70,7 +70,8 @@ class Function {
     }
 
     // Checks whether Vulkan's precision rules permit the results for the module that the driver was given: no
-    // reference, no tolerance. Throws like run().
+    // reference, no tolerance. Throws like run(): of a group whose invocations race, or do not all reach a
+    // barrier, interpreter::Error, which names the two lines.
     [[nodiscard]] Answer check_rules(const Domain& domain, const RunOptions& options = {}) const {
         return check::run(*lab_, question(domain), options);
     }

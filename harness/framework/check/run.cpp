@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "check/run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "check/explain.hpp"
 #include "check/internal/moves.hpp"
 #include "check/internal/trial.hpp"
+#include "check/interpreted_kernel.hpp"
+#include "interpreter/program.hpp"
 
 namespace gloam::check {
 namespace {
@@ -92,7 +97,9 @@ Verdict verdict_of(const shader::Variant& variant, const Question& question) {
     return by_rules ? Verdict::rules : Verdict::budget;
 }
 
-Answer run(const Lab& lab, const Question& question, const RunOptions& options) {
+namespace {
+
+Answer judged(const Lab& lab, const Question& question, const RunOptions& options) {
     const KernelCore kernel = lab.kernel(question.file, question.function, question.signature);
     const Verdict verdict = verdict_of(lab.options().variant, question);
     Answer answer = empty_answer(question, verdict);
@@ -115,6 +122,45 @@ Answer run(const Lab& lab, const Question& question, const RunOptions& options) 
     if (options.coverage) answer.coverage = measure_coverage(lab, question, options);
     internal::tell_story(lab, question, options.seed, answer);
     return answer;
+}
+
+// Throws the error that invocations disturb each other with the lines of the source, which the module of a
+// kernel need not have.
+void throw_with_lines(const Lab& lab, const Question& question, std::uint64_t seed) {
+    constexpr std::size_t most_inputs = 4096;
+    const KernelModule module = lined_module(lab, question);
+    const interpreter::Program program(module.spirv);
+    const ImageScenario scenario = question.scenarios.empty() ? ImageScenario{} : question.scenarios.front();
+    const ImageSet images = internal::images_of(scenario, seed);
+    const std::vector<std::vector<Word>> words = image_words(module.images, images, question.function);
+    InterpretedKernel<double> kernel(program, module, words);
+    const Domain::Inputs inputs = question.domain.draw(most_inputs, seed, scenario.size);
+    for (std::size_t i = 0; i < inputs.count(); ++i) {
+        for (const auto order : {interpreter::Order::backward, interpreter::Order::forward}) {
+            kernel.set_order(order);
+            std::vector<Word> row(inputs.row(i).begin(), inputs.row(i).end());
+            question.domain.adjust(row);
+            try {
+                kernel.run(row);
+            } catch (const interpreter::Error& error) {
+                if (!error.is_of_group()) continue;
+                throw interpreter::Error(
+                    error.kind(), fmt::format("{}: {}: {}", question.file, question.function, error.what()));
+            }
+        }
+    }
+}
+
+}  // namespace
+
+Answer run(const Lab& lab, const Question& question, const RunOptions& options) {
+    try {
+        return judged(lab, question, options);
+    } catch (const interpreter::Error& error) {
+        if (error.is_of_group() && !lab.compile_options().lines)
+            throw_with_lines(lab, question, options.seed);
+        throw;
+    }
 }
 
 namespace {

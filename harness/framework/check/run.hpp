@@ -60,7 +60,8 @@ struct RunOptions {
 [[nodiscard]] Verdict verdict_of(const shader::Variant& variant, const Question& question);
 
 // Compiles the function, evaluates the inputs and judges every output. Throws like Lab::kernel and
-// KernelCore::run.
+// KernelCore::run; interpreter::Error (race, divergent_barrier) for invocations that disturb each other, with
+// the lines of the source.
 [[nodiscard]] Answer run(const Lab& lab, const Question& question, const RunOptions& options = {});
 
 // Measures what the inputs of a run reach, in the function and in all that it calls, with the interpreter in
