@@ -3,6 +3,7 @@
 #include "check/fixture_functions.hpp"
 #include "check/function.hpp"
 #include "shader/include.hpp"
+#include "support/lab.hpp"
 
 namespace gloam::check::own_function_test {
 
@@ -54,6 +55,15 @@ TEST_F(OwnFunctionTest, AreNamedWithOrWithoutTheirTypes) {
                 ElementsAre("luma(vec4)", "tone"));
     EXPECT_THAT([] { (void)functions_of("foreign.frag", {"luma(vec2)"}); },
                 testing::ThrowsMessage<std::invalid_argument>(HasSubstr("no function luma(vec2)")));
+}
+
+TEST_F(OwnFunctionTest, OfAWholeShaderAreCalledFromCpp) {
+    const Lab whole = test::make_lab(FIXTURES);
+    const Function<float(float)> tone(whole, "foreign.frag", "tone");
+    EXPECT_EQ(tone(1.0F), 0.5F);
+    EXPECT_TRUE(tone.check_rules({uniform(0, 1)}, {.inputs = 64}).passed());
+    EXPECT_EQ((Function<float(glm::vec4)>(whole, "foreign.frag", "luma")(glm::vec4(0.0F))), 0.0F);
+    EXPECT_THROW((void)(Function<float(float)>(whole, "foreign.frag", "nowhere")), std::exception);
 }
 
 TEST_F(OwnFunctionTest, OverloadsAreJudgedEachByItself) {

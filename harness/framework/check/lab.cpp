@@ -10,7 +10,9 @@
 #include "backend/gl/kernel.hpp"
 #include "base/text.hpp"
 #include "check/internal/kernel_text.hpp"
+#include "shader/include.hpp"
 #include "shader/module.hpp"
+#include "shader/pack.hpp"
 #include "shader/spirv.hpp"
 #include "shader/steps.hpp"
 
@@ -42,6 +44,22 @@ void require_opengl_options(const LabOptions& options, shader::Language language
     }
     if (options.validation)
         throw std::invalid_argument(options.device + ": the validation layers are of Vulkan");
+}
+
+// A whole shader, with a #version line, cannot be included: its functions are excerpts of it. Others are
+// included as they are.
+std::vector<shader::Excerpt> excerpts_of(const LabOptions& options, const std::string& file) {
+    if (!options.excerpts.empty()) return options.excerpts;
+    std::filesystem::path path;
+    try {
+        path = shader::resolve_include(file, {}, options.include_roots);
+    } catch (const std::runtime_error&) {
+        return {};  // the compiler says so
+    }
+    const std::string text = shader::read_text(path);
+    if (text.find("#version") == std::string::npos) return {};
+    shader::Excerpts all = shader::excerpts({path.string(), text}, options.include_roots);
+    return all.version.empty() ? std::vector<shader::Excerpt>{} : std::move(all.functions);
 }
 
 // A browser's SwiftShader is no driver that the loader finds by itself. The environment's choice stays.
@@ -171,8 +189,9 @@ std::vector<shader::Function> Lab::functions(const std::string& file) const {
 
 KernelSource Lab::source(const std::string& file, const std::string& function,
                          const Signature& signature) const {
-    const auto excerpt = std::ranges::find(options_.excerpts, function, &shader::Excerpt::function);
-    const std::string text = excerpt == options_.excerpts.end() ? "" : excerpt->text;
+    const std::vector<shader::Excerpt> excerpts = excerpts_of(options_, file);
+    const auto excerpt = std::ranges::find(excerpts, function, &shader::Excerpt::function);
+    const std::string text = excerpt == excerpts.end() ? "" : excerpt->text;
     shader::CompileOptions options = compile_options();
     options.stage = stage_of(signature.team);
     std::vector<shader::Function> all = cache_.functions(probe_of(file, text), options);
