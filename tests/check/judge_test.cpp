@@ -189,6 +189,13 @@ TEST_F(JudgeTest, TheWorstInputIsExplainedWithItsImages) {
 }
 
 TEST_F(JudgeTest, AnExplanationIsBounded) {
+    const std::vector<Word> negative{to_word(-0.0F), to_word(-1.0F)};
+    EXPECT_THAT(to_text(explain(lab.compile_options(), "wrong.glsl", "angle", negative)),
+                testing::ContainsRegex(R"(\[-3\.14.*\] or \[3\.14|\[3\.14.*\] or \[-3\.14)"));
+    Sample unmeasured{.fraction = 2.0};
+    EXPECT_THAT(error_text(unmeasured), HasSubstr("not measured"));
+    unmeasured.ulp = 3.0;
+    EXPECT_EQ(error_text(unmeasured), "3 ulp, 0 absolute");
     const Explanation all = explain(lab.compile_options(), "wrong.glsl", "weight_wrong_constant",
                                     std::vector<Word>{to_word(0.3F), to_word(0.7F)});
     const std::string whole = to_text(all, all.steps.size());

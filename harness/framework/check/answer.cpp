@@ -89,6 +89,12 @@ std::size_t Answer::judged() const {
     return promised * (bounded - std::min(open(), bounded)) / bounded;
 }
 
+std::string error_text(const Sample& sample) {
+    if (sample.fraction > 1.0 && sample.ulp == 0.0 && sample.absolute == 0.0)
+        return "not measured: no accuracy is documented for this input";
+    return fmt::format("{:.6g} ulp, {:.6g} absolute", sample.ulp, sample.absolute);
+}
+
 std::vector<InputClass> Answer::not_promised() const {
     std::vector<InputClass> found;
     for (std::size_t i = 0; i < input_class_count; ++i) {

@@ -7,11 +7,9 @@
 #include <cmath>
 #include <filesystem>
 #include <numeric>
-#include <ostream>
 #include <stdexcept>
 
 #include "base/text.hpp"
-#include "check/answer.hpp"
 #include "check/interpreted_kernel.hpp"
 #include "check/scalars.hpp"
 #include "numeric/numbers.hpp"
@@ -20,129 +18,12 @@
 namespace gloam::check {
 namespace {
 
-using shader::Scalar;
-
-std::string words_text(const std::vector<Scalar>& scalars, std::span<const Word> words) {
-    std::vector<std::string> texts;
-    for (std::size_t i = 0; i < words.size(); ++i) texts.push_back(text_of(scalars[i], words[i]));
-    return fmt::format("{}", fmt::join(texts, ", "));
-}
-
-// The text of the number of a word. An integer in decimal; the bits of its value as a double would carry no
-// information.
-std::string number_text(const std::vector<Scalar>& scalars, std::size_t i, double number) {
-    constexpr double exact = 9'007'199'254'740'992.0;
-    const Scalar scalar = i < scalars.size() ? scalars[i] : Scalar::float_;
-    const bool whole = std::abs(number) <= exact && number == std::floor(number);
-    return shader::is_float(scalar) || !whole ? numeric::to_text(number) : fmt::format("{:.0f}", number);
-}
-
-std::string numbers_text(const std::vector<Scalar>& scalars, const std::vector<double>& numbers) {
-    std::vector<std::string> texts;
-    for (std::size_t i = 0; i < numbers.size(); ++i) texts.push_back(number_text(scalars, i, numbers[i]));
-    return fmt::format("{}", fmt::join(texts, ", "));
-}
-
-// The bounds of each output.
-std::string outcome_text(const std::vector<Scalar>& scalars, const Sample::Outcome& permitted) {
-    std::vector<std::string> texts;
-    for (std::size_t i = 0; i < permitted.size(); ++i) {
-        const numeric::Bounds& bounds = permitted[i];
-        const std::string low = number_text(scalars, i, bounds.low);
-        const std::string high = number_text(scalars, i, bounds.high);
-        const std::string range = bounds.empty() ? "nothing but NaN"
-                                  : low == high  ? low
-                                                 : fmt::format("[{}, {}]", low, high);
-        texts.push_back(bounds.nan && !bounds.empty() ? range + " or NaN" : range);
-    }
-    return fmt::format("{}", fmt::join(texts, ", "));
-}
-
-// A line with every outcome; empty if there are none.
-std::string permitted_text(const std::vector<Scalar>& scalars, const std::vector<Sample::Outcome>& outcomes) {
-    std::vector<std::string> texts;
-    for (const Sample::Outcome& outcome : outcomes) texts.push_back(outcome_text(scalars, outcome));
-    return texts.empty() ? "" : fmt::format("    permitted {}\n", fmt::join(texts, "; or "));
-}
-
-std::string sample_text(const Signature& signature, const Sample& sample) {
-    return fmt::format(
-        "input {} ({}{}{}): {}\n    got  {}\n    want {}\n{}    error {:.6g} ulp, {:.6g} absolute\n",
-        sample.index, name_of(sample.input_class), sample.scenario.empty() ? "" : ", images ",
-        sample.scenario, sample.values, words_text(signature.output_scalars(), sample.got),
-        numbers_text(signature.output_scalars(), sample.want),
-        permitted_text(signature.output_scalars(), sample.permitted_outcomes()), sample.ulp, sample.absolute);
-}
-
-}  // namespace
-
-std::string describe_inputs(const Signature& signature, const std::vector<Word>& inputs) {
-    std::vector<std::string> texts;
-    std::size_t first = 0;
-    for (const shader::Parameter& p : signature.parameters) {
-        if (p.direction == shader::Direction::out) continue;
-        const std::vector<Scalar> scalars = scalars_of(p.type);
-        if (scalars.empty()) continue;  // a sampler
-        const std::vector<Word> words(inputs.begin() + static_cast<std::ptrdiff_t>(first),
-                                      inputs.begin() + static_cast<std::ptrdiff_t>(first + scalars.size()));
-        const std::string values = words_text(scalars, words);
-        const std::string what = shader::to_glsl(p.type) + (p.global ? " " + p.name : "");
-        texts.push_back(
-            fmt::format(fmt::runtime(shader::scalar_count(p.type) > 1 ? "{} ({})" : "{} {}"), what, values));
-        first += scalars.size();
-    }
-    return fmt::format("{}", fmt::join(texts, ", "));
-}
-
-std::string describe_outputs(const Signature& signature, const std::vector<Word>& outputs) {
-    return words_text(signature.output_scalars(), outputs);
-}
-
-std::string describe(const Signature& signature, const Answer& answer) {
-    const std::string limit =
-        answer.verdict == Verdict::rules ? "what Vulkan's precision rules permit" : to_text(answer.budget);
-    std::string text = fmt::format("{} ({}): {} of {} inputs outside {}\n", answer.function, answer.file,
-                                   answer.outside(), answer.inputs(), limit);
-    if (!answer.fault.empty()) text += fmt::format("  {}\n", answer.fault);
-    for (std::size_t i = 0; i < input_class_count; ++i) {
-        const ClassCount& count = answer.classes[i];
-        if (count.inputs == 0) continue;
-        text += fmt::format("  {:<10} {:>9} inputs {:>9} outside", name_of(static_cast<InputClass>(i)),
-                            count.inputs, count.outside);
-        if (count.recorded > 0) text += fmt::format(" {:>9} only recorded", count.recorded);
-        if (count.open > 0) text += fmt::format(" {:>9} open", count.open);
-        text += "\n";
-    }
-    if (answer.worst) text += "  worst " + sample_text(signature, *answer.worst);
-    for (const auto& first : answer.first_outside) {
-        if (first && (!answer.worst || first->index != answer.worst->index))
-            text += "  first " + sample_text(signature, *first);
-    }
-    return text;
-}
-
-void describe_samples(const Signature& signature, Answer& answer) {
-    const auto describe_one = [&signature](std::optional<Sample>& sample) {
-        if (sample && sample->values.empty()) sample->values = describe_inputs(signature, sample->inputs);
-    };
-    describe_one(answer.worst);
-    describe_one(answer.first_unbounded);
-    for (std::optional<Sample>& first : answer.first_outside) describe_one(first);
-}
-
-std::ostream& operator<<(std::ostream& stream, const Answer& answer) {
-    if (!answer.story.empty()) return stream << answer.story;
-    const std::string why = answer.ran() ? answer.not_judged_because() : answer.error;
-    return stream << fmt::format("{} ({}): {} of {} inputs outside{}{}\n", answer.function, answer.file,
-                                 answer.outside(), answer.inputs(), why.empty() ? "" : ": ", why);
-}
-
-namespace {
-
 using interpreter::Explained;
+using shader::Scalar;
 
 constexpr const char* kernel_name = "kernel";
 constexpr std::uint64_t most_instructions = 500'000;  // of one explanation, which stores all of them
+constexpr std::size_t most_outcomes = 4;              // of an operation: an angle is pi or -pi
 
 shader::Function function_of(const shader::CompileOptions& options, const std::string& file,
                              const std::string& name) {
@@ -191,6 +72,20 @@ void append(const interpreter::Step<Explained>& step, interpreter::Machine<Expla
     }
 }
 
+// Adds what another run of the same path permits.
+void add_outcomes(std::vector<ExplainedStep> steps, std::vector<ExplainedStep>& all) {
+    if (all.empty()) {
+        all = std::move(steps);
+        return;
+    }
+    for (std::size_t i = 0; i < std::min(steps.size(), all.size()); ++i) {
+        const numeric::Bounds& more = steps[i].permitted;
+        const bool known = more.contains(all[i].permitted) || all[i].permitted.contains(more) ||
+                           std::ranges::find(all[i].others, more) != all[i].others.end();
+        if (steps[i].operation == all[i].operation && !known) all[i].others.push_back(more);
+    }
+}
+
 // By how much the error of each step, in ULP, rises above the errors of all steps before it. It can decrease
 // in between.
 std::vector<double> rises_of(const std::vector<ExplainedStep>& steps) {
@@ -234,6 +129,12 @@ std::string permitted_text(const numeric::Bounds& bounds) {
     return fmt::format("[{:.9g}, {:.9g}]{}", bounds.low, bounds.high, bounds.nan ? " or NaN" : "");
 }
 
+std::string permitted_text(const ExplainedStep& step) {
+    std::string text = permitted_text(step.permitted);
+    for (const numeric::Bounds& other : step.others) text += " or " + permitted_text(other);
+    return text;
+}
+
 // The sign of a NaN means nothing.
 std::string value_text(double value, int digits) {
     return std::isnan(value) ? "NaN" : fmt::format("{:.{}g}", value, digits);
@@ -271,7 +172,7 @@ std::string line_of(const ExplainedStep& step, bool is_worst) {
     if (step.whole) return fmt::format("{:<34} {:<24} {:>15}\n", place, operation, whole_text(step));
     return fmt::format(line_format, place, operation, value_text(step.value, 9), value_text(step.exact, 17),
                        fmt::format("{:.3g}", step.ulps), share_text(step.local), share_text(step.inherited()),
-                       permitted_text(step.permitted) + (is_worst ? "  <-- most of the error" : ""));
+                       permitted_text(step) + (is_worst ? "  <-- most of the error" : ""));
 }
 
 // A value that no operation of floats made; numbers without their bits.
@@ -295,7 +196,7 @@ std::string result_line(const Explanation& all) {
                                              : "";
         values.push_back(one.whole || !defined ? bits : value_text(one.value, 9));
         exact.push_back(one.whole || !defined ? bits : value_text(one.exact, 17));
-        permitted.push_back(one.whole ? bits : permitted_text(one.permitted));
+        permitted.push_back(one.whole ? bits : permitted_text(one));
         calculated = calculated || (!one.whole && defined);
     }
     if (values.empty()) return "";
@@ -356,15 +257,17 @@ Explanation explain(InterpretedKernel<Explained>& kernel, std::span<const Word> 
     kernel.machine().set_limit(most_instructions);
     Explanation all;
     const auto run = [&] {
-        kernel.run(input, [&](const interpreter::Step<Explained>& step) {
-            append(step, kernel.machine(), all.steps);
-        });
+        std::vector<ExplainedStep> steps;
+        std::vector<ExplainedStep> result;
+        kernel.run(input,
+                   [&](const interpreter::Step<Explained>& step) { append(step, kernel.machine(), steps); });
         for (std::size_t word = 0; word < kernel.output_words(); ++word)
-            all.result.push_back(explained(kernel.machine(), kernel.output(word), numeric::float32));
-        throw numeric::Paths::Enough{};
+            result.push_back(explained(kernel.machine(), kernel.output(word), numeric::float32));
+        add_outcomes(std::move(steps), all.steps);
+        add_outcomes(std::move(result), all.result);
     };
-    // The path is that of float32. Where only intervals leave a branch undecided, the first way is taken.
-    (void)numeric::Paths::explore(numeric::float32, 1, run, gaps);
+    // The path is that of float32. What is permitted apart from the first bounds comes from further runs.
+    (void)numeric::Paths::explore(numeric::float32, most_outcomes, run, gaps);
     all.worst = worst_of(all.steps);
     return all;
 }

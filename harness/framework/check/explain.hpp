@@ -21,15 +21,16 @@ struct ExplainedStep {
     std::string file;
     unsigned line = 0;  // in the source file
     std::string function;
-    std::string operation;        // "OpFAdd"
-    std::size_t component = 0;    // of a vector, from 0
-    double value = 0.0;           // correctly rounded at every operation
-    double exact = 0.0;           // in double
-    numeric::Bounds permitted{};  // by Vulkan's rules, on this path
-    double error = 0.0;           // value - exact
-    double local = 0.0;           // the part of the error that this operation adds by rounding
-    double ulps = 0.0;            // error in units in the last place of the exact result
-    bool whole = false;           // an integer or a bool, whose bits are the value: it has no error
+    std::string operation;                     // "OpFAdd"
+    std::size_t component = 0;                 // of a vector, from 0
+    double value = 0.0;                        // correctly rounded at every operation
+    double exact = 0.0;                        // in double
+    numeric::Bounds permitted{};               // by Vulkan's rules, on this path
+    std::vector<numeric::Bounds> others = {};  // permitted as well, apart from these bounds
+    double error = 0.0;                        // value - exact
+    double local = 0.0;                        // the part of the error that this operation adds by rounding
+    double ulps = 0.0;                         // error in units in the last place of the exact result
+    bool whole = false;  // an integer or a bool, whose bits are the value: it has no error
     std::string undefined{};      // why every value is permitted; empty: the operation has a result
 
     // The part of the error that came with the operands.

@@ -51,7 +51,7 @@ std::vector<PageCell> cells_of(const check::Answer& row) {
                                 {row.equation},
                                 {row.function},
                                 {row.variant},
-                                {std::string(name_of(row.verdict))}};
+                                {row.ran() ? std::string(name_of(row.verdict)) : "-"}};
     if (!row.ran()) {
         cells.insert(cells.end(), 4, {"-"});
         cells.push_back({base::shortened(remark_on(row), longest_value)});

@@ -264,7 +264,7 @@ std::string table_line(const check::Answer& row, const std::string& verdict) {
         const std::string why =
             row.reason == check::Reason::unsupported ? "; " + base::one_line(row.error) : std::string();
         return fmt::format(line_format, row.equation, row.function, row.variant_before_steps(), "-", "-", "-",
-                           "-", name_of(row.verdict), verdict + why + after);
+                           "-", "-", verdict + why + after);
     }
     const double used = row.fraction_of_allowed();
     const std::string remark = remark_on(row);

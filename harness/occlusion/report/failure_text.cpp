@@ -67,8 +67,7 @@ std::string input_text(const std::string& title, const check::Sample& input) {
         if (!outcomes.empty() && i < outcomes.front().size()) text += permitted_text(outcomes, i);
         text += "\n";
     }
-    return text + outcomes_text(outcomes) +
-           fmt::format("  error   {:.6g} ulp, {:.6g} absolute\n\n", input.ulp, input.absolute);
+    return text + outcomes_text(outcomes) + fmt::format("  error   {}\n\n", error_text(input));
 }
 
 std::string yes_no(bool flag) {
