@@ -190,7 +190,7 @@ TEST_F(JudgeTest, TheWorstInputIsExplainedWithItsImages) {
 
 TEST_F(JudgeTest, AnExplanationIsBounded) {
     const std::vector<Word> negative{to_word(-0.0F), to_word(-1.0F)};
-    EXPECT_THAT(to_text(explain(lab.compile_options(), "wrong.glsl", "angle", negative)),
+    EXPECT_THAT(to_text(explain(lab.compile_options(), "wrong.glsl", "angle", negative), 8),
                 testing::ContainsRegex(R"(\[-3\.14.*\] or \[3\.14|\[3\.14.*\] or \[-3\.14)"));
     Sample unmeasured{.fraction = 2.0};
     EXPECT_THAT(error_text(unmeasured), HasSubstr("not measured"));

@@ -16,7 +16,7 @@ TEST(Specials, AreJudgedByInstruction) {
         const KernelCore::Result result = kernel.run(words, 1);
         const internal::Decoded decoded(result.modules, {});
         const std::vector<shader::Scalar> outputs = signature.output_scalars();
-        internal::Interpretation rules(decoded, outputs);
+        internal::Interpretation rules(decoded, outputs, outputs.size());
         const internal::InputRow row{.index = 0, .words = words};
         const std::vector<Word> given{to_word(got)};
         return !rules.is_exact(row, given) && !rules.is_permitted(row, given);
