@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "backend/shader_cache.hpp"
 #include "backend/vulkan/gpu_test.hpp"
 #include "backend/vulkan/internal/pipeline_cache.hpp"
 #include "base/cached_file.hpp"
@@ -29,6 +30,20 @@ constexpr base::Hash
 
 std::vector<fs::path> files_in(const fs::path& folder) {
     return {fs::directory_iterator(folder), fs::directory_iterator()};
+}
+
+// A file system of the kernel has no space: as a disk that is full.
+TEST(DriversCache, IsLeftOutWhereTheDiskIsFull) {
+    const auto is_left_out = [](const fs::path& cache) {
+        ::unsetenv("MESA_SHADER_CACHE_DISABLE");
+        ::setenv("MESA_SHADER_CACHE_DIR", cache.c_str(), 1);
+        backend::spare_a_full_disk();
+        ::unsetenv("MESA_SHADER_CACHE_DIR");
+        return std::getenv("MESA_SHADER_CACHE_DISABLE") != nullptr;
+    };
+    EXPECT_TRUE(is_left_out("/proc"));
+    EXPECT_TRUE(is_left_out("/proc/not/there"));
+    EXPECT_FALSE(is_left_out(fs::temp_directory_path()));
 }
 
 using CacheFile = InFolder;

@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "backend/gl/internal/context.hpp"
+#include "backend/shader_cache.hpp"
 
 namespace gloam::gl::internal {
 namespace {
@@ -102,6 +103,7 @@ void initialize(const Egl& egl, EGLDisplay display, const std::string& executor)
         software.emplace("LIBGL_ALWAYS_SOFTWARE", "1");
         driver.emplace("GALLIUM_DRIVER", executor);
     }
+    backend::spare_a_full_disk();
     if (egl.Initialize(display, nullptr, nullptr) == EGL_FALSE) {
         throw Unavailable(fmt::format(
             "OpenGL devices are not available: eglInitialize gives 0x{:x} (libegl-mesa0, libgl1-mesa-dri)",

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "backend/shader_cache.hpp"
 #include "base/cached_file.hpp"
 #include "base/text.hpp"
 
@@ -127,6 +128,7 @@ vk::raii::Context open_loader() {
 }
 
 vk::raii::Instance create_instance(const vk::raii::Context& loader, MessageLog* log) {
+    backend::spare_a_full_disk();
     const vk::ApplicationInfo application{.pApplicationName = "gloam", .apiVersion = VK_API_VERSION_1_2};
     const vk::InstanceCreateInfo info{.pApplicationInfo = &application};
     return log ? create_validated(loader, info, *log) : create(loader, info);
