@@ -220,6 +220,14 @@ TEST_F(List, EquationsSayAllThatIsKnownOfThem) {
     }
 }
 
+TEST_F(List, ParametersHaveTheirNames) {
+    for (const auto& [id, function] :
+         {std::pair{"TSSAO-2", "float gloam_estimator_mean(vec2 accumulated)"},
+          std::pair{"REFLECT", "vec3 gloam_reflect_sample(vec3 s, vec3 encoded)"},
+          std::pair{"HALTON", "float gloam_radical_inverse(uint index, uint base)"}})
+        EXPECT_THAT(output_of(gloam("list " + std::string(id))), HasSubstr(function));
+}
+
 TEST_F(List, EquationsAsAPage) {
     const std::string file = path("equations.html").string();
     expect_success(gloam("list equations --html {}", file));

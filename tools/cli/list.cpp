@@ -63,14 +63,27 @@ nlohmann::ordered_json named_json(const Named& named) {
     return {{"name", named.name}, {"description", named.description}};
 }
 
+// "float gloam_saturate(float x)": the function as its file declares it, with the names of its parameters; a
+// kernel of several functions is in no file, and has types alone.
+std::string declaration_of(const catalogue::Entry& entry) {
+    const catalogue::Description& d = entry.description;
+    const check::Signature& signature = entry.question.signature;
+    const shader::Source probe{.name = "signature of " + d.file,
+                               .text = fmt::format("#version 450\n#include \"{}\"\n", d.file)};
+    const shader::CompileOptions options{.include_roots = {glsl_directory()}};
+    for (const shader::Function& function : shader::SpirvCache().functions(probe, options)) {
+        const bool is_it = function.name == d.function && function.result == signature.result &&
+                           std::ranges::equal(function.parameters, signature.parameters, {},
+                                              &shader::Parameter::type, &shader::Parameter::type);
+        if (is_it) return shader::to_glsl(function);
+    }
+    return check::to_glsl(signature, d.function);
+}
+
 nlohmann::ordered_json equation_json(const catalogue::Entry& entry) {
     const catalogue::Description& d = entry.description;
-    return {{"name", d.id},
-            {"description", d.title},
-            {"function", check::to_glsl(entry.question.signature, d.function)},
-            {"file", d.file},
-            {"formula", d.formula},
-            {"error", check::to_text(entry.question.budget)},
+    return {{"name", d.id},      {"description", d.title}, {"function", declaration_of(entry)},
+            {"file", d.file},    {"formula", d.formula},   {"error", check::to_text(entry.question.budget)},
             {"source", d.source}};
 }
 
