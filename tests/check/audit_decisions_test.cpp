@@ -28,7 +28,7 @@ TEST(AuditDecisions, FollowsADecisionOnAnInexactNumberBothWays) {
         parting("float f(float x) { return x / 3.0 * 3.0 == x ? 1.0 : 0.0; }", {{"x", {1.0, 2.0}}});
     EXPECT_GT(equal.share, 0.2);
     const AuditFinding whole =
-        parting("int f(float x) { return int(x * 0.1 * 10.0); }", {{"x", {1.0, 100.0}}});
+        parting("int f(float x) { return int(x / 10.0 * 10.0); }", {{"x", {1.0, 100.0}}});
     EXPECT_EQ(std::abs(whole.value - whole.exact), 1.0);
     EXPECT_GT(whole.place.line, 0U);
     const AuditFinding index = parting(

@@ -22,8 +22,9 @@ using shader::Spirv;
 struct CompilerFault {
     std::string name;
     std::function<Spirv(const Spirv&)> plant;
-    // Whether a driver shows it. Not one that only changes a rounding, which Vulkan leaves open to a driver;
-    // and not one that makes loops that never end, which some drivers do not survive.
+    // Whether a driver shows it. Not one that only changes a rounding, or what a comparison makes of NaN,
+    // which Vulkan leaves open to a driver (the first wordings of SignedZeroInfNanPreserve list no
+    // comparison); and not one that makes loops that never end, which some drivers do not survive.
     bool in_a_driver = true;
 };
 
@@ -39,10 +40,13 @@ inline CompilerFault in_place(std::string name, InPlace visit) {
             }};
 }
 
-inline CompilerFault other_opcode(std::string name, std::uint32_t from, std::uint32_t to) {
-    return in_place(std::move(name), [from, to](const Instruction& at, std::uint32_t* words) {
+inline CompilerFault other_opcode(std::string name, std::uint32_t from, std::uint32_t to,
+                                  bool in_a_driver = true) {
+    CompilerFault fault = in_place(std::move(name), [from, to](const Instruction& at, std::uint32_t* words) {
         if (at.opcode == from) words[0] = (words[0] & 0xffff0000U) | to;
     });
+    fault.in_a_driver = in_a_driver;
+    return fault;
 }
 
 inline CompilerFault swapped(std::string name, std::uint32_t opcode, std::size_t a, std::size_t b) {
@@ -154,40 +158,41 @@ inline CompilerFault contracted() {
 }
 
 inline std::vector<CompilerFault> faults_of_values() {
-    return {swapped("operands of an integer difference swapped", SpvOpISub, 3, 4),
-            swapped("operands of a difference swapped", SpvOpFSub, 3, 4),
-            swapped("operands of a select swapped", SpvOpSelect, 4, 5),
-            swapped("quotient of the operands swapped", SpvOpSDiv, 3, 4),
-            other_opcode("signed quotient as unsigned", SpvOpSDiv, SpvOpUDiv),
-            other_opcode("signed shift as unsigned", SpvOpShiftRightArithmetic, SpvOpShiftRightLogical),
-            other_opcode("signed less as unsigned", SpvOpSLessThan, SpvOpULessThan),
-            other_opcode("less as less or equal", SpvOpSLessThan, SpvOpSLessThanEqual),
-            other_opcode("greater turned round without its operands", SpvOpSGreaterThan, SpvOpSLessThan),
-            other_opcode("ordered less as unordered: NaN lost", SpvOpFOrdLessThan, SpvOpFUnordLessThan),
-            other_opcode("and as or", SpvOpLogicalAnd, SpvOpLogicalOr),
-            other_opcode("bits of and as or", SpvOpBitwiseAnd, SpvOpBitwiseOr),
-            other_opcode("not left out", SpvOpLogicalNot, SpvOpCopyObject),
-            other_opcode("product as a sum", SpvOpIMul, SpvOpIAdd),
-            other_opcode("signed number read as unsigned", SpvOpConvertSToF, SpvOpConvertUToF),
-            other_opcode("signed field as unsigned", SpvOpBitFieldSExtract, SpvOpBitFieldUExtract),
-            in_place("matrix transposed",
-                     [](const Instruction& at, std::uint32_t* words) {
-                         if (at.opcode != SpvOpMatrixTimesVector) return;
-                         words[0] = (words[0] & 0xffff0000U) | SpvOpVectorTimesMatrix;
-                         std::swap(words[3], words[4]);
-                     }),
-            other_function("smaller as larger", GLSLstd450FMin, GLSLstd450FMax),
-            other_function("floor as trunc", GLSLstd450Floor, GLSLstd450Trunc),
-            other_function("sign for magnitude", GLSLstd450FAbs, GLSLstd450FSign),
-            in_place("bounds of a clamp swapped",
-                     [](const Instruction& at, std::uint32_t* words) {
-                         if (at.opcode == SpvOpExtInst && at.word(4) == GLSLstd450FClamp)
-                             std::swap(words[6], words[7]);
-                     }),
-            constants_changed("float constants folded one bit off", SpvOpTypeFloat, 1),
-            constants_changed("integer constants folded one off", SpvOpTypeInt, 1),
-            reassociated(),
-            contracted()};
+    return {
+        swapped("operands of an integer difference swapped", SpvOpISub, 3, 4),
+        swapped("operands of a difference swapped", SpvOpFSub, 3, 4),
+        swapped("operands of a select swapped", SpvOpSelect, 4, 5),
+        swapped("quotient of the operands swapped", SpvOpSDiv, 3, 4),
+        other_opcode("signed quotient as unsigned", SpvOpSDiv, SpvOpUDiv),
+        other_opcode("signed shift as unsigned", SpvOpShiftRightArithmetic, SpvOpShiftRightLogical),
+        other_opcode("signed less as unsigned", SpvOpSLessThan, SpvOpULessThan),
+        other_opcode("less as less or equal", SpvOpSLessThan, SpvOpSLessThanEqual),
+        other_opcode("greater turned round without its operands", SpvOpSGreaterThan, SpvOpSLessThan),
+        other_opcode("ordered less as unordered: NaN lost", SpvOpFOrdLessThan, SpvOpFUnordLessThan, false),
+        other_opcode("and as or", SpvOpLogicalAnd, SpvOpLogicalOr),
+        other_opcode("bits of and as or", SpvOpBitwiseAnd, SpvOpBitwiseOr),
+        other_opcode("not left out", SpvOpLogicalNot, SpvOpCopyObject),
+        other_opcode("product as a sum", SpvOpIMul, SpvOpIAdd),
+        other_opcode("signed number read as unsigned", SpvOpConvertSToF, SpvOpConvertUToF),
+        other_opcode("signed field as unsigned", SpvOpBitFieldSExtract, SpvOpBitFieldUExtract),
+        in_place("matrix transposed",
+                 [](const Instruction& at, std::uint32_t* words) {
+                     if (at.opcode != SpvOpMatrixTimesVector) return;
+                     words[0] = (words[0] & 0xffff0000U) | SpvOpVectorTimesMatrix;
+                     std::swap(words[3], words[4]);
+                 }),
+        other_function("smaller as larger", GLSLstd450FMin, GLSLstd450FMax),
+        other_function("floor as trunc", GLSLstd450Floor, GLSLstd450Trunc),
+        other_function("sign for magnitude", GLSLstd450FAbs, GLSLstd450FSign),
+        in_place("bounds of a clamp swapped",
+                 [](const Instruction& at, std::uint32_t* words) {
+                     if (at.opcode == SpvOpExtInst && at.word(4) == GLSLstd450FClamp)
+                         std::swap(words[6], words[7]);
+                 }),
+        constants_changed("float constants folded one bit off", SpvOpTypeFloat, 1),
+        constants_changed("integer constants folded one off", SpvOpTypeInt, 1),
+        reassociated(),
+        contracted()};
 }
 
 inline CompilerFault phis_swapped() {

@@ -25,7 +25,7 @@ class Rules {
           modules_{std::make_shared<const check::KernelModule>(kernel_.module())},
           decoded_(modules_, images_),
           outputs_(check::SignatureOf<Signature>::describe().output_scalars()),
-          interpretation_(decoded_, outputs_, false) {}
+          interpretation_(decoded_, outputs_, outputs_.size(), false) {}
 
     // Bounds of every output word.
     template <class... Values>

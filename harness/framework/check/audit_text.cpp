@@ -43,7 +43,7 @@ std::string operation_text(const std::string& operation) {
                                                               {"OpFUnordNotEqual", "!="},
                                                               {"OpConvertFToS", "int"},
                                                               {"OpConvertFToU", "uint"},
-                                                                                                                            {"GLSL.std.450 Atan2", "atan"},
+                                                              {"GLSL.std.450 Atan2", "atan"},
                                                               {"GLSL.std.450 MatrixInverse", "inverse"}};
     constexpr std::string_view set = "GLSL.std.450 ";
     const auto found = operators.find(operation);

@@ -79,7 +79,8 @@ check::Lab lab_of_file(const std::filesystem::path& file, const std::vector<std:
 }
 
 std::string why_nothing(const std::vector<check::LeftOut>& left_out) {
-    if (left_out.empty()) return "it defines no function but main, or its #if conditions leave none";
+    if (left_out.empty())
+        return "it defines no function but main in GLSL (HLSL is not read), or its #if conditions leave none";
     if (left_out.size() == 1) return left_out.front().name + ": " + left_out.front().why;
     return fmt::format("all {} functions were left out", left_out.size());
 }

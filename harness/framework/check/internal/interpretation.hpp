@@ -39,11 +39,14 @@ struct InputRow {
 // Interprets the modules of a run for one input at a time, on each number type. For one thread.
 class Interpretation {
   public:
-    // `results`: outputs that are no out parameters. `of_driver`: what is permitted includes what a driver makes of NaN
-    // and infinity that it need not keep.
+    // `results`: outputs that are no out parameters. `of_driver`: what is permitted includes what a driver
+    // makes of NaN and infinity that it need not keep.
     Interpretation(const Decoded& decoded, const std::vector<shader::Scalar>& outputs, std::size_t results,
                    bool of_driver = true)
-        : decoded_(decoded), outputs_(outputs), results_(results), of_driver_(of_driver),
+        : decoded_(decoded),
+          outputs_(outputs),
+          results_(results),
+          of_driver_(of_driver),
           parts_(decoded.parts().size()) {}
 
     // Whether the outputs equal, in every bit, those of correctly rounded arithmetic; all NaNs are equal.

@@ -181,8 +181,10 @@ void compare_words(State<N>& s, const Instruction& i) {
         const bool touched = s.touch(i.a + k) || s.touch(i.b + k);
         const bool by_number =
             !touched && x.is_number() != y.is_number() && (x.is_number() ? y : x).bits() == exponent_mask;
-        const bool equal =
-            by_number ? apply(Equal{}, x.number(), y.number()) : s.bits(i.a + k) == s.bits(i.b + k);
+        // Bits are compared as they are, whatever a driver assumes of infinity.
+        const N& number = x.is_number() ? x.number() : y.number();
+        const bool equal = by_number ? apply(IsInfinite{}, number) && sign_bit(number) == 0
+                                     : s.bits(i.a + k) == s.bits(i.b + k);
         s.set(i, i.result + k, equal == IfEqual);
     }
 }

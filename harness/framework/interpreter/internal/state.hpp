@@ -15,6 +15,7 @@
 #include "interpreter/internal/code.hpp"
 #include "interpreter/internal/races.hpp"
 #include "interpreter/internal/scalars.hpp"
+#include "interpreter/internal/undefinedness.hpp"
 #include "interpreter/machine.hpp"
 #include "interpreter/number.hpp"
 #include "numeric/paths.hpp"
@@ -115,18 +116,6 @@ inline constexpr bool has_bounds =
 // Whether a machine knows which of its values are undefined.
 template <class N>
 inline constexpr bool knows_undefined = !std::is_same_v<N, float>;
-
-// A fault of the running shader. The machine adds the place.
-struct Fault {
-    Error::Kind kind;
-    std::string message;
-};
-
-// " at tone.glsl:12"; empty if the place is unknown.
-[[nodiscard]] std::string where_text(const Place& place);
-
-// Why a value that this instruction made is undefined.
-[[nodiscard]] std::string cause_of(const Code& code, const Instruction& instruction);
 
 template <class N>
 struct State;
@@ -241,29 +230,13 @@ struct State {
     std::optional<numeric::Random> sampling;  // see Machine::set_sampling()
     std::uint64_t cost = 0;                   // of the last instruction, in steps besides its own
 
-    // An operation on an undefined value has an undefined result.
-    struct Undefinedness {
-        bool touched = false;  // the running instruction reads one, with this origin
-        bool spread = false;   // to its result
-        Word origin = 0;
-        std::vector<std::pair<Word, std::uint32_t>> reads;  // origins, and which instruction read it first
-    };
     mutable Undefinedness undefinedness;
 
     // Whether an operand is undefined, which its reader has to respect.
     bool touch([[maybe_unused]] Slot slot) const {
         if constexpr (knows_undefined<N>) {
             if (!slots[slot].is_undefined()) return false;
-            Undefinedness& all = undefinedness;
-            const Word origin = slots[slot].origin();
-            if (!all.touched) {
-                all.touched = true;
-                all.spread = false;
-                all.origin = origin;
-            }
-            if (std::ranges::find(all.reads, origin, &std::pair<Word, std::uint32_t>::first) ==
-                all.reads.end())
-                all.reads.emplace_back(origin, next - 1);
+            undefinedness.touch(slots[slot].origin(), next - 1);
             return true;
         }
         return false;
@@ -391,11 +364,10 @@ Undefined State<N>::why_undefined(Word origin) const {
     if (was_made)
         return {cause_of(code, code.instructions[origin - 1]),
                 code.places[code.instructions[origin - 1].place]};
-    const auto& reads = undefinedness.reads;
-    const auto read = std::ranges::find(reads, origin, &std::pair<Word, std::uint32_t>::first);
+    const auto read = undefinedness.read_of(origin);
     const std::string cause =
         origin == 0 ? "a value was never written or returned" : cause_of(code, code.instructions[origin - 1]);
-    if (read != reads.end()) return {cause, code.places[code.instructions[read->second].place]};
+    if (read) return {cause, code.places[code.instructions[*read].place]};
     return {cause, origin == 0 ? Place{} : code.places[code.instructions[origin - 1].place], false};
 }
 

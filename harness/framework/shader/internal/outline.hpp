@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "shader/internal/declarations.hpp"
 #include "shader/internal/lines.hpp"
 
 namespace gloam::shader::internal {
@@ -54,6 +55,9 @@ enum class Keep { comments, line_numbers };
 
 // Kind, names and mentions of a declaration, from its code without comments and directives.
 [[nodiscard]] Piece piece_of(std::string_view code);
+
+// "MAKE(name)", "MAKE(name);" and "MAKE(name) { ... }": a macro stands for the declaration.
+[[nodiscard]] bool is_macro_call(Tokens tokens);
 
 // The piece of a #define or #undef; any other directive becomes a piece without a name.
 [[nodiscard]] Piece macro_of(const Directive& directive);
