@@ -186,7 +186,9 @@ TEST_F(Guard, WhatCannotBeIsRefused) {
         expect_error<std::invalid_argument>([&] { effect.begin(plain, settings_for(scene, bad)); },
                                             {"guard"});
     }
-    plain.border = {48, 0};
+    plain.off_centre = {4, 0};
+    expect_error<std::invalid_argument>([&] { effect.begin(plain, settings_for(scene, 0.0F)); }, {"centred"});
+    plain.border = gpu::Extent{48, 0};
     expect_error<std::invalid_argument>([&] { effect.begin(plain, settings_for(scene, 0.0F)); },
                                         {"no frame"});
 }

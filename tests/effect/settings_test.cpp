@@ -5,6 +5,7 @@
 #include "effect/methods.hpp"
 #include "on_device.hpp"
 #include "scene/mesh.hpp"
+#include "surface_views.hpp"
 
 namespace gloam::effect::settings_test {
 

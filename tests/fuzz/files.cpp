@@ -13,9 +13,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto& file = fuzz::file_of(text, ".json");
     fuzz::read_or_refuse([&] {
         const scene::FrameDescription frame = scene::read_frame_json(file);
+        const scene::Border& border = frame.border;
         fuzz::require(frame.extent.width >= 1 && frame.extent.height >= 1);
-        fuzz::require(2 * frame.border.width < frame.extent.width &&
-                      2 * frame.border.height < frame.extent.height);
+        fuzz::require(border.left + border.right < frame.extent.width &&
+                      border.top + border.bottom < frame.extent.height);
     });
     fuzz::read_or_refuse([&] {
         const base::FloatImage image = base::read_pfm(file);

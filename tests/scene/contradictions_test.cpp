@@ -128,6 +128,32 @@ TEST(Contradictions, ARadiusFitsTheScene) {
     }
 }
 
+// A camera whose axis is not in the middle of the image: the image is part of one with such a camera.
+using OffCentreViews = InFolder;
+
+TEST_F(OffCentreViews, HaveTheRaysOfTheWholeView) {
+    for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+        for (const Border& around : {Border(0, 0, 20, 0), Border(15, 0, 0, 0), Border(0, 0, 0, 9),
+                                     Border(0, 13, 0, 0), Border(12, 0, 0, 5), Border(0, 0, 24, 24)}) {
+            GBuffer whole = corner(projection);
+            whole.border = around;
+            write_frame(folder, 0, cropped(whole));
+            const GBuffer read = read_gbuffer(folder.path(), 0);
+            EXPECT_EQ(read.off_centre, cropped(whole).off_centre);
+            EXPECT_EQ(centred(read).extent, whole.extent);
+            EXPECT_EQ(cropped(centred(read)).depth, read.depth);
+            const PixelPositions positions(read);
+            for (std::size_t i = 0; i < read.depth.size(); ++i) {
+                const glm::dvec3 at = positions.at(i, 3.0);
+                const glm::dvec2 place = glm::dvec2(i % read.extent.width, i / read.extent.width) + 0.5;
+                ASSERT_LT(glm::distance(positions.pixel_of(at), place), 1e-9) << i;
+                const glm::dvec2 outer = place + glm::dvec2(around.left, around.top);
+                ASSERT_LT(glm::distance(PixelPositions(whole).pixel_of(at), outer), 1e-4) << i;
+            }
+        }
+    }
+}
+
 // three.js gives orthographic cameras a near plane behind the eye: what lies there is part of the picture.
 TEST(OrthographicViews, BehindTheEyesPlaneAreReadAsTheSameView) {
     for (const bool reversed : {false, true}) {

@@ -45,7 +45,9 @@ TEST_F(GBufferTest, WhatIsWrittenIsRead) {
     for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
         for (const bool reversed : {false, true}) {
             GBuffer gbuffer = example({.eye = {1, 2, 3}, .projection = projection, .reversed_z = reversed});
-            if (reversed) gbuffer.border = {1, 0};
+            if (reversed)
+                gbuffer.border =
+                    projection == Projection::perspective ? Border(gpu::Extent{1, 0}) : Border(0, 0, 2, 1);
             if (reversed) gbuffer.camera.previous_view = make_frame({.eye = {1, 2, 3.5}}, 1.5).view;
             write_frame(folder, frame, gbuffer);
             expect_same(read_gbuffer(folder.path(), frame), gbuffer);
@@ -53,6 +55,25 @@ TEST_F(GBufferTest, WhatIsWrittenIsRead) {
         }
     }
     EXPECT_EQ(frames_of(folder.path()), (std::vector{0, 1, 2, 3}));
+}
+
+// Images with the frame at a place of its own in them.
+TEST_F(GBufferTest, AViewportIsTheFrameAlone) {
+    GBuffer images = example();
+    images.previous_depth = images.depth;
+    const GBuffer frame = images;
+    for (const glm::ivec2& lacks : {glm::ivec2(3, 1), glm::ivec2(-1, -2)}) {
+        images.off_centre = lacks;
+        images = centred(std::move(images));
+    }
+    write_frame(folder, 0, images);
+    json description = json::parse(frame_json(frame, 0));
+    description.update({{"width", 7}, {"height", 5}, {"viewport", {3, 1, 3, 2}}});
+    folder.write("f0000.json", description.dump());
+    expect_same(read_gbuffer(folder.path(), 0), frame);
+    EXPECT_EQ(read_gbuffer(folder.path(), 0).previous_depth, frame.previous_depth);
+    folder.write("f0000_depth.pfm", pfm_text({3, 2}, frame.depth));
+    expect_error<std::runtime_error>([&] { (void)read_gbuffer(folder.path(), 0); }, {"3x2", "expected 7x5"});
 }
 
 TEST_F(GBufferTest, InfiniteFarPlane) {
@@ -237,8 +258,13 @@ TEST_F(GBufferError, WrongValues) {
         expect_json("/width", bad, {"f0000.json", "width"});
     for (const json& bad : {json(0), json(-0.5), json("wide")})
         expect_json("/ao_radius", bad, {"f0000.json", "ao_radius"});
-    for (const json& bad : {json(1), json({1, 0}), json({0, -1}), json({0.5, 0}), json({0, 0, 0})})
+    for (const json& bad : {json(1), json({1, 0}), json({0, -1}), json({0.5, 0}), json({0, 0, 0}),
+                            json({1, 0, 1, 0}), json({0, 0, 0, 1})})
         expect_json("/border", bad, {"f0000.json", "border"});
+    for (const json& bad : {json(1), json({0, 0, 2}), json({0, 0, 0, 1}), json({0, 0, 2, 0}),
+                            json({1, 0, 2, 1}), json({0, 1, 2, 1}), json({-1, 0, 1, 1}), json({0.5, 0, 1, 1}),
+                            json({0, 0, "2", 1}), json({0, 0, 2, 1, 0}), json({65537, 0, 1, 1})})
+        expect_json("/viewport", bad, {"f0000.json", "viewport", "within 2 x 1"});
     expect_json("/camera", 5, {"f0000.json", "camera"});
     expect_json("/camera/view", nullptr, {"f0000.json", "view"});
     expect_json("/camera/view", json::array({1, 2, 3}), {"f0000.json", "view", "16"});
@@ -257,10 +283,10 @@ TEST_F(GBufferError, MatricesThatCannotBeInverted) {
     }
 }
 
-// The library knows symmetric perspective and orthographic projections only.
 TEST_F(GBufferError, ProjectionsOfAnotherKind) {
-    expect_json("/camera/proj_vk/8", 1.5, {"f0000.json", "off centre"});
-    expect_json("/camera/proj_vk/4", 0.5, {"f0000.json", "skew"});
+    expect_json("/camera/proj_vk/8", 1e5, {"f0000.json", "off centre", "expected at most 32768"});
+    for (const char* element : {"/camera/proj_vk/4", "/camera/proj_vk/2", "/camera/proj_vk/6"})
+        expect_json(element, 0.5, {"f0000.json", "skew"});
     expect_json("/camera/proj_vk/11", 1.0, {"f0000.json", "perspective or orthographic"});
 }
 

@@ -136,7 +136,7 @@ TEST(GuardBorder, IsWholePixelsOfEachSide) {
     EXPECT_EQ(guard_border({33, 47}, 0.05), (gpu::Extent{2, 2}));  // 1.65 and 2.35
     EXPECT_EQ(guard_border({5, 4}, 0.1), (gpu::Extent{1, 0}));     // one half is rounded up
     EXPECT_EQ(guard_border({640, 360}, 0.0), gpu::Extent{});
-    EXPECT_EQ(with_border({640, 360}, {64, 36}), (gpu::Extent{768, 432}));
+    EXPECT_EQ(with_border({640, 360}, gpu::Extent{64, 36}), (gpu::Extent{768, 432}));
     for (const double bad : {-0.01, 0.51, std::numeric_limits<double>::quiet_NaN()})
         expect_error<std::invalid_argument>([&] { (void)guard_border(frame, bad); }, {"guard", "0 to 0.5"});
 }
@@ -209,7 +209,7 @@ TEST_F(GuardBand, TheFrameIsThatOfThePlainView) {
 }
 
 TEST_F(GuardBand, MotionOutOfTheBandIsNoneForTheFrame) {
-    GBuffer view{.extent = {6, 4}, .border = {1, 1}};
+    GBuffer view{.extent = {6, 4}, .border = gpu::Extent{1, 1}};
     view.depth.assign(24, 1.0F);
     view.motion.assign(24, glm::vec3(1.0F, 0.0F, 1.0F));  // what is now in the first column was in the band
     const GBuffer inner = cropped(view);

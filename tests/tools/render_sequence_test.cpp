@@ -74,6 +74,31 @@ TEST_F(RenderSequence, WrittenAndReadBackItIsTheSame) {
     }
 }
 
+// The left half of the picture, by a camera whose axis is at its right edge. A jitter, here up to half a
+// pixel, leaves its place.
+TEST_F(RenderSequence, AViewportOfACameraOffCentreIsThatPartOfThePicture) {
+    const std::string folder = sequence();
+    expect_success(render("whole", "--gbuffer {} --radius 0.2", folder));
+    for (const auto& [frame, jitter] :
+         {std::pair{"f0000", 0.0}, {"f0001", 0.4}, {"f0002", -0.5}, {"f0003", 0.3}}) {
+        change_json(frame, [pixels = jitter](json& description) {
+            description["viewport"] = {0, 0, 32, 36};
+            json& projection = description["camera"]["proj_vk"];
+            projection[0] = 2.0 * projection[0].get<double>();
+            projection[8] = -1.0 + 2.0 * pixels / 32.0;
+        });
+    }
+    expect_success(render("part", "--gbuffer {} --radius 0.2 --truth --truth-rays 32", folder));
+    EXPECT_EQ(cuts("part"), cuts("whole"));
+    const std::vector<float> whole = picture("whole", "f0003_ao.pfm");
+    const std::vector<float> part = picture("part", "f0003_ao.pfm");
+    ASSERT_EQ(part.size(), 32U * 36U);
+    for (std::size_t y = 0; y < 36; ++y)
+        for (std::size_t x = 0; x < 16; ++x) EXPECT_EQ(part[32 * y + x], whole[64 * y + x]) << x << ' ' << y;
+    change_json("f0000", [](json& description) { description["camera"]["proj_vk"][8] = 1800.0; });
+    expect_refused(words("--gbuffer {}", folder), "with background up to a centred projection");
+}
+
 TEST_F(RenderSequence, CutsStartAfresh) {
     const std::string folder = sequence();
     change_json("f0002", [](json& frame) { frame["camera"]["prev_view"] = nullptr; });

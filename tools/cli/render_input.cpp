@@ -98,12 +98,11 @@ scene::Scene load_scene(const RenderOptions& options, gpu::Extent extent) {
                              fs::path(source).stem().string(), view);
 }
 
-// wide: with its guard band.
-void require_allowed(gpu::Extent extent, gpu::Extent wide, const gpu::DeviceInfo& device) {
+// what: the view, with what makes it so wide.
+void require_allowed(const std::string& what, gpu::Extent wide, const gpu::DeviceInfo& device) {
     if (wide.width <= device.max_image_size && wide.height <= device.max_image_size) return;
-    throw std::invalid_argument(
-        fmt::format("--size {}x{}: {} allows at most {} pixels a side, guard band included", extent.width,
-                    extent.height, device.name, device.max_image_size));
+    throw std::invalid_argument(fmt::format("{}: {} x {} pixels; {} allows at most {} a side", what,
+                                            wide.width, wide.height, device.name, device.max_image_size));
 }
 
 RenderInput from_scene(const RenderOptions& options, const RenderInput* like) {
@@ -129,7 +128,8 @@ RenderInput from_scene(const RenderOptions& options, const RenderInput* like) {
     input.load = [scene, extent, wide, guard, motion, layers = settings.own.layers, first = options.frame,
                   encoding = scene::encoding_named(options.depth, options.normals)](
                      const gpu::Device& device, const scene::PassLibrary& passes, int view) {
-        require_allowed(extent, wide, device.info());
+        require_allowed(fmt::format("--size {}x{}, guard band included", extent.width, extent.height), wide,
+                        device.info());
         scene::GBuffer shown = scene::rasterize(
             device, passes, *scene, extent,
             {.frame = first + view, .motion = motion, .color = true, .layers = layers, .guard = guard});
@@ -165,8 +165,14 @@ RenderInput from_gbuffer(const RenderOptions& options) {
     }
     const bool alone = input.views.size() == 1;  // a frame of a sequence may show nothing but sky
     input.load = [folder = options.gbuffer, encoding = scene::encoding_named(options.depth, options.normals),
-                  alone](const gpu::Device&, const scene::PassLibrary&, int view) {
-        scene::GBuffer shown = scene::read_gbuffer(folder, view, encoding);
+                  alone, off_centre = glm::ivec2(0)](const gpu::Device& device, const scene::PassLibrary&,
+                                                     int view) mutable {
+        scene::GBuffer shown = scene::read_gbuffer(folder, view, encoding, off_centre);
+        off_centre = shown.off_centre;
+        const gpu::Extent wide = with_border(shown.extent, centring_border(shown));
+        require_allowed(folder.string() + ", with background up to a centred projection", wide,
+                        device.info());
+        shown = centred(std::move(shown));
         if (alone && std::ranges::none_of(shown.depth, scene::is_surface)) {
             throw std::invalid_argument(fmt::format(
                 "{}: no geometry, every pixel of the depth is background; expected {}", folder.string(),

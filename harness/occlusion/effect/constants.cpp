@@ -46,7 +46,7 @@ InputParameters input_parameters(const View& view) {
 OcclusionParameters occlusion_parameters(const View& view, const Settings& settings) {
     return {.p00_p11 = view.camera.p00_p11(),
             .size = vector_of_size(view.extent),
-            .border = vector_of_size(view.border),
+            .border = vector_of_size(view.border.each_side()),
             .radius = settings.radius,
             .bias = settings.bias,
             .c_spatial = settings.c_spatial,

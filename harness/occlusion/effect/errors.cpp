@@ -20,20 +20,15 @@ namespace {
 
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
-// Reconstructs and projects in double, independently of the shaders.
+// Projects in double, independently of the shaders.
 class Projector {
   public:
     explicit Projector(const scene::GBuffer& view)
         : p_(view.camera.p00_p11()),
           size_(view.extent.width, view.extent.height),
+          off_centre_(view.off_centre),
           world_from_view_(glm::inverse(glm::dmat4(view.camera.view))),
           orthographic_(view.camera.orthographic()) {}
-
-    [[nodiscard]] glm::dvec3 view_position(std::size_t x, std::size_t y, double depth) const {
-        const glm::dvec2 pixel(static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5);
-        const glm::dvec2 ndc = 2.0 * pixel / size_ - 1.0;
-        return {ndc / p_ * (orthographic_ ? 1.0 : depth), -depth};
-    }
 
     [[nodiscard]] glm::dvec3 world(const glm::dvec3& at) const {
         return glm::dvec3(world_from_view_ * glm::dvec4(at, 1.0));
@@ -42,12 +37,15 @@ class Projector {
     // Whether the ball around a point projects into the image, at least a pixel from its border. The ball
     // does so if it is in front of the four planes through the eye and the border.
     [[nodiscard]] bool ball_inside(const glm::dvec3& center, double radius) const {
-        const glm::dvec2 slope =
-            (1.0 - 2.0 / size_) / glm::abs(p_);  // tangents of half the angles; half sides
-        for (int axis = 0; axis < 2; ++axis) {
-            const double limit = orthographic_ ? slope[axis] : -center.z * slope[axis];
-            const double scale = orthographic_ ? 1.0 : std::sqrt(1.0 + slope[axis] * slope[axis]);
-            if (!(limit - std::abs(center[axis]) > radius * scale)) return false;
+        for (const double side : {-1.0, 1.0}) {
+            // Where the border is at depth 1; orthographic: at any depth. Outside is where p * side points.
+            const glm::dvec2 edge = (side * (1.0 - 2.0 / size_) + off_centre_ / size_) / p_;
+            for (int axis = 0; axis < 2; ++axis) {
+                const double limit = orthographic_ ? edge[axis] : -center.z * edge[axis];
+                const double scale = orthographic_ ? 1.0 : std::sqrt(1.0 + edge[axis] * edge[axis]);
+                const double inside = (limit - center[axis]) * (p_[axis] > 0.0 ? side : -side);
+                if (!(inside > radius * scale)) return false;
+            }
         }
         return orthographic_ || -center.z > radius;
     }
@@ -55,6 +53,7 @@ class Projector {
   private:
     glm::dvec2 p_;
     glm::dvec2 size_;
+    glm::dvec2 off_centre_;
     glm::dmat4 world_from_view_;
     bool orthographic_;
 };
@@ -89,11 +88,11 @@ Errors errors_of(std::span<const float> occlusion, std::span<const float> truth)
 
 Truth truth_of(const scene::GBuffer& view, double radius, const TrueOcclusion& true_occlusion) {
     const Projector projector(view);
+    const scene::PixelPositions positions(view);
     Truth truth(view.depth.size(), unknown);
     for (std::size_t i = 0; i < truth.size(); ++i) {
         if (!std::isfinite(view.depth[i])) continue;
-        const glm::dvec3 at =
-            projector.view_position(i % view.extent.width, i / view.extent.width, double{view.depth[i]});
+        const glm::dvec3 at = positions.at(i, double{view.depth[i]});
         if (!projector.ball_inside(at, radius)) continue;
         truth[i] = static_cast<float>(true_occlusion(projector.world(at), radius));
     }

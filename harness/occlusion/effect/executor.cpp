@@ -258,7 +258,7 @@ std::vector<float> texels_of(std::span<const std::vector<float>> layers) {
 void require_guard(const scene::GBuffer& view, const Settings& settings) {
     const gpu::Extent none;
     const double guard = double{settings.guard};
-    if (view.border != none || scene::guard_border(view.extent, guard) == none) return;
+    if (view.border.each_side() != none || scene::guard_border(view.extent, guard) == none) return;
     throw std::invalid_argument(fmt::format("guard {:g}: the view has no guard band", guard));
 }
 
@@ -269,6 +269,9 @@ void require_layers(const scene::GBuffer& view, const Settings& settings) {
 }
 
 void require_sizes(const scene::GBuffer& view, gpu::Extent extent) {
+    if (view.off_centre != glm::ivec2(0))
+        throw std::invalid_argument(
+            "the camera's axis is not in the image's middle: expected a centred() view");
     require_size("depth", view.depth.size(), extent);
     if (!view.normal.empty()) require_size("normals", view.normal.size(), extent);
     if (!view.previous_position.empty())

@@ -109,7 +109,8 @@ View working_view(const View& view, Resolution resolution) {
     if (resolution == Resolution::full) return view;
     View half = view;
     half.extent = half_of(view.extent);
-    half.border = {half_band(view.border.width), half_band(view.border.height)};
+    half.border = {half_band(view.border.left), half_band(view.border.top), half_band(view.border.right),
+                   half_band(view.border.bottom)};
     const auto scale = [](std::uint32_t full, std::uint32_t pixels) {
         return static_cast<float>(static_cast<double>(full) / (2.0 * pixels));
     };

@@ -304,7 +304,7 @@ GBuffer draw(const ClosedFormView& view, std::uint32_t size) {
     if (size < 3 || size % 2 == 0)
         throw std::invalid_argument(
             fmt::format("view {}: {} pixels, expected an odd number from 3 on", view.name, size));
-    GBuffer buffer{.extent = {size, size}, .border = {size / 2, size / 2}};
+    GBuffer buffer{.extent = {size, size}, .border = gpu::Extent{size / 2, size / 2}};
     buffer.camera = make_frame(view.camera, 1.0);
     const glm::dvec2 scale(buffer.camera.p00_p11());
     const bool orthographic = buffer.camera.orthographic();

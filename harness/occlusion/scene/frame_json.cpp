@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "scene/read_gbuffer.hpp"
 
+#include <fmt/format.h>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "base/files.hpp"
 #include "base/text.hpp"
@@ -42,9 +45,22 @@ double number(const json& object, const char* key) {
     return object[key].get<double>();
 }
 
+constexpr double longest_side = 65536.0;  // pixels
+
+// A list of whole pixels; empty if it is none.
+std::vector<std::uint32_t> pixels_in(const json& list) {
+    const auto whole = [](const json& value) {
+        return value.is_number_unsigned() && value.get<double>() <= longest_side;
+    };
+    if (!list.is_array() || !std::ranges::all_of(list, whole)) return {};
+    std::vector<std::uint32_t> pixels;
+    for (const json& value : list) pixels.push_back(value.get<std::uint32_t>());
+    return pixels;
+}
+
 std::uint32_t side(const json& object, const char* key) {
     const double value = number(object, key);
-    if (!(value >= 1.0 && value <= 65536.0 && value == std::floor(value))) {
+    if (!(value >= 1.0 && value <= longest_side && value == std::floor(value))) {
         fail_to_read(std::string("\"") + key + "\": expected whole pixels from 1 to 65536" +
                      found(object[key]));
     }
@@ -85,24 +101,24 @@ glm::mat4 projection_from_planes(const json& camera) {
     return make_frame(lens, number(camera, "aspect")).proj_vk;
 }
 
-// The library's functions support symmetric projections only: the axis may miss the image's centre by at most
-// a pixel (jitter).
-void require_symmetric(const glm::mat4& projection, gpu::Extent extent) {
+// What an image lacks to have the projection's axis in its middle (GBuffer::off_centre).
+glm::dvec2 off_centre_of(const glm::mat4& projection, gpu::Extent extent) {
     const bool orthographic = projection[2][3] == 0.0F;
-    const glm::vec4& offset = projection[orthographic ? 3 : 2];
-    const bool skewed = projection[0][1] != 0.0F || projection[1][0] != 0.0F;
+    const glm::dvec4 offset(orthographic ? -projection[3] : projection[2]);
+    const bool skewed = projection[0][1] != 0.0F || projection[1][0] != 0.0F || projection[0][2] != 0.0F ||
+                        projection[1][2] != 0.0F;  // the last two: an oblique near plane
     const bool shape = projection[0][0] != 0.0F && projection[1][1] != 0.0F && !skewed;
     const bool kind = orthographic ? projection[3][3] == 1.0F : projection[2][3] == -1.0F;
     if (!shape || !kind)
         fail_to_read("\"camera\": expected a perspective or orthographic projection without skew");
-    if (std::abs(offset.x) * static_cast<float>(extent.width) > 2.0F ||
-        std::abs(offset.y) * static_cast<float>(extent.height) > 2.0F) {
-        fail_to_read(
-            "\"camera\": the projection is off centre by more than a pixel, expected a symmetric one");
-    }
+    const glm::dvec2 lacks = glm::dvec2(offset) * glm::dvec2(extent.width, extent.height);
+    if (std::abs(lacks.x) <= longest_side && std::abs(lacks.y) <= longest_side) return lacks;
+    fail_to_read(fmt::format(
+        "\"camera\": the projection is off centre by {:.4g} and {:.4g} pixels, expected at most {}",
+        0.5 * lacks.x, 0.5 * lacks.y, 0.5 * longest_side));
 }
 
-CameraFrame camera_of(const json& camera, gpu::Extent extent) {
+CameraFrame camera_of(const json& camera) {
     if (!camera.is_object()) fail_to_read("\"camera\": expected an object");
     if (!is_given(camera, "view")) fail_to_read("\"view\" is missing, expected an array of 16 numbers");
     CameraFrame frame{.view = glm::mat4(matrix(camera, "view"))};
@@ -113,26 +129,32 @@ CameraFrame camera_of(const json& camera, gpu::Extent extent) {
     } else {
         frame.proj_vk = projection_from_planes(camera);
     }
-    require_symmetric(frame.proj_vk, extent);
     if (is_given(camera, "prev_view")) frame.previous_view = glm::mat4(matrix(camera, "prev_view"));
     if (is_given(camera, "previous_from_current"))
         frame.previous_from_current = glm::mat4(matrix(camera, "previous_from_current"));
     return frame;
 }
 
-// Pixels of guard band on the left and right, and at top and bottom.
-gpu::Extent border_of(const json& root, gpu::Extent extent) {
+// Guard band: pixels on the left and right, and at top and bottom, or on each of the four sides.
+Border border_of(const json& root, gpu::Extent extent) {
     if (!is_given(root, "border")) return {};
-    const json& border = root["border"];
-    const auto fits = [](const json& pixels, std::uint32_t side) {
-        return pixels.is_number_unsigned() && pixels.get<std::uint64_t>() < (side + 1) / 2;
-    };
-    if (border.is_array() && border.size() == 2 && fits(border[0], extent.width) &&
-        fits(border[1], extent.height)) {
-        return {border[0].get<std::uint32_t>(), border[1].get<std::uint32_t>()};
-    }
-    fail_to_read("\"border\": expected two whole numbers of pixels that leave a frame of at least one" +
-                 found(border));
+    std::vector<std::uint32_t> n = pixels_in(root["border"]);
+    if (n.size() == 2) n.insert(n.end(), {n[0], n[1]});
+    if (n.size() == 4 && n[0] + n[2] < extent.width && n[1] + n[3] < extent.height)
+        return {n[0], n[1], n[2], n[3]};
+    fail_to_read(
+        "\"border\": expected two or four whole numbers of pixels that leave a frame of at least one" +
+        found(root["border"]));
+}
+
+// What is around the viewport in an image.
+Border around_viewport(const json& root, gpu::Extent image) {
+    if (!is_given(root, "viewport")) return {};
+    const std::vector<std::uint32_t> n = pixels_in(root["viewport"]);
+    if (n.size() == 4 && n[2] > 0 && n[3] > 0 && n[0] + n[2] <= image.width && n[1] + n[3] <= image.height)
+        return {n[0], n[1], image.width - n[0] - n[2], image.height - n[1] - n[3]};
+    fail_to_read(fmt::format("\"viewport\": expected [x, y, width, height], whole pixels within {} x {}{}",
+                             image.width, image.height, found(root["viewport"])));
 }
 
 FrameDescription parse(const std::string& text) {
@@ -140,8 +162,11 @@ FrameDescription parse(const std::string& text) {
     const json root = json::parse(text);
     if (!root.is_object() || !is_given(root, "camera"))
         fail_to_read("expected an object with \"camera\" in it");
-    FrameDescription frame{.extent = {side(root, "width"), side(root, "height")}};
-    frame.camera = camera_of(root["camera"], frame.extent);
+    const gpu::Extent image{side(root, "width"), side(root, "height")};
+    FrameDescription frame{.around = around_viewport(root, image)};
+    frame.extent = frame_of({.extent = image, .border = frame.around});
+    frame.camera = camera_of(root["camera"]);
+    frame.off_centre = off_centre_of(frame.camera.proj_vk, frame.extent);
     frame.border = border_of(root, frame.extent);
     if (is_given(root, "ao_radius")) {
         frame.ao_radius = number(root, "ao_radius");
@@ -185,7 +210,11 @@ std::string frame_json(const GBuffer& gbuffer, int frame) {
                                 {"height", gbuffer.extent.height},
                                 {"frame", frame}};
     if (gbuffer.ao_radius) root["ao_radius"] = *gbuffer.ao_radius;
-    if (gbuffer.border != gpu::Extent{}) root["border"] = {gbuffer.border.width, gbuffer.border.height};
+    const Border& border = gbuffer.border;
+    if (border != Border(border.each_side()))
+        root["border"] = {border.left, border.top, border.right, border.bottom};
+    else if (border != Border{})
+        root["border"] = {border.left, border.top};
     root["camera"] = {{"near", finite_or_null(planes.near)}, {"far", finite_or_null(planes.far)}};
     if (!camera.orthographic()) root["camera"]["fovy_rad"] = 2.0 * std::atan(1.0 / scale.y);
     root["camera"]["aspect"] = scale.y / scale.x;

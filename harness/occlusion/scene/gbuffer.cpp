@@ -2,6 +2,7 @@
 #include "scene/gbuffer.hpp"
 
 #include <fmt/format.h>
+#include <limits>
 #include <stdexcept>
 
 namespace gloam::scene {
@@ -28,6 +29,36 @@ void keep_motion_inside(GBuffer& frame) {
     }
 }
 
+// The projection of another part of the image plane. lacks: what that part lacks to be centred, less what the
+// first one does (GBuffer::off_centre).
+glm::mat4 reframed(glm::mat4 projection, gpu::Extent from, gpu::Extent to, const glm::ivec2& lacks) {
+    const bool orthographic = projection[2][3] == 0.0F;
+    const glm::dvec2 before(from.width, from.height);
+    const glm::dvec2 after(to.width, to.height);
+    for (const int axis : {0, 1}) {
+        float& scale = projection[axis][axis];
+        float& offset = projection[orthographic ? 3 : 2][axis];
+        const double moved = double{offset} * before[axis] + (orthographic ? -lacks[axis] : lacks[axis]);
+        scale = static_cast<float>(double{scale} * (before[axis] / after[axis]));
+        offset = static_cast<float>(moved / after[axis]);
+    }
+    return projection;
+}
+
+// An image with what lies around it.
+template <class Texel>
+void surround(std::vector<Texel>& image, gpu::Extent extent, const Border& border, const Texel& around) {
+    if (image.empty()) return;
+    const gpu::Extent wide = with_border(extent, border);
+    std::vector<Texel> result(std::size_t{wide.width} * wide.height, around);
+    for (std::size_t y = 0; y < extent.height; ++y) {
+        const auto row = image.begin() + static_cast<std::ptrdiff_t>(y * extent.width);
+        const std::size_t first = (y + border.top) * wide.width + border.left;
+        std::copy_n(row, extent.width, result.begin() + static_cast<std::ptrdiff_t>(first));
+    }
+    image = std::move(result);
+}
+
 }  // namespace
 
 gpu::Extent guard_border(gpu::Extent frame, double guard) {
@@ -36,17 +67,19 @@ gpu::Extent guard_border(gpu::Extent frame, double guard) {
     return {pixels_of(guard, frame.width), pixels_of(guard, frame.height)};
 }
 
-gpu::Extent with_border(gpu::Extent frame, gpu::Extent border) {
-    return {frame.width + 2 * border.width, frame.height + 2 * border.height};
+gpu::Extent with_border(gpu::Extent frame, const Border& border) {
+    return {border.left + frame.width + border.right, border.top + frame.height + border.bottom};
 }
 
 gpu::Extent frame_of(const GBuffer& view) {
-    const auto inner = [](std::uint32_t side, std::uint32_t border) {
-        if (border < side && 2 * border < side) return side - 2 * border;
+    const auto inner = [](std::uint32_t side, std::uint32_t before, std::uint32_t after) {
+        if (before < side && after < side - before) return side - before - after;
         throw std::invalid_argument(fmt::format(
-            "guard band of {} pixels on each side: a view of {} has no frame left", border, side));
+            "guard band of {} and {} pixels: a view of {} has no frame left", before, after, side));
     };
-    return {inner(view.extent.width, view.border.width), inner(view.extent.height, view.border.height)};
+    const Border& border = view.border;
+    return {inner(view.extent.width, border.left, border.right),
+            inner(view.extent.height, border.top, border.bottom)};
 }
 
 Camera with_border(const Camera& camera, gpu::Extent frame, gpu::Extent border) {
@@ -59,8 +92,10 @@ Camera with_border(const Camera& camera, gpu::Extent frame, gpu::Extent border) 
 }
 
 GBuffer cropped(const GBuffer& view) {
-    if (view.border == gpu::Extent{}) return view;
+    if (view.border == Border{}) return view;
     const gpu::Extent frame = frame_of(view);
+    const glm::ivec2 lacks(glm::ivec2(view.border.left, view.border.top) -
+                           glm::ivec2(view.border.right, view.border.bottom));
     GBuffer inner{.extent = frame,
                   .depth = cropped(view, view.depth),
                   .normal = cropped(view, view.normal),
@@ -69,18 +104,46 @@ GBuffer cropped(const GBuffer& view) {
                   .color = cropped(view, view.color),
                   .camera = view.camera,
                   .ao_radius = view.ao_radius,
+                  .off_centre = view.off_centre + lacks,
                   .previous_position = cropped(view, view.previous_position),
                   .object = cropped(view, view.object),
                   .triangle = cropped(view, view.triangle)};
     for (const std::vector<float>& layer : view.layers) inner.layers.push_back(cropped(view, layer));
-    glm::mat4& projection = inner.camera.proj_vk;
-    const auto narrowed = [](float scale, std::uint32_t side, std::uint32_t border) {
-        return static_cast<float>(double{scale} * widening(side, border));
-    };
-    projection[0][0] = narrowed(projection[0][0], frame.width, view.border.width);
-    projection[1][1] = narrowed(projection[1][1], frame.height, view.border.height);
+    inner.camera.proj_vk = reframed(view.camera.proj_vk, view.extent, frame, lacks);
     keep_motion_inside(inner);
     return inner;
+}
+
+Border centring_border(const GBuffer& view) {
+    const auto lack = [](int pixels) { return static_cast<std::uint32_t>(std::max(pixels, 0)); };
+    const glm::ivec2& off = view.off_centre;
+    return {lack(off.x), lack(off.y), lack(-off.x), lack(-off.y)};
+}
+
+GBuffer centred(GBuffer view) {
+    const Border lack = centring_border(view);
+    if (lack == Border{}) return view;
+    constexpr float background = std::numeric_limits<float>::infinity();
+    const auto widen = [&](auto& image, const auto& around) { surround(image, view.extent, lack, around); };
+    if (view.stored) {
+        const double stored = stored_depth(double{background}, view.stored->encoding, view.camera);
+        widen(view.stored->depth, static_cast<float>(stored));
+        widen(view.stored->normal, glm::vec3(0));
+    }
+    for (std::vector<float>* depths : {&view.depth, &view.previous_depth}) widen(*depths, background);
+    for (std::vector<float>& layer : view.layers) widen(layer, background);
+    for (auto* vectors : {&view.normal, &view.motion, &view.color, &view.previous_position})
+        widen(*vectors, glm::vec3(0));
+    widen(view.object, std::uint32_t{0});
+    widen(view.triangle, std::numeric_limits<std::uint32_t>::max());
+    const gpu::Extent wide = with_border(view.extent, lack);
+    view.camera.proj_vk = reframed(view.camera.proj_vk, view.extent, wide, -view.off_centre);
+    view.extent = wide;
+    view.off_centre = glm::ivec2(0);
+    const Border& band = view.border;
+    view.border = {band.left + lack.left, band.top + lack.top, band.right + lack.right,
+                   band.bottom + lack.bottom};
+    return view;
 }
 
 namespace {

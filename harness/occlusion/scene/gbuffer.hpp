@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -25,6 +26,26 @@ struct StoredInputs {
     std::vector<glm::vec3> normal;  // empty if the engine has none
 };
 
+// Pixels of an image around the frame in it, on each side.
+struct Border {
+    std::uint32_t left = 0;
+    std::uint32_t top = 0;
+    std::uint32_t right = 0;
+    std::uint32_t bottom = 0;
+
+    Border() = default;
+    Border(std::uint32_t l, std::uint32_t t, std::uint32_t r, std::uint32_t b)
+        : left(l), top(t), right(r), bottom(b) {}
+    // The same on the left and right (width), and at top and bottom (height).
+    Border(gpu::Extent each)  // NOLINT(google-explicit-constructor)
+        : Border(each.width, each.height, each.width, each.height) {}
+
+    // What two opposite sides have in common.
+    [[nodiscard]] gpu::Extent each_side() const { return {std::min(left, right), std::min(top, bottom)}; }
+
+    friend bool operator==(const Border&, const Border&) = default;
+};
+
 // The input of an ambient-occlusion effect from an engine: one frame, rows from the top. Each image has width
 // * height elements, or is empty.
 struct GBuffer {
@@ -41,7 +62,11 @@ struct GBuffer {
     std::vector<glm::vec3> color;  // diffuse albedo, linear, [0, 1]. Empty: white
     CameraFrame camera;
     std::optional<double> ao_radius;  // world units
-    gpu::Extent border;  // guard band around the frame, pixels on each side, part of extent (guard_band.hpp)
+    Border border;  // around the frame, part of extent: a guard band, and background that centred() adds
+    // Pixels that the image lacks on the left and at the top to have the camera's axis in its middle;
+    // negative: on the right and at the bottom. Besides, the axis is off the middle by a jitter, which is
+    // ignored.
+    glm::ivec2 off_centre{0};
 
     // Depth and normals again, as the engine stores them: the effect converts these on the device.
     std::optional<StoredInputs> stored;
@@ -64,7 +89,7 @@ struct GBuffer {
 [[nodiscard]] gpu::Extent guard_border(gpu::Extent frame, double guard);
 
 // The size of the frame with its band.
-[[nodiscard]] gpu::Extent with_border(gpu::Extent frame, gpu::Extent border);
+[[nodiscard]] gpu::Extent with_border(gpu::Extent frame, const Border& border);
 
 // The size of a view without its band. Throws std::invalid_argument for a band that leaves no pixel.
 [[nodiscard]] gpu::Extent frame_of(const GBuffer& view);
@@ -81,7 +106,7 @@ template <class Texel>
     std::vector<Texel> inner;
     inner.reserve(std::size_t{frame.width} * frame.height);
     for (std::size_t y = 0; y < frame.height; ++y) {
-        const std::size_t first = (y + view.border.height) * view.extent.width + view.border.width;
+        const std::size_t first = (y + view.border.top) * view.extent.width + view.border.left;
         for (std::size_t x = 0; x < frame.width; ++x) inner.push_back(image[first + x]);
     }
     return inner;
@@ -90,6 +115,12 @@ template <class Texel>
 // The frame without its band: cropped images, projection, and motion that is valid only if it began in the
 // frame. A view without a band is returned unchanged.
 [[nodiscard]] GBuffer cropped(const GBuffer& view);
+
+// The passes take cameras whose axis is in the middle of the image. An image with another (one eye of a
+// headset, a tile, a split screen) becomes part of one that has: centring_border() is what it lacks for that,
+// on one side along each axis, and centred() fills it with background and adds it to the border.
+[[nodiscard]] Border centring_border(const GBuffer& view);
+[[nodiscard]] GBuffer centred(GBuffer view);
 
 // Whether an eye-linear depth is that of a surface, not of the background.
 [[nodiscard]] inline bool is_surface(float depth) {
@@ -103,6 +134,7 @@ class PixelPositions {
         : width_(view.extent.width),
           size_(view.extent.width, view.extent.height),
           scale_(view.camera.p00_p11()),
+          off_centre_(view.off_centre),
           orthographic_(view.camera.orthographic()) {}
 
     // The point at an eye-linear depth under the centre of a pixel; pixels are counted by rows from the top.
@@ -110,7 +142,7 @@ class PixelPositions {
     [[nodiscard]] glm::dvec3 at(std::size_t pixel, double depth, const glm::dvec2& aside = {0, 0}) const {
         const glm::dvec2 center(static_cast<double>(pixel % width_) + 0.5,
                                 static_cast<double>(pixel / width_) + 0.5);
-        const glm::dvec2 ndc = 2.0 * (center + aside) / size_ - 1.0;
+        const glm::dvec2 ndc = (2.0 * (center + aside) + off_centre_) / size_ - 1.0;
         return {ndc / scale_ * (orthographic_ ? 1.0 : depth), -depth};
     }
 
@@ -118,7 +150,7 @@ class PixelPositions {
     // first pixel is (0.5, 0.5). Perspective: only for points in front of the eye (z < 0).
     [[nodiscard]] glm::dvec2 pixel_of(const glm::dvec3& position) const {
         const glm::dvec2 ndc = scale_ * glm::dvec2(position) / (orthographic_ ? 1.0 : -position.z);
-        return (0.5 * ndc + 0.5) * size_;
+        return (0.5 * ndc + 0.5) * size_ - 0.5 * off_centre_;
     }
 
     // Number of pixels that a length parallel to the image covers at a depth.
@@ -132,6 +164,7 @@ class PixelPositions {
     std::size_t width_;
     glm::dvec2 size_;
     glm::dvec2 scale_;
+    glm::dvec2 off_centre_;
     bool orthographic_;
 };
 

@@ -25,8 +25,8 @@ std::string size_text(gpu::Extent extent, int channels) {
            std::to_string(channels) + (channels == 1 ? " channel" : " channels");
 }
 
-// Reads the image with this stem, PFM or EXR; an image without texels if neither exists.
-base::FloatImage read_image(const fs::path& stem, gpu::Extent extent, int channels) {
+// Reads the viewport of the image with this stem, PFM or EXR; no texels if neither exists.
+std::vector<float> read_image(const fs::path& stem, const FrameDescription& frame, int channels) {
     const fs::path pfm = stem.string() + ".pfm";
     const fs::path exr = stem.string() + ".exr";
     std::error_code none;
@@ -38,11 +38,16 @@ base::FloatImage read_image(const fs::path& stem, gpu::Extent extent, int channe
     const fs::path& file = has_pfm ? pfm : exr;
     base::FloatImage image = has_pfm ? base::read_pfm(pfm) : read_exr(exr, channels);
     const gpu::Extent found{image.width, image.height};
+    const gpu::Extent extent = with_border(frame.extent, frame.around);
     if (found != extent || image.channels != channels) {
         fail_with_frame(
             file, "is " + size_text(found, image.channels) + ", expected " + size_text(extent, channels));
     }
-    return image;
+    const Border& around = frame.around;
+    const auto n = static_cast<std::uint32_t>(channels);
+    return cropped({.extent = {n * extent.width, extent.height},
+                    .border = {n * around.left, around.top, n * around.right, around.bottom}},
+                   image.texels);
 }
 
 bool is_finite(const glm::vec3& v) {
@@ -71,11 +76,11 @@ std::vector<glm::vec3> within_unit(std::vector<glm::vec3> colors) {
 }
 
 // Reads PREFIX_layer1 and so on, up to the first missing one.
-std::vector<std::vector<float>> read_layers(const fs::path& stem, gpu::Extent extent) {
+std::vector<std::vector<float>> read_layers(const fs::path& stem, const FrameDescription& frame) {
     std::vector<std::vector<float>> layers;
     for (int i = 1; i <= most_further_layers; ++i) {
         const std::string name = stem.string() + "_layer" + std::to_string(i);
-        std::vector<float> layer = read_image(name, extent, 1).texels;
+        std::vector<float> layer = read_image(name, frame, 1);
         if (layer.empty()) continue;
         if (layers.size() + 1 != static_cast<std::size_t>(i))
             fail_with_frame(name + ".pfm", "the layer before it is missing");
@@ -129,6 +134,16 @@ void move_in_front_of_the_eye(GBuffer& gbuffer, const Encoding& encoding) {
     push_back(gbuffer.previous_depth);
 }
 
+// The whole pixels of GBuffer::off_centre: that of the frame before, or none, where a jitter leads from one
+// to the other.
+int whole_off_centre(double pixels, int before) {
+    constexpr double jitter = 3.0;  // twice the way of the axis: half a pixel to each side, and rounding
+    for (const int known : {before, 0}) {
+        if (std::abs(pixels - known) <= jitter) return known;
+    }
+    return static_cast<int>(std::lround(pixels));
+}
+
 // The frame number in a file name such as "f0012.json"; nullopt for any other name.
 std::optional<int> frame_of(const std::string& name) {
     constexpr std::size_t digits = 4;
@@ -164,22 +179,26 @@ std::vector<int> frames_of(const fs::path& directory) {
     return frames;
 }
 
-GBuffer read_gbuffer(const fs::path& directory, int frame, const Encoding& encoding) {
+GBuffer read_gbuffer(const fs::path& directory, int frame, const Encoding& encoding,
+                     const glm::ivec2& off_centre) {
     const fs::path stem = directory / frame_prefix(frame);
     const FrameDescription description = read_frame_json(stem.string() + ".json");
-    const auto read = [&](const char* name, int channels) {
-        return read_image(stem.string() + name, description.extent, channels);
+    const auto numbers = [&](const char* name, int channels = 1) {
+        return read_image(stem.string() + name, description, channels);
     };
+    const auto vectors = [&](const char* name) { return vectors_of(numbers(name, 3), 3); };
     GBuffer gbuffer{.extent = description.extent,
-                    .depth = read("_depth", 1).texels,
-                    .normal = vectors_of(read("_normal", 3).texels, 3),
-                    .motion = with_finite_motion(vectors_of(read("_motion", 3).texels, 3)),
-                    .previous_depth = read("_previous_depth", 1).texels,
+                    .depth = numbers("_depth"),
+                    .normal = vectors("_normal"),
+                    .motion = with_finite_motion(vectors("_motion")),
+                    .previous_depth = numbers("_previous_depth"),
+                    .color = within_unit(vectors("_color")),
                     .camera = description.camera,
                     .ao_radius = description.ao_radius,
                     .border = description.border};
-    gbuffer.color = within_unit(vectors_of(read("_color", 3).texels, 3));
-    gbuffer.layers = read_layers(stem, description.extent);
+    for (const int axis : {0, 1})
+        gbuffer.off_centre[axis] = whole_off_centre(description.off_centre[axis], off_centre[axis]);
+    gbuffer.layers = read_layers(stem, description);
     if (!gbuffer.previous_depth.empty() && gbuffer.motion.empty())
         fail_with_frame(stem.string() + "_previous_depth.pfm",
                         "there are no motion vectors, which it belongs to");

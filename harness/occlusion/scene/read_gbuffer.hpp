@@ -26,21 +26,24 @@ namespace gloam::scene {
 // the background; layers that are 0 or not finite become +infinity; motion that is not finite becomes 0, not
 // valid. Throws std::runtime_error with one line that names the file and what was expected: missing,
 // malformed or cut short, a size that disagrees, an image offered in both kinds, a matrix that cannot be
-// inverted, a projection that is not symmetric (beyond a pixel of jitter).
+// inverted, a skewed projection.
 // encoding: of PREFIX_depth and PREFIX_normal. With another than the default, the GBuffer also has them as
-// they are stored.
+// they are stored. off_centre: of the frame before; a jitter of the projection does not change it. For the
+// effect the result has to be centred().
 [[nodiscard]] GBuffer read_gbuffer(const std::filesystem::path& directory, int frame,
-                                   const Encoding& encoding = {});
+                                   const Encoding& encoding = {}, const glm::ivec2& off_centre = {0, 0});
 
 // The text of a frame's PREFIX.json; read_gbuffer reads exactly the same camera from it.
 [[nodiscard]] std::string frame_json(const GBuffer& gbuffer, int frame);
 
 // The content of fNNNN.json.
 struct FrameDescription {
-    gpu::Extent extent;
+    gpu::Extent extent;  // of the viewport
     CameraFrame camera;
     std::optional<double> ao_radius;
-    gpu::Extent border;
+    Border border;
+    Border around;             // the viewport in the images
+    glm::dvec2 off_centre{0};  // as that of GBuffer, not rounded
 };
 
 // Reads it. Throws std::runtime_error with the file's name, the key and what was expected.

@@ -158,6 +158,7 @@ void add_view(base::Fingerprint& hash, const GBuffer& view, const TruthSettings&
     hash.add(double{view.camera.p00_p11().x});
     hash.add(double{view.camera.p00_p11().y});
     hash.add(std::uint64_t{view.camera.orthographic()});
+    if (view.off_centre != glm::ivec2(0)) hash.add_all(std::vector{view.off_centre});
     hash.add(settings.rays.radius);
     hash.add(static_cast<std::uint64_t>(settings.rays.falloff));
     hash.add(static_cast<std::uint64_t>(settings.rays.rays));

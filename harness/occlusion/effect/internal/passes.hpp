@@ -13,6 +13,7 @@
 #include "effect/plan.hpp"
 #include "effect/settings.hpp"
 #include "scene/camera.hpp"
+#include "scene/gbuffer.hpp"
 
 // The shaders of the passes and their push constants.
 namespace gloam::effect {
@@ -32,8 +33,8 @@ constexpr std::uint32_t sample_table_group = 64;  // samples of one group of sam
 // The part of a view that is the same in all of its frames.
 struct View {
     scene::CameraFrame camera;
-    gpu::Extent extent;  // with the guard band
-    gpu::Extent border;
+    gpu::Extent extent;  // with the border
+    scene::Border border;
 };
 
 // Size of the half-size image: half of each side, rounded up.
@@ -97,7 +98,7 @@ struct Moment {
     }
     // Guard band on each side of the view that is not shaded.
     [[nodiscard]] gpu::Extent unshaded_band() const {
-        return settings.guard_history ? gpu::Extent{} : view.border;
+        return settings.guard_history ? gpu::Extent{} : view.border.each_side();
     }
 };
 
