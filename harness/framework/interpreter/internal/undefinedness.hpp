@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "interpreter/internal/code.hpp"
+#include "interpreter/machine.hpp"
 
 namespace gloam::interpreter::internal {
 
