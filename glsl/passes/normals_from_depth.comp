@@ -17,7 +17,7 @@ layout(push_constant) uniform Parameters {
     uint orthographic;  // 1, or 0 for perspective
 } parameters;
 
-#include "normal_at.glsl"
+#include "gloam/geometry/camera_normal.glsl"
 
 float gloam_fetch_depth(ivec2 pixel) {
     return GLOAM_FETCH(depth_image, pixel).x;
@@ -26,6 +26,6 @@ float gloam_fetch_depth(ivec2 pixel) {
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
-    vec3 normal = normal_at(pixel, parameters.size, parameters.p00_p11, parameters.orthographic != 0u);
-    imageStore(normal_image, pixel, vec4(normal, 0.0));
+    GloamCamera camera = GloamCamera(parameters.p00_p11, parameters.size, parameters.orthographic != 0u);
+    imageStore(normal_image, pixel, vec4(gloam_camera_normal(pixel, camera), 0.0));
 }

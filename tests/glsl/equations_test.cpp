@@ -149,54 +149,58 @@ TEST(Reprojection, AMovingObjectIsFoundWhereItWas) {
     EXPECT_GT(distance(found.value(), place_of(now).value()), 0.05);
 }
 
-const dvec2 scale(1.2, -1.6);
+const auto camera_of = [](ivec2 size) { return GloamCamera{{1.2, -1.6}, size, false}; };
 
 // Depth under a pixel of the plane through a point.
-double plane_depth(const dvec3& normal, const dvec3& through, ivec2 pixel, ivec2 size) {
-    const dvec2 ndc = (2.0 * dvec2(pixel) + 1.0 - dvec2(size)) / dvec2(size);
-    return dot(through, normal) / dot(dvec3(ndc / scale, -1.0), normal);
+double plane_depth(const dvec3& normal, const dvec3& through, ivec2 pixel, const GloamCamera& camera) {
+    const dvec2 size(camera.size);
+    const dvec2 side = (2.0 * dvec2(pixel) + 1.0 - size) / size / camera.p00_p11;
+    if (camera.orthographic) return (dot(dvec3(side, 0.0), normal) - dot(through, normal)) / normal.z;
+    return dot(through, normal) / dot(dvec3(side, -1.0), normal);
 }
 
 // Calls seen(pixel, normal) for all pixels of a depth image.
 template <class Seen>
-void for_normals(ivec2 size, const Fetch<double>& depth, const Seen& seen) {
-    for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x)
-            seen(ivec2(x, y), gloam_normal_from_depth(ivec2(x, y), size, scale, depth));
+void for_normals(const GloamCamera& camera, const Fetch<double>& depth, const Seen& seen) {
+    for (int y = 0; y < camera.size.y; ++y)
+        for (int x = 0; x < camera.size.x; ++x)
+            seen(ivec2(x, y), gloam_camera_normal(ivec2(x, y), camera, depth));
 }
 
-TEST(Normals, OfAPlaneAreItsNormalAtEveryPixelAndSize) {
-    for (const dvec3 direction : {dvec3(0, 0, 1), dvec3(0.5, 0.3, 1), dvec3(-0.2, 0.8, 0.7)}) {
-        const dvec3 n = normalize(direction);
-        for (const ivec2 size : {ivec2(2, 2), ivec2(3, 3), ivec2(9, 5), ivec2(31, 17)})
+// Perspective and orthographic, y up and down: a row each.
+TEST(Normals, OfAPlaneAreItsNormalForEveryCameraAtEveryPixelAndSize) {
+    for (const dvec3 n : {up, normalize(dvec3(0.5, 0.3, 1)), normalize(dvec3(-0.2, 0.8, 0.7))})
+        for (const GloamCamera& camera : std::vector<GloamCamera>{{{1.2, 1.6}, {3, 3}, false},
+                                                                  {{0.7, -0.4}, {2, 2}, true},
+                                                                  {{0.9, 1.6}, {31, 17}, true},
+                                                                  {{2.5, -2.5}, {9, 5}, true}})
             for_normals(
-                size, [&](ivec2 p) { return plane_depth(n, {0, 0, -4}, p, size); },
-                [&](ivec2, dvec3 normal) { EXPECT_LT(distance(normal, n), 1e-9) << size.x; });
-    }
+                camera, [&](ivec2 p) { return plane_depth(n, {0, 0, -4}, p, camera); },
+                [&](ivec2, dvec3 normal) { EXPECT_LT(distance(normal, n), 1e-9) << camera.size.x; });
 }
 
 TEST(Normals, WhereNothingElseIsKnownFaceTheViewerAndOfBackgroundAreZero) {
     for (const ivec2 size : {ivec2(1, 1), ivec2(1, 5), ivec2(5, 1)})
         for_normals(
-            size, [](ivec2 pixel) { return 2.0 + 0.1 * pixel.x; },
+            camera_of(size), [](ivec2 pixel) { return 2.0 + 0.1 * pixel.x; },
             [](ivec2, dvec3 normal) { EXPECT_EQ(normal, up); });
     for (const double background : {infinity, 0.0, -1.0, double{NAN}})
         for_normals(
-            {5, 3}, [=](ivec2) { return background; },
+            camera_of({5, 3}), [=](ivec2) { return background; },
             [](ivec2, dvec3 normal) { EXPECT_EQ(normal, dvec3(0)); });
 }
 
 // Beside background and at a step of depth, each side keeps the normal of its own surface.
 TEST(Normals, DoNotReachAcrossSilhouettes) {
-    const ivec2 size(9, 6);
+    const GloamCamera camera = camera_of({9, 6});
     const dvec3 near = normalize(dvec3(0.3, 0.2, 1));
     const dvec3 far = normalize(dvec3(-0.4, 0.1, 1));
     const auto depth = [&](ivec2 pixel) {
         if (pixel.x == 8) return infinity;
-        return pixel.x < 4 ? plane_depth(near, {0, 0, -2}, pixel, size)
-                           : plane_depth(far, {0, 0, -9}, pixel, size);
+        return pixel.x < 4 ? plane_depth(near, {0, 0, -2}, pixel, camera)
+                           : plane_depth(far, {0, 0, -9}, pixel, camera);
     };
-    for_normals(size, depth, [&](ivec2 pixel, dvec3 normal) {
+    for_normals(camera, depth, [&](ivec2 pixel, dvec3 normal) {
         EXPECT_TRUE(pixel.x == 8 || distance(normal, pixel.x < 4 ? near : far) < 1e-9) << pixel.x;
     });
 }

@@ -123,7 +123,7 @@ float gloam_fetch_depth(ivec2 pixel) {
 float occlusion_at(ivec2 pixel, ivec2 size, float radius) {
     GloamCamera camera = GloamCamera(materialParams.p00_p11, size, false);
     vec3 position = gloam_camera_position(pixel, gloam_fetch_depth(pixel), camera);
-    vec3 normal = gloam_normal_from_depth(pixel, size, camera.p00_p11);
+    vec3 normal = gloam_camera_normal(pixel, camera);
     GloamKernel kernel = GloamKernel(radius, 1e-3 * radius, gloam_lattice_rotation(pixel), 0u, 96u, GLOAM_FARTHEST);
     return gloam_sweep(position, normal, camera, kernel, GloamSweep(5u, 1.0, GLOAM_FALLOFF_LINEAR)).occlusion;
 }
@@ -133,10 +133,10 @@ TEST(Materials, CallThePackedFunctions) {
     const std::filesystem::path library = GLOAM_GLSL_DIR;
     const shader::PackRequest functions{
         .language = shader::Language::gl330,
-        .functions = {"gloam_sweep", "gloam_camera_position", "gloam_normal_from_depth",
+        .functions = {"gloam_sweep", "gloam_camera_position", "gloam_camera_normal",
                       "gloam_linear_depth_perspective_vk", "gloam_lattice_rotation"}};
     const std::string packed = shader::pack(
-        {library / "gloam/methods/sweep.glsl", library / "gloam/geometry/normal_from_depth.glsl",
+        {library / "gloam/methods/sweep.glsl", library / "gloam/geometry/camera_normal.glsl",
          library / "gloam/geometry/linear_depth.glsl", library / "gloam/sampling/lattice_rotation.glsl"},
         functions, {library});
     const std::string parameters =

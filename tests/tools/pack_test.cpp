@@ -37,9 +37,9 @@ TEST_F(Pack, TakesOnesOwnFile) {
 TEST_F(Pack, AnEnginesOwnImagesServeThePrototypes) {
     const std::string folder = GLOAM_TOOLS_FIXTURES;
     const auto packed = [&](const char* file, const char* version) {
-        return gloam("pack {} --function gloam_normal_from_depth --version {}", folder + file, version);
+        return gloam("pack {} --function gloam_camera_normal --version {}", folder + file, version);
     };
-    EXPECT_THAT(output_of(packed("/engine_vulkan.glsl", "450")), HasSubstr("vec3 gloam_normal_from_depth("));
+    EXPECT_THAT(output_of(packed("/engine_vulkan.glsl", "450")), HasSubstr("vec3 gloam_camera_normal("));
     for (const char* version : {"330", "300es", "310es"}) expect_success(packed("/engine_gl.glsl", version));
 }
 

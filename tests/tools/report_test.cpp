@@ -234,11 +234,11 @@ TEST_F(Failures, WhatDoesNotCompileHasAReportThatSaysSo) {
 }
 
 TEST_F(Failures, AnAccessOutsideAnImageComesWithTheImage) {
-    installation_.replace("gloam/geometry/normal_from_depth.glsl", "gloam_fetch_depth(pixel)",
+    installation_.replace("gloam/geometry/camera_normal.glsl", "gloam_fetch_depth(pixel)",
                           "gloam_fetch_depth(pixel - ivec2(1, 0))");
     const fs::path failures = installation_.file("failures");
     const CommandResult result =
-        installation_.gloam("check gloam_normal_from_depth* --inputs 4096 --failures {}", failures);
+        installation_.gloam("check gloam_camera_normal* --inputs 4096 --failures {}", failures);
     EXPECT_EQ(result.status, 1) << result.out << result.err;
     ASSERT_TRUE(fs::exists(failures));
     const fs::path device = fs::directory_iterator(failures)->path();

@@ -236,12 +236,12 @@ Count gathers(const check::Lab& lab, const effect::MethodInfo& method) {
 }
 
 Count normals(const check::Lab& lab) {
-    const check::Function<glm::vec3(glm::ivec2, glm::ivec2, glm::vec2)> normal(
-        lab, "gloam/geometry/normal_from_depth.glsl", "gloam_normal_from_depth");
+    const check::Function<glm::vec3(glm::ivec2, GatherCamera)> normal(
+        lab, "gloam/geometry/camera_normal.glsl", "gloam_camera_normal");
     std::vector<decltype(normal)::Inputs> inputs;
-    for_each_pixel([&](glm::ivec2 at) { inputs.emplace_back(at, size, camera.p00_p11); });
+    for_each_pixel([&](glm::ivec2 at) { inputs.emplace_back(at, camera); });
     for (const int far : {-1, 1000, -2'147'483'647 - 1, 2'147'483'647})
-        inputs.emplace_back(glm::ivec2(far, far), size, camera.p00_p11);
+        inputs.emplace_back(glm::ivec2(far, far), camera);
     const auto unit_or_zero = [](glm::vec3 n) {
         return n == glm::vec3(0) || std::abs(glm::length(n) - 1.0F) < 1e-6F;
     };
@@ -306,7 +306,7 @@ Rows poisoned_filters(const Context& context) {
     const check::Lab& lab = context.lab;
     context.progress(fmt::format("{}: fetches of filters", poison_name));
     Rows rows;
-    append_rows("gloam_normal_from_depth", normals(lab), rows);
+    append_rows("gloam_camera_normal", normals(lab), rows);
     append_rows("gloam_convergence_filter", filters(lab), rows);
     lab.require_silent_validation();
     return rows;

@@ -279,15 +279,16 @@ void append_safe_normalize(Entries& entries) {
 // A reference that fetches depths, from the images of a scenario.
 template <class Reference>
 auto fetching_depth(Reference reference) {
-    return [reference](const ImageSet& images, glm::ivec2 pixel, glm::ivec2 size, glm::dvec2 scale) {
+    return [reference](const ImageSet& images, glm::ivec2 pixel, const reference::GloamCamera& camera) {
         const auto fetch = [&images](glm::ivec2 at) { return images.at(depth_prototype).at<double>(at); };
-        return reference(pixel, size, scale, fetch);
+        return reference(pixel, camera, fetch);
     };
 }
 
 void add_from_depth(Entries& entries, const char* id, auto reference, Budget budget, Codomain codomain) {
     add(entries, id, fetching_depth(reference),
-        {.domain = {either(image_pixel(), vector(2, integers(-2, 66))), image_size(), projection_scales()},
+        {.domain = {either(image_pixel(), vector(2, integers(-2, 66))),
+                    vector({projection_scales(), image_size(), booleans()})},
          .budget = budget,
          .codomain = codomain,
          .scenarios = depth_scenarios(depth_prototype)});
@@ -298,8 +299,8 @@ void append_normals(Entries& entries) {
     add_neighbors<false>(entries, "NORMAL", &reference::gloam_normal_from_neighbors);
     add_neighbors<true>(entries, "NORMAL-orthographic", &reference::gloam_normal_from_neighbors_orthographic);
     append_directions(entries);
-    add_from_depth(entries, "POSITION-depth", &reference::gloam_position_from_depth, {.ulp = 4}, {-1e6, 1e6});
-    add_from_depth(entries, "NORMAL-depth", &reference::gloam_normal_from_depth, {.absolute = 2e-5},
+    add_from_depth(entries, "POSITION-depth", &reference::gloam_camera_surface, {.ulp = 4}, {-1e6, 1e6});
+    add_from_depth(entries, "NORMAL-depth", &reference::gloam_camera_normal, {.absolute = 2e-5},
                    {-1.000001, 1.000001});
 }
 

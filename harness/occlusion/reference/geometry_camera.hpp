@@ -154,20 +154,21 @@ inline double gloam_plane_depth(dvec2 ray, dvec3 point, dvec3 normal, bool ortho
 }
 
 // fetch_depth: called for pixels inside the image only.
-inline dvec3 gloam_position_from_depth(glm::ivec2 pixel, glm::ivec2 size, dvec2 p00_p11,
-                                       const Fetch<double>& fetch_depth) {
-    if (!has_pixel(size, pixel)) return dvec3(0.0);
-    return gloam_view_position_perspective(gloam_ndc_from_pixel(pixel, size), fetch_depth(pixel), p00_p11);
+inline dvec3 gloam_camera_surface(glm::ivec2 pixel, const GloamCamera& camera,
+                                  const Fetch<double>& fetch_depth) {
+    if (!has_pixel(camera.size, pixel)) return dvec3(0.0);
+    return gloam_camera_position(pixel, fetch_depth(pixel), camera);
 }
 
-inline dvec3 gloam_normal_from_depth(glm::ivec2 pixel, glm::ivec2 size, dvec2 p00_p11,
-                                     const Fetch<double>& fetch_depth) {
+inline dvec3 gloam_camera_normal(glm::ivec2 pixel, const GloamCamera& camera,
+                                 const Fetch<double>& fetch_depth) {
     const auto position = [&](int x, int y) {
-        const glm::ivec2 at = gloam_clamp_to_edge(pixel, size) + glm::ivec2(x, y);
-        return gloam_position_from_depth(at, size, p00_p11, fetch_depth);
+        const glm::ivec2 at = gloam_clamp_to_edge(pixel, camera.size) + glm::ivec2(x, y);
+        return gloam_camera_surface(at, camera, fetch_depth);
     };
-    return gloam_normal_from_neighbors(position(0, 0), position(-1, 0), position(1, 0), position(0, -1),
-                                       position(0, 1));
+    const auto normal =
+        camera.orthographic ? gloam_normal_from_neighbors_orthographic : gloam_normal_from_neighbors;
+    return normal(position(0, 0), position(-1, 0), position(1, 0), position(0, -1), position(0, 1));
 }
 
 }  // namespace gloam::reference

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // passes/normals_from_depth.comp as a fragment shader: normals from the depth of the four neighbours.
-#include "passes/normal_at.glsl"
+#include "gloam/geometry/camera_normal.glsl"
 
 layout(constant_id = 0) const bool orthographic = false;  // the camera; else perspective
 
@@ -19,5 +19,6 @@ float gloam_fetch_depth(ivec2 pixel) {
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    normal_out = vec4(normal_at(pixel, parameters.size, parameters.p00_p11, orthographic), 0.0);
+    GloamCamera camera = GloamCamera(parameters.p00_p11, parameters.size, orthographic);
+    normal_out = vec4(gloam_camera_normal(pixel, camera), 0.0);
 }
