@@ -17,7 +17,7 @@ class TablePageTest(BrowserCase):
         cls.file = cls.folder / "equations.html"
         subprocess.run([GLOAM, "list", "equations", "--html", cls.file], check=True)
         listed = subprocess.run([GLOAM, "list", "equations"], check=True, capture_output=True, text=True)
-        cls.names = listed.stdout.split()
+        cls.names = [line.split()[0] for line in listed.stdout.splitlines()]
 
     def setUp(self):
         self.browser.open(self.file)

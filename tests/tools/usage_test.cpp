@@ -87,14 +87,15 @@ TEST(Devices, TheInterpreterNeedsNoDriver) {
 
 class List : public InFolder {};
 
-TEST_F(List, NamesOneALine) {
-    for (const char* kind : {"equations", "methods", "numbers", "presets", "scenes", "variants", "views"}) {
+TEST_F(List, ANameAndItsMeaningALine) {
+    for (const char* kind :
+         {"equations", "methods", "numbers", "presets", "scenes", "settings", "variants", "views"}) {
         std::istringstream lines(output_of(gloam("list {}", kind)));
         std::vector<std::string> names;
-        // Of a preset error and time follow, of a number its functions.
-        const bool more = std::string(kind) == "presets" || std::string(kind) == "numbers";
-        for (std::string line; std::getline(lines, line);)
-            names.push_back(more ? line.substr(0, line.find(' ')) : line);
+        for (std::string line; std::getline(lines, line);) {
+            names.push_back(line.substr(0, line.find(' ')));
+            EXPECT_THAT(line.substr(names.back().size()), testing::ContainsRegex("^ +[^ ]+ [^ ]")) << line;
+        }
         EXPECT_FALSE(names.empty()) << kind;
 
         const auto json = json::parse(gloam("list {} --json", kind).out).at(kind);
@@ -233,7 +234,7 @@ TEST_F(List, EquationsAsAPage) {
     expect_success(gloam("list equations --html {}", file));
     const std::string page = read_file(file);
     std::istringstream names(gloam("list equations").out);
-    for (std::string name; std::getline(names, name);)
+    for (std::string name, meaning; names >> name && std::getline(names, meaning);)
         ASSERT_THAT(page, HasSubstr("<td>" + name + "</td>")) << name;
     expect_could_not_run(gloam("list methods --html {}", file), "--html");
     expect_could_not_run(gloam("list equations --html /no/such/a.html"), "/no/such/a.html");

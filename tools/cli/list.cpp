@@ -193,17 +193,12 @@ std::string equations_page() {
     return page.html();
 }
 
-// One name a line; with its meaning where all kinds are listed, for settings and presets, between which one
-// chooses by value, error and time, and for numbers, which mean nothing alone.
+// One name a line, and its meaning.
 void print_names(const std::vector<Named>& names, const std::string& kind) {
-    const bool alone = !kind.empty() && kind != "settings" && kind != "presets" && kind != "numbers";
     std::size_t width = 18;
     for (const Named& named : names) width = std::max(width, named.name.size());
-    for (const Named& named : names) {
-        if (alone) fmt::print("{}\n", named.name);
-        if (!alone)
-            fmt::print("{}{:<{}} {}\n", kind.empty() ? "  " : "", named.name, width, named.description);
-    }
+    for (const Named& named : names)
+        fmt::print("{}{:<{}} {}\n", kind.empty() ? "  " : "", named.name, width, named.description);
 }
 
 // One kind, or all of it that the names say; as text, or into the JSON. Of one name its properties are those
@@ -264,12 +259,11 @@ void run_list(const ListOptions& given) {
 void add_list(CLI::App& app) {
     auto options = std::make_shared<ListOptions>();
     CLI::App* command = app.add_subcommand("list", "the names that the other commands take");
-    command->add_option("kind", options->kind,
-                        "equations, methods, numbers (of equations in the papers), presets, scenes, "
-                        "settings, variants or views: one "
-                        "name a line, of settings with meaning, default and range, of presets with error and "
-                        "time, gloam's own first; "
-                        "all when not given");
+    command->add_option(
+        "kind", options->kind,
+        "equations, methods, numbers (of equations in the papers), presets, scenes, "
+        "settings, variants or views: a name a line and its meaning, of settings with default "
+        "and range, of presets with error and time, gloam's own first; all when not given");
     command->add_option(
         "name", options->names,
         "all that is known of these: of a preset every setting that runs and its source's symbol, of "
