@@ -40,6 +40,7 @@ class Search {
         Moves moves(runs_.question(), draws - random, runs_.image_size(), options_.seed, options_.seed);
         (void)draw(moves.drawn(), false, 0.5);
         try_remainders(moves.drawn());
+        try_decimals(moves.drawn());
         for (const bool digits : {true, false})
             if (moves.possible()) climb(moves, digits, (options_.inputs - draws) / 2, digits ? 0.75 : 1.0);
         return std::move(found_);
@@ -71,6 +72,28 @@ class Search {
         words[slot.first + k] = to_word(sign * 0x1p-30F);
         runs_.question().domain.adjust(words);
         if (shows(Concern::fault, runs_.read(words))) keep(found_.faults, words, false);
+    }
+
+    // Numbers as people write them: int(x * 10.0) decides otherwise in double for 0.7, and for few floats
+    // that are drawn.
+    void try_decimals(const Domain::Inputs& drawn) {
+        constexpr int most_steps = 100;
+        for (const Slot& slot : slots_of(runs_.question()))
+            for (std::size_t k = 0; k < slot.count && drawn.count() > 0; ++k)
+                for (const double unit : {0.1, 1.0})
+                    for (int i = -most_steps; i <= most_steps && has_steps(0.5); ++i)
+                        try_number(drawn.row(0), slot, k, static_cast<float>(i * unit));
+    }
+
+    void try_number(std::span<const Word> row, const Slot& slot, std::size_t k, float number) {
+        if (scalars_of(slot.parameter->type).at(k) != shader::Scalar::float_) return;
+        std::vector<Word> words(row.begin(), row.end());
+        words[slot.first + k] = to_word(number);
+        if (!slot.values->admits(std::span(words).subspan(slot.first, slot.count))) return;
+        runs_.question().domain.adjust(words);
+        const Reading reading = runs_.read(words);
+        if (reading.fault.empty() && !runs_.is_undefined(words, reading) && runs_.parting_of(words, reading))
+            keep(found_.parted, words, false);
     }
 
     // Returns how many were run.
