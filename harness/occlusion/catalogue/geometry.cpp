@@ -300,7 +300,7 @@ void append_normals(Entries& entries) {
     add_neighbors<true>(entries, "NORMAL-orthographic", &reference::gloam_normal_from_neighbors_orthographic);
     append_directions(entries);
     add_from_depth(entries, "POSITION-depth", &reference::gloam_camera_surface, {.ulp = 4}, {-1e6, 1e6});
-    add_from_depth(entries, "NORMAL-depth", &reference::gloam_camera_normal, {.absolute = 2e-5},
+    add_from_depth(entries, "NORMAL-depth", &reference::gloam_camera_normal, {.absolute = 1.8e-5},
                    {-1.000001, 1.000001});
 }
 
