@@ -62,7 +62,8 @@ TEST_F(RulesTest, TheExponentOfAnIntervalIsKnownWhereAllOfItHasTheSame) {
     EXPECT_EQ(at_a_power.outcome(), Outcome::not_judged) << "the quotient lies on either side of 1";
 }
 
-// After 65,536 iterations of one invocation, llvmpipe of Mesa 22.3 ends all loops of its group.
+// After 65,536 iterations of one invocation, llvmpipe of Mesa 22.3 ends all loops of its group: no device
+// gets such an input.
 TEST_F(RulesTest, AnInputThatTakesLongDoesNotFailItsNeighbours) {
     const Answer result = run(lab,
                               {.file = "rules.glsl",
@@ -71,9 +72,9 @@ TEST_F(RulesTest, AnInputThatTakesLongDoesNotFailItsNeighbours) {
                                .domain = {uniform(-100.0, 100.0), integers(0, 3)},
                                .defined = false},
                               {.inputs = 18});
-    EXPECT_FALSE(result.long_runs.empty());
-    EXPECT_LE(result.outside(), result.long_runs.size()) << result;
-    EXPECT_EQ(result.judged(), 18U);
+    EXPECT_EQ(result.outside(), 0U) << result;
+    EXPECT_EQ(result.undefined, 1U);
+    EXPECT_EQ(result.judged(), 17U);
 }
 
 // The interpreter runs the very module that the driver was given, so a wrong result needs a driver that is

@@ -22,6 +22,7 @@ if "--wheel" not in sys.argv:
     import numpy as np
 
 FIXTURES = ROOT / "tests" / "check" / "fixtures"
+GUIDE = BUILD / "tests" / "check" / "guide"  # the files of docs/testing.md
 
 
 class Wheel(unittest.TestCase):
@@ -31,7 +32,7 @@ class Wheel(unittest.TestCase):
             subprocess.run([*pip, "--target", target, str(ROOT)], check=True,
                            env=dict(os.environ, GLOAM_BUILD=str(BUILD)))
             code = ("import gloam, importlib.metadata; print(gloam.__version__ == importlib.metadata.version('gloam'), "
-                    f"gloam.File({str(FIXTURES / 'guide' / 'tone.glsl')!r})['tone_reinhard'](1.0))")
+                    f"gloam.File({str(GUIDE / 'tone.glsl')!r})['tone_reinhard'](1.0))")
             ran = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True,
                                  env=dict(os.environ, PYTHONPATH=target), cwd=target)
             self.assertEqual(ran.stdout, "True 0.5\n")
@@ -40,7 +41,7 @@ class Wheel(unittest.TestCase):
 class Module(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.tone = gloam.File(FIXTURES / "guide" / "tone.glsl")["tone_reinhard"]
+        cls.tone = gloam.File(GUIDE / "tone.glsl")["tone_reinhard"]
 
     def test_a_call_takes_numbers_and_arrays(self):
         self.assertEqual(self.tone(1.0), np.float32(0.5))
@@ -48,7 +49,7 @@ class Module(unittest.TestCase):
         self.assertEqual(self.tone(np.ones((2, 3))).shape, (2, 3))
 
     def test_inputs_broadcast_and_out_parameters_follow_the_result(self):
-        lamp = gloam.File(FIXTURES / "guide" / "lamp.glsl", device="interpreter")["lamp_radiance"]
+        lamp = gloam.File(GUIDE / "lamp.glsl", device="interpreter")["lamp_radiance"]
         self.assertEqual(list(lamp.inputs), ["lamp", "dist"])
         words = np.array([1, 2, 4, 8], dtype=np.float32).view(np.uint32)
         color, falloff = lamp(words, [1.0, 0.0])
@@ -114,7 +115,7 @@ class Module(unittest.TestCase):
         self.assertIn("division by zero", message(RuntimeError, lambda: self.tone.compare(lambda x: 1 / 0, inputs=16)))
         self.assertIn("missing.glsl", message(RuntimeError, lambda: gloam.File("missing.glsl")))
         self.assertIn("no Vulkan device", message(RuntimeError, lambda: gloam.File(
-            FIXTURES / "guide" / "tone.glsl", device="none")))
+            GUIDE / "tone.glsl", device="none")))
         both = message(RuntimeError, lambda: self.tone.compare(lambda x: (x, x), inputs=16))
         self.assertIn("2 output words", both)
 
