@@ -32,8 +32,9 @@ TEST(AuditDecisions, FollowsADecisionOnAnInexactNumberBothWays) {
     EXPECT_EQ(std::abs(whole.value - whole.exact), 1.0);
     EXPECT_GT(whole.place.line, 0U);
     for (const char* decimal :
-         {"int f(float x) { return int(x * 10.0); }", "float f(float x) { return floor(x / 0.1); }",
-          "bool f(float x) { return fract(x * 10.0) < 0.5; }"})
+         {"int f(float x) { return int(x * 10.0); }", "int f(float x) { return int(x / 0.1); }",
+          "bool f(float x) { return fract(x * 10.0) < 0.5; }",
+          "float f(float x) { return x * 10.0 >= 7.0 ? 1.0 : 0.0; }"})
         EXPECT_EQ(parting(decimal, {{"x", {0.0, 1.0}}}).place.line, 1U) << decimal;
     const AuditFinding index = parting(
         "const float TABLE[4] = float[4](0.0, 1.0, 2.0, 3.0);\n"
