@@ -191,6 +191,13 @@ TEST(BenchMethods, WritesTablesPicturesAndNumbers) {
     EXPECT_EQ(converged, 4U) << "both methods, the preset of one, and (D)";
 }
 
+TEST(BenchMethods, ATableWithoutCasesIsLeftOut) {
+    for (const char* name : {"ceiling", "groove", "pit"})
+        EXPECT_THAT(
+            output_of(gloam("bench methods --case {} --method gtao --size 48x32 --frames 2 --rays 32", name)),
+            testing::AllOf(HasSubstr("configuration, occlusion"), Not(HasSubstr("one frame"))));
+}
+
 TEST(BenchMethods, BadInputIsOneClearLine) {
     const TemporaryDirectory folder;
     const auto page = page_with(folder.path(), {"views", "bias"});

@@ -29,7 +29,11 @@ class Writer {
     Writer(const Experiment& experiment, const std::vector<SizeResult>& results, const Table& table)
         : experiment_(experiment), results_(results), table_(table), rows_(experiment, results, table) {}
 
+    // Empty where none of the cases is of the table's kind.
     [[nodiscard]] std::string written(std::size_t size) {
+        const auto rows = rows_.of(size);
+        if (!rows.empty() && std::ranges::all_of(rows, [](const Row& row) { return row.cases.empty(); }))
+            return {};
         const std::vector<Shown> columns = columns_of(size);
         std::string text = "|";
         std::string rule = "\n|";
@@ -38,7 +42,7 @@ class Writer {
             rule += shown.column->label.empty() && !shown.column->target ? "--:|" : "---|";
         }
         text += rule + "\n";
-        for (const Row& row : rows_.of(size)) {
+        for (const Row& row : rows) {
             std::string line = "|";
             bool known = table_.rows != "candidates";
             for (const Shown& shown : columns) {
@@ -217,6 +221,7 @@ Text to_text(const Experiment& experiment, const std::vector<SizeResult>& result
         for (std::size_t size = 0; size < (by_size ? 1 : results.size()); ++size) {
             Writer writer(experiment, results, table);
             std::string text = writer.written(size);
+            if (text.empty()) continue;
             if (!by_size && results.size() > 1) text = size_text(results[size].extent) + ":\n\n" + text;
             all.report += "\n" + text;
             if (!table.in_report) all.text += "\n" + text;
