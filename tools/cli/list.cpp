@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -15,6 +16,7 @@
 #include "base/version.hpp"
 #include "catalogue/catalogue.hpp"
 #include "catalogue/printed.hpp"
+#include "check/lab.hpp"
 #include "cli/environment.hpp"
 #include "cli/names.hpp"
 #include "cli/settings.hpp"
@@ -63,26 +65,38 @@ nlohmann::ordered_json named_json(const Named& named) {
     return {{"name", named.name}, {"description", named.description}};
 }
 
-// "float gloam_saturate(float x)": the function as its file declares it, with the names of its parameters; a
-// kernel of several functions is in no file, and has types alone.
-std::string declaration_of(const catalogue::Entry& entry) {
-    const catalogue::Description& d = entry.description;
-    const check::Signature& signature = entry.question.signature;
-    const shader::Source probe{.name = "signature of " + d.file,
-                               .text = fmt::format("#version 450\n#include \"{}\"\n", d.file)};
-    const shader::CompileOptions options{.include_roots = {glsl_directory()}};
-    for (const shader::Function& function : shader::SpirvCache().functions(probe, options)) {
-        const bool is_it = function.name == d.function && function.result == signature.result &&
-                           std::ranges::equal(function.parameters, signature.parameters, {},
-                                              &shader::Parameter::type, &shader::Parameter::type);
-        if (is_it) return shader::to_glsl(function);
+// The functions of the library's files; each file is compiled once.
+class Declarations {
+  public:
+    // "float gloam_saturate(float x)": the function as its file declares it, with the names of its
+    // parameters; a kernel of several functions is in no file, and has types alone.
+    std::string of(const catalogue::Entry& entry) {
+        const catalogue::Description& d = entry.description;
+        const check::Signature& signature = entry.question.signature;
+        for (const shader::Function& function : functions_of(d.file)) {
+            const bool is_it = function.name == d.function && function.result == signature.result &&
+                               std::ranges::equal(function.parameters, signature.parameters, {},
+                                                  &shader::Parameter::type, &shader::Parameter::type);
+            if (is_it) return shader::to_glsl(function);
+        }
+        return check::to_glsl(signature, d.function);
     }
-    return check::to_glsl(signature, d.function);
-}
 
-nlohmann::ordered_json equation_json(const catalogue::Entry& entry) {
+  private:
+    const std::vector<shader::Function>& functions_of(const std::string& file) {
+        const auto [known, is_new] = files_.try_emplace(file);
+        if (is_new)
+            known->second = cache_.functions(check::probe_of(file), {.include_roots = {glsl_directory()}});
+        return known->second;
+    }
+
+    shader::SpirvCache cache_ = check::shader_cache({.cache_directory = cache_directory()});
+    std::map<std::string, std::vector<shader::Function>> files_;
+};
+
+nlohmann::ordered_json equation_json(const catalogue::Entry& entry, Declarations& declarations) {
     const catalogue::Description& d = entry.description;
-    return {{"name", d.id},      {"description", d.title}, {"function", declaration_of(entry)},
+    return {{"name", d.id},      {"description", d.title}, {"function", declarations.of(entry)},
             {"file", d.file},    {"formula", d.formula},   {"error", check::to_text(entry.question.budget)},
             {"source", d.source}};
 }
@@ -113,7 +127,9 @@ nlohmann::ordered_json method_json(const Named& named) {
 
 nlohmann::ordered_json equations_json(const std::vector<std::string>& names) {
     auto json = nlohmann::ordered_json::array();
-    for (const catalogue::Entry& entry : equations_named(names)) json.push_back(equation_json(entry));
+    Declarations declarations;
+    for (const catalogue::Entry& entry : equations_named(names))
+        json.push_back(equation_json(entry, declarations));
     return json;
 }
 

@@ -27,9 +27,7 @@ constexpr std::size_t most_outcomes = 4;              // of an operation: an ang
 
 shader::Function function_of(const shader::CompileOptions& options, const std::string& file,
                              const std::string& name) {
-    const shader::Source probe{.name = "signature of " + file,
-                               .text = fmt::format("#version 450\n#include \"{}\"\n", file)};
-    for (const shader::Function& function : shader::SpirvCache().functions(probe, options))
+    for (const shader::Function& function : shader::SpirvCache().functions(probe_of(file), options))
         if (function.name == name && function.defined) return function;
     throw std::invalid_argument(fmt::format("{}: no function {}", file, name));
 }

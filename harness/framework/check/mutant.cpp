@@ -12,6 +12,7 @@
 #include "check/internal/audit_search.hpp"
 #include "check/kernel_code.hpp"
 #include "numeric/numbers.hpp"
+#include "shader/pack.hpp"
 #include "shader/spirv.hpp"
 
 namespace gloam::check {
@@ -34,13 +35,6 @@ std::string name_of(Difference difference) {
 namespace {
 
 constexpr double small_error = 4.0;  // ULP
-
-std::optional<shader::Stage> stage_by_name(const std::filesystem::path& file) {
-    if (file.extension() == ".comp") return shader::Stage::compute;
-    if (file.extension() == ".frag") return shader::Stage::fragment;
-    if (file.extension() == ".vert") return shader::Stage::vertex;
-    return std::nullopt;
-}
 
 // Whether a text has conditions besides the guard of an include.
 bool has_conditions(const std::string& text) {
@@ -168,7 +162,7 @@ shader::Spirv MutantFile::module_of(const OwnFunction& own, const std::string& t
 }
 
 std::optional<shader::Spirv> MutantFile::whole(const std::string& text) const {
-    const auto stage = stage_by_name(path_);
+    const auto stage = shader::stage_of_file(path_);
     if (!stage) return std::nullopt;
     try {
         return shader::without_names(shader::compile(

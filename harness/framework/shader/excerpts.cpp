@@ -134,9 +134,8 @@ constexpr std::array built_ins{BuiltIn{"FragCoord", "vec4"},
 
 // Stages without derivatives, where samplers read level 0.
 bool has_no_quads(const std::string& file) {
-    const std::string name = base::lower(file);
-    return std::ranges::any_of(std::array{".comp", ".vert", ".cs", ".vs", ".vsh"},
-                               [&name](const char* ending) { return name.ends_with(ending); });
+    const std::optional<Stage> stage = stage_of_file(file);
+    return stage && *stage != Stage::fragment;
 }
 
 // What a function calls or mentions that needs other invocations.

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/text.hpp"
 #include "shader/include.hpp"
 #include "shader/internal/compiler_process.hpp"
 #include "shader/internal/lines.hpp"
@@ -157,6 +158,14 @@ std::size_t code_lines(std::string_view text) {
     const std::vector<internal::Line> lines = internal::split_lines(text);
     return static_cast<std::size_t>(
         std::ranges::count_if(lines, [](const internal::Line& line) { return !internal::is_blank(line); }));
+}
+
+std::optional<Stage> stage_of_file(const std::filesystem::path& file) {
+    const std::string ending = base::lower(file.extension().string());
+    if (ending == ".comp" || ending == ".cs") return Stage::compute;
+    if (ending == ".vert" || ending == ".vs" || ending == ".vsh") return Stage::vertex;
+    if (ending == ".frag" || ending == ".fs" || ending == ".fsh") return Stage::fragment;
+    return std::nullopt;
 }
 
 std::string binding_macro(std::size_t variable) {

@@ -42,6 +42,13 @@ struct PackRequest {
 
 // Number of lines with more than blanks and comments.
 [[nodiscard]] std::size_t code_lines(std::string_view text);
+// The same of texts that pack() wrote, together: a function, structure, constant or macro that several have
+// counts once.
+[[nodiscard]] std::size_t code_lines(const std::vector<std::string>& packed);
+
+// The stage that the ending of a file names, in small or capital letters: .comp and .cs; .vert, .vs and .vsh;
+// .frag, .fs and .fsh. nullopt for any other.
+[[nodiscard]] std::optional<Stage> stage_of_file(const std::filesystem::path& file);
 
 // What a shader may do with a variable of its interface.
 enum class Access {

@@ -21,7 +21,6 @@
 #include "cli/pack/effect.hpp"
 #include "effect/methods.hpp"
 #include "report/output.hpp"
-#include "shader/code_lines.hpp"
 #include "shader/include.hpp"
 #include "shader/pack.hpp"
 #include "site/npm_package.hpp"
@@ -132,12 +131,8 @@ Packed find_all(const PackOptions& options, const std::vector<fs::path>& roots) 
 
 // The stage from the suffix of a file's name.
 std::optional<shader::Stage> stage_of(const std::vector<fs::path>& files) {
-    for (const fs::path& file : files) {
-        const std::string ending = base::lower(file.extension().string());
-        if (ending == ".comp" || ending == ".cs") return shader::Stage::compute;
-        if (ending == ".vert" || ending == ".vs" || ending == ".vsh") return shader::Stage::vertex;
-        if (ending == ".frag" || ending == ".fs" || ending == ".fsh") return shader::Stage::fragment;
-    }
+    for (const fs::path& file : files)
+        if (const auto stage = shader::stage_of_file(file)) return stage;
     return std::nullopt;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace gloam::check::internal {
 namespace {
@@ -62,13 +63,19 @@ class Search {
                     for (const float sign : {-1.0F, 1.0F}) try_remainder(drawn.row(i), slot, k, sign);
     }
 
-    void try_remainder(std::span<const Word> row, const Slot& slot, std::size_t k, float sign) {
-        if (scalars_of(slot.parameter->type).at(k) != shader::Scalar::float_) return;
+    // A row with another number in a slot; nullopt if that is no float, or the domain has no such number.
+    static std::optional<std::vector<Word>> with(std::span<const Word> row, const Slot& slot, std::size_t k,
+                                                 float number) {
+        if (scalars_of(slot.parameter->type).at(k) != shader::Scalar::float_) return std::nullopt;
         std::vector<Word> words(row.begin(), row.end());
-        for (const float around : {-0x1p-6F, 0x1p-6F}) {
-            words[slot.first + k] = to_word(around);
-            if (!slot.values->admits(std::span(words).subspan(slot.first, slot.count))) return;
-        }
+        words[slot.first + k] = to_word(number);
+        if (!slot.values->admits(std::span(words).subspan(slot.first, slot.count))) return std::nullopt;
+        return words;
+    }
+
+    void try_remainder(std::span<const Word> row, const Slot& slot, std::size_t k, float sign) {
+        if (!with(row, slot, k, -0x1p-6F) || !with(row, slot, k, 0x1p-6F)) return;
+        std::vector<Word> words(row.begin(), row.end());
         words[slot.first + k] = to_word(sign * 0x1p-30F);
         runs_.question().domain.adjust(words);
         if (shows(Concern::fault, runs_.read(words))) keep(found_.faults, words, false);
@@ -86,14 +93,13 @@ class Search {
     }
 
     void try_number(std::span<const Word> row, const Slot& slot, std::size_t k, float number) {
-        if (scalars_of(slot.parameter->type).at(k) != shader::Scalar::float_) return;
-        std::vector<Word> words(row.begin(), row.end());
-        words[slot.first + k] = to_word(number);
-        if (!slot.values->admits(std::span(words).subspan(slot.first, slot.count))) return;
-        runs_.question().domain.adjust(words);
-        const Reading reading = runs_.read(words);
-        if (reading.fault.empty() && !runs_.is_undefined(words, reading) && runs_.parting_of(words, reading))
-            keep(found_.parted, words, false);
+        std::optional<std::vector<Word>> words = with(row, slot, k, number);
+        if (!words) return;
+        runs_.question().domain.adjust(*words);
+        const Reading reading = runs_.read(*words);
+        if (reading.fault.empty() && !runs_.is_undefined(*words, reading) &&
+            runs_.parting_of(*words, reading))
+            keep(found_.parted, *words, false);
     }
 
     // Returns how many were run.

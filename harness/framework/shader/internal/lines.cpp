@@ -5,7 +5,7 @@
 #include <set>
 #include <sstream>
 
-#include "shader/code_lines.hpp"
+#include "shader/pack.hpp"
 
 namespace gloam::shader::internal {
 namespace {
