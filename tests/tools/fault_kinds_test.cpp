@@ -351,6 +351,12 @@ TEST_F(FaultKinds, ExplainShowsIntegers) {
          0,
          {"undefined", "an integer is divided by 0"}},
         {"bool", "bool f(uint a) { return a * 2u > 7u; }\n", "explain {} f 4", 0, {"OpIMul", "8", "true"}},
+        {"one result of a vector",
+         "float f(vec3 v) { return length(v); }\n",
+         "explain {} f 3 4 5",
+         0,
+         {"Length"},
+         {"Length .y", "undefined"}},
         {"bits", "uint f(uint a) { return (a << 3u) ^ 5u; }\n", "explain {} f 1", 0, {"OpBitwiseXor", "13"}},
     });
 }

@@ -162,9 +162,11 @@ std::string whole_text(const ExplainedStep& step) {
 
 std::string line_of(const ExplainedStep& step, bool is_worst) {
     const std::string place = place_of(step) + " " + step.function;
-    const std::string operation = step.component == 0
-                                      ? step.operation
-                                      : fmt::format("{} .{}", step.operation, "xyzw"[step.component % 4]);
+    constexpr std::string_view names = "xyzw";
+    const std::string operation = step.component == 0 ? step.operation
+                                  : step.component < names.size()
+                                      ? fmt::format("{} .{}", step.operation, names[step.component])
+                                      : fmt::format("{} [{}]", step.operation, step.component);
     if (!step.undefined.empty())
         return fmt::format(line_format, place, operation, "undefined", "", "", "", "", step.undefined);
     if (step.whole) return fmt::format("{:<34} {:<24} {:>15}\n", place, operation, whole_text(step));

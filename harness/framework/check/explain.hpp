@@ -22,7 +22,7 @@ struct ExplainedStep {
     unsigned line = 0;  // in the source file
     std::string function;
     std::string operation;                     // "OpFAdd"
-    std::size_t component = 0;                 // of a vector, from 0
+    std::size_t component = 0;                 // of a vector, from 0; of a matrix, column by column
     double value = 0.0;                        // correctly rounded at every operation
     double exact = 0.0;                        // in double
     numeric::Bounds permitted{};               // by Vulkan's rules, on this path

@@ -199,8 +199,11 @@ struct Code {
 // Whether an operation reads all its operands before its first result.
 [[nodiscard]] bool reads_all_first(std::uint16_t opcode);
 
-// Whether the number of components is that of the first operand, not of the result: dot, any, length, ...
+// Whether the number of components is that of the first operand, not of the result: any, length, modf, ...
 [[nodiscard]] bool takes_count_of_operand(std::uint16_t opcode);
+
+// How many slots from its result an operation on scalars, vectors or matrices sets.
+[[nodiscard]] std::uint32_t results_of(const Instruction& instruction);
 
 // modf() and frexp() of GLSL store a second result through a pointer.
 [[nodiscard]] bool writes_through_pointer(std::uint16_t opcode);

@@ -319,10 +319,9 @@ void Machine<N>::run(const std::function<void(const Step<N>&)>& tell) {
     execute([&](const internal::Instruction& i) {
         // Others move existing values, or wait.
         if (i.op >= internal::copy && i.op != internal::image_sample) return;
-        const std::uint32_t count = i.op == SpvOpDot ? 1 : i.count;
         tell({.place = state_->code.places[i.place],
               .opcode = i.op,
-              .results = std::span<const Value<N>>(state_->slots).subspan(i.result, count),
+              .results = std::span<const Value<N>>(state_->slots).subspan(i.result, internal::results_of(i)),
               .format = internal::format_of(i.flags & ~internal::flags::relaxed)});
     });
 }

@@ -235,11 +235,11 @@ std::string name_of(std::uint16_t opcode) {
 
 bool takes_count_of_operand(std::uint16_t opcode) {
     return is_one_of(
-        opcode, std::array<int, 14>{SpvOpAny, SpvOpAll, SpvOpIAddCarry, SpvOpISubBorrow, SpvOpUMulExtended,
+        opcode, std::array<int, 13>{SpvOpAny, SpvOpAll, SpvOpIAddCarry, SpvOpISubBorrow, SpvOpUMulExtended,
                                     SpvOpSMulExtended, extended + GLSLstd450Length,
                                     extended + GLSLstd450Distance, extended + GLSLstd450Determinant,
                                     extended + GLSLstd450Modf, extended + GLSLstd450ModfStruct,
-                                    extended + GLSLstd450Frexp, extended + GLSLstd450FrexpStruct, SpvOpDot});
+                                    extended + GLSLstd450Frexp, extended + GLSLstd450FrexpStruct});
 }
 
 bool reads_all_first(std::uint16_t opcode) {
@@ -250,6 +250,25 @@ bool reads_all_first(std::uint16_t opcode) {
                                          extended + GLSLstd450ModfStruct, extended + GLSLstd450Frexp,
                                          extended + GLSLstd450FrexpStruct, SpvOpIAddCarry, SpvOpISubBorrow,
                                          SpvOpUMulExtended, SpvOpSMulExtended});
+}
+
+std::uint32_t results_of(const Instruction& instruction) {
+    switch (instruction.op) {
+        case SpvOpAny:
+        case SpvOpAll:
+        case extended + GLSLstd450Length:
+        case extended + GLSLstd450Distance:
+        case extended + GLSLstd450Determinant:
+            return 1;
+        case SpvOpVectorTimesMatrix:
+            return instruction.c;
+        case SpvOpMatrixTimesVector:
+        case SpvOpMatrixTimesMatrix:
+        case SpvOpOuterProduct:
+            return instruction.count * instruction.c;
+        default:  // a pair: a sum and its carry, ...
+            return takes_count_of_operand(instruction.op) ? 2 * instruction.count : instruction.count;
+    }
 }
 
 std::string where_text(const Place& place) {
