@@ -214,58 +214,42 @@ TEST(Program, UndefinedIntegersPermitEveryResult) {
 
 // An operation tells each scalar of its result, and nothing that lies behind it.
 TEST(Program, AnOperationTellsItsResultsAndNoMore) {
-    const std::string matrix = "mat3x2(number(0), number(1), number(2), number(3), 5.0, 6.0)";
-    const std::string vector = "vec2(number(0), number(1))";
     struct Case {
-        std::string statement;
-        std::string operation;
+        const char* statements;  // v is (3, 4), m has the columns (3, 4), (3, 4), (5, 6)
+        const char* operation;
         std::vector<double> results;
     };
     for (const Case& c : {
-             Case{"put(0u, length(" + vector + "));", "GLSL.std.450 Length", {5}},
-             Case{"put(0u, distance(" + vector + ", vec2(0)));", "GLSL.std.450 Distance", {5}},
-             Case{"put(0u, dot(" + vector + ", vec2(1, 2)));", "OpDot", {11}},
-             Case{"put(0u, determinant(mat2(" + vector + ", " + vector + ".yx)));",
-                  "GLSL.std.450 Determinant",
-                  {-7}},
-             Case{"vec2 v = " + matrix + " * vec3(1, 0, 1); put(0u, v.x + v.y);",
-                  "OpMatrixTimesVector",
-                  {8, 10}},
-             Case{"vec3 v = " + vector + " * " + matrix + "; put(0u, v.x + v.z);",
-                  "OpVectorTimesMatrix",
-                  {25, 25, 39}},
-             Case{"mat2 m = " + matrix + " * mat2x3(1); put(0u, m[0].x + m[1].y);",
-                  "OpMatrixTimesMatrix",
-                  {3, 4, 3, 4}},
-             Case{"mat3x2 m = outerProduct(" + vector + ", vec3(1, 2, 3)); put(0u, m[0].x + m[2].y);",
-                  "OpOuterProduct",
-                  {3, 4, 6, 8, 9, 12}},
-             Case{"mat2 m = inverse(mat2(" + vector + ", vec2(1, 1))); put(0u, m[0].x + m[1].y);",
-                  "GLSL.std.450 MatrixInverse",
-                  {-1, 4, 1, -3}},
-             Case{"put(0u, any(lessThan(" + vector + ", vec2(1))));", "OpAny", {0}},
-             Case{"put(0u, all(lessThan(" + vector + ", vec2(9))));", "OpAll", {1}},
-             Case{"vec2 w; vec2 v = modf(" + vector + " + 0.5, w); put(0u, v.x + w.y);",
-                  "GLSL.std.450 Modf",
-                  {0.5, 0.5, 3, 4}},
-             Case{"uint carry; uint s = uaddCarry(word(0), 0xffffffffu, carry); put(0u, s + carry);",
-                  "OpIAddCarry",
-                  {0x403fffff, 1}},
+             Case{"r = length(v);", "GLSL.std.450 Length", {5}},
+             Case{"r = distance(v, vec2(0));", "GLSL.std.450 Distance", {5}},
+             Case{"r = dot(v, vec2(1, 2));", "OpDot", {11}},
+             Case{"r = determinant(mat2(v, v.yx));", "GLSL.std.450 Determinant", {-7}},
+             Case{"r = length(m * vec3(1, 0, 1));", "OpMatrixTimesVector", {8, 10}},
+             Case{"r = length(v * m);", "OpVectorTimesMatrix", {25, 25, 39}},
+             Case{"mat2 p = m * mat2x3(1); r = p[0].x;", "OpMatrixTimesMatrix", {3, 4, 3, 4}},
+             Case{"r = outerProduct(v, v)[1].x;", "OpOuterProduct", {9, 12, 12, 16}},
+             Case{"r = inverse(mat2(v, 1, 1))[0].x;", "GLSL.std.450 MatrixInverse", {-1, 4, 1, -3}},
+             Case{"r = any(lessThan(v, vec2(1))) ? 0 : 1;", "OpAny", {0}},
+             Case{"r = all(lessThan(v, vec2(9))) ? 0 : 1;", "OpAll", {1}},
+             Case{"vec2 w; r = length(modf(v + 0.5, w)) + w.y;", "GLSL.std.450 Modf", {0.5, 0.5, 3, 4}},
+             Case{"uint k; r = float(uaddCarry(word(0), ~0u, k) + k);", "OpIAddCarry", {0x403fffff, 1}},
          }) {
-        const Program program(compiled(test::row_shader(4, 1, c.statement + "\n")));
+        const Program program(compiled(test::row_shader(
+            4, 1,
+            "vec2 v = vec2(number(0), number(1)); mat3x2 m = mat3x2(v, v, 5, 6); float r;\n" +
+                std::string(c.statements) + " put(0u, r);\n")));
         Machine<double> machine(program);
-        const std::array<Word, 4> inputs =
-            std::bit_cast<std::array<Word, 4>>(std::array{3.0F, 4.0F, 3.0F, 4.0F});
-        std::vector<Word> output(1);
+        const auto inputs = std::bit_cast<std::array<Word, 4>>(std::array{3.0F, 4.0F, 3.0F, 4.0F});
         machine.bind(0, 0, inputs);
-        machine.bind(0, 1, output);
+        machine.bind(0, 1, std::span(inputs).first(1));
+        machine.set_invocation({0, 0, 0});
         std::vector<double> results;
         machine.run([&](const interpreter::Step<double>& step) {
             if (step.operation() != c.operation) return;
-            for (const interpreter::Value<double>& result : step.results)
+            for (const auto& result : step.results)
                 results.push_back(result.is_number() ? result.number() : result.bits());
         });
-        EXPECT_EQ(results, c.results) << c.statement;
+        EXPECT_EQ(results, c.results) << c.statements;
     }
 }
 
