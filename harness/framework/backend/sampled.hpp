@@ -29,6 +29,12 @@ enum class Compare : std::uint32_t {
     greater
 };  // the reference with a depth
 
+// What an interface calls a value of such an enumeration: `names` is in its order.
+template <class Name, std::size_t count, class Value>
+[[nodiscard]] constexpr Name named(const std::array<Name, count>& names, Value value) {
+    return names.at(static_cast<std::size_t>(value));
+}
+
 struct SampledHeader {
     std::uint32_t width = 1;
     std::uint32_t height = 1;

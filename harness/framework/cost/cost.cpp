@@ -113,21 +113,10 @@ const std::vector<Family>& family_table() {
 }
 
 gpu::DescriptorKind kind_of(shader::BindingType type) {
-    switch (type) {
-        case shader::BindingType::storage_image:
-            return gpu::DescriptorKind::storage_image;
-        case shader::BindingType::sampled_image:
-            return gpu::DescriptorKind::sampled_image;
-        case shader::BindingType::texture:
-            return gpu::DescriptorKind::texture;
-        case shader::BindingType::sampler:
-            return gpu::DescriptorKind::sampler;
-        case shader::BindingType::storage_buffer:
-            return gpu::DescriptorKind::storage_buffer;
-        case shader::BindingType::uniform_buffer:
-            return gpu::DescriptorKind::uniform_buffer;
-    }
-    throw std::logic_error("a binding of an unknown type");
+    using enum gpu::DescriptorKind;
+    static constexpr std::array kinds{storage_image, sampled_image,  texture,
+                                      sampler,       storage_buffer, uniform_buffer};  // as BindingType
+    return kinds.at(static_cast<std::size_t>(type));
 }
 
 gpu::RadvProgram program_of(const shader::Spirv& module, const CostOptions& options) {

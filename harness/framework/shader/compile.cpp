@@ -16,27 +16,11 @@
 namespace gloam::shader {
 namespace {
 
+// Of a number; others have none.
 std::string scalar_name(Scalar scalar) {
-    switch (scalar) {
-        case Scalar::void_:
-            return "void";
-        case Scalar::bool_:
-            return "bool";
-        case Scalar::int_:
-            return "int";
-        case Scalar::uint_:
-            return "uint";
-        case Scalar::float_:
-            return "float";
-        case Scalar::float16_:
-            return "float16_t";
-        case Scalar::structure:
-        case Scalar::sampler:
-        case Scalar::unsupported:
-        case Scalar::oversized:
-            break;
-    }
-    return {};
+    static constexpr std::array names{"void", "bool", "int", "uint", "float", "float16_t"};
+    const auto at = static_cast<std::size_t>(scalar);
+    return at < names.size() ? names.at(at) : "";
 }
 
 std::string vector_prefix(Scalar scalar) {

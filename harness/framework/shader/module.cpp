@@ -104,69 +104,37 @@ std::string Declarations::name_of(Id id) const {
 }
 
 void Declarations::decorate(const Instruction& i) {
-    Decorations& all = decorations_[i.word(1)];
-    switch (i.word(2)) {
-        case SpvDecorationNoContraction:
-            all.no_contraction = true;
-            break;
-        case SpvDecorationRelaxedPrecision:
-            all.relaxed = true;
-            break;
-        case SpvDecorationSpecId:
-            all.spec_id = i.word(3);
-            break;
-        case SpvDecorationBuiltIn:
-            all.built_in = i.word(3);
-            break;
-        case SpvDecorationDescriptorSet:
-            all.set = i.word(3);
-            break;
-        case SpvDecorationBinding:
-            all.binding = i.word(3);
-            break;
-        case SpvDecorationLocation:
-            all.location = i.word(3);
-            break;
-        case SpvDecorationFlat:
-            all.flat = true;
-            break;
-        case SpvDecorationNoPerspective:
-            all.no_perspective = true;
-            break;
-        case SpvDecorationComponent:
-        case SpvDecorationIndex:
-            all.special_location = i.word(3) != 0;
-            break;
-        case SpvDecorationCentroid:
-        case SpvDecorationSample:
-            all.special_location = true;
-            break;
-        case SpvDecorationArrayStride:
-            strides_[i.word(1)] = i.word(3);
-            break;
-        default:
-            break;
-    }
+    using All = Decorations;
+    static const std::map<std::uint32_t, bool All::*> flags{
+        {SpvDecorationNoContraction, &All::no_contraction},
+        {SpvDecorationRelaxedPrecision, &All::relaxed},
+        {SpvDecorationFlat, &All::flat},
+        {SpvDecorationNoPerspective, &All::no_perspective},
+        {SpvDecorationCentroid, &All::special_location},
+        {SpvDecorationSample, &All::special_location}};
+    static const std::map<std::uint32_t, std::optional<std::uint32_t> All::*> numbers{
+        {SpvDecorationSpecId, &All::spec_id},
+        {SpvDecorationBuiltIn, &All::built_in},
+        {SpvDecorationLocation, &All::location}};
+    All& all = decorations_[i.word(1)];
+    const std::uint32_t decoration = i.word(2);
+    if (const auto flag = flags.find(decoration); flag != flags.end()) all.*flag->second = true;
+    if (const auto number = numbers.find(decoration); number != numbers.end())
+        all.*number->second = i.word(3);
+    if (decoration == SpvDecorationDescriptorSet) all.set = i.word(3);
+    if (decoration == SpvDecorationBinding) all.binding = i.word(3);
+    if (decoration == SpvDecorationArrayStride) strides_[i.word(1)] = i.word(3);
+    if (decoration == SpvDecorationComponent || decoration == SpvDecorationIndex)
+        all.special_location = i.word(3) != 0;
 }
 
 void Declarations::decorate_member(const Instruction& i) {
     Member& member = members_[{i.word(1), i.word(2)}];
-    switch (i.word(3)) {
-        case SpvDecorationOffset:
-            member.offset = i.word(4);
-            break;
-        case SpvDecorationMatrixStride:
-            member.matrix.stride = i.word(4);
-            break;
-        case SpvDecorationRowMajor:
-            member.matrix.row_major = true;
-            break;
-        case SpvDecorationBuiltIn:
-            member.built_in = i.word(4);
-            break;
-        default:
-            break;
-    }
+    const std::uint32_t decoration = i.word(3);
+    if (decoration == SpvDecorationOffset) member.offset = i.word(4);
+    if (decoration == SpvDecorationMatrixStride) member.matrix.stride = i.word(4);
+    if (decoration == SpvDecorationRowMajor) member.matrix.row_major = true;
+    if (decoration == SpvDecorationBuiltIn) member.built_in = i.word(4);
 }
 
 std::string other_number(const Type& type) {

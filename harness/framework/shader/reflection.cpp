@@ -2,6 +2,7 @@
 #include "shader/reflection.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <span>
 #include <stdexcept>
@@ -13,18 +14,12 @@ namespace gloam::shader {
 namespace {
 
 std::string name_of(spvc_basetype type) {
-    switch (type) {
-        case SPVC_BASETYPE_BOOLEAN:
-            return "bool";
-        case SPVC_BASETYPE_INT32:
-            return "int";
-        case SPVC_BASETYPE_UINT32:
-            return "uint";
-        case SPVC_BASETYPE_FP32:
-            return "float";
-        default:
-            throw std::runtime_error("a member that is no float, int, uint, bool or structure of them");
-    }
+    static const std::map<spvc_basetype, const char*> names{{SPVC_BASETYPE_BOOLEAN, "bool"},
+                                                            {SPVC_BASETYPE_INT32, "int"},
+                                                            {SPVC_BASETYPE_UINT32, "uint"},
+                                                            {SPVC_BASETYPE_FP32, "float"}};
+    if (const auto found = names.find(type); found != names.end()) return found->second;
+    throw std::runtime_error("a member that is no float, int, uint, bool or structure of them");
 }
 
 std::string format_name(SpvImageFormat format) {
@@ -239,21 +234,9 @@ ModuleInterface reflect(const Spirv& module) {
 }
 
 std::string to_string(BindingType type) {
-    switch (type) {
-        case BindingType::storage_image:
-            return "storage image";
-        case BindingType::sampled_image:
-            return "sampled image";
-        case BindingType::texture:
-            return "texture";
-        case BindingType::sampler:
-            return "sampler";
-        case BindingType::storage_buffer:
-            return "storage buffer";
-        case BindingType::uniform_buffer:
-            return "uniform buffer";
-    }
-    return "";
+    static constexpr std::array names{"storage image", "sampled image",  "texture",
+                                      "sampler",       "storage buffer", "uniform buffer"};
+    return names.at(static_cast<std::size_t>(type));
 }
 
 }  // namespace gloam::shader

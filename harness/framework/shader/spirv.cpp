@@ -289,36 +289,28 @@ Spirv with_relaxed_precision(const Spirv& module) {
 
 namespace {
 
+// What shaders are given; nullptr: another storage.
 const char* kind_of(std::uint32_t storage) {
-    switch (storage) {
-        case SpvStorageClassUniformConstant:
-            return "image or sampler";
-        case SpvStorageClassUniform:
-            return "uniform buffer";
-        case SpvStorageClassStorageBuffer:
-            return "storage buffer";
-        case SpvStorageClassPushConstant:
-            return "push constants";
-        default:
-            return nullptr;
-    }
+    static const std::map<std::uint32_t, const char*> kinds{
+        {SpvStorageClassUniformConstant, "image or sampler"},
+        {SpvStorageClassUniform, "uniform buffer"},
+        {SpvStorageClassStorageBuffer, "storage buffer"},
+        {SpvStorageClassPushConstant, "push constants"}};
+    const auto found = kinds.find(storage);
+    return found == kinds.end() ? nullptr : found->second;
 }
 
 bool takes_pointers(std::uint32_t opcode) {
-    switch (opcode) {
-        case SpvOpLoad:
-        case SpvOpStore:
-        case SpvOpCopyMemory:
-        case SpvOpAccessChain:
-        case SpvOpInBoundsAccessChain:
-        case SpvOpPtrAccessChain:
-        case SpvOpArrayLength:
-        case SpvOpImageTexelPointer:
-        case SpvOpFunctionCall:
-            return true;
-        default:
-            return false;
-    }
+    static const std::set<std::uint32_t> opcodes{SpvOpLoad,
+                                                 SpvOpStore,
+                                                 SpvOpCopyMemory,
+                                                 SpvOpAccessChain,
+                                                 SpvOpInBoundsAccessChain,
+                                                 SpvOpPtrAccessChain,
+                                                 SpvOpArrayLength,
+                                                 SpvOpImageTexelPointer,
+                                                 SpvOpFunctionCall};
+    return opcodes.contains(opcode);
 }
 
 // The name of what a pointer points to, or of the elements if that is an array.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <regex>
 #include <set>
@@ -179,58 +180,31 @@ std::string with_version(std::string text) {
 }
 
 std::string vulkan_format(gpu::Format format) {
-    switch (format) {
-        case gpu::Format::r32f:
-            return "VK_FORMAT_R32_SFLOAT";
-        case gpu::Format::rgba32f:
-            return "VK_FORMAT_R32G32B32A32_SFLOAT";
-        case gpu::Format::rgba16f:
-            return "VK_FORMAT_R16G16B16A16_SFLOAT";
-        case gpu::Format::rgba16ui:
-            return "VK_FORMAT_R16G16B16A16_UINT";
-        case gpu::Format::depth32f:
-            return "VK_FORMAT_D32_SFLOAT";
-        case gpu::Format::r16f:
-            return "VK_FORMAT_R16_SFLOAT";
-        case gpu::Format::r8:
-            return "VK_FORMAT_R8_UNORM";
-        case gpu::Format::r32ui:
-            return "VK_FORMAT_R32_UINT";
-        default:
-            throw std::logic_error("an image format without a name");
-    }
+    static constexpr std::array names{"R32_SFLOAT",
+                                      "R32G32B32A32_SFLOAT",
+                                      "R16G16B16A16_SFLOAT",
+                                      "R16G16B16A16_UINT",
+                                      "D32_SFLOAT",
+                                      "R16_SFLOAT",
+                                      "R8_UNORM",
+                                      "R32_UINT"};  // in the order of gpu::Format
+    return std::string("VK_FORMAT_") + names.at(static_cast<std::size_t>(format));
 }
 
 std::string vulkan_descriptor(shader::BindingType type) {
-    switch (type) {
-        case shader::BindingType::storage_image:
-            return "VK_DESCRIPTOR_TYPE_STORAGE_IMAGE";
-        case shader::BindingType::sampled_image:
-            return "VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER";
-        case shader::BindingType::texture:
-            return "VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE";
-        case shader::BindingType::sampler:
-            return "VK_DESCRIPTOR_TYPE_SAMPLER";
-        case shader::BindingType::storage_buffer:
-            return "VK_DESCRIPTOR_TYPE_STORAGE_BUFFER";
-        case shader::BindingType::uniform_buffer:
-            return "VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER";
-    }
-    throw std::logic_error("a descriptor type without a name");
+    using enum shader::BindingType;
+    static const std::map<shader::BindingType, const char*> names{
+        {storage_image, "STORAGE_IMAGE"},   {sampled_image, "COMBINED_IMAGE_SAMPLER"},
+        {texture, "SAMPLED_IMAGE"},         {sampler, "SAMPLER"},
+        {storage_buffer, "STORAGE_BUFFER"}, {uniform_buffer, "UNIFORM_BUFFER"}};
+    return std::string("VK_DESCRIPTOR_TYPE_") + names.at(type);
 }
 
 std::string to_string(effect::PlannedImage::Origin origin) {
-    switch (origin) {
-        case effect::PlannedImage::Origin::engine:
-            return "engine";
-        case effect::PlannedImage::Origin::history:
-            return "kept";
-        case effect::PlannedImage::Origin::once:
-            return "once";
-        case effect::PlannedImage::Origin::frame:
-            return "frame";
-    }
-    throw std::logic_error("an origin without a name");
+    using enum effect::PlannedImage::Origin;
+    static const std::map<effect::PlannedImage::Origin, const char*> names{
+        {engine, "engine"}, {history, "kept"}, {once, "once"}, {frame, "frame"}};
+    return names.at(origin);
 }
 
 std::vector<std::string> vulkan_usage(const PackedEffect& effect, const effect::PlannedImage& image) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <array>
 #include <bit>
 #include <utility>
 
@@ -21,59 +22,15 @@ struct Format {
     GLenum type;
 };
 
-Format format_of(SampledTexel texel) {
-    switch (texel) {
-        case SampledTexel::integer:
-            return {GL_RGBA32I, GL_RGBA_INTEGER, GL_INT};
-        case SampledTexel::natural:
-            return {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT};
-        case SampledTexel::depth:
-            return {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT};
-        default:
-            return {GL_RGBA16F, GL_RGBA, GL_FLOAT};
-    }
-}
-
-GLenum target_of(SampledShape shape) {
-    switch (shape) {
-        case SampledShape::layers:
-            return GL_TEXTURE_2D_ARRAY;
-        case SampledShape::three:
-            return GL_TEXTURE_3D;
-        case SampledShape::cube:
-            return GL_TEXTURE_CUBE_MAP;
-        case SampledShape::cube_layers:
-            return GL_TEXTURE_CUBE_MAP_ARRAY;
-        default:
-            return GL_TEXTURE_2D;
-    }
-}
-
-GLenum wrap_of(backend::Wrap wrap) {
-    switch (wrap) {
-        case backend::Wrap::mirrored:
-            return GL_MIRRORED_REPEAT;
-        case backend::Wrap::edge:
-            return GL_CLAMP_TO_EDGE;
-        case backend::Wrap::border:
-            return GL_CLAMP_TO_BORDER;
-        default:
-            return GL_REPEAT;
-    }
-}
-
-GLenum compare_of(backend::Compare compare) {
-    switch (compare) {
-        case backend::Compare::greater_equal:
-            return GL_GEQUAL;
-        case backend::Compare::less:
-            return GL_LESS;
-        case backend::Compare::greater:
-            return GL_GREATER;
-        default:
-            return GL_LEQUAL;
-    }
-}
+// In the order of the enumerations.
+constexpr std::array formats{Format{GL_RGBA16F, GL_RGBA, GL_FLOAT},
+                             Format{GL_RGBA32I, GL_RGBA_INTEGER, GL_INT},
+                             Format{GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT},
+                             Format{GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT}};
+constexpr std::array<GLenum, 5> targets{GL_TEXTURE_2D, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_3D,
+                                        GL_TEXTURE_CUBE_MAP, GL_TEXTURE_CUBE_MAP_ARRAY};
+constexpr std::array<GLenum, 4> wraps{GL_REPEAT, GL_MIRRORED_REPEAT, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_BORDER};
+constexpr std::array<GLenum, 4> comparisons{GL_LEQUAL, GL_GEQUAL, GL_LESS, GL_GREATER};
 
 // The sampler's state is that of its texture.
 void set_state(const internal::Functions& gl, GLenum target, const SampledHeader& header) {
@@ -84,10 +41,10 @@ void set_state(const internal::Functions& gl, GLenum target, const SampledHeader
     set(GL_TEXTURE_MAG_FILTER, linear ? GL_LINEAR : GL_NEAREST);
     set(GL_TEXTURE_MIN_FILTER, linear ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST_MIPMAP_NEAREST);
     for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
-        set(axis, wrap_of(header.wrap));
+        set(axis, named(wraps, header.wrap));
     if (header.texel != SampledTexel::depth) return;
     set(GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-    set(GL_TEXTURE_COMPARE_FUNC, compare_of(header.compare));
+    set(GL_TEXTURE_COMPARE_FUNC, named(comparisons, header.compare));
 }
 
 // Texels as OpenGL takes them: of depths, the first of four.
@@ -100,7 +57,7 @@ std::vector<Word> taken(SampledTexel texel, std::span<const Word> words) {
 
 void upload(const internal::Functions& gl, GLenum target, const SampledHeader& header,
             std::span<const Word> words) {
-    const Format format = format_of(header.texel);
+    const Format format = named(formats, header.texel);
     const std::vector<Word> texels = taken(header.texel, words);
     const std::size_t texel = header.texel == SampledTexel::depth ? 1 : backend::texel_words;
     for (std::uint32_t level = 0; level < header.levels; ++level) {
@@ -124,12 +81,12 @@ void upload(const internal::Functions& gl, GLenum target, const SampledHeader& h
 }  // namespace
 
 SampledTexture::SampledTexture(const Device& device, std::span<const Word> words)
-    : target_(target_of(backend::sampled_header(words).shape)), handle_(device, Handle::Kind::texture) {
+    : target_(named(targets, backend::sampled_header(words).shape)), handle_(device, Handle::Kind::texture) {
     const SampledHeader header = backend::sampled_header(words);
     const internal::Context& context = device.context();
     const internal::Functions& gl = context.use();
     gl.BindTexture(target_, handle_.name());
-    const Format format = format_of(header.texel);
+    const Format format = named(formats, header.texel);
     const auto side = [](std::uint32_t length) { return static_cast<GLsizei>(length); };
     if (header.shape == SampledShape::two || header.shape == SampledShape::cube)
         gl.TexStorage2D(target_, side(header.levels), format.internal, side(header.width),

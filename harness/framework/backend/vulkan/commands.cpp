@@ -2,6 +2,7 @@
 #include "backend/vulkan/commands.hpp"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include "backend/vulkan/internal/context.hpp"
@@ -74,31 +75,15 @@ vk::raii::DescriptorSetLayout make_set_layout(const Context& context, std::span<
 }
 
 vk::DescriptorType descriptor_type(BindingKind kind) {
-    switch (kind) {
-        case BindingKind::storage_buffer:
-            return vk::DescriptorType::eStorageBuffer;
-        case BindingKind::storage_image:
-            return vk::DescriptorType::eStorageImage;
-        case BindingKind::sampled_image:
-            return vk::DescriptorType::eCombinedImageSampler;
-        case BindingKind::uniform_buffer:
-            return vk::DescriptorType::eUniformBuffer;
-    }
-    throw std::invalid_argument("unknown kind of binding");
+    static constexpr std::array types{vk::DescriptorType::eStorageBuffer, vk::DescriptorType::eStorageImage,
+                                      vk::DescriptorType::eCombinedImageSampler,
+                                      vk::DescriptorType::eUniformBuffer};  // in the order of BindingKind
+    return types.at(static_cast<std::size_t>(kind));
 }
 
 const char* name_of(BindingKind kind) {
-    switch (kind) {
-        case BindingKind::storage_buffer:
-            return "storage buffer";
-        case BindingKind::storage_image:
-            return "storage image";
-        case BindingKind::sampled_image:
-            return "sampled image";
-        case BindingKind::uniform_buffer:
-            return "uniform buffer";
-    }
-    throw std::invalid_argument("unknown kind of binding");
+    static constexpr std::array names{"storage buffer", "storage image", "sampled image", "uniform buffer"};
+    return names.at(static_cast<std::size_t>(kind));
 }
 
 ComputePipeline::Impl::Impl(Context& owner, const ComputeProgram& made_of)

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -93,14 +94,9 @@ int rank(const vk::raii::PhysicalDevice& device) {
     if (device.getProperties().deviceType != vk::PhysicalDeviceType::eCpu) return 0;
     const auto chain =
         device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>();
-    switch (chain.get<vk::PhysicalDeviceDriverProperties>().driverID) {
-        case vk::DriverId::eMesaLlvmpipe:
-            return 1;
-        case vk::DriverId::eGoogleSwiftshader:
-            return 3;
-        default:
-            return 2;
-    }
+    const vk::DriverId driver = chain.get<vk::PhysicalDeviceDriverProperties>().driverID;
+    if (driver == vk::DriverId::eMesaLlvmpipe) return 1;
+    return driver == vk::DriverId::eGoogleSwiftshader ? 3 : 2;
 }
 
 }  // namespace
@@ -205,18 +201,11 @@ std::size_t select_device(std::span<const DeviceInfo> devices, std::string_view 
 namespace {
 
 std::string type_name(vk::PhysicalDeviceType type) {
-    switch (type) {
-        case vk::PhysicalDeviceType::eCpu:
-            return "cpu";
-        case vk::PhysicalDeviceType::eIntegratedGpu:
-            return "integrated";
-        case vk::PhysicalDeviceType::eDiscreteGpu:
-            return "discrete";
-        case vk::PhysicalDeviceType::eVirtualGpu:
-            return "virtual";
-        default:
-            return "other";
-    }
+    using enum vk::PhysicalDeviceType;
+    static const std::map<vk::PhysicalDeviceType, const char*> names{
+        {eCpu, "cpu"}, {eIntegratedGpu, "integrated"}, {eDiscreteGpu, "discrete"}, {eVirtualGpu, "virtual"}};
+    const auto found = names.find(type);
+    return found == names.end() ? "other" : found->second;
 }
 
 std::string version_text(std::uint32_t version) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstring>
 
@@ -25,72 +26,25 @@ bool is_float(SampledTexel texel) {
     return texel == SampledTexel::real || texel == SampledTexel::depth;
 }
 
-vk::Format format_of(SampledTexel texel) {
-    switch (texel) {
-        case SampledTexel::integer:
-            return vk::Format::eR32G32B32A32Sint;
-        case SampledTexel::natural:
-            return vk::Format::eR32G32B32A32Uint;
-        case SampledTexel::depth:
-            return vk::Format::eD32Sfloat;
-        default:
-            return vk::Format::eR16G16B16A16Sfloat;  // every device filters it
-    }
-}
+// In the order of the enumerations. Every device filters halves.
+constexpr std::array formats{vk::Format::eR16G16B16A16Sfloat, vk::Format::eR32G32B32A32Sint,
+                             vk::Format::eR32G32B32A32Uint, vk::Format::eD32Sfloat};
+constexpr std::array comparisons{vk::CompareOp::eLessOrEqual, vk::CompareOp::eGreaterOrEqual,
+                                 vk::CompareOp::eLess, vk::CompareOp::eGreater};
+constexpr std::array view_types{vk::ImageViewType::e2D, vk::ImageViewType::e2DArray, vk::ImageViewType::e3D,
+                                vk::ImageViewType::eCube, vk::ImageViewType::eCubeArray};
+constexpr std::array address_modes{vk::SamplerAddressMode::eRepeat, vk::SamplerAddressMode::eMirroredRepeat,
+                                   vk::SamplerAddressMode::eClampToEdge,
+                                   vk::SamplerAddressMode::eClampToBorder};
 
 vk::ImageAspectFlagBits aspect_of(SampledTexel texel) {
     return texel == SampledTexel::depth ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
 }
 
-vk::ImageType image_type(SampledShape shape) {
-    return shape == SampledShape::three ? vk::ImageType::e3D : vk::ImageType::e2D;
-}
-
-vk::CompareOp compare_op(backend::Compare compare) {
-    switch (compare) {
-        case backend::Compare::greater_equal:
-            return vk::CompareOp::eGreaterOrEqual;
-        case backend::Compare::less:
-            return vk::CompareOp::eLess;
-        case backend::Compare::greater:
-            return vk::CompareOp::eGreater;
-        default:
-            return vk::CompareOp::eLessOrEqual;
-    }
-}
-
-vk::ImageViewType view_type(SampledShape shape) {
-    switch (shape) {
-        case SampledShape::layers:
-            return vk::ImageViewType::e2DArray;
-        case SampledShape::three:
-            return vk::ImageViewType::e3D;
-        case SampledShape::cube:
-            return vk::ImageViewType::eCube;
-        case SampledShape::cube_layers:
-            return vk::ImageViewType::eCubeArray;
-        default:
-            return vk::ImageViewType::e2D;
-    }
-}
-
-vk::SamplerAddressMode address_mode(backend::Wrap wrap) {
-    switch (wrap) {
-        case backend::Wrap::mirrored:
-            return vk::SamplerAddressMode::eMirroredRepeat;
-        case backend::Wrap::edge:
-            return vk::SamplerAddressMode::eClampToEdge;
-        case backend::Wrap::border:
-            return vk::SamplerAddressMode::eClampToBorder;
-        default:
-            return vk::SamplerAddressMode::eRepeat;
-    }
-}
-
 vk::raii::Sampler sampler_of(const Context& context, const SampledHeader& header) {
     const bool linear = header.linear != 0;
     const auto filter = linear ? vk::Filter::eLinear : vk::Filter::eNearest;
-    const auto mode = address_mode(header.wrap);
+    const auto mode = named(address_modes, header.wrap);
     return {context.device,
             vk::SamplerCreateInfo{
                 .magFilter = filter,
@@ -100,7 +54,7 @@ vk::raii::Sampler sampler_of(const Context& context, const SampledHeader& header
                 .addressModeV = mode,
                 .addressModeW = mode,
                 .compareEnable = header.texel == SampledTexel::depth ? VK_TRUE : VK_FALSE,
-                .compareOp = compare_op(header.compare),
+                .compareOp = named(comparisons, header.compare),
                 .maxLod = VK_LOD_CLAMP_NONE,
                 .borderColor = is_float(header.texel) ? vk::BorderColor::eFloatTransparentBlack
                                                       : vk::BorderColor::eIntTransparentBlack}};
@@ -109,8 +63,8 @@ vk::raii::Sampler sampler_of(const Context& context, const SampledHeader& header
 vk::ImageCreateInfo info_of(const SampledHeader& header) {
     return {
         .flags = is_cube(header.shape) ? vk::ImageCreateFlagBits::eCubeCompatible : vk::ImageCreateFlags{},
-        .imageType = image_type(header.shape),
-        .format = format_of(header.texel),
+        .imageType = is_3d(header) ? vk::ImageType::e3D : vk::ImageType::e2D,
+        .format = named(formats, header.texel),
         .extent = {header.width, header.height, is_3d(header) ? header.depth : 1},
         .mipLevels = header.levels,
         .arrayLayers = layers_of(header),
@@ -125,7 +79,7 @@ SampledHandles create(Context& context, const SampledHeader& header) {
     if (header.shape == SampledShape::cube_layers &&
         context.physical.handle.getFeatures().imageCubeArray == VK_FALSE)
         throw backend::Unsupported("this device has no samplers of arrays of cubes");
-    return {make_image(context, info_of(header), view_type(header.shape), aspect_of(header.texel),
+    return {make_image(context, info_of(header), named(view_types, header.shape), aspect_of(header.texel),
                        "a sampled image"),
             sampler_of(context, header)};
 }

@@ -4,6 +4,7 @@
 #include <spirv.h>
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "shader/module.hpp"
 #include "shader/spirv.hpp"
@@ -40,26 +41,21 @@ std::optional<std::size_t> leading_ids(std::uint32_t opcode) {
     if (opcode >= SpvOpConvertFToU && opcode <= SpvOpBitcast) return all;
     if (opcode >= SpvOpSNegate && opcode <= SpvOpBitCount) return all;
     if (opcode >= SpvOpAny && opcode <= SpvOpFUnordGreaterThanEqual) return all;
-    switch (opcode) {
-        case SpvOpAccessChain:
-        case SpvOpInBoundsAccessChain:
-        case SpvOpCompositeConstruct:
-        case SpvOpFunctionCall:
-        case SpvOpTranspose:
-        case SpvOpCopyObject:
-        case SpvOpVectorExtractDynamic:
-        case SpvOpVectorInsertDynamic:
-            return all;
-        case SpvOpLoad:
-        case SpvOpCompositeExtract:
-            return 1;
-        case SpvOpStore:
-        case SpvOpVectorShuffle:
-        case SpvOpCompositeInsert:
-            return 2;
-        default:
-            return std::nullopt;
-    }
+    static const std::map<std::uint32_t, std::size_t> others{{SpvOpAccessChain, all},
+                                                             {SpvOpInBoundsAccessChain, all},
+                                                             {SpvOpCompositeConstruct, all},
+                                                             {SpvOpFunctionCall, all},
+                                                             {SpvOpTranspose, all},
+                                                             {SpvOpCopyObject, all},
+                                                             {SpvOpVectorExtractDynamic, all},
+                                                             {SpvOpVectorInsertDynamic, all},
+                                                             {SpvOpLoad, 1},
+                                                             {SpvOpCompositeExtract, 1},
+                                                             {SpvOpStore, 2},
+                                                             {SpvOpVectorShuffle, 2},
+                                                             {SpvOpCompositeInsert, 2}};
+    const auto found = others.find(opcode);
+    return found == others.end() ? std::nullopt : std::optional(found->second);
 }
 
 Spirv joined(const Op& op) {

@@ -108,15 +108,8 @@ class Process {
 // Called before a shader is constructed, so that Process exists before any shader.
 EShLanguage language_of(Stage stage) {
     static const Process process;
-    switch (stage) {
-        case Stage::vertex:
-            return EShLangVertex;
-        case Stage::fragment:
-            return EShLangFragment;
-        case Stage::compute:
-            break;
-    }
-    return EShLangCompute;
+    if (stage == Stage::vertex) return EShLangVertex;
+    return stage == Stage::fragment ? EShLangFragment : EShLangCompute;
 }
 
 // With this flag glslang does not add a spurious syntax error after the first real one.

@@ -112,15 +112,8 @@ struct Context {
 
 // OpenGL's name of an image's format.
 inline GLenum format_of(Image::Format format) {
-    switch (format) {
-        case Image::Format::r32f:
-            return GL_R32F;
-        case Image::Format::rgba16f:
-            return GL_RGBA16F;
-        case Image::Format::rgba32f:
-            break;
-    }
-    return GL_RGBA32F;
+    if (format == Image::Format::r32f) return GL_R32F;
+    return format == Image::Format::rgba16f ? GL_RGBA16F : GL_RGBA32F;
 }
 
 }  // namespace gloam::gl::internal
