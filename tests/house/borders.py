@@ -27,7 +27,7 @@ WINGS = {
         "catalogue": {"check", "reference", "numeric"},
         "scene": {"base", "backend", "shader", "numeric"},
         "effect": {"base", "backend", "scene", "shader", "numeric"},
-        "experiment": {"base", "backend", "effect", "scene", "reference", "shader", "numeric"},
+        "experiment": {"base", "backend", "effect", "scene", "reference", "report", "shader", "numeric"},
         "report": {"base", "check", "numeric"},
     },
 }

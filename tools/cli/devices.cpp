@@ -16,6 +16,7 @@
 #include "check/lab.hpp"
 #include "cli/check/checker.hpp"
 #include "cli/open_device.hpp"
+#include "report/json.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -125,13 +126,11 @@ using nlohmann::json;
 constexpr std::chrono::seconds time_to_list{30};
 
 GlExecutor executor_from(const std::string& name, const std::string& line) {
-    GlExecutor executor{.name = name};
-    base::require_bounded_json(line);
-    const json object = json::parse(line, nullptr, false);
-    if (!object.is_object()) throw std::runtime_error("expected a JSON object");
-    executor.error = object.at("error").get<std::string>();
-    for (const json& device : object.at("devices"))
-        executor.devices.push_back(report::device_from_json(device.get<std::string>()));
+    const nlohmann::ordered_json object = report::parse_json(line);
+    const report::JsonReader listed(object, "");
+    GlExecutor executor{.name = name, .devices = {}, .error = listed.member("error").text()};
+    for (const std::string& device : listed.member("devices").texts())
+        executor.devices.push_back(report::device_from_json(device));
     return executor;
 }
 

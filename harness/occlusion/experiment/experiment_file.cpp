@@ -13,8 +13,7 @@ namespace gloam::experiment {
 namespace {
 
 using internal::Members;
-using internal::Value;
-using nlohmann::ordered_json;
+using report::JsonReader;
 
 constexpr int most_frames = 1'000;
 constexpr int most_rays = 65'536;
@@ -28,9 +27,9 @@ void read_layer(Members& members, Layer& layer) {
     members.read("radius", layer.radius, 1e-3, 1e3);
     members.read("enough_samples", layer.enough_samples);
     members.read("pictures", layer.pictures, picture_kinds());
-    if (const Value* plain = members.find("plain")) {
+    if (const JsonReader* plain = members.find("plain")) {
         std::string text;
-        plain->read(text);
+        internal::read(*plain, text);
         layer.kind = Kind::plain;
         try {
             layer.plain = plain_loop(text);
@@ -43,11 +42,12 @@ void read_layer(Members& members, Layer& layer) {
         members.read(name, is);
         if (is) layer.kind = kind;
     }
-    if (const Value* set = members.find("set"))
-        for (const auto& [name, value] : set->members()) layer.set.emplace_back(name, value.setting());
+    if (const JsonReader* set = members.find("set"))
+        for (const auto& [name, value] : set->members())
+            layer.set.emplace_back(name, internal::setting_of(value));
 }
 
-Candidate candidate_from(const Value& value) {
+Candidate candidate_from(const JsonReader& value) {
     Members members(value);
     Candidate candidate;
     members.read("name", candidate.name);
@@ -58,14 +58,14 @@ Candidate candidate_from(const Value& value) {
     return candidate;
 }
 
-Case case_from(const Value& value) {
+Case case_from(const JsonReader& value) {
     Members members(value);
     Case made;
     members.read("scene", made.scene);
     for (const auto& [name, is] : {std::pair("view", &Case::view), {"closed_form", &Case::closed_form}}) {
-        const Value* found = members.find(name);
+        const JsonReader* found = members.find(name);
         if (found == nullptr) continue;
-        found->read(made.scene);
+        internal::read(*found, made.scene);
         made.*is = true;
     }
     members.require("scene", !made.scene.empty());
@@ -90,9 +90,9 @@ Case case_from(const Value& value) {
     return made;
 }
 
-void read_cases(const Value& value, Experiment& experiment) {
+void read_cases(const JsonReader& value, Experiment& experiment) {
     if (value.is_array()) {
-        for (const Value& element : value.elements()) experiment.cases.push_back(case_from(element));
+        for (const JsonReader& element : value.elements()) experiment.cases.push_back(case_from(element));
         return;
     }
     Members members(value);
@@ -105,7 +105,7 @@ void read_cases(const Value& value, Experiment& experiment) {
     members.require_known();
 }
 
-CandidateQuery query_from(const Value& value) {
+CandidateQuery query_from(const JsonReader& value) {
     Members members(value);
     CandidateQuery query;
     members.read("methods", query.methods);
@@ -119,12 +119,12 @@ CandidateQuery query_from(const Value& value) {
 }
 
 // An element that names methods is a query, of which there may be one.
-void read_candidates(const Value& value, Experiment& experiment) {
+void read_candidates(const JsonReader& value, Experiment& experiment) {
     if (!value.is_array()) {
         experiment.candidate_query = query_from(value);
         return;
     }
-    for (const Value& element : value.elements()) {
+    for (const JsonReader& element : value.elements()) {
         if (Members(element).find("methods") == nullptr) {
             experiment.candidates.push_back(candidate_from(element));
             continue;
@@ -134,7 +134,7 @@ void read_candidates(const Value& value, Experiment& experiment) {
     }
 }
 
-Column column_from(const Value& value) {
+Column column_from(const JsonReader& value) {
     Members members(value);
     Column column;
     members.read("title", column.title);
@@ -168,7 +168,7 @@ Column column_from(const Value& value) {
     return column;
 }
 
-Table table_from(const Value& value) {
+Table table_from(const JsonReader& value) {
     Members members(value);
     Table table;
     members.read("rows", table.rows,
@@ -178,10 +178,10 @@ Table table_from(const Value& value) {
     members.read("group", table.group);
     members.read("keep", table.keep, std::vector<std::string>{"front", "best", "doubling"});
     members.read("in_report", table.in_report);
-    const Value* columns = members.find("columns");
+    const JsonReader* columns = members.find("columns");
     members.require("rows", !table.rows.empty());
     members.require("columns", columns != nullptr);
-    for (const Value& column : columns->elements()) table.columns.push_back(column_from(column));
+    for (const JsonReader& column : columns->elements()) table.columns.push_back(column_from(column));
     members.require_known();
     return table;
 }
@@ -225,16 +225,17 @@ const std::vector<std::string>& picture_kinds() {
 
 Experiment read_experiment(const std::string& name, std::string_view text) {
     try {
-        const ordered_json document = internal::parsed(text);
-        Members members(Value(document, ""));
+        const nlohmann::ordered_json document = report::parse_json(text);
+        Members members(JsonReader(document, ""));
         Experiment experiment{.name = name};
         members.read("about", experiment.about);
         read_frames(members, experiment);
         read_layer(members, experiment.layer);
-        if (const Value* cases = members.find("cases")) read_cases(*cases, experiment);
-        if (const Value* candidates = members.find("candidates")) read_candidates(*candidates, experiment);
-        if (const Value* tables = members.find("tables"))
-            for (const Value& table : tables->elements()) experiment.tables.push_back(table_from(table));
+        if (const JsonReader* cases = members.find("cases")) read_cases(*cases, experiment);
+        if (const JsonReader* candidates = members.find("candidates"))
+            read_candidates(*candidates, experiment);
+        if (const JsonReader* tables = members.find("tables"))
+            for (const JsonReader& table : tables->elements()) experiment.tables.push_back(table_from(table));
         members.require_known();
         if (experiment.sizes.empty()) throw std::runtime_error("sizes: expected one or more");
         if (experiment.cases.empty() && !experiment.query)

@@ -16,15 +16,14 @@ namespace gloam::experiment {
 namespace {
 
 using internal::Members;
-using internal::Value;
 using nlohmann::ordered_json;
 
 constexpr int most = 1'000'000;  // of counts that are small
 constexpr double largest = std::numeric_limits<double>::max();
 
-// The members of each part of a record are named once, by members(): with a JsonWriter they are written, with
-// a JsonReader they are read.
-class JsonWriter {
+// The members of each part of a record are named once, by members(): with a MemberWriter they are written,
+// with a MemberReader they are read.
+class MemberWriter {
   public:
     template <class T>
     void member(const char* name, T& value) {
@@ -48,7 +47,7 @@ class JsonWriter {
 
     template <class T>
     static ordered_json json_of(T& value) {
-        JsonWriter writer;
+        MemberWriter writer;
         members(writer, value);
         return std::move(writer.json);
     }
@@ -56,13 +55,13 @@ class JsonWriter {
     ordered_json json = ordered_json::object();
 };
 
-class JsonReader {
+class MemberReader {
   public:
-    explicit JsonReader(const Value& value) : members_(value) {}
+    explicit MemberReader(const JsonReader& value) : members_(value) {}
 
     template <class T>
     void member(const char* name, T& value) {
-        const Value* found = members_.find(name);
+        const JsonReader* found = members_.find(name);
         members_.require(name, found != nullptr);
         read(*found, value);
     }
@@ -70,117 +69,61 @@ class JsonReader {
     // What was empty was not written.
     template <class T>
     void member(const char* name, std::optional<T>& value) {
-        if (const Value* found = members_.find(name)) read(*found, value.emplace());
+        if (const JsonReader* found = members_.find(name)) read(*found, value.emplace());
     }
     void member(const char* name, std::string& value) {
-        if (const Value* found = members_.find(name)) found->read(value);
+        if (const JsonReader* found = members_.find(name)) read(*found, value);
     }
 
   private:
-    static void read(const Value& value, std::string& text) { value.read(text); }
-    static void read(const Value& value, int& count) { value.read(count, 0, most); }
-    static void read(const Value& value, double& number) {
-        number = std::numeric_limits<double>::quiet_NaN();  // which JSON has not
-        if (!value.is_null()) value.read(number, -largest, largest);
+    static void read(const JsonReader& value, std::string& text) { internal::read(value, text); }
+    static void read(const JsonReader& value, int& count) { count = value.integer(0, most); }
+    static void read(const JsonReader& value, double& number) {  // JSON has no NaN
+        number = value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.number(-largest, largest);
     }
-    static void read(const Value& value, std::uint64_t& count) {
+    static void read(const JsonReader& value, std::uint64_t& count) {
         constexpr double most_counted = 9e15;
-        double number = 0.0;
-        value.read(number, 0.0, most_counted);
-        count = static_cast<std::uint64_t>(number);
+        count = static_cast<std::uint64_t>(value.number(0.0, most_counted));
     }
-    static void read(const Value& value, std::uint32_t& count) {
-        int number = 0;
-        value.read(number, 1, most);
-        count = static_cast<std::uint32_t>(number);
+    static void read(const JsonReader& value, std::uint32_t& count) {
+        count = static_cast<std::uint32_t>(value.integer(1, most));
     }
 
     template <class T>
-    static void read(const Value& value, std::vector<T>& values) {
-        for (const Value& element : value.elements()) read(element, values.emplace_back());
+    static void read(const JsonReader& value, std::vector<T>& values) {
+        for (const JsonReader& element : value.elements()) read(element, values.emplace_back());
     }
 
     template <class T>
-    static void read(const Value& value, T& part) {
-        JsonReader reader(value);
+    static void read(const JsonReader& value, T& part) {
+        MemberReader reader(value);
         members(reader, part);
     }
 
     Members members_;
 };
 
-template <class Io>
-void members(Io& io, Conditions& all) {
-    io.member("experiment", all.experiment);
-    io.member("device", all.device);
-    io.member("driver", all.driver);
-    io.member("frames", all.frames);
-    io.member("scored", all.scored);
-    io.member("repeat", all.repeat);
-    io.member("rays", all.rays);
-}
+// The members of a part that have their own names in the text.
+#define GLOAM_MEMBER(name) io.member(#name, all.name);
+#define GLOAM_MEMBERS(Part, ...)                                             \
+    template <class Io>                                                      \
+    void members(Io& io, Part& all) {                                        \
+        NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(GLOAM_MEMBER, __VA_ARGS__)) \
+    }
 
-template <class Io>
-void members(Io& io, ClassScore& all) {
-    io.member("pixels", all.pixels);
-    io.member("against", all.against);
-    io.member("count", all.count);
-    io.member("squares", all.squares);
-    io.member("raw_squares", all.raw_squares);
-    io.member("raw_errors", all.raw_errors);
-}
-
-template <class Io>
-void members(Io& io, FrameScore& all) {
-    io.member("frame", all.frame);
-    io.member("samples", all.samples);
-    io.member("classes", all.classes);
-}
-
-template <class Io>
-void members(Io& io, ClassFlicker& all) {
-    io.member("pixels", all.pixels);
-    io.member("mean", all.mean);
-}
-
-template <class Io>
-void members(Io& io, ClassScores& all) {
-    io.member("most_samples", all.most_samples);
-    io.member("frames", all.frames);
-    io.member("flicker", all.flicker);
-}
-
-template <class Io>
-void members(Io& io, effect::Errors& all) {
-    io.member("rmse", all.rmse);
-    io.member("bias", all.bias);
-    io.member("percentile_99", all.percentile_99);
-}
-
-template <class Io>
-void members(Io& io, Converged& all) {
-    io.member("geometry", all.geometry);
-    io.member("remapped", all.remapped);
-    io.member("similarity", all.similarity);
-    io.member("depth", all.depth);
-    io.member("own", all.own);
-}
-
-template <class Io>
-void members(Io& io, PointQuality& all) {
-    io.member("truth", all.truth);
-    io.member("occlusion", all.occlusion);
-    io.member("standard_error", all.standard_error);
-    io.member("shown", all.shown);
-}
-
-template <class Io>
-void members(Io& io, effect::RemapBin& all) {
-    io.member("count", all.count);
-    io.member("visibility", all.visibility);
-    io.member("truth", all.truth);
-    io.member("square", all.square);
-}
+GLOAM_MEMBERS(Conditions, experiment, device, driver, frames, scored, repeat, rays)
+GLOAM_MEMBERS(ClassScore, pixels, against, count, squares, raw_squares, raw_errors)
+GLOAM_MEMBERS(FrameScore, frame, samples, classes)
+GLOAM_MEMBERS(ClassFlicker, pixels, mean)
+GLOAM_MEMBERS(ClassScores, most_samples, frames, flicker)
+GLOAM_MEMBERS(effect::Errors, rmse, bias, percentile_99)
+GLOAM_MEMBERS(Converged, geometry, remapped, similarity, depth, own)
+GLOAM_MEMBERS(PointQuality, truth, occlusion, standard_error, shown)
+GLOAM_MEMBERS(effect::RemapBin, count, visibility, truth, square)
+GLOAM_MEMBERS(effect::Work, pixels, background, below_radius, converged, samples, tiles, tiles_background,
+              tiles_skipped, tiles_shaded, tiles_filtered, tiles_blank, tiles_settled, tiles_unfiltered)
+GLOAM_MEMBERS(effect::PassTime, pass, ms)
+GLOAM_MEMBERS(FrameReading, passes)
 
 template <class Io>
 void members(Io& io, FrameQuality& all) {
@@ -198,34 +141,6 @@ void members(Io& io, FrameQuality& all) {
     io.member("converged", all.converged);
     io.member("by_class", all.by_class);
     io.member("bins", all.bins);
-}
-
-template <class Io>
-void members(Io& io, effect::Work& all) {
-    io.member("pixels", all.pixels);
-    io.member("background", all.background);
-    io.member("below_radius", all.below_radius);
-    io.member("converged", all.converged);
-    io.member("samples", all.samples);
-    io.member("tiles", all.tiles);
-    io.member("tiles_background", all.tiles_background);
-    io.member("tiles_skipped", all.tiles_skipped);
-    io.member("tiles_shaded", all.tiles_shaded);
-    io.member("tiles_filtered", all.tiles_filtered);
-    io.member("tiles_blank", all.tiles_blank);
-    io.member("tiles_settled", all.tiles_settled);
-    io.member("tiles_unfiltered", all.tiles_unfiltered);
-}
-
-template <class Io>
-void members(Io& io, effect::PassTime& all) {
-    io.member("pass", all.pass);
-    io.member("ms", all.ms);
-}
-
-template <class Io>
-void members(Io& io, FrameReading& all) {
-    io.member("passes", all.passes);
 }
 
 template <class Io>
@@ -249,9 +164,9 @@ void members(Io& io, Visit& all) {
 }
 
 template <class T>
-T part_in(const Value& value) {
+T part_in(const JsonReader& value) {
     T part;
-    JsonReader reader(value);
+    MemberReader reader(value);
     members(reader, part);
     return part;
 }
@@ -266,7 +181,7 @@ std::string key_of(const Visit& visit) {
 
 std::string Record::heading() const {
     Conditions conditions = conditions_;
-    return JsonWriter::json_of(conditions).dump();
+    return MemberWriter::json_of(conditions).dump();
 }
 
 const Visit* Record::find(const Visit& like) const {
@@ -283,13 +198,13 @@ void Record::add(Visit visit) {
 }
 
 void Record::add_line(std::string_view line) {
-    const ordered_json visit = internal::parsed(line);
-    add(part_in<Visit>(Value(visit, "")));
+    const ordered_json visit = report::parse_json(line);
+    add(part_in<Visit>(JsonReader(visit, "")));
 }
 
 std::string line_of(const Visit& visit) {
     Visit written = visit;
-    return JsonWriter::json_of(written).dump();
+    return MemberWriter::json_of(written).dump();
 }
 
 Record read_record(const std::string& name, std::string_view text) {
@@ -297,10 +212,10 @@ Record read_record(const std::string& name, std::string_view text) {
     try {
         const std::string_view first = text.substr(0, text.find('\n'));
         const bool is_document = !ordered_json::accept(first) || first.size() == text.size();
-        const ordered_json heading = internal::parsed(is_document ? text : first);
-        Record record(part_in<Conditions>(Value(heading, "")));
+        const ordered_json heading = report::parse_json(is_document ? text : first);
+        Record record(part_in<Conditions>(JsonReader(heading, "")));
         if (heading.contains("visits")) {
-            for (const Value& visit : Value(heading["visits"], "visits").elements())
+            for (const JsonReader& visit : JsonReader(heading["visits"], "visits").elements())
                 record.add(part_in<Visit>(visit));
             return record;
         }

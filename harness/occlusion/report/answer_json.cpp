@@ -3,13 +3,11 @@
 
 #include <fmt/format.h>
 
-#include "report/internal/json_fields.hpp"
+#include "report/internal/answer_json.hpp"
 
 namespace gloam::report {
 
 using check::Answer;
-using internal::JsonReader;
-using internal::number_json;
 using nlohmann::ordered_json;
 
 namespace internal {
@@ -290,7 +288,7 @@ std::string to_json(const Answer& answer) {
 }
 
 Answer answer_from_json(std::string_view text) {
-    const ordered_json json = internal::parse_json(text);
+    const ordered_json json = parse_json(text);
     return internal::read_answer(JsonReader(json, ""));
 }
 

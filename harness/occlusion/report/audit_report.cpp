@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "base/version.hpp"
-#include "report/internal/json_fields.hpp"
+#include "report/json.hpp"
 #include "report/page.hpp"
 
 namespace gloam::report {
@@ -26,22 +26,21 @@ ordered_json place_json(const check::AuditPlace& place) {
 
 ordered_json finding_json(const check::AuditFinding& finding) {
     ordered_json json{{"concern", name_of(finding.concern)},
-                      {"share", internal::number_json(finding.share)},
+                      {"share", number_json(finding.share)},
                       {"input", finding.values},
                       {"words", finding.words},
                       {"output", finding.output},
-                      {"value", internal::number_json(finding.value)},
-                      {"exact", internal::number_json(finding.exact)},
+                      {"value", number_json(finding.value)},
+                      {"exact", number_json(finding.exact)},
                       {"permitted",
-                       {{"low", internal::number_json(finding.permitted.low)},
-                        {"high", internal::number_json(finding.permitted.high)},
+                       {{"low", number_json(finding.permitted.low)},
+                        {"high", number_json(finding.permitted.high)},
                         {"nan", finding.permitted.nan}}},
-                      {"digits_lost", internal::number_json(finding.lost)},
+                      {"digits_lost", number_json(finding.lost)},
                       {"place", place_json(finding.place)}};
     if (!finding.message.empty()) json["message"] = finding.message;
     for (const check::AuditWitness& witness : finding.witnesses)
-        json["devices"].push_back(
-            {{"device", witness.device}, {"value", internal::number_json(witness.value)}});
+        json["devices"].push_back({{"device", witness.device}, {"value", number_json(witness.value)}});
     return json;
 }
 
@@ -69,8 +68,8 @@ ordered_json audit_json(const check::Audit& audit) {
     for (const check::AuditLine& line : audit.lines)
         json["lines"].push_back({{"file", line.file},
                                  {"line", line.line},
-                                 {"digits_lost", internal::number_json(line.lost)},
-                                 {"half_digits_lost", internal::number_json(line.lost_half)}});
+                                 {"digits_lost", number_json(line.lost)},
+                                 {"half_digits_lost", number_json(line.lost_half)}});
     if (audit.half) json["half"] = finding_json(*audit.half);
     for (const check::AuditRewrite& rewrite : audit.rewrites)
         json["rewrites"].push_back({{"file", rewrite.file},

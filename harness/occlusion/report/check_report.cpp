@@ -11,13 +11,12 @@
 #include "base/text.hpp"
 #include "base/version.hpp"
 #include "numeric/numbers.hpp"
-#include "report/internal/json_fields.hpp"
+#include "report/internal/answer_json.hpp"
 
 namespace gloam::report {
 
 namespace {
 
-using internal::JsonReader;
 using nlohmann::ordered_json;
 
 constexpr auto replace = ordered_json::error_handler_t::replace;  // of bytes that are no UTF-8
@@ -73,7 +72,7 @@ std::string to_json(const DeviceSummary& device) {
 }
 
 DeviceSummary device_from_json(std::string_view text) {
-    const ordered_json json = internal::parse_json(text);
+    const ordered_json json = parse_json(text);
     return read_device(JsonReader(json, ""));
 }
 
@@ -95,7 +94,7 @@ std::string to_json(const std::vector<CheckReport>& reports) {
 }
 
 std::vector<CheckReport> reports_from_json(std::string_view text) {
-    const ordered_json json = internal::parse_json(text);
+    const ordered_json json = parse_json(text);
     const JsonReader all(json, "");
     if (!all.is_array()) return {read_report(all)};
     std::vector<CheckReport> reports;

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <stdexcept>
@@ -19,6 +18,7 @@
 #include "numeric/numbers.hpp"
 #include "report/check_report.hpp"
 #include "report/failures.hpp"
+#include "report/json.hpp"
 #include "shader/spirv.hpp"
 
 namespace gloam::cli {
@@ -92,17 +92,6 @@ std::vector<report::ReplayedModule> modules_of(const check::Reproduction& all) {
     return modules;
 }
 
-std::vector<std::uint32_t> words_of(const json& array) {
-    std::vector<std::uint32_t> words;
-    for (const json& word : array) {
-        if (!word.is_number_unsigned() ||
-            word.get<std::uint64_t>() > std::numeric_limits<std::uint32_t>::max())
-            throw std::runtime_error("\"spirv\": expected words of 32 bits");
-        words.push_back(word.get<std::uint32_t>());
-    }
-    return words;
-}
-
 check::Reproduction reproduction_of(const check::Lab& lab, const check::Question& question,
                                     const HandOverRequest& request, const check::RunOptions& options) {
     if (!request.ran) return check::reproduce(lab, question, options);
@@ -146,20 +135,19 @@ std::string to_line(const HandOver& hand_over) {
 }
 
 HandOver hand_over_from(std::string_view line) {
-    base::require_bounded_json(line);
-    const json object = json::parse(line, nullptr, false);
-    if (!object.is_object()) throw std::runtime_error("expected a JSON object");
-    return {.glsl = object.at("glsl").get<std::string>(),
-            .assembly = object.at("assembly").get<std::string>(),
-            .spirv = words_of(object.at("spirv")),
-            .amber = object.at("amber").get<std::string>(),
-            .shader_test = object.at("shader_test").get<std::string>(),
-            .c_program = object.at("c_program").get<std::string>(),
-            .steps = object.at("steps").get<std::vector<std::string>>(),
-            .rules = object.at("rules").get<std::vector<std::string>>(),
-            .before = words_of(object.at("before")),
-            .smallest = report::answer_from_json(object.at("smallest").get<std::string>()).worst,
-            .error = object.at("error").get<std::string>()};
+    const nlohmann::ordered_json object = report::parse_json(line);
+    const report::JsonReader all(object, "");
+    return {.glsl = all.member("glsl").text(),
+            .assembly = all.member("assembly").text(),
+            .spirv = all.member("spirv").words(),
+            .amber = all.member("amber").text(),
+            .shader_test = all.member("shader_test").text(),
+            .c_program = all.member("c_program").text(),
+            .steps = all.member("steps").texts(),
+            .rules = all.member("rules").texts(),
+            .before = all.member("before").words(),
+            .smallest = report::answer_from_json(all.member("smallest").text()).worst,
+            .error = all.member("error").text()};
 }
 
 HandOverRequest request_for(const CheckTask& task, const check::Answer& row) {
@@ -228,13 +216,10 @@ struct Kept {
 };
 
 Kept kept_from(const std::string& line) {
-    base::require_bounded_json(line);
-    const json object = json::parse(line, nullptr, false);
-    if (!object.is_object() || !object.contains("device") || !object["device"].is_string() ||
-        !object.contains("row") || !object["row"].is_string())
-        throw std::runtime_error("expected an object with the texts \"device\" and \"row\"");
-    return {.device = object["device"].get<std::string>(),
-            .row = report::answer_from_json(object["row"].get<std::string>())};
+    const ordered_json object = report::parse_json(line);
+    const report::JsonReader kept(object, "");
+    return {.device = kept.member("device").text(),
+            .row = report::answer_from_json(kept.member("row").text())};
 }
 
 }  // namespace

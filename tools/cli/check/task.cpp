@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/check/task.hpp"
 
-#include <algorithm>
-#include <nlohmann/json.hpp>
-#include <stdexcept>
-
-#include "base/text.hpp"
+#include "report/json.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -13,49 +9,6 @@ namespace {
 using nlohmann::json;
 
 constexpr auto replace = json::error_handler_t::replace;  // of bytes that are no UTF-8
-
-// Parses a line as an object with these members.
-json object_from(std::string_view line, std::initializer_list<const char*> members) {
-    constexpr std::size_t longest_quote = 200;
-    const std::string quote = base::shortened(line, longest_quote);
-    base::require_bounded_json(line);
-    json object = json::parse(line, nullptr, false);
-    if (!object.is_object()) throw std::runtime_error("expected a JSON object, found " + quote);
-    for (const char* member : members) {
-        if (!object.contains(member))
-            throw std::runtime_error("expected the field \"" + std::string(member) + "\" in " + quote);
-    }
-    return object;
-}
-
-// The library converts any number to any type, even out of range.
-std::uint64_t count_in(const json& object, const char* member) {
-    const json& value = object[member];
-    if (!value.is_number_unsigned())
-        throw std::runtime_error(std::string("\"") + member + "\": expected a count");
-    return value.get<std::uint64_t>();
-}
-
-std::string text_in(const json& object, const char* member) {
-    const json& value = object[member];
-    if (!value.is_string()) throw std::runtime_error(std::string("\"") + member + "\": expected a text");
-    return value.get<std::string>();
-}
-
-bool flag_in(const json& object, const char* member) {
-    const json& value = object[member];
-    if (!value.is_boolean())
-        throw std::runtime_error(std::string("\"") + member + "\": expected true or false");
-    return value.get<bool>();
-}
-
-std::vector<std::string> texts_in(const json& object, const char* member) {
-    const json& value = object[member];
-    const auto is_text = [](const json& element) { return element.is_string(); };
-    if (!value.is_array() || !std::ranges::all_of(value, is_text))
-        throw std::runtime_error(std::string("\"") + member + "\": expected texts");
-    return value.get<std::vector<std::string>>();
-}
 
 }  // namespace
 
@@ -67,16 +20,16 @@ std::string to_line(const CheckTask& task) {
 }
 
 CheckTask task_from(std::string_view line) {
-    const json object = object_from(
-        line, {"equation", "variant", "inputs", "seed", "coverage", "file", "ranges", "includes"});
-    return {.equation = text_in(object, "equation"),
-            .variant = text_in(object, "variant"),
-            .inputs = count_in(object, "inputs"),
-            .seed = count_in(object, "seed"),
-            .coverage = flag_in(object, "coverage"),
-            .file = text_in(object, "file"),
-            .ranges = texts_in(object, "ranges"),
-            .includes = texts_in(object, "includes")};
+    const nlohmann::ordered_json object = report::parse_json(line);
+    const report::JsonReader task(object, "");
+    return {.equation = task.member("equation").text(),
+            .variant = task.member("variant").text(),
+            .inputs = task.member("inputs").count(),
+            .seed = task.member("seed").count(),
+            .coverage = task.member("coverage").flag(),
+            .file = task.member("file").text(),
+            .ranges = task.member("ranges").texts(),
+            .includes = task.member("includes").texts()};
 }
 
 std::string to_line(const Greeting& greeting) {
@@ -87,10 +40,11 @@ std::string to_line(const Greeting& greeting) {
 }
 
 Greeting greeting_from(std::string_view line) {
-    const json object = object_from(line, {"device", "devices", "error"});
-    return {.device = report::device_from_json(text_in(object, "device")),
-            .devices = count_in(object, "devices"),
-            .error = text_in(object, "error")};
+    const nlohmann::ordered_json object = report::parse_json(line);
+    const report::JsonReader greeting(object, "");
+    return {.device = report::device_from_json(greeting.member("device").text()),
+            .devices = greeting.member("devices").count(),
+            .error = greeting.member("error").text()};
 }
 
 }  // namespace gloam::cli

@@ -2,13 +2,14 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
-#include "report/check_report.hpp"
-
-namespace gloam::report::internal {
+namespace gloam::report {
 
 // JSON has no infinity and no NaN; they become the strings "inf", "-inf" and "nan".
 [[nodiscard]] nlohmann::ordered_json number_json(double value);
@@ -22,18 +23,23 @@ class JsonReader {
         : json_(&json), where_(std::move(where)) {}
 
     // A member of an object; it must exist.
-    [[nodiscard]] JsonReader member(const char* name) const;
+    [[nodiscard]] JsonReader member(const std::string& name) const;
     [[nodiscard]] bool has(const char* name) const;
     // The elements of an array, or the values of an object with their names.
     [[nodiscard]] std::vector<JsonReader> elements() const;
     [[nodiscard]] std::vector<std::pair<std::string, JsonReader>> members() const;
 
+    [[nodiscard]] const nlohmann::ordered_json& json() const { return *json_; }
     [[nodiscard]] bool is_null() const { return json_->is_null(); }
     [[nodiscard]] bool is_array() const { return json_->is_array(); }
     [[nodiscard]] std::string text() const;
+    [[nodiscard]] std::vector<std::string> texts() const;
     // A text for tables, titles and messages: one line, or empty.
     [[nodiscard]] std::string name() const;
+    [[nodiscard]] std::string word_of(const std::vector<std::string>& words) const;
     [[nodiscard]] double number() const;
+    [[nodiscard]] double number(double least, double most) const;
+    [[nodiscard]] int integer(int least, int most) const;
     [[nodiscard]] std::size_t count() const;
     [[nodiscard]] std::size_t count_up_to(std::size_t most) const;
     [[nodiscard]] bool flag() const;
@@ -43,6 +49,8 @@ class JsonReader {
     [[noreturn]] void expected(const std::string& what) const;
 
   private:
+    [[nodiscard]] std::string path_of(const std::string& member) const;
+
     const nlohmann::ordered_json* json_;
     std::string where_;
 };
@@ -51,7 +59,4 @@ class JsonReader {
 // base::JsonBounds that the text exceeds.
 [[nodiscard]] nlohmann::ordered_json parse_json(std::string_view text);
 
-[[nodiscard]] nlohmann::ordered_json answer_json(const check::Answer& answer);
-[[nodiscard]] check::Answer read_answer(const JsonReader& json);
-
-}  // namespace gloam::report::internal
+}  // namespace gloam::report

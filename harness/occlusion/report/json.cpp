@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: MIT
+#include "report/json.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include "base/text.hpp"
 #include "numeric/numbers.hpp"
-#include "report/internal/json_fields.hpp"
 
-namespace gloam::report::internal {
+namespace gloam::report {
 namespace {
 
 using nlohmann::ordered_json;
 
 using numeric::infinity;
 constexpr std::size_t longest_quote = 40;
+constexpr std::size_t most_elements = 1'000'000;
 constexpr std::size_t longest_message = 300;
 
 }  // namespace
@@ -40,28 +45,30 @@ bool JsonReader::has(const char* name) const {
     return json_->is_object() && json_->contains(name);
 }
 
-JsonReader JsonReader::member(const char* name) const {
-    if (!json_->is_object()) expected(std::string("an object with \"") + name + "\"");
+std::string JsonReader::path_of(const std::string& member) const {
+    return where_.empty() ? member : where_ + "." + member;
+}
+
+JsonReader JsonReader::member(const std::string& name) const {
+    if (!json_->is_object()) expected("an object with \"" + name + "\"");
     const auto found = json_->find(name);
-    const std::string path = where_.empty() ? name : where_ + "." + name;
-    if (found == json_->end()) throw std::runtime_error(path + ": expected this field, found none");
-    return {*found, path};
+    if (found == json_->end()) throw std::runtime_error(path_of(name) + ": expected this field, found none");
+    return {*found, path_of(name)};
 }
 
 std::vector<JsonReader> JsonReader::elements() const {
-    if (!json_->is_array()) expected("an array");
+    if (!json_->is_array() || json_->size() > most_elements)
+        expected(fmt::format("an array of at most {} elements", most_elements));
     std::vector<JsonReader> all;
-    for (const ordered_json& element : *json_) {
+    for (const ordered_json& element : *json_)
         all.emplace_back(element, where_ + "[" + std::to_string(all.size()) + "]");
-    }
     return all;
 }
 
 std::vector<std::pair<std::string, JsonReader>> JsonReader::members() const {
     if (!json_->is_object()) expected("an object");
     std::vector<std::pair<std::string, JsonReader>> all;
-    for (const auto& [name, value] : json_->items())
-        all.emplace_back(name, JsonReader(value, where_ + "." + name));
+    for (const auto& [name, value] : json_->items()) all.emplace_back(name, JsonReader(value, path_of(name)));
     return all;
 }
 
@@ -70,10 +77,22 @@ std::string JsonReader::text() const {
     return json_->get<std::string>();
 }
 
+std::vector<std::string> JsonReader::texts() const {
+    std::vector<std::string> all;
+    for (const JsonReader& element : elements()) all.push_back(element.text());
+    return all;
+}
+
 std::string JsonReader::name() const {
     const std::string value = text();
-    if (!value.empty() && !base::is_name(value)) expected("a name: one line of at most 1000 bytes");
+    if (!value.empty() && !base::is_name(value)) expected("a text of one line, at most 1000 bytes");
     return value;
+}
+
+std::string JsonReader::word_of(const std::vector<std::string>& words) const {
+    if (!json_->is_string() || std::ranges::count(words, json_->get<std::string>()) == 0)
+        expected(fmt::format("one of {}", fmt::join(words, ", ")));
+    return json_->get<std::string>();
 }
 
 double JsonReader::number() const {
@@ -82,6 +101,18 @@ double JsonReader::number() const {
     if (*json_ == "-inf") return -infinity;
     if (*json_ == "nan") return std::numeric_limits<double>::quiet_NaN();
     expected("a number");
+}
+
+double JsonReader::number(double least, double most) const {
+    if (!json_->is_number() || !(json_->get<double>() >= least) || !(json_->get<double>() <= most))
+        expected(fmt::format("a number from {:g} to {:g}", least, most));
+    return json_->get<double>();
+}
+
+int JsonReader::integer(int least, int most) const {
+    if (!json_->is_number_integer() || json_->get<double>() < least || json_->get<double>() > most)
+        expected(fmt::format("a whole number from {} to {}", least, most));
+    return json_->get<int>();
 }
 
 std::size_t JsonReader::count() const {
@@ -130,4 +161,4 @@ ordered_json parse_json(std::string_view text) {
     }
 }
 
-}  // namespace gloam::report::internal
+}  // namespace gloam::report
