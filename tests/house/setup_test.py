@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """tools/setup against a pretended Debian: what it installs, and what it says when it cannot."""
+import contextlib
 import os
 import shutil
 import subprocess
@@ -63,131 +64,88 @@ class Machine:
                               text=True, check=False, **options)
 
 
+BOTH = ("g++", "libfmt-dev")
+ONE_WANTED = {"wanted": ("g++", "browser?"), "installed": ("g++",), "offered": ("g++", "browser")}  # the browser
+NOBODY_OFFERS = {**ONE_WANTED, "installed": (), "offered": ("g++",)}
+INSTALLING = "tools/setup: installing "
+WITHOUT = "tools/setup: going on without browser: "
+
+# A machine, what happens to it, the arguments, and what is then said; once more, all is silent and nothing is called.
+GOES_ON = {
+    "nothing is missing": ({"installed": BOTH}, None, (), {}, ()),
+    "what is missing only": ({"installed": ("g++",)}, None, (), {}, (INSTALLING + "libfmt-dev",)),
+    "with sudo": ({"installed": ("g++",)}, None, (), AS_NOBODY, (INSTALLING + "libfmt-dev",)),
+    "the program alone": ({"tests": ("clang-format", "browser?"), "offered": (*BOTH, "clang-format", "browser")}, None,
+                          ("program",), {}, (INSTALLING + "g++ libfmt-dev",)),
+    "its tests too": ({"tests": ("clang-format", "browser?"), "offered": (*BOTH, "clang-format", "browser"),
+                       "installed": BOTH}, None, (), {}, (INSTALLING + "clang-format", INSTALLING + "browser")),
+    "one that is wanted": ({**ONE_WANTED, "installed": ()}, None, (), {}, (INSTALLING + "g++", INSTALLING + "browser")),
+    "with a sudo that asks nothing": (ONE_WANTED, None, (), AS_NOBODY, (INSTALLING + "browser",)),
+}
+# The same, but what is wanted stays away.
+GOES_ON_WITHOUT = {
+    "nobody offers it": (NOBODY_OFFERS, None, {}, (INSTALLING + "g++", WITHOUT +
+                                                   "no package source of this machine offers it")),
+    "a snap": (NOBODY_OFFERS, ("snaps", ("browser",)), {}, (INSTALLING + "g++", WITHOUT +
+                                                            "no package source of this machine offers it")),
+    "it cannot be installed": (ONE_WANTED, ("broken", ()), {}, (INSTALLING + "browser", WITHOUT + "E: disk full")),
+    "a password would be asked for": ({**ONE_WANTED, "without": ("sudo",)}, None, AS_NOBODY,
+                                      (WITHOUT + "not root, and no sudo without a password",)),
+}
+# And what stops it, with parts of its last line.
+STOPS = {
+    "no package manager": ({"without": ("apt-get",)}, None, (), {}, ("no apt-get", "g++ libfmt-dev")),
+    "an unknown list": ({}, None, ("everything",), {}, ("'everything'", "expected program or nothing")),
+    "no source offers it": ({"offered": ("g++",)}, None, (), {}, ("offers: libfmt-dev",)),
+    "a full disk": ({}, ("broken", ()), (), {}, ("could not install: g++ libfmt-dev",)),
+    "neither root nor sudo": ({"installed": ("g++",), "without": ("sudo",)}, None, (), AS_NOBODY,
+                              ("neither root nor sudo", "apt-get install --no-install-recommends libfmt-dev")),
+}
+
+
 class Setup(unittest.TestCase):
-    def setUp(self):
-        self.place = tempfile.TemporaryDirectory()
-        self.addCleanup(self.place.cleanup)
-
-    def machine(self, **kinds):
-        return Machine(self.place.name, **kinds)
-
-    def assert_one_line(self, result, *parts):
-        self.assertEqual((result.returncode, result.stdout), (2, ""))
-        last = result.stderr.splitlines()[-1]
-        self.assertTrue(last.startswith("tools/setup: "), result.stderr)
-        for part in parts:
-            self.assertIn(part, last)
-
-    def test_nothing_missing_is_silent_and_calls_nothing(self):
-        machine = self.machine(installed=("libfmt-dev", "g++"))
-        result = machine.setup()
-        self.assertEqual((result.returncode, result.stdout, result.stderr, machine.log()), (0, "", "", []))
-
-    def test_no_package_manager(self):
-        result = self.machine(without=("apt-get",)).setup()
-        self.assert_one_line(result, "no apt-get", "g++ libfmt-dev")
-        self.assertEqual(result.stderr.count("\n"), 1)
-
-    def test_installs_what_is_missing_only_and_only_once(self):
-        machine = self.machine(installed=("g++",))
-        result = machine.setup()
-        self.assertEqual((result.returncode, result.stderr), (0, "tools/setup: installing libfmt-dev\n"))
-        self.assertEqual(len(machine.log()), 2)
-        self.assertTrue(machine.log()[1].endswith("install --no-install-recommends libfmt-dev"), machine.log())
-        again = machine.setup()
-        self.assertEqual((again.returncode, again.stderr, len(machine.log())), (0, "", 2))
-
-    def test_the_program_needs_less_than_its_tests(self):
-        machine = self.machine(tests=("clang-format", "browser?"),
-                               offered=("g++", "libfmt-dev", "clang-format", "browser"))
-        program = machine.setup("program")
-        self.assertEqual((program.returncode, program.stderr), (0, "tools/setup: installing g++ libfmt-dev\n"))
-        tests = machine.setup()
-        self.assertEqual((tests.returncode, tests.stderr),
-                         (0, "tools/setup: installing clang-format\ntools/setup: installing browser\n"))
-        self.assertEqual((machine.setup().stderr, machine.setup("program").stderr), ("", ""))
-
-    def test_an_unknown_list(self):
-        self.assert_one_line(self.machine().setup("everything"), "'everything'", "expected program or nothing")
-
-    def test_installs_with_sudo(self):
-        machine = self.machine(installed=("g++",))
-        result = machine.setup(**AS_NOBODY)
-        self.assertEqual((result.returncode, result.stderr), (0, "tools/setup: installing libfmt-dev\n"))
-        self.assertEqual(machine.setup(**AS_NOBODY).stderr, "")
-
-    def test_a_package_that_no_source_offers(self):
-        self.assert_one_line(self.machine(offered=("g++",)).setup(), "offers: libfmt-dev")
-
-    def test_an_installation_that_fails_shows_why(self):
-        machine = self.machine()
-        machine.write("broken", ())
-        result = machine.setup()
-        self.assert_one_line(result, "could not install: g++ libfmt-dev")
-        self.assertIn("E: disk full", result.stderr)
-
-    def test_neither_root_nor_sudo(self):
-        result = self.machine(installed=("g++",), without=("sudo",)).setup(**AS_NOBODY)
-        self.assert_one_line(result, "neither root nor sudo", "apt-get install --no-install-recommends libfmt-dev")
-
-
-class Optional(unittest.TestCase):
-    """A package marked with ?: browser? is wanted, g++ is needed."""
-
-    def setUp(self):
-        self.place = tempfile.TemporaryDirectory()
-        self.addCleanup(self.place.cleanup)
-
-    def machine(self, installed=("g++",), offered=("g++", "browser"), **kinds):
-        return Machine(self.place.name, wanted=("g++", "browser?"), installed=installed, offered=offered, **kinds)
+    @contextlib.contextmanager
+    def machine(self, what, kinds, change):
+        with self.subTest(what), tempfile.TemporaryDirectory() as folder:
+            machine = Machine(folder, **kinds)
+            if change:
+                machine.write(*change)
+            yield machine
 
     def assert_goes_on(self, result, *lines):
-        self.assertEqual((result.returncode, result.stdout), (0, ""))
-        self.assertEqual(result.stderr.splitlines(), list(lines))
+        self.assertEqual((result.returncode, result.stdout, result.stderr.splitlines()), (0, "", list(lines)))
 
-    def test_is_installed_where_it_is_offered_and_only_once(self):
-        machine = self.machine(installed=())
-        self.assert_goes_on(machine.setup(), "tools/setup: installing g++", "tools/setup: installing browser")
-        calls = len(machine.log())
-        self.assert_goes_on(machine.setup())
-        self.assertEqual(len(machine.log()), calls)
+    def test_installs_what_is_missing_and_only_once(self):
+        for what, (kinds, change, arguments, options, lines) in GOES_ON.items():
+            with self.machine(what, kinds, change) as machine:
+                self.assert_goes_on(machine.setup(*arguments, **options), *lines)
+                calls = len(machine.log())
+                self.assertEqual(calls == 0, not lines)
+                self.assert_goes_on(machine.setup(*arguments, **options))
+                self.assertEqual(len(machine.log()), calls)
 
-    def test_is_installed_later_too(self):
-        machine = self.machine()
-        self.assert_goes_on(machine.setup(), "tools/setup: installing browser")
-        self.assert_goes_on(machine.setup())
+    def test_installs_nothing_that_nobody_asked_for(self):
+        with self.machine("one", {"installed": ("g++",)}, None) as machine:
+            machine.setup()
+            self.assertEqual(len(machine.log()), 2)
+            self.assertTrue(machine.log()[1].endswith("install --no-install-recommends libfmt-dev"), machine.log())
 
-    def test_is_done_without_where_nobody_offers_it(self):
-        machine = self.machine(installed=(), offered=("g++",))
-        self.assert_goes_on(machine.setup(), "tools/setup: installing g++",
-                            "tools/setup: going on without browser: no package source of this machine offers it")
-        calls = len(machine.log())
-        self.assert_goes_on(machine.setup())
-        self.assertEqual(len(machine.log()), calls)
+    def test_goes_on_without_what_is_only_wanted(self):
+        for what, (kinds, change, options, lines) in GOES_ON_WITHOUT.items():
+            with self.machine(what, kinds, change) as machine:
+                self.assert_goes_on(machine.setup(**options), *lines)
+                self.assertTrue(change and change[0] == "broken" or "browser" not in " ".join(machine.log()))
 
-    def test_a_snap_is_not_installed(self):
-        machine = self.machine(installed=(), offered=("g++",))
-        machine.write("snaps", ("browser",))
-        self.assert_goes_on(machine.setup(), "tools/setup: installing g++",
-                            "tools/setup: going on without browser: no package source of this machine offers it")
-        self.assertNotIn("browser", " ".join(machine.log()))
-
-    def test_one_that_cannot_be_installed_does_not_stop_the_rest(self):
-        machine = self.machine()
-        machine.write("broken", ())
-        self.assert_goes_on(machine.setup(), "tools/setup: installing browser",
-                            "tools/setup: going on without browser: E: disk full")
-
-    def test_is_installed_with_a_sudo_that_asks_nothing(self):
-        machine = self.machine()
-        self.assert_goes_on(machine.setup(**AS_NOBODY), "tools/setup: installing browser")
-        self.assert_goes_on(machine.setup(**AS_NOBODY))
-
-    def test_nobody_is_asked_for_a_password(self):
-        machine = self.machine(without=("sudo",))
-        self.assert_goes_on(machine.setup(**AS_NOBODY),
-                            "tools/setup: going on without browser: not root, and no sudo without a password")
-        self.assertEqual(machine.log(), [])
+    def test_says_what_stops_it_in_its_last_line(self):
+        for what, (kinds, change, arguments, options, parts) in STOPS.items():
+            with self.machine(what, kinds, change) as machine:
+                result = machine.setup(*arguments, **options)
+                self.assertEqual((result.returncode, result.stdout), (2, ""))
+                last = result.stderr.splitlines()[-1]
+                self.assertTrue(last.startswith("tools/setup: "), result.stderr)
+                for part in parts:
+                    self.assertIn(part, last)
+                self.assertEqual("E: disk full" in result.stderr, change is not None)
 
 
 if __name__ == "__main__":
