@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The plan is what the effect does: the same passes in the same order, over images of the same size.
 #include "effect/plan.hpp"
+
+#include <nlohmann/json.hpp>  // repeats a macro for each argument
+
 #include "effect/internal/passes.hpp"
 #include "effect/methods.hpp"
 #include "on_device.hpp"
@@ -142,21 +145,29 @@ TEST_F(PlanTest, RefusesWhatSettingsRefuse) {
     EXPECT_THROW((void)plan_of(settings, {}), std::invalid_argument);
 }
 
+// The lines of all members of a struct, in their order.
+#define LINE_OF_MEMBER(name) MEMBER(Struct, name),
+#define LINES_OF(Type, ...)                                                          \
+    ([] {                                                                            \
+        using Struct = Type;                                                         \
+        return std::vector<std::string>{                                             \
+            NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(LINE_OF_MEMBER, __VA_ARGS__))}; \
+    }())
+
 // What C++ and shaders share has one layout: names, types and offsets of push constants and buffers, and
 // numbers of specialization constants, as the compiled passes have them.
-
 class Layouts : public OnDevice<testing::Test> {
   protected:
     [[nodiscard]] shader::ModuleInterface interface_of(const PassSource& source) const {
         return shader::reflect(passes_.compile(source.file, source.defines, source.replaced));
     }
 
-    void expect_pushed(const PassSource& source, std::size_t bytes,
-                       const std::vector<std::string>& members) const {
+    template <class Parameters>
+    void expect_pushed(const PassSource& source, const std::vector<std::string>& members) const {
         const shader::ModuleInterface found = interface_of(source);
         ASSERT_TRUE(found.push_constants.has_value()) << source.file;
         EXPECT_EQ(lines_of(found.push_constants->members), members) << source.file;
-        EXPECT_EQ(found.push_constants->size, bytes) << source.file;
+        EXPECT_EQ(found.push_constants->size, sizeof(Parameters)) << source.file;
     }
 
     [[nodiscard]] std::vector<LaidOut> buffer_of(const PassSource& source, const std::string& block) const {
@@ -171,118 +182,70 @@ PassSource occlusion() {
     return occlusion_source({.counting = Counting::each_group});
 }
 
-TEST_F(Layouts, OcclusionPass) {
-    using T = OcclusionParameters;
-    expect_pushed(occlusion(), sizeof(T),
-                  {MEMBER(T, p00_p11),
-                   MEMBER(T, size),
-                   MEMBER(T, border),
-                   MEMBER(T, radius),
-                   MEMBER(T, bias),
-                   MEMBER(T, c_spatial),
-                   MEMBER(T, weight_max),
-                   MEMBER(T, c_rot),
-                   MEMBER(T, least_radius),
-                   MEMBER(T, shade_border),
-                   MEMBER(T, skip_background),
-                   MEMBER(T, invalidation),
-                   MEMBER(T, change_tolerance),
-                   MEMBER(T, weight_small),
-                   MEMBER(T, confidence_factor),
-                   MEMBER(T, still),
-                   MEMBER(T, freeze),
-                   MEMBER(T, samples_distance),
-                   MEMBER(T, samples_radius),
-                   MEMBER(T, samples_least),
-                   MEMBER(T, radius_cap),
-                   MEMBER(T, smoothing),
-                   MEMBER(T, c_filter),
-                   MEMBER(T, bias_depth),
-                   MEMBER(T, displacement_unit)});
-}
-
-TEST_F(Layouts, PreparationPasses) {
-    using T = PreparationParameters;
-    const PassSource source = preparation_source({}, "half_resolution.comp");
-    expect_pushed(source, sizeof(T),
-                  {MEMBER(T, p00_p11), MEMBER(T, size), MEMBER(T, border), MEMBER(T, radius), MEMBER(T, bias),
-                   MEMBER(T, c_spatial), MEMBER(T, weight_max), MEMBER(T, c_rot), MEMBER(T, least_radius),
-                   MEMBER(T, orthographic), MEMBER(T, shade_border), MEMBER(T, samples_distance),
-                   MEMBER(T, samples_radius), MEMBER(T, samples_least), MEMBER(T, radius_cap),
-                   MEMBER(T, bias_depth), MEMBER(T, level)});
+TEST_F(Layouts, SamplesAndWhatIsPreparedForThem) {
+    expect_pushed<OcclusionParameters>(
+        occlusion(),
+        LINES_OF(OcclusionParameters, p00_p11, size, border, radius, bias, c_spatial, weight_max, c_rot,
+                 least_radius, shade_border, skip_background, invalidation, change_tolerance, weight_small,
+                 confidence_factor, still, freeze, samples_distance, samples_radius, samples_least,
+                 radius_cap, smoothing, c_filter, bias_depth, displacement_unit));
+    expect_pushed<PreparationParameters>(
+        preparation_source({}, "half_resolution.comp"),
+        LINES_OF(PreparationParameters, p00_p11, size, border, radius, bias, c_spatial, weight_max, c_rot,
+                 least_radius, orthographic, shade_border, samples_distance, samples_radius, samples_least,
+                 radius_cap, bias_depth, level));
+    expect_pushed<SampleTableParameters>(sample_table_source(method_named("hemisphere").points),
+                                         LINES_OF(SampleTableParameters, first, last));
 }
 
 TEST_F(Layouts, ReprojectionFilterAndMap) {
-    using R = ReprojectionParameters;
-    expect_pushed(reprojection_source({}), sizeof(R),
-                  {MEMBER(R, previous_from_current), MEMBER(R, p00_p11), MEMBER(R, previous_p00_p11),
-                   MEMBER(R, size), MEMBER(R, tolerance), MEMBER(R, displacement_unit)});
-    using F = FilterParameters;
+    expect_pushed<ReprojectionParameters>(reprojection_source({}),
+                                          LINES_OF(ReprojectionParameters, previous_from_current, p00_p11,
+                                                   previous_p00_p11, size, tolerance, displacement_unit));
     for (const Filter filter : {Filter::convergence, Filter::geometry, Filter::bilateral, Filter::sao}) {
         Moment moment;
         moment.settings.filter = filter;
-        expect_pushed(filter_source(moment, false), sizeof(F),
-                      {MEMBER(F, p00_p11), MEMBER(F, size), MEMBER(F, sigma_pixels), MEMBER(F, depth_scale),
-                       MEMBER(F, c_adaptive), MEMBER(F, weight_max), MEMBER(F, cap)});
+        expect_pushed<FilterParameters>(filter_source(moment, false),
+                                        LINES_OF(FilterParameters, p00_p11, size, sigma_pixels, depth_scale,
+                                                 c_adaptive, weight_max, cap));
     }
-    using M = RemapParameters;
-    expect_pushed(remap_source({}, false), sizeof(M),
-                  {MEMBER(M, size), MEMBER(M, a), MEMBER(M, b), MEMBER(M, c)});
-    using H = HalveParameters;
-    expect_pushed(halve_source({}), sizeof(H),
-                  {MEMBER(H, p00_p11), MEMBER(H, previous_p00_p11), MEMBER(H, size)});
-    using U = UpsampleParameters;
-    expect_pushed(upsample_source({}, true), sizeof(U),
-                  {MEMBER(U, size), MEMBER(U, a), MEMBER(U, b), MEMBER(U, c)});
-    using N = NormalParameters;
-    expect_pushed({.file = "normals_from_depth.comp"}, sizeof(N),
-                  {MEMBER(N, p00_p11), MEMBER(N, size), MEMBER(N, orthographic)});
-    using S = SampleTableParameters;
-    const std::string points = method_named("hemisphere").points;
-    expect_pushed(sample_table_source(points), sizeof(S), {MEMBER(S, first), MEMBER(S, last)});
+    expect_pushed<RemapParameters>(remap_source({}, false), LINES_OF(RemapParameters, size, a, b, c));
+    expect_pushed<HalveParameters>(halve_source({}),
+                                   LINES_OF(HalveParameters, p00_p11, previous_p00_p11, size));
+    expect_pushed<UpsampleParameters>(upsample_source({}, true), LINES_OF(UpsampleParameters, size, a, b, c));
+    expect_pushed<NormalParameters>({.file = "normals_from_depth.comp"},
+                                    LINES_OF(NormalParameters, p00_p11, size, orthographic));
 }
 
-TEST_F(Layouts, PassesOverTiles) {
-    using S = SelectParameters;
-    expect_pushed(
-        {.file = "tiles/select.comp"}, sizeof(S),
-        {MEMBER(S, size), MEMBER(S, band), MEMBER(S, written), MEMBER(S, background), MEMBER(S, settled)});
-    using F = SelectFilteredParameters;
-    expect_pushed({.file = "tiles/select_filtered.comp"}, sizeof(F), {MEMBER(F, size), MEMBER(F, reach)});
-}
-
-TEST_F(Layouts, Directions) {
-    using D = DirectionalParameters;
+TEST_F(Layouts, TilesAndDirections) {
+    expect_pushed<SelectParameters>({.file = "tiles/select.comp"},
+                                    LINES_OF(SelectParameters, size, band, written, background, settled));
+    expect_pushed<SelectFilteredParameters>({.file = "tiles/select_filtered.comp"},
+                                            LINES_OF(SelectFilteredParameters, size, reach));
     for (const char* file :
          {"bent_normals.comp", "bent_gather.comp", "direct_light.comp", "bounced_light.comp"})
-        expect_pushed({.file = file}, sizeof(D),
-                      {MEMBER(D, p00_p11), MEMBER(D, size), MEMBER(D, radius), MEMBER(D, bias),
-                       MEMBER(D, samples), MEMBER(D, orthographic), MEMBER(D, world_from_view)});
+        expect_pushed<DirectionalParameters>(
+            {.file = file}, LINES_OF(DirectionalParameters, p00_p11, size, radius, bias, samples,
+                                     orthographic, world_from_view));
 }
 
 TEST_F(Layouts, Buffers) {
-    using M = MethodValues;
     const std::vector<LaidOut> method = buffer_of(occlusion(), "MethodSettings");
     ASSERT_EQ(method.size(), 1U);
-    EXPECT_EQ(method[0].size, sizeof(M));
+    EXPECT_EQ(method[0].size, sizeof(MethodValues));
     EXPECT_EQ(lines_of(method[0].members),
-              (std::vector{MEMBER(M, range), MEMBER(M, epsilon), MEMBER(M, intensity), MEMBER(M, thickness),
-                           MEMBER(M, angle_bias), MEMBER(M, mip_distance), MEMBER(M, steps),
-                           MEMBER(M, disagreement), MEMBER(M, feature_thickness), MEMBER(M, layers)}));
-    using S = TileState;
+              LINES_OF(MethodValues, range, epsilon, intensity, thickness, angle_bias, mip_distance, steps,
+                       disagreement, feature_thickness, layers));
     const std::vector<LaidOut> states = buffer_of({.file = "tiles/select.comp"}, "StatesAfter");
     ASSERT_EQ(states.size(), 1U);
-    EXPECT_EQ(states[0].stride, sizeof(S));
-    EXPECT_EQ(lines_of(states[0].members),
-              (std::vector{MEMBER(S, flags), MEMBER(S, missed), MEMBER(S, pixels)}));
-    using L = TileList;
+    EXPECT_EQ(states[0].stride, sizeof(TileState));
+    EXPECT_EQ(lines_of(states[0].members), LINES_OF(TileState, flags, missed, pixels));
     const std::vector<LaidOut> lists = buffer_of({.file = "tiles/select.comp"}, "TileLists");
     ASSERT_EQ(lists.size(), 2U);
     EXPECT_EQ(lists[0].sizes, std::vector<unsigned>{header_lists});
-    EXPECT_EQ(lists[0].stride, sizeof(L));
-    EXPECT_EQ(lists[1].offset, header_lists * sizeof(L));
-    EXPECT_EQ(lines_of(lists[0].members),
-              (std::vector{MEMBER(L, columns), MEMBER(L, rows), MEMBER(L, layers), MEMBER(L, tiles)}));
+    EXPECT_EQ(lists[0].stride, sizeof(TileList));
+    EXPECT_EQ(lists[1].offset, header_lists * sizeof(TileList));
+    EXPECT_EQ(lines_of(lists[0].members), LINES_OF(TileList, columns, rows, layers, tiles));
 }
 
 // Engines have sampled images, and OpenGL ES 3.1 lets no pass read an image of four channels that it writes.
