@@ -120,32 +120,24 @@ TEST(AnswerJson, EveryReasonHasANameOfItsOwn) {
 }
 
 TEST(AnswerJson, WhatIsWrongIsNamed) {
+    struct Wrong {
+        const char *from, *to, *named;
+    };
+    const Wrong rows[] = {
+        {"\"inputs\":100", "\"inputs\":\"many\"", "inputs: expected a count, found \"many\""},
+        {"\"inputs\":100", "\"inputs\":-1", "inputs: expected a count"},
+        {"\"inputs\":100", "\"inputs\":99", "inputs: expected the sum over the classes, found 99"},
+        {"\"ordinary\":", "\"strange\":", "classes: expected a class of inputs"},
+        {"\"width_fraction\":1.25", "\"width_fraction\":null", "width_fraction: expected a number"},
+        {"\"max_abs\":0.1", "\"max_abs\":\"big\"", "max_abs: expected a number"},
+        {"\"reason\":\"fault\"", "\"reason\":\"mood\"", "reason: expected"},
+        {"\"verdict\":\"rules\"", "\"verdict\":\"luck\"", "verdict: expected budget or rules"},
+        {"\"variant\"", "\"varying\"", "variant: expected this field"},
+        {"4294967295", "4294967296", "worst.input_words[1]: expected a 32-bit word"},
+        {"\"got_words\":[", "\"got_words\":[true,", "worst.got_words[0]: expected a count"}};
     const std::string good = to_json(failing_row());
-    EXPECT_THAT([&] { (void)answer_from_json(replaced(good, "\"inputs\":100", "\"inputs\":\"many\"")); },
-                says("inputs: expected a count, found \"many\""));
-    EXPECT_THAT([&] { (void)answer_from_json(replaced(good, "\"inputs\":100", "\"inputs\":-1")); },
-                says("inputs: expected a count"));
-    EXPECT_THAT([&] { (void)answer_from_json(replaced(good, "\"inputs\":100", "\"inputs\":99")); },
-                says("inputs: expected the sum over the classes, found 99"));
-    EXPECT_THAT([&] { (void)answer_from_json(replaced(good, "\"ordinary\":", "\"strange\":")); },
-                says("classes: expected a class of inputs"));
-    EXPECT_THAT(
-        [&] { (void)answer_from_json(replaced(good, "\"width_fraction\":1.25", "\"width_fraction\":null")); },
-        says("width_fraction: expected a number"));
-    EXPECT_THAT([&] { (void)answer_from_json(replaced(good, "\"max_abs\":0.1", "\"max_abs\":\"big\"")); },
-                says("max_abs: expected a number"));
-    EXPECT_THAT(
-        [&] { (void)answer_from_json(replaced(good, "\"reason\":\"fault\"", "\"reason\":\"mood\"")); },
-        says("reason: expected"));
-    EXPECT_THAT(
-        [&] { (void)answer_from_json(replaced(good, "\"verdict\":\"rules\"", "\"verdict\":\"luck\"")); },
-        says("verdict: expected budget or rules"));
-    EXPECT_THAT([&] { (void)answer_from_json(replaced(good, "\"variant\"", "\"varying\"")); },
-                says("variant: expected this field"));
-    EXPECT_THAT([&] { (void)answer_from_json(replaced(good, "4294967295", "4294967296")); },
-                says("worst.input_words[1]: expected a 32-bit word"));
-    EXPECT_THAT([&] { (void)answer_from_json(replaced(good, "\"got_words\":[", "\"got_words\":[true,")); },
-                says("worst.got_words[0]: expected a count"));
+    for (const Wrong& row : rows)
+        EXPECT_THAT([&] { (void)answer_from_json(replaced(good, row.from, row.to)); }, says(row.named));
     EXPECT_THAT([&] { (void)answer_from_json(good.substr(0, 40)); }, says("no JSON"));
     EXPECT_THAT([&] { (void)answer_from_json("[1]"); }, says("expected an object"));
 }
