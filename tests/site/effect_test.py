@@ -4,16 +4,13 @@
 what a person does with the picture and the controls has an effect.
 
 Left with status 77 where there is no Chromium."""
-import array
-import base64
 import subprocess
 import tempfile
 from pathlib import Path
 from urllib.parse import unquote, urlparse
 
-from site_case import GLOAM, SHADE, SiteCase, main, read_pfm
+from site_case import GLOAM, SIZE, SiteCase, main, read_pfm
 
-SIZE = (192, 108)
 MOST_BYTES = 600_000  # of files, without compression, before the first interaction
 POSE = "gloam.live.state.orbit.pose"
 
@@ -28,10 +25,6 @@ class EffectTest(SiteCase):
         self.browser.open(self.site / "index.html")
         self.browser.wait("gloam.live.state.picture?.occlusion.frames > 1")
 
-    def rendered(self, read, preset="balanced", frames=4, size=SIZE, moves="true"):
-        script = SHADE.format(width=size[0], height=size[1], preset=preset, frames=frames, moves=moves, read=read)
-        return array.array("f", base64.b64decode(self.browser.evaluate(script)))
-
     def native(self, *options, preset="balanced", frames=4, size=SIZE):
         with tempfile.TemporaryDirectory(dir=self.folder) as out:
             subprocess.run([GLOAM, "render", "columns", "--size", "{}x{}".format(*size), "--frames", str(frames),
@@ -39,31 +32,21 @@ class EffectTest(SiteCase):
                            check=True)
             return read_pfm(Path(out) / f"f{frames - 1:04}_ao.pfm")[0]
 
-    def compare(self, got, want):
-        """The G-buffers are of two rasterizers, so pixels at edges may differ at all: means and percentiles are
-        compared."""
-        self.assertEqual(len(want), len(got))
-        self.assertGreater(max(want) - min(want), 0.5)
-        errors = sorted(abs(a - b) for a, b in zip(got, want))
-        self.assertLess(sum(errors) / len(errors), 0.0015)
-        self.assertLess(errors[len(errors) // 2], 2e-5)
-        self.assertLess(errors[len(errors) * 95 // 100], 0.003)
-
     def test_the_occlusion_is_that_of_the_program(self):
         unfiltered = self.native("--set", "filter=none")
-        self.compare(self.rendered("readHistory")[0::4], unfiltered)
+        self.compare(self.shade(self.browser, "readHistory")[0::4], unfiltered)
         for preset, frames, size in (("balanced", 4, SIZE), ("quality", 2, SIZE), ("fast", 4, SIZE),
                                      ("fast", 4, (161, 99))):
             with self.subTest(preset=preset, size=size):
-                shown = self.rendered("readOcclusion", preset, frames, size)
+                shown = self.shade(self.browser, "readOcclusion", preset, frames, size)
                 self.compare(shown, self.native(preset=preset, frames=frames, size=size))
                 if preset == "balanced":  # the filter has an effect
                     self.assertGreater(sum(abs(a - b) for a, b in zip(shown, unfiltered)) / len(shown), 0.01)
 
     def test_samples_accumulate_and_converge(self):
-        samples = sorted(self.rendered("readHistory", moves="false")[1::4])
+        samples = sorted(self.shade(self.browser, "readHistory", moves="false")[1::4])
         self.assertAlmostEqual(40, samples[len(samples) // 2], delta=0.5)
-        self.assertEqual(128, max(self.rendered("readHistory", frames=20, moves="false")[1::4]))
+        self.assertEqual(128, max(self.shade(self.browser, "readHistory", frames=20, moves="false")[1::4]))
 
     def choose(self, **choices):
         """Sets controls by their identifiers, as a person does, and waits for the next frame."""

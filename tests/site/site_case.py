@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Tests in one browser, most of them of a site that `gloam site` writes once for all of them."""
 import array
+import base64
 import subprocess
 import sys
 import tempfile
@@ -10,6 +11,7 @@ from pathlib import Path
 from browser import Browser, program
 
 GLOAM = sys.argv[1]
+SIZE = (192, 108)
 
 # Renders the first frames of the path in columns, and gives what `read` reads of the last one as base64.
 SHADE = """(async () => {{
@@ -59,6 +61,21 @@ class SiteCase(BrowserCase):
         super().setUpClass()
         cls.site = cls.folder / "site"
         subprocess.run([GLOAM, "site", cls.site, "--quiet", *cls.words()], check=True)
+
+    def compare(self, got, want, bounds=1):
+        """The G-buffers are of two rasterizers, so pixels at edges may differ at all: means and percentiles are
+        compared."""
+        self.assertEqual(len(want), len(got))
+        self.assertGreater(max(want) - min(want), 0.5)
+        errors = sorted(abs(a - b) for a, b in zip(got, want))
+        self.assertLess(sum(errors) / len(errors), 0.0015 * bounds)
+        self.assertLess(errors[len(errors) // 2], 2e-5 * bounds)
+        self.assertLess(errors[len(errors) * 95 // 100], 0.003 * bounds)
+
+    def shade(self, page, read, preset="balanced", frames=4, size=SIZE, moves="true"):
+        """What a page of the site makes of the first frames in columns."""
+        script = SHADE.format(width=size[0], height=size[1], preset=preset, frames=frames, moves=moves, read=read)
+        return array.array("f", base64.b64decode(page.evaluate(script)))
 
 
 def skip(reason):
