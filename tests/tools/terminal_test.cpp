@@ -61,14 +61,6 @@ TEST_F(Terminal, QuietLeavesTheCountAlone) {
     EXPECT_EQ(output_of(gloam("render corner --size 16x9 --samples 1 --quiet --out {}", path("out"))), "");
 }
 
-TEST_F(Terminal, HelpHasExamples) {
-    for (const char* command : {"demo", "devices", "list", "check", "report", "render", "bench", "pack"}) {
-        const CommandResult help = gloam("{} --help", command);
-        EXPECT_THAT(help.out, HasSubstr(std::string("Examples:\n  gloam ") + command)) << command;
-    }
-    EXPECT_THAT(gloam("--help").out, HasSubstr("Examples:\n  gloam demo"));
-}
-
 // A browser runs the page's script, which its content security policy names by a hash: it counts the rows.
 void expect_script_runs(const std::string& page) {
     constexpr const char* browser = "/usr/bin/chromium";

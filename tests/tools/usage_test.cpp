@@ -8,12 +8,13 @@ class Usage : public InFolder {};
 
 TEST_F(Usage, HelpNamesEveryCommand) {
     const std::string result = output_of(gloam("--help"));
+    EXPECT_THAT(result, HasSubstr("Examples:\n  gloam demo"));
     for (const char* command :
          {"demo", "devices", "list", "check", "report", "render", "bench", "stress", "pack", "explain"}) {
         EXPECT_THAT(result, HasSubstr(command));
         const std::string help = output_of(gloam("{} --help", command));
         EXPECT_THAT(help, HasSubstr(command));
-        EXPECT_THAT(help, HasSubstr("Examples:\n  "));
+        EXPECT_THAT(help, HasSubstr(std::string("Examples:\n  gloam ") + command));
     }
 }
 
@@ -68,16 +69,15 @@ TEST(Devices, AreListedWithTheirFloatControls) {
     }
 }
 
+const CommandOptions none{
+    .environment = {"VK_ICD_FILENAMES=/no/such/driver.json", "VK_DRIVER_FILES=/no/such/driver.json"}};
+
 TEST(Devices, NoneIsOneClearLine) {
-    const CommandOptions none{
-        .environment = {"VK_ICD_FILENAMES=/no/such/driver.json", "VK_DRIVER_FILES=/no/such/driver.json"}};
     expect_could_not_run(run_command(words("devices"), none), "Vulkan");
     expect_could_not_run(run_command(words("check gloam_radical_inverse_base2"), none), "Vulkan");
 }
 
 TEST(Devices, TheInterpreterNeedsNoDriver) {
-    const CommandOptions none{
-        .environment = {"VK_ICD_FILENAMES=/no/such/driver.json", "VK_DRIVER_FILES=/no/such/driver.json"}};
     const std::string result =
         output_of(run_command(words("check TSSAO-5 HALTON --inputs 512 --device interpreter"), none));
     EXPECT_THAT(result, StartsWith("device: interpreter"));
