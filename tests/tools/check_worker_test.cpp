@@ -116,6 +116,23 @@ TEST(CheckWorker, AnInterruptEndsTheWorkersToo) {
     }
 }
 
+// Whatever ends the processes: another program removes what they put beside.
+TEST(CheckWorker, AnInterruptLeavesNoFolder) {
+    const TemporaryDirectory place;
+    const auto waits_until = [&](bool empty) {
+        for (int i = 0; i < 1000 && fs::is_empty(place.path()) != empty; ++i)
+            std::this_thread::sleep_for(10ms);
+        return fs::is_empty(place.path()) == empty;
+    };
+    for (const int signal : {SIGINT, SIGTERM, SIGKILL}) {
+        WorkerProcess check({"env", "TMPDIR=" + place.path().string(), GLOAM_BUILT_BINARY, "check", "HALTON",
+                             "--inputs", "64", "--compiler", "tail -f {in} {out}"});
+        EXPECT_TRUE(waits_until(false)) << signal;
+        ASSERT_EQ(kill(check.id(), signal), 0);
+        EXPECT_TRUE(waits_until(true)) << signal;
+    }
+}
+
 TEST(CheckWorker, SeveralWorkersGiveTheRowsOfOne) {
     const auto output = [](std::vector<std::string> how) {
         how.insert(how.begin(), {"check", "HALTON*", "TSSAO-*", "--inputs", "256"});

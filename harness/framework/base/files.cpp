@@ -3,11 +3,14 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <spawn.h>
 #include <sys/socket.h>
+#include <sys/wait.h>
 #include <unistd.h>
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdint>
 #include <cstring>
 #include <random>
@@ -145,11 +148,33 @@ TemporaryFolder::TemporaryFolder(std::string_view purpose) {
     if (mkdtemp(name.data()) == nullptr)
         throw std::system_error(errno, std::generic_category(), "cannot make the folder " + name);
     path_ = name;
+    leave_a_guard();
+}
+
+// It leads a session of its own: what ends this process's group, or its terminal's, does not end it.
+void TemporaryFolder::leave_a_guard() {
+    auto [end, alive] = connected_pair();
+    alive_ = std::move(alive);
+    std::string name = path_.string();
+    std::array<std::string, 3> words{"sh", "-c", "trap '' HUP INT TERM; read -r _; rm -rf -- \"$0\""};
+    std::array<char*, 5> command{words[0].data(), words[1].data(), words[2].data(), name.data(), nullptr};
+    posix_spawn_file_actions_t streams{};
+    posix_spawn_file_actions_init(&streams);
+    posix_spawn_file_actions_adddup2(&streams, end.get(), STDIN_FILENO);
+    posix_spawn_file_actions_addopen(&streams, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_adddup2(&streams, STDOUT_FILENO, STDERR_FILENO);
+    posix_spawnattr_t session{};
+    posix_spawnattr_init(&session);
+    posix_spawnattr_setflags(&session, POSIX_SPAWN_SETSID);
+    if (posix_spawnp(&guard_, "sh", &streams, &session, command.data(), environ) != 0) guard_ = -1;
+    posix_spawnattr_destroy(&session);
+    posix_spawn_file_actions_destroy(&streams);
 }
 
 TemporaryFolder::~TemporaryFolder() {
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);
+    if (guard_ > 0 && kill(guard_, SIGKILL) == 0) waitpid(guard_, nullptr, 0);
 }
 
 void write_file(const fs::path& path, std::string_view bytes) {

@@ -75,7 +75,8 @@ class WrittenAside {
     std::filesystem::path aside_;  // empty: put, or moved from
 };
 
-// A new empty folder for files of this process. It is removed with the object, and all that it holds.
+// A new empty folder for files of this process. It is removed with the object, and all that it holds; if the
+// process is killed before, by a program that outlives it.
 class TemporaryFolder {
   public:
     // `purpose`: a part of its name. Throws std::system_error.
@@ -87,7 +88,11 @@ class TemporaryFolder {
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
   private:
+    void leave_a_guard();
+
     std::filesystem::path path_;
+    FileDescriptor alive_;  // closed when this process ends
+    int guard_ = -1;        // the program's process
 };
 
 // Creates or replaces a file atomically: no reader sees a part of it, not even when two processes write it at
