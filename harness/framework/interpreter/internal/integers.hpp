@@ -6,7 +6,9 @@
 
 #include "interpreter/internal/opcodes.hpp"
 
+#include <array>
 #include <bit>
+#include <optional>
 #include <type_traits>
 
 // Integers and bools, two's complement. SPIR-V and Vulkan leave some results undefined: division by zero, a
@@ -15,6 +17,7 @@
 namespace gloam::interpreter::internal {
 
 inline constexpr Word word_bits = 32;
+inline constexpr Word magnitude_mask = 0x7fffffffU;  // of a float: all but its sign
 
 [[nodiscard]] constexpr std::int32_t as_int(Word x) {
     return static_cast<std::int32_t>(x);
@@ -87,11 +90,40 @@ void on_two(State<N>& s, const Instruction& i) {
     for (std::uint32_t k = 0; k < i.count; ++k)
         s.set(i, i.result + k, static_cast<Word>(F(s.bits(i.a + k), s.bits(i.b + k))));
 }
+// Whether a comparison of words holds for a float of which the bounds are known: the words of positive
+// floats, of negative ones and of NaNs each have an order.
+template <class F>
+[[nodiscard]] bool holds_for(const numeric::Interval& x, const F& holds) {
+    constexpr Word sign = ~magnitude_mask;
+    constexpr Word first_nan = exponent_mask + 1U;
+    const auto word = [](double end) { return std::bit_cast<Word>(static_cast<float>(std::max(end, 0.0))); };
+    std::array<bool, 2> seen{};
+    const auto see = [&](Word low, Word high) { seen[holds(low)] = seen[holds(high)] = true; };
+    if (x.high() >= 0.0) see(word(x.low()), word(x.high()));
+    if (x.low() <= 0.0) see(sign | word(-x.high()), sign | word(-x.low()));
+    if (x.may_be_nan()) see(first_nan, magnitude_mask), see(sign | first_nan, ~Word{0});
+    return seen[0] && seen[1] ? numeric::Paths::choose(2) == 1 : seen[1];
+}
+
 // With a bool as its result.
 template <class N, auto F>
 void compare(State<N>& s, const Instruction& i) {
-    for (std::uint32_t k = 0; k < i.count; ++k)
+    for (std::uint32_t k = 0; k < i.count; ++k) {
+        const Value<N>& x = s.slots[i.a + k];
+        const Value<N>& y = s.slots[i.b + k];
+        if constexpr (has_bounds<N>) {
+            const bool open = x.is_number() != y.is_number() && !x.is_undefined() && !y.is_undefined();
+            const auto number = open ? settled((x.is_number() ? x : y).number()) : numeric::Interval();
+            if (open && !number.bounds().is_point()) {
+                const Word word = (x.is_number() ? y : x).bits();
+                s.set(i, i.result + k, holds_for(number, [&](Word of_number) {
+                          return x.is_number() ? bool{F(of_number, word)} : bool{F(word, of_number)};
+                      }));
+                continue;
+            }
+        }
         s.set(i, i.result + k, bool{F(s.bits(i.a + k), s.bits(i.b + k))});
+    }
 }
 // An operation with a result where `defined` says so.
 template <class N, auto F, auto Defined>
@@ -153,7 +185,7 @@ void shift_right(State<N>& s, const Instruction& i) {
     }
 }
 
-// Whether a float is finite can be known when its bits are not.
+// Whether a float is finite, and its magnitude, can be known when its bits are not.
 template <class N>
 void bitwise_and(State<N>& s, const Instruction& i) {
     for (std::uint32_t k = 0; k < i.count; ++k) {
@@ -161,8 +193,10 @@ void bitwise_and(State<N>& s, const Instruction& i) {
         const Value<N>& y = s.slots[i.b + k];
         if (x.is_number() != y.is_number() && !x.is_undefined() && !y.is_undefined()) {
             const Value<N>& number = x.is_number() ? x : y;
-            const bool exponent = (x.is_number() ? y : x).bits() == exponent_mask;
-            const auto field = exponent ? exponent_field(number.number()) : std::nullopt;
+            const Word mask = (x.is_number() ? y : x).bits();
+            std::optional<N> field;
+            if (mask == exponent_mask) field = exponent_field(number.number());
+            if (mask == magnitude_mask && has_bounds<N>) field = apply(Abs{}, number.number());
             if (field) {
                 s.slots[i.result + k] = Value<N>::of(*field);
                 continue;
