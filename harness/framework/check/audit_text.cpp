@@ -79,12 +79,17 @@ std::string loss_text(const AuditFinding& finding) {
                                                           : ", which magnifies the error of its operands";
 }
 
+// " for x = 0.5"; nothing for a function without parameters.
+std::string inputs_text(const AuditFinding& finding) {
+    return finding.values.empty() ? "" : " for " + finding.values;
+}
+
 std::string finding_text(const AuditFinding& finding) {
     const std::string place = to_text(finding.place);
     std::string witnesses;
     for (const AuditWitness& witness : finding.witnesses) witnesses += "\n      " + to_text(witness);
-    return fmt::format("  {:<15} {}\n      for {}: {}{}{}\n", name_of(finding.concern), extent_text(finding),
-                       finding.values, result_text(finding),
+    return fmt::format("  {:<15} {}\n     {} {}{}{}\n", name_of(finding.concern), extent_text(finding),
+                       finding.values.empty() ? "" : inputs_text(finding) + ":", result_text(finding),
                        place.empty() ? "" : "\n      arises at " + place + loss_text(finding), witnesses);
 }
 
@@ -159,10 +164,10 @@ std::string to_text(const AuditMotion& motion) {
 
 std::string half_text(const AuditFinding& half) {
     const std::string place = to_text(half.place);
-    if (std::isinf(half.lost)) return fmt::format("overflows for {} at {}", half.values, place);
+    if (std::isinf(half.lost)) return fmt::format("overflows{} at {}", inputs_text(half), place);
     if (half.lost < half_noise) return "loses little beyond its rounding";
-    return fmt::format("{:.4g} instead of {:.4g} for {} ({:.1f} of {} digits lost, most at {})", half.value,
-                       half.exact, half.values, std::min(half.lost, half_digits), half_digits, place);
+    return fmt::format("{:.4g} instead of {:.4g}{} ({:.1f} of {} digits lost, most at {})", half.value,
+                       half.exact, inputs_text(half), std::min(half.lost, half_digits), half_digits, place);
 }
 
 std::vector<std::string> missed(const Coverage& coverage) {
