@@ -201,6 +201,39 @@ TEST_F(FaultKinds, LongLoopsAreNotJudgedInBoundedTime) {
     });
 }
 
+// Modules that hold their inputs included: no device gets a long loop.
+TEST_F(FaultKinds, LongLoopsAreNotJudgedInAnyVariant) {
+    for (const char* text :
+         {"float f(float a) { float n = 0.0; for (float t = 1.0; t < a; t += 0.25) n += t; return n; }\n",
+          "float f(float v) { do v -= 0.5; while (v > 2.0); return v; }\n",
+          "uint f(uint a) { uint n = 0u; while (n < a) n += 3u; return n; }\n"}) {
+        for (const char* variant : {"shipped", "optimized", "literals", "specialization"}) {
+            const std::string name = std::string("check {} --inputs 256 --variant ") + variant;
+            const CommandResult result = gloam(name, write("own.glsl", text).string());
+            EXPECT_EQ(result.status, 0) << variant << text << result.out << result.err;
+            EXPECT_THAT(result.out, HasSubstr("it takes too long for")) << variant << text;
+        }
+    }
+}
+
+// The bits of a float that is known by bounds only.
+TEST_F(FaultKinds, RelaxedFloatsAreComparedByTheirBits) {
+    const char* const check = "check {} --device interpreter --variant relaxed --inputs 2048 --range x=0.1:9";
+    for (const char* when : {"(b & 0x7fffffffu) > 0x7f800000u", "0x7f800000u <= (b & 0x7fffffffu)",
+                             "b >= 0x45000000u", "int(b) < 0"}) {
+        const std::string text = "float f(float x) { uint b = floatBitsToUint(x * x); return ";
+        const std::string shader = text + when + " ? 0.0 : x; }\n";
+        expect({{when, shader.c_str(), check, 0, {"2048 "}, {"any result"}}});
+    }
+}
+
+TEST_F(FaultKinds, TextsOfFunctionsWithoutParameters) {
+    expect(
+        {{"infinite", "float f() { return 0.5 / 0.0; }\n", "audit {}", 1, {"      inf"}, {"for :"}},
+         {"undefined", "float f() { float x; return x + 1.0; }\n", "audit {}", 1, {"any value"}, {"for :"}},
+         {"NaN", "vec2 f() { vec2 v = vec2(0.0); return v / v; }\n", "audit {}", 1, {}, {"for :"}}});
+}
+
 TEST_F(FaultKinds, InversesAreNotUndefined) {
     expect({
         {"scaling",

@@ -214,7 +214,6 @@ void Answer::merge(const Answer& later) {
     differs += later.differs;
     if (undefined == 0) first_undefined = later.first_undefined;
     undefined += later.undefined;
-    long_runs.insert(long_runs.end(), later.long_runs.begin(), later.long_runs.end());
     if (!first_unbounded) first_unbounded = later.first_unbounded;
     if (later.worst && is_worse(*later.worst, worst)) worst = later.worst;
 }

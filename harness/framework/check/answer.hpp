@@ -188,10 +188,7 @@ struct Answer {
     std::optional<Sample> first_unbounded;
     std::size_t undefined = 0;    // of the recorded inputs: the function's own result is undefined
     std::string first_undefined;  // why, for the first of them
-    // Positions of inputs for which the function takes more than 65,536 instructions, or does not end, in the
-    // order of judging. Not in JSON.
-    std::vector<std::size_t> long_runs;
-    std::optional<Sample> worst;                                         // largest fraction
+    std::optional<Sample> worst;  // largest fraction
     std::array<std::optional<Sample>, input_class_count> first_outside;  // first failure of each class
     // For inputs as constants of the shader: the number whose results differ in any bit from those of the
     // same shader with the inputs in memory. All NaNs count as equal.

@@ -55,9 +55,6 @@ class Plan {
     std::size_t bounds_every_;
 };
 
-// A function with a loop of more iterations takes more instructions.
-constexpr std::uint64_t long_run = 65536;
-
 class Judge {
   public:
     Judge(const Question& question, const JudgeOptions& options, const ImageSet& images,
@@ -80,12 +77,11 @@ class Judge {
             return;
         }
         try {
-            if (find_want(sample) > long_run) answer.long_runs.push_back(sample.index);
+            find_want(sample);
         } catch (const interpreter::Error& error) {
             const bool is_long = error.kind() == interpreter::Error::Kind::too_many_steps;
             if ((question_.defined && !is_long) || !error.is_of_input()) throw;
             answer.add_undefined(sample.input_class, error.what());
-            if (is_long) answer.long_runs.push_back(sample.index);
             return;
         }
         if (!options_.nan && internal::holds_special(sample, scalars_.inputs)) {
@@ -123,19 +119,16 @@ class Judge {
     }
 
   private:
-    // Returns how many instructions the interpreter took; 0 for a reference.
-    std::uint64_t find_want(Sample& sample) {
-        std::uint64_t steps = 0;
+    void find_want(Sample& sample) {
         if (question_.reference) {
             question_.reference(images_, sample.inputs, sample.want);
         } else {
-            steps = permitted_->interpretation().calculate({sample.index, sample.inputs}, sample.want);
+            permitted_->interpretation().calculate({sample.index, sample.inputs}, sample.want);
         }
         if (sample.want.size() != scalars_.outputs.size()) {
             throw std::logic_error(fmt::format("the reference gave {} output words, the signature has {}",
                                                sample.want.size(), scalars_.outputs.size()));
         }
-        return steps;
     }
 
     // Whether the rules permit every result; false if that was not asked. `only_rules`: nothing else judges

@@ -35,53 +35,6 @@ std::size_t constants_of_each(std::size_t scenarios) {
     return std::max(least, ConstantKernel::most_inputs / std::max<std::size_t>(scenarios, 1));
 }
 
-// The inputs with another one in place of those at `long_runs`, if any other is left.
-Domain::Inputs short_runs(Domain::Inputs inputs, const std::vector<std::size_t>& long_runs) {
-    std::size_t other = 0;
-    while (other < long_runs.size() && long_runs[other] == other) ++other;  // they are in order
-    if (other >= inputs.count()) return inputs;
-    for (const std::size_t i : long_runs)
-        std::ranges::copy(inputs.row(other),
-                          inputs.words.begin() + static_cast<std::ptrdiff_t>(i * inputs.width));
-    return inputs;
-}
-
-constexpr std::size_t most_alone = 64;  // inputs that are run by themselves
-
-Domain::Inputs only(const Domain::Inputs& inputs, std::size_t i) {
-    const auto row = inputs.row(i);
-    return {.words = {row.begin(), row.end()}, .branch = {inputs.branch[i]}, .width = inputs.width};
-}
-
-// llvmpipe of Mesa 22.3 ends all loops of a group of invocations after 65,536 iterations of one of them, so
-// inputs that failed beside such a one are run again without it.
-void judge(const internal::Trial& trial, const Question& question, const Domain::Inputs& drawn,
-           Answer& answer) {
-    const Domain::Inputs inputs = trial.without_long_runs(drawn, answer);
-    if (inputs.count() == 0) return;
-    internal::Trial::Evaluated evaluated = trial.run(inputs, answer);
-    Answer judged = empty_answer({}, answer.verdict);
-    trial.judge(evaluated, judged);
-    if (!judged.long_runs.empty() && judged.outside() > 0) {
-        KernelCore::Result alone = trial.run(short_runs(evaluated.inputs, judged.long_runs), answer).result;
-        const std::size_t width = question.signature.output_words();
-        for (std::size_t k = 0; k < judged.long_runs.size(); ++k) {
-            const std::size_t i = judged.long_runs[k];
-            // A long run may itself be cut short by a longer one beside it.
-            const KernelCore::Result one =
-                k < most_alone ? trial.run(only(evaluated.inputs, i), answer).result : KernelCore::Result{};
-            const auto from = k < most_alone
-                                  ? one.outputs.begin()
-                                  : evaluated.result.outputs.begin() + static_cast<std::ptrdiff_t>(i * width);
-            std::copy_n(from, width, alone.outputs.begin() + static_cast<std::ptrdiff_t>(i * width));
-        }
-        evaluated.result = std::move(alone);
-        judged = empty_answer({}, answer.verdict);
-        trial.judge(evaluated, judged);
-    }
-    answer.merge(judged);
-}
-
 // Inputs of many words are fewer: those of a run take 256 MiB at most.
 std::size_t inputs_of_run(const Question& question, std::size_t wanted) {
     constexpr std::size_t most_words = std::size_t{1} << 26U;
@@ -110,13 +63,18 @@ Answer judged(const Lab& lab, const Question& question, const RunOptions& option
         question, inputs_of_run(question, options.inputs),
         [&](const ImageScenario& scenario, std::size_t share) {
             const internal::Trial trial(lab, question, kernel, scenario, options.seed, verdict);
+            const std::uint64_t inputs_seed = trial.input_seed();
+            const Domain::Inputs drawn =
+                constants ? few_inputs(domain, constants_of_each(question.scenarios.size()), inputs_seed,
+                                       scenario.size)
+                          : domain.draw(share, inputs_seed, scenario.size);
+            Domain::Inputs inputs = trial.without_long_runs(drawn, answer);
+            if (inputs.count() == 0) return;
             if (constants) {
                 const ConstantKernel folded(lab, question.file, question.function, question.signature);
-                const std::size_t count = constants_of_each(question.scenarios.size());
-                trial.compare_constants(few_inputs(domain, count, trial.input_seed(), scenario.size), folded,
-                                        answer);
+                trial.compare_constants(std::move(inputs), folded, answer);
             } else {
-                judge(trial, question, domain.draw(share, trial.input_seed(), scenario.size), answer);
+                trial.judge(trial.run(std::move(inputs), answer), answer);
             }
         });
     if (options.coverage) answer.coverage = measure_coverage(lab, question, options);
