@@ -231,18 +231,13 @@ bool same(const Camera& a, const Camera& b) {
     return a.eye == b.eye && a.target == b.target;
 }
 
-// The rule is stated in views.hpp: even places are for tuning. Names at known places hold it to that.
-TEST(Views, APlaceInTheListDecidesTheHalf) {
-    ASSERT_GE(all_views().size(), 24U);
-    for (std::size_t i = 0; i < all_views().size(); ++i)
-        EXPECT_EQ(all_views()[i].half, i % 2 == 0 ? ViewHalf::tuning : ViewHalf::unseen) << i;
-    EXPECT_EQ(all_views()[0].name, "study");
-    EXPECT_EQ(all_views()[23].name, "asteroids");
-    const auto tuning = views_of(ViewHalf::tuning);
-    const auto unseen = views_of(ViewHalf::unseen);
-    EXPECT_EQ(tuning.size() + unseen.size(), all_views().size());
-    EXPECT_EQ(tuning.at(0), "study");
-    EXPECT_EQ(unseen.at(0), "workshop");
+// What was claimed of unseen views holds only while none of them was ever used for tuning.
+TEST(Views, NoneChangesItsHalf) {
+    std::vector<std::string> unseen;
+    for (const ViewInfo& view : all_views())
+        if (view.half == ViewHalf::unseen) unseen.push_back(view.name);
+    EXPECT_THAT(unseen, ElementsAre("workshop", "plan", "aisle", "stairs", "grove", "lawn", "pipes", "panel",
+                                    "canyon", "town", "horse", "asteroids", "far", "knot", "room"));
 }
 
 TEST(Views, EachKindIsInBothHalves) {

@@ -66,13 +66,9 @@ struct ViewInfo {
     ViewHalf half = ViewHalf::tuning;
 };
 
-// The views on which settings are fitted and judged, with moving cameras. A view's half follows from its
-// place in this list alone: even places, from 0, are for tuning, odd ones unseen. New views are added at the
-// end.
+// The views on which settings are fitted and judged, with moving cameras. The row of a view says to which
+// half it belongs; none ever changes its half.
 [[nodiscard]] const std::vector<ViewInfo>& all_views();
-
-// The names of a half, in the order of the list.
-[[nodiscard]] std::vector<std::string> views_of(ViewHalf half);
 
 [[nodiscard]] std::string_view name_of(ViewHalf half);
 

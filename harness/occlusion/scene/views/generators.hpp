@@ -154,6 +154,7 @@ struct Display {
 struct ViewMaker {
     std::string name;
     std::string kind;
+    ViewHalf half;
     std::string description;
     std::function<Scene(const std::filesystem::path& meshes)> make;
 };

@@ -10,25 +10,27 @@ using Path = std::filesystem::path;
 using Table = std::vector<ViewMaker>;
 
 void add_interiors(Table& table) {
-    table.push_back({"study", "interior", "a room with books, chairs and a table", [](const Path&) {
-                         return filmed(make_furnished({.seed = 11}),
-                                       gliding({.eye = {1.6, 1.6, 2.2}, .target = {-0.5, 0.7, -1.0}},
-                                               {-0.012, 0, -0.008}));
-                     }});
     table.push_back(
-        {"workshop", "interior", "a large room, crowded, seen from a corner", [](const Path&) {
+        {"study", "interior", ViewHalf::tuning, "a room with books, chairs and a table", [](const Path&) {
+             return filmed(
+                 make_furnished({.seed = 11}),
+                 gliding({.eye = {1.6, 1.6, 2.2}, .target = {-0.5, 0.7, -1.0}}, {-0.012, 0, -0.008}));
+         }});
+    table.push_back(
+        {"workshop", "interior", ViewHalf::unseen, "a large room, crowded, seen from a corner",
+         [](const Path&) {
              return filmed(
                  make_furnished(
                      {.seed = 12, .half_width = 4.0, .half_depth = 3.5, .fullness = 0.85, .radius = 0.5}),
                  passing({.eye = {-3.6, 1.9, 3.1}, .target = {0.5, 0.5, -1.0}}, {0.02, 0, 0}));
          }});
-    table.push_back({"tabletop", "interior", "small things on a table, close up", [](const Path&) {
-                         return filmed(
-                             make_furnished({.seed = 13, .radius = 0.12}),
-                             circling({.eye = {0.7, 1.15, 0.8}, .target = {0, 0.76, 0}, .near = 0.02}, 0.5));
-                     }});
     table.push_back(
-        {"plan", "interior", "furniture from above, orthographic", [](const Path&) {
+        {"tabletop", "interior", ViewHalf::tuning, "small things on a table, close up", [](const Path&) {
+             return filmed(make_furnished({.seed = 13, .radius = 0.12}),
+                           circling({.eye = {0.7, 1.15, 0.8}, .target = {0, 0.76, 0}, .near = 0.02}, 0.5));
+         }});
+    table.push_back(
+        {"plan", "interior", ViewHalf::unseen, "furniture from above, orthographic", [](const Path&) {
              return filmed(
                  make_furnished(
                      {.seed = 14, .half_width = 3.5, .half_depth = 3.0, .roofed = false, .radius = 0.4}),
@@ -38,24 +40,24 @@ void add_interiors(Table& table) {
 }
 
 void add_halls(Table& table) {
-    table.push_back({"nave", "hall", "two rows of pillars, along the middle", [](const Path&) {
-                         return filmed(
-                             make_hall({.seed = 21}),
-                             gliding({.eye = {0.2, 1.7, 1.5}, .target = {0, 1.6, -10}}, {0, 0, -0.03}));
-                     }});
     table.push_back(
-        {"aisle", "hall", "behind the pillars, looking across", [](const Path&) {
+        {"nave", "hall", ViewHalf::tuning, "two rows of pillars, along the middle", [](const Path&) {
+             return filmed(make_hall({.seed = 21}),
+                           gliding({.eye = {0.2, 1.7, 1.5}, .target = {0, 1.6, -10}}, {0, 0, -0.03}));
+         }});
+    table.push_back(
+        {"aisle", "hall", ViewHalf::unseen, "behind the pillars, looking across", [](const Path&) {
              return filmed(make_hall({.seed = 22, .half_width = 5.0, .radius = 0.7}),
                            gliding({.eye = {-3.6, 1.5, 1.0}, .target = {2.0, 1.0, -7.0}}, {0.015, 0, -0.02}));
          }});
     table.push_back(
-        {"crypt", "hall", "low, with a wide angle", [](const Path&) {
+        {"crypt", "hall", ViewHalf::tuning, "low, with a wide angle", [](const Path&) {
              return filmed(
                  make_hall({.seed = 23, .half_width = 3.0, .height = 2.8, .pillars = 1.5, .radius = 0.4}),
                  passing({.eye = {1.0, 1.0, 0.8}, .target = {-0.4, 1.0, -5.0}, .fovy_rad = 1.25},
                          {-0.012, 0, 0}));
          }});
-    table.push_back({"stairs", "hall", "stairs with railings, close up", [](const Path&) {
+    table.push_back({"stairs", "hall", ViewHalf::unseen, "stairs with railings, close up", [](const Path&) {
                          return filmed(make_hall({.seed = 24, .length = 9.0, .radius = 0.35}),
                                        passing({.eye = {1.6, 1.5, -2.6}, .target = {-0.2, 0.8, -5.6}},
                                                {-0.015, 0.004, 0}));
@@ -63,11 +65,11 @@ void add_halls(Table& table) {
 }
 
 void add_foliage(Table& table) {
-    table.push_back({"meadow", "foliage", "grass and bushes", [](const Path&) {
+    table.push_back({"meadow", "foliage", ViewHalf::tuning, "grass and bushes", [](const Path&) {
                          return filmed(make_foliage({.seed = 31, .bushes = 8, .leaves = 300, .blades = 4000}),
                                        gliding({.eye = {0, 0.9, 3.2}, .target = {0, 0.2, 0}}, {0.01, 0, 0}));
                      }});
-    table.push_back({"grove", "foliage", "trees with leaves in crowns", [](const Path&) {
+    table.push_back({"grove", "foliage", ViewHalf::unseen, "trees with leaves in crowns", [](const Path&) {
                          return filmed(
                              make_foliage({.seed = 32,
                                            .half = 5.0,
@@ -79,13 +81,13 @@ void add_foliage(Table& table) {
                              gliding({.eye = {0, 1.5, 6.5}, .target = {0, 1.2, 0}}, {0.02, 0, -0.01}));
                      }});
     table.push_back(
-        {"hedge", "foliage", "bushes close up, leaf by leaf", [](const Path&) {
+        {"hedge", "foliage", ViewHalf::tuning, "bushes close up, leaf by leaf", [](const Path&) {
              return filmed(
                  make_foliage({.seed = 33, .half = 0.9, .bushes = 9, .leaves = 350, .radius = 0.15}),
                  circling({.eye = {0.3, 0.7, 1.9}, .target = {0, 0.3, 0}}, 0.4));
          }});
     table.push_back(
-        {"lawn", "foliage", "grass from above, orthographic", [](const Path&) {
+        {"lawn", "foliage", ViewHalf::unseen, "grass from above, orthographic", [](const Path&) {
              return filmed(
                  make_foliage({.seed = 34,
                                .half = 2.5,
@@ -100,23 +102,23 @@ void add_foliage(Table& table) {
 }
 
 void add_machines(Table& table) {
-    table.push_back({"engine", "machine", "housings, gears and pipes", [](const Path&) {
+    table.push_back({"engine", "machine", ViewHalf::tuning, "housings, gears and pipes", [](const Path&) {
                          return filmed(
                              make_machine({.seed = 41}),
                              passing({.eye = {0.8, 1.5, 2.6}, .target = {0, 0.8, -1.0}}, {-0.015, 0, 0}));
                      }});
-    table.push_back({"pipes", "machine", "pipes before a wall", [](const Path&) {
+    table.push_back({"pipes", "machine", ViewHalf::unseen, "pipes before a wall", [](const Path&) {
                          return filmed(
                              make_machine({.seed = 42, .parts = 3, .pipes = 14, .radius = 0.3}),
                              gliding({.eye = {-0.8, 1.4, 2.0}, .target = {0.2, 1.1, -1.5}}, {0.012, 0, 0}));
                      }});
     table.push_back(
-        {"grating", "machine", "a grating over the floor", [](const Path&) {
+        {"grating", "machine", ViewHalf::tuning, "a grating over the floor", [](const Path&) {
              return filmed(make_machine({.seed = 43, .parts = 4, .pipes = 4, .grating = true, .radius = 0.3}),
                            gliding({.eye = {0.3, 1.3, 2.8}, .target = {0, 0.2, 0.0}}, {0.01, 0, -0.005}));
          }});
     table.push_back(
-        {"panel", "machine", "machines from the front, orthographic", [](const Path&) {
+        {"panel", "machine", ViewHalf::unseen, "machines from the front, orthographic", [](const Path&) {
              return filmed(
                  make_machine({.seed = 44, .parts = 6, .pipes = 8, .radius = 0.25}),
                  gliding({.eye = {0.6, 2.0, 5.0}, .target = {0, 1.0, -1.0}, .view_height = 2.6, .far = 40.0},
@@ -138,52 +140,54 @@ Scene walked(const Terrain& terrain, const glm::dvec3& from, const glm::dvec3& t
 }
 
 void add_terrain(Table& table) {
-    table.push_back({"hills", "terrain", "hills with stones", [](const Path&) {
+    table.push_back({"hills", "terrain", ViewHalf::tuning, "hills with stones", [](const Path&) {
                          return walked({.seed = 51, .stones = 80}, {0, 0, 18}, {0, 0, 0}, 4.0, {0.05, 0, 0});
                      }});
     table.push_back(
-        {"canyon", "terrain", "ridges, far away", [](const Path&) {
+        {"canyon", "terrain", ViewHalf::unseen, "ridges, far away", [](const Path&) {
              return walked(
                  {.seed = 52, .half = 80.0, .size = 25.0, .relief = 8.0, .ridged = true, .radius = 5.0},
                  {0, 0, 55}, {0, 0, 0}, 14.0, {0.15, 0, 0});
          }});
-    table.push_back({"stones", "terrain", "stones on the ground, close up", [](const Path&) {
-                         return walked({.seed = 53,
-                                        .half = 8.0,
-                                        .size = 5.0,
-                                        .relief = 0.5,
-                                        .stones = 220,
-                                        .stone = 0.3,
-                                        .radius = 0.35},
-                                       {0, 0, 4}, {0, 0, 0.5}, 1.6, {0.015, 0, 0});
-                     }});
-    table.push_back({"town", "terrain", "houses along streets, from above", [](const Path&) {
-                         return filmed(
-                             make_town({.seed = 54}),
-                             gliding({.eye = {10, 40, 45}, .target = {0, 5, -40}, .near = 1.0, .far = 800.0},
-                                     {0.3, 0, -0.1}));
-                     }});
+    table.push_back(
+        {"stones", "terrain", ViewHalf::tuning, "stones on the ground, close up", [](const Path&) {
+             return walked({.seed = 53,
+                            .half = 8.0,
+                            .size = 5.0,
+                            .relief = 0.5,
+                            .stones = 220,
+                            .stone = 0.3,
+                            .radius = 0.35},
+                           {0, 0, 4}, {0, 0, 0.5}, 1.6, {0.015, 0, 0});
+         }});
+    table.push_back(
+        {"town", "terrain", ViewHalf::unseen, "houses along streets, from above", [](const Path&) {
+             return filmed(make_town({.seed = 54}),
+                           gliding({.eye = {10, 40, 45}, .target = {0, 5, -40}, .near = 1.0, .far = 800.0},
+                                   {0.3, 0, -0.1}));
+         }});
 }
 
 void add_meshes(Table& table) {
-    table.push_back({"bunny", "mesh", "the bunny of glmark2-data", [](const Path& meshes) {
+    table.push_back({"bunny", "mesh", ViewHalf::tuning, "the bunny of glmark2-data", [](const Path& meshes) {
                          return filmed(make_display(meshes, {.file = "bunny.obj"}),
                                        circling({.eye = {0.4, 0.9, 1.9}, .target = {0, 0.45, 0}}, 0.7));
                      }});
-    table.push_back({"horse", "mesh", "three horses of glmark2-data", [](const Path& meshes) {
-                         return filmed(
-                             make_display(meshes, {.file = "horse.3ds", .copies = 3, .spacing = 1.4}),
-                             gliding({.eye = {0.5, 1.3, 3.6}, .target = {0, 0.4, 0}}, {0.012, 0, 0}));
-                     }});
     table.push_back(
-        {"cats", "mesh", "rows of cats of glmark2-data", [](const Path& meshes) {
+        {"horse", "mesh", ViewHalf::unseen, "three horses of glmark2-data", [](const Path& meshes) {
+             return filmed(make_display(meshes, {.file = "horse.3ds", .copies = 3, .spacing = 1.4}),
+                           gliding({.eye = {0.5, 1.3, 3.6}, .target = {0, 0.4, 0}}, {0.012, 0, 0}));
+         }});
+    table.push_back(
+        {"cats", "mesh", ViewHalf::tuning, "rows of cats of glmark2-data", [](const Path& meshes) {
              return filmed(
                  make_display(meshes,
                               {.file = "cat.3ds", .up = {0, 0, -1}, .copies = 4, .rows = 3, .spacing = 1.6}),
                  gliding({.eye = {-0.5, 1.7, 3.0}, .target = {0, 0.2, -0.8}}, {0.01, 0, 0}));
          }});
     table.push_back(
-        {"asteroids", "mesh", "asteroids of glmark2-data that touch", [](const Path& meshes) {
+        {"asteroids", "mesh", ViewHalf::unseen, "asteroids of glmark2-data that touch",
+         [](const Path& meshes) {
              return filmed(
                  make_display(meshes, {.file = "asteroid-high.3ds", .copies = 4, .rows = 3, .spacing = 1.05}),
                  passing({.eye = {1.2, 1.6, 2.6}, .target = {0, 0.3, -0.8}}, {-0.015, 0, 0}));
@@ -192,9 +196,13 @@ void add_meshes(Table& table) {
 
 // Built-in scenes whose cameras move, as they are.
 void add_scenes(Table& table) {
-    for (const char* name : {"columns", "far", "grass", "knot", "moving", "room", "sky"})
-        table.push_back(
-            {name, "scene", "the built-in scene", [name](const Path&) { return make_scene(name); }});
+    const std::pair<const char*, ViewHalf> scenes[]{{"columns", ViewHalf::tuning}, {"far", ViewHalf::unseen},
+                                                    {"grass", ViewHalf::tuning},   {"knot", ViewHalf::unseen},
+                                                    {"moving", ViewHalf::tuning},  {"room", ViewHalf::unseen},
+                                                    {"sky", ViewHalf::tuning}};
+    for (const auto& [name, half] : scenes)
+        table.push_back({name, "scene", half, "the built-in scene",
+                         [name = std::string(name)](const Path&) { return make_scene(name); }});
 }
 
 }  // namespace
@@ -221,20 +229,11 @@ namespace gloam::scene {
 const std::vector<ViewInfo>& all_views() {
     static const std::vector<ViewInfo> infos = [] {
         std::vector<ViewInfo> all;
-        for (const views::ViewMaker& view : views::view_table()) {
-            const ViewHalf half = all.size() % 2 == 0 ? ViewHalf::tuning : ViewHalf::unseen;
-            all.push_back({view.name, view.kind, view.description, half});
-        }
+        for (const views::ViewMaker& view : views::view_table())
+            all.push_back({view.name, view.kind, view.description, view.half});
         return all;
     }();
     return infos;
-}
-
-std::vector<std::string> views_of(ViewHalf half) {
-    std::vector<std::string> names;
-    for (const ViewInfo& view : all_views())
-        if (view.half == half) names.push_back(view.name);
-    return names;
 }
 
 std::string_view name_of(ViewHalf half) {
