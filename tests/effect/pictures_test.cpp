@@ -224,8 +224,9 @@ TEST_F(Pictures, NoPixelIsAloneAtASilhouette) {
     const std::filesystem::path file = "/usr/share/glmark2/models/horse.3ds";
     if (!std::filesystem::exists(file)) GTEST_SKIP() << "glmark2-data is not installed";
     constexpr gpu::Extent size{640, 360};
-    const scene::Scene scene = scene::mesh_scene(scene::load_mesh(file), "horse",
-                                                 {.aspect = double{size.width} / double{size.height}});
+    const scene::Scene scene =
+        scene::mesh_scene(scene::standing(scene::load_mesh(file), {0, 1, 0}, 1.0), "horse",
+                          {.aspect = double{size.width} / double{size.height}});
     const scene::GBuffer now = view(scene, 0, size);
     const Truth traced = truth(scene, 0, now);
     // One slice is noise at a surface seen edge-on, of which the filter finds no neighbours.

@@ -178,7 +178,7 @@ double expect_seen(const Scene& scene, std::size_t vertices, int frame, double a
     return reach;
 }
 
-TEST(MeshScene, HasHeightOneAndFillsTheImage) {
+TEST(MeshScene, KeepsItsUnitsAndFillsTheImage) {
     // Tall, wide, far from the origin, tiny, huge.
     for (const auto& [low, high] :
          std::vector<std::pair<glm::dvec3, glm::dvec3>>{{{0, 0, 0}, {1, 9, 1}},
@@ -191,9 +191,11 @@ TEST(MeshScene, HasHeightOneAndFillsTheImage) {
         for (const double aspect : {0.5, 1.0, 1.5, 2.5}) {
             const Scene scene = mesh_scene(box, "box", {.aspect = aspect});
             const Bounds bounds = bounds_of(stood(scene, vertices));
-            EXPECT_NEAR(bounds.low.y, 0.0, 1e-5);
-            EXPECT_NEAR(bounds.high.y, 1.0, 1e-5);
-            EXPECT_NEAR(bounds.low.x, -bounds.high.x, 1e-4);
+            const double height = high.y - low.y;
+            EXPECT_NEAR(bounds.low.y / height, 0.0, 1e-5);
+            EXPECT_NEAR(bounds.high.y / height, 1.0, 1e-5);
+            EXPECT_NEAR(bounds.low.x / height, -bounds.high.x / height, 1e-4);
+            EXPECT_NEAR(scene.ao_radius / height, 0.2, 1e-5);
             EXPECT_NEAR(expect_seen(scene, vertices, 0, aspect), 0.84, 1e-3) << aspect;
             // The ground.
             ASSERT_GT(scene.mesh.positions.size(), vertices);
@@ -203,14 +205,15 @@ TEST(MeshScene, HasHeightOneAndFillsTheImage) {
     }
 }
 
-TEST(MeshScene, AFlatMeshIsScaledByItsLongestSide) {
+TEST(MeshScene, AFlatMeshIsMeasuredByItsLongestSide) {
     const Mesh sheet = make_parallelogram({0, 3, 0}, {0, 0, 4}, {2, 0, 0}, 10.0);
     const Scene scene = mesh_scene(sheet, "sheet");
-    EXPECT_NEAR(bounds_of(stood(scene, sheet.positions.size())).high.z, 0.5, 1e-6);
+    EXPECT_NEAR(scene.ao_radius, 0.2 * 4, 1e-6);
+    EXPECT_NEAR(bounds_of(standing(sheet, {0, 1, 0}, 1.0)).high.z, 0.5, 1e-6);
     expect_seen(scene, sheet.positions.size(), 0, 1.0);
 }
 
-// A box of 1 x 2 x 3 becomes as high as the side along the axis that points up.
+// A box of 1 x 2 x 3 is as high as the side along the axis that points up.
 TEST(MeshScene, UpIsAnAxisOfTheFile) {
     const Mesh box = make_box({0, 0, 0}, {1, 2, 3}, 10.0);
     const std::vector<std::pair<const char*, double>> heights{{"x", 1},  {"y", 2},  {"z", 3},
@@ -220,7 +223,7 @@ TEST(MeshScene, UpIsAnAxisOfTheFile) {
         ASSERT_TRUE(up) << name;
         const Scene scene = mesh_scene(box, "box", {.up = *up, .ground = false});
         const Bounds bounds = bounds_of(scene.mesh);
-        const glm::dvec3 size = (bounds.high - bounds.low) * height;
+        const glm::dvec3 size = bounds.high - bounds.low;
         EXPECT_NEAR(size.y, height, 1e-5) << name;
         EXPECT_NEAR(size.x * size.y * size.z, 6.0, 1e-4) << name;
         for (std::size_t i = 0; i < scene.mesh.indices.size(); i += 3) {  // not mirrored
@@ -247,6 +250,10 @@ TEST(MeshScene, AnEyeOfOnesOwn) {
         mesh_scene(box, "box", {.eye = glm::dvec3(0, 0.5, 4), .look_at = glm::dvec3(0, 0.5, 0)});
     EXPECT_NEAR(glm::distance(scene.camera.eye, glm::dvec3(0, 0.5, 4)), 0.0, 1e-9);
     EXPECT_EQ(scene.camera.target, glm::dvec3(0, 0.5, 0));
+    // A wider view is nearer.
+    const Scene wide = mesh_scene(box, "box", {.fovy_deg = 90.0});
+    EXPECT_NEAR(wide.camera.fovy_rad, 0.5 * std::numbers::pi, 1e-9);
+    EXPECT_NEAR(expect_seen(wide, box.positions.size(), 0, 1.0), 0.84, 1e-3);
 }
 
 TEST(MeshScene, RefusesWhatCannotBe) {
@@ -259,6 +266,7 @@ TEST(MeshScene, RefusesWhatCannotBe) {
     refused({.elevation_deg = 90.0}, "elevation");
     refused({.elevation_deg = std::nan("")}, "elevation");
     refused({.azimuth_deg = INFINITY}, "azimuth");
+    for (const double angle : {0.0, 180.0, std::nan("")}) refused({.fovy_deg = angle}, "angle of view");
     refused({.eye = glm::dvec3(0, 1, 0), .look_at = glm::dvec3(0, 1, 0)}, "eye");
     refused({.aspect = 0.0}, "aspect");
 }

@@ -105,12 +105,30 @@ TEST_F(LitPictures, AMethodAmongOthersIsTheMethodAlone) {
     EXPECT_EQ(among, read_file(path("out") / "f0000_ao.pfm"));
 }
 
+// A unit is a metre, a millimetre or a hundred kilometres: powers of two, so that the pictures are equal to
+// the bit.
+TEST_F(LitPictures, AMeshOfAnyUnitHasTheSameOcclusion) {
+    std::vector<std::string> shown;
+    for (const std::string unit : {"1", "0.0009765625", "131072", "16777216"}) {
+        std::string text;
+        for (const std::string& x : {std::string("0"), unit})
+            for (const std::string& y : {std::string("0"), unit})
+                for (const std::string& z : {std::string("0"), unit})
+                    text += "v " + x + " " + y + " " + z + "\n";
+        const fs::path box = write("box.obj", text + "f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\n");
+        expect_success(render(unit, "{} --fovy 60 --preset quality --frames 2", box));
+        shown.push_back(read_file(path(unit) / "f0001_ao.pfm"));
+    }
+    for (const std::string& image : shown) EXPECT_EQ(image, shown.front());
+}
+
 TEST_F(LitPictures, WrongViewsAreNamed) {
     expect_refused(words("{} --up w", cube()), "--up w");
     expect_refused(words("{} --eye 1,2", cube()), "--eye 1,2");
     expect_refused(words("{} --eye 1,2,inf", cube()), "--eye 1,2,inf");
     expect_refused(words("{} --orbit 1,2,3", cube()), "--orbit 1,2,3");
     expect_refused(words("{} --orbit 0,95", cube()), "elevation");
+    expect_refused(words("{} --fovy 180", cube()), "angle of view of 180 degrees, expected 1 to 170");
     expect_refused(words("{} --eye 0,0.5,0", cube()), "eye");
     expect_refused(words("{} --eye 1,1,1 --orbit 1,1", cube()), "--orbit");
     expect_refused(words("corner --up z"), "camera of its own");

@@ -125,11 +125,12 @@ void add_mesh_options(CLI::App& command, MeshOptions& mesh) {
                                             "as near as the whole mesh fits into the image");
     command
         .add_option("--eye", mesh.eye,
-                    "X,Y,Z: position of the eye, in mesh heights from the centre of the mesh's base; y is up")
+                    "X,Y,Z: position of the eye, in units of the mesh, from the middle of its base; y is up")
         ->excludes(orbit);
     command.add_option(
         "--look-at", mesh.look_at,
         "X,Y,Z: the point that the eye looks at, in the same unit (default: the centre of the mesh)");
+    command.add_option("--fovy", mesh.fovy, "vertical angle of the view, degrees, 1 to 170 (default: 40)");
 }
 
 void add_effect_options(CLI::App& command, RenderOptions& options) {

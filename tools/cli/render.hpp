@@ -18,14 +18,15 @@ namespace gloam::cli {
 
 // Placement and view of a mesh, as text of the command line: see scene::MeshView.
 struct MeshOptions {
-    std::string eye;      // "X,Y,Z"; empty: as near as it can be
-    std::string look_at;  // likewise; empty: the middle of the mesh
-    std::string orbit;    // "AZIMUTH,ELEVATION"; empty: the default
+    std::string eye;             // "X,Y,Z"; empty: as near as it can be
+    std::string look_at;         // likewise; empty: the middle of the mesh
+    std::string orbit;           // "AZIMUTH,ELEVATION"; empty: the default
+    std::optional<double> fovy;  // degrees; otherwise that of scene::MeshView
     std::string up = "y";
     bool no_ground = false;
 
     [[nodiscard]] bool given() const {
-        return !eye.empty() || !look_at.empty() || !orbit.empty() || up != "y" || no_ground;
+        return !eye.empty() || !look_at.empty() || !orbit.empty() || fovy || up != "y" || no_ground;
     }
 };
 

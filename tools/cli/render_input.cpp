@@ -24,6 +24,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* mesh_options =
+    "--eye, --look-at, --orbit, --fovy, --up and --no-ground go with a mesh file";
+
 bool is_among(const std::vector<Named>& names, const std::string& name) {
     return std::ranges::any_of(names, [&](const Named& one) { return one.name == name; });
 }
@@ -55,7 +58,7 @@ std::vector<double> parse_numbers(const char* option, const std::string& text, s
 
 std::optional<glm::dvec3> parse_point(const char* option, const std::string& text) {
     if (text.empty()) return std::nullopt;
-    const auto numbers = parse_numbers(option, text, 3, "X,Y,Z in mesh heights, such as 0.5,1,2");
+    const auto numbers = parse_numbers(option, text, 3, "X,Y,Z in units of the mesh, such as 0.5,1,2");
     return glm::dvec3(numbers[0], numbers[1], numbers[2]);
 }
 
@@ -72,6 +75,7 @@ scene::MeshView mesh_view(const MeshOptions& mesh, gpu::Extent extent) {
     }
     view.eye = parse_point("--eye", mesh.eye);
     view.look_at = parse_point("--look-at", mesh.look_at);
+    if (mesh.fovy) view.fovy_deg = *mesh.fovy;
     view.aspect = static_cast<double>(extent.width) / static_cast<double>(extent.height);
     return view;
 }
@@ -82,9 +86,7 @@ scene::Scene load_scene(const RenderOptions& options, gpu::Extent extent) {
     if (is_among(scene_names(), source) || is_among(view_names(), source)) {
         if (options.mesh.given())
             throw std::invalid_argument(
-                fmt::format("\"{}\" has a camera of its own: --eye, --look-at, --orbit, --up and "
-                            "--no-ground go with a mesh file",
-                            source));
+                fmt::format("\"{}\" has a camera of its own: {}", source, mesh_options));
         return is_among(scene_names(), source) ? scene::make_scene(source)
                                                : scene::make_view(source, scene::installed_meshes());
     }
@@ -146,8 +148,7 @@ RenderInput from_scene(const RenderOptions& options, const RenderInput* like) {
 RenderInput from_gbuffer(const RenderOptions& options) {
     if (options.still) throw std::invalid_argument("--still goes with a scene, not with --gbuffer");
     if (options.frame != 0) throw std::invalid_argument("--frame goes with a scene, not with --gbuffer");
-    if (options.mesh.given())
-        throw std::invalid_argument("--eye, --look-at, --orbit, --up and --no-ground go with a mesh file");
+    if (options.mesh.given()) throw std::invalid_argument(mesh_options);
     if (!options.source.empty()) {
         throw std::invalid_argument(fmt::format("\"{}\" and --gbuffer {}: give one of the two",
                                                 options.source, options.gbuffer.string()));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/trigonometric.hpp>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
@@ -15,7 +16,6 @@
 namespace gloam::scene {
 namespace {
 
-constexpr double mesh_fovy_rad = 0.7;
 constexpr double margin = 0.08;  // of the image, on each side
 constexpr glm::vec3 ground_color(0.42F, 0.41F, 0.4F);
 
@@ -24,6 +24,8 @@ void check(const MeshView& view) {
     if (!(std::abs(view.elevation_deg) <= 89.0))
         refuse(fmt::format("elevation of {} degrees, expected -89 to 89", view.elevation_deg));
     if (!std::isfinite(view.azimuth_deg)) refuse("the azimuth is not finite");
+    if (!(view.fovy_deg >= 1.0 && view.fovy_deg <= 170.0))
+        refuse(fmt::format("angle of view of {} degrees, expected 1 to 170", view.fovy_deg));
     if (!(view.aspect > 0.0)) refuse(fmt::format("aspect {}, expected > 0", view.aspect));
 }
 
@@ -39,6 +41,13 @@ Mesh turned(Mesh mesh, const glm::dmat3& rotation) {
     return mesh;
 }
 
+// The longest side in its place if that is nearly nothing.
+double height_of(const Bounds& bounds) {
+    const glm::dvec3 size = bounds.high - bounds.low;
+    const double largest = std::max({size.x, size.y, size.z});
+    return size.y > 1e-3 * largest ? size.y : largest;
+}
+
 glm::dvec3 direction_of(double azimuth_deg, double elevation_deg) {
     const double azimuth = azimuth_deg * std::numbers::pi / 180.0;
     const double elevation = elevation_deg * std::numbers::pi / 180.0;
@@ -47,11 +56,12 @@ glm::dvec3 direction_of(double azimuth_deg, double elevation_deg) {
 }
 
 // Distance from `center`, in a direction, at which an eye sees all vertices inside the image.
-double fitting_distance(const Mesh& mesh, const glm::dvec3& center, const glm::dvec3& back, double aspect) {
+double fitting_distance(const Mesh& mesh, const glm::dvec3& center, const glm::dvec3& back,
+                        const MeshView& view) {
     const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), back));
     const glm::dvec3 up = glm::cross(back, right);
-    const double tan_y = std::tan(0.5 * mesh_fovy_rad) * (1.0 - 2.0 * margin);
-    const double tan_x = tan_y * aspect;
+    const double tan_y = std::tan(0.5 * glm::radians(view.fovy_deg)) * (1.0 - 2.0 * margin);
+    const double tan_x = tan_y * view.aspect;
     double distance = 0.0;
     for (const glm::vec3& vertex : mesh.positions) {
         const glm::dvec3 p = glm::dvec3(vertex) - center;
@@ -62,12 +72,12 @@ double fitting_distance(const Mesh& mesh, const glm::dvec3& center, const glm::d
     return distance;
 }
 
-Camera camera_from(const glm::dvec3& eye, const glm::dvec3& target, double size) {
+Camera camera_from(const glm::dvec3& eye, const glm::dvec3& target, double fovy_deg, double size) {
     const double distance = glm::distance(eye, target);
     if (!(distance > 0.0)) throw std::invalid_argument("mesh view: the eye is where it looks");
     return {.eye = eye,
             .target = target,
-            .fovy_rad = mesh_fovy_rad,
+            .fovy_rad = glm::radians(fovy_deg),
             .near = 0.02 * distance,
             .far = 50.0 * (distance + size),
             .reversed_z = true};
@@ -81,9 +91,8 @@ void place_camera(Scene& scene, const MeshView& view, const glm::dvec3& middle, 
     const double azimuth = std::atan2(first.x, first.z) * 180.0 / std::numbers::pi;
     const double elevation = std::atan2(first.y, std::hypot(first.x, first.z)) * 180.0 / std::numbers::pi;
     const glm::dvec3 back = direction_of(azimuth, elevation);
-    const double distance =
-        view.eye ? glm::length(first) : fitting_distance(scene.mesh, target, back, view.aspect);
-    scene.camera = camera_from(target + distance * back, target, size);
+    const double distance = view.eye ? glm::length(first) : fitting_distance(scene.mesh, target, back, view);
+    scene.camera = camera_from(target + distance * back, target, view.fovy_deg, size);
 }
 
 }  // namespace
@@ -100,25 +109,29 @@ std::optional<glm::dvec3> axis_named(std::string_view name) {
     return std::nullopt;
 }
 
-Scene mesh_scene(Mesh mesh, std::string name, const MeshView& view) {
-    check(view);
-    mesh = turned(std::move(mesh), upright(view.up));
+Mesh standing(Mesh mesh, const glm::dvec3& up, std::optional<double> height) {
+    mesh = turned(std::move(mesh), upright(up));
     const Bounds bounds = bounds_of(mesh);
-    const glm::dvec3 size = bounds.high - bounds.low;
-    const double largest = std::max({size.x, size.y, size.z});
-    if (!(largest > 0.0)) throw std::invalid_argument("mesh " + name + ": all its vertices are one point");
-    // A flat mesh has nearly no height: its longest side becomes 1.
-    const double scale = 1.0 / (size.y > 1e-3 * largest ? size.y : largest);
+    const double scale = height ? *height / height_of(bounds) : 1.0;
     const glm::dvec3 foot{0.5 * (bounds.low.x + bounds.high.x), bounds.low.y,
                           0.5 * (bounds.low.z + bounds.high.z)};
-    Scene scene{.name = std::move(name), .mesh = placed(std::move(mesh), scale, -scale * foot)};
-    const double radius = 0.5 * scale * glm::length(size);
-    place_camera(scene, view, {0, 0.5 * scale * size.y, 0}, radius);
+    return placed(std::move(mesh), scale, -scale * foot);
+}
+
+Scene mesh_scene(Mesh mesh, std::string name, const MeshView& view) {
+    check(view);
+    if (!(height_of(bounds_of(mesh)) > 0.0))
+        throw std::invalid_argument("mesh " + name + ": all its vertices are one point");
+    Scene scene{.name = std::move(name), .mesh = standing(std::move(mesh), view.up)};
+    const Bounds bounds = bounds_of(scene.mesh);
+    const glm::dvec3 size = bounds.high - bounds.low;
+    const double radius = 0.5 * glm::length(size);
+    place_camera(scene, view, {0, 0.5 * size.y, 0}, radius);
     if (view.ground)
         append(scene.mesh, colored(make_parallelogram({-60 * radius, 0, 60 * radius}, {120 * radius, 0, 0},
                                                       {0, 0, -120 * radius}, 1.5 * radius),
                                    ground_color));
-    scene.ao_radius = 0.2;
+    scene.ao_radius = static_cast<float>(0.2 * height_of(bounds));
     return scene;
 }
 

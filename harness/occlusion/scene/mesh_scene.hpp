@@ -25,8 +25,8 @@ namespace gloam::scene {
 [[nodiscard]] std::string mesh_bytes(const Mesh& mesh);
 [[nodiscard]] Mesh mesh_from_bytes(std::string_view bytes);
 
-// Placement and view of a mesh. Positions are in mesh heights: the mesh is 1 high, the middle of its base is
-// the origin, up is +y, and the front faces +z.
+// Placement and view of a mesh. Positions are in the units of its file; the middle of its base is the origin,
+// up is +y, and the front faces +z.
 struct MeshView {
     glm::dvec3 up{0, 1, 0};               // up direction of the file: one of its axes or their opposites
     bool ground = true;                   // a plane under the mesh
@@ -35,15 +35,20 @@ struct MeshView {
     std::optional<glm::dvec3> eye{};      // instead of azimuth and elevation
     std::optional<glm::dvec3> look_at{};  // default: the middle of the mesh
     double aspect = 1.0;                  // of the image, width over height
+    double fovy_deg = 40.0;               // vertical angle of the view, 1 to 170
 };
 
 // "x", "y", "z", "-x", "-y" or "-z" as a direction; nullopt for other text.
 [[nodiscard]] std::optional<glm::dvec3> axis_named(std::string_view name);
 
-// A scene of a mesh, scaled to a height of 1 (if it has nearly none, to a longest side of 1), on the plane y
-// = 0. Without `eye`, the camera is as near as possible so that the whole mesh is visible with a
-// margin. Throws std::invalid_argument for a mesh without extent, an elevation out of range, an aspect that
-// is not > 0, and an eye at the point it looks at.
+// A mesh with extent, turned so that `up` becomes +y and moved so that the middle of its base is the origin.
+// With `height`, scaled to it; a flat mesh has nearly no height, and its longest side becomes `height`.
+[[nodiscard]] Mesh standing(Mesh mesh, const glm::dvec3& up, std::optional<double> height = {});
+
+// A scene of a mesh, standing on the plane y = 0 in the units of its file; the occlusion's radius is a fifth
+// of the mesh's height (of its longest side if it is flat). Without `eye`, the camera is as near as possible
+// so that the whole mesh is visible with a margin. Throws std::invalid_argument for a mesh without extent, an
+// elevation or an angle of view out of range, an aspect that is not > 0, and an eye at the point it looks at.
 [[nodiscard]] Scene mesh_scene(Mesh mesh, std::string name, const MeshView& view = {});
 
 }  // namespace gloam::scene

@@ -174,7 +174,7 @@ Scene make_display(const std::filesystem::path& folder, const Display& display) 
     if (!std::filesystem::is_regular_file(file, none))
         throw std::runtime_error(
             fmt::format("mesh {}: no such file; the package glmark2-data has it", file.string()));
-    const Mesh mesh = mesh_scene(load_mesh(file), display.file, {.up = display.up, .ground = false}).mesh;
+    const Mesh mesh = standing(load_mesh(file), display.up, 1.0);
     Scene scene{.mesh = make_parallelogram({-40, 0, 40}, {80, 0, 0}, {0, 0, -80}, 1.0)};
     for (int row = 0; row < display.rows; ++row) {
         for (int copy = 0; copy < display.copies; ++copy) {
