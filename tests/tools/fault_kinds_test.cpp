@@ -384,12 +384,12 @@ TEST_F(FaultKinds, ExplainShowsIntegers) {
          0,
          {"undefined", "an integer is divided by 0"}},
         {"bool", "bool f(uint a) { return a * 2u > 7u; }\n", "explain {} f 4", 0, {"OpIMul", "8", "true"}},
-        {"one result of a vector",
-         "float f(vec3 v) { return length(v); }\n",
-         "explain {} f 3 4 5",
+        {"never written",
+         "float f(float x) { float y; if (x > 0.5) y = 1.0; return y; }\n",
+         "explain {} f 0.25",
          0,
-         {"Length"},
-         {"Length .y", "undefined"}},
+         {"result undefined", "was never written"}},
+        {"length", "float f(vec2 v) { return length(v); }\n", "explain {} f 3 4", 0, {"Length"}, {".y"}},
         {"bits", "uint f(uint a) { return (a << 3u) ^ 5u; }\n", "explain {} f 1", 0, {"OpBitwiseXor", "13"}},
     });
 }

@@ -51,7 +51,11 @@ ExplainedStep explained(interpreter::Machine<Explained>& machine, const interpre
                         const numeric::FloatFormat& format) {
     const auto why = machine.why_undefined(value);
     if (!why) return explained(value, format);
-    return {.permitted = numeric::Bounds::anything(), .undefined = why->cause};
+    ExplainedStep one{.permitted = numeric::Bounds::anything(), .undefined = why->cause};
+    if (why->place.file == kernel_name) return one;
+    one.file = why->place.file;
+    one.line = why->place.line;
+    return one;
 }
 
 void append(const interpreter::Step<Explained>& step, interpreter::Machine<Explained>& machine,
@@ -216,10 +220,14 @@ std::string last_lines(const Explanation& explanation) {
             "the error in ULP grows most at {}, {}: {}\n", place_of(worst), worst.operation,
             cancels ? "the result is small beside its operands, whose errors it keeps" : "its own rounding");
     }
-    const auto undefined =
-        std::ranges::find_if(steps, [](const auto& step) { return !step.undefined.empty(); });
-    if (undefined != steps.end())
-        text += fmt::format("undefined at {}: {}\n", place_of(*undefined), undefined->undefined);
+    // The result is a variable that no operation wrote, or that of an operation.
+    for (const std::vector<ExplainedStep>* all : {&steps, &explanation.result}) {
+        const auto found = std::ranges::find_if(*all, [](const auto& one) { return !one.undefined.empty(); });
+        if (found == all->end()) continue;
+        text += fmt::format("undefined{}: {}\n", found->line == 0 ? "" : " at " + place_of(*found),
+                            found->undefined);
+        break;
+    }
     const auto nan = std::ranges::find_if(steps, [](const auto& step) { return std::isnan(step.value); });
     if (nan == steps.end()) return text;
     return text + fmt::format("the first NaN is the result of {}, {}\n", place_of(*nan), nan->operation);
