@@ -42,8 +42,8 @@ struct PackRequest {
 
 // Number of lines with more than blanks and comments.
 [[nodiscard]] std::size_t code_lines(std::string_view text);
-// The same of texts that pack() wrote, together: a function, structure, constant or macro that several have
-// counts once.
+// Such lines of several texts that pack() wrote. A function, structure, constant or macro counts once, in
+// however many texts it stands.
 [[nodiscard]] std::size_t code_lines(const std::vector<std::string>& packed);
 
 // The stage that the ending of a file names, in small or capital letters: .comp and .cs; .vert, .vs and .vsh;
