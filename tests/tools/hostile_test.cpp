@@ -214,8 +214,11 @@ TEST_F(HostileShaders, IncludesFromElsewhere) {
     const std::string root = path("library").string();
     EXPECT_THAT(output_of(gloam("check --include {} {} --inputs 64", root, beside)),
                 HasSubstr("1 checks, 0 failed"));
-    expect_success(gloam("explain --include {} {} f 1", root, beside));
-    expect_success(gloam("pack --include {} {}", root, beside));
+    for (const fs::path& folder : {fs::path(root), fs::relative(root)}) {
+        const fs::path file = folder / "color/b.glsl";
+        expect_success(gloam("explain --include {} {} f 1", folder, file));
+        expect_success(gloam("pack --include {} {}", folder, file));
+    }
     expect_could_not_run(gloam("check --include {} {}", root, outside), "include roots");
     expect_could_not_run(gloam("check --include {} REMAP", root), "--include");
     expect_could_not_run(gloam("check --include {} {}", root + "/none", beside), "none");

@@ -84,6 +84,8 @@ const Type* Declarations::read(const Instruction& i) {
     std::optional<Type> type = type_of(i);
     if (!type) return nullptr;
     const Id id = i.word(1);
+    if (types.contains(id))
+        throw std::runtime_error(fmt::format("no SPIR-V module: type {} is declared twice", id));
     if (const auto stride = strides_.find(id); stride != strides_.end()) type->array_stride = stride->second;
     for (std::uint32_t m = 0; type->kind == Type::Kind::structure && m + 2 < i.words.size(); ++m) {
         type->members.push_back(members_[{id, m}]);

@@ -316,8 +316,10 @@ bool takes_pointers(std::uint32_t opcode) {
 // The name of what a pointer points to, or of the elements if that is an array.
 std::string block_of(const spirv::Declarations& declared, Id type) {
     using Kind = spirv::Type::Kind;
-    for (auto found = declared.types.find(type); found != declared.types.end();
-         found = declared.types.find(type)) {
+    // Types that contain one another have no end.
+    for (std::size_t deep = 0; deep < declared.types.size(); ++deep) {
+        const auto found = declared.types.find(type);
+        if (found == declared.types.end()) break;
         const Kind kind = found->second.kind;
         if (kind != Kind::pointer && kind != Kind::array && kind != Kind::runtime_array) break;
         type = found->second.element;

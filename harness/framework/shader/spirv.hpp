@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -21,6 +22,11 @@ struct Instruction {
     // The word at that index; 0 behind the end.
     [[nodiscard]] std::uint32_t word(std::size_t index) const {
         return index < words.size() ? words[index] : 0;
+    }
+
+    // The words from that index on; none behind the end.
+    [[nodiscard]] std::span<const std::uint32_t> from(std::size_t index) const {
+        return words.subspan(std::min(index, words.size()));
     }
 };
 

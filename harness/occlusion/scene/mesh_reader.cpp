@@ -38,7 +38,7 @@ template <class T>
 std::vector<T> take(std::string_view& bytes, std::uint64_t count) {
     if (count > bytes.size() / sizeof(T)) throw std::runtime_error("a mesh that is cut short");
     std::vector<T> values(count);
-    std::memcpy(static_cast<void*>(values.data()), bytes.data(), count * sizeof(T));
+    if (count > 0) std::memcpy(static_cast<void*>(values.data()), bytes.data(), count * sizeof(T));
     bytes.remove_prefix(count * sizeof(T));
     return values;
 }

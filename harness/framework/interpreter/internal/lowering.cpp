@@ -180,8 +180,8 @@ void Lowering::place_globals() {
         std::vector<std::uint32_t>& words = computed_.back();
         std::uint32_t opcode = SpvOpCompositeConstruct;
         if (i.opcode == SpvOpSpecConstantOp) {
-            opcode = words[3];
-            words.erase(words.begin() + 3);
+            opcode = i.word(3);
+            if (words.size() > 3) words.erase(words.begin() + 3);
         }
         words[0] = static_cast<std::uint32_t>(words.size()) << 16U | opcode;
         global_slots_[i.word(2)] = new_slots(module_.types.slots(i.word(1)));

@@ -40,7 +40,9 @@ struct Walk {
 
     void enter_member(std::uint32_t index) {
         const Type& type = types.at(at.pointee);
-        const shader::spirv::Member& member = type.members.at(index);
+        if (index >= type.members.size())
+            throw Error(Error::Kind::malformed, "a structure without such a member");
+        const shader::spirv::Member& member = type.members[index];
         if (in_slots()) {
             for (std::uint32_t m = 0; m < index; ++m)
                 at.target.offset += types.slots(type.members[m].type) * unit();

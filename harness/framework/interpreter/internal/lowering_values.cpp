@@ -64,13 +64,13 @@ bool Lowering::lower_composite(const shader::Instruction& i, Scope& scope) {
             return true;
         }
         case SpvOpCompositeExtract: {
-            const Slot from = part_of(types, operand(3), type_of(i.word(3), scope), i.words.subspan(4)).first;
+            const Slot from = part_of(types, operand(3), type_of(i.word(3), scope), i.from(4)).first;
             emit(copy, slots(), result(), from).flags = flags_of(i.word(2), i.word(1));
             return true;
         }
         case SpvOpCompositeInsert: {
             emit(copy, slots(), result(), operand(4)).flags = flags_of(i.word(2), i.word(1));
-            const auto [to, type] = part_of(types, result(), i.word(1), i.words.subspan(5));
+            const auto [to, type] = part_of(types, result(), i.word(1), i.from(5));
             emit(copy, types.slots(type), to, operand(3)).flags = flags_of(i.word(2), i.word(1));
             return true;
         }
@@ -117,7 +117,7 @@ void Lowering::lower_shuffle(const shader::Instruction& i, Scope& scope) {
     const std::uint32_t components = module_.types.slots(type_of(i.word(3), scope));
     const std::uint32_t in_all = components + module_.types.slots(type_of(i.word(4), scope));
     std::vector<std::uint32_t> from;
-    for (const std::uint32_t component : i.words.subspan(5)) {
+    for (const std::uint32_t component : i.from(5)) {
         if (component != undefined && component >= in_all)
             fail(Error::Kind::malformed, "a shuffle of a component that is not there");
         const std::uint32_t taken = component == undefined ? 0 : component;
@@ -200,7 +200,7 @@ void Lowering::lower_componentwise(const shader::Instruction& i, Scope& scope) {
 }
 
 void Lowering::lower_extended(const shader::Instruction& i, Scope& scope) {
-    if (!module_.declared.extended_sets.contains(i.word(3)))
+    if (!module_.declared.extended_sets.contains(i.word(3)) || i.word(4) >= GLSLstd450Count)
         fail(Error::Kind::unknown_instruction, "an extended instruction that is not of GLSL.std.450");
     const auto opcode = static_cast<std::uint16_t>(extended + i.word(4));
     const auto arity = arity_of(opcode);

@@ -243,7 +243,7 @@ void Module::read_constant(const shader::Instruction& i) {
             break;
         case SpvOpConstantComposite:
         case SpvOpSpecConstantComposite:
-            for (const Id part : i.words.subspan(3)) {
+            for (const Id part : i.from(3)) {
                 const auto found = constants.find(part);
                 if (found == constants.end()) return computed_constants.push_back(i);
                 value.bits.insert(value.bits.end(), found->second.bits.begin(), found->second.bits.end());

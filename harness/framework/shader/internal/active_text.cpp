@@ -60,7 +60,9 @@ std::string include_line(const TextFile& file, const Line& line, const IncludeFo
     if (!include || include->system) return joined(line);
     try {
         const auto folder = std::filesystem::path(file.name).parent_path();
-        return "#include \"" + resolved(include->name, folder, folders).string() + "\"";
+        // Absolute: the compiler's reader looks for it once more, from the folder of the file.
+        const auto found = std::filesystem::absolute(resolved(include->name, folder, folders));
+        return "#include \"" + found.string() + "\"";
     } catch (const std::runtime_error&) {
         return joined(line);  // only the compiler knows whether a condition hides it
     }
