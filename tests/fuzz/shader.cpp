@@ -8,26 +8,11 @@
 
 using namespace gloam;
 
-namespace {
-
-// Every line of a text, whatever its conditions.
-shader::internal::ActiveText all_active(const std::string& text) {
-    shader::internal::ActiveText active;
-    active.given = 1;
-    shader::internal::TextFile& file =
-        active.files.emplace_back(shader::internal::TextFile{.name = "text", .text = text, .lines = {}});
-    file.lines = shader::internal::split_lines(file.text);
-    for (std::size_t i = 0; i < file.lines.size(); ++i) active.lines.push_back({0, i});
-    return active;
-}
-
-}  // namespace
-
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string text(fuzz::text_of(data, size));
     const auto& file = fuzz::file_of(text, ".glsl");
     const std::vector<std::filesystem::path> roots{file.parent_path()};
     fuzz::read_or_refuse([&] { (void)shader::include_closure(text, roots, file.parent_path()); });
-    fuzz::read_or_refuse([&] { (void)shader::internal::outline(all_active(text)); });
+    fuzz::read_or_refuse([&] { (void)shader::internal::outline(shader::internal::whole_text(text)); });
     return 0;
 }

@@ -84,7 +84,7 @@ TEST(Excerpts, ErrorsNameTheLinesOfTheFile) {
 TEST(Excerpts, KeepExtensionsConstantsAndMacros) {
     const Excerpts all = excerpts_of(
         "#extension GL_EXT_shader_explicit_arithmetic_types : enable\n"
-        "layout(constant_id = 3) const int count = 4;\n"
+        "layout(constant_id = 3) const int count = int(4e-1 * 10.0) >> 1;\n"
         "#line 700\n"
         "#define SCALE float(count)\n"
         "const float half_of = 0.5;\n"

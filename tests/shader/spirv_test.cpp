@@ -356,4 +356,14 @@ TEST(Lines, SeparatesCodeFromComments) {
     EXPECT_TRUE(split_lines("").empty());
 }
 
+TEST(Tokens, HaveTheirPlaceInTheText) {
+    const std::string text = "a.b += .5e-3f; // no\n#define c 1\n/* d */ x <<= 0x1Fu \\\n>= y2[i]";
+    const std::vector<Token> tokens = tokens_of(text);
+    EXPECT_EQ(joined(tokens, " "), "a . b += .5e-3f ; x <<= 0x1Fu >= y2 [ i ]");
+    for (const Token& token : tokens) EXPECT_EQ(text.substr(token.begin, token.text.size()), token.text);
+    EXPECT_EQ(tokens[5].line, 1);
+    EXPECT_EQ(tokens[6].line, 3);
+    EXPECT_EQ(tokens[9].line, 4);
+}
+
 }  // namespace gloam::shader::spirv_test

@@ -51,7 +51,7 @@ auto fields(Is<BoundVariable> auto& all) {
 }
 auto fields(Is<Excerpt> auto& all) {
     return std::tie(all.function, all.text, all.interface, all.bound, all.globals, all.definitions,
-                    all.needs);
+                    all.comments, all.needs);
 }
 auto fields(Is<Excerpts> auto& all) {
     return std::tie(all.version, all.functions, all.by_macro);

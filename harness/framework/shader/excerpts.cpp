@@ -11,9 +11,9 @@
 #include "base/text.hpp"
 #include "shader/include.hpp"
 #include "shader/internal/compiler_process.hpp"
-#include "shader/internal/declarations.hpp"
 #include "shader/internal/lines.hpp"
 #include "shader/internal/outline.hpp"
+#include "shader/internal/plain_global.hpp"
 #include "shader/internal/selection.hpp"
 #include "shader/pack.hpp"
 
@@ -37,13 +37,20 @@ std::string version_of(const ActiveText& text) {
 }
 
 // "f(vec2, float)"
-std::string definition_of(const Piece& piece) {
+std::string definition_of(const Declaration& function) {
     std::string parameters;
-    for (const Declaration& declaration : internal::declarations(piece.text)) {
-        for (const internal::DeclaredParameter& parameter : declaration.parameters)
-            parameters += (parameters.empty() ? "" : ", ") + parameter.type;
-    }
-    return piece.names.front() + "(" + parameters + ")";
+    for (const internal::DeclaredParameter& parameter : function.parameters)
+        parameters += (parameters.empty() ? "" : ", ") + parameter.type;
+    return function.name + "(" + parameters + ")";
+}
+
+// The comments above a function and inside its list of parameters: "float x /* in [0, 1] */" counts whole.
+std::string comment_of(const Piece& piece, const std::string& file) {
+    const std::size_t begin = piece.tokens[piece.function->list - 1].begin;
+    const std::size_t end = std::max(piece.tokens[piece.function->body - 1].begin, begin);
+    const std::string list = file.substr(begin, end - begin);
+    const bool comments = list.find("/*") != std::string::npos || list.find("//") != std::string::npos;
+    return comments ? piece.comment + list : piece.comment;
 }
 
 bool defines(const Piece& piece, const std::string& function) {
@@ -85,15 +92,10 @@ std::string bound_text(const std::vector<BoundVariable>& variables, Excerpt& exc
     return text;
 }
 
-// Without comments.
-bool has_word(const Piece& piece, std::string_view word) {
-    return internal::contains(internal::tokens_of(piece.text), word);
-}
-
 // The text of a piece in an excerpt, and its names; a macro may give a variable another one.
 std::string interface_text(const Piece& piece, const Macros& macros, Excerpt& excerpt) {
-    const bool in_group = excerpt.needs == Needs::group;
-    if (in_group && (has_word(piece, "shared") || has_word(piece, "local_size_x"))) return piece.text;
+    const bool of_group = contains(piece.tokens, "shared") || contains(piece.tokens, "local_size_x");
+    if (of_group && excerpt.needs == Needs::group) return piece.text;
     const std::map<std::string, std::string> opaque = opaque_macros(macros);
     if (const auto bound = internal::bound_variables(piece, opaque)) return bound_text(*bound, excerpt);
     const auto plain = internal::plain_globals(piece, opaque);
@@ -183,10 +185,10 @@ std::string built_in_text(const std::set<std::string>& mentioned, Excerpt& excer
 // Whether a text has "NAME other": NAME is a type there.
 bool is_type_in(const Piece& piece, std::string_view name) {
     if (piece.kind == Kind::macro || !piece.mentions.contains(std::string(name))) return false;
-    const std::vector<std::string> tokens = internal::tokens_of(piece.text);
-    for (std::size_t i = 0; i + 1 < tokens.size(); ++i)
-        if (tokens[i] == name && tokens[i + 1] != "(") return true;
-    return false;
+    const auto names_type = [&](const Token& token, const Token& next) {
+        return token == name && next != "(";
+    };
+    return std::ranges::adjacent_find(piece.tokens, names_type) != piece.tokens.end();
 }
 
 // What samplers' functions are called in GLSL 1.20 and 1.00, and now.
@@ -245,52 +247,56 @@ bool is_own_built_in(const Piece& piece) {
     if (piece.kind != Kind::function) return false;
     const auto known = built_in_functions().find(piece.names.front());
     if (known == built_in_functions().end()) return false;
-    const std::vector<Declaration> declared = internal::declarations(piece.text);
-    if (declared.empty() || declared.front().parameters.size() != known->second) return false;
-    return std::ranges::all_of(declared.front().parameters, [](const internal::DeclaredParameter& parameter) {
+    if (piece.function->parameters.size() != known->second) return false;
+    return std::ranges::all_of(piece.function->parameters, [](const internal::DeclaredParameter& parameter) {
         return parameter.type == "float" || parameter.type.starts_with("vec") ||
                parameter.type.starts_with("mat");
     });
 }
 
-Excerpt excerpt_of(const std::string& function, const ActiveText& active, const Outline& outline) {
+// A function and what it uses.
+std::vector<const Piece*> kept_for(const std::string& function, const Outline& outline) {
     internal::Selection selection(outline, given);
     selection.want({function});
+    std::vector<const Piece*> kept;
+    for (std::size_t i = 0; i < outline.pieces.size(); ++i) {
+        const Piece& piece = outline.pieces[i];
+        if (selection.keeps(i) && piece.kind != Kind::comment && !defines(piece, "main"))
+            kept.push_back(&piece);
+    }
+    return kept;
+}
+
+Excerpt excerpt_of(const std::string& function, const ActiveText& active, const Outline& outline) {
+    const std::vector<const Piece*> kept = kept_for(function, outline);
     const Macros macros = macros_of(outline);
     Excerpt excerpt{
         .function = function, .text = {}, .interface = {}, .bound = {}, .globals = {}, .definitions = {}};
     for (const std::string& extension : outline.extensions) excerpt.text += extension + "\n";
     const std::size_t head = excerpt.text.size();
-    const auto keeps = [&](std::size_t i) {
-        const Piece& piece = outline.pieces[i];
-        return selection.keeps(i) && piece.kind != Kind::comment && !defines(piece, "main");
-    };
     std::set<std::string> mentioned;
-    bool shares = false;
-    for (std::size_t i = 0; i < outline.pieces.size(); ++i) {
-        const Piece& piece = outline.pieces[i];
-        if (!keeps(i)) continue;
-        mentioned.insert(piece.mentions.begin(), piece.mentions.end());
-        const bool declares = piece.kind == Kind::interface || piece.kind == Kind::variable;
-        shares = shares || (declares && has_word(piece, "shared"));
-    }
+    for (const Piece* piece : kept) mentioned.insert(piece->mentions.begin(), piece->mentions.end());
+    const bool shares = std::ranges::any_of(kept, [](const Piece* piece) {
+        return (piece->kind == Kind::interface || piece->kind == Kind::variable) &&
+               contains(piece->tokens, "shared");
+    });
     const std::string legacy = legacy_text(outline, mentioned);
     excerpt.needs = needs_of(mentioned, shares, active.files.front().name);
     excerpt.text += legacy + built_in_text(mentioned, excerpt);
     std::set<std::string> own;
-    for (std::size_t i = 0; i < outline.pieces.size(); ++i)
-        if (keeps(i) && is_own_built_in(outline.pieces[i])) own.insert(outline.pieces[i].names.front());
+    for (const Piece* piece : kept)
+        if (is_own_built_in(*piece)) own.insert(piece->names.front());
     for (const std::string& name : own)
         excerpt.text += fmt::format("#define {} {}{}\n", name, own_prefix, name);
-    for (std::size_t i = 0; i < outline.pieces.size(); ++i) {
-        const Piece& piece = outline.pieces[i];
-        if (!keeps(i)) continue;
+    for (const Piece* piece : kept) {
         const std::string text =
-            piece.kind == Kind::interface ? interface_text(piece, macros, excerpt) : piece.text;
+            piece->kind == Kind::interface ? interface_text(*piece, macros, excerpt) : piece->text;
         if (text.empty()) continue;
-        excerpt.text += internal::line_directive(piece.line, active.files[piece.file].name) + text + "\n";
-        if (defines(piece, function))
-            excerpt.definitions.push_back(piece.file < given ? definition_of(piece) : "");
+        const internal::TextFile& file = active.files[piece->file];
+        excerpt.text += internal::line_directive(piece->line, file.name) + text + "\n";
+        if (!defines(*piece, function)) continue;
+        excerpt.definitions.push_back(piece->file < given ? definition_of(*piece->function) : "");
+        excerpt.comments.push_back(comment_of(*piece, file.text));
     }
     const bool stores = std::ranges::any_of(mentioned, [](const std::string& name) {
         return name == "imageStore" || name.starts_with("imageAtomic");

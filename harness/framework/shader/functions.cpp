@@ -14,10 +14,23 @@
 #include "shader/pack.hpp"
 #include "shader/spirv.hpp"
 
-namespace gloam::shader::internal {
+namespace gloam::shader {
 namespace {
 
+using internal::Declaration;
 using spirv::Id;
+
+// A function of a module as SPIR-V describes it: its name from the debug instructions, and its types.
+// Directions of parameters are not included.
+struct Signature {
+    std::string name;  // as in GLSL, without the compiler's mark of the overload
+    Type result;
+    std::vector<Parameter> parameters;
+    std::vector<std::size_t> calls;  // indices of the called functions, in the order of the module
+    // Private variables of the module that it uses, itself or by what it calls, in the order of use.
+    std::vector<Parameter> globals;
+    std::string other_number = {};  // see Function
+};
 
 // The types of a module, described by their id.
 class TypeReader {
@@ -204,8 +217,8 @@ void add_globals_of_called(std::vector<Signature>& functions, std::size_t caller
     }
 }
 
-}  // namespace
-
+// Every function of an unoptimised module, in the order of the module. For an opaque type (sampler, image)
+// Type::name is empty. Throws std::runtime_error for words that are not a SPIR-V module.
 std::vector<Signature> signatures(const Spirv& module) {
     const std::vector<Instruction> code = instructions(module);
     const TypeReader types(code);
@@ -230,33 +243,6 @@ std::vector<Signature> signatures(const Spirv& module) {
     std::vector<bool> done(found.size(), false);
     for (std::size_t i = 0; i < found.size(); ++i) add_globals_of_called(found, i, done);
     return found;
-}
-
-}  // namespace gloam::shader::internal
-
-namespace gloam::shader {
-namespace {
-
-using internal::Declaration;
-using internal::Signature;
-
-bool defines(const std::vector<Declaration>& declared, const Declaration& wanted) {
-    return std::ranges::any_of(declared, [&wanted](const Declaration& other) {
-        return other.defined && internal::declare_the_same(other, wanted);
-    });
-}
-
-// One declaration for each function, in the order of definition in the completed text: defined functions
-// first, then those that are only declared.
-std::vector<Declaration> in_order_of_definition(const std::vector<Declaration>& declared) {
-    std::vector<Declaration> ordered;
-    std::ranges::copy_if(declared, std::back_inserter(ordered), &Declaration::defined);
-    for (const Declaration& declaration : declared)
-        if (!defines(declared, declaration) && std::ranges::none_of(ordered, [&](const Declaration& other) {
-                return declare_the_same(other, declaration);
-            }))
-            ordered.push_back(declaration);
-    return ordered;
 }
 
 // Combines a function of the module with what only the text contains: directions, and the names of opaque
@@ -339,13 +325,14 @@ std::vector<Function> internal::functions_here(const Source& source, const Compi
     const internal::Parse parse(options.stage, internal::Client::vulkan, source.name, {source},
                                 options.include_roots);
     const std::string text = internal::preprocessed(source, options.stage, options.include_roots);
-    const std::vector<Declaration> declared = in_order_of_definition(internal::declarations(text));
+    std::vector<Declaration> declared = internal::declarations(text);
+    std::ranges::stable_partition(declared, &Declaration::defined);
     const Source whole{source.name, internal::completed(text, declared)};
     const Spirv module =
         internal::to_spirv(whole, options.stage, {}, {.unreached = internal::Unreached::kept});
     try {
         if (options.stage != Stage::fragment) require_no_bias(module, source.name);
-        return listed(internal::signatures(module), declared);
+        return listed(signatures(module), declared);
     } catch (const CompileError&) {
         throw;
     } catch (const std::runtime_error& error) {  // the front end does not bound the words of an instruction

@@ -16,15 +16,12 @@
 
 #include "shader/internal/compiler_process.hpp"
 #include "shader/internal/front_end.hpp"
-#include "shader/internal/token_text.hpp"
+#include "shader/internal/outline.hpp"
 
 namespace gloam::shader {
 namespace {
 
-using internal::is_number;
-using internal::is_word;
-using internal::Region;
-using internal::Token;
+using internal::Piece;
 
 // A token and what can stand in its place; "_": nothing.
 using Row = const char*;
@@ -79,47 +76,63 @@ std::vector<std::string> other_numbers(const std::string& text) {
     return found;
 }
 
-// The faults of one region.
+// The faults of what declarations do: of the body of a function, or the value of a constant.
 class Faults {
   public:
-    Faults(const std::string& text, const std::vector<Token>& tokens, std::vector<Mutation>& found)
-        : text_(text), tokens_(tokens), found_(found) {}
+    explicit Faults(const std::string& text) : text_(text) {}
 
-    void add(const Region& region) {
-        region_ = region;
+    void add(const Piece& piece) {
+        tokens_ = piece.tokens;
+        if (!find_region()) return;
+        function_ = in_body_ ? (piece.names.empty() ? tokens_[0].text : piece.names.front()) : "";
         loop_end_ = 0;
         brackets_ = 0;
-        for (at_ = region.first; at_ < region.last; ++at_) {
-            if (here() == "for" || here() == "while") loop_end_ = internal::closing(tokens_, at_ + 1);
+        for (at_ = first_; at_ < last_; ++at_) {
+            if (here() == "for" || here() == "while") loop_end_ = behind_bracket(tokens_, at_ + 1);
             if (here() == "(" || here() == "[") ++brackets_;
             if (here() == ")" || here() == "]") --brackets_;
             add_token();
         }
     }
 
+    [[nodiscard]] std::vector<Mutation> take() { return std::move(found_); }
+
   private:
-    [[nodiscard]] const std::string& here() const { return tokens_[at_].text; }
-    [[nodiscard]] std::string_view near(std::size_t i) const {
-        return i < tokens_.size() ? std::string_view(tokens_[i].text) : std::string_view(";");
+    [[nodiscard]] bool find_region() {
+        for (std::size_t i = 0; i < tokens_.size();) {
+            in_body_ = tokens_[i] == "{" && before(i) == ")";
+            if (in_body_ || tokens_[i] == "=") {
+                first_ = in_body_ ? i : i + 1;
+                last_ = in_body_ ? behind_bracket(tokens_, i) - 1 : tokens_.size() - 1;
+                return in_body_ || (tokens_[0] != "layout" && tokens_[0] != "uniform");
+            }
+            const bool opens = tokens_[i] == "(" || tokens_[i] == "[" || tokens_[i] == "{";
+            i = opens ? behind_bracket(tokens_, i) : i + 1;
+        }
+        return false;
     }
-    [[nodiscard]] std::string_view before() const { return at_ > 0 ? near(at_ - 1) : ";"; }
-    [[nodiscard]] std::size_t end_of(std::size_t i) const {
-        return tokens_[i].begin + tokens_[i].text.size();
+
+    [[nodiscard]] const Token& near(std::size_t i) const {
+        static const Token end{";"};
+        return i < tokens_.size() ? tokens_[i] : end;
+    }
+    [[nodiscard]] const Token& here() const { return tokens_[at_]; }
+    [[nodiscard]] const Token& before(std::size_t i) const {
+        return i > 0 ? near(i - 1) : near(tokens_.size());
     }
     [[nodiscard]] std::string between(std::size_t first, std::size_t last) const {
-        return text_.substr(tokens_[first].begin, end_of(last) - tokens_[first].begin);
+        return text_.substr(tokens_[first].begin, tokens_[last].end() - tokens_[first].begin);
     }
 
     // From the token `first` to `last`.
     void found(const std::string& kind, std::size_t first, std::size_t last, std::string after) {
-        const std::size_t begin = tokens_[first].begin;
-        found_.push_back({.begin = begin,
-                          .end = end_of(last),
-                          .line = internal::line_at(text_, begin),
+        found_.push_back({.begin = tokens_[first].begin,
+                          .end = tokens_[last].end(),
+                          .line = tokens_[first].line,
                           .before = between(first, last),
                           .after = std::move(after),
                           .kind = kind,
-                          .function = region_.function});
+                          .function = function_});
     }
 
     void found_others(const std::string& kind, std::span<const Row> table) {
@@ -127,7 +140,7 @@ class Faults {
             std::istringstream words(row);
             std::string other;
             words >> other;
-            if (other != here()) continue;
+            if (here() != other) continue;
             while (words >> other) found(kind, at_, at_, other == "_" ? "" : other);
         }
     }
@@ -138,11 +151,11 @@ class Faults {
             found("operator", at_, at_, "");
         } else if (here() == "true" || here() == "false") {
             found("constant", at_, at_, here() == "true" ? "false" : "true");
-        } else if (is_number(here())) {
-            for (const std::string& other : other_numbers(here())) found("constant", at_, at_, other);
+        } else if (here().is_number()) {
+            for (const std::string& other : other_numbers(here().text)) found("constant", at_, at_, other);
         } else if (here() == "if" && called) {
-            const std::size_t close = internal::closing(tokens_, at_ + 1);
-            for (const char* value : {"true", "false"}) found("condition", at_ + 2, close - 1, value);
+            const std::size_t last = behind_bracket(tokens_, at_ + 1) - 2;
+            for (const char* value : {"true", "false"}) found("condition", at_ + 2, last, value);
         } else if (here() == "?") {
             for (const char* value : {"true", "false"}) found("condition", condition_begin(), at_ - 1, value);
         } else if (called) {
@@ -155,9 +168,9 @@ class Faults {
 
     // A '-' or '+' in front of its only operand.
     [[nodiscard]] bool is_sign() const {
-        const std::string_view one = before();
+        const Token& one = before(at_);
         return one == "return" ||
-               (!is_word(one) && !is_number(one) && one != ")" && one != "]" && one != "++" && one != "--");
+               (!one.is_word() && !one.is_number() && one != ")" && one != "]" && one != "++" && one != "--");
     }
 
     // The first token of the condition of the '?' here.
@@ -165,13 +178,13 @@ class Faults {
         static const std::set<std::string_view> stops{"=", "return", ",",  ";",  "{",  "}",
                                                       "?", ":",      "+=", "-=", "*=", "/="};
         int depth = 0;
-        for (std::size_t i = at_; i-- > region_.first;) {
-            const std::string_view text = near(i);
+        for (std::size_t i = at_; i-- > first_;) {
+            const std::string& text = near(i).text;
             if (text == ")" || text == "]") ++depth;
             if (text == "(" || text == "[") --depth;
             if (depth < 0 || (depth == 0 && stops.contains(text))) return i + 1;
         }
-        return region_.first;
+        return first_;
     }
 
     // The end of an assignment, a call, a continue or a break that begins here.
@@ -180,23 +193,25 @@ class Faults {
         static const std::set<std::string_view> others{"return", "if",      "for",    "while", "else",   "do",
                                                        "const",  "precise", "switch", "case",  "default"};
         const bool steps = here() == "++" || here() == "--";
-        if (region_.function.empty() || brackets_ > 0 || !starts.contains(before()) ||
-            (!is_word(here()) && !steps))
+        if (!in_body_ || brackets_ > 0 || !starts.contains(before(at_).text) || (!here().is_word() && !steps))
             return std::nullopt;
-        if (!steps && (others.contains(here()) || is_word(near(at_ + 1))))
+        if (!steps && (others.contains(here().text) || near(at_ + 1).is_word()))
             return std::nullopt;  // a declaration
         std::size_t end = at_;
-        while (end < region_.last && near(end) != ";") {
-            const std::string_view text = near(end);
-            end = text == "(" || text == "[" ? internal::closing(tokens_, end) : end + 1;
+        while (end < last_ && near(end) != ";") {
+            const bool opens = near(end) == "(" || near(end) == "[";
+            end = opens ? behind_bracket(tokens_, end) : end + 1;
         }
-        return end < region_.last ? std::optional(end) : std::nullopt;
+        return end < last_ ? std::optional(end) : std::nullopt;
     }
 
     const std::string& text_;
-    const std::vector<Token>& tokens_;
-    std::vector<Mutation>& found_;
-    Region region_;
+    std::vector<Mutation> found_;
+    Tokens tokens_;  // of the declaration
+    std::size_t first_ = 0;
+    std::size_t last_ = 0;  // excluded
+    bool in_body_ = false;
+    std::string function_;
     std::size_t at_ = 0;
     std::size_t loop_end_ = 0;
     int brackets_ = 0;
@@ -227,12 +242,13 @@ void require_valid(const Source& source, const std::vector<std::filesystem::path
 
 std::vector<Mutation> internal::mutations_here(const Source& source,
                                                const std::vector<std::filesystem::path>& roots) {
-    const std::vector<Token> tokens =
-        internal::tokens_of(internal::active_text({source}, Language::vulkan450, Stage::compute, roots));
+    const internal::ActiveText active =
+        internal::active_text({source}, Language::vulkan450, Stage::compute, roots);
     require_valid(source, roots);
-    std::vector<Mutation> all;
-    Faults faults(source.text, tokens, all);
-    for (const Region& region : internal::regions(tokens)) faults.add(region);
+    Faults faults(source.text);
+    for (const Piece& piece : internal::outline(active).pieces)
+        if (piece.file == 0) faults.add(piece);
+    std::vector<Mutation> all = faults.take();
     std::ranges::stable_sort(all, {}, &Mutation::begin);
     return all;
 }

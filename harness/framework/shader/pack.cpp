@@ -14,7 +14,6 @@
 #include "shader/internal/compiler_process.hpp"
 #include "shader/internal/lines.hpp"
 #include "shader/internal/outline.hpp"
-#include "shader/internal/plain_global.hpp"
 #include "shader/internal/selection.hpp"
 
 namespace gloam::shader {
@@ -28,13 +27,12 @@ void add_block(std::string& text, const std::string& block, bool apart = true) {
     text += block;
 }
 
-std::string joined(const std::vector<std::string>& lines) {
+std::string listed(const std::vector<std::string>& lines) {
     std::string text;
     for (const std::string& line : lines) add_block(text, line, false);
     return text;
 }
 
-// Extensions stand before everything but the version.
 // A value as GLSL writes it.
 std::string literal(const std::string& type, std::uint32_t bits) {
     if (type == "bool") return bits != 0 ? "true" : "false";
@@ -73,7 +71,7 @@ std::string written(const Outline& outline, const std::vector<const Piece*>& pie
     const std::size_t version = preamble.find('\n');
     std::string text = preamble.substr(0, version);
     for (const auto& lines : {outline.licences, outline.extensions})
-        if (!lines.empty()) add_block(text, joined(lines), false);
+        if (!lines.empty()) add_block(text, listed(lines), false);
     if (version + 1 < preamble.size())
         add_block(text, preamble.substr(version + 1, preamble.size() - version - 2), false);
     if (!head.empty() && std::ranges::count(outline.heads, head) == 0) add_block(text, head);
@@ -158,6 +156,24 @@ std::size_t code_lines(std::string_view text) {
     const std::vector<internal::Line> lines = internal::split_lines(text);
     return static_cast<std::size_t>(
         std::ranges::count_if(lines, [](const internal::Line& line) { return !internal::is_blank(line); }));
+}
+
+std::size_t code_lines(const std::vector<std::string>& packed) {
+    std::set<std::string> counted;
+    std::size_t all = 0;
+    for (const std::string& text : packed) {
+        const Outline outline = internal::outline(internal::whole_text(text));
+        all += outline.extensions.size();
+        for (const Piece& piece : outline.pieces) {
+            const bool directive = piece.tokens.empty();
+            const bool own = directive ? piece.text.starts_with("#version")
+                                       : piece.tokens.front() == "layout" ||
+                                             (piece.function && piece.function->name == "main");
+            if (own || counted.insert(directive ? piece.text : joined(piece.tokens, " ")).second)
+                all += code_lines(piece.text);
+        }
+    }
+    return all;
 }
 
 std::optional<Stage> stage_of_file(const std::filesystem::path& file) {

@@ -105,6 +105,7 @@ struct Excerpt {
     // Each definition of this name in `text`, in order: with its types as the file itself has them, "f(vec2,
     // float[2])"; empty for one of an include.
     std::vector<std::string> definitions;
+    std::vector<std::string> comments = {};  // above each of them, and inside its list of parameters
     Needs needs = Needs::nobody;
 };
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <regex>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -10,6 +9,7 @@
 #include "shader/internal/cross.hpp"
 #include "shader/internal/declarations.hpp"
 #include "shader/internal/front_end.hpp"
+#include "shader/internal/plain_global.hpp"
 #include "shader/pack.hpp"
 
 namespace gloam::shader {
@@ -19,9 +19,8 @@ using internal::Declaration;
 using internal::DeclaredParameter;
 
 void require_values(const std::string& name, const Declaration& function) {
-    static const std::regex opaque(R"([iu]?(image|texture|sampler|subpass)\w*(\[.*)?)");
     for (const DeclaredParameter& parameter : function.parameters)
-        if (std::regex_match(parameter.type, opaque))
+        if (internal::is_opaque(parameter.type))
             throw std::invalid_argument(name + ": " + function.name + " has a parameter of type " +
                                         parameter.type +
                                         ": functions with images as parameters are not translated");

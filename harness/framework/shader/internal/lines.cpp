@@ -2,10 +2,7 @@
 #include "shader/internal/lines.hpp"
 
 #include <algorithm>
-#include <set>
 #include <sstream>
-
-#include "shader/pack.hpp"
 
 namespace gloam::shader::internal {
 namespace {
@@ -102,6 +99,15 @@ std::vector<Line> split_lines(std::string_view text) {
     return Splitter(text).run();
 }
 
+ActiveText whole_text(std::string text) {
+    ActiveText all;
+    TextFile& file = all.files.emplace_back(TextFile{.name = "text", .text = std::move(text), .lines = {}});
+    file.lines = split_lines(file.text);
+    for (std::size_t i = 0; i < file.lines.size(); ++i) all.lines.push_back({0, i});
+    all.given = 1;
+    return all;
+}
+
 bool is_blank(const Line& line) {
     return std::all_of(line.code.begin(), line.code.end(),
                        [](char c) { return c == '\0' || blanks.find(c) != std::string_view::npos; });
@@ -171,43 +177,3 @@ void require_vulkan_version(const Source& source) {
 }
 
 }  // namespace gloam::shader::internal
-
-namespace gloam::shader {
-
-namespace {
-
-bool is_own(std::string_view declaration) {
-    const auto begins = [&](std::string_view with) { return declaration.starts_with(with); };
-    return begins("layout") || begins("void main(") || begins("#version") || begins("#extension");
-}
-
-// How many braces and parentheses a line opens, less those that it closes.
-std::ptrdiff_t opened(std::string_view code) {
-    const auto of = [&](char c) { return std::ranges::count(code, c); };
-    return of('{') + of('(') - of('}') - of(')');
-}
-
-}  // namespace
-
-std::size_t code_lines(const std::vector<std::string>& packed) {
-    std::set<std::string> counted;
-    std::size_t all = 0;
-    for (const std::string& text : packed) {
-        std::string declaration;
-        std::ptrdiff_t open = 0;
-        for (const internal::Line& line : internal::split_lines(text)) {
-            if (internal::is_blank(line)) continue;
-            const std::string code = line.code.substr(0, line.code.find_last_not_of(" \n") + 1);
-            declaration += code + '\n';
-            open += opened(code);
-            const bool ends = code.ends_with(';') || code.ends_with('}') || declaration.starts_with('#');
-            if (open > 0 || !ends) continue;
-            if (is_own(declaration) || counted.insert(declaration).second)
-                all += static_cast<std::size_t>(std::ranges::count(declaration, '\n'));
-            declaration.clear();
-        }
-    }
-    return all;
-}
-
-}  // namespace gloam::shader

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "shader/compile.hpp"
+#include "shader/tokens.hpp"
 
 namespace gloam::shader::internal {
 
@@ -26,6 +27,9 @@ struct Line {
 [[nodiscard]] bool is_blank(const Line& line);
 // The comments of the line alone, code blanked.
 [[nodiscard]] std::string comments_of(const Line& line);
+
+// The tokens of a line of the text, with their places in the text. A directive has none.
+[[nodiscard]] std::vector<Token> line_tokens(const Line& line, std::string_view text);
 
 // "#keyword argument", both without surrounding blanks.
 struct Directive {
@@ -68,6 +72,9 @@ struct ActiveText {
 // #error, and for an invalid #version.
 [[nodiscard]] ActiveText active_text(std::vector<Source> given, Language language, Stage stage,
                                      const std::vector<std::filesystem::path>& roots);
+
+// Every line of a text, whatever its conditions.
+[[nodiscard]] ActiveText whole_text(std::string text);
 
 // Throws CompileError unless the first line of code is a #version that Vulkan supports in every stage.
 // glslang must not see another version: for some it prints its tables to standard output.

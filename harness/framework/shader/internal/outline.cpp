@@ -42,7 +42,7 @@ class Reader {
 
     Outline run() {
         for (const ActiveText::Place& place : text_.lines) read(place);
-        if (!code_.empty()) finish();  // the compiler has to say what is missing
+        if (!tokens_.empty()) finish();  // the compiler has to say what is missing
         release_comments(true);
         return std::move(outline_);
     }
@@ -52,10 +52,10 @@ class Reader {
         const Line& line = text_.at(place);
         if (place.file != file_) change_file(place.file);
         seen_.insert(place.file);
-        if (code_.empty() && is_licence(line))
+        if (tokens_.empty() && is_licence(line))
             return add_once(outline_.licences, without_end(std::string(line.text)));
         if (const auto directive = directive_of(line)) return read_directive(line, *directive);
-        if (code_.empty() && is_blank(line)) return read_comment(line);
+        if (tokens_.empty() && is_blank(line)) return read_comment(line);
         read_code(line);
     }
 
@@ -66,16 +66,16 @@ class Reader {
 
     void end_paragraph() {
         if (!waiting_.empty()) waiting_.back().blank_after = true;
-        if (code_.empty()) broken_ = true;
+        if (tokens_.empty()) broken_ = true;
     }
 
     void read_comment(const Line& line) {
         const bool blank = line.text.find_first_not_of(blanks) == std::string_view::npos;
         if (blank && !line.crosses) return end_paragraph();
-        if (keep_ == Keep::line_numbers) return;
         if (line.crosses && crossing_ && !outline_.pieces.empty()) {
             // The end of a comment that began behind a declaration.
-            outline_.pieces.back().text += "\n" + without_end(std::string(line.text));
+            if (keep_ == Keep::comments)
+                outline_.pieces.back().text += "\n" + without_end(std::string(line.text));
             return;
         }
         if (waiting_.empty() || waiting_.back().blank_after || waiting_.back().file != file_)
@@ -90,9 +90,9 @@ class Reader {
             return;
         }
         if (directive.keyword == "line") return;  // lines are numbered as they stand in their files
-        if (!code_.empty()) {                     // within a declaration
+        if (!tokens_.empty()) {                   // within a declaration
             inner_.push_back(macro_of(directive));
-            return append(line, 0, line.text.size());
+            return add_text(line, 0, line.text.size());
         }
         Piece piece = macro_of(directive);
         const bool guard = directive.argument.find_first_of(" \t(") == std::string::npos;
@@ -106,43 +106,40 @@ class Reader {
     // Declarations end at a ';', or at the '}' of a body, outside of all brackets.
     void read_code(const Line& line) {
         std::size_t begin = 0;
-        for (std::size_t i = 0; i < line.code.size(); ++i) {
-            const char c = line.code[i];
-            if (c == '\0' || std::string_view(blanks).find(c) != std::string_view::npos) continue;
-            if (code_.empty()) open();
-            append(line, begin, i + 1);
-            begin = i + 1;
-            if (!ends_with(c)) continue;
-            const bool rest_is_blank =
-                line.code.find_first_not_of(std::string(blanks) + '\0', begin) == std::string::npos;
-            if (rest_is_blank) {
-                append(line, begin, line.text.size());
-                begin = line.text.size();
-            }
+        const auto at = static_cast<std::size_t>(line.text.data() - text_.files[file_].text.data());
+        for (Token& token : line_tokens(line, text_.files[file_].text)) {
+            if (tokens_.empty()) open();
+            std::size_t end = token.end() - at;
+            const bool ends = ends_with(token);
+            tokens_.push_back(std::move(token));
+            if (!ends) continue;
+            if (line.code.find_first_not_of(std::string(blanks) + '\0', end) == std::string::npos)
+                end = line.text.size();
+            add_text(line, begin, end);
+            begin = end;
             finish();
             crossing_ = line.crosses;
         }
-        if (!code_.empty()) append(line, begin, line.text.size());
-        if (depth_ == 0 && last_ == ')' && calls_maker()) finish();
+        if (tokens_.empty()) return;
+        add_text(line, begin, line.text.size());
+        if (depth_ == 0 && tokens_.back() == ")" && calls_maker()) finish();
     }
 
     // Whether the declaration so far is the call of a macro with a body, which ends without a ';'.
     bool calls_maker() const {
-        const std::vector<std::string> tokens = tokens_of(code_);
-        if (!is_macro_call(tokens) || behind_bracket(tokens, 1) != tokens.size()) return false;
+        if (!is_macro_call(tokens_) || behind_bracket(tokens_, 1) != tokens_.size()) return false;
         return std::ranges::any_of(outline_.pieces, [&](const Piece& piece) {
-            return piece.kind == Kind::macro && piece.names.front() == tokens.front() &&
+            return piece.kind == Kind::macro && piece.names.front() == tokens_.front().text &&
                    piece.text.find('{') != std::string::npos;
         });
     }
 
-    // Whether the character, the last that was appended, ends the declaration.
-    bool ends_with(char c) {
-        if (c == '{' && depth_ == 0) is_body_ = last_ == ')';
-        if (c == '(' || c == '[' || c == '{') ++depth_;
-        if (c == ')' || c == ']' || c == '}') --depth_;
-        last_ = c;
-        return depth_ <= 0 && (c == ';' || (c == '}' && is_body_));
+    // Whether the next token ends the declaration.
+    bool ends_with(const Token& token) {
+        if (token == "{" && depth_ == 0) is_body_ = !tokens_.empty() && tokens_.back() == ")";
+        if (token == "(" || token == "[" || token == "{") ++depth_;
+        if (token == ")" || token == "]" || token == "}") --depth_;
+        return depth_ <= 0 && (token == ";" || (token == "}" && is_body_));
     }
 
     // Adds a part of a line to the text of the piece.
@@ -166,25 +163,18 @@ class Reader {
         return code;
     }
 
-    void append(const Line& line, std::size_t begin, std::size_t end) {
-        add_text(line, begin, end);
-        std::string code = line.code.substr(begin, end - begin);
-        std::ranges::replace(code, '\0', ' ');
-        code_ += directive_of(line) ? std::string(code.size(), ' ') : code;
-    }
-
     // A declaration begins: the comment right above it is its own, those before are not.
     void open() {
-        std::string own;
+        comment_.clear();
         if (!waiting_.empty() && !waiting_.back().blank_after && waiting_.back().file == file_) {
-            own = std::move(waiting_.back().text);
+            comment_ = std::move(waiting_.back().text);
             waiting_.pop_back();
         }
         release_comments(false);
         if (std::exchange(broken_, false)) ++paragraph_;
         if (opened_file_ != file_) ++paragraph_;
         opened_file_ = file_;
-        text_so_far_ = keep_ == Keep::comments ? std::move(own) : std::string();
+        text_so_far_ = keep_ == Keep::comments ? comment_ : std::string();
         crossing_ = false;
     }
 
@@ -207,17 +197,17 @@ class Reader {
     }
 
     void finish() {
-        Piece piece = piece_of(code_);
+        Piece piece = piece_of(std::move(tokens_));
         piece.text = without_end(std::move(text_so_far_));
+        piece.comment = std::move(comment_);
         for (const Piece& inner : inner_) {
             piece.names.insert(piece.names.end(), inner.names.begin(), inner.names.end());
             piece.mentions.insert(inner.mentions.begin(), inner.mentions.end());
         }
         put(std::move(piece));
         inner_.clear();
-        code_.clear();
+        tokens_.clear();
         depth_ = 0;
-        last_ = ' ';
         is_body_ = false;
     }
 
@@ -242,11 +232,11 @@ class Reader {
     int next_line_ = 1;      // of the file, behind text_so_far_
     bool broken_ = false;    // a blank line since the last declaration
     bool crossing_ = false;  // a comment leaves the line of the last declaration
+    std::string comment_;    // above it
     std::string text_so_far_;
-    std::string code_;
+    std::vector<Token> tokens_;
     std::vector<Piece> inner_;
     int depth_ = 0;
-    char last_ = ' ';
     bool is_body_ = false;
 };
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <set>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "shader/internal/declarations.hpp"
@@ -25,13 +25,16 @@ struct Piece {
         other       // what has no name: a pragma, precision, a lone semicolon
     };
     Kind kind = Kind::other;
-    std::size_t file = 0;             // of ActiveText::files
-    int line = 1;                     // of the file, where the text begins
-    std::string text;                 // as written, its comment above it, without the newline at the end
-    std::vector<std::string> names;   // that it declares: of a block without a name its members'
-    std::set<std::string> mentions;   // names that it uses, maybe: what stands behind a '.' is none
-    std::set<std::string> variables;  // of these, what a function has as variables, maybe its own
-    bool by_macro = false;            // a macro that may make functions is called
+    std::size_t file = 0;       // of ActiveText::files
+    int line = 1;               // of the file, where the text begins
+    std::string comment;        // right above it
+    std::string text;           // as written, its comment above it, without the newline at the end
+    std::vector<Token> tokens;  // of the text, but for directives
+    std::optional<Declaration> function;
+    std::vector<std::string> names;            // that it declares: of a block without a name its members'
+    std::set<std::string> mentions;            // names that it uses, maybe: what stands behind a '.' is none
+    std::set<std::string> variables;           // of these, what a function has as variables, maybe its own
+    bool by_macro = false;                     // a macro that may make functions is called: "MAKE(name)"
     std::vector<std::string> parameter_types;  // words of a function's list of parameters
     std::size_t paragraph = 0;                 // pieces without a blank line between them have the same
 };
@@ -53,8 +56,8 @@ enum class Keep { comments, line_numbers };
 // "#line 12 "file"": the next line is that line of the file.
 [[nodiscard]] std::string line_directive(int line, const std::string& file);
 
-// Kind, names and mentions of a declaration, from its code without comments and directives.
-[[nodiscard]] Piece piece_of(std::string_view code);
+// Kind, names and mentions of a declaration.
+[[nodiscard]] Piece piece_of(std::vector<Token> tokens);
 
 // "MAKE(name)", "MAKE(name);" and "MAKE(name) { ... }": a macro stands for the declaration.
 [[nodiscard]] bool is_macro_call(Tokens tokens);

@@ -3,65 +3,58 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <vector>
 
-#include "shader/internal/declarations.hpp"
 #include "shader/internal/lines.hpp"
 
 namespace gloam::shader::internal {
 namespace {
 
-using Words = std::vector<std::string>;
-
 constexpr std::array<std::string_view, 18> dropped{
     "uniform",  "buffer", "in",    "out",    "attribute", "varying",  "flat",     "smooth",   "noperspective",
     "centroid", "sample", "patch", "shared", "coherent",  "volatile", "restrict", "readonly", "writeonly"};
 
-bool is_dropped(const std::string& token) {
-    return std::ranges::find(dropped, token) != dropped.end() || token == "invariant";
+bool is_dropped(const Token& token) {
+    return std::ranges::find(dropped, token.text) != dropped.end() || token == "invariant";
 }
 
-bool is_precision(const std::string& token) {
+bool is_precision(const Token& token) {
     return token == "highp" || token == "mediump" || token == "lowp";
 }
 
 // The tokens without layouts and storage qualifiers; an array without a size gets one.
-Words without_qualifiers(Tokens tokens) {
-    Words kept;
-    for (std::size_t i = 0; i < tokens.size();) {
+std::vector<Token> without_qualifiers(Tokens tokens) {
+    std::vector<Token> kept;
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
         if (tokens[i] == "layout" && i + 1 < tokens.size() && tokens[i + 1] == "(") {
-            i = behind_bracket(tokens, i + 1);
+            i = behind_bracket(tokens, i + 1) - 1;
             continue;
         }
+        if (tokens[i] == "]" && tokens[i - 1] == "[") kept.push_back({std::to_string(runtime_array_length)});
         if (!is_dropped(tokens[i])) kept.push_back(tokens[i]);
-        if (tokens[i] == "[" && i + 1 < tokens.size() && tokens[i + 1] == "]")
-            kept.push_back(std::to_string(runtime_array_length));
-        ++i;
     }
     return kept;
 }
 
 // The same list of declarators without their initial values.
-Words without_values(Tokens tokens) {
-    Words kept;
+std::vector<Token> without_values(Tokens tokens) {
+    std::vector<Token> kept;
     bool value = false;
     for (std::size_t i = 0; i < tokens.size();) {
         const bool bracket = tokens[i] == "(" || tokens[i] == "[" || tokens[i] == "{";
         const std::size_t end = bracket ? behind_bracket(tokens, i) : i + 1;
         if (tokens[i] == "=") value = true;
         if (tokens[i] == "," || tokens[i] == ";") value = false;
-        if (!value)
-            kept.insert(kept.end(), tokens.begin() + static_cast<std::ptrdiff_t>(i),
-                        tokens.begin() + static_cast<std::ptrdiff_t>(end));
+        if (!value) std::ranges::copy(tokens.subspan(i, end - i), std::back_inserter(kept));
         i = end;
     }
     return kept;
 }
 
-std::string joined(Tokens tokens) {
-    std::string text;
-    for (const std::string& token : tokens) text += (text.empty() ? "" : " ") + token;
-    return text;
+Tokens up_to(Tokens tokens, std::string_view text) {
+    return tokens.first(
+        static_cast<std::size_t>(std::ranges::find(tokens, text, &Token::text) - tokens.begin()));
 }
 
 // Directives between the lines of a declaration, each on its own line.
@@ -80,8 +73,8 @@ std::string image_format(Tokens tokens, std::string_view type) {
     const std::string suffix = type.starts_with('u') ? "32ui" : type.starts_with("ii") ? "32i" : "32f";
     for (const char* channels : {"r", "rg", "rgba"})
         if (contains(tokens, channels + suffix)) return channels + suffix;
-    const bool other = std::ranges::any_of(tokens, [](const std::string& token) {
-        return token.starts_with("r") && token.find_first_of("0123456789") != std::string::npos;
+    const bool other = std::ranges::any_of(tokens, [](const Token& token) {
+        return token.text.starts_with("r") && token.text.find_first_of("0123456789") != std::string::npos;
     });
     return contains(tokens, "writeonly") && !other ? "rgba" + suffix : std::string();
 }
@@ -106,17 +99,14 @@ bool is_opaque(std::string_view word) {
 
 std::optional<std::vector<BoundVariable>> bound_variables(const Piece& piece,
                                                           const std::map<std::string, std::string>& opaque) {
-    const Words all = tokens_of(piece.text);
-    const Words kept = without_qualifiers(all);
-    const Tokens words = kept;
+    const Tokens all = piece.tokens;
+    const std::vector<Token> words = without_qualifiers(all);
     const auto type = std::ranges::find_if_not(words, is_precision);
     if (type == words.end() || contains(words, "{")) return std::nullopt;
-    const auto macro = opaque.find(*type);
-    const std::string& name = macro == opaque.end() ? *type : macro->second;
+    const auto macro = opaque.find(type->text);
+    const std::string& name = macro == opaque.end() ? type->text : macro->second;
     BoundVariable variable{.name = {}, .type = name, .written = !contains(all, "readonly")};
-    if (name.ends_with("image2D"))
-        variable.format = image_format(
-            Tokens(all).first(static_cast<std::size_t>(std::ranges::find(all, *type) - all.begin())), name);
+    if (name.ends_with("image2D")) variable.format = image_format(up_to(all, type->text), name);
     if (!is_sampler_type(name) && variable.format.empty()) return std::nullopt;
     if (contains(words, "[")) return std::nullopt;  // an array of samplers
     std::vector<BoundVariable> variables;
@@ -145,30 +135,29 @@ std::string image_macros() {
 
 std::optional<PlainGlobals> plain_globals(const Piece& piece,
                                           const std::map<std::string, std::string>& opaque) {
-    const Words all = tokens_of(piece.text);
-    if (contains(all, "constant_id")) return PlainGlobals{joined(without_qualifiers(all)), {}};
+    const std::vector<Token> kept = without_qualifiers(piece.tokens);
+    if (contains(piece.tokens, "constant_id")) return PlainGlobals{joined(kept, " "), {}};
     if (piece.names.empty() || piece.names.front().starts_with("gl_")) return std::nullopt;
-    const auto open = static_cast<std::size_t>(std::ranges::find(all, "{") - all.begin());
-    const Access access = access_of(Tokens(all).first(open));
-    const Words words = without_values(without_qualifiers(all));
+    const Access access = access_of(up_to(piece.tokens, "{"));
+    const std::vector<Token> words = without_values(kept);
+    const Tokens tokens = words;
     PlainGlobals globals{directives_of(piece.text), {}};
-    if (open == all.size()) {
+    const std::size_t brace = up_to(tokens, "{").size();
+    if (brace == tokens.size()) {
         const auto type = std::ranges::find_if_not(words, is_precision);
-        if (type == words.end() || is_opaque(*type) || opaque.contains(*type)) return std::nullopt;
-        globals.text += joined(words);
+        if (type == words.end() || is_opaque(type->text) || opaque.contains(type->text)) return std::nullopt;
+        globals.text += joined(words, " ");
         for (const std::string& name : piece.names) globals.access[name] = access;
         return globals;
     }
-    const Tokens tokens = words;
-    const auto brace = static_cast<std::size_t>(std::ranges::find(words, "{") - words.begin());
     const std::size_t end = behind_bracket(tokens, brace);
     const bool structure = contains(tokens.first(brace), "struct");
     const bool instance = end < tokens.size() && tokens[end] != ";";
     if (structure || instance) {
-        globals.text += (structure ? "" : "struct ") + joined(tokens);
-        globals.access[tokens[end]] = access;
+        globals.text += (structure ? "" : "struct ") + joined(tokens, " ");
+        globals.access[tokens[end].text] = access;
     } else {
-        globals.text += joined(tokens.subspan(brace + 1, end - brace - 2));
+        globals.text += joined(tokens.subspan(brace + 1, end - brace - 2), " ");
         // The name of the block is first among the names.
         for (std::size_t i = 1; i < piece.names.size(); ++i) globals.access[piece.names[i]] = access;
     }
