@@ -66,11 +66,9 @@ struct RunSettings {
 // A function of a file, compiled.
 class Function {
   public:
-    Function(std::shared_ptr<const check::Lab> lab, std::string file, std::string text,
-             check::OwnFunction own)
+    Function(std::shared_ptr<const check::Lab> lab, std::string file, check::OwnFunction own)
         : lab_(std::move(lab)),
           file_(std::move(file)),
-          text_(std::move(text)),
           own_(std::move(own)),
           kernel_(lab_->kernel(file_, own_.function.name, question({}).signature)) {}
 
@@ -131,8 +129,8 @@ class Function {
 
     [[nodiscard]] std::string audit(const RangeOf& ranges, const RunSettings& run) const {
         const py::gil_scoped_release others;
-        return check::to_text(check::audit(*lab_, file_, own_, text_, ranges_from(ranges),
-                                           {.inputs = run.inputs, .seed = run.seed}));
+        return check::to_text(
+            check::audit(*lab_, file_, own_, ranges_from(ranges), {.inputs = run.inputs, .seed = run.seed}));
     }
 
     [[nodiscard]] std::string explain(const std::vector<Word>& words, std::size_t most) const {
@@ -163,7 +161,7 @@ class Function {
         return all;
     }
     [[nodiscard]] std::vector<check::OrdinaryValues> ordinary(const RangeOf& ranges) const {
-        return check::ordinary_values(own_.function, text_, ranges_from(ranges), own_.team);
+        return check::ordinary_values(own_, ranges_from(ranges));
     }
     [[nodiscard]] check::Question question(const RangeOf& ranges) const {
         check::Question asked = check::question_of(*lab_, file_, own_, ranges_from(ranges));
@@ -180,7 +178,6 @@ class Function {
 
     std::shared_ptr<const check::Lab> lab_;
     std::string file_;
-    std::string text_;
     check::OwnFunction own_;
     check::KernelCore kernel_;
 };
@@ -190,11 +187,12 @@ class File {
   public:
     File(const std::filesystem::path& path, const std::vector<std::filesystem::path>& roots,
          const std::string& device, const std::string& variant)
-        : name_(path.filename().string()), text_(shader::read_text(path)) {
+        : name_(path.filename().string()) {
         check::LabOptions options{.device = device, .include_roots = roots};
         options.include_roots.insert(options.include_roots.begin(), path.parent_path());
         if (!variant.empty()) options.variant = shader::variant(variant);
-        options.excerpts = shader::excerpts({path.string(), text_}, options.include_roots).functions;
+        options.excerpts =
+            shader::excerpts({path.string(), shader::read_text(path)}, options.include_roots).functions;
         functions_ = check::own_functions(options, name_);
         lab_ = std::make_shared<const check::Lab>(std::move(options));
     }
@@ -213,7 +211,7 @@ class File {
 
     [[nodiscard]] Function function(const std::string& name) const {
         const auto found = std::ranges::find(functions_.found, name, &check::OwnFunction::name);
-        if (found != functions_.found.end()) return {lab_, name_, text_, *found};
+        if (found != functions_.found.end()) return {lab_, name_, *found};
         for (const check::LeftOut& one : functions_.left_out)
             if (one.name.starts_with(name + "("))
                 throw std::invalid_argument(name_ + ": " + one.name + ": " + one.why);
@@ -225,7 +223,6 @@ class File {
 
   private:
     std::string name_;
-    std::string text_;
     check::OwnFunctions functions_;
     std::shared_ptr<const check::Lab> lab_;
 };

@@ -10,12 +10,11 @@ namespace gloam::check::audited {
 // The functions of a text, for the interpreter.
 class Audited {
   public:
-    explicit Audited(std::string text, const std::string& name = "audit.glsl")
-        : text_(std::move(text)), name_(name) {
+    explicit Audited(const std::string& text, const std::string& name = "audit.glsl") : name_(name) {
         const std::filesystem::path folder(FIXTURES);
         options_ = {.device = std::string(interpreter_name),
                     .include_roots = {folder},
-                    .excerpts = shader::excerpts({(folder / name).string(), text_}, {folder}).functions};
+                    .excerpts = shader::excerpts({(folder / name).string(), text}, {folder}).functions};
         lab_ = std::make_unique<const Lab>(options_);
     }
 
@@ -25,16 +24,15 @@ class Audited {
 
     [[nodiscard]] Audit audit(const std::string& name, const Ranges& ranges = {},
                               std::size_t inputs = 2048) const {
-        return check::audit(*lab_, name_, function(name), text_, ranges, {.inputs = inputs});
+        return check::audit(*lab_, name_, function(name), ranges, {.inputs = inputs});
     }
 
     [[nodiscard]] std::vector<OrdinaryValues> values(const std::string& name,
                                                      const Ranges& ranges = {}) const {
-        return ordinary_values(function(name).function, text_, ranges);
+        return ordinary_values(function(name), ranges);
     }
 
   private:
-    std::string text_;
     std::string name_;
     LabOptions options_;
     std::unique_ptr<const Lab> lab_;

@@ -252,16 +252,33 @@ TEST_F(OwnFunctionTest, DrawSharesAndAllMagnitudesWithoutARange) {
     EXPECT_GT(large, count / 20);
 }
 
+struct Drawn {
+    const char* file;
+    const char* name;
+    Ranges ranges;
+    std::vector<Range> words;
+};
+
 TEST_F(OwnFunctionTest, DrawFromTheirRanges) {
-    const Question question = question_of(lab, "own.glsl", functions_of("own.glsl", {"own_root"}).found.at(0),
-                                          {{"p", {2, 3}}, {"q", {0, 1}}});
-    const Domain::Inputs inputs = question.domain.draw(100, 1);
-    for (std::size_t i = 0; i < inputs.count(); ++i) {
-        EXPECT_GE(from_word<float>(inputs.row(i)[0]), 2.0F);
-        EXPECT_LE(from_word<float>(inputs.row(i)[0]), 3.0F);
-        EXPECT_LE(from_word<float>(inputs.row(i)[1]), 1.0F);
+    const Range low{0, 1};
+    const Range high{2, 3};
+    const Drawn rows[] = {
+        {"own.glsl", "own_root", {{"p", high}, {"q", low}}, {high, low}},
+        {"arrays.glsl", "array_dot", {{"a", high}, {"b", low}}, {high, high, high, high, low, low, low, low}},
+        {"uniforms.glsl", "timed", {{"t", low}, {"iTime", high}}, {low, high}}};
+    for (const auto& [file, name, ranges, words] : rows) {
+        const Lab other(options_of(file), test::SharedDevice::get());
+        const Question question = question_of(other, file, function_of(file, name), ranges);
+        EXPECT_TRUE(question.defined) << name << ": every input has a range";
+        const Domain::Inputs inputs = question.domain.draw(100, 1);
+        ASSERT_EQ(inputs.width, words.size()) << name;
+        for (std::size_t i = 0; i < inputs.words.size(); ++i) {
+            const Range& range = words[i % words.size()];
+            const double word = from_word<float>(inputs.words[i]);
+            EXPECT_TRUE(range.low <= word && word <= range.high) << name << " " << word;
+        }
     }
-    const Answer result = run(lab, question, {.inputs = 512});
+    const Answer result = answer_of("own.glsl", "own_root", {{"p", high}, {"q", low}});
     EXPECT_TRUE(result.passed()) << result;
     EXPECT_EQ(result.unbounded, 0U);
     EXPECT_GT(result.guarantee.ulp, 10.0) << "it cancels";

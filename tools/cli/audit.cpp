@@ -60,7 +60,7 @@ class AuditedFile {
     }
 
     [[nodiscard]] check::Audit audit(const check::Lab& lab, const check::OwnFunction& function) const {
-        return check::audit(lab, name(), function, text_, ranges_from(command_.ranges), command_.options);
+        return check::audit(lab, name(), function, ranges_from(command_.ranges), command_.options);
     }
 
     void add_witness(check::Audit& audit, const check::Lab& lab, const check::OwnFunction& function) const {

@@ -359,10 +359,10 @@ Audit audit(const Lab& lab, const Question& asked, const std::vector<OrdinaryVal
     return all;
 }
 
-Audit audit(const Lab& lab, const std::string& file, const OwnFunction& own, const std::string& text,
-            const Ranges& ranges, const AuditOptions& options) {
+Audit audit(const Lab& lab, const std::string& file, const OwnFunction& own, const Ranges& ranges,
+            const AuditOptions& options) {
     Question question = question_of(lab, file, own, ranges);
-    const std::vector<OrdinaryValues> domain = ordinary_values(own.function, text, ranges, own.team);
+    const std::vector<OrdinaryValues> domain = ordinary_values(own, ranges);
     question.domain = ordinary_domain(own.function, domain);
     return audit(lab, question, domain, options);
 }

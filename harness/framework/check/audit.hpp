@@ -138,10 +138,9 @@ struct AuditOptions {
 [[nodiscard]] Audit audit(const Lab& lab, const Question& question, const std::vector<OrdinaryValues>& domain,
                           const AuditOptions& options = {});
 
-// The same for a function of a file from elsewhere, in its ordinary domain: `text` is that of the file, as
-// ordinary_values() reads it.
+// The same for a function of a file from elsewhere, in its ordinary domain.
 [[nodiscard]] Audit audit(const Lab& lab, const std::string& file, const OwnFunction& own,
-                          const std::string& text, const Ranges& ranges, const AuditOptions& options = {});
+                          const Ranges& ranges, const AuditOptions& options = {});
 
 // Runs the worst inputs of an audit on the lab's device and adds what it gives. Inputs that fault are not
 // run. `question`: of the same function. Throws like Lab::kernel() and KernelCore::run().

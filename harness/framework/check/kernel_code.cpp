@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <cctype>
 #include <set>
 #include <string_view>
 
 #include "check/internal/kernel_text.hpp"
+#include "shader/tokens.hpp"
 
 namespace gloam::check {
 
@@ -187,18 +187,11 @@ bool can_be_macro(std::string_view word) {
 // Directives that undefine every name that a text uses, so that macros of the user's file do not affect the
 // text.
 std::string without_macros(std::string_view text) {
-    const auto is_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
-    std::set<std::string_view> words;
-    for (std::size_t at = 0; at < text.size();) {
-        std::size_t end = at;
-        while (end < text.size() && is_word(text[end])) ++end;
-        const std::string_view word = text.substr(at, end - at);
-        if (!word.empty() && std::isdigit(static_cast<unsigned char>(word[0])) == 0 && can_be_macro(word))
-            words.insert(word);
-        at = std::max(end, at + 1);
-    }
+    std::set<std::string> words;
+    for (const shader::Token& token : shader::tokens_of(text))
+        if (token.is_word() && can_be_macro(token.text)) words.insert(token.text);
     std::string code;
-    for (const std::string_view word : words) code += fmt::format("#undef {}\n", word);
+    for (const std::string& word : words) code += fmt::format("#undef {}\n", word);
     return code;
 }
 

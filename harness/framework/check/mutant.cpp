@@ -69,8 +69,8 @@ std::string numbers_text(const std::vector<double>& numbers) {
 }
 
 // The ordinary domain of a function, but a parameter of which nothing is known has all values of its type.
-Domain wide_domain(const OwnFunction& own, const std::string& text, const Domain& any) {
-    std::vector<OrdinaryValues> ordinary = ordinary_values(own.function, text, {}, own.team);
+Domain wide_domain(const OwnFunction& own, const Domain& any) {
+    std::vector<OrdinaryValues> ordinary = ordinary_values(own, {});
     std::size_t k = 0;
     for (const shader::Parameter& parameter : own.function.parameters) {
         if (parameter.direction == shader::Direction::out) continue;
@@ -233,7 +233,7 @@ MutantComparison MutantFile::compare(const Own& own, const std::string& changed,
     MutantComparison result{.function = own.function.name};
     try {
         Question question = question_of(*lab_, file, own.function, {});
-        question.domain = wide_domain(own.function, text_, question.domain);
+        question.domain = wide_domain(own.function, question.domain);
         for (const std::string& text : {own.function.excerpt, changed})
             question.domain = question.domain.and_numbers(
                 question.signature, shader::float_constants(module_of(own.function, text)));

@@ -5,7 +5,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -16,6 +15,8 @@
 
 #include "base/number.hpp"
 #include "check/internal/parameter_meaning.hpp"
+#include "check/own_function.hpp"
+#include "shader/tokens.hpp"
 
 namespace gloam::check {
 namespace {
@@ -23,8 +24,6 @@ namespace {
 using shader::Scalar;
 using shader::Type;
 
-using internal::find_word;
-using internal::is_word;
 using internal::Kind;
 using internal::Meaning;
 using internal::usual_high;
@@ -115,25 +114,14 @@ namespace {
 
 // The length of the shortest array that a text indexes with this name alone: "weights[i]" where there is
 // "float weights[4]". nullopt if there is none.
-std::optional<long> indexed_length(std::string_view text, const std::string& name) {
+std::optional<long> indexed_length(shader::Tokens tokens, const std::string& name) {
     std::optional<long> shortest;
-    for (std::size_t at = find_word(text, name, 0); at != std::string_view::npos;
-         at = find_word(text, name, at + 1)) {
-        if (at < 2 || text[at - 1] != '[' || at + name.size() >= text.size() || text[at + name.size()] != ']')
-            continue;
-        std::size_t begin = at - 1;
-        while (begin > 0 && is_word(text[begin - 1])) --begin;
-        const std::string array(text.substr(begin, at - 1 - begin));
-        for (std::size_t d = find_word(text, array, 0); !array.empty() && d != std::string_view::npos;
-             d = find_word(text, array, d + 1)) {
-            long length = 0;
-            const std::size_t digits = d + array.size() + 1;
-            if (digits >= text.size() || text[digits - 1] != '[') continue;
-            const auto [end, error] =
-                std::from_chars(text.data() + digits, text.data() + text.size(), length);
-            const bool declares = d > 0 && is_word(text[text.find_last_not_of(" ", d - 1)]);
-            if (error == std::errc() && *end == ']' && declares && length > 0)
-                shortest = std::min(shortest.value_or(length), length);
+    for (std::size_t i = 2; i + 1 < tokens.size(); ++i) {
+        if (tokens[i] != name || tokens[i - 1] != "[" || tokens[i + 1] != "]") continue;
+        for (std::size_t d = 1; d + 3 < tokens.size(); ++d) {
+            if (tokens[d] != tokens[i - 2].text || !tokens[d - 1].is_word() || tokens[d + 1] != "[") continue;
+            const long length = base::number_from<long>(tokens[d + 2].text).value_or(0);
+            if (tokens[d + 3] == "]" && length > 0) shortest = std::min(shortest.value_or(length), length);
         }
     }
     return shortest;
@@ -142,9 +130,9 @@ std::optional<long> indexed_length(std::string_view text, const std::string& nam
 // The values of a parameter, or of a member of one.
 class Ordinary {
   public:
-    Ordinary(const shader::Function& function, std::string_view text, const Ranges& ranges)
-        : text_(text), comment_(comment_of(text, function)), ranges_(ranges) {
-        for (const shader::Parameter& parameter : function.parameters) names_.insert(parameter.name);
+    Ordinary(const OwnFunction& own, const Ranges& ranges)
+        : tokens_(shader::tokens_of(own.excerpt)), comment_(own.comment), ranges_(ranges) {
+        for (const shader::Parameter& parameter : own.function.parameters) names_.insert(parameter.name);
     }
 
     // `range`: the parameter that may have a range.
@@ -201,7 +189,7 @@ class Ordinary {
             if (const auto meaning = internal::meaning_of_comment(comment_, last, names_, is_vector))
                 return {with(*meaning, type.scalar, components), "comment"};
         if (!is_float && type.scalar != Scalar::bool_)
-            if (const auto length = indexed_length(text_, last))
+            if (const auto length = indexed_length(tokens_, last))
                 return {in_range(type.scalar, {0.0, static_cast<double>(*length - 1)}, components), "array"};
         if (is_float && type.columns > 1)
             return {floats_with({Kind::range, -2.0, 2.0}, type.scalar, components), "type"};
@@ -227,15 +215,11 @@ class Ordinary {
         return {fmt::format("{} to {}", low, high), in_every_component(components, integers(low, high))};
     }
 
-    std::string_view text_;
-    std::string comment_;
+    std::vector<shader::Token> tokens_;
+    const std::string& comment_;
     const Ranges& ranges_;
     std::set<std::string> names_;
 };
-
-}  // namespace
-
-namespace {
 
 // The same values in each invocation of a quad, as one entry.
 OrdinaryValues in_quad(const shader::Parameter& parameter, const Type& type,
@@ -255,13 +239,12 @@ OrdinaryValues in_quad(const shader::Parameter& parameter, const Type& type,
 
 }  // namespace
 
-std::vector<OrdinaryValues> ordinary_values(const shader::Function& function, std::string_view text,
-                                            const Ranges& ranges, const backend::Team& team) {
-    const Ordinary ordinary(function, text, ranges);
+std::vector<OrdinaryValues> ordinary_values(const OwnFunction& own, const Ranges& ranges) {
+    const Ordinary ordinary(own, ranges);
     std::vector<OrdinaryValues> all;
-    for (const shader::Parameter& parameter : function.parameters) {
+    for (const shader::Parameter& parameter : own.function.parameters) {
         if (parameter.direction == shader::Direction::out) continue;
-        if (team.kind != backend::Team::Kind::quad || !is_of_each(parameter)) {
+        if (own.team.kind != backend::Team::Kind::quad || !is_of_each(parameter)) {
             ordinary.add(parameter.type, parameter.name, parameter.name, all);
             continue;
         }
@@ -291,77 +274,6 @@ Domain ordinary_domain(const shader::Function& function, const std::vector<Ordin
     }
     return Domain(std::move(parameters))
         .and_related({.result = function.result, .parameters = function.parameters});
-}
-
-namespace {
-
-// Where the definition's name stands: outside of braces, before a list with these parameters and a body.
-struct Definition {
-    std::size_t name = std::string_view::npos;
-    std::size_t open = 0;
-    std::size_t close = 0;
-};
-
-Definition definition_in(std::string_view text, const shader::Function& function) {
-    constexpr std::size_t most_searched = 1'000;  // occurrences of the name
-    std::size_t tries = 0;
-    for (std::size_t at = find_word(text, function.name, 0);
-         at != std::string_view::npos && ++tries < most_searched;
-         at = find_word(text, function.name, at + 1)) {
-        const std::size_t open = text.find_first_not_of(" \t\r\n", at + function.name.size());
-        if (open == std::string_view::npos || text[open] != '(') continue;
-        const std::size_t close = text.find(')', open);
-        if (close == std::string_view::npos) break;
-        const std::size_t body = text.find_first_not_of(" \t\r\n", close + 1);
-        if (body == std::string_view::npos || text[body] != '{') continue;
-        const std::string_view list = text.substr(open, close - open);
-        std::size_t from = 0;
-        bool all = true;
-        for (const shader::Parameter& p : function.parameters) {
-            from = p.name.empty() ? from : find_word(list, p.name, from);
-            all = all && from != std::string_view::npos;
-            if (!all) break;
-        }
-        if (all) return {at, open, close};
-    }
-    return {};
-}
-
-// The comment lines that end directly above the line of `at`.
-std::string lines_above(std::string_view text, std::size_t at) {
-    constexpr std::size_t most = 4'096;
-    std::size_t begin = text.rfind('\n', at);
-    if (begin == std::string_view::npos) return {};
-    std::string above;
-    bool block = false;  // inside a block comment, read from its end
-    while (begin > 0 && above.size() < most) {
-        const std::size_t before = text.rfind('\n', begin - 1);
-        const std::size_t first = before == std::string_view::npos ? 0 : before + 1;
-        const std::string_view line = text.substr(first, begin - first);
-        const std::size_t start = line.find_first_not_of(" \t\r");
-        const std::string_view shown = start == std::string_view::npos ? "" : line.substr(start);
-        const std::size_t last = shown.find_last_not_of(" \t\r");
-        const bool ends_block = last != std::string_view::npos && shown.substr(0, last + 1).ends_with("*/");
-        if (!block && !shown.starts_with("//") && !ends_block) break;
-        block = (block || ends_block) && shown.find("/*") == std::string_view::npos;
-        above = std::string(shown) + "\n" + above;
-        if (first == 0) break;
-        begin = before;
-    }
-    return above;
-}
-
-}  // namespace
-
-std::string comment_of(std::string_view text, const shader::Function& function) {
-    const Definition found = definition_in(text, function);
-    if (found.name == std::string_view::npos) return {};
-    std::string comment = lines_above(text, found.name);
-    std::string_view list = text.substr(found.open, found.close - found.open);
-    // "float x /* in [0, 1] */": the name before the comment belongs to it.
-    if (list.find("/*") != std::string_view::npos || list.find("//") != std::string_view::npos)
-        comment += std::string(list);
-    return comment;
 }
 
 }  // namespace gloam::check

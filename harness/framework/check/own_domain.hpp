@@ -3,7 +3,6 @@
 
 #include <map>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -31,24 +30,20 @@ struct OrdinaryValues {
     Values values;
 };
 
-// The values of each in and inout parameter of a function that a GLSL text defines, in order; a structure has
+struct OwnFunction;
+
+// The values of each in and inout parameter of a function of a file from elsewhere, in order; a structure has
 // an entry for each member. The first of these that says something decides:
 //   the range with the name of the parameter;
 //   its comment, where it names the parameter: "x in [0, 1]", "x: 0 to 1", "x >= 0", "n: unit vector";
 //   the name: uv and colours in [0, 1], normals and directions unit vectors, angles in radians, and so on;
-//   the array that an integer indexes in the text;
+//   the array that an integer indexes in its excerpt;
 //   the type: floats -1000 to 1000, half of them 0 to 1; integers 0 to 7.
 // Of a quad, neighbours differ as neighbours() says.
-[[nodiscard]] std::vector<OrdinaryValues> ordinary_values(const shader::Function& function,
-                                                          std::string_view text, const Ranges& ranges,
-                                                          const backend::Team& team = {});
+[[nodiscard]] std::vector<OrdinaryValues> ordinary_values(const OwnFunction& own, const Ranges& ranges);
 
 // The same values as the domain of the function, in which vectors are also equal, opposite and parallel.
 [[nodiscard]] Domain ordinary_domain(const shader::Function& function,
                                      const std::vector<OrdinaryValues>& ordinary);
-
-// The comments directly above a function of a GLSL text and inside its parameter list; empty if there are
-// none. Of overloads, those of the one whose parameters have the names of `function`.
-[[nodiscard]] std::string comment_of(std::string_view text, const shader::Function& function);
 
 }  // namespace gloam::check

@@ -195,18 +195,19 @@ class Sorting {
 
     void add(const shader::Excerpt& excerpt, const std::vector<shader::Function>& compiled,
              const backend::Team& team) {
-        std::vector<shader::Function> own;
+        std::vector<std::pair<shader::Function, std::string>> own;  // and its comment
         std::size_t k = 0;
         for (const shader::Function& function : compiled) {
             if (function.name != excerpt.function || !function.defined) continue;
-            if (k >= excerpt.definitions.size() || !excerpt.definitions[k].empty())
-                own.push_back(with_globals(function, excerpt));
+            const bool known = k < excerpt.definitions.size();  // not made by a macro
+            if (!known || !excerpt.definitions[k].empty())
+                own.emplace_back(with_globals(function, excerpt), known ? excerpt.comments[k] : "");
             ++k;
         }
         const auto unserved = std::ranges::find_if(compiled, [](const shader::Function& function) {
             return !function.defined && !image_prototype(function);
         });
-        for (const shader::Function& function : own) {
+        for (const auto& [function, comment] : own) {
             const std::string definition = definition_of(function);
             if (!wants(definition)) continue;
             const shader::Function called = together(function, team);
@@ -217,7 +218,7 @@ class Sorting {
                     definition_of(*unserved));
             if (why.empty()) {
                 all_.found.push_back({own.size() > 1 ? definition : function.name, called, excerpt.text,
-                                      images_of(excerpt, function), team});
+                                      images_of(excerpt, function), team, comment});
             } else {
                 all_.left_out.push_back({definition, why});
             }

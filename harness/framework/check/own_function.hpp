@@ -19,6 +19,7 @@ struct OwnFunction {
     // Functions with derivatives or discard run in quads, those with shared memory, barriers or subgroups in
     // work groups of the file's size, of 64 invocations where it states none.
     backend::Team team = {};
+    std::string comment = {};  // of shader::Excerpt::comments
 
     [[nodiscard]] Signature signature() const {
         return {.result = function.result, .parameters = function.parameters, .team = team};

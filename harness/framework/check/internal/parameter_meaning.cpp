@@ -128,6 +128,19 @@ std::optional<Meaning> meaning_of_words(const std::string& words, bool is_vector
     return std::nullopt;
 }
 
+bool is_word(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+// Where a whole word stands, from `from` on.
+std::size_t find_word(std::string_view text, std::string_view word, std::size_t from) {
+    for (std::size_t at = text.find(word, from); at != std::string_view::npos; at = text.find(word, at + 1))
+        if ((at == 0 || !is_word(text[at - 1])) &&
+            (at + word.size() >= text.size() || !is_word(text[at + word.size()])))
+            return at;
+    return std::string_view::npos;
+}
+
 }  // namespace
 
 std::optional<Meaning> meaning_of_name(const std::string& name, int components) {
@@ -140,18 +153,6 @@ std::optional<Meaning> meaning_of_name(const std::string& name, int components) 
                 rule.names.find(" " + word + " ") != std::string_view::npos)
                 return rule.meaning;
     return std::nullopt;
-}
-
-bool is_word(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
-std::size_t find_word(std::string_view text, std::string_view word, std::size_t from) {
-    for (std::size_t at = text.find(word, from); at != std::string_view::npos; at = text.find(word, at + 1))
-        if ((at == 0 || !is_word(text[at - 1])) &&
-            (at + word.size() >= text.size() || !is_word(text[at + word.size()])))
-            return at;
-    return std::string_view::npos;
 }
 
 std::optional<Meaning> meaning_of_comment(std::string_view comment, const std::string& name,

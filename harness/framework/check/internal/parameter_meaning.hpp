@@ -29,8 +29,4 @@ struct Meaning {
 [[nodiscard]] std::optional<Meaning> meaning_of_comment(std::string_view comment, const std::string& name,
                                                         const std::set<std::string>& others, bool is_vector);
 
-// Whether this character can be part of a name; and where a whole word stands, from `from` on.
-[[nodiscard]] bool is_word(char c);
-[[nodiscard]] std::size_t find_word(std::string_view text, std::string_view word, std::size_t from);
-
 }  // namespace gloam::check::internal

@@ -3,50 +3,32 @@
 #include <fmt/ranges.h>
 
 #include <array>
-#include <cctype>
 #include <functional>
 #include <map>
 #include <set>
 #include <string>
 
 #include "check/internal/rewrites.hpp"
+#include "shader/tokens.hpp"
 
 namespace gloam::check::internal {
 namespace {
 
-struct Token {
-    std::string_view text;
-    std::size_t at = 0;
+using shader::Token;
 
-    [[nodiscard]] std::size_t end() const { return at + text.size(); }
-};
-
-bool is_name_part(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
-}
-
-// Names with their members, numbers, and single characters; lines that begin with # are passed over.
-std::vector<Token> scanned(std::string_view text) {
-    std::vector<Token> tokens;
-    bool line_begins = true;
-    for (std::size_t at = 0; at < text.size();) {
-        const char c = text[at];
-        if (c == '#' && line_begins) {
-            at = std::min(text.find('\n', at), text.size());
-            continue;
-        }
-        if (std::isspace(static_cast<unsigned char>(c)) != 0) {
-            line_begins = line_begins || c == '\n';
-            ++at;
-            continue;
-        }
-        line_begins = false;
-        std::size_t end = at + 1;
-        while (is_name_part(c) && end < text.size() && is_name_part(text[end])) ++end;
-        tokens.push_back({text.substr(at, end - at), at});
-        at = end;
+// The tokens of a text; a name with its members is one: "light.color".
+std::vector<Token> with_members(std::string_view text) {
+    std::vector<Token> all;
+    for (Token& token : shader::tokens_of(text)) {
+        const bool goes_on =
+            !all.empty() && token.begin == all.back().end() &&
+            ((token == "." && all.back().is_word()) || (token.is_word() && all.back().text.ends_with('.')));
+        if (goes_on)
+            all.back().text += token.text;
+        else
+            all.push_back(std::move(token));
     }
-    return tokens;
+    return all;
 }
 
 // A call "name(a, b)": its tokens and its arguments.
@@ -58,7 +40,7 @@ struct Call {
 
 class Finder {
   public:
-    explicit Finder(std::string_view text) : text_(text), tokens_(scanned(text)) {}
+    explicit Finder(std::string_view text) : text_(text), tokens_(with_members(text)) {}
 
     std::vector<Candidate> all() {
         for (std::size_t i = 0; i + 2 < tokens_.size(); ++i) {
@@ -71,12 +53,9 @@ class Finder {
 
   private:
     [[nodiscard]] std::string_view token(std::size_t i) const {
-        return i < tokens_.size() ? tokens_[i].text : std::string_view{};
+        return i < tokens_.size() ? std::string_view(tokens_[i].text) : std::string_view{};
     }
-    [[nodiscard]] bool is_name(std::size_t i) const {
-        return !token(i).empty() && is_name_part(token(i)[0]) &&
-               std::isdigit(static_cast<unsigned char>(token(i)[0])) == 0 && token(i)[0] != '.';
-    }
+    [[nodiscard]] bool is_name(std::size_t i) const { return i < tokens_.size() && tokens_[i].is_word(); }
     [[nodiscard]] bool is_one(std::size_t i) const {
         return token(i) == "1.0" || token(i) == "1." || token(i) == "1.0f";
     }
@@ -87,12 +66,12 @@ class Finder {
         static constexpr std::string_view behind = "),;?:+-<>&|=";
         const std::string_view left = first > 0 ? token(first - 1) : ";";
         const std::string_view right = token(last + 1);
-        return (left == "return" || (left.size() == 1 && before.find(left[0]) != std::string_view::npos)) &&
-               right.size() == 1 && behind.find(right[0]) != std::string_view::npos;
+        return (left == "return" || before.find(left.back()) != std::string_view::npos) && !right.empty() &&
+               behind.find(right.front()) != std::string_view::npos;
     }
 
     [[nodiscard]] std::string text_of(std::size_t first, std::size_t last) const {
-        return std::string(text_.substr(tokens_[first].at, tokens_[last].end() - tokens_[first].at));
+        return std::string(text_.substr(tokens_[first].begin, tokens_[last].end() - tokens_[first].begin));
     }
 
     [[nodiscard]] std::optional<Call> call_at(std::size_t i) const {
@@ -119,8 +98,8 @@ class Finder {
 
     void add(std::size_t first, std::size_t last, std::string after, std::string reason,
              std::string helper = {}) {
-        found_.push_back(
-            {tokens_[first].at, tokens_[last].end(), std::move(after), std::move(helper), std::move(reason)});
+        found_.push_back({tokens_[first].begin, tokens_[last].end(), std::move(after), std::move(helper),
+                          std::move(reason)});
     }
 
     void add_call(const Call& call) {
@@ -266,10 +245,10 @@ class Finder {
         for (std::size_t k = i + 3; k < tokens_.size() && depth >= 0; ++k) {
             depth += token(k) == "{" ? 1 : token(k) == "}" ? -1 : 0;
             looped = looped || loops.contains(token(k));
-            if (!looped || token(k) != sum || token(k + 1) != "+" || token(k + 2) != "=") continue;
-            std::size_t last = k + 3;
+            if (!looped || token(k) != sum || token(k + 1) != "+=") continue;
+            std::size_t last = k + 2;
             while (last + 1 < tokens_.size() && token(last + 1) != ";") ++last;
-            add(k, last, fmt::format("{0} = add_with_rest({0}, {1}, {0}_rest)", sum, text_of(k + 3, last)),
+            add(k, last, fmt::format("{0} = add_with_rest({0}, {1}, {0}_rest)", sum, text_of(k + 2, last)),
                 "each addition drops the last digits of what it adds",
                 fmt::format(
                     "{0} add_with_rest({0} sum, {0} term, inout {0} rest) {{ precise {0} all = term + rest; "
@@ -277,7 +256,7 @@ class Finder {
                     "return next; }}\n",
                     token(i)));
             found_.back().wide = true;
-            found_.back().declared_at = tokens_[i].at;
+            found_.back().declared_at = tokens_[i].begin;
             found_.back().declaration = fmt::format("{0} {1}_rest = {0}(0.0); ", token(i), sum);
             return;
         }
