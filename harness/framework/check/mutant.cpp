@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <regex>
 
 #include "check/internal/audit_runs.hpp"
 #include "check/internal/audit_search.hpp"
@@ -38,17 +38,10 @@ constexpr double small_error = 4.0;  // ULP
 
 // Whether a text has conditions besides the guard of an include.
 bool has_conditions(const std::string& text) {
-    std::istringstream lines(text);
-    std::size_t conditions = 0;
-    bool guarded = false;
-    for (std::string line; std::getline(lines, line);) {
-        const std::size_t mark = line.find_first_not_of(" \t");
-        if (mark == std::string::npos || line[mark] != '#') continue;
-        const std::string word = line.substr(std::min(line.find_first_not_of(" \t", mark + 1), line.size()));
-        if (word.starts_with("ifndef") && conditions == 0) guarded = true;
-        if (word.starts_with("if")) ++conditions;
-    }
-    return conditions > (guarded ? 1U : 0U);
+    static const std::regex condition(R"((?:^|\n)[ \t]*#[ \t]*(if\w*))");
+    std::smatch first;
+    if (!std::regex_search(text, first, condition)) return false;
+    return !first[1].str().starts_with("ifndef") || std::regex_search(first.suffix().str(), condition);
 }
 
 bool is_same(double a, double b) {
