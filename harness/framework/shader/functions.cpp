@@ -20,16 +20,9 @@ namespace {
 using internal::Declaration;
 using spirv::Id;
 
-// A function of a module as SPIR-V describes it: its name from the debug instructions, and its types.
-// Directions of parameters are not included.
-struct Signature {
-    std::string name;  // as in GLSL, without the compiler's mark of the overload
-    Type result;
-    std::vector<Parameter> parameters;
+// A function as SPIR-V describes it: without the directions of its parameters and the names of opaque types.
+struct Compiled : Function {
     std::vector<std::size_t> calls;  // indices of the called functions, in the order of the module
-    // Private variables of the module that it uses, itself or by what it calls, in the order of use.
-    std::vector<Parameter> globals;
-    std::string other_number = {};  // see Function
 };
 
 // The types of a module, described by their id.
@@ -205,7 +198,7 @@ std::string other_number_of(const Type& type) {
 }
 
 // Adds what a function uses by what it calls. There is no recursion.
-void add_globals_of_called(std::vector<Signature>& functions, std::size_t caller, std::vector<bool>& done) {
+void add_globals_of_called(std::vector<Compiled>& functions, std::size_t caller, std::vector<bool>& done) {
     if (done[caller]) return;
     done[caller] = true;
     for (const std::size_t called : functions[caller].calls) {
@@ -217,19 +210,19 @@ void add_globals_of_called(std::vector<Signature>& functions, std::size_t caller
     }
 }
 
-// Every function of an unoptimised module, in the order of the module. For an opaque type (sampler, image)
-// Type::name is empty. Throws std::runtime_error for words that are not a SPIR-V module.
-std::vector<Signature> signatures(const Spirv& module) {
+// Every function of an unoptimised module, in the order of the module. Throws std::runtime_error for words
+// that are not a SPIR-V module.
+std::vector<Compiled> compiled(const Spirv& module) {
     const std::vector<Instruction> code = instructions(module);
     const TypeReader types(code);
     Globals globals(code, types);
     const std::map<Id, std::size_t> indices = function_indices(code);
-    std::vector<Signature> found;
+    std::vector<Compiled> found;
     for (const Instruction& instruction : code) {
         const Id type = instruction.word(1);
         const Id id = instruction.word(2);
         if (instruction.opcode == SpvOpFunction)
-            found.push_back({types.name_of(id), types.type_of(type), {}, {}, {}});
+            found.push_back({{types.name_of(id), types.type_of(type), {}}, {}});
         if (instruction.opcode == SpvOpFunctionParameter)
             found.back().parameters.push_back({types.name_of(id), types.type_of(type), Direction::in});
         if (instruction.opcode == SpvOpFunctionCall)
@@ -247,15 +240,9 @@ std::vector<Signature> signatures(const Spirv& module) {
 
 // Combines a function of the module with what only the text contains: directions, and the names of opaque
 // types.
-Function function_of(const Signature& signature, const Declaration& declaration) {
-    const std::string name =
-        signature.name.starts_with(own_prefix) ? signature.name.substr(own_prefix.size()) : signature.name;
-    Function function{name,
-                      signature.result,
-                      signature.parameters,
-                      declaration.defined,
-                      signature.globals,
-                      signature.other_number};
+Function function_of(Function function, const Declaration& declaration) {
+    if (function.name.starts_with(own_prefix)) function.name.erase(0, own_prefix.size());
+    function.defined = declaration.defined;
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
         Parameter& parameter = function.parameters[i];
         const internal::DeclaredParameter& declared = declaration.parameters.at(i);
@@ -272,12 +259,12 @@ Function function_of(const Signature& signature, const Declaration& declaration)
 
 // The declaration of each function of the module; null for an added main. Functions of one name are in the
 // same order on both sides.
-std::vector<const Declaration*> paired(const std::vector<Signature>& signatures,
+std::vector<const Declaration*> paired(const std::vector<Compiled>& compiled,
                                        const std::vector<Declaration>& declared) {
-    std::vector<const Declaration*> pairs(signatures.size(), nullptr);
+    std::vector<const Declaration*> pairs(compiled.size(), nullptr);
     for (const Declaration& declaration : declared) {
         std::size_t i = 0;
-        while (i < pairs.size() && (pairs[i] || signatures[i].name != declaration.name)) ++i;
+        while (i < pairs.size() && (pairs[i] || compiled[i].name != declaration.name)) ++i;
         if (i == pairs.size())
             throw std::logic_error("function '" + declaration.name + "' is not in its own module");
         pairs[i] = &declaration;
@@ -286,20 +273,20 @@ std::vector<const Declaration*> paired(const std::vector<Signature>& signatures,
 }
 
 // In order of definition; a function that is only declared is listed at its first call.
-std::vector<Function> listed(const std::vector<Signature>& signatures,
+std::vector<Function> listed(const std::vector<Compiled>& compiled,
                              const std::vector<Declaration>& declared) {
-    const std::vector<const Declaration*> pairs = paired(signatures, declared);
+    const std::vector<const Declaration*> pairs = paired(compiled, declared);
     std::vector<Function> functions;
     std::vector<bool> taken(pairs.size(), false);
     const auto take = [&](std::size_t i) {
-        if (!taken[i]) functions.push_back(function_of(signatures[i], *pairs[i]));
+        if (!taken[i]) functions.push_back(function_of(compiled[i], *pairs[i]));
         taken[i] = true;
     };
     for (const Declaration& declaration : declared) {
         if (!declaration.defined) break;  // those that are only declared come last
         const auto found = static_cast<std::size_t>(std::ranges::find(pairs, &declaration) - pairs.begin());
         take(found);
-        for (const std::size_t called : signatures[found].calls)
+        for (const std::size_t called : compiled[found].calls)
             if (pairs[called] && !pairs[called]->defined) take(called);
     }
     return functions;
@@ -325,14 +312,13 @@ std::vector<Function> internal::functions_here(const Source& source, const Compi
     const internal::Parse parse(options.stage, internal::Client::vulkan, source.name, {source},
                                 options.include_roots);
     const std::string text = internal::preprocessed(source, options.stage, options.include_roots);
-    std::vector<Declaration> declared = internal::declarations(text);
-    std::ranges::stable_partition(declared, &Declaration::defined);
+    const std::vector<Declaration> declared = internal::each_once(internal::declarations(text));
     const Source whole{source.name, internal::completed(text, declared)};
     const Spirv module =
         internal::to_spirv(whole, options.stage, {}, {.unreached = internal::Unreached::kept});
     try {
         if (options.stage != Stage::fragment) require_no_bias(module, source.name);
-        return listed(signatures(module), declared);
+        return listed(compiled(module), declared);
     } catch (const CompileError&) {
         throw;
     } catch (const std::runtime_error& error) {  // the front end does not bound the words of an instruction

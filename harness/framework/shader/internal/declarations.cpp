@@ -89,23 +89,25 @@ std::optional<Declaration> declaration_of(Tokens statement) {
 }
 
 std::vector<Declaration> declarations(std::string preprocessed) {
-    const Outline all = outline(whole_text(std::move(preprocessed)), Keep::line_numbers);
     std::vector<Declaration> found;
-    for (const Piece& piece : all.pieces) {
-        const auto stands_for_it = [&](const Piece& other) {
-            return other.function && (other.function->defined || &other < &piece) &&
-                   declare_the_same(*other.function, *piece.function);
-        };
-        const bool defined = piece.function && piece.function->defined;
-        if (defined || (piece.function && std::ranges::none_of(all.pieces, stands_for_it)))
-            found.push_back(*piece.function);
-    }
+    for (Piece& piece : outline(whole_text(std::move(preprocessed)), Keep::line_numbers).pieces)
+        if (piece.function) found.push_back(std::move(*piece.function));
     return found;
+}
+
+std::vector<Declaration> each_once(std::vector<Declaration> functions) {
+    std::ranges::stable_partition(functions, &Declaration::defined);
+    std::vector<Declaration> once;
+    for (Declaration& function : functions) {
+        const auto is_same = [&](const Declaration& other) { return declare_the_same(other, function); };
+        if (function.defined || std::ranges::none_of(once, is_same)) once.push_back(std::move(function));
+    }
+    return once;
 }
 
 std::string completed(std::string text, const std::vector<Declaration>& functions) {
     text += "\n";
-    for (const Declaration& function : functions) {
+    for (const Declaration& function : each_once(functions)) {
         if (function.defined) continue;
         const bool has_result = function.result != "void";
         text += function.head +

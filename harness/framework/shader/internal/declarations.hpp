@@ -33,9 +33,12 @@ struct Declaration {
 // The function that a statement declares: its parameters follow a type and a name.
 [[nodiscard]] std::optional<Declaration> declaration_of(Tokens statement);
 
-// The functions of a GLSL text, in its order, each once: where it is defined, if it is. The text is
-// preprocessed: lines that begin with # are ignored.
+// The functions that a GLSL text defines and declares, in its order. The text is preprocessed: lines that
+// begin with # are ignored.
 [[nodiscard]] std::vector<Declaration> declarations(std::string preprocessed);
+
+// One declaration for each function: of those that are defined first, then of those that are only declared.
+[[nodiscard]] std::vector<Declaration> each_once(std::vector<Declaration> functions);
 
 // The text with a body for each function without one, and with an empty main if there is none, because SPIR-V
 // contains complete programs only.
