@@ -11,7 +11,7 @@ namespace gloam::effect::ambient_occlusion_test {
 // Opens the device with validation, and fails on any message.
 class Effect : public OnDevice<testing::Test> {
   protected:
-    [[nodiscard]] scene::GBuffer corner(gpu::Extent extent) const { return rasterized("corner", extent); }
+    [[nodiscard]] scene::GBuffer corner(gpu::Extent extent) const { return drawn("corner", extent); }
 };
 
 Settings settings_for(float radius) {

@@ -40,7 +40,7 @@ double rmse_over(const std::vector<float>& image, const std::vector<float>& trut
 class Guard : public OnDevice<testing::Test> {
   protected:
     [[nodiscard]] scene::GBuffer view(const scene::Scene& scene, float guard, int frame = 0) const {
-        return rasterized(scene, extent, {.frame = frame, .motion = true, .guard = double{guard}});
+        return drawn(scene, extent, {.frame = frame, .motion = true, .guard = double{guard}});
     }
 
     // The last of `frames` frames of a moving one.
@@ -211,8 +211,7 @@ using Change = std::function<void(scene::GBuffer&)>;
 class Poison : public OnDevice<testing::Test> {
   protected:
     Poison() {
-        for (int i = 0; i < 8; ++i)
-            views_.push_back(rasterized(scene_, small, {.frame = 20 + i, .motion = true}));
+        for (int i = 0; i < 8; ++i) views_.push_back(drawn(scene_, small, {.frame = 20 + i, .motion = true}));
     }
 
     // All frames, one of them changed.
@@ -299,7 +298,7 @@ TEST_F(Poison, AnotherKindOfProjectionIsNone) {
     const Settings settings = with_radius(Settings{}, 0.4F);
     AmbientOcclusion effect(device_, passes_, small);
     for (int i = 0; i < 4; ++i) {
-        const scene::GBuffer view = rasterized(scene_, small, {.frame = i});
+        const scene::GBuffer view = drawn(scene_, small, {.frame = i});
         i == 0 ? effect.begin(view, settings) : effect.advance(view);
         const Frame frame = effect.next();
         const auto kept = std::ranges::count_if(frame.kept, [](float v) { return v > 0.0F; });

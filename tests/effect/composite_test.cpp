@@ -14,7 +14,7 @@ class CompositePass : public OnDevice<testing::Test> {
 // ISSAO-2 and direct light, in an image whose sides are no multiples of a group's.
 TEST_F(CompositePass, OcclusionDarkensTheAmbientLightAlone) {
     const gpu::Extent extent{37, 21};
-    const scene::GBuffer view = rasterized("corner", extent, {.color = true});
+    const scene::GBuffer view = drawn("corner", extent, {.color = true});
     const scene::SplitLight light = scene::light_of(view, nullptr);
     const auto open = composite_.lit(extent, light, {});
     const auto quarter = composite_.lit(extent, light, std::vector<float>(open.size(), 0.25F));

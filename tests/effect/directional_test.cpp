@@ -74,7 +74,7 @@ TEST_F(Directions, InterleavingStopsAtEdges) {
 
 // With as many samples a pixel, less noise.
 TEST_F(Directions, InterleavingTakesNoise) {
-    const scene::GBuffer view = rasterized("corner", {64, 36});
+    const scene::GBuffer view = drawn("corner", {64, 36});
     const BentNormals truth = directional_.bent_normals(view, many());
     Settings few = many();
     few.samples = 8;
@@ -99,7 +99,7 @@ TEST_F(Directions, HalfABlockedHemisphereBendsBy45Degrees) {
 TEST_F(Directions, WhereNothingIsOpenTheNormalStays) {
     scene::Scene ball{.name = "ball", .mesh = scene::make_sphere({0, 0, 0}, 1.0, 24, 48)};
     ball.camera = {.eye = {0, 0, 0}, .target = {0, 0, -1}, .near = 0.01};
-    const scene::GBuffer view = rasterized(ball, {24, 16});
+    const scene::GBuffer view = drawn(ball, {24, 16});
     Settings settings = with_radius({}, 1e4F);
     settings.samples = 32;
     settings.filter = Filter::none;
@@ -125,7 +125,7 @@ TEST_F(Directions, WhiteLightOnAnOpenPlaneIsWhite) {
 
 // Albedo times light times visibility, whichever directions it is estimated by.
 TEST_F(Directions, ConstantLightIsVisibility) {
-    const scene::GBuffer view = rasterized("corner", {64, 36}, {.color = true});
+    const scene::GBuffer view = drawn("corner", {64, 36}, {.color = true});
     const glm::vec3 radiance(0.5F, 2.0F, 1.0F);
     const DirectionalLight light = directional_.light(view, many(), Sky{radiance, radiance, radiance});
     AmbientOcclusion effect(device_, passes_, view.extent);
@@ -204,7 +204,7 @@ glm::dvec3 bounce_of(const scene::GBuffer& view, const DirectionalLight& light, 
 
 // The corner's walls are red and green.
 TEST_F(Directions, AWallTintsTheFloorBesideIt) {
-    const scene::GBuffer view = rasterized("corner", {64, 36}, {.color = true});
+    const scene::GBuffer view = drawn("corner", {64, 36}, {.color = true});
     const Settings settings = many();
     const DirectionalLight light = directional_.light(view, settings, Sky{});
     int red = 0;
@@ -240,7 +240,7 @@ TEST_F(Directions, BackgroundHasNoBentNormal) {
 }
 
 TEST_F(Directions, WithoutNormalsAndWithABand) {
-    scene::GBuffer view = rasterized("corner", {31, 17}, {.color = true, .guard = 0.25});
+    scene::GBuffer view = drawn("corner", {31, 17}, {.color = true, .guard = 0.25});
     Settings settings = many();
     settings.samples = 16;
     view.normal.clear();

@@ -105,7 +105,7 @@ TEST_F(NormalsFromDepth, OfAnOrthographicViewFaceItsDirection) {
 class EngineInputs : public OnDevice<testing::TestWithParam<Stored>> {
   protected:
     [[nodiscard]] scene::GBuffer view(int frame = 0) const {
-        scene::GBuffer view = rasterized("moving", extent, {.frame = frame});
+        scene::GBuffer view = drawn("moving", extent, {.frame = frame});
         set_planes(view.camera, GetParam());
         view.depth[5] = std::numeric_limits<float>::infinity();
         const scene::Encoding encoding = scene::encoding_named(GetParam().depth, GetParam().normals);
@@ -209,7 +209,7 @@ class OutputFormats : public OnDevice<testing::Test> {};
 // Filtered and not, with a history and without, over two frames; what is displayed alone differs. A store to
 // a half may be rounded towards zero.
 TEST_F(OutputFormats, AddNoMoreThanTheirRounding) {
-    const scene::GBuffer view = rasterized("room", extent, {});
+    const scene::GBuffer view = drawn("room", extent, {});
     const auto frame_in = [&](OutputFormat output, Settings settings) {
         settings.output = output;
         return run(view, settings, 2);
@@ -277,7 +277,7 @@ class InputImages : public OnDevice<testing::TestWithParam<Variant>> {
     [[nodiscard]] std::vector<scene::GBuffer> views() const {
         std::vector<scene::GBuffer> all;
         for (int frame = 0; frame < frames; ++frame) {
-            all.push_back(rasterized("moving", extent, {.frame = frame, .motion = true, .layers = 2}));
+            all.push_back(drawn("moving", extent, {.frame = frame, .motion = true, .layers = 2}));
             if (frame > 0) all.back().normal.clear();
         }
         return all;

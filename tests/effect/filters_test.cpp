@@ -253,7 +253,7 @@ class FiltersInTheEffect : public OnDevice<testing::TestWithParam<std::string>> 
 
 // Of few samples: with many there is less to smooth than there is to blur.
 TEST_P(FiltersInTheEffect, BringTheCornerNearerToItsClosedForm) {
-    const scene::GBuffer view = rasterized("corner", {160, 90});
+    const scene::GBuffer view = drawn("corner", {160, 90});
     const Truth truth = truth_of(view, 1.0, scene::corner_occlusion_at);
     AmbientOcclusion effect(device_, passes_, view.extent);
     Settings few;
@@ -269,7 +269,7 @@ TEST_P(FiltersInTheEffect, AreForDisplayOnly) {
     const scene::Scene scene = scene::make_scene("moving");
     std::vector<scene::GBuffer> views;
     for (const int frame : {0, 1, 2})
-        views.push_back(rasterized("moving", {75, 41}, {.frame = frame, .motion = true}));
+        views.push_back(drawn("moving", {75, 41}, {.frame = frame, .motion = true}));
     for (const auto precision : {HistoryPrecision::float32, HistoryPrecision::packed}) {
         std::vector<Frame> last;
         for (const char* filter : {GetParam().c_str(), "none"}) {

@@ -88,7 +88,7 @@ class FurtherView : public OnDevice<testing::Test> {
 // nearer to the truth; nowhere does it fall. The same view again changes nothing, and a view in which
 // something hides every point changes nothing either.
 TEST_F(FurtherView, WhatOneEyeMissesAnotherSees) {
-    const scene::GBuffer view = rasterized(table(0, 89), extent);
+    const scene::GBuffer view = drawn(table(0, 89), extent);
     Settings settings = with_radius(with_method({}, "gtao"), 0.6F);
     settings.samples = settings.samples_converged = samples;
     settings.history = false;
@@ -102,11 +102,11 @@ TEST_F(FurtherView, WhatOneEyeMissesAnotherSees) {
 
     std::vector<scene::GBuffer> others;
     for (const double azimuth : {0.0, 90.0, 180.0, 270.0})
-        others.push_back(rasterized(table(azimuth, 25), {80, 80}));
+        others.push_back(drawn(table(azimuth, 25), {80, 80}));
     scene::Scene parallel = table(45, 25);
     parallel.camera.projection = scene::Projection::orthographic;
     parallel.camera.view_height = 4.0;
-    others.push_back(rasterized(parallel, {72, 64}));
+    others.push_back(drawn(parallel, {72, 64}));
     const std::vector<float> all = raised(view, once, others, settings);
     std::size_t more = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {

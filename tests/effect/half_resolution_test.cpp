@@ -22,10 +22,10 @@ class HalfSize : public OnDevice<testing::Test> {
     }
 
     [[nodiscard]] scene::GBuffer view(const std::string& scene, int frame = 0,
-                                      scene::RasterizeOptions options = {.motion = true},
+                                      scene::DrawOptions options = {.motion = true},
                                       gpu::Extent size = extent) const {
         options.frame = frame;
-        return rasterized(scene, size, options);
+        return drawn(scene, size, options);
     }
 
     [[nodiscard]] std::vector<scene::GBuffer> views(const std::string& scene, int count,

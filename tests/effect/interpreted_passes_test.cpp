@@ -188,7 +188,7 @@ class InterpretedPasses : public OnDevice<testing::Test> {
     [[nodiscard]] std::vector<scene::GBuffer> moving(gpu::Extent extent) const {
         std::vector<scene::GBuffer> views;
         for (int frame = 0; frame < static_cast<int>(most_frames); ++frame)
-            views.push_back(rasterized("moving", extent, {.frame = frame, .motion = true}));
+            views.push_back(drawn("moving", extent, {.frame = frame, .motion = true}));
         return views;
     }
 
@@ -240,7 +240,7 @@ class InterpretedPasses : public OnDevice<testing::Test> {
 class InterpretedPassesOf : public InterpretedPasses, public testing::WithParamInterface<std::string> {};
 
 TEST_P(InterpretedPassesOf, AreTheDevicesPixelByPixel) {
-    const scene::GBuffer view = rasterized("moving", {13, 9}, {.layers = 2});
+    const scene::GBuffer view = drawn("moving", {13, 9}, {.layers = 2});
     Settings settings = with_radius(with_method({}, GetParam()), 0.5F);
     if (reads(method_named(GetParam()), "layers")) settings.own.layers = 2;
     expect_the_devices({view}, settings, GetParam(), 2);
@@ -284,7 +284,7 @@ TEST_F(InterpretedPasses, WithAPackedHistoryAreTheDevicesPixelByPixel) {
 
 // Those of bent normals, of light and of the lit image.
 TEST_F(InterpretedPasses, BesideTheEffectAreTheDevicesPixelByPixel) {
-    const scene::GBuffer view = rasterized("moving", {13, 9});
+    const scene::GBuffer view = drawn("moving", {13, 9});
     const Settings settings = with_radius({}, 0.5F);
     Directional directional(device_, passes_);
     directional.watch(watcher("directional"));

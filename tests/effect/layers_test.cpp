@@ -26,7 +26,7 @@ class LayersOf : public Layers, public testing::WithParamInterface<std::string> 
 
 // Each can only miss what the others show: the same surface again shows nothing.
 TEST_P(LayersOf, TheSameAgainChangesNothing) {
-    scene::GBuffer view = rasterized("moving", {63, 41}, {.layers = 1});
+    scene::GBuffer view = drawn("moving", {63, 41}, {.layers = 1});
     const double radius = scene::make_scene("moving").ao_radius;
     view.layers.clear();
     const auto once = occlusion(view, settings_of_layers(GetParam(), 1, radius));
@@ -51,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(All, LayersOf, testing::ValuesIn(test::method_names([](
 // A tube before a wall: one layer takes it for as thick as the range, and does not see what it hides.
 TEST_F(Layers, WhatATubeHidesIsFoundAgain) {
     const scene::Scene scene = scene::make_scene("knot");
-    const scene::GBuffer view = rasterized("knot", {96, 54}, {.layers = 4});
+    const scene::GBuffer view = drawn("knot", {96, 54}, {.layers = 4});
     const Truth truth = truth_from(
         view,
         scene::trace_geometry(scene, 0, view, {.rays = {.radius = scene.ao_radius, .rays = 128}}).occlusion);
@@ -66,7 +66,7 @@ TEST_F(Layers, WhatATubeHidesIsFoundAgain) {
 }
 
 TEST_F(Layers, MoreThanTheViewHasAreRefused) {
-    const scene::GBuffer view = rasterized("corner", {8, 8}, {.layers = 2});
+    const scene::GBuffer view = drawn("corner", {8, 8}, {.layers = 2});
     AmbientOcclusion effect(device_, passes_, view.extent);
     Settings settings;
     settings.own.layers = 3;

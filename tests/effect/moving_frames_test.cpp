@@ -120,7 +120,7 @@ constexpr int first_frame = 20;
 class MotionVectors : public OnDevice<testing::Test> {
   protected:
     [[nodiscard]] scene::GBuffer frame(int number) const {
-        return rasterized("moving", extent, {.frame = first_frame + number, .motion = true});
+        return drawn("moving", extent, {.frame = first_frame + number, .motion = true});
     }
 
     // What the pass writes for a view. unit: of the vectors, pixels.

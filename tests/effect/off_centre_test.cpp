@@ -31,7 +31,7 @@ class OffCentre : public OnDevice<testing::TestWithParam<std::tuple<scene::Proje
         scene.camera.projection = std::get<0>(GetParam());
         scene.camera.reversed_z = std::get<1>(GetParam());
         scene.camera.view_height = 2.5;
-        scene::GBuffer view = rasterized(scene, extent);
+        scene::GBuffer view = drawn(scene, extent);
         view.stored = stored_inputs(view, encoding_);
         return view;
     }

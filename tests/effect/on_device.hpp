@@ -4,9 +4,8 @@
 
 #include "effect/ambient_occlusion.hpp"
 #include "effect/internal/steps.hpp"
-#include "scene/gbuffer.hpp"
+#include "scene/draw.hpp"
 #include "scene/pass_library.hpp"
-#include "scene/rasterize.hpp"
 #include "scene/scene.hpp"
 #include "support/shared_device.hpp"
 
@@ -110,18 +109,18 @@ class OnDevice : public Base {
         return effect;
     }
 
-    [[nodiscard]] scene::GBuffer rasterized(const scene::Scene& scene, gpu::Extent extent,
-                                            const scene::RasterizeOptions& options = {}) const {
-        return scene::rasterize(device_, passes_, scene, extent, options);
+    [[nodiscard]] scene::GBuffer drawn(const scene::Scene& scene, gpu::Extent extent,
+                                       const scene::DrawOptions& options = {}) const {
+        return scene::draw(scene, extent, options);
     }
     // A view of a built-in scene, drawn once for all tests of a suite.
-    [[nodiscard]] const scene::GBuffer& rasterized(const std::string& scene, gpu::Extent extent,
-                                                   const scene::RasterizeOptions& options = {}) const {
+    [[nodiscard]] const scene::GBuffer& drawn(const std::string& scene, gpu::Extent extent,
+                                              const scene::DrawOptions& options = {}) const {
         const auto& [frame, motion, ids, color, layers, guard] = options;
         const Drawing drawing{scene, extent.width, extent.height, frame, motion, ids, color, layers, guard};
         const auto known = shared_->drawn.find(drawing);
         if (known != shared_->drawn.end()) return known->second;
-        return shared_->drawn.emplace(drawing, rasterized(scene::make_scene(scene), extent, options))
+        return shared_->drawn.emplace(drawing, drawn(scene::make_scene(scene), extent, options))
             .first->second;
     }
 

@@ -147,7 +147,7 @@ constexpr std::array device_names{"gl:llvmpipe-4.5", "es:llvmpipe-3.1"};
 
 TEST_P(OpenGlPasses, GiveThePictureOfVulkan) {
     const gpu::Extent extent{49, 35};
-    const scene::GBuffer view = rasterized("room", extent, {});
+    const scene::GBuffer view = drawn("room", extent, {});
     Settings settings = with_method(preset_named("tssao-paper").settings, GetParam());
     settings.skip_settled = settings.skip_filtered = settings.skip_background = false;
     const Plan plan = plan_of(settings, {.view = extent});

@@ -20,7 +20,7 @@ Settings settings_of(const Preset& preset, double radius) {
 class Pictures : public OnDevice<testing::Test> {
   protected:
     [[nodiscard]] scene::GBuffer view(const scene::Scene& scene, int frame, gpu::Extent size = extent) const {
-        return rasterized(scene, size, {.frame = frame, .motion = true, .ids = true});
+        return drawn(scene, size, {.frame = frame, .motion = true, .ids = true});
     }
 
     [[nodiscard]] static Truth truth(const scene::Scene& scene, int frame, const scene::GBuffer& view) {

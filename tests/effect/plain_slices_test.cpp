@@ -39,7 +39,7 @@ class PlainSlicesTest : public OnDevice<testing::Test> {
 // With many taps the two images differ by what a tap's pixel makes of them; with another radius by far more.
 TEST_F(PlainSlicesTest, EstimatesWhatGtaoEstimates) {
     const scene::Scene scene = scene::make_scene("columns");
-    const scene::GBuffer view = rasterized(scene, extent);
+    const scene::GBuffer view = drawn(scene, extent);
     const SliceTaps taps{.slices = 24, .steps = 12};
     const PlainFrame frame = plain(view, scene.ao_radius, taps);
     AmbientOcclusion effect(device_, passes_, extent);
@@ -54,7 +54,7 @@ TEST_F(PlainSlicesTest, EstimatesWhatGtaoEstimates) {
 
 TEST_F(PlainSlicesTest, TheBlurRemovesNoiseAndKeepsToTheSurface) {
     const scene::Scene scene = scene::make_scene("columns");
-    const scene::GBuffer view = rasterized(scene, extent);
+    const scene::GBuffer view = drawn(scene, extent);
     const Truth limit = truth_from(view, plain(view, scene.ao_radius, {.slices = 24, .steps = 12}).occlusion);
     const PlainFrame frame = plain(view, scene.ao_radius, {.slices = 1, .steps = 2});
     EXPECT_LT(errors_of(frame.blurred, limit).rmse, 0.7 * errors_of(frame.occlusion, limit).rmse);
@@ -69,7 +69,7 @@ TEST_F(PlainSlicesTest, TheBlurRemovesNoiseAndKeepsToTheSurface) {
 // The second blur takes what the first has made.
 TEST_F(PlainSlicesTest, BlursAsOftenAsAsked) {
     const scene::Scene scene = scene::make_scene("columns");
-    const scene::GBuffer view = rasterized(scene, extent);
+    const scene::GBuffer view = drawn(scene, extent);
     std::vector<PlainFrame> frames;
     for (const int blurs : {0, 1, 2}) {
         PlainSlices slices(device_, passes_, view.extent, {.slices = 1, .steps = 2}, blurs);
@@ -110,7 +110,7 @@ TEST_F(PlainSlicesTest, ARadiusOfLessThanAPixelSeesNothing) {
 }
 
 TEST_F(PlainSlicesTest, WhatItDoesNotTakeIsRefused) {
-    const scene::GBuffer view = rasterized("columns", extent);
+    const scene::GBuffer view = drawn("columns", extent);
     EXPECT_THROW(PlainSlices(device_, passes_, extent, {.slices = 0, .steps = 2}), std::invalid_argument);
     EXPECT_THROW(PlainSlices(device_, passes_, extent, {}, -1), std::invalid_argument);
     PlainSlices slices(device_, passes_, extent, {});
@@ -153,9 +153,9 @@ class HoistedLoops : public OnDevice<testing::TestWithParam<std::string>> {
             with_radius(preset_named("tssao-paper").settings, static_cast<float>(scene.ao_radius)),
             GetParam());
         settings.samples_converged = converged;
-        effect.begin(rasterized("moving", odd, {.frame = 0}), settings);
+        effect.begin(drawn("moving", odd, {.frame = 0}), settings);
         std::vector<Frame> frames{effect.next()};
-        effect.advance(rasterized("moving", odd, {.frame = 1}));
+        effect.advance(drawn("moving", odd, {.frame = 1}));
         frames.push_back(effect.next());
         return frames;
     }

@@ -29,8 +29,8 @@ Settings without_tiles(Settings settings) {
 
 TEST_F(PlanTest, IsWhatAFrameRuns) {
     const gpu::Extent extent{33, 17};
-    const scene::GBuffer first = rasterized("room", extent, {.frame = 0});
-    const scene::GBuffer second = rasterized("room", extent, {.frame = 1});
+    const scene::GBuffer first = drawn("room", extent, {.frame = 0});
+    const scene::GBuffer second = drawn("room", extent, {.frame = 1});
     for (const char* method : {"hemisphere", "mssao", "dual_resolution", "sao_chain", "separable"}) {
         for (const char* preset :
              {"tssao-paper", "balanced", "balanced, half", "balanced, frames alone", "tssao-paper, half"}) {

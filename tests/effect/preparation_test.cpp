@@ -70,7 +70,7 @@ TEST_P(Prepared, SettingsOfSamplesReachThePreparation) {
 }
 
 TEST_P(Prepared, RepeatsChangeNothing) {
-    const scene::GBuffer view = rasterized("corner", {63, 37});
+    const scene::GBuffer view = drawn("corner", {63, 37});
     const Settings settings = settings_for(GetParam(), 1.0F);
     const Frame once = run(view, settings, 3);
     expect_same_images(once, run(view, settings, 3, 3));
@@ -79,7 +79,7 @@ TEST_P(Prepared, RepeatsChangeNothing) {
 
 // What is prepared for the band alone is left out; the frame stays as it was.
 TEST_P(Prepared, TheBandIsReadWithoutBeingShaded) {
-    const scene::GBuffer view = rasterized("corner", {63, 37}, {.guard = 0.1});
+    const scene::GBuffer view = drawn("corner", {63, 37}, {.guard = 0.1});
     Settings settings = settings_for(GetParam(), 1.0F);
     settings.guard = 0.1F;
     const Frame shaded = run(view, settings);
@@ -90,7 +90,7 @@ TEST_P(Prepared, TheBandIsReadWithoutBeingShaded) {
 }
 
 TEST_P(Prepared, ATimeForEachPassAndNoneForOtherMethods) {
-    const scene::GBuffer view = rasterized("corner", {33, 21});
+    const scene::GBuffer view = drawn("corner", {33, 21});
     Settings settings = settings_for(GetParam(), 1.0F);
     settings.skip_background = settings.skip_settled = settings.skip_filtered = false;
     settings.sample_table = false;
@@ -123,7 +123,7 @@ using DualResolution = Prepared;
 // The texels of the chain are pixels of the full image.
 TEST_F(DepthChain, IsTheFullImageToTheBit) {
     for (const gpu::Extent extent : {gpu::Extent{96, 54}, gpu::Extent{97, 53}, gpu::Extent{61, 1}}) {
-        const scene::GBuffer view = rasterized("corner", extent);
+        const scene::GBuffer view = drawn("corner", extent);
         Settings settings = settings_for("sao", 1.5F);
         settings.own.mip_distance = 2.0F;
         const Frame full = run(view, settings, 3);
@@ -195,7 +195,7 @@ bool disagrees(const std::vector<float>& full, glm::ivec2 size, glm::ivec2 pixel
 TEST_F(DualResolution, IsHbaoWhereItIsNotInterpolated) {
     for (const glm::ivec2 size : {glm::ivec2(64, 36), glm::ivec2(63, 37)}) {
         const scene::GBuffer view =
-            rasterized("corner", {static_cast<std::uint32_t>(size.x), static_cast<std::uint32_t>(size.y)});
+            drawn("corner", {static_cast<std::uint32_t>(size.x), static_cast<std::uint32_t>(size.y)});
         Settings settings = settings_for("hbao", 1.0F);
         settings.c_rot = 0.0F;
         const std::vector<float> full = run(view, settings).occlusion;

@@ -11,7 +11,7 @@ namespace gloam::effect::sample_settings_test {
 class SampleSettings : public OnDevice<testing::Test> {
   protected:
     [[nodiscard]] Frame frame_of(const Settings& settings, int frames = 1) const {
-        return run(rasterized(scene_, {96, 64}), settings, frames);
+        return run(drawn(scene_, {96, 64}), settings, frames);
     }
 
     // Of the scene's radius, every sample taken and counted.
@@ -234,7 +234,7 @@ TEST_F(SampleSettings, PreparedDirectionsAreRotatedAlike) {
         effect.watch([&](const Step& pass, bool after) {
             if (after && pass.name == "first_direction") prepared = image_of(pass, 3).download();
         });
-        effect.begin(rasterized(scene_, {96, 64}), settings);
+        effect.begin(drawn(scene_, {96, 64}), settings);
         const std::vector<float> shown = effect.next().occlusion;
         return std::pair(prepared, shown);
     };
@@ -272,7 +272,7 @@ template <class Base>
 class WithView : public OnDevice<Base> {
   protected:
     [[nodiscard]] scene::GBuffer view(int frame) const {
-        return this->rasterized("moving", odd, {.frame = frame, .motion = true});
+        return this->drawn("moving", odd, {.frame = frame, .motion = true});
     }
 
     [[nodiscard]] static Settings settings_for(const std::string& method) {

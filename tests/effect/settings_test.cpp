@@ -287,7 +287,7 @@ class EverySetting : public OnDevice<testing::Test> {
     [[nodiscard]] std::vector<float> render(const Settings& settings) const {
         std::vector<float> image;
         for (int i = 0; i < 5; ++i) {
-            const scene::GBuffer view = rasterized(
+            const scene::GBuffer view = drawn(
                 scene_, {72, 48},
                 {.frame = i, .motion = true, .layers = settings.own.layers, .guard = double{settings.guard}});
             AmbientOcclusion& effect = effect_for(view.extent);

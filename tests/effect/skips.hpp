@@ -19,7 +19,7 @@ class Skips : public OnDevice<testing::Test> {
   protected:
     [[nodiscard]] scene::GBuffer view(const std::string& name, int frame, gpu::Extent extent = odd,
                                       double guard = 0.0) const {
-        return rasterized(name, extent, {.frame = frame, .motion = true, .guard = guard});
+        return drawn(name, extent, {.frame = frame, .motion = true, .guard = guard});
     }
 
     [[nodiscard]] Settings settings_for(const std::string& name) const {

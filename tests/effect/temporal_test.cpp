@@ -16,7 +16,7 @@ Settings paper() {
 class Temporal : public OnDevice<testing::Test> {
   protected:
     [[nodiscard]] scene::GBuffer view(const scene::Scene& scene, int frame, bool motion = true) const {
-        return rasterized(scene, extent, {.frame = frame, .motion = motion});
+        return drawn(scene, extent, {.frame = frame, .motion = motion});
     }
 
     // The last of `frames` frames; each result is passed on.
@@ -59,9 +59,7 @@ TEST_F(Temporal, HistoryFollowsAPanningCamera) {
     const scene::Scene scene = panned(floor_and_wall(false), 0.02);
     const Settings settings = paper();
     const Frame moving = run(scene, settings, 8);
-    Settings single = settings;
-    single.depth_tolerance = 1e-9F;  // no history passes
-    const Frame alone = run(scene, single, 8);
+    const Frame alone = OnDevice::run(view(scene, 7), settings);
     const std::vector<float> truth = converged(scene, 7, settings);
     const double with_history = errors_of(moving.occlusion, truth).rmse;
     const double without = errors_of(alone.occlusion, truth).rmse;
@@ -85,7 +83,7 @@ TEST_F(Temporal, DisoccludedPixelsHaveNoHistory) {
     effect.begin(before, paper());
     (void)effect.next();
     for (int i = 1; i < 4; ++i) {
-        const scene::GBuffer now = rasterized(scene, extent, {.frame = i, .motion = true, .ids = true});
+        const scene::GBuffer now = drawn(scene, extent, {.frame = i, .motion = true, .ids = true});
         effect.advance(now);
         const Frame frame = effect.next();
         std::size_t uncovered = 0;
@@ -108,7 +106,7 @@ TEST_F(Temporal, HistoryMovesWithAnObject) {
     Frame frame = effect.next();
     scene::GBuffer now;
     for (int i = 1; i < 5; ++i) {
-        now = rasterized(scene, extent, {.frame = i, .motion = true, .ids = true});
+        now = drawn(scene, extent, {.frame = i, .motion = true, .ids = true});
         effect.advance(now);
         frame = effect.next();
     }
@@ -132,7 +130,7 @@ TEST_F(Temporal, ACutAndAnotherSizeForget) {
     effect.advance(view(scene, 0));  // frame 0 knows no frame before: a cut
     EXPECT_EQ(mean_of(effect.next().kept), 0.0);
     const gpu::Extent other{40, 30};
-    effect.advance(rasterized(scene, other, {.frame = 2, .motion = true}));
+    effect.advance(drawn(scene, other, {.frame = 2, .motion = true}));
     const Frame resized = effect.next();
     EXPECT_EQ(resized.occlusion.size(), std::size_t{other.width} * other.height);
     EXPECT_EQ(mean_of(resized.kept), 0.0);

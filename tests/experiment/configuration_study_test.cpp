@@ -251,7 +251,7 @@ TEST_F(TemporalQuality, EveryDriverGivesTheSameOcclusion) {
     const scene::Scene scene = scene::make_scene("moving");
     std::vector<scene::GBuffer> sequence;
     for (int i = 0; i < 6; ++i)
-        sequence.push_back(scene::rasterize(device_, passes_, scene, {64, 36}, {.frame = i, .motion = true}));
+        sequence.push_back(scene::draw(scene, {64, 36}, {.frame = i, .motion = true}));
     const Settings settings = settings_for("tssao-paper", scene);
     const std::vector<float> expected = after_frames(device_, passes_, sequence, settings);
     std::size_t others = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "scene/draw.hpp"
 #include "scene/mesh.hpp"
-#include "scene/rasterize.hpp"
 #include "scene/scene.hpp"
 #include "scene/support.hpp"
 
@@ -67,17 +67,6 @@ TEST(Scenes, TheCornerIsExact) {
         ASSERT_TRUE(p.x == 0.0F || p.y == 0.0F || p.z == 0.0F);
 }
 
-class BuiltInScenes : public gpu::test::GpuTest {
-  protected:
-    GBuffer shot(const std::string& name, gpu::Extent extent, int frame = 0) {
-        return rasterize(device(), passes_, make_scene(name), extent,
-                         {.frame = frame, .motion = true, .ids = true});
-    }
-
-  private:
-    PassLibrary passes_{GLOAM_GLSL_DIR};
-};
-
 // FNV-1a of every float and index of a scene's meshes.
 std::uint64_t hash_of(const Scene& scene) {
     std::uint64_t hash = 0xcbf29ce484222325U;
@@ -95,12 +84,16 @@ std::uint64_t hash_of(const Scene& scene) {
     return hash;
 }
 
+GBuffer shot(const std::string& name, gpu::Extent extent, int frame = 0) {
+    return draw(make_scene(name), extent, {.frame = frame, .ids = true});
+}
+
 double background_of(const GBuffer& view) {
     const auto count = std::ranges::count_if(view.depth, [](float d) { return std::isinf(d); });
     return static_cast<double>(count) / static_cast<double>(view.depth.size());
 }
 
-TEST_F(BuiltInScenes, AreTheSameEveryTime) {
+TEST(BuiltInScenes, AreTheSameEveryTime) {
     for (const SceneInfo& info : built_in_scenes()) {
         const Scene scene = make_scene(info.name);
         EXPECT_EQ(hash_of(scene), hash_of(make_scene(info.name))) << info.name;
@@ -110,7 +103,7 @@ TEST_F(BuiltInScenes, AreTheSameEveryTime) {
 
 // Each is a function of the frame's number: no frame depends on which were asked for before, and the motion
 // from one to the next is small.
-TEST_F(BuiltInScenes, MoveSmoothly) {
+TEST(BuiltInScenes, MoveSmoothly) {
     for (const SceneInfo& info : built_in_scenes()) {
         const Scene scene = make_scene(info.name);
         const Camera again = camera_at(scene, 5);
@@ -132,7 +125,7 @@ TEST_F(BuiltInScenes, MoveSmoothly) {
     }
 }
 
-TEST_F(BuiltInScenes, ShowWhatTheyAreFor) {
+TEST(BuiltInScenes, ShowWhatTheyAreFor) {
     const GBuffer columns = shot("columns", {160, 90});
     EXPECT_LT(*std::ranges::min_element(columns.depth), 0.11F);
     EXPECT_GT(*std::ranges::max_element(columns.depth), 195.0F);
@@ -148,148 +141,9 @@ TEST_F(BuiltInScenes, ShowWhatTheyAreFor) {
     }
 }
 
-// Where a pixel was a frame ago, by its object's and the camera's own motion, calculated apart.
-TEST_F(BuiltInScenes, MotionIsThatOfTheObject) {
-    for (const char* name : {"moving", "far", "sky"}) {
-        const Scene scene = make_scene(name);
-        constexpr int frame = 20;
-        const GBuffer view = shot(name, {96, 54}, frame);
-        const Camera now = camera_at(scene, frame);
-        const Camera before = camera_at(scene, frame - 1);
-        int judged = 0;
-        for (std::size_t i = 0; i < view.depth.size(); ++i) {
-            if (std::isinf(view.depth[i])) {
-                EXPECT_EQ(view.motion[i], glm::vec3(0));
-                EXPECT_EQ(view.previous_position[i], glm::vec3(0));
-                continue;
-            }
-            const glm::dvec2 size(96, 54);
-            const glm::dvec2 pixel(static_cast<double>(i % 96) + 0.5, static_cast<double>(i / 96) + 0.5);
-            const glm::dvec2 scale = view.camera.p00_p11();
-            const double d = view.depth[i];
-            const glm::dvec3 here((2.0 * pixel / size - 1.0) / scale * d, -d);
-            glm::dvec3 world = now.eye + glm::transpose(view_rotation(now)) * here;
-            if (view.object[i] > 0) {
-                const auto& transform = scene.objects[view.object[i] - 1].transform;
-                world = transform(frame - 1) * glm::inverse(transform(frame)) * glm::dvec4(world, 1.0);
-            }
-            const glm::dvec3 then = view_rotation(before) * (world - before.eye);
-            ASSERT_LT(glm::distance(then, glm::dvec3(view.previous_position[i])), 1e-5 * d)
-                << name << " " << i;
-            const glm::dvec2 place = (0.5 * glm::dvec2(then) * scale / -then.z + 0.5) * size;
-            ASSERT_LT(glm::distance(glm::dvec2(view.motion[i]), pixel - place), 2e-3) << name << " " << i;
-            ++judged;
-        }
-        EXPECT_GT(judged, 300) << name;
-    }
-}
-
-TEST_F(BuiltInScenes, TheFirstFrameHasNoHistory) {
-    const GBuffer first = shot("moving", {32, 18});
-    EXPECT_FALSE(first.camera.previous_view);
-    EXPECT_FALSE(first.camera.previous_from_current);
-    for (const glm::vec3& m : first.motion) EXPECT_EQ(m, glm::vec3(0));
-    const GBuffer second = shot("moving", {32, 18}, 1);
-    ASSERT_TRUE(second.camera.previous_view);
-    EXPECT_EQ(*second.camera.previous_view, first.camera.view);
-    EXPECT_TRUE(second.camera.previous_from_current);
-}
-
-// Drawn with the extras and without, the rest is the same to the bit.
-TEST_F(BuiltInScenes, ExtrasChangeNothingElse) {
-    PassLibrary passes(GLOAM_GLSL_DIR);
-    const Scene scene = make_scene("moving");
-    const GBuffer plain = rasterize(device(), passes, scene, {64, 36}, {.frame = 9});
-    const GBuffer full = shot("moving", {64, 36}, 9);
-    EXPECT_EQ(bits(plain.depth), bits(full.depth));
-    EXPECT_EQ(plain.normal, full.normal);
-    EXPECT_TRUE(plain.motion.empty() && plain.previous_position.empty() && plain.object.empty() &&
-                plain.triangle.empty());
-    const GBuffer ids = rasterize(device(), passes, scene, {64, 36}, {.frame = 9, .ids = true});
-    EXPECT_EQ(ids.object, full.object);
-    EXPECT_TRUE(ids.motion.empty());
-}
-
-// The triangle that a pixel names holds the pixel's surface.
-TEST_F(BuiltInScenes, TrianglesAreThoseOfTheMesh) {
-    const Scene scene = make_scene("moving");
-    const GBuffer view = shot("moving", {64, 36}, 4);
-    const Mesh mesh = view_space_mesh(scene, 4);
-    for (std::size_t i = 0; i < view.depth.size(); ++i) {
-        ASSERT_LT(view.triangle[i], mesh.triangle_count());
-        const std::uint32_t* corner = &mesh.indices[3 * std::size_t{view.triangle[i]}];
-        const glm::dvec3 a = mesh.positions[corner[0]];
-        const glm::dvec3 normal = glm::normalize(
-            glm::cross(glm::dvec3(mesh.positions[corner[1]]) - a, glm::dvec3(mesh.positions[corner[2]]) - a));
-        const glm::dvec2 ndc{(2.0 * static_cast<double>(i % 64) + 1.0) / 64.0 - 1.0,
-                             (2.0 * static_cast<double>(i / 64) + 1.0) / 36.0 - 1.0};
-        const double d = view.depth[i];
-        const glm::dvec3 at(ndc / glm::dvec2(view.camera.p00_p11()) * d, -d);
-        ASSERT_LT(std::abs(glm::dot(normal, at - a)), 1e-5 * d) << i;
-    }
-    const GBuffer sky = shot("sky", {64, 36});
-    EXPECT_EQ(sky.triangle.front(), 0xFFFFFFFFU);
-    EXPECT_EQ(sky.object.front(), 0U);
-}
-
-TEST_F(BuiltInScenes, FramesAndObjectsThatCannotBe) {
-    PassLibrary passes(GLOAM_GLSL_DIR);
-    Scene scene = make_scene("moving");
-    expect_error<std::invalid_argument>(
-        [&] { (void)rasterize(device(), passes, scene, {4, 4}, {.frame = -1}); }, {"frame -1", "moving"});
-    scene.objects[1].mesh.indices[0] = 1'000'000;
-    expect_error<std::invalid_argument>([&] { (void)rasterize(device(), passes, scene, {4, 4}); },
-                                        {"moving, object 2", "index 1000000"});
-    scene.objects[1].transform = nullptr;
-    expect_error<std::invalid_argument>([&] { (void)rasterize(device(), passes, scene, {4, 4}); },
-                                        {"object 2", "transform"});
-}
-
 TEST(RigidMotion, TurnsThenMoves) {
     const glm::dvec4 moved = rigid_motion({1, 2, 3}, std::acos(-1.0) / 2, {0, 1, 0}) * glm::dvec4(0, 0, 1, 1);
     EXPECT_LT(glm::distance(glm::dvec3(moved), glm::dvec3(2, 2, 3)), 1e-12);
-}
-
-std::size_t hidden(const Mesh& mesh, bool orthographic = false) {
-    const std::vector<bool> triangles = hidden_far_sides(mesh, orthographic);
-    return static_cast<std::size_t>(std::ranges::count(triangles, true));
-}
-
-// A box of 12 triangles, straight before the eye.
-Mesh box(double near = -5.0) {
-    return make_box({-1, -1, near - 2.0}, {1, 1, near}, 10.0);
-}
-
-TEST(ClosedParts, OnlyTheFrontOfABoxIsSeen) {
-    EXPECT_EQ(hidden(box()), 10U);
-    EXPECT_EQ(hidden(box(), true), 10U);
-}
-
-TEST(ClosedParts, FromWithinEverySideIsSeen) {
-    EXPECT_EQ(hidden(box(1.0)), 0U);
-}
-
-TEST(ClosedParts, WhatIsOpenHasTwoSides) {
-    EXPECT_EQ(hidden(make_parallelogram({-1, -1, -5}, {0, 2, 0}, {2, 0, 0}, 1.0)), 0U);
-    Mesh without_a_triangle = box();
-    without_a_triangle.indices.resize(without_a_triangle.indices.size() - 3);
-    EXPECT_EQ(hidden(without_a_triangle), 0U);
-}
-
-TEST(ClosedParts, TrianglesThatFaceInwardAreSeen) {
-    Mesh inward = box();
-    for (std::size_t i = 0; i < inward.indices.size(); i += 3)
-        std::swap(inward.indices[i], inward.indices[i + 1]);
-    EXPECT_EQ(hidden(inward), 0U);
-}
-
-// Parts of one mesh are told apart by their positions.
-TEST(ClosedParts, EachPartIsJudgedAlone) {
-    Mesh mesh = make_parallelogram({-9, -2, -9}, {0, 0, 9}, {18, 0, 0}, 20.0);
-    append(mesh, box());
-    append(mesh, make_box({4, -1, -7}, {6, 1, -5}, 10.0));
-    // Of the box to the right, the front and the left side are seen.
-    EXPECT_EQ(hidden(mesh), 10U + 8U);
 }
 
 }  // namespace gloam::scene::test::scenes_test

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "backend/vulkan/gpu_test.hpp"
-#include "scene/pass_library.hpp"
 #include "scene/read_gbuffer.hpp"
+#include "support/environment.hpp"
+#include "support/files.hpp"
 
 namespace gloam::scene::test {
-
-// A test that draws.
-class SceneTest : public gpu::test::GpuTest {
-  protected:
-    const PassLibrary passes_{GLOAM_GLSL_DIR, gloam::test::cache_directory()};
-};
 
 inline std::vector<float> components(const std::vector<glm::vec3>& vectors) {
     std::vector<float> values;

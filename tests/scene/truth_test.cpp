@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/truth.hpp"
-#include "scene/gbuffer.hpp"
+#include "scene/draw.hpp"
 #include "scene/mesh.hpp"
 #include "scene/picture_light.hpp"
-#include "scene/rasterize.hpp"
 #include "scene/scene.hpp"
 #include "scene/support.hpp"
 
@@ -12,15 +11,9 @@ namespace gloam::scene::test::truth_test {
 using scene::GBuffer;
 using scene::PictureLight;
 
-class TruthTest : public gpu::test::GpuTest {
-  protected:
-    GBuffer shot(const Scene& scene, gpu::Extent extent, int frame = 0) {
-        return rasterize(device(), passes_, scene, extent, {.frame = frame});
-    }
-
-  private:
-    PassLibrary passes_{GLOAM_GLSL_DIR};
-};
+GBuffer shot(const Scene& scene, gpu::Extent extent, int frame = 0) {
+    return draw(scene, extent, {.frame = frame});
+}
 
 TruthSettings settings(double radius, int rays, unsigned threads = 0) {
     return {.rays = {.radius = radius, .rays = rays}, .threads = threads};
@@ -28,7 +21,7 @@ TruthSettings settings(double radius, int rays, unsigned threads = 0) {
 
 // A rendered view of the corner against its closed form, pixel by pixel: as often beyond one, two and three
 // standard errors as Student's t with 15 degrees of freedom is.
-TEST_F(TruthTest, OfTheCornerIsItsClosedForm) {
+TEST(TruthTest, OfTheCornerIsItsClosedForm) {
     const Scene scene = make_scene("corner");
     const GBuffer view = shot(scene, {64, 48});
     const TracedTruth truth = trace_geometry(scene, 0, view, settings(1.0, 256));
@@ -56,7 +49,7 @@ TEST_F(TruthTest, OfTheCornerIsItsClosedForm) {
     EXPECT_EQ(truth.unmatched, 0U);
 }
 
-TEST_F(TruthTest, IsTheSameForAnyNumberOfThreads) {
+TEST(TruthTest, IsTheSameForAnyNumberOfThreads) {
     const Scene scene = make_scene("moving");
     const GBuffer view = shot(scene, {48, 27}, 3);
     const TracedTruth one = trace_geometry(scene, 3, view, settings(0.4, 64, 1));
@@ -70,7 +63,7 @@ TEST_F(TruthTest, IsTheSameForAnyNumberOfThreads) {
 }
 
 // A hundred kilometres away the same shapes have the same occlusion, to the rays' error.
-TEST_F(TruthTest, FarFromTheOriginIsAsGoodAsNearIt) {
+TEST(TruthTest, FarFromTheOriginIsAsGoodAsNearIt) {
     Scene far = make_scene("far");
     Scene near = far;
     const glm::dvec3 shift = -glm::round(far.camera.target);
@@ -96,7 +89,7 @@ TEST_F(TruthTest, FarFromTheOriginIsAsGoodAsNearIt) {
 
 // Every pixel finds its surface again, and no point is shut in by accident: dots that are blocked all around
 // between neighbours that are not.
-TEST_F(TruthTest, OfEveryBuiltInSceneHasNoHolesAndNoDots) {
+TEST(TruthTest, OfEveryBuiltInSceneHasNoHolesAndNoDots) {
     for (const SceneInfo& info : built_in_scenes()) {
         const Scene scene = make_scene(info.name);
         for (const int frame : {0, 17}) {
@@ -114,7 +107,7 @@ TEST_F(TruthTest, OfEveryBuiltInSceneHasNoHolesAndNoDots) {
     }
 }
 
-TEST_F(TruthTest, TellsHowFarItIs) {
+TEST(TruthTest, TellsHowFarItIs) {
     const Scene scene = make_scene("corner");
     const GBuffer view = shot(scene, {32, 18});
     TruthSettings watched = settings(0.5, 32, 2);
@@ -127,7 +120,7 @@ TEST_F(TruthTest, TellsHowFarItIs) {
     EXPECT_GT(told.front(), 0.0);
 }
 
-TEST_F(TruthTest, OfWhatCannotBeTraced) {
+TEST(TruthTest, OfWhatCannotBeTraced) {
     Scene scene = make_scene("corner");
     GBuffer view = shot(scene, {8, 8});
     expect_error<std::invalid_argument>([&] { (void)trace_geometry(scene, 0, view, settings(0.5, 0)); },
@@ -146,7 +139,7 @@ TEST_F(TruthTest, OfWhatCannotBeTraced) {
                                         {"0 normals", "64 pixels"});
 }
 
-TEST_F(TruthTest, IsKept) {
+TEST(TruthTest, IsKept) {
     const TemporaryDirectory folder;
     const TruthCache cache(folder.path() / "truth");
     const Scene scene = make_scene("moving");
@@ -176,7 +169,7 @@ TEST_F(TruthTest, IsKept) {
     EXPECT_EQ(traced, 6);
 }
 
-TEST_F(TruthTest, ThatIsDamagedIsTracedAgain) {
+TEST(TruthTest, ThatIsDamagedIsTracedAgain) {
     const TemporaryDirectory folder;
     const TruthCache cache(folder.path());
     const Scene scene = make_scene("moving");
@@ -196,7 +189,7 @@ TEST_F(TruthTest, ThatIsDamagedIsTracedAgain) {
 }
 
 // A whole file of the same size is the truth of something else, under another's name.
-TEST_F(TruthTest, ThatWasExchangedIsTracedAgain) {
+TEST(TruthTest, ThatWasExchangedIsTracedAgain) {
     const TemporaryDirectory folder;
     const TruthCache cache(folder.path());
     const Scene scene = make_scene("moving");

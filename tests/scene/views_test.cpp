@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A sequence read from files is linked as the rasterizer links it.
-#include "scene/gbuffer.hpp"
-#include "scene/rasterize.hpp"
+// A sequence read from files is linked as draw() links it.
+#include "scene/draw.hpp"
 #include "scene/scene.hpp"
 #include "scene/support.hpp"
 
@@ -9,10 +8,10 @@ namespace gloam::scene::test::views_test {
 
 constexpr gpu::Extent extent{96, 54};
 
-class FrameLink : public SceneTest {
+class FrameLink : public testing::Test {
   protected:
-    GBuffer shot(const Scene& scene, int frame, double guard = 0.0) {
-        return rasterize(device(), passes_, scene, extent, {.frame = frame, .motion = true, .guard = guard});
+    static GBuffer shot(const Scene& scene, int frame, double guard = 0.0) {
+        return draw(scene, extent, {.frame = frame, .motion = true, .guard = guard});
     }
 
     // As an engine would write it and gloam reads it.
@@ -123,13 +122,9 @@ TEST(FrameLinkOf, DepthsWithoutMotionAreAnError) {
 
 constexpr gpu::Extent frame{160, 90};
 
-class GuardBand : public SceneTest {
-  protected:
-    GBuffer shot(const Scene& scene, double guard, int number = 0, bool motion = false) {
-        return rasterize(device(), passes_, scene, frame,
-                         {.frame = number, .motion = motion, .ids = motion, .guard = guard});
-    }
-};
+GBuffer shot(const Scene& scene, double guard, int number = 0, bool motion = false) {
+    return draw(scene, frame, {.frame = number, .motion = motion, .ids = motion, .guard = guard});
+}
 
 TEST(GuardBorder, IsWholePixelsOfEachSide) {
     EXPECT_EQ(guard_border({640, 360}, 0.1), (gpu::Extent{64, 36}));
@@ -172,9 +167,9 @@ TEST(GuardBorder, InnerPixelsLookAlongTheSameRays) {
     }
 }
 
-TEST_F(GuardBand, NoneChangesNothing) {
+TEST(GuardBand, NoneChangesNothing) {
     const Scene scene = make_scene("moving");
-    const GBuffer plain = rasterize(device(), passes_, scene, frame, {.frame = 3, .motion = true});
+    const GBuffer plain = draw(scene, frame, {.frame = 3, .motion = true});
     const GBuffer view = shot(scene, 0.0, 3, true);
     EXPECT_EQ(view.border, gpu::Extent{});
     EXPECT_EQ(view.depth, plain.depth);
@@ -184,7 +179,7 @@ TEST_F(GuardBand, NoneChangesNothing) {
 
 // The device rounds vertices to a part of a pixel, not to the same one in both views: at silhouettes a few
 // pixels see the other surface.
-TEST_F(GuardBand, TheFrameIsThatOfThePlainView) {
+TEST(GuardBand, TheFrameIsThatOfThePlainView) {
     for (const char* name : {"moving", "columns", "far"}) {
         const Scene scene = make_scene(name);
         const GBuffer plain = shot(scene, 0.0, 2, true);
@@ -208,7 +203,7 @@ TEST_F(GuardBand, TheFrameIsThatOfThePlainView) {
     }
 }
 
-TEST_F(GuardBand, MotionOutOfTheBandIsNoneForTheFrame) {
+TEST(GuardBand, MotionOutOfTheBandIsNoneForTheFrame) {
     GBuffer view{.extent = {6, 4}, .border = gpu::Extent{1, 1}};
     view.depth.assign(24, 1.0F);
     view.motion.assign(24, glm::vec3(1.0F, 0.0F, 1.0F));  // what is now in the first column was in the band
@@ -275,18 +270,15 @@ TEST(Views, AreMadeTheSameTwiceAndMove) {
     EXPECT_EQ(projections.size(), 2U);
 }
 
-class ViewPictures : public gpu::test::GpuTest {};
-
 // No camera stands in a wall or looks away: in the first and the last frame that is scored, a fifth of the
 // image or more shows surfaces, at five depths or more.
-TEST_F(ViewPictures, ShowSomethingInEachFrame) {
-    const PassLibrary passes(GLOAM_GLSL_DIR);
+TEST(ViewPictures, ShowSomethingInEachFrame) {
     for (const ViewInfo& view : all_views()) {
         const auto scene = made(view);
         if (!scene || view.kind == "scene") continue;
         for (const int frame : {0, 15}) {
             SCOPED_TRACE(view.name + " " + std::to_string(frame));
-            const GBuffer seen = rasterize(device(), passes, *scene, {64, 36}, {.frame = frame});
+            const GBuffer seen = draw(*scene, {64, 36}, {.frame = frame});
             std::size_t shown = 0;
             std::set<int> depths;
             for (const float depth : seen.depth) {

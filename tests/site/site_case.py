@@ -63,7 +63,7 @@ class SiteCase(BrowserCase):
         subprocess.run([GLOAM, "site", cls.site, "--quiet", *cls.words()], check=True)
 
     def compare(self, got, want, bounds=1):
-        """The G-buffers are of two rasterizers, so pixels at edges may differ at all: means and percentiles are
+        """The G-buffers are of a rasterizer and of rays, so pixels at edges may differ at all: means and percentiles are
         compared."""
         self.assertEqual(len(want), len(got))
         self.assertGreater(max(want) - min(want), 0.5)

@@ -67,7 +67,7 @@ TEST_F(Pack, OtherLanguages) {
 
 // A whole shader, whose stage follows from its name.
 TEST_F(Pack, AShaderWithAMain) {
-    for (const char* name : {"reproject.comp", "gbuffer.vert", "gbuffer.frag", "tiles/select.comp"}) {
+    for (const char* name : {"reproject.comp", "tiles/select.comp"}) {
         const std::string result = output_of(gloam("pack {}", std::string(GLOAM_GLSL_DIR "/passes/") + name));
         EXPECT_THAT(result, HasSubstr("void main()")) << name;
         EXPECT_THAT(result, Not(HasSubstr("#if"))) << name;

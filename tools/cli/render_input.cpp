@@ -15,8 +15,8 @@
 #include "cli/progress.hpp"
 #include "cli/settings.hpp"
 #include "report/image.hpp"
+#include "scene/draw.hpp"
 #include "scene/mesh_scene.hpp"
-#include "scene/rasterize.hpp"
 #include "scene/read_gbuffer.hpp"
 
 namespace gloam::cli {
@@ -128,12 +128,12 @@ RenderInput from_scene(const RenderOptions& options, const RenderInput* like) {
     // If only the camera moves, its matrices determine all motion.
     const bool motion = follows && !scene->objects.empty();
     input.load = [scene, extent, wide, guard, motion, layers = settings.own.layers, first = options.frame,
-                  encoding = scene::encoding_named(options.depth, options.normals)](
-                     const gpu::Device& device, const scene::PassLibrary& passes, int view) {
+                  encoding = scene::encoding_named(options.depth, options.normals)](const gpu::Device& device,
+                                                                                    int view) {
         require_allowed(fmt::format("--size {}x{}, guard band included", extent.width, extent.height), wide,
                         device.info());
-        scene::GBuffer shown = scene::rasterize(
-            device, passes, *scene, extent,
+        scene::GBuffer shown = scene::draw(
+            *scene, extent,
             {.frame = first + view, .motion = motion, .color = true, .layers = layers, .guard = guard});
         if (encoding != scene::Encoding{}) shown.stored = scene::stored_inputs(shown, encoding);
         return shown;
@@ -166,8 +166,7 @@ RenderInput from_gbuffer(const RenderOptions& options) {
     }
     const bool alone = input.views.size() == 1;  // a frame of a sequence may show nothing but sky
     input.load = [folder = options.gbuffer, encoding = scene::encoding_named(options.depth, options.normals),
-                  alone, off_centre = glm::ivec2(0)](const gpu::Device& device, const scene::PassLibrary&,
-                                                     int view) mutable {
+                  alone, off_centre = glm::ivec2(0)](const gpu::Device& device, int view) mutable {
         scene::GBuffer shown = scene::read_gbuffer(folder, view, encoding, off_centre);
         off_centre = shown.off_centre;
         const gpu::Extent wide = with_border(shown.extent, centring_border(shown));

@@ -26,7 +26,7 @@ struct RenderInput {
     int first_frame = 0;     // of a scene: view 0 shows it
     int frames_per_view = 1;
     int picture_samples = 1;  // on each side of a pixel, of lit pictures
-    std::function<scene::GBuffer(const gpu::Device&, const scene::PassLibrary&, int view)> load;
+    std::function<scene::GBuffer(const gpu::Device&, int view)> load;
     std::shared_ptr<const scene::Scene> scene;  // null for G-buffers from elsewhere
     effect::TrueOcclusion truth;                // empty if it is unknown
     std::string truth_name;

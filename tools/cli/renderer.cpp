@@ -13,7 +13,7 @@
 #include "cli/settings.hpp"
 #include "report/image.hpp"
 #include "scene/contradictions.hpp"
-#include "scene/rasterize.hpp"
+#include "scene/draw.hpp"
 #include "scene/read_gbuffer.hpp"
 
 namespace gloam::cli {
@@ -147,7 +147,7 @@ class Renderer {
 
   private:
     void render_view(int number) {
-        scene::GBuffer wide = input_.load(bench_.device, bench_.passes, number);  // with its guard band
+        scene::GBuffer wide = input_.load(bench_.device, number);  // with its guard band
         const effect::Settings settings = settings_for(options_, wide.ao_radius);
         const std::string misfit =
             before_ ? "" : scene::radius_out_of_proportion(wide, double{settings.radius});
@@ -312,9 +312,9 @@ const scene::PictureLight& RenderBench::light_of(const RenderInput& input, int n
         // As many rays as one sample would send, so that smooth edges cost little.
         options.rays = std::max(1, options.rays / (samples * samples));
         const auto side = static_cast<std::uint32_t>(samples);
-        const scene::GBuffer fine = scene::rasterize(device, passes, *input.scene,
-                                                     {view.extent.width * side, view.extent.height * side},
-                                                     {.frame = options.frame, .color = true});
+        const scene::GBuffer fine =
+            scene::draw(*input.scene, {view.extent.width * side, view.extent.height * side},
+                        {.frame = options.frame, .color = true});
         light_ = scene::picture_light(view, fine, samples, input.scene.get(), options);
     }
     lit_ = number;

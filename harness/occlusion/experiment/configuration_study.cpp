@@ -16,7 +16,7 @@ effect::Remap remap_of(const effect::Settings& settings) {
 BenchmarkViews::BenchmarkViews(const gpu::Device& device, const scene::PassLibrary& passes,
                                scene::Scene scene, const BenchmarkFrames& frames,
                                const scene::TruthCache& cache, const std::function<void(double)>& progress)
-    : device_(&device), passes_(passes), scene_(std::move(scene)), frames_(frames), cache_(cache) {
+    : scene_(std::move(scene)), frames_(frames), cache_(cache) {
     if (frames.scored < 1 || frames.scored > frames.frames) {
         throw std::invalid_argument(fmt::format("{} scored frames of {}: expected 1 to {}", frames.scored,
                                                 frames.frames, frames.frames));
@@ -24,13 +24,14 @@ BenchmarkViews::BenchmarkViews(const gpu::Device& device, const scene::PassLibra
     for (std::size_t i = 0; i < frames.shown.size(); ++i)
         numbers_.insert(numbers_.end(), static_cast<std::size_t>(frames.shown[i]), static_cast<int>(i));
     for (int i = 0; frames.shown.empty() && i < frames.frames; ++i) numbers_.push_back(i);
-    if (frames.rays > 0) score(progress);
+    if (frames.rays > 0) score(device, passes, progress);
     if (frames.rays > 0 && frames.by_class) classify();
 }
 
-void BenchmarkViews::score(const std::function<void(double)>& progress) {
+void BenchmarkViews::score(const gpu::Device& device, const scene::PassLibrary& passes,
+                           const std::function<void(double)>& progress) {
     std::optional<Limit> limit;
-    if (frames_.limit) limit.emplace(*device_, passes_, frames_.extent);
+    if (frames_.limit) limit.emplace(device, passes, frames_.extent);
     for (int i = first_scored(); i < frames_.frames; i += frames_.every) {
         const int number = numbers_.at(static_cast<std::size_t>(i));
         if (progress) progress(static_cast<double>(i + 1 - first_scored()) / frames_.scored);
@@ -104,11 +105,11 @@ const ClassedView& BenchmarkViews::classed(int frame) const {
 std::vector<scene::GBuffer>& BenchmarkViews::views_with(double guard, int layers) {
     std::vector<scene::GBuffer>& views = views_[{guard, layers}];
     for (int i = static_cast<int>(views.size()); i <= numbers_.back(); ++i) {
-        views.push_back(scene::rasterize(*device_, passes_, scene_, frames_.extent,
-                                         {.frame = frames_.still ? 0 : i,
-                                          .motion = frames_.motion.value_or(!scene_.objects.empty()),
-                                          .layers = layers,
-                                          .guard = guard}));
+        views.push_back(scene::draw(scene_, frames_.extent,
+                                    {.frame = frames_.still ? 0 : i,
+                                     .motion = frames_.motion.value_or(!scene_.objects.empty()),
+                                     .layers = layers,
+                                     .guard = guard}));
         if (frames_.edit) frames_.edit(views.back(), i);
     }
     return views;

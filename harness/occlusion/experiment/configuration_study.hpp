@@ -15,7 +15,7 @@
 #include "effect/settings.hpp"
 #include "effect/study/plain_slices.hpp"
 #include "experiment/scores.hpp"
-#include "scene/rasterize.hpp"
+#include "scene/draw.hpp"
 #include "scene/truth.hpp"
 
 namespace gloam::experiment {
@@ -54,7 +54,7 @@ struct BenchmarkFrames {
 class BenchmarkViews {
   public:
     // The device must outlive this object. Throws std::invalid_argument for frames out of range, and like
-    // scene::rasterize() and scene::trace_geometry().
+    // scene::draw() and scene::trace_geometry().
     BenchmarkViews(const gpu::Device& device, const scene::PassLibrary& passes, scene::Scene scene,
                    const BenchmarkFrames& frames, const scene::TruthCache& cache,
                    const std::function<void(double)>& progress = {});
@@ -86,13 +86,12 @@ class BenchmarkViews {
   private:
     using Measured = std::pair<scene::Weighting, scene::Falloff>;
 
-    void score(const std::function<void(double)>& progress);
+    void score(const gpu::Device& device, const scene::PassLibrary& passes,
+               const std::function<void(double)>& progress);
     void classify();
     [[nodiscard]] scene::TruthSettings traced(const Measured& measured) const;
     std::vector<scene::GBuffer>& views_with(double guard, int layers);
 
-    const gpu::Device* device_;
-    scene::PassLibrary passes_;
     scene::Scene scene_;
     BenchmarkFrames frames_;
     scene::TruthCache cache_;

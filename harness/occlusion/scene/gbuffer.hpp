@@ -71,7 +71,7 @@ struct GBuffer {
     // Depth and normals again, as the engine stores them: the effect converts these on the device.
     std::optional<StoredInputs> stored;
 
-    // Only from rasterize(), on request; previous_position also from link().
+    // Only from draw(), on request; previous_position also from link().
     std::vector<glm::vec3> previous_position;  // where the surface point was, in the view space of the frame
                                                // before; background 0
     std::vector<std::uint32_t> object;         // 0: static, k: the k-th moving object; background 0
@@ -172,7 +172,7 @@ class PixelPositions {
 // prev_view", "prev_view is not the view before". Empty: it can.
 [[nodiscard]] std::string cut_between(const GBuffer& previous, const GBuffer& view);
 
-// Completes a view that was read from files, as rasterize() would: previous_from_current from the matrices if
+// Completes a view that was read from files, as draw() would: previous_from_current from the matrices if
 // it is missing, and previous_position from the motion vectors if there are any. The earlier depth of a point
 // is previous_depth if given. Otherwise it follows from the cameras, which is right for static objects and
 // for objects that do not move towards the eye.

@@ -208,26 +208,14 @@ OcclusionEstimate OcclusionTracer::occlusion(const Receiver& receiver, std::uint
 
 std::optional<Receiver> OcclusionTracer::surface(const glm::dvec3& origin, const glm::dvec3& direction,
                                                  double near, double far) const {
-    const RayScene& scene = impl_->scene;
-    const auto hit = scene.first_hit(glm::vec3(origin), glm::vec3(direction), static_cast<float>(near),
-                                     static_cast<float>(far));
+    const auto hit = impl_->scene.surface(origin, direction, near, far);
     if (!hit) return std::nullopt;
-    const std::uint32_t* corner = &scene.indices()[3 * std::size_t{hit->triangle}];
-    const glm::dvec3 a = scene.positions()[corner[0]];
-    const glm::dvec3 u = glm::dvec3(scene.positions()[corner[1]]) - a;
-    const glm::dvec3 v = glm::dvec3(scene.positions()[corner[2]]) - a;
-    const glm::dvec3 area = glm::cross(u, v);
-    if (!(glm::length(area) > 0.0)) return std::nullopt;
-    glm::dvec3 facet = glm::normalize(area);
-    const double slope = glm::dot(facet, direction);
-    if (slope > 0.0) facet = -facet;
-    // Embree's distance, made exact on the triangle's plane, unless the plane is seen edge-on.
-    double distance = hit->distance;
-    if (std::abs(slope) > 1e-6) distance = glm::dot(facet, a - origin) / glm::dot(facet, direction);
-    const glm::dvec3 at = origin + distance * direction;
+    const auto [a, b, c] = impl_->scene.corners(hit->triangle);
+    const glm::dvec3 at = origin + hit->distance * direction;
     // Larger than the rounding of the ray's origin and of the intersection with neighbours in the same plane.
-    const double reach = std::max({largest(at), largest(u), largest(v)});
-    return Receiver{.position = at, .normal = facet, .facet = facet, .clearance = 4.0 * 0x1p-24 * reach};
+    const double reach = std::max({largest(at), largest(b - a), largest(c - a)});
+    return Receiver{
+        .position = at, .normal = hit->facet, .facet = hit->facet, .clearance = 4.0 * 0x1p-24 * reach};
 }
 
 }  // namespace gloam::scene

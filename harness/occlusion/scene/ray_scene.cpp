@@ -119,4 +119,38 @@ std::optional<RayHit> RayScene::first_hit(const glm::vec3& origin, const glm::ve
     return RayHit{ray.hit.primID, ray.ray.tfar};
 }
 
+std::array<glm::dvec3, 3> RayScene::corners(std::uint32_t triangle) const {
+    const std::uint32_t* corner = &indices_[3 * std::size_t{triangle}];
+    return {positions_[corner[0]], positions_[corner[1]], positions_[corner[2]]};
+}
+
+std::optional<RaySurface> RayScene::surface(const glm::dvec3& origin, const glm::dvec3& direction,
+                                            double near, double far) const {
+    const auto hit =
+        first_hit(glm::vec3(origin), glm::vec3(direction), static_cast<float>(near), static_cast<float>(far));
+    if (!hit) return std::nullopt;
+    const auto [a, b, c] = corners(hit->triangle);
+    const glm::dvec3 area = glm::cross(b - a, c - a);
+    const double squared = glm::dot(area, area);
+    if (!(squared > 0.0)) return std::nullopt;
+    glm::dvec3 facet = area / std::sqrt(squared);
+    const double slope = glm::dot(facet, direction);
+    // Embree's distance, made exact on the triangle's plane, unless the plane is seen edge-on.
+    double distance = hit->distance;
+    if (std::abs(slope) > 1e-6 * glm::length(direction)) distance = glm::dot(facet, a - origin) / slope;
+    const glm::dvec3 at = origin + distance * direction - a;
+    glm::dvec3 weights(0, glm::dot(glm::cross(at, c - a), area), glm::dot(glm::cross(b - a, at), area));
+    weights.x = squared - weights.y - weights.z;
+    // Embree finds points beyond an edge by its rounding; seen edge-on, the plane there is far off.
+    const glm::dvec3 inside = glm::max(weights, 0.0);
+    if (inside != weights) {
+        weights = inside;
+        const glm::dvec3 nearest =
+            (inside.x * a + inside.y * b + inside.z * c) / (inside.x + inside.y + inside.z);
+        distance = glm::dot(nearest - origin, direction) / glm::dot(direction, direction);
+    }
+    weights /= weights.x + weights.y + weights.z;
+    return RaySurface{hit->triangle, distance, hit->distance, slope > 0.0 ? -facet : facet, weights};
+}
+
 }  // namespace gloam::scene

@@ -36,39 +36,16 @@ std::vector<double> reaches(const Mesh& mesh) {
     return result;
 }
 
-// The first surface along the ray through a rendered point, within a share of the point's distance.
-std::optional<Receiver> near_drawn(const OcclusionTracer& tracer, const PixelPositions& positions,
-                                   const glm::dvec3& drawn, double tolerance) {
-    const glm::dvec3 eye = positions.orthographic() ? glm::dvec3(drawn.x, drawn.y, 0.0) : glm::dvec3(0.0);
-    const double distance = glm::distance(drawn, eye);
-    return tracer.surface(eye, (drawn - eye) / distance, distance * (1.0 - tolerance),
-                          distance * (1.0 + tolerance));
-}
-
-// The point of the geometry that a pixel shows, if it is found. Devices round corners to fractions of a
-// pixel. At an object's silhouette they can render a surface that the ray through the centre misses or,
-// edge-on, meets far in front. Then the nearest rays around the centre are tried, and at last a larger range
-// of depth. A device can also render the far side, with a normal that points into the object; then the near
-// side's own normal is used.
-std::optional<Receiver> matched(const OcclusionTracer& tracer, const PixelPositions& positions,
-                                std::size_t pixel, double depth, const glm::dvec3& normal) {
-    constexpr double aside = 1.0 / 128;  // pixels; devices keep 1/256 or better
-    std::optional<Receiver> turned_away;
-    for (const double tolerance :
-         {1e-3, 3e-2}) {  // of the distance; far above the rounding of a depth buffer
-        for (int i = 0; i < 9; ++i) {
-            const int side = (i + 4) % 9;  // centre first
-            const glm::dvec2 offset(side % 3 - 1, side / 3 - 1);
-            auto receiver =
-                near_drawn(tracer, positions, positions.at(pixel, depth, aside * offset), tolerance);
-            if (receiver && glm::dot(receiver->facet, normal) > 0.0) {
-                receiver->normal = normal;
-                return receiver;
-            }
-            if (receiver && !turned_away) turned_away = receiver;
-        }
-    }
-    return turned_away;
+// The point of the geometry that a pixel shows: the first surface along the ray through its centre, within a
+// thousandth of the distance, far above the rounding of a depth. A surface that faces away from the pixel's
+// normal has its own.
+std::optional<Receiver> shown_by(const OcclusionTracer& tracer, const PixelPositions& positions,
+                                 const glm::dvec3& at, const glm::dvec3& normal) {
+    const glm::dvec3 eye = positions.orthographic() ? glm::dvec3(at.x, at.y, 0.0) : glm::dvec3(0.0);
+    const double distance = glm::distance(at, eye);
+    auto receiver = tracer.surface(eye, (at - eye) / distance, distance * 0.999, distance * 1.001);
+    if (receiver && glm::dot(receiver->facet, normal) > 0.0) receiver->normal = normal;
+    return receiver;
 }
 
 std::uint64_t count_surface(const GBuffer& view) {
@@ -122,11 +99,10 @@ TracedTruth trace_geometry(const Scene& scene, int frame, const GBuffer& view,
     std::atomic<std::uint64_t> unmatched = 0;
     TracedTruth truth = trace(view, tracer, settings, [&](std::size_t pixel) {
         const glm::dvec3 normal = view.normal[pixel];
-        const double depth = view.depth[pixel];
-        if (const auto receiver = matched(tracer, positions, pixel, depth, normal)) return *receiver;
+        const glm::dvec3 at = positions.at(pixel, double{view.depth[pixel]});
+        if (const auto receiver = shown_by(tracer, positions, at, normal)) return *receiver;
         ++unmatched;
-        const glm::dvec3 drawn = positions.at(pixel, depth);
-        return as_it_is(drawn, normal, largest(drawn));
+        return as_it_is(at, normal, largest(at));
     });
     truth.unmatched = unmatched;
     return truth;
@@ -148,7 +124,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Increase it whenever the tracer's results change for the same input.
-constexpr std::uint64_t version = 1;
+constexpr std::uint64_t version = 2;
 
 void add_view(base::Fingerprint& hash, const GBuffer& view, const TruthSettings& settings) {
     hash.add(std::uint64_t{view.extent.width});

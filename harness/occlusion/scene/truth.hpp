@@ -32,12 +32,9 @@ struct TracedTruth {
 // (G), geometry truth: the occlusion by the whole geometry of a scene in a frame, at the points that a
 // G-buffer of that frame shows. The G-buffer's depth determines the visible surface, and its normal the
 // hemisphere, because every estimator gets these. The geometry determines the exact position: the point is
-// moved along the view ray onto a triangle within a thousandth of its distance that does not face away from
-// the normal.
-// If there is none, rays up to a hundredth of a pixel around the centre and a thirtieth of the distance are
-// tried. The next choice is a surface that faces away, with its own normal; the last is the point itself,
-// unchanged. Throws std::invalid_argument for settings out of range, a scene that validate() rejects and
-// images of another size.
+// moved along the view ray onto the triangle within a thousandth of its distance. A triangle that faces away
+// from the normal has its own. If there is none, the point stays as it is. Throws std::invalid_argument for
+// settings out of range, a scene that validate() rejects and images of another size.
 [[nodiscard]] TracedTruth trace_geometry(const Scene& scene, int frame, const GBuffer& view,
                                          const TruthSettings& settings);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // G-buffer of the page, fragments: eye-linear depth, the normal that faces the eye, the colour of the surface. The
-// images are cleared to 0: no geometry. Normals are those of passes/gbuffer.frag.
+// images are cleared to 0: no geometry. Normals are those of scene::draw().
 #include "gloam/geometry/safe_normalize.glsl"
 
 in vec3 view_position;

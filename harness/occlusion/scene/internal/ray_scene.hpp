@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -19,6 +20,15 @@ struct RayHit {
     float distance = 0.0F;
 };
 
+// Where a ray meets the first triangle, in double.
+struct RaySurface {
+    std::uint32_t triangle = 0;
+    double distance = 0.0;  // along the ray, in units of its direction; on the triangle's plane
+    double found = 0.0;     // the same before it was made exact: a ray from behind it does not meet it again
+    glm::dvec3 facet{0};    // unit: the triangle's normal, against the ray
+    glm::dvec3 weights{0};  // of the triangle's corners; their sum is 1
+};
+
 // Triangles for ray tracing; the only user of Embree. Every triangle blocks on both sides. Thread-safe.
 class RayScene {
   public:
@@ -29,10 +39,18 @@ class RayScene {
     [[nodiscard]] const std::vector<glm::vec3>& positions() const { return positions_; }
     [[nodiscard]] const std::vector<std::uint32_t>& indices() const { return indices_; }
 
-    // The first triangle between the distances `near` and `far` along a unit direction. It traces one ray at
-    // a time; for rays that diverge from a point this is 1.5 times as fast as packets of 16.
+    // The first triangle between the distances `near` and `far` along a direction, in units of its length.
+    // It traces one ray at a time; for rays that diverge from a point this is 1.5 times as fast as packets of
+    // 16.
     [[nodiscard]] std::optional<RayHit> first_hit(const glm::vec3& origin, const glm::vec3& direction,
                                                   float near, float far) const;
+
+    // The same as a point on the triangle. nullopt also for a triangle without area.
+    [[nodiscard]] std::optional<RaySurface> surface(const glm::dvec3& origin, const glm::dvec3& direction,
+                                                    double near, double far) const;
+
+    // The corners of a triangle, in double.
+    [[nodiscard]] std::array<glm::dvec3, 3> corners(std::uint32_t triangle) const;
 
   private:
     struct Impl;

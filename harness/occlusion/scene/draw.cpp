@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "scene/draw.hpp"
+
+#include <fmt/format.h>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "base/threads.hpp"
+#include "scene/internal/ray_scene.hpp"
+
+namespace gloam::scene {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double layer_gap =
+    1.0 + 0x1p-20;  // ratio of depths; far above the rounding of a distance along a ray
+
+glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& otherwise) {
+    const double length = glm::length(v);
+    return length > 0.0 && std::isfinite(length) ? v / length : otherwise;
+}
+
+// The interpolated normal, turned to the viewer's side of the surface. facet: of the triangle, unit, facing
+// the viewer; returned where the interpolated one has no direction. away: unit, from the viewer. On smooth
+// silhouettes interpolation can turn the normal away from the viewer; then its part perpendicular to the view
+// is returned.
+glm::dvec3 shading_normal(const glm::dvec3& interpolated, const glm::dvec3& facet, const glm::dvec3& away) {
+    glm::dvec3 n = unit_or(interpolated, facet);
+    if (glm::dot(n, facet) < 0.0) n = -n;
+    const double beyond = glm::dot(n, away);
+    return beyond < 0.0 ? n : unit_or(n - (beyond + 1e-4) * away, facet);
+}
+
+// The object of each triangle, in the order of view_space_mesh().
+std::vector<std::uint32_t> objects_of_triangles(const Scene& scene) {
+    std::vector<std::uint32_t> objects(scene.mesh.triangle_count(), 0);
+    for (std::uint32_t k = 0; k < scene.objects.size(); ++k)
+        objects.insert(objects.end(), scene.objects[k].mesh.triangle_count(), k + 1);
+    return objects;
+}
+
+// Motion of a pixel from the position of its surface point in the frame before: dx, dy in pixels, and whether
+// the point was in the previous image. before: that frame's view.
+glm::vec3 motion_of(std::size_t pixel, const glm::vec3& previous_position, const GBuffer& before) {
+    const PixelPositions positions(before);
+    if (!(previous_position.z < 0.0F || positions.orthographic())) return glm::vec3(0);
+    const glm::dvec2 then = positions.pixel_of(previous_position);
+    const glm::dvec2 now(static_cast<double>(pixel % before.extent.width) + 0.5,
+                         static_cast<double>(pixel / before.extent.width) + 0.5);
+    const bool inside =
+        then.x >= 0.0 && then.y >= 0.0 && then.x < before.extent.width && then.y < before.extent.height;
+    return {glm::vec2(now - then), inside ? 1.0F : 0.0F};
+}
+
+// One frame of one scene.
+class Shot {
+  public:
+    Shot(const Scene& scene, gpu::Extent frame, const DrawOptions& options)
+        : options_(options),
+          mesh_(view_space_mesh(scene, options.frame)),
+          rays_(mesh_.positions, mesh_.indices),
+          objects_(objects_of_triangles(scene)) {
+        const gpu::Extent border = guard_border(frame, options.guard);
+        const gpu::Extent wide = with_border(frame, border);
+        const double aspect = static_cast<double>(wide.width) / wide.height;
+        const int previous = std::max(0, options.frame - 1);
+        const Camera now = with_border(camera_at(scene, options.frame), frame, border);
+        const Camera then = with_border(camera_at(scene, previous), frame, border);
+        near_ = now.near;
+        far_ = now.far;
+        if (options.motion) earlier_ = view_space_mesh(scene, previous).positions;
+        before_ = {.extent = wide, .camera = make_frame(then, aspect)};
+        view_ = {.extent = wide,
+                 .camera = options.frame > 0 ? make_frame(now, aspect, then) : make_frame(now, aspect),
+                 .ao_radius = scene.ao_radius,
+                 .border = border};
+    }
+
+    [[nodiscard]] GBuffer take() && {
+        const std::size_t pixels = std::size_t{view_.extent.width} * view_.extent.height;
+        constexpr auto background = static_cast<float>(infinity);
+        view_.depth.assign(pixels, background);
+        view_.normal.assign(pixels, glm::vec3(0));
+        view_.layers.assign(static_cast<std::size_t>(options_.layers - 1), std::vector(pixels, background));
+        if (options_.motion) view_.motion = view_.previous_position = view_.normal;
+        if (options_.color) view_.color = view_.normal;
+        if (options_.ids) view_.object.assign(pixels, 0);
+        if (options_.ids) view_.triangle.assign(pixels, std::numeric_limits<std::uint32_t>::max());
+        base::for_each_index(view_.extent.height, 0, [&](std::size_t row) {
+            for (std::size_t x = 0; x < view_.extent.width; ++x) trace(row * view_.extent.width + x);
+        });
+        return std::move(view_);
+    }
+
+  private:
+    // The value at a surface of what is given for each vertex.
+    [[nodiscard]] glm::dvec3 interpolated(const std::vector<glm::vec3>& values,
+                                          const RaySurface& surface) const {
+        glm::dvec3 sum(0);
+        for (int k = 0; k < 3; ++k)
+            sum +=
+                surface.weights[k] *
+                glm::dvec3(
+                    values[mesh_.indices[3 * std::size_t{surface.triangle} + static_cast<std::size_t>(k)]]);
+        return sum;
+    }
+
+    void trace(std::size_t pixel) {
+        const PixelPositions positions(view_);
+        // The direction is 1 long along the view axis, so that distances are depths.
+        const glm::dvec3 first = positions.at(pixel, 1.0);
+        const bool orthographic = positions.orthographic();
+        const glm::dvec3 origin = orthographic ? glm::dvec3(first.x, first.y, 0) : glm::dvec3(0);
+        const glm::dvec3 direction = orthographic ? glm::dvec3(0, 0, -1) : first;
+        double from = near_;
+        double before = 0.0;  // depth of the layer before
+        for (int layer = 0; layer < options_.layers;) {
+            const auto surface = rays_.surface(origin, direction, from, far_);
+            if (!surface) return;
+            from = surface->found * layer_gap;
+            if (layer > 0 && surface->distance <= before * layer_gap) continue;
+            before = surface->distance;
+            if (layer++ == 0)
+                show(pixel, *surface, glm::normalize(direction));
+            else
+                view_.layers[static_cast<std::size_t>(layer - 2)][pixel] = layer_depth(*surface);
+        }
+    }
+
+    // Negative where the mesh's normal points to the far side: the eye sees the surface from behind.
+    [[nodiscard]] float layer_depth(const RaySurface& surface) const {
+        const bool back = glm::dot(interpolated(mesh_.normals, surface), surface.facet) < 0.0;
+        return static_cast<float>(back ? -surface.distance : surface.distance);
+    }
+
+    void show(std::size_t pixel, const RaySurface& surface, const glm::dvec3& away) {
+        view_.depth[pixel] = static_cast<float>(surface.distance);
+        view_.normal[pixel] = shading_normal(interpolated(mesh_.normals, surface), surface.facet, away);
+        if (options_.color)
+            view_.color[pixel] = mesh_.colors.empty() ? default_color : mesh_.colors[surface.triangle];
+        if (options_.ids) {
+            view_.object[pixel] = objects_[surface.triangle];
+            view_.triangle[pixel] = surface.triangle;
+        }
+        if (!options_.motion) return;
+        view_.previous_position[pixel] = interpolated(earlier_, surface);
+        if (options_.frame > 0)
+            view_.motion[pixel] = motion_of(pixel, view_.previous_position[pixel], before_);
+    }
+
+    DrawOptions options_;
+    Mesh mesh_;
+    RayScene rays_;
+    std::vector<std::uint32_t> objects_;
+    std::vector<glm::vec3> earlier_;  // positions of the frame before
+    double near_ = 0.0;
+    double far_ = 0.0;
+    GBuffer before_;  // the frame before, without images
+    GBuffer view_;
+};
+
+}  // namespace
+
+GBuffer draw(const Scene& scene, gpu::Extent extent, const DrawOptions& options) {
+    validate(scene);
+    const auto refuse = [](const std::string& what) { throw std::invalid_argument(what); };
+    if (extent.width == 0 || extent.height == 0)
+        refuse(fmt::format("a view of {}x{} pixels", extent.width, extent.height));
+    if (options.frame < 0)
+        refuse(fmt::format("frame {} of scene {}: expected 0 or more", options.frame, scene.name));
+    if (options.layers < 1 || options.layers > 1 + most_further_layers)
+        refuse(fmt::format("layers {}: expected 1 to {}", options.layers, 1 + most_further_layers));
+    return Shot(scene, extent, options).take();
+}
+
+}  // namespace gloam::scene

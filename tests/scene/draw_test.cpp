@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: MIT
+// Views by rays: against surfaces in closed form, pixel by pixel.
+#include "scene/draw.hpp"
+#include "scene/analytic_scene.hpp"
+#include "scene/mesh.hpp"
+#include "scene/support.hpp"
+
+namespace gloam::scene::test::draw_test {
+
+constexpr double far_off = std::numeric_limits<double>::infinity();
+constexpr auto nothing = static_cast<float>(far_off);
+
+// A floor through the near plane, a box that stands still, and one that turns and moves, under a moving
+// camera.
+constexpr glm::dvec3 low{-0.5, -0.3, -0.4};
+const glm::dvec3 still_at{-0.9, 0.2, -4.0};
+
+Camera camera_of(const Camera& like, int frame) {
+    Camera camera = like;
+    camera.eye = {0.1 + 0.05 * frame, 0.9, 0.02 * frame};
+    camera.target = {0.0, 0.1, -4.0};
+    return camera;
+}
+
+glm::dmat4 motion_of(int frame) {
+    return rigid_motion({0.9 - 0.04 * frame, 0.5, -5.0}, 0.3 + 0.1 * frame, {0.6, 0.8, 0});
+}
+
+Scene boxes(const Camera& like) {
+    Scene scene{.name = "boxes", .mesh = make_parallelogram({-30, -0.5, 30}, {60, 0, 0}, {0, 0, -60}, 7.0)};
+    append(scene.mesh, make_box(still_at + low, still_at - low, 0.3));
+    scene.objects.push_back({make_box(low, -low, 0.3), motion_of});
+    scene.camera_path = [like](int frame) { return camera_of(like, frame); };
+    scene.ao_radius = 0.75;
+    return scene;
+}
+
+// A surface on a ray. depth: along the view axis. normal: against the ray, view space.
+struct Surface {
+    double depth;
+    glm::dvec3 normal;
+    std::uint32_t object;
+    bool behind;  // seen from within the box
+};
+
+// The same shapes in closed form, in the view space of a frame.
+class Solids {
+  public:
+    Solids(const Camera& camera, int frame) : turn_(view_rotation(camera)), eye_(camera.eye) {
+        const auto side = [&](const glm::dvec3& point, const glm::dvec3& inward) {
+            return HalfSpace{turn_ * (point - eye_), turn_ * inward};
+        };
+        floor_.add_plane(
+            side({0, -0.5, 0}, {0, 1, 0}),
+            {side({-30, 0, 0}, {1, 0, 0}), side({30, 0, 0}, {-1, 0, 0}), side({0, 0, -30}, {0, 0, 1})});
+        add_box(boxes_[0], glm::translate(glm::dmat4(1.0), still_at));
+        add_box(boxes_[1], motion_of(frame));
+    }
+
+    // All between two depths, nearest first. The direction is 1 long along the view axis.
+    [[nodiscard]] std::vector<Surface> along(const glm::dvec3& origin, const glm::dvec3& direction,
+                                             double near, double far) const {
+        std::vector<Surface> found;
+        const auto keep = [&](double depth, const glm::dvec3& normal, std::uint32_t object, bool behind) {
+            if (depth > near && depth < far) found.push_back({depth, normal, object, behind});
+        };
+        if (const auto hit = floor_.first_hit(origin, direction)) keep(hit->distance, hit->normal, 0, false);
+        for (const std::uint32_t i : {0U, 1U}) {
+            const auto front = boxes_[i].first_hit(origin, direction);
+            if (!front) continue;
+            keep(front->distance, front->normal, i, false);
+            constexpr double step = 1e-9;
+            const double past = front->distance + step;
+            const auto back = boxes_[i].first_hit(origin + past * direction, direction);
+            if (back) keep(past + back->distance, back->normal, i, true);
+        }
+        std::ranges::sort(found, {}, &Surface::depth);
+        return found;
+    }
+
+  private:
+    void add_box(AnalyticScene& scene, const glm::dmat4& world) const {
+        std::vector<HalfSpace> sides;
+        for (const int axis : {0, 1, 2}) {
+            for (const double sign : {1.0, -1.0}) {
+                glm::dvec3 inward(0.0);
+                inward[axis] = sign;
+                const glm::dvec3 corner(world * glm::dvec4(sign * low, 1.0));
+                sides.push_back({turn_ * (corner - eye_), turn_ * (glm::dmat3(world) * inward)});
+            }
+        }
+        for (const HalfSpace& side : sides) {
+            std::vector<HalfSpace> others;
+            for (const HalfSpace& other : sides)
+                if (other.normal != side.normal) others.push_back(other);
+            scene.add_plane(side, others);
+        }
+    }
+
+    glm::dmat3 turn_;
+    glm::dvec3 eye_;
+    AnalyticScene floor_;
+    std::array<AnalyticScene, 2> boxes_;
+};
+
+struct Row {
+    const char* name;
+    Projection projection = Projection::perspective;
+    double far = 100.0;
+    bool reversed_z = false;
+    int frame = 0;
+    double guard = 0.0;
+};
+
+const std::vector<Row> rows{
+    {"perspective"},
+    {"reversed, infinite", Projection::perspective, far_off, true, 1},
+    {"infinite, a guard band", Projection::perspective, far_off, false, 7, 0.2},
+    {"a near far plane", Projection::perspective, 5.0, true, 2},
+    {"orthographic", Projection::orthographic, 100.0, false, 3},
+    {"orthographic, reversed, a guard band", Projection::orthographic, 6.0, true, 4, 0.1},
+};
+
+// The surfaces under a point of a pixel.
+std::vector<Surface> under(const GBuffer& view, const Solids& solids, const Camera& camera, std::size_t pixel,
+                           const glm::dvec2& aside = {0, 0}) {
+    const PixelPositions positions(view);
+    const glm::dvec3 first = positions.at(pixel, 1.0, aside);
+    if (positions.orthographic())
+        return solids.along({first.x, first.y, 0}, {0, 0, -1}, camera.near, camera.far);
+    return solids.along({0, 0, 0}, first, camera.near, camera.far);
+}
+
+// Whether the same surfaces are seen a hundredth of a pixel aside: no edge is there.
+bool alike(const std::vector<Surface>& a, const std::vector<Surface>& b) {
+    return std::ranges::equal(a, b, [](const Surface& x, const Surface& y) {
+        return x.object == y.object && x.behind == y.behind && glm::dot(x.normal, y.normal) > 0.999;
+    });
+}
+
+void expect_surface(const GBuffer& view, std::size_t i, const std::vector<Surface>& want) {
+    EXPECT_NEAR(view.depth[i] / want[0].depth, 1.0, 1e-6) << i;
+    EXPECT_LT(glm::distance(glm::dvec3(view.normal[i]), want[0].normal), 1e-6) << i;
+    EXPECT_EQ(view.object[i], want[0].object) << i;
+    for (std::size_t k = 0; k < view.layers.size(); ++k) {
+        if (k + 1 >= want.size()) {
+            EXPECT_EQ(view.layers[k][i], nothing) << i << ' ' << k;
+            continue;
+        }
+        const Surface& layer = want[k + 1];
+        EXPECT_NEAR(view.layers[k][i] / (layer.behind ? -layer.depth : layer.depth), 1.0, 1e-6)
+            << i << ' ' << k;
+    }
+}
+
+// Where the point was, and the motion there: by the box's and the camera's own motion, calculated apart.
+void expect_motion(const GBuffer& view, std::size_t i, const Camera& like, int frame) {
+    const Camera now = camera_of(like, frame);
+    const Camera before = camera_of(like, std::max(frame - 1, 0));
+    const PixelPositions positions(view);
+    const glm::dvec3 here = positions.at(i, double{view.depth[i]});
+    glm::dvec3 world = now.eye + glm::transpose(view_rotation(now)) * here;
+    if (view.object[i] > 0)
+        world = motion_of(std::max(frame - 1, 0)) * glm::inverse(motion_of(frame)) * glm::dvec4(world, 1.0);
+    const glm::dvec3 then = view_rotation(before) * (world - before.eye);
+    EXPECT_LT(glm::distance(then, glm::dvec3(view.previous_position[i])), 2e-6 * view.depth[i]) << i;
+    const glm::dvec2 moved = positions.pixel_of(here) - positions.pixel_of(then);
+    const glm::dvec2 place = positions.pixel_of(then);
+    const bool inside =
+        place.x >= 0 && place.y >= 0 && place.x < view.extent.width && place.y < view.extent.height;
+    EXPECT_LT(glm::distance(glm::dvec2(view.motion[i]), frame > 0 ? moved : glm::dvec2(0)), 1e-3) << i;
+    EXPECT_EQ(view.motion[i].z, frame > 0 && inside ? 1.0F : 0.0F) << i;
+}
+
+// The facet of the triangle that a pixel names is the pixel's.
+void expect_triangle(const GBuffer& view, std::size_t i, const Mesh& mesh) {
+    ASSERT_LT(view.triangle[i], mesh.triangle_count());
+    const std::uint32_t* corner = &mesh.indices[3 * std::size_t{view.triangle[i]}];
+    const glm::dvec3 a = mesh.positions[corner[0]];
+    const glm::dvec3 normal = glm::normalize(
+        glm::cross(glm::dvec3(mesh.positions[corner[1]]) - a, glm::dvec3(mesh.positions[corner[2]]) - a));
+    EXPECT_LT(std::abs(glm::dot(normal, PixelPositions(view).at(i, double{view.depth[i]}) - a)), 1e-5) << i;
+}
+
+TEST(Draw, ShowsTheClosedForm) {
+    for (const Row& row : rows) {
+        SCOPED_TRACE(row.name);
+        const Camera like{.projection = row.projection, .far = row.far, .reversed_z = row.reversed_z};
+        const Scene scene = boxes(like);
+        const GBuffer view =
+            draw(scene, {65, 37},
+                 {.frame = row.frame, .motion = true, .ids = true, .layers = 4, .guard = row.guard});
+        EXPECT_EQ(view.ao_radius, 0.75);
+        EXPECT_EQ(view.extent, with_border({65, 37}, guard_border({65, 37}, row.guard)));
+        EXPECT_EQ(view.camera.previous_view.has_value(), row.frame > 0);
+        const Camera camera = camera_of(like, row.frame);
+        const Solids solids(camera, row.frame);
+        const Mesh mesh = view_space_mesh(scene, row.frame);
+        std::array<std::size_t, 6> seen{};  // pixels without an edge, by the number of surfaces
+        for (std::size_t i = 0; i < view.depth.size(); ++i) {
+            const std::vector<Surface> want = under(view, solids, camera, i);
+            if (!alike(want, under(view, solids, camera, i, {0.01, 0.01})) ||
+                !alike(want, under(view, solids, camera, i, {-0.01, -0.01})))
+                continue;
+            ++seen.at(want.size());
+            if (want.empty()) {
+                EXPECT_EQ(view.depth[i], nothing) << i;
+                EXPECT_EQ(view.normal[i], glm::vec3(0));
+                EXPECT_EQ(view.motion[i], glm::vec3(0));
+                EXPECT_EQ(view.previous_position[i], glm::vec3(0));
+                EXPECT_EQ(view.object[i], 0U);
+                EXPECT_EQ(view.triangle[i], 0xFFFFFFFFU);
+                continue;
+            }
+            expect_surface(view, i, want);
+            expect_motion(view, i, like, row.frame);
+            expect_triangle(view, i, mesh);
+        }
+        EXPECT_GT(static_cast<double>(std::accumulate(seen.begin(), seen.end(), std::size_t{0})),
+                  0.9 * static_cast<double>(view.depth.size()));
+        EXPECT_GT(seen[1], 100U);
+        EXPECT_GT(seen[2] + seen[3], 50U);  // two where the floor behind a box is beyond the far plane
+    }
+}
+
+// Smooth normals at the rim of a coarse sphere tip away from the viewer; none may be handed on like that.
+TEST(Draw, NormalsFaceTheViewer) {
+    for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+        Scene scene{.name = "sphere", .mesh = make_sphere({0, 0, 0}, 1.0, 6, 10)};
+        scene.camera = {
+            .eye = {0.5, 1, 3}, .target = {0, 0, 0}, .projection = projection, .view_height = 2.4};
+        const GBuffer g = draw(scene, {64, 64});
+        const PixelPositions positions(g);
+        int covered = 0;
+        for (std::size_t i = 0; i < g.depth.size(); ++i) {
+            if (!is_surface(g.depth[i])) continue;
+            ++covered;
+            const glm::dvec3 n = g.normal[i];
+            const glm::dvec3 at = positions.at(i, double{g.depth[i]});
+            ASSERT_NEAR(glm::length(n), 1.0, 1e-6);
+            ASSERT_LT(glm::dot(n, positions.orthographic() ? glm::dvec3(0, 0, -1) : at), 0.0) << i;
+            // From the centre outwards, as far as a coarse sphere goes; never turned round.
+            const glm::dvec3 center = g.camera.view * glm::vec4(0, 0, 0, 1);
+            EXPECT_GT(glm::dot(n, glm::normalize(at - center)), 0.8) << i;
+        }
+        EXPECT_GT(covered, 1000);
+        EXPECT_LT(covered, 4000);
+    }
+}
+
+// Normals on the far side are turned to the viewer; without a direction they are the triangle's.
+TEST(Draw, NormalsThatDoNotFaceTheViewer) {
+    for (const glm::vec3& given : {glm::vec3(0), glm::vec3(nan), glm::vec3(0, -1, -1)}) {
+        Scene scene{.name = "slope", .mesh = make_parallelogram({-9, -9, 4}, {18, 0, 0}, {0, 18, -18}, 50.0)};
+        std::ranges::fill(scene.mesh.normals, given);
+        const GBuffer g = draw(scene, {16, 16});
+        for (const glm::vec3& normal : g.normal)
+            EXPECT_LT(glm::distance(normal, glm::normalize(glm::vec3(0, 1, 1))), 1e-6F);
+    }
+}
+
+TEST(Draw, WhatIsAskedForChangesNothingElse) {
+    const Scene scene = boxes({});
+    const GBuffer plain = draw(scene, {64, 36}, {.frame = 9});
+    const GBuffer full =
+        draw(scene, {64, 36}, {.frame = 9, .motion = true, .ids = true, .color = true, .layers = 2});
+    EXPECT_EQ(bits(plain.depth), bits(full.depth));
+    EXPECT_EQ(plain.normal, full.normal);
+    EXPECT_TRUE(plain.motion.empty() && plain.previous_position.empty() && plain.object.empty() &&
+                plain.triangle.empty() && plain.color.empty() && plain.layers.empty());
+    EXPECT_EQ(full.color.back(), default_color);
+}
+
+TEST(Draw, EachLayerLiesBehindTheOneBefore) {
+    for (const char* name : {"room", "knot", "grass", "sky"}) {
+        const GBuffer view = draw(make_scene(name), {96, 64}, {.layers = 4});
+        std::size_t further = 0;
+        for (std::size_t i = 0; i < view.depth.size(); ++i) {
+            float before = view.depth[i];
+            for (const std::vector<float>& layer : view.layers) {
+                const float depth = std::abs(layer[i]);
+                ASSERT_TRUE(depth > before || layer[i] == nothing) << name << ' ' << i;
+                further += std::isfinite(depth) ? 1 : 0;
+                before = depth;
+            }
+        }
+        EXPECT_GT(further, view.depth.size() / 50) << name;
+    }
+}
+
+// What coincides is one surface.
+TEST(Draw, NoSurfaceIsALayerTwice) {
+    const Scene once = boxes({});
+    Scene twice = once;
+    append(twice.mesh, once.mesh);
+    EXPECT_EQ(draw(twice, {48, 32}, {.layers = 4}).layers, draw(once, {48, 32}, {.layers = 4}).layers);
+}
+
+TEST(Draw, WhatCannotBe) {
+    Scene scene = make_scene("moving");
+    using Extent = gpu::Extent;
+    const auto refused = [&](Extent extent, const DrawOptions& options,
+                             std::initializer_list<std::string> parts) {
+        expect_error<std::invalid_argument>([&] { (void)draw(scene, extent, options); }, parts);
+    };
+    for (const Extent extent : {Extent{0, 5}, Extent{5, 0}, Extent{0, 0}})
+        refused(extent, {}, {std::to_string(extent.width) + "x" + std::to_string(extent.height)});
+    refused({4, 4}, {.frame = -1}, {"frame -1", "moving"});
+    for (const int layers : {-1, 0, 5})
+        refused({4, 4}, {.layers = layers}, {std::to_string(layers), "expected 1 to 4"});
+    refused({4, 4}, {.guard = 0.6}, {"guard 0.6"});
+    const Scene good = scene;
+    scene.objects[1].mesh.indices[0] = 1'000'000;
+    refused({4, 4}, {}, {"moving, object 2", "index 1000000"});
+    scene.objects[1].transform = nullptr;
+    refused({4, 4}, {}, {"object 2", "transform"});
+    scene = good;
+    scene.mesh.indices.push_back(0);
+    refused({4, 4}, {}, {"moving", "indices", "three for each triangle"});
+    scene = good;
+    scene.mesh.normals.pop_back();
+    refused({4, 4}, {}, {"moving", "normals for"});
+    scene = {.name = "void"};
+    refused({4, 4}, {}, {"void", "no triangles"});
+}
+
+}  // namespace gloam::scene::test::draw_test
