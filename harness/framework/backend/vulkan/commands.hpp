@@ -84,18 +84,13 @@ class Commands {
     base::Hidden<Impl> impl_;
 };
 
-// The parts of a pipeline that renders triangle lists to colour images and one depth image. Entry points are
-// "main"; fragment output i goes to colour image i. The nearest fragment wins: the depth test is LESS with
-// standard z and GREATER with reversed_z. No culling, no blending. A vertex is a sequence of float32 values,
-// read as consecutive attributes: location i has attribute_sizes[i] floats. Clip space is Vulkan's: y down
-// (NDC -1 is the top row), z from 0 to 1.
+// The parts of a pipeline that runs a fragment shader for the pixels of one triangle. Its only outputs are
+// its resources. Entry points are "main"; the vertex shader makes the corners of gl_VertexIndex, 0 to 2, in
+// Vulkan's clip space.
 struct RasterProgram {
     std::span<const std::uint32_t> vertex_spirv;
     std::span<const std::uint32_t> fragment_spirv;
-    std::vector<int> attribute_sizes;  // 1 to 4 floats each
-    std::vector<Format> color_formats;
-    std::uint32_t push_constant_bytes = 0;  // visible to both stages
-    bool reversed_z = false;
+    std::uint32_t push_constant_bytes = 0;               // visible to both stages
     std::vector<BindingKind> bindings = {};              // of descriptor set 0, visible to both stages
     std::vector<SpecializationConstant> constants = {};  // of both stages
 };
@@ -113,20 +108,10 @@ class RasterPipeline {
     base::Hidden<Impl> impl_;
 };
 
-struct Draw {
-    std::reference_wrapper<const Buffer> vertices;
-    std::reference_wrapper<const Buffer> indices;  // uint32
-    std::uint32_t index_count = 0;  // three for each triangle; the first is at the start of `indices`
-    std::span<const std::byte> push_constants;  // copied when render() is called
-    std::vector<Resource> resources{};          // at the pipeline's bindings; none is rendered to
-};
-
-// Renders all draws in one pass, in order. The attachments are first cleared to clear_color (each channel)
-// and the far depth; later commands can read them. All images have the same extent. Indices must be valid
-// vertices.
-void render(Commands& commands, const RasterPipeline& pipeline,
-            std::span<const std::reference_wrapper<const Image>> colors, const Image& depth,
-            float clear_color, std::span<const Draw> draws);
+// Runs the pipeline in a viewport of this size, with the resources at its bindings; later commands can read
+// them.
+void render(Commands& commands, const RasterPipeline& pipeline, Extent extent,
+            std::span<const Resource> resources, std::span<const std::byte> push_constants);
 
 // The parts of a pipeline, for running it elsewhere.
 struct PipelineProgram {

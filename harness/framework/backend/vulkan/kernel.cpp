@@ -40,8 +40,6 @@ Pipeline pipeline_of(const Device& device, const backend::KernelProgram& program
     if (program.team.kind == backend::Team::Kind::quad)
         return RasterPipeline(device, {.vertex_spirv = program.vertex_spirv,
                                        .fragment_spirv = program.spirv,
-                                       .attribute_sizes = {},
-                                       .color_formats = {},
                                        .push_constant_bytes = sizeof(backend::KernelRun),
                                        .bindings = bindings_of(program),
                                        .constants = constants});
@@ -143,14 +141,8 @@ class VulkanKernel : public backend::Kernel {
         // A triangle that is half of the image, and so large that no edge of it divides a quad: where an edge
         // does, the invocations outside read 0 from buffers on llvmpipe.
         constexpr Word pixels = 2 * 2;  // of an image's side, for each quad
-        const Buffer corners = uploaded(device_, std::array<Word, 3>{0, 1, 2});
-        const Image depth(device_, {pixels * columns, pixels * rows}, Format::depth32f);
-        const std::array draw{Draw{.vertices = corners,
-                                   .indices = corners,
-                                   .index_count = 3,
-                                   .push_constants = parameters,
-                                   .resources = {resources.begin(), resources.end()}}};
-        render(commands, std::get<RasterPipeline>(pipeline_), {}, depth, 0.0F, draw);
+        render(commands, std::get<RasterPipeline>(pipeline_), {pixels * columns, pixels * rows}, resources,
+               parameters);
         commands.submit();
     }
 

@@ -23,9 +23,8 @@ BufferHandles create(const Context& context, std::size_t bytes) {
     vk::raii::Buffer buffer(
         context.device,
         vk::BufferCreateInfo{.size = bytes,
-                             .usage = Usage::eStorageBuffer | Usage::eUniformBuffer | Usage::eVertexBuffer |
-                                      Usage::eIndexBuffer | Usage::eIndirectBuffer | Usage::eTransferSrc |
-                                      Usage::eTransferDst});
+                             .usage = Usage::eStorageBuffer | Usage::eUniformBuffer | Usage::eIndirectBuffer |
+                                      Usage::eTransferSrc | Usage::eTransferDst});
     // Cached memory: the host reads results back, which is very slow from write-combined memory.
     using Property = vk::MemoryPropertyFlagBits;
     constexpr auto coherent = Property::eHostVisible | Property::eHostCoherent;
@@ -59,28 +58,21 @@ std::span<const std::byte> Buffer::bytes() const {
 const FormatTraits& traits(Format format) {
     using enum vk::Format;
     using enum TexelKind;
-    using Aspect = vk::ImageAspectFlagBits;
-    using Usage = vk::ImageUsageFlagBits;
-    static constexpr auto integer = Usage::eStorage | Usage::eSampled;
-    static constexpr auto color = integer | Usage::eColorAttachment;
-    static constexpr auto depth = Usage::eDepthStencilAttachment;
-    static constexpr std::array all{
-        // in the order of Format
-        FormatTraits{"r32f", eR32Sfloat, 1, 4, Aspect::eColor, color, words},
-        FormatTraits{"rgba32f", eR32G32B32A32Sfloat, 4, 16, Aspect::eColor, color, words},
-        FormatTraits{"rgba16f", eR16G16B16A16Sfloat, 4, 8, Aspect::eColor, color, halves},
-        FormatTraits{"rgba16ui", eR16G16B16A16Uint, 4, 8, Aspect::eColor, integer, shorts},
-        FormatTraits{"depth32f", eD32Sfloat, 1, 4, Aspect::eDepth, depth, words},
-        FormatTraits{"r16f", eR16Sfloat, 1, 2, Aspect::eColor, color, halves},
-        FormatTraits{"r8", eR8Unorm, 1, 1, Aspect::eColor, color, unorm8},
-        FormatTraits{"r32ui", eR32Uint, 1, 4, Aspect::eColor, integer, words},
-        FormatTraits{"rg32f", eR32G32Sfloat, 2, 8, Aspect::eColor, color, words},
-        FormatTraits{"rg16f", eR16G16Sfloat, 2, 4, Aspect::eColor, color, halves},
-        FormatTraits{"rgba8", eR8G8B8A8Unorm, 4, 4, Aspect::eColor, color, unorm8},
-        FormatTraits{"r16ui", eR16Uint, 1, 2, Aspect::eColor, integer, shorts},
-        FormatTraits{"rg16ui", eR16G16Uint, 2, 4, Aspect::eColor, integer, shorts},
-        FormatTraits{"rg32ui", eR32G32Uint, 2, 8, Aspect::eColor, integer, words},
-        FormatTraits{"rgba32ui", eR32G32B32A32Uint, 4, 16, Aspect::eColor, integer, words}};
+    static constexpr std::array all{// in the order of Format
+                                    FormatTraits{"r32f", eR32Sfloat, 1, 4, words},
+                                    FormatTraits{"rgba32f", eR32G32B32A32Sfloat, 4, 16, words},
+                                    FormatTraits{"rgba16f", eR16G16B16A16Sfloat, 4, 8, halves},
+                                    FormatTraits{"rgba16ui", eR16G16B16A16Uint, 4, 8, shorts},
+                                    FormatTraits{"r16f", eR16Sfloat, 1, 2, halves},
+                                    FormatTraits{"r8", eR8Unorm, 1, 1, unorm8},
+                                    FormatTraits{"r32ui", eR32Uint, 1, 4, words},
+                                    FormatTraits{"rg32f", eR32G32Sfloat, 2, 8, words},
+                                    FormatTraits{"rg16f", eR16G16Sfloat, 2, 4, halves},
+                                    FormatTraits{"rgba8", eR8G8B8A8Unorm, 4, 4, unorm8},
+                                    FormatTraits{"r16ui", eR16Uint, 1, 2, shorts},
+                                    FormatTraits{"rg16ui", eR16G16Uint, 2, 4, shorts},
+                                    FormatTraits{"rg32ui", eR32G32Uint, 2, 8, words},
+                                    FormatTraits{"rgba32ui", eR32G32B32A32Uint, 4, 16, words}};
     const auto at = static_cast<std::size_t>(format);
     if (at >= all.size()) throw std::invalid_argument(fmt::format("unknown image format {}", at));
     return all[at];
@@ -103,7 +95,7 @@ std::string describe(Extent extent, Format format) {
 }
 
 vk::ImageCreateInfo create_info(Extent extent, Format format) {
-    constexpr auto copies = vk::ImageUsageFlagBits::eTransferSrc | vk::ImageUsageFlagBits::eTransferDst;
+    using Usage = vk::ImageUsageFlagBits;
     return {.imageType = vk::ImageType::e2D,
             .format = traits(format).format,
             .extent = {extent.width, extent.height, 1},
@@ -111,7 +103,7 @@ vk::ImageCreateInfo create_info(Extent extent, Format format) {
             .arrayLayers = 1,
             .samples = vk::SampleCountFlagBits::e1,
             .tiling = vk::ImageTiling::eOptimal,
-            .usage = traits(format).usage | copies,
+            .usage = Usage::eStorage | Usage::eSampled | Usage::eTransferSrc | Usage::eTransferDst,
             .initialLayout = vk::ImageLayout::eUndefined};
 }
 
@@ -143,8 +135,8 @@ void check_size(const Context& context, Extent extent, Format format) {
 ImageHandles create(Context& context, Extent extent, Format format) {
     context.require_idle();  // a driver may wait for the work before it makes an image
     check_size(context, extent, format);
-    return make_image(context, create_info(extent, format), vk::ImageViewType::e2D, traits(format).aspect,
-                      describe(extent, format));
+    return make_image(context, create_info(extent, format), vk::ImageViewType::e2D,
+                      vk::ImageAspectFlagBits::eColor, describe(extent, format));
 }
 
 }  // namespace
@@ -182,8 +174,9 @@ void begin_general_layout(const vk::raii::CommandBuffer& commands, vk::Image ima
 Image::Impl::Impl(Context& owner, Extent size, Format kind)
     : context(owner), extent(size), format(kind), handles(owner, create(owner, size, kind)) {
     context.run_once([this](const vk::raii::CommandBuffer& commands) {
-        begin_general_layout(commands, *handles->image,
-                             {.aspectMask = traits(format).aspect, .levelCount = 1, .layerCount = 1});
+        begin_general_layout(
+            commands, *handles->image,
+            {.aspectMask = vk::ImageAspectFlagBits::eColor, .levelCount = 1, .layerCount = 1});
     });
 }
 
@@ -222,7 +215,7 @@ std::uint32_t band_rows(const Image::Impl& image) {
 }
 
 vk::BufferImageCopy copy_region(const Image::Impl& image, Band band) {
-    return {.imageSubresource = {.aspectMask = traits(image.format).aspect, .layerCount = 1},
+    return {.imageSubresource = {.aspectMask = vk::ImageAspectFlagBits::eColor, .layerCount = 1},
             .imageOffset = {0, static_cast<std::int32_t>(band.first_row), 0},
             .imageExtent = {image.extent.width, band.rows, 1}};
 }

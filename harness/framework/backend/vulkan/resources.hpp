@@ -42,14 +42,13 @@ class Buffer {
     base::Hidden<Impl> impl_;
 };
 
-// Formats of storage images, and the depth attachment's. Those of one and two channels, but for r32f and
-// r32ui, need shaderStorageImageExtendedFormats, which most devices have.
+// Formats of storage images. Those of one and two channels, but for r32f and r32ui, need
+// shaderStorageImageExtendedFormats, which most devices have.
 enum class Format {
     r32f,
     rgba32f,
     rgba16f,
     rgba16ui,
-    depth32f,
     r16f,
     r8,
     r32ui,
@@ -62,7 +61,7 @@ enum class Format {
     rgba32ui
 };
 
-// The format that GLSL calls so: "rgba8". depth32f has its own name.
+// The format that GLSL calls so: "rgba8".
 [[nodiscard]] std::optional<Format> format_from(std::string_view name);
 
 // Floats for each texel in uploads and downloads.
@@ -74,9 +73,9 @@ struct Extent {
     friend bool operator==(const Extent&, const Extent&) = default;
 };
 
-// A 2-D image in device memory, row 0 at the top. It is a storage image and colour attachment, or (depth32f)
-// a depth attachment only. Its contents are undefined at first. Throws std::runtime_error when a side is 0 or
-// exceeds the device's limit, the device does not support the format, or memory is exhausted.
+// A 2-D storage image in device memory, row 0 at the top. Its contents are undefined at first. Throws
+// std::runtime_error when a side is 0 or exceeds the device's limit, the device does not support the format,
+// or memory is exhausted.
 class Image {
   public:
     Image(const Device& device, Extent extent, Format format);

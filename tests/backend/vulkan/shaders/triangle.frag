@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #version 450
-// Where the fragment is, and what it carries.
-layout(location = 0) in float vertex_value;
-layout(location = 0) out vec4 place;
-layout(location = 1) out float value;
-layout(push_constant) uniform Constants { vec2 offset; float scale; };
+// Adds a value to the fragment's texel.
+layout(binding = 0, r32f) uniform image2D values;
+layout(push_constant) uniform Constants { float value; };
 
 void main() {
-    place = gl_FragCoord;
-    value = scale * vertex_value;
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    imageStore(values, pixel, imageLoad(values, pixel) + value);
 }

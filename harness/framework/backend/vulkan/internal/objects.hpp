@@ -23,8 +23,6 @@ struct FormatTraits {
     vk::Format format;
     int channels;
     std::size_t texel_bytes;
-    vk::ImageAspectFlagBits aspect;
-    vk::ImageUsageFlags usage;  // besides copies
     TexelKind kind;
 };
 
@@ -156,18 +154,9 @@ struct RasterPipeline::Impl {
     Impl(Context& owner, const RasterProgram& program);
 
     Context& context;
-    std::size_t color_images;
-    bool reversed_z;
     std::vector<BindingKind> bindings;
     Guarded<RasterHandles> handles;
 };
-
-inline constexpr auto raster_stages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
-
-// One subpass: colour attachments in order, then depth. All are cleared first and end in
-// VK_IMAGE_LAYOUT_GENERAL.
-[[nodiscard]] vk::raii::RenderPass make_render_pass(const Context& context,
-                                                    std::span<const Format> color_formats);
 
 // The objects that must outlive the execution of a recording.
 struct Recording {
