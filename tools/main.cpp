@@ -92,7 +92,6 @@ int run(int argc, char** argv) {
     gloam::cli::add_explain(app);
     gloam::cli::add_cost(app, status);
     gloam::cli::add_mutate(app, std::move(tested), status);
-    gloam::cli::add_mesh_reader(app, status);
     gloam::cli::add_report(app, status);
     gloam::cli::add_render(app, status);
     gloam::cli::add_bench(app, status);

@@ -38,12 +38,6 @@ void add_cost(CLI::App& app, int& status);
 // receives 0, or 1 if one changes a result where it is promised.
 void add_mutate(CLI::App& app, std::vector<std::string> words, int& status);
 
-// The command line of this program as a mesh reader for another process; the file's path is appended.
-[[nodiscard]] std::vector<std::string> mesh_reader_command();
-
-// Adds the hidden subcommand that reads a mesh.
-void add_mesh_reader(CLI::App& app, int& status);
-
 // Adds the subcommand that merges the JSON of `gloam check` from many machines. `status` receives 0, or 1 if
 // there is a failure.
 void add_report(CLI::App& app, int& status);

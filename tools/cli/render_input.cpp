@@ -96,8 +96,7 @@ scene::Scene load_scene(const RenderOptions& options, gpu::Extent extent) {
             fmt::format("\"{}\" is neither a scene ({}), a view (gloam list views) nor a mesh file", source,
                         scene_list()));
     }
-    return scene::mesh_scene(scene::read_mesh(source, mesh_reader_command()),
-                             fs::path(source).stem().string(), view);
+    return scene::mesh_scene(scene::read_mesh(source), fs::path(source).stem().string(), view);
 }
 
 // what: the view, with what makes it so wide.

@@ -52,7 +52,7 @@ inline constexpr float crease_degrees = 45.0F;
 // is NaN or infinite, or if a face is invalid. A face is invalid without corners, with too many corners, or
 // with vertices that do not exist.
 // Only for trusted files: a malformed file can still crash assimp, or make it run for a long time. For other
-// files see mesh_reader.hpp.
+// files see mesh_scene.hpp.
 [[nodiscard]] Mesh load_mesh(const std::filesystem::path& file);
 
 // A parallelogram from `corner` along `u` and `v`, cut into cells of at most `cell` world units a side (large

@@ -5,18 +5,13 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
-#include <unistd.h>
 #include <array>
 #include <assimp/Importer.hpp>
 #include <cmath>
-#include <csignal>
-#include <cstdio>
 #include <cstring>
-#include <new>
 #include <span>
 #include <stdexcept>
 
-#include "base/files.hpp"
 #include "base/process.hpp"
 #include "base/text.hpp"
 
@@ -26,8 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view magic = "gloam mesh 1\n";
-constexpr int unreadable = 2;
-constexpr int out_of_memory = 3;
 
 template <class T>
 void append_bytes(std::string& bytes, const std::vector<T>& values) {
@@ -50,23 +43,7 @@ base::ProcessLimits limits_for(const fs::path& file) {
     constexpr std::uint64_t memory = std::uint64_t{1} << 30;
     constexpr std::uint64_t memory_for_byte = 64;
     const auto cpu = std::chrono::seconds(3 + 2 * (bytes >> 20));
-    return {.memory_bytes = memory + memory_for_byte * bytes,
-            .cpu = cpu,
-            .patience = 20 * cpu,
-            .output_bytes = memory + memory_for_byte * bytes};
-}
-
-[[noreturn]] void refuse(const fs::path& file, const base::ProcessResult& reader,
-                         const base::ProcessLimits& limits) {
-    using End = base::ProcessResult::End;
-    if (reader.end == End::status && reader.number == unreadable && !reader.errors.empty())
-        throw std::runtime_error(base::one_line(reader.errors));
-    std::string why = "cannot be read: its reader " + base::one_line(reader.how());
-    if (reader.end == End::status && reader.number == out_of_memory)
-        why = fmt::format("takes more than {} MiB to read, the limit", limits.memory_bytes >> 20);
-    if (reader.end == End::time || (reader.end == End::signal && reader.number == SIGXCPU))
-        why = fmt::format("takes more than {} s to read, the limit", limits.cpu.count());
-    throw std::runtime_error(fmt::format("mesh {}: {}", file.string(), why));
+    return {.memory_bytes = memory + memory_for_byte * bytes, .cpu = cpu, .patience = 20 * cpu};
 }
 
 void require_whole(const Mesh& mesh) {
@@ -100,33 +77,17 @@ Mesh mesh_from_bytes(std::string_view bytes) {
     return mesh;
 }
 
-Mesh read_mesh(const fs::path& file, std::vector<std::string> reader) {
-    const base::ProcessLimits limits = limits_for(file);
-    reader.push_back(fs::absolute(file).string());
-    const base::ProcessResult result = base::run_process(reader, "", limits);
-    if (!result.succeeded()) refuse(file, result, limits);
+Mesh read_mesh(const fs::path& file) {
     try {
-        return mesh_from_bytes(result.output);
-    } catch (const std::runtime_error& error) {
-        throw std::runtime_error(fmt::format("mesh {}: its reader gave {}", file.string(), error.what()));
-    }
-}
-
-int run_mesh_reader(const fs::path& file) {
-    try {
-        const std::string bytes = mesh_bytes(load_mesh(file));
-        return base::write_all(STDOUT_FILENO, bytes) == 0 ? 0 : unreadable;
-    } catch (const std::bad_alloc&) {
-        return out_of_memory;
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "{}\n", error.what());
-        return unreadable;
+        return mesh_from_bytes(
+            base::run_apart([&] { return mesh_bytes(load_mesh(file)); }, limits_for(file)));
+    } catch (const base::LimitError& error) {
+        throw std::runtime_error(
+            fmt::format("mesh {}: cannot be read: its reader {}", file.string(), error.what()));
     }
 }
 
 namespace {
-
-namespace fs = std::filesystem;
 
 [[noreturn]] void fail_to_load(const fs::path& file, const std::string& what) {
     throw std::runtime_error("mesh " + file.string() + ": " + what);
