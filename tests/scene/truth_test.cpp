@@ -90,7 +90,7 @@ TEST(TruthTest, FarFromTheOriginIsAsGoodAsNearIt) {
 // Every pixel finds its surface again, and no point is shut in by accident: dots that are blocked all around
 // between neighbours that are not.
 TEST(TruthTest, OfEveryBuiltInSceneHasNoHolesAndNoDots) {
-    for (const SceneInfo& info : built_in_scenes()) {
+    for (const ViewInfo& info : built_in_scenes()) {
         const Scene scene = make_scene(info.name);
         for (const int frame : {0, 17}) {
             const GBuffer view = shot(scene, {96, 54}, frame);

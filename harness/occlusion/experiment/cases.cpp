@@ -83,7 +83,7 @@ std::vector<Case> all_views() {
     for (const scene::ViewInfo& info : scene::all_views())
         cases.push_back({.name = info.name,
                          .kind = info.kind,
-                         .half = std::string(scene::name_of(info.half)),
+                         .half = std::string(scene::name_of(*info.half)),
                          .scene = info.name,
                          .view = true});
     return cases;

@@ -6,48 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "scene/internal/built_in_scenes.hpp"
-
 namespace gloam::scene {
-namespace {
-
-struct BuiltIn {
-    SceneInfo info;
-    Scene (*make)();
-};
-
-const std::vector<BuiltIn>& all_built_in() {
-    static const std::vector<BuiltIn> scenes{
-        {{"columns", "a column hall, from a cable 0.1 m before the eye to 200 m away"}, make_columns},
-        {{"corner", "a floor and two walls, whose occlusion is known in closed form"}, make_corner},
-        {{"far", "a terrace and balls 128 km from the origin, under a slow camera"}, make_far},
-        {{"grass", "blades and leaves without thickness, under a moving camera"}, make_grass},
-        {{"knot", "a knotted tube on the ground before a wall, under a circling camera"}, make_knot},
-        {{"moving", "a rolling ball and a turning box before steps and a wall, under a moving camera"},
-         make_moving},
-        {{"relief", "a carved panel in the hall of columns, close up"}, make_relief},
-        {{"room", "a closed room with books, boards and other small things, under a moving camera"},
-         make_room},
-        {{"sky", "masts, wires and a kite, mostly sky, under a moving camera"}, make_sky}};
-    return scenes;
-}
-
-}  // namespace
-
-std::vector<SceneInfo> built_in_scenes() {
-    std::vector<SceneInfo> infos;
-    for (const BuiltIn& scene : all_built_in()) infos.push_back(scene.info);
-    return infos;
-}
-
-Scene make_scene(std::string_view name) {
-    std::string names;
-    for (const BuiltIn& scene : all_built_in()) {
-        if (scene.info.name == name) return scene.make();
-        names += (names.empty() ? "" : ", ") + scene.info.name;
-    }
-    throw std::invalid_argument("unknown scene \"" + std::string(name) + "\": expected " + names);
-}
 
 Camera camera_at(const Scene& scene, int frame) {
     return scene.camera_path ? scene.camera_path(frame) : scene.camera;

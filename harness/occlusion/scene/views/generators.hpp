@@ -36,9 +36,11 @@ inline constexpr double full_turn = 2.0 * std::numbers::pi;  // radians
 // Sum of `octaves` smooth noises, each of half the size and half the height of the one before.
 [[nodiscard]] double fractal_noise(double x, double z, int octaves, std::uint64_t seed);
 
-// Ways in which the views' cameras move.
+// How a camera moves by `step` in each frame: with its target, looking at the same target, or around its
+// target by step.x degrees about the vertical axis.
+enum class Way { gliding, passing, circling };
 
-// Where a view's camera starts.
+// Where a view's camera starts, and its way.
 struct Stand {
     glm::dvec3 eye{0};
     glm::dvec3 target{0};
@@ -46,19 +48,12 @@ struct Stand {
     double view_height = 0.0;  // > 0: orthographic, world units from bottom to top
     double near = 0.05;
     double far = 200.0;
+    Way way = Way::gliding;
+    glm::dvec3 step{0};
 };
 
-// The camera at its start: reversed depth.
-[[nodiscard]] Camera camera_of(const Stand& stand);
-
-// A camera that moves by `step` in each frame, its target with it.
-[[nodiscard]] std::function<Camera(int frame)> gliding(const Stand& stand, const glm::dvec3& step);
-
-// A camera that moves by `step` in each frame and looks at the same target.
-[[nodiscard]] std::function<Camera(int frame)> passing(const Stand& stand, const glm::dvec3& step);
-
-// A camera that circles its target about the vertical axis.
-[[nodiscard]] std::function<Camera(int frame)> circling(const Stand& stand, double degrees_a_frame);
+// The camera's path, with reversed depth.
+[[nodiscard]] std::function<Camera(int frame)> path_of(const Stand& stand);
 
 // The scene with a camera path; `camera` is its frame 0.
 [[nodiscard]] Scene filmed(Scene scene, std::function<Camera(int frame)> path);
@@ -149,17 +144,5 @@ struct Display {
 
 // Throws std::runtime_error with the file's name and the package that has it if it cannot be read.
 [[nodiscard]] Scene make_display(const std::filesystem::path& folder, const Display& display);
-
-// A view: what it is called, and how it is made.
-struct ViewMaker {
-    std::string name;
-    std::string kind;
-    ViewHalf half;
-    std::string description;
-    std::function<Scene(const std::filesystem::path& meshes)> make;
-};
-
-// All views, in their order.
-[[nodiscard]] const std::vector<ViewMaker>& view_table();
 
 }  // namespace gloam::scene::views

@@ -120,44 +120,29 @@ double fractal_noise(double x, double z, int octaves, std::uint64_t seed) {
     return sum;
 }
 
-Camera camera_of(const Stand& stand) {
-    Camera camera{.eye = stand.eye,
-                  .target = stand.target,
-                  .fovy_rad = stand.fovy_rad,
-                  .near = stand.near,
-                  .far = stand.far,
-                  .reversed_z = true};
+std::function<Camera(int)> path_of(const Stand& stand) {
+    Camera start{.eye = stand.eye,
+                 .target = stand.target,
+                 .fovy_rad = stand.fovy_rad,
+                 .near = stand.near,
+                 .far = stand.far,
+                 .reversed_z = true};
     if (stand.view_height > 0.0) {
-        camera.projection = Projection::orthographic;
-        camera.view_height = stand.view_height;
+        start.projection = Projection::orthographic;
+        start.view_height = stand.view_height;
     }
-    return camera;
-}
-
-std::function<Camera(int)> gliding(const Stand& stand, const glm::dvec3& step) {
-    return [start = camera_of(stand), step](int frame) {
+    return [start, way = stand.way, step = stand.step](int frame) {
         Camera camera = start;
+        if (way == Way::circling) {
+            const double angle = frame * step.x * std::numbers::pi / 180.0;
+            const glm::dvec3 back = start.eye - start.target;
+            camera.eye =
+                start.target + glm::dvec3(std::cos(angle) * back.x + std::sin(angle) * back.z, back.y,
+                                          std::cos(angle) * back.z - std::sin(angle) * back.x);
+            return camera;
+        }
         camera.eye += static_cast<double>(frame) * step;
-        camera.target += static_cast<double>(frame) * step;
-        return camera;
-    };
-}
-
-std::function<Camera(int)> passing(const Stand& stand, const glm::dvec3& step) {
-    return [start = camera_of(stand), step](int frame) {
-        Camera camera = start;
-        camera.eye += static_cast<double>(frame) * step;
-        return camera;
-    };
-}
-
-std::function<Camera(int)> circling(const Stand& stand, double degrees_a_frame) {
-    return [start = camera_of(stand), degrees_a_frame](int frame) {
-        const double angle = frame * degrees_a_frame * std::numbers::pi / 180.0;
-        const glm::dvec3 back = start.eye - start.target;
-        Camera camera = start;
-        camera.eye = start.target + glm::dvec3(std::cos(angle) * back.x + std::sin(angle) * back.z, back.y,
-                                               std::cos(angle) * back.z - std::sin(angle) * back.x);
+        if (way == Way::gliding) camera.target += static_cast<double>(frame) * step;
         return camera;
     };
 }
