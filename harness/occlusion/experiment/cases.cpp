@@ -78,14 +78,16 @@ void edit(const Case& one, scene::GBuffer& view, int number) {
     if (one.still && number > 0) view.camera.previous_from_current = glm::mat4(1.0F);
 }
 
-std::vector<Case> all_views() {
+// Views with moving objects are judged by class of pixel, so they have no part in the means over all others.
+std::vector<Case> views_of(const CaseQuery& query) {
     std::vector<Case> cases;
     for (const scene::ViewInfo& info : scene::all_views())
-        cases.push_back({.name = info.name,
-                         .kind = info.kind,
-                         .half = std::string(scene::name_of(*info.half)),
-                         .scene = info.name,
-                         .view = true});
+        if ((info.kind == "motion") == (query.all == "motion"))
+            cases.push_back({.name = info.name,
+                             .kind = info.kind,
+                             .half = std::string(scene::name_of(*info.half)),
+                             .scene = info.name,
+                             .view = true});
     return cases;
 }
 
@@ -225,7 +227,7 @@ void choose_cases(Experiment& experiment, const std::vector<std::string>& names,
     const CaseQuery query = experiment.query.value_or(CaseQuery{});
     if (!half.empty() && !experiment.query)
         throw std::invalid_argument(fmt::format("{} half: expected an experiment on all views", half));
-    if (experiment.query) experiment.cases = all_views();
+    if (experiment.query) experiment.cases = views_of(query);
     require_names(experiment.cases, names);
     const std::string wanted = half.empty() ? query.half : half;
     std::erase_if(experiment.cases, [&](const Case& one) {

@@ -83,6 +83,7 @@ struct Case {
 
 // All views of scene/scene.hpp, or those of one half.
 struct CaseQuery {
+    std::string all;           // "motion": the views of that kind; else all others
     std::string half;          // empty: both
     bool perspective = false;  // without orthographic cameras
 };

@@ -97,9 +97,8 @@ void read_cases(const JsonReader& value, Experiment& experiment) {
     }
     Members members(value);
     CaseQuery& query = experiment.query.emplace();
-    std::string which;
-    members.read("all", which, std::vector<std::string>{"views"});
-    members.require("all", !which.empty());
+    members.read("all", query.all, std::vector<std::string>{"views", "motion"});
+    members.require("all", !query.all.empty());
     members.read("half", query.half, std::vector<std::string>{"tuning", "unseen"});
     members.read("perspective", query.perspective);
     members.require_known();

@@ -50,7 +50,7 @@ enum class ViewHalf { tuning, unseen };
 
 struct ViewInfo {
     std::string name;
-    std::string kind;  // "interior", "hall", "foliage", "machine", "terrain", "mesh" or "scene"
+    std::string kind;  // "interior", "hall", "foliage", "machine", "terrain", "mesh", "scene" or "motion"
     std::string description;
     std::optional<ViewHalf> half;  // empty: on this scene nothing is fitted or judged
 };

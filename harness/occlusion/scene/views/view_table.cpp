@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <variant>
 
@@ -16,11 +17,31 @@ using enum Way;
 // A built-in scene has its own camera. Above a terrain the heights of the stand are those above the ground.
 using Shown = std::variant<Interior, Hall, Foliage, Machine, Terrain, Town, Display, Scene (*)()>;
 
+// An object that moves: by `step` in a frame, while it turns about `axis` by `turn` radians. It slows down
+// and comes back after 79 frames, so that no object leaves its scene.
+struct Mover {
+    Mesh mesh;  // around the origin
+    glm::dvec3 from;
+    glm::dvec3 step;
+    double turn = 0.0;
+    glm::dvec3 axis{0, 1, 0};
+};
+
 struct Row {
     ViewInfo info;
     Shown shown;
     Stand stand{};
+    std::vector<Mover> movers{};
 };
+
+// A ball that rolls on a level floor without slipping.
+Mover rolling(double radius, const glm::dvec3& from, const glm::dvec3& step) {
+    return {.mesh = make_sphere({0, 0, 0}, radius, 32, 64),
+            .from = from,
+            .step = step,
+            .turn = glm::length(step) / radius,
+            .axis = glm::cross(glm::dvec3(0, 1, 0), step)};
+}
 
 // All views and built-in scenes, in their order: new ones are added at the end.
 const std::vector<Row>& rows() {
@@ -152,7 +173,28 @@ const std::vector<Row>& rows() {
         {{"room", "scene", "a closed room with books, boards and other small things, under a moving camera",
           unseen},
          make_room},
-        {{"sky", "scene", "masts, wires and a kite, mostly sky, under a moving camera", tuning}, make_sky}};
+        {{"sky", "scene", "masts, wires and a kite, mostly sky, under a moving camera", tuning}, make_sky},
+        // One object rolls, one tumbles, one slides along a wall out of the picture, and the camera moves.
+        {{"yard", "motion", "a ball, a box and a crate move before machines", tuning},
+         Machine{.seed = 61, .parts = 3, .pipes = 0, .radius = 0.3},
+         {.eye = {0.8, 1.5, 2.6}, .target = {0, 0.7, -1.0}, .way = passing, .step = {-0.012, 0, 0}},
+         {rolling(0.3, {-1.3, 0.3, 0.3}, {0.045, 0, 0}),
+          {make_box({-0.25, -0.15, -0.2}, {0.25, 0.15, 0.2}, 1.0),
+           {1.1, 0.7, 0.2},
+           {-0.02, -0.006, 0},
+           0.08,
+           {0.6, 0.2, 0.8}},
+          {make_box({-0.35, 0, -0.3}, {0.35, 0.8, 0.3}, 1.0), {2.8, 0, -1.68}, {0.06, 0, 0}}}},
+        {{"gallery", "motion", "a ball, a plank and a chest move in a hall", unseen},
+         Hall{.seed = 62},
+         {.eye = {0.6, 1.6, 1.0}, .target = {-1.0, 0.9, -6.0}, .step = {0.008, 0, -0.012}},
+         {rolling(0.4, {-0.9, 0.4, -4.6}, {0.01, 0, 0.05}),
+          {make_box({-0.5, -0.06, -0.15}, {0.5, 0.06, 0.15}, 1.0),
+           {0.5, 0.6, -2.6},
+           {-0.02, 0, -0.01},
+           0.07,
+           {0.3, 0.4, 0.9}},
+          {make_box({-0.3, 0, -0.45}, {0.3, 0.6, 0.45}, 1.0), {3.15, 0, -4.7}, {0, 0, 0.1}}}}};
     return all;
 }
 
@@ -175,6 +217,12 @@ Scene filmed(const Row& row, const std::filesystem::path& meshes) {
     Scene scene = made_of(row.shown, meshes);
     scene.name = row.info.name;
     if (std::holds_alternative<Scene (*)()>(row.shown)) return scene;
+    for (const Mover& mover : row.movers)
+        scene.objects.push_back({mover.mesh, [mover](int frame) {
+                                     const double steps = 50.0 * std::sin(0.02 * frame);
+                                     return rigid_motion(mover.from + steps * mover.step, steps * mover.turn,
+                                                         mover.axis);
+                                 }});
     Stand stand = row.stand;
     if (const auto* terrain = std::get_if<Terrain>(&row.shown))
         for (glm::dvec3* point : {&stand.eye, &stand.target})
