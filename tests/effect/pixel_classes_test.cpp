@@ -52,7 +52,7 @@ TEST(HistoryMap, OfAStillViewIsTheViewItself) {
         EXPECT_NEAR(history.sample(i, image), image[i], 1e-2);
         EXPECT_FALSE(history.moved(i));
     }
-    EXPECT_NEAR(mean_change(history, image, image), 0.0, 1e-2);
+    EXPECT_NEAR(mean_change(history, image, image).value(), 0.0, 1e-2);
 }
 
 // The camera moves three pixels to the right: three columns come in, and three that the square had hidden.
@@ -92,8 +92,14 @@ TEST(HistoryMap, OfAMovingObject) {
     std::vector<float> then(width * height, 0.0F);
     for (std::size_t i = 0; i < then.size(); ++i) then[i] = before.depth[i] < 7 ? 1.0F : 0.0F;
     for (std::size_t i = 0; i < now.size(); ++i) now[i] = history.moved(i) ? 1.0F : 0.0F;
-    EXPECT_NEAR(mean_change(history, now, then), 0.0, 1e-6);
-    EXPECT_NEAR(mean_change(history, then, then), (2.0 * 8) / (width * height - 16), 1e-6);
+    EXPECT_NEAR(mean_change(history, now, then).value(), 0.0, 1e-6);
+    EXPECT_NEAR(mean_change(history, then, then).value(), (2.0 * 8) / (width * height - 16), 1e-6);
+    // What is due is no flicker; the uncovered columns have no frame before.
+    const std::vector<float> due(width * height, -1.0F);
+    EXPECT_NEAR(mean_change(history, now, then, due).value(), 1.0, 1e-6);
+    Mask uncovered(width * height, 0);
+    for (std::size_t i = 0; i < uncovered.size(); ++i) uncovered[i] = history.seen(i) ? 0 : 1;
+    EXPECT_FALSE(mean_change(history, now, then, {}, uncovered));
 }
 
 // Motion vectors alone: dx, dy, valid.
@@ -138,47 +144,50 @@ TEST(DistanceTransform, IsTheDistanceToTheNearest) {
     EXPECT_THROW((void)distance_to(mask, {35, 20}), std::invalid_argument);
 }
 
+int count(const PixelClasses& classes, PixelClass one) {
+    return count(classes.mask(one));
+}
+
 TEST(PixelClasses, OfAStillViewSettle) {
     const scene::GBuffer view = square_view(10, 0, 10, 0);
     PixelClasses classes({.radius = 1.0, .settled_frames = 3});
     classes.advance(view, std::nullopt);
-    EXPECT_EQ(count(classes.disoccluded()), static_cast<int>(width * height));
+    EXPECT_EQ(count(classes, PixelClass::disoccluded), static_cast<int>(width * height));
     for (int frame = 1; frame <= 3; ++frame) {
-        EXPECT_EQ(count(classes.settled()), 0) << frame;
+        EXPECT_EQ(count(classes, PixelClass::settled), 0) << frame;
         classes.advance(view, HistoryMap(view, view));
-        EXPECT_EQ(count(classes.disoccluded()), 0);
-        EXPECT_EQ(count(classes.near_moving()), 0);
+        EXPECT_EQ(count(classes, frame < 3 ? PixelClass::young : PixelClass::settled),
+                  static_cast<int>(width * height));
     }
-    EXPECT_EQ(count(classes.settled()), static_cast<int>(width * height));
 }
 
-// A square moves by two pixels in one frame, then stands still. World radius 1.5 is 3 pixels.
+// A square of 8 x 8 pixels, columns 10 to 17 of rows 10 to 17, moves right by two in one frame, then stands
+// still. World radius 4 is 8 pixels.
 TEST(PixelClasses, OfAMovingObject) {
-    PixelClasses classes({.radius = 1.5, .settled_frames = 2, .memory = 2});
+    PixelClasses classes({.radius = 4.0, .settled_frames = 2, .near = 5.0, .memory = 3});
     const scene::GBuffer still = square_view(10, 0, 10, 0);
     const scene::GBuffer moved = square_view(12, 0, 10, 0);
     const scene::GBuffer rest = square_view(12, 0, 12, 0);
     classes.advance(still, std::nullopt);
     for (int i = 0; i < 3; ++i) classes.advance(still, HistoryMap(still, still));
     classes.advance(moved, HistoryMap(moved, still));
-    EXPECT_EQ(count(classes.disoccluded()), 16);
-    const Mask& near = classes.near_moving();
-    EXPECT_NE(near[14 * width + 22], 0);  // three pixels right of the square's last column, 19
-    EXPECT_EQ(near[14 * width + 23], 0);
-    EXPECT_NE(near[7 * width + 15], 0);  // and above its first row, 10
-    EXPECT_EQ(near[6 * width + 15], 0);
-    EXPECT_NE(classes.settled()[14 * width + 30], 0);
-    EXPECT_EQ(classes.settled()[14 * width + 22], 0);
-    for (std::size_t i = 0; i < near.size(); ++i)
-        ASSERT_LE(near[i] + classes.settled()[i] + classes.disoccluded()[i], 1);
-    // One frame in which the square still stood where it had moved, then two of memory.
+    EXPECT_EQ(count(classes, PixelClass::disoccluded), 2 * 8);
+    EXPECT_EQ(count(classes, PixelClass::moving), 8 * 8);
+    // Up to five pixels from columns 12 to 19: 4 x 5 x 8 beside and, in each corner, the places at (x, y)
+    // with x x + y y <= 25, of which 15 have x > 0 and y > 0. The 16 uncovered pixels are among those beside.
+    EXPECT_EQ(count(classes, PixelClass::near_moving), 4 * 5 * 8 + 4 * 15 - 16);
+    EXPECT_EQ(classes.at(14 * width + 24), PixelClass::near_moving);
+    EXPECT_EQ(classes.at(14 * width + 25), PixelClass::young) << "within the radius";
+    EXPECT_EQ(classes.at(14 * width + 27), PixelClass::young);
+    EXPECT_EQ(classes.at(14 * width + 28), PixelClass::settled);
+    // What moved in the last three frames; and what nothing has come near for two frames has settled again.
     for (int i = 0; i < 3; ++i) {
         classes.advance(rest, HistoryMap(rest, i == 0 ? moved : rest));
-        EXPECT_NE(classes.near_moving()[14 * width + 22], 0) << i;
+        EXPECT_EQ(count(classes, PixelClass::moving), 0) << i;
+        EXPECT_EQ(count(classes, PixelClass::near_moving), 18 * 18 - 4 * 10) << i;
     }
     classes.advance(rest, HistoryMap(rest, rest));
-    EXPECT_EQ(count(classes.near_moving()), 0);
-    EXPECT_EQ(count(classes.settled()), static_cast<int>(width * height));
+    EXPECT_EQ(count(classes, PixelClass::settled), static_cast<int>(width * height));
 }
 
 TEST(PixelClasses, OfAnotherSizeNeedACut) {

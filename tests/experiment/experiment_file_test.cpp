@@ -123,7 +123,7 @@ TEST(ExperimentFile, AColumnAsksForWhatThereIs) {
     const auto refused = [&](const std::string& column, const std::string& why) {
         expect_refused(with("\"value\": \"ms\"", column), place + why);
     };
-    refused(R"("value": "rmse", "pixels": "odd")", ".pixels: expected one of all, settled");
+    refused(R"("value": "rmse", "pixels": "odd")", ".pixels: expected one of all, disoccluded");
     refused(R"("value": "rmse", "against": "me")", ".against: expected one of limit, depth, geometry");
     refused(R"("value": "ms", "against": "limit")", ": expected a \"value\" of rmse, rmse_raw");
     refused(R"("value": "ms", "statistic": "slope")", ": expected a \"value\" of rmse, rmse_raw");

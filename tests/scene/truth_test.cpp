@@ -12,7 +12,7 @@ using scene::GBuffer;
 using scene::PictureLight;
 
 GBuffer shot(const Scene& scene, gpu::Extent extent, int frame = 0) {
-    return draw(scene, extent, {.frame = frame});
+    return draw(scene, extent, {.frame = frame, .ids = true});
 }
 
 TruthSettings settings(double radius, int rays, unsigned threads = 0) {
@@ -47,6 +47,37 @@ TEST(TruthTest, OfTheCornerIsItsClosedForm) {
     EXPECT_NEAR(beyond[1] / judged, 0.064, 0.03);
     EXPECT_LT(beyond[2] / judged, 0.02);
     EXPECT_EQ(truth.unmatched, 0U);
+}
+
+// A wall comes nearer to a floor that stands still: the floor knew the wall at its former distance, and the
+// wall's own points had the floor below them as now.
+TEST(TruthTest, OfTheFrameBefore) {
+    Scene scene{.name = "slide", .mesh = make_parallelogram({-8, 0, -8}, {0, 0, 16}, {16, 0, 0}, 1.0)};
+    scene.objects.push_back({make_parallelogram({0, 0, -8}, {0, 8, 0}, {0, 0, 16}, 1.0),
+                             [](int frame) { return rigid_motion({0.25 * frame, 0, 0}); }});
+    scene.camera = {.eye = {3, 2, 1}, .target = {0.5, 0.3, 0}, .near = 0.1, .far = 40.0};
+    scene.camera_path = [start = scene.camera](int frame) {
+        Camera camera = start;
+        camera.eye.z += 0.1 * frame;
+        return camera;
+    };
+    const GBuffer view = shot(scene, {48, 27}, 1);
+    const std::vector<float> before = TruthCache("").before(scene, 1, view, settings(1.0, 1024));
+    const std::vector<float> now = trace_geometry(scene, 1, view, settings(1.0, 1024)).occlusion;
+    const glm::dmat3 turn = glm::transpose(view_rotation(camera_at(scene, 1)));
+    double largest_change = 0.0;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        if (!is_surface(view.depth[i])) continue;
+        const glm::dvec3 at =
+            camera_at(scene, 1).eye + turn * PixelPositions(view).at(i, double{view.depth[i]});
+        const double from_other = view.object[i] == 0 ? at.x : at.y;
+        EXPECT_NEAR(before[i], corner_occlusion(from_other, 2.0, 1.0), 0.01) << i;
+        if (view.object[i] == 1 || at.x > 1.3) {
+            EXPECT_NEAR(before[i], now[i], 1e-5) << i;
+        }
+        largest_change = std::max(largest_change, std::abs(double{now[i]} - double{before[i]}));
+    }
+    EXPECT_GT(largest_change, 0.15);
 }
 
 TEST(TruthTest, IsTheSameForAnyNumberOfThreads) {

@@ -51,9 +51,8 @@ ordered_json frame_errors_json(const FrameErrors& errors) {
     if (errors.filtered_depth) json["filtered_against_depth"] = errors_json(*errors.filtered_depth);
     if (errors.metrics) json["filtered_metrics"] = metrics_json(*errors.metrics);
     if (errors.by_class) {
-        json["filtered_by_class"] = {{"disoccluded", class_json(errors.by_class->disoccluded)},
-                                     {"near_moving", class_json(errors.by_class->near_moving)},
-                                     {"settled", class_json(errors.by_class->settled)}};
+        for (std::size_t i = 0; i < errors.by_class->size(); ++i)
+            json["filtered_by_class"][effect::pixel_class_names[i]] = class_json((*errors.by_class)[i]);
     }
     return json;
 }

@@ -142,9 +142,10 @@ Truth masked(std::span<const float> truth, const Mask& mask) {
 
 ClassErrors class_errors_of(std::span<const float> occlusion, std::span<const float> truth,
                             const PixelClasses& classes) {
-    return {errors_of(occlusion, masked(truth, classes.disoccluded())),
-            errors_of(occlusion, masked(truth, classes.near_moving())),
-            errors_of(occlusion, masked(truth, classes.settled()))};
+    ClassErrors errors;
+    for (std::size_t i = 0; i < errors.size(); ++i)
+        errors[i] = errors_of(occlusion, masked(truth, classes.mask(static_cast<PixelClass>(i))));
+    return errors;
 }
 
 }  // namespace gloam::effect

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -97,12 +98,8 @@ struct Metrics {
 // The truth where the mask is set, NaN elsewhere. Throws std::invalid_argument when the sizes disagree.
 [[nodiscard]] Truth masked(std::span<const float> truth, const Mask& mask);
 
-// Errors by class of pixel.
-struct ClassErrors {
-    Errors disoccluded;
-    Errors near_moving;
-    Errors settled;
-};
+// Errors by class of pixel, in the order of pixel_class_names.
+using ClassErrors = std::array<Errors, pixel_class_names.size()>;
 [[nodiscard]] ClassErrors class_errors_of(std::span<const float> occlusion, std::span<const float> truth,
                                           const PixelClasses& classes);
 

@@ -131,18 +131,21 @@ double HistoryMap::sample(std::size_t pixel, std::span<const float> previous) co
     return sum;
 }
 
-double mean_change(const HistoryMap& history, std::span<const float> image, std::span<const float> previous,
-                   std::span<const std::uint8_t> mask) {
+std::optional<double> mean_change(const HistoryMap& history, std::span<const float> image,
+                                  std::span<const float> previous, std::span<const float> due,
+                                  const Mask& mask) {
     internal::require_same_size("the image before", previous.size(), image.size());
+    if (!due.empty()) internal::require_same_size("the change that is due", due.size(), image.size());
     if (!mask.empty()) internal::require_same_size("mask", mask.size(), image.size());
     double sum = 0.0;
     std::size_t count = 0;
     for (std::size_t i = 0; i < image.size(); ++i) {
         if (!history.seen(i) || (!mask.empty() && mask[i] == 0)) continue;
-        sum += std::abs(double{image[i]} - history.sample(i, previous));
+        sum +=
+            std::abs(double{image[i]} - history.sample(i, previous) - (due.empty() ? 0.0 : double{due[i]}));
         ++count;
     }
-    return count == 0 ? 0.0 : sum / static_cast<double>(count);
+    return count == 0 ? std::nullopt : std::optional(sum / static_cast<double>(count));
 }
 
 namespace {
@@ -153,7 +156,7 @@ constexpr int always = 1 << 20;  // frames
 
 void PixelClasses::advance(const scene::GBuffer& view, const std::optional<HistoryMap>& history) {
     const std::size_t pixels = view.depth.size();
-    if (history && age_.size() != pixels)
+    if (history && classes_.size() != pixels)
         throw std::invalid_argument("pixel classes: the size changed without a cut");
     // Pixels whose surface moved in this frame, or that showed a moving surface in the previous one.
     Mask moved(pixels, 0);
@@ -164,28 +167,36 @@ void PixelClasses::advance(const scene::GBuffer& view, const std::optional<Histo
     }
     const std::vector<float> distance = distance_to(swept, view.extent);
     const scene::PixelPositions positions(view);
-    std::vector<int> age(pixels, 0);
+    std::vector<int> quiet(pixels, 0);
     std::vector<int> calm(pixels, always);
-    disoccluded_.assign(pixels, 0);
-    near_moving_.assign(pixels, 0);
-    settled_.assign(pixels, 0);
+    const auto class_of = [&](std::size_t i, bool seen) {
+        if (!seen) return PixelClass::disoccluded;
+        if (moved[i] != 0) return PixelClass::moving;
+        if (calm[i] < settings_.memory) return PixelClass::near_moving;
+        return quiet[i] >= settings_.settled_frames ? PixelClass::settled : PixelClass::young;
+    };
+    classes_.assign(pixels, PixelClass::background);
     for (std::size_t i = 0; i < pixels; ++i) {
         if (!is_surface(view.depth[i])) continue;
         const bool seen = history && history->seen(i);
         if (seen) {
-            age[i] = std::min(always, age_[history->nearest(i)] + 1);
+            quiet[i] = std::min(always, quiet_[history->nearest(i)] + 1);
             calm[i] = std::min(always, calm_[history->nearest(i)] + 1);
         }
         const double reach = positions.pixels_of_length(settings_.radius, double{view.depth[i]});
-        if (double{distance[i]} <= reach) calm[i] = 0;
-        const bool near = calm[i] <= settings_.memory;
-        disoccluded_[i] = seen ? 0 : 1;
-        near_moving_[i] = seen && near ? 1 : 0;
-        settled_[i] = seen && !near && age[i] >= settings_.settled_frames ? 1 : 0;
+        if (double{distance[i]} <= reach) quiet[i] = 0;
+        if (double{distance[i]} <= std::min(reach, settings_.near)) calm[i] = 0;
+        classes_[i] = class_of(i, seen);
     }
-    age_ = std::move(age);
+    quiet_ = std::move(quiet);
     calm_ = std::move(calm);
     moving_ = std::move(moved);
+}
+
+Mask PixelClasses::mask(PixelClass one) const {
+    Mask found(classes_.size());
+    std::ranges::transform(classes_, found.begin(), [one](PixelClass of) { return of == one ? 1 : 0; });
+    return found;
 }
 
 namespace {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "scene/gbuffer.hpp"
@@ -45,25 +46,39 @@ class HistoryMap {
     std::vector<std::uint8_t> moved_;
 };
 
-// Flicker: the mean magnitude of the change of an image from frame to frame at the same surface points. It
-// is taken over the points that were seen before and, when `mask` is not empty, are set in it; 0 when there
-// are none. Throws std::invalid_argument when the sizes disagree.
-[[nodiscard]] double mean_change(const HistoryMap& history, std::span<const float> image,
-                                 std::span<const float> previous, std::span<const std::uint8_t> mask = {});
-
 // A mask: one byte for each pixel, non-zero where it is set.
 using Mask = std::vector<std::uint8_t>;
 
-// The classes of pixels of a moving view that a temporal method treats differently, frame by frame. They do
-// not overlap. A pixel in none of them has a history that is still short.
+// Flicker: the mean magnitude of the change of an image from frame to frame at the same surface points, less
+// the change that is `due` there (empty: none). It is taken over the points that were seen before and, when
+// `mask` is not empty, are set in it; nullopt when there are none. Throws std::invalid_argument when the
+// sizes disagree.
+[[nodiscard]] std::optional<double> mean_change(const HistoryMap& history, std::span<const float> image,
+                                                std::span<const float> previous,
+                                                std::span<const float> due = {}, const Mask& mask = {});
+
+// What a temporal method must do at a pixel. Each surface belongs to the first of these that fits.
+enum class PixelClass : std::uint8_t {
+    disoccluded,  // newly uncovered: its point was not seen in the frame before
+    moving,       // its surface moved
+    near_moving,  // near what moves or has just moved
+    settled,      // seen for many frames in which nothing moved within the radius
+    young,        // its history is still short
+    background,
+};
+
+// Names of all but the background, in that order.
+inline constexpr std::array<std::string_view, 5> pixel_class_names{"disoccluded", "moving", "near_moving",
+                                                                   "settled", "young"};
+
+// The classes of the pixels of a moving view, frame by frame.
 class PixelClasses {
   public:
     struct Settings {
-        double radius =
-            0.5;  // radius of influence, world units: how far a moving object affects the occlusion
-        int settled_frames =
-            32;  // a pixel is settled after it was seen for this many frames with nothing moving near it
-        int memory = 8;  // frames for which a pixel counts as near after the object has left
+        double radius = 0.5;      // of influence, world units: how far a moving object affects the occlusion
+        int settled_frames = 32;  // after which a pixel is settled
+        double near = 24.0;       // pixels from what moves, in the image, where that is within the radius
+        int memory = 4;           // frames for which a surface counts as near what has moved there
     };
 
     explicit PixelClasses(const Settings& settings) : settings_(settings) {}
@@ -72,20 +87,15 @@ class PixelClasses {
     // after a camera cut. Throws std::invalid_argument when the size changes without a cut.
     void advance(const scene::GBuffer& view, const std::optional<HistoryMap>& history);
 
-    [[nodiscard]] const Mask& disoccluded() const { return disoccluded_; }  // not seen in the previous frame
-    // Not disoccluded, but within the projected radius of a moving surface: in this frame, in the previous
-    // one, or in one of the last `memory` frames, followed along the surface.
-    [[nodiscard]] const Mask& near_moving() const { return near_moving_; }
-    [[nodiscard]] const Mask& settled() const { return settled_; }
+    [[nodiscard]] PixelClass at(std::size_t pixel) const { return classes_[pixel]; }
+    [[nodiscard]] Mask mask(PixelClass one) const;
 
   private:
     Settings settings_;
-    Mask disoccluded_;
-    Mask near_moving_;
-    Mask settled_;
-    Mask moving_;            // surfaces that moved, in the last frame
-    std::vector<int> age_;   // frames since the point came into view
-    std::vector<int> calm_;  // frames since something moved near it
+    std::vector<PixelClass> classes_;
+    Mask moving_;             // surfaces that moved, in the last frame
+    std::vector<int> quiet_;  // frames for which the point was seen and nothing moved within the radius
+    std::vector<int> calm_;   // frames since something moved near it
 };
 
 // Where a depth buffer tells least about occlusion. The masks may overlap; none holds background.

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 #include "effect/errors.hpp"
@@ -45,7 +46,12 @@ void BenchmarkViews::score(const gpu::Device& device, const scene::PassLibrary& 
         if (frames_.depth_truth)
             truth.depth = effect::truth_from(view, cache_.depth(view, settings).occlusion);
         if (limit) truth.limit = effect::truth_from(view, limit->of(view, *frames_.limit));
-        if (i > 0 && this->is_new(i)) truth.history.emplace(view, this->view(i - 1, {}));
+        if (i == 0 || !this->is_new(i)) continue;
+        truth.history.emplace(view, this->view(i - 1, {}));
+        if (scene_.objects.empty() || frames_.still) continue;
+        truth.due = cache_.before(scene_, number, view, settings);
+        for (std::size_t pixel = 0; pixel < truth.due.size(); ++pixel)
+            truth.due[pixel] = truth.geometry[pixel] - truth.due[pixel];
     }
 }
 
@@ -56,7 +62,7 @@ void BenchmarkViews::classify() {
         std::optional<effect::HistoryMap> history;
         if (i > 0) history.emplace(views[i], views[i - 1]);
         classes.advance(views[i], history);
-        classed_.push_back({std::move(history), classes, {}});
+        classed_.push_back({classes, {}});
         if (frames_.places) classed_.back().places = effect::hard_places(views[i], scene_.ao_radius);
     }
 }
@@ -108,6 +114,7 @@ std::vector<scene::GBuffer>& BenchmarkViews::views_with(double guard, int layers
         views.push_back(scene::draw(scene_, frames_.extent,
                                     {.frame = frames_.still ? 0 : i,
                                      .motion = frames_.motion.value_or(!scene_.objects.empty()),
+                                     .ids = !scene_.objects.empty(),
                                      .layers = layers,
                                      .guard = guard}));
         if (frames_.edit) frames_.edit(views.back(), i);
@@ -123,14 +130,11 @@ class Judge {
     Judge(const BenchmarkViews& views, const effect::Settings& settings) : views_(&views) {
         if (!views.frames().by_class || views.frames().rays == 0) return;
         sum_.by_class = ClassScores{.most_samples = double{settings.weight_max}};
-        for (const std::string& name : pixel_classes())
-            if (views.frames().places || !is_place(name)) sum_.by_class->flicker.push_back({name});
     }
 
     // before: the frame's predecessor; empty: there is none.
     void add(int number, const effect::Frame& frame, const std::vector<float>& before) {
         if (views_->frames().rays == 0) return;
-        if (sum_.by_class) add_flicker(number, frame.filtered, before);
         taken_ += samples_of(frame.work);
         if (views_->is_scored(number)) score(number, frame, before);
     }
@@ -144,10 +148,12 @@ class Judge {
              {&mean.raw_geometry, &mean.raw_depth, &mean.geometry, &mean.depth, &mean.bias, &mean.samples})
             *value /= frames;
         if (mean.percentile_99) *mean.percentile_99 /= frames;
-        if (mean.flicker) *mean.flicker /= std::max(1.0, frames - (views_->first_scored() == 0 ? 1.0 : 0.0));
-        if (mean.by_class && flickers_ == 0) mean.by_class->flicker.clear();
-        if (mean.by_class)
-            for (ClassFlicker& flicker : mean.by_class->flicker) flicker.mean /= flickers_;
+        for (const auto& [pixels, changes] : changes_) {
+            const double sum = std::accumulate(changes.begin(), changes.end(), 0.0);
+            const ClassFlicker flicker{pixels, sum / static_cast<double>(changes.size())};
+            if (pixels == "all") mean.flicker = flicker.mean;
+            if (mean.by_class) mean.by_class->flicker.push_back(flicker);
+        }
         return mean;
     }
 
@@ -164,9 +170,7 @@ class Judge {
             sum_.raw_depth += effect::errors_of(frame.occlusion, truth.depth).rmse;
             sum_.depth += effect::errors_of(frame.filtered, truth.depth).rmse;
         }
-        if (!before.empty() && truth.history)
-            sum_.flicker =
-                sum_.flicker.value_or(0.0) + effect::mean_change(*truth.history, frame.filtered, before);
+        if (!before.empty() && truth.history) add_flicker(number, frame.filtered, before);
         const std::uint64_t shaded = frame.work.pixels - frame.work.background;
         sum_.samples +=
             shaded == 0 ? 0.0 : static_cast<double>(frame.work.samples) / static_cast<double>(shaded);
@@ -182,17 +186,19 @@ class Judge {
     }
 
     void add_flicker(int number, const std::vector<float>& image, const std::vector<float>& before) {
-        const ClassedView& view = views_->classed(number);
-        if (before.empty() || !view.history || 2 * number < views_->frames().frames) return;
-        ++flickers_;
-        for (ClassFlicker& flicker : sum_.by_class->flicker)
-            flicker.mean += effect::mean_change(*view.history, image, before, mask_of(view, flicker.pixels));
+        const ScoredView& truth = views_->scored(number);
+        for (const std::string& name : pixel_classes()) {
+            if (name != "all" && (!sum_.by_class || (is_place(name) && !views_->frames().places))) continue;
+            const effect::Mask mask = name == "all" ? effect::Mask{} : mask_of(views_->classed(number), name);
+            if (const auto change = effect::mean_change(*truth.history, image, before, truth.due, mask))
+                changes_[name].push_back(*change);
+        }
     }
 
     const BenchmarkViews* views_;
     FrameQuality sum_;
-    double taken_ = 0.0;  // samples of a pixel so far
-    int flickers_ = 0;    // frames in the flicker by class
+    double taken_ = 0.0;                                  // samples of a pixel so far
+    std::map<std::string, std::vector<double>> changes_;  // of scored frames, by class
 };
 
 // Compared with the geometry truth alone.

@@ -42,8 +42,11 @@ const std::vector<std::string>& references() {
 }
 
 const std::vector<std::string>& pixel_classes() {
-    static const std::vector<std::string> names{"all",         "settled",  "young", "disoccluded",
-                                                "near_moving", "contacts", "thin",  "rim"};
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all{"all", "contacts", "thin", "rim"};
+        all.insert(all.begin() + 1, effect::pixel_class_names.begin(), effect::pixel_class_names.end());
+        return all;
+    }();
     return names;
 }
 
@@ -56,14 +59,8 @@ effect::Mask mask_of(const ClassedView& view, const std::string& name) {
     if (name == "contacts") return view.places.value().contacts;
     if (name == "thin") return view.places.value().thin;
     if (name == "rim") return view.places.value().rim;
-    const effect::PixelClasses& classes = view.classes;
-    if (name == "settled") return classes.settled();
-    if (name == "disoccluded") return classes.disoccluded();
-    if (name == "near_moving") return classes.near_moving();
-    effect::Mask rest(classes.settled().size(), 0);
-    for (std::size_t i = 0; i < rest.size(); ++i)
-        rest[i] = (classes.settled()[i] | classes.disoccluded()[i] | classes.near_moving()[i]) == 0 ? 1 : 0;
-    return rest;
+    const auto* const found = std::ranges::find(effect::pixel_class_names, name);
+    return view.classes.mask(static_cast<effect::PixelClass>(found - effect::pixel_class_names.begin()));
 }
 
 std::vector<ClassScore> scores_of(const effect::Frame& frame, const ScoredView& truth,

@@ -36,14 +36,11 @@ class Limit {
 // What images are compared with: "limit", the depth truth (D) "depth", the geometry truth (G) "geometry".
 [[nodiscard]] const std::vector<std::string>& references();
 
-// "all"; the classes of effect::PixelClasses, "settled", "disoccluded", "near_moving", and "young", the
-// pixels in no other class of these, whose history is still short; and the places of effect::HardPlaces,
-// "contacts", "thin" and "rim".
+// "all"; effect::pixel_class_names; and the places of effect::HardPlaces, "contacts", "thin" and "rim".
 [[nodiscard]] const std::vector<std::string>& pixel_classes();
 
-// A view of a sequence, with how its points came there.
+// The classes of a view's pixels.
 struct ClassedView {
-    std::optional<effect::HistoryMap> history;  // from the view before; none in the first
     effect::PixelClasses classes;
     std::optional<effect::HardPlaces> places;  // where BenchmarkFrames ask for them
 };
@@ -59,7 +56,8 @@ struct ScoredView {
     effect::Truth geometry;  // (G)
     effect::Truth depth;     // (D)
     effect::Truth limit;
-    std::optional<effect::HistoryMap> history;
+    std::optional<effect::HistoryMap> history;  // from the view before
+    std::vector<float> due;  // change of (G) since then at the same surface points; empty: none
 };
 
 // Errors of the pixels of one class against one reference, as sums, so that those of frames can be added.
@@ -78,6 +76,8 @@ struct FrameScore {
     std::vector<ClassScore> classes;  // those with a pixel
 };
 
+// Change of the error at the same surface points since the frame before: mean magnitude, mean over the scored
+// frames in which the class has such points.
 struct ClassFlicker {
     std::string pixels;
     double mean = 0.0;
@@ -87,7 +87,7 @@ struct ClassFlicker {
 struct ClassScores {
     double most_samples = 0.0;  // that count in a mean
     std::vector<FrameScore> frames;
-    std::vector<ClassFlicker> flicker;  // over the second half of the frames
+    std::vector<ClassFlicker> flicker;
 };
 
 // The scores of a frame against the references that are known.

@@ -6,9 +6,11 @@
 #include <atomic>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "base/cached_file.hpp"
 #include "base/threads.hpp"
@@ -197,6 +199,39 @@ TracedTruth TruthCache::geometry(const Scene& scene, int frame, const GBuffer& v
     hash.add_all(mesh.indices);
     return kept(folder_, hash.hash(), view.depth.size(),
                 [&] { return trace_geometry(scene, frame, view, settings); });
+}
+
+namespace {
+
+// The scene as an object saw it in the frame before: the object (from 1, 0: the mesh) is where it is in this
+// frame, and all else stands to it as it stood then.
+Scene seen_from(const Scene& scene, std::size_t object, int frame) {
+    glm::dmat4 along(1.0);
+    if (object > 0) {
+        const auto& transform = scene.objects[object - 1].transform;
+        along = transform(frame) * glm::inverse(transform(frame - 1));
+    }
+    Scene seen = scene;
+    for (MovingObject& other : seen.objects)
+        other.transform = [along, then = other.transform](int number) { return along * then(number - 1); };
+    if (object == 0) return seen;
+    seen.objects.push_back({std::exchange(seen.mesh, {}), [along](int) { return along; }});
+    return seen;
+}
+
+}  // namespace
+
+std::vector<float> TruthCache::before(const Scene& scene, int frame, const GBuffer& view,
+                                      const TruthSettings& settings) const {
+    std::vector<float> all(view.depth.size(), 0.0F);
+    for (std::size_t object = 0; object <= scene.objects.size(); ++object) {
+        GBuffer part = view;
+        for (std::size_t i = 0; i < all.size(); ++i)
+            if (view.object[i] != object) part.depth[i] = std::numeric_limits<float>::infinity();
+        const TracedTruth traced = geometry(seen_from(scene, object, frame), frame, part, settings);
+        std::ranges::transform(all, traced.occlusion, all.begin(), std::plus{});
+    }
+    return all;
 }
 
 TracedTruth TruthCache::depth(const GBuffer& view, const TruthSettings& settings) const {

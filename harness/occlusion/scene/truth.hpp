@@ -56,6 +56,11 @@ class TruthCache {
                                        const TruthSettings& settings) const;
     [[nodiscard]] TracedTruth depth(const GBuffer& view, const TruthSettings& settings) const;
 
+    // (G) at the same surface points in the frame before, with the same rays: its difference from geometry()
+    // is what the motion of objects changed, without noise. Needs frame > 0 and GBuffer::object.
+    [[nodiscard]] std::vector<float> before(const Scene& scene, int frame, const GBuffer& view,
+                                            const TruthSettings& settings) const;
+
   private:
     std::filesystem::path folder_;
 };
