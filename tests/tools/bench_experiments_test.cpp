@@ -125,6 +125,19 @@ TEST_F(BenchExperiments, AHalfAloneWithoutTimes) {
     EXPECT_TRUE(result_of(document, 0, "fast, single").at("ms").is_null());
 }
 
+TEST_F(BenchExperiments, MotionJudgesClassesOfPixels) {
+    const json document = measured(with({"motion"}, tiny));
+    EXPECT_THAT(out_, HasSubstr("| yard | tuning | fast | 0."));
+    EXPECT_THAT(out_, HasSubstr("| gallery | unseen | reference | 0."));
+    for (const json& visit : document.at("visits")) {
+        const json& scores = visit.at("quality").at("by_class");
+        for (const char* pixels : {"moving", "near_moving"})
+            EXPECT_THAT(scores.at("frames").at(0).dump(), HasSubstr(std::string("\"") + pixels + '"'));
+        EXPECT_THAT(scores.at("flicker").dump(), HasSubstr("near_moving"));
+        EXPECT_EQ(scores.at("flicker").at(0).at("mean"), visit.at("quality").at("flicker"));
+    }
+}
+
 TEST_F(BenchExperiments, TimesWithoutErrors) {
     const json document = measured({"views", "--size", "48x27", "--frames", "1", "--scored", "1", "--rays",
                                     "0", "--view", "room", "--single", "fast", "--rounds", "1"});
