@@ -101,6 +101,7 @@ Entries all_entries(const std::filesystem::path& glsl) {
     append_filter(entries);
     append_filter_edges(entries);
     append_shading(entries);
+    append_frame(entries);
     append_builtins(entries);
     describe(entries, glsl);
     add_worst_inputs(entries);

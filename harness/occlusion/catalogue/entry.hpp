@@ -103,6 +103,7 @@ void append_temporal(Entries& entries);
 void append_filter(Entries& entries);
 void append_filter_edges(Entries& entries);
 void append_shading(Entries& entries);
+void append_frame(Entries& entries);
 void append_builtins(Entries& entries);
 
 // Adds the inputs with the largest errors that a search has found to the domains of their equations. Throws

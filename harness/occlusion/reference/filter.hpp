@@ -258,4 +258,29 @@ inline double gloam_mssao_upsample_weight(double bilinear, double depth_differen
            pow((glm::clamp(normal_cosine, -1.0, 1.0) + 1.0) / 2.0, normal_power);
 }
 
+inline unsigned gloam_frame_code(double depth, double occlusion, double weight) {
+    const int exponent = std::ilogb(depth);
+    const double part = std::ldexp(depth, -exponent) - 1.0;
+    return (static_cast<unsigned>(exponent + 15) << 10U) + static_cast<unsigned>(part * 1024.0) +
+           (static_cast<unsigned>(std::floor(255.0 * occlusion + 0.5)) << 16U) +
+           (static_cast<unsigned>(std::floor(127.0 * weight / 1.6 + 0.5)) << 25U);
+}
+
+struct GloamFrameTexel {
+    double depth;
+    double occlusion;
+    double weight;
+};
+
+inline GloamFrameTexel gloam_frame_texel(unsigned code) {
+    const int exponent = static_cast<int>(code % 32768U / 1024U);
+    const double part = (exponent > 0 ? 1.0 : 0.0) + code % 1024U / 1024.0;
+    return {std::ldexp(part, std::max(exponent, 1) - 15), static_cast<double>(code / 65536U % 256U),
+            static_cast<double>(code / 16777216U)};
+}
+
+inline double gloam_near(double depth, double own, double scale) {
+    return clamp(1.25 - abs(depth - own) * scale, 0.0, 1.0);
+}
+
 }  // namespace gloam::reference

@@ -248,4 +248,40 @@ inline double gloam_previous_depth(dvec3 previous_world, dmat4 previous_view) {
     return is_finite(depth) ? depth : 0.0;
 }
 
+struct GloamTangentAxes {
+    dvec3 along;
+    dvec3 height;
+    dvec2 normal;
+    double weight;
+};
+
+inline GloamTangentAxes gloam_tangent_axes(dvec2 direction, dvec3 view, dvec3 normal) {
+    const GloamSlice slice = gloam_slice(direction, view, normal);
+    const double weight = length(dvec2(max(dot(normal, view), 0.0), dot(normal, slice.tangent)));
+    const dvec2 plane = weight > 0.0 ? on_circle(slice.angle) : dvec2(0.0);
+    return {plane.x * slice.tangent - plane.y * view, normal / max(weight, 1e-18), plane, weight};
+}
+
+inline double gloam_tangent_whole(dvec2 plane) {
+    return plane.x + abs(plane.y) * std::atan2(abs(plane.y), plane.x);
+}
+
+struct GloamTapPair {
+    dvec2 along;
+    dvec2 height;
+};
+
+// Side by side, each tap from where it is to the own point.
+inline GloamTapPair gloam_tap_pair(dvec2 moved, dvec2 slope, double own, dvec2 depth, bool orthographic) {
+    GloamTapPair taps{};
+    for (int side = 0; side < 2; ++side) {
+        const double towards = side == 0 ? 1.0 : -1.0;
+        const double seen = orthographic ? 1.0 : depth[side];
+        const double farther = depth[side] - own;
+        taps.along[side] = moved.x * seen + towards * slope.y * farther;
+        taps.height[side] = towards * moved.y * seen - slope.x * farther;
+    }
+    return taps;
+}
+
 }  // namespace gloam::reference

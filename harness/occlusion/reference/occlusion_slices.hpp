@@ -179,4 +179,67 @@ inline GloamSweepSide gloam_sweep_tap(GloamSweepSide side, const GloamSlice& sli
     return alone;
 }
 
+struct GloamSweepPair {
+    dvec2 behind;
+    dvec2 counts;
+    dvec2 occluded;
+    dvec2 feature;
+    dvec2 rise;
+    dvec2 start;
+    dvec2 nearer;
+    double place;
+};
+
+inline GloamSweepPair gloam_sweep_pair() {
+    return {dvec2(0.0), dvec2(1.0), dvec2(0.0), dvec2(0.0), dvec2(1e-10), dvec2(0.0), dvec2(0.0), 0.0};
+}
+
+inline dvec2 gloam_pair_behind(dvec2 cosine, dvec2 sine, dvec2 plane) {
+    const auto side = [&](int i) {
+        const double e = std::atan2(sine[i], cosine[i]);
+        return ((i == 0 ? plane.y : -plane.y) * (e - sin(2.0 * e) / 2.0) + plane.x * pow(sin(e), 2)) / 2.0;
+    };
+    return {side(0), side(1)};
+}
+
+// The same by the fit that the shader has: e - sin e cos e as t^(3/2) (1.56854 + 0.38684 cos e).
+inline double fitted_behind(double cosine, double sine, dvec2 plane) {
+    return (plane.y * pow(abs(1.0 - cosine), 1.5) * (1.56854 + 0.38684 * cosine) + plane.x * pow(sine, 2)) /
+           2.0;
+}
+
+inline GloamSweepPair gloam_pair_end(GloamSweepPair pair, dvec2 nearer, double middle, double thickness) {
+    for (int i = 0; i < 2; ++i) {
+        if (pair.nearer[i] - nearer[i] <= 0.8 * pair.rise[i]) continue;
+        pair.occluded[i] +=
+            pair.feature[i] * clamp(thickness * (middle - pair.start[i]) / pair.rise[i], 0.0, 1.0);
+        pair.feature[i] = 0.0;
+        pair.rise[i] = 1e-10;
+    }
+    return pair;
+}
+
+inline GloamSweepPair gloam_pair_tap(const GloamSweepPair& pair, const GloamTapPair& taps, dvec2 nearer,
+                                     double place, dvec2 plane, double bias, double thickness) {
+    const double middle = (place + pair.place) / 2.0;
+    GloamSweepPair next = gloam_pair_end(pair, nearer, middle, thickness);
+    for (int i = 0; i < 2; ++i) {
+        const double here = std::hypot(taps.along[i], taps.height[i]);
+        const double weight = clamp(pair.counts[i] - here / 2.0, 0.0, 1.0);
+        const double found = fitted_behind(taps.along[i] / here, taps.height[i] / here,
+                                           {plane.x, i == 0 ? plane.y : -plane.y});
+        const double gain = weight > 0.0 && taps.height[i] > bias ? max(found - pair.behind[i], 0.0) : 0.0;
+        if (next.rise[i] < min(gain, 1e-4)) {
+            next.rise[i] = max(nearer[i] - pair.nearer[i], 1e-4);
+            next.start[i] = middle;
+        }
+        next.behind[i] += gain;
+        next.feature[i] += weight * gain;
+        next.counts[i] = max(1.0 - here / 2.0, 0.5);
+    }
+    next.nearer = nearer;
+    next.place = place;
+    return next;
+}
+
 }  // namespace gloam::reference

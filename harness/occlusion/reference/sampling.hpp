@@ -277,4 +277,18 @@ inline glm::ivec2 gloam_tap_pixel(glm::ivec2 at, glm::ivec2 center, glm::ivec2 s
     return level == 0 ? at : gloam_depth_mip_source(gloam_depth_mip_pixel(at, size, level), size, level);
 }
 
+inline double gloam_level_depth(double stored, dvec2 numerator, dvec2 divisor, double far) {
+    const double depth = dot(numerator, dvec2(1.0, stored)) / dot(divisor, dvec2(1.0, stored));
+    return stored != far && depth > 0.0 ? min(depth, 65504.0) : 65504.0;
+}
+
+inline double gloam_depth_level(double pixels) {
+    return clamp(std::log2(pixels) - 4.3, 0.0, 4.0);
+}
+
+inline bool gloam_is_level_middle(glm::ivec2 block, int level) {
+    const int texel = 1 << (level - 1);
+    return block % texel == glm::ivec2(texel / 2);
+}
+
 }  // namespace gloam::reference

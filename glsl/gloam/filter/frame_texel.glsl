@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_FILTER_FRAME_TEXEL_GLSL
+#define GLOAM_FILTER_FRAME_TEXEL_GLSL
+
+// What the filter of the frame reads of a pixel, in 32 bits: depth 16, occlusion 8, a free bit, weight 7.
+struct GloamFrameTexel {
+    float depth;      // in radii of influence
+    float occlusion;  // in 1/255
+    float weight;     // of the occlusion, in 1/255 of 1.6, the most that a slice counts
+};
+
+#if defined(GL_ES) || __VERSION__ >= 420
+#define GLOAM_PACKS_HALF
+#endif
+// From the exponent of a half float to that of a float, as its bits.
+const uint GLOAM_HALF_SHIFT = 0x38000000u;
+
+// a pixel in 32 bits (FRAME-texel): `half(d) | round(255 AO) << 16 | round(127 w / 1.6) << 25` [gloam].
+// depth: that of a half float, from 2^-14 to 65504; nothing is rounded. occlusion: in [0, 1]. weight: in [0, 1.6].
+// Returns the bits; bit 24 is 0. Error: none but for values within rounding of the middle of two codes.
+uint gloam_frame_code(float depth, float occlusion, float weight) {
+    uvec2 codes = uvec2(vec2(255.0, 127.0 / 1.6) * vec2(occlusion, weight) + 0.5);
+#ifdef GLOAM_PACKS_HALF
+    uint bits = packHalf2x16(vec2(depth, 0.0));
+#else
+    uint bits = (floatBitsToUint(depth) - GLOAM_HALF_SHIFT) >> 13u;
+#endif
+    return bits | codes.x << 16u | codes.y << 25u;
+}
+
+// pixel of 32 bits (FRAME-texel-of): `the inverse of FRAME-texel` [gloam].
+// code: its lower 16 bits are a positive half float.
+// The free bit adds at most 1/255 to the weight. Error: none, or a depth below 2^-14.
+GloamFrameTexel gloam_frame_texel(uint code) {
+#ifdef GLOAM_PACKS_HALF
+    float depth = unpackHalf2x16(code).x;
+#else
+    float depth = uintBitsToFloat(((code & 0xFFFFu) << 13u) + GLOAM_HALF_SHIFT);
+#endif
+    return GloamFrameTexel(depth, float(code >> 16u & 0xFFu), float(code >> 24u));
+}
+
+// weight of a neighbour by its depth (FRAME-near): `clamp(1.25 - |d - d0| / (t d0), 0, 1)` [gloam].
+// depth: d, of the neighbour, > 0. own: d0, > 0. scale: 1 / (t d0), t the relative difference that counts as another
+// surface.
+// Returns a weight in [0, 1]: 1 up to a quarter of that difference, 0 from five quarters. Error: 3e-7, where depths do
+// not differ by rounding alone.
+float gloam_near(float depth, float own, float scale) {
+    return clamp(1.25 - abs(depth - own) * scale, 0.0, 1.0);
+}
+
+#endif
