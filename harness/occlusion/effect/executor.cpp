@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "backend/vulkan/commands.hpp"
+#include "base/number.hpp"
 #include "effect/internal/executor.hpp"
 #include "effect/internal/frame_images.hpp"
 #include "effect/internal/passes.hpp"
@@ -114,11 +115,14 @@ Resources::Resources(const gpu::Device& device) : device_(&device) {
         nothing_.try_emplace(name, device, gpu::Extent{1, 1}, format);
 }
 
-gpu::Image& Resources::image(const std::string& name, gpu::Extent extent, gpu::Format format) {
+gpu::Image& Resources::image(const std::string& name, gpu::Extent extent, gpu::Format format,
+                             std::uint32_t levels) {
     const auto found = images_.find(name);
-    if (found == images_.end()) return images_.try_emplace(name, *device_, extent, format).first->second;
+    if (found == images_.end())
+        return images_.try_emplace(name, *device_, extent, format, levels).first->second;
     gpu::Image& image = found->second;
-    if (image.extent() != extent || image.format() != format) image = gpu::Image(*device_, extent, format);
+    if (image.extent() != extent || image.format() != format || image.levels() != levels)
+        image = gpu::Image(*device_, extent, format, levels);
     return image;
 }
 
@@ -131,7 +135,8 @@ gpu::Buffer& Resources::buffer(const std::string& name, std::size_t bytes) {
 }
 
 void Resources::provide(const Plan& plan) {
-    for (const PlannedImage& planned : plan.images) image(planned.name, planned.extent, planned.format);
+    for (const PlannedImage& planned : plan.images)
+        image(planned.name, planned.extent, planned.format, planned.levels);
     for (const PlannedBuffer& planned : plan.buffers)
         fill(buffer(planned.name, planned.bytes), planned.contents);
 }
@@ -180,7 +185,10 @@ gpu::Resource Resources::at(const std::string& name, const std::string& format) 
         return found == nothing_.end() ? nothing_.at("rgba32f") : found->second;
     }
     if (has_buffer(name)) return buffer(name);
-    return image(name);
+    const std::size_t slash = name.find('/');
+    if (slash == std::string::npos) return image(name);
+    return gpu::ImageLevel{image(name.substr(0, slash)),
+                           base::number_from<std::uint32_t>(name.substr(slash + 1)).value()};
 }
 
 Executor::Executor(const gpu::Device& device, scene::PassLibrary library)

@@ -46,6 +46,7 @@ struct PlannedImage {
     Origin origin = Origin::frame;
     gpu::Extent extent;         // for the view of the plan
     std::uint32_t divisor = 1;  // of the view's sides, rounded up; 0: fixed, or for this view alone
+    std::uint32_t levels = 1;
 };
 
 struct PlannedBuffer {
@@ -68,7 +69,7 @@ struct PlannedPass {
     std::string name;  // as in Frame::times
     PassSource source;
     Turn turn = Turn::always;
-    std::vector<std::string> resources;  // at binding 0, 1, ...: names of images and buffers
+    std::vector<std::string> resources;  // at binding 0, 1, ...: names of images and buffers, or IMAGE/LEVEL
     // Push constants of the even and of the odd frames; the pairs of `exchanged` are swapped between them.
     std::vector<std::byte> parameters;
     std::vector<std::byte> odd_parameters;

@@ -76,7 +76,9 @@ std::uint64_t memory_of(std::span<const Step> passes) {
             if (const auto* buffer = std::get_if<std::reference_wrapper<const gpu::Buffer>>(&resource)) {
                 bytes[&buffer->get()] = buffer->get().size();
             } else {
-                const gpu::Image& image = std::get<std::reference_wrapper<const gpu::Image>>(resource);
+                const auto* level = std::get_if<gpu::ImageLevel>(&resource);
+                const gpu::Image& image =
+                    level ? level->image : std::get<std::reference_wrapper<const gpu::Image>>(resource);
                 bytes[&image] = bytes_of(image);
             }
         }

@@ -4,6 +4,7 @@
 #include "base/half.hpp"
 #include "shaders/fill_comp.h"
 #include "shaders/image_comp.h"
+#include "shaders/level_comp.h"
 
 namespace gloam::gpu::test::buffer_test {
 
@@ -182,6 +183,19 @@ TEST_F(ImageTest, ShadersSeeTheSamePixels) {
     EXPECT_EQ(to.download(), expected);
     const auto copied = buffer.as<float>();
     EXPECT_EQ(std::vector(copied.begin(), copied.end()), expected);
+}
+
+TEST_F(ImageTest, ShadersWriteALevelAndSampleAll) {
+    const ComputePipeline pipeline(
+        device(),
+        {.spirv = level_comp,
+         .bindings = {BindingKind::storage_image, BindingKind::sampled_image, BindingKind::storage_buffer},
+         .push_constant_bytes = 4});
+    const Image image(device(), {12, 9}, Format::r32f, 4);
+    const Buffer values(device(), 3 * sizeof(float));
+    for (std::uint32_t level = 0; level < image.levels(); ++level)
+        run(device(), pipeline, {ImageLevel{image, level}, image, values}, {1, 1, 1}, bytes_of(level));
+    EXPECT_THAT(values.as<float>(), ElementsAre(0.0F, 1.0F, 2.0F));
 }
 
 TEST_F(ImageTest, MovesWithItsContent) {

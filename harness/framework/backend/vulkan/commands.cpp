@@ -168,6 +168,11 @@ void write_descriptors(const Context& context, const vk::raii::DescriptorSet& se
             images[i] = vk::DescriptorImageInfo{.imageView = *layered->get().impl().handles->view,
                                                 .imageLayout = vk::ImageLayout::eGeneral};
             write.pImageInfo = &images[i];
+        } else if (const auto* level = std::get_if<ImageLevel>(&resources[i])) {
+            images[i] =
+                vk::DescriptorImageInfo{.imageView = *level->image.get().impl().levels->at(level->level),
+                                        .imageLayout = vk::ImageLayout::eGeneral};
+            write.pImageInfo = &images[i];
         } else {
             const Image& image = std::get<std::reference_wrapper<const Image>>(resources[i]);
             images[i] = vk::DescriptorImageInfo{.sampler = *context.sampler,

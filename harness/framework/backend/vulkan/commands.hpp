@@ -14,7 +14,8 @@
 
 namespace gloam::gpu {
 
-// sampled_image: a SampledImage with its own sampler, or an Image for texelFetch, which uses no sampler.
+// sampled_image: a SampledImage with its own sampler, or an Image, of which the nearest texel is taken,
+// inside of it.
 enum class BindingKind { storage_buffer, storage_image, sampled_image, uniform_buffer };
 
 using SpecializationConstant = backend::Constant;
@@ -43,9 +44,9 @@ class ComputePipeline {
 
 // The resource of a binding: a whole storage buffer, or an image. Shaders may write to buffers and storage
 // images.
-using Resource =
-    std::variant<std::reference_wrapper<const Buffer>, std::reference_wrapper<const Image>,
-                 std::reference_wrapper<const SampledImage>, std::reference_wrapper<const LayeredImage>>;
+using Resource = std::variant<std::reference_wrapper<const Buffer>, std::reference_wrapper<const Image>,
+                              std::reference_wrapper<const SampledImage>,
+                              std::reference_wrapper<const LayeredImage>, ImageLevel>;
 
 // Work that is recorded in order and run once. Each command sees the writes of all commands before it.
 // Resources and pipelines passed to it must live until submit() returns. After submit() only times_ms() may

@@ -78,7 +78,9 @@ Device::Impl::Impl(const DeviceOptions& options)
       command_pool(device, vk::CommandPoolCreateInfo{.flags = vk::CommandPoolCreateFlagBits::eTransient,
                                                      .queueFamilyIndex = physical.queue_family}),
       fence(device, vk::FenceCreateInfo{}),
-      sampler(device, vk::SamplerCreateInfo{}),
+      sampler(device, vk::SamplerCreateInfo{.addressModeU = vk::SamplerAddressMode::eClampToEdge,
+                                            .addressModeV = vk::SamplerAddressMode::eClampToEdge,
+                                            .maxLod = VK_LOD_CLAMP_NONE}),
       cache(device, physical.properties, options.cache_directory, physical.info.identity),
       timeout(options.timeout) {}
 

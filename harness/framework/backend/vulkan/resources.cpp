@@ -94,12 +94,12 @@ std::string describe(Extent extent, Format format) {
     return fmt::format("image of {}x{} {}", extent.width, extent.height, traits(format).name);
 }
 
-vk::ImageCreateInfo create_info(Extent extent, Format format) {
+vk::ImageCreateInfo create_info(Extent extent, Format format, std::uint32_t levels) {
     using Usage = vk::ImageUsageFlagBits;
     return {.imageType = vk::ImageType::e2D,
             .format = traits(format).format,
             .extent = {extent.width, extent.height, 1},
-            .mipLevels = 1,
+            .mipLevels = levels,
             .arrayLayers = 1,
             .samples = vk::SampleCountFlagBits::e1,
             .tiling = vk::ImageTiling::eOptimal,
@@ -125,18 +125,31 @@ void check_size(const Context& context, Extent extent, Format format) {
                                              describe(extent, format), device.name, device.max_image_size));
     }
     const auto bytes = std::uint64_t{extent.width} * extent.height * traits(format).texel_bytes;
-    const auto most = limits(context, create_info(extent, format), format).maxResourceSize;
+    const auto most = limits(context, create_info(extent, format, 1), format).maxResourceSize;
     if (bytes > most) {
         throw std::runtime_error(fmt::format("{}: {} bytes, device \"{}\" allows {}",
                                              describe(extent, format), bytes, device.name, most));
     }
 }
 
-ImageHandles create(Context& context, Extent extent, Format format) {
+ImageHandles create(Context& context, Extent extent, Format format, std::uint32_t levels) {
     context.require_idle();  // a driver may wait for the work before it makes an image
     check_size(context, extent, format);
-    return make_image(context, create_info(extent, format), vk::ImageViewType::e2D,
+    return make_image(context, create_info(extent, format, levels), vk::ImageViewType::e2D,
                       vk::ImageAspectFlagBits::eColor, describe(extent, format));
+}
+
+std::vector<vk::raii::ImageView> views_of_levels(const Context& context, vk::Image image, Format format,
+                                                 std::uint32_t levels) {
+    std::vector<vk::raii::ImageView> views;
+    for (std::uint32_t level = 0; level < levels; ++level)
+        views.emplace_back(
+            context.device,
+            vk::ImageViewCreateInfo{.image = image,
+                                    .viewType = vk::ImageViewType::e2D,
+                                    .format = traits(format).format,
+                                    .subresourceRange = {vk::ImageAspectFlagBits::eColor, level, 1, 0, 1}});
+    return views;
 }
 
 }  // namespace
@@ -171,23 +184,30 @@ void begin_general_layout(const vk::raii::CommandBuffer& commands, vk::Image ima
     commands.pipelineBarrier(all, all, {}, nullptr, nullptr, barrier);
 }
 
-Image::Impl::Impl(Context& owner, Extent size, Format kind)
-    : context(owner), extent(size), format(kind), handles(owner, create(owner, size, kind)) {
-    context.run_once([this](const vk::raii::CommandBuffer& commands) {
+Image::Impl::Impl(Context& owner, Extent size, Format kind, std::uint32_t level_count)
+    : context(owner),
+      extent(size),
+      format(kind),
+      handles(owner, create(owner, size, kind, level_count)),
+      levels(owner, views_of_levels(owner, *handles->image, kind, level_count)) {
+    context.run_once([&](const vk::raii::CommandBuffer& commands) {
         begin_general_layout(
             commands, *handles->image,
-            {.aspectMask = vk::ImageAspectFlagBits::eColor, .levelCount = 1, .layerCount = 1});
+            {.aspectMask = vk::ImageAspectFlagBits::eColor, .levelCount = level_count, .layerCount = 1});
     });
 }
 
-Image::Image(const Device& device, Extent extent, Format format)
-    : impl_(base::make_hidden<Impl>(device.impl(), extent, format)) {}
+Image::Image(const Device& device, Extent extent, Format format, std::uint32_t levels)
+    : impl_(base::make_hidden<Impl>(device.impl(), extent, format, levels)) {}
 
 Extent Image::extent() const {
     return impl_->extent;
 }
 Format Image::format() const {
     return impl_->format;
+}
+std::uint32_t Image::levels() const {
+    return static_cast<std::uint32_t>(impl_->levels->size());
 }
 
 namespace {

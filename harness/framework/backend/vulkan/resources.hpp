@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -75,13 +76,15 @@ struct Extent {
 
 // A 2-D storage image in device memory, row 0 at the top. Its contents are undefined at first. Throws
 // std::runtime_error when a side is 0 or exceeds the device's limit, the device does not support the format,
-// or memory is exhausted.
+// or memory is exhausted. levels: how many it has, each of half the sides of the one before; uploads and
+// downloads are of the first.
 class Image {
   public:
-    Image(const Device& device, Extent extent, Format format);
+    Image(const Device& device, Extent extent, Format format, std::uint32_t levels = 1);
 
     [[nodiscard]] Extent extent() const;
     [[nodiscard]] Format format() const;
+    [[nodiscard]] std::uint32_t levels() const;
 
     // Replaces or reads all texels: width * height * channels floats, row by row. Waits for the device.
     // Floats of 16 bits are converted from and to float32 (round to nearest even). Integers of 16 bits are
@@ -96,6 +99,12 @@ class Image {
 
   private:
     base::Hidden<Impl> impl_;
+};
+
+// A level of an image, for a binding that writes it.
+struct ImageLevel {
+    std::reference_wrapper<const Image> image;
+    std::uint32_t level = 0;
 };
 
 // An image in device memory with its sampler. The words are those of backend/sampled.hpp. Throws

@@ -38,7 +38,8 @@ class Resources {
     void exchange(std::span<const std::array<std::string, 2>> pairs);
 
     // Make an image or a buffer, or make it anew if its size or format is another.
-    gpu::Image& image(const std::string& name, gpu::Extent extent, gpu::Format format);
+    gpu::Image& image(const std::string& name, gpu::Extent extent, gpu::Format format,
+                      std::uint32_t levels = 1);
     gpu::Buffer& buffer(const std::string& name, std::size_t bytes);
 
     // Each throws std::logic_error if there is none of this name.
@@ -48,8 +49,8 @@ class Resources {
     [[nodiscard]] const gpu::Buffer& buffer(const std::string& name) const;
     [[nodiscard]] bool has_buffer(const std::string& name) const { return buffers_.contains(name); }
 
-    // What a pass binds for a name: nothing_image is an image of one texel in the format that the pass
-    // declares. Throws std::logic_error for a name that there is not.
+    // What a pass binds for a name, or for IMAGE/LEVEL: nothing_image is an image of one texel in the format
+    // that the pass declares. Throws std::logic_error for a name that there is not.
     [[nodiscard]] gpu::Resource at(const std::string& name, const std::string& format) const;
 
   private:

@@ -62,7 +62,7 @@ struct Device::Impl {
     vk::raii::Queue queue;
     vk::raii::CommandPool command_pool;
     vk::raii::Fence fence;
-    vk::raii::Sampler sampler;  // of all sampled images: no fetch uses it
+    vk::raii::Sampler sampler;  // of all sampled images but SampledImage
     PipelineCache cache;
     std::chrono::milliseconds timeout;
 

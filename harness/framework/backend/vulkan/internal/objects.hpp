@@ -54,12 +54,13 @@ struct ImageHandles {
 
 // The image is in VK_IMAGE_LAYOUT_GENERAL whenever no render pass uses it.
 struct Image::Impl {
-    Impl(Context& owner, Extent size, Format kind);
+    Impl(Context& owner, Extent size, Format kind, std::uint32_t level_count);
 
     Context& context;
     Extent extent;
     Format format;
     Guarded<ImageHandles> handles;
+    Guarded<std::vector<vk::raii::ImageView>> levels;  // a view of each
 };
 
 // Records that a new image has VK_IMAGE_LAYOUT_GENERAL from here on. `all_of_it`: all of its levels and
