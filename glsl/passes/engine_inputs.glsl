@@ -35,13 +35,18 @@ vec3 octahedral_vector(vec2 at) {
     return vec3(v.x - (v.x >= 0.0 ? folded : -folded), v.y - (v.y >= 0.0 ? folded : -folded), v.z);
 }
 
-// Unit normal in view space; 0 where the stored one has no direction.
+// Normal in view space, not normalised.
 // stored: a texel of the engine's normals. columns: of the rotation from world space to view space, in xyz.
-vec3 view_normal(vec3 stored, mat3x4 columns) {
+vec3 view_direction(vec3 stored, mat3x4 columns) {
     vec3 v = unorm_normals ? 2.0 * stored - 1.0 : stored;
     if (octahedral_normals) v = octahedral_vector(v.xy);
     if (world_normals) v = columns[0].xyz * v.x + columns[1].xyz * v.y + columns[2].xyz * v.z;
-    return gloam_safe_normalize(v, vec3(0.0));
+    return v;
+}
+
+// The same as a unit vector; 0 where the stored normal has no direction.
+vec3 view_normal(vec3 stored, mat3x4 columns) {
+    return gloam_safe_normalize(view_direction(stored, columns), vec3(0.0));
 }
 
 #endif

@@ -164,6 +164,28 @@ TEST_F(OfChip, AFrameOfAPreset) {
     EXPECT_THAT(above.err, StartsWith("fast: "));
 }
 
+// Vector instructions and bytes a pixel of the frames in three passes: within 2 % of what they were.
+TEST_F(OfChip, TheFramesInThreePasses) {
+    const std::map<std::string, std::pair<double, double>> counted{{"frame-fast", {291, 17.7}},
+                                                                   {"frame-balanced", {555, 17.7}},
+                                                                   {"frame-quality", {1056, 21.7}},
+                                                                   {"frame-reference", {2087, 21.7}}};
+    for (const auto& [name, expected] : counted) {
+        const json frame = json_of(words("cost --preset " + name + " --json"));
+        EXPECT_EQ(frame.at("passes").size(), 3U);
+        double valu = 0.0;
+        double bytes = 0.0;
+        for (const json& pass : frame.at("passes")) {
+            valu += pass.at("valu_per_pixel").get<double>();
+            bytes += pass.at("bytes_per_pixel").get<double>();
+            EXPECT_EQ(pass.at("loops"), 0) << pass;
+            EXPECT_EQ(pass.at("spilled"), 0) << pass;
+        }
+        EXPECT_NEAR(valu, expected.first, 0.02 * expected.first) << name;
+        EXPECT_NEAR(bytes, expected.second, 0.02 * expected.second) << name;
+    }
+}
+
 TEST_F(OfChip, WhatCannotBeCountedIsOneLine) {
     const std::string filter = fixture("filter3.comp");
     expect_could_not_run(gloam("cost"), "--preset NAME");

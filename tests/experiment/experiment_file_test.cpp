@@ -12,7 +12,8 @@ constexpr const char* whole = R"({
   "about": "a description", "sizes": ["64x36"], "frames": 4, "scored": 2, "rounds": 3, "rays": 64,
   "preset": "fast", "set": {"samples": 8, "freeze": true, "filter": "none"},
   "cases": [{"scene": "sky", "shown": [3, 1], "scored": 1, "target": 0.5, "candidates": ["run"]}],
-  "candidates": [{"name": "run", "sequence": true}, {"name": "loop", "plain": "9x3+1"}],
+  "candidates": [{"name": "run", "sequence": true}, {"name": "loop", "plain": "9x3+1"},
+    {"name": "short", "frame": "frame-fast"}],
   "tables": [{"rows": "cases", "columns": [{"title": "ratio", "value": "ms", "of": "run", "over": "loop"}]}]})";
 
 // The description with a part replaced.
@@ -36,6 +37,8 @@ TEST(ExperimentFile, ReadsAllParts) {
     EXPECT_EQ(read.candidates.at(1).layer.kind, Kind::plain);
     EXPECT_EQ(read.candidates.at(1).layer.plain.taps.slices, 9U);
     EXPECT_EQ(read.candidates.at(1).layer.plain.blurs, 1);
+    EXPECT_EQ(read.candidates.at(2).layer.kind, Kind::frame);
+    EXPECT_EQ(read.candidates.at(2).layer.frame, "frame-fast");
     EXPECT_EQ(read.tables.at(0).columns.at(0).over, "loop");
     EXPECT_NO_THROW(require_consistent(read));
 }

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -24,6 +25,7 @@
 #include "cli/pack/effect.hpp"
 #include "cli/settings.hpp"
 #include "effect/plan.hpp"
+#include "effect/short_frame.hpp"
 #include "shader/include.hpp"
 #include "shader/reflection.hpp"
 #include "shader/spirv.hpp"
@@ -120,6 +122,14 @@ double bytes_of_texel(gpu::Format format) {
     return bits / 8.0;
 }
 
+// name: of the image, or of one of its levels.
+double bytes_of_image(const effect::PlannedImage& image, const std::string& name) {
+    const std::size_t slash = name.find('/');
+    const int level = slash == std::string::npos ? 0 : std::stoi(name.substr(slash + 1));
+    return std::ldexp(1.0 * image.extent.width * image.extent.height, -2 * level) *
+           bytes_of_texel(image.format);
+}
+
 // Bytes of what the pass reads and writes, each image and buffer once, a pixel of the view.
 double bytes_per_pixel(const effect::Plan& plan, const effect::PlannedPass& pass,
                        const scene::PassLibrary& library, double view) {
@@ -135,8 +145,7 @@ double bytes_per_pixel(const effect::Plan& plan, const effect::PlannedPass& pass
         const std::string& name = pass.resources.at(binding.number);
         const double times = (binding.reads ? 1.0 : 0.0) + (binding.writes ? 1.0 : 0.0);
         for (const effect::PlannedImage& image : plan.images)
-            if (image.name == name)
-                bytes += times * image.extent.width * image.extent.height * bytes_of_texel(image.format);
+            if (name.substr(0, name.find('/')) == image.name) bytes += times * bytes_of_image(image, name);
         for (const effect::PlannedBuffer& buffer : plan.buffers)
             if (buffer.name == name) bytes += times * static_cast<double>(buffer.bytes);
     }
@@ -150,10 +159,18 @@ double pixels_of_invocation(const effect::PlannedPass& pass, const shader::Spirv
     return view / (invocations * pass.groups[0] * pass.groups[1] * pass.groups[2]);
 }
 
+// The plan of a preset, or of a frame of three short passes, which takes depth and normals as most engines
+// store them.
+effect::Plan plan_of_preset(const std::string& name, effect::PlanOptions options) {
+    if (!name.starts_with("frame-")) return effect::plan_of(preset_settings(name), options);
+    options.encoding = {.depth_buffer = true, .unorm = true};
+    return effect::plan_of(effect::short_frame_named(name), options);
+}
+
 std::vector<CostRow> cost_of_preset(const CostCommand& command) {
     const effect::PlanOptions options{.first = true};
     const double view = 1.0 * options.view.width * options.view.height;
-    const effect::Plan plan = effect::plan_of(preset_settings(command.preset), options);
+    const effect::Plan plan = plan_of_preset(command.preset, options);
     const scene::PassLibrary library(glsl_directory(), cache_directory());
     std::vector<CostRow> rows;
     for (const effect::PlannedPass& pass : plan.passes) {

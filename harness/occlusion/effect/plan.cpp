@@ -5,9 +5,7 @@
 #include "effect/internal/frame_images.hpp"
 
 namespace gloam::effect {
-namespace {
 
-// A view in the place of the engine's.
 View view_of(const PlanOptions& options) {
     constexpr double fovy = 0.9;
     scene::Camera camera{
@@ -18,6 +16,8 @@ View view_of(const PlanOptions& options) {
     const double aspect = static_cast<double>(options.view.width) / static_cast<double>(options.view.height);
     return {scene::make_frame(camera, aspect, previous), options.view, {}};
 }
+
+namespace {
 
 // The frame in which everything runs that runs in any.
 Moment moment_of(const Settings& settings, const PlanOptions& options) {

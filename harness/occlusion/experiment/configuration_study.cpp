@@ -250,7 +250,7 @@ std::vector<float> converged(effect::AmbientOcclusion& effect, const scene::GBuf
 }
 
 ConfigurationStudy::ConfigurationStudy(const gpu::Device& device, const scene::PassLibrary& passes)
-    : device_(&device), passes_(passes) {}
+    : device_(&device), passes_(passes), short_(device, passes) {}
 
 effect::AmbientOcclusion& ConfigurationStudy::effect_for(gpu::Extent extent) {
     const auto key = std::pair(extent.width, extent.height);
@@ -328,6 +328,21 @@ ConfigurationVisit ConfigurationStudy::temporal(BenchmarkViews& views, const eff
         if (round == 0) judge.add(i, frame, before);
         before = frame.filtered;
         if (scored && round == 0) visit.shown = std::move(frame);
+    }
+    if (round == 0) visit.quality = judge.mean();
+    return visit;
+}
+
+ConfigurationVisit ConfigurationStudy::short_frame(BenchmarkViews& views,
+                                                   const effect::ShortSettings& settings, int round) {
+    const BenchmarkFrames& frames = views.frames();
+    Judge judge(views, {});
+    ConfigurationVisit visit;
+    for (int i = views.first_scored(); i < frames.frames; i += frames.every) {
+        visit.shown = short_.run(views.view(i, {}), settings, static_cast<float>(views.scene().ao_radius),
+                                 round > 0 ? frames.repeat : 1);
+        if (round > 0) visit.readings.push_back({visit.shown.times});
+        if (round == 0) judge.add(i, visit.shown, {});
     }
     if (round == 0) visit.quality = judge.mean();
     return visit;

@@ -13,6 +13,7 @@
 #include "effect/errors.hpp"
 #include "effect/methods.hpp"
 #include "effect/settings.hpp"
+#include "effect/short_frame.hpp"
 #include "effect/study/plain_slices.hpp"
 #include "experiment/scores.hpp"
 #include "scene/draw.hpp"
@@ -166,6 +167,10 @@ class ConfigurationStudy {
     [[nodiscard]] ConfigurationVisit visit(BenchmarkViews& views, const effect::Settings& settings,
                                            bool temporal, int round);
 
+    // Single frames of three short passes, at the scored frames. Round 0 judges them.
+    [[nodiscard]] ConfigurationVisit short_frame(BenchmarkViews& views, const effect::ShortSettings& settings,
+                                                 int round);
+
     // Each scored frame's view alone, standing still for as many frames as the sequence has had. Untimed.
     [[nodiscard]] ConfigurationVisit held(BenchmarkViews& views, const effect::Settings& settings);
 
@@ -178,6 +183,7 @@ class ConfigurationStudy {
 
     const gpu::Device* device_;
     scene::PassLibrary passes_;
+    effect::ShortFrame short_;
     std::map<std::pair<std::uint32_t, std::uint32_t>, effect::AmbientOcclusion>
         effects_;  // by size of the view
 };

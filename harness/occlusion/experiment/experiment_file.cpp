@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "effect/short_frame.hpp"
 #include "experiment/experiment.hpp"
 #include "experiment/internal/json_value.hpp"
 #include "experiment/scores.hpp"
@@ -36,6 +37,11 @@ void read_layer(Members& members, Layer& layer) {
         } catch (const std::invalid_argument&) {
             plain->expected("SLICESxSTEPS+BLURS, such as 9x3+1");
         }
+    }
+    members.read("frame", layer.frame);
+    if (!layer.frame.empty()) {
+        layer.kind = Kind::frame;
+        (void)effect::short_frame_named(layer.frame);
     }
     for (const auto& [name, kind] : {std::pair("depth_truth", Kind::depth_truth), {"truth", Kind::truth}}) {
         bool is = false;

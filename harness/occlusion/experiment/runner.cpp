@@ -285,6 +285,9 @@ class SizeRun {
         switch (subject.kind) {
             case Kind::plain:
                 return loop_of(views.frames().extent, subject.plain).visit(views, round);
+            case Kind::frame:
+                return study_of(subject.hoisted)
+                    .short_frame(views, effect::short_frame_named(subject.frame), round);
             case Kind::depth_truth:
                 return depth_truth_of(views, round);
             case Kind::truth:

@@ -23,6 +23,9 @@ namespace gloam::effect {
 // sets of parameters are those of this frame.
 [[nodiscard]] std::vector<PlannedPass> planned_passes(const Moment& moment, const Plan& resources);
 
+// A view in the place of the engine's.
+[[nodiscard]] View view_of(const PlanOptions& options);
+
 // Push constants, and which of them are the view's.
 struct Constants {
     std::vector<std::byte> bytes;

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#version 450
+// The frame, first pass: depth as the engine stores it becomes eye-linear depth of 16 bits, in radii of influence, with
+// levels (gloam/sampling/depth_levels.glsl). What is no depth becomes the largest, so that no later pass tests for it.
+// One invocation for each 2 x 2 pixels.
+//
+// Dispatch ceil(ceil(size / 2) / (16, 8)) groups. Descriptor set 0:
+//   0        depth as the engine stores it, in x; nearest texel, clamped to the edge
+//   1 to 5   r16f  written: levels 0 to 4
+layout(local_size_x = 16, local_size_y = 8) in;
+
+layout(binding = 0) uniform highp sampler2D stored_image;
+layout(binding = 1, r16f) uniform writeonly highp image2D level_0;
+layout(binding = 2, r16f) uniform writeonly highp image2D level_1;
+layout(binding = 3, r16f) uniform writeonly highp image2D level_2;
+layout(binding = 4, r16f) uniform writeonly highp image2D level_3;
+layout(binding = 5, r16f) uniform writeonly highp image2D level_4;
+
+layout(push_constant) uniform Parameters {
+    vec2 numerator;  // of depth in radii (gloam/sampling/depth_levels.glsl)
+    vec2 divisor;
+    vec2 inverse_size;
+    float far;
+} parameters;
+
+#include "gloam/sampling/depth_levels.glsl"
+
+vec4 depth_of(float stored) {
+    return vec4(gloam_level_depth(stored, parameters.numerator, parameters.divisor, parameters.far));
+}
+
+void main() {
+    ivec2 block = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 pixel = 2 * block;
+    vec4 stored = textureGather(stored_image, vec2(pixel + 1) * parameters.inverse_size);
+    vec4 first = depth_of(stored.w);
+    vec4 last = depth_of(stored.y);
+    imageStore(level_0, pixel, first);
+    imageStore(level_0, pixel + ivec2(1, 0), depth_of(stored.z));
+    imageStore(level_0, pixel + ivec2(0, 1), depth_of(stored.x));
+    imageStore(level_0, pixel + 1, last);
+    imageStore(level_1, block, last);
+    if (gloam_is_level_middle(block, 2)) imageStore(level_2, block >> 1, first);
+    if (gloam_is_level_middle(block, 3)) imageStore(level_3, block >> 2, first);
+    if (gloam_is_level_middle(block, 4)) imageStore(level_4, block >> 3, first);
+}
