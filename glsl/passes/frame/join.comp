@@ -17,44 +17,30 @@ layout(binding = 0) uniform highp usampler2D texel_image;
 layout(binding = 1) uniform highp sampler2D depth_image;
 layout(binding = 2, GLOAM_OUTPUT) uniform writeonly highp image2D result_image;
 
-layout(push_constant) uniform Parameters {
-    vec2 inverse_half_size;   // of the texels
-    vec2 inverse_size;        // of the view
-    float inverse_tolerance;  // of the relative difference of depth that counts as another surface
-} parameters;
+#include "passes/frame/join.glsl"
 
-#include "gloam/filter/frame_texel.glsl"
+GloamFrameTexel texels[4][4];
+
+GloamFrameTexel texel_at(ivec2 place) {
+    return texels[place.y + 1][place.x + 1];
+}
 
 void main() {
     ivec2 block = ivec2(gl_GlobalInvocationID.xy);
-    ivec2 pixel = 2 * block;
     vec2 corner = vec2(block) * parameters.inverse_half_size;
-    uint codes[4][4];
     for (int y = 0; y < 4; y += 2) {
         for (int x = 0; x < 4; x += 2) {
             uvec4 four = textureGather(texel_image, corner + vec2(x, y) * parameters.inverse_half_size);
-            codes[y][x] = four.w;
-            codes[y][x + 1] = four.z;
-            codes[y + 1][x] = four.x;
-            codes[y + 1][x + 1] = four.y;
+            texels[y][x] = gloam_frame_texel(four.w);
+            texels[y][x + 1] = gloam_frame_texel(four.z);
+            texels[y + 1][x] = gloam_frame_texel(four.x);
+            texels[y + 1][x + 1] = gloam_frame_texel(four.y);
         }
     }
+    ivec2 pixel = 2 * block;
     vec4 own = textureGather(depth_image, vec2(pixel + 1) * parameters.inverse_size).wzxy;  // by rows
-    vec4 scale = parameters.inverse_tolerance / own;
-    vec4 sum = vec4(0.0);
-    vec4 whole = vec4(1e-4);
-    for (int y = 0; y < 4; ++y) {
-        for (int x = 0; x < 4; ++x) {
-            GloamFrameTexel texel = gloam_frame_texel(codes[y][x]);
-            for (int i = 0; i < 4; ++i) {
-                vec2 tent = max(2.0 - abs(vec2(x - 1, y - 1) - 0.5 * vec2(i & 1, i >> 1)), 0.0);
-                if (tent.x * tent.y == 0.0) continue;
-                float weight = tent.x * tent.y * texel.weight * gloam_near(texel.depth, own[i], scale[i]);
-                sum[i] += weight * texel.occlusion;
-                whole[i] += weight;
-            }
-        }
-    }
-    vec4 occlusion = sum / whole * (1.0 / 255.0);
-    for (int i = 0; i < 4; ++i) imageStore(result_image, pixel + ivec2(i & 1, i >> 1), vec4(occlusion[i]));
+    imageStore(result_image, pixel, vec4(joined(ivec2(0), own.x)));
+    imageStore(result_image, pixel + ivec2(1, 0), vec4(joined(ivec2(1, 0), own.y)));
+    imageStore(result_image, pixel + ivec2(0, 1), vec4(joined(ivec2(0, 1), own.z)));
+    imageStore(result_image, pixel + 1, vec4(joined(ivec2(1), own.w)));
 }

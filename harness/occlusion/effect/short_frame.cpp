@@ -18,11 +18,6 @@ namespace {
 using enum gpu::Format;
 
 constexpr std::uint32_t depth_levels = 5;
-constexpr float bias = 0.001F;          // radii
-constexpr float bias_depth = 0x1p-10F;  // two roundings of a depth to 16 bits
-// Relative differences of depth that count as another surface.
-constexpr float filter_tolerance = 0.011F;
-constexpr float join_tolerance = 0.02F;
 
 // Push constants, with the layout that each pass declares.
 struct PrepareParameters {
@@ -31,25 +26,20 @@ struct PrepareParameters {
     glm::vec2 inverse_size;
     float far;
 };
-struct SweepParameters {
+struct alignas(16) SweepParameters {
     glm::mat3x4 view_from_world;
     glm::vec2 inverse_size;
     glm::vec2 first;
     glm::vec2 ray_step;
     glm::vec2 first_ray;
     glm::vec2 reach;
-    float bias;
-    float bias_depth;
-    float thickness;
 };
 struct FilterParameters {
     glm::vec2 inverse_size;
-    float inverse_tolerance;
 };
 struct JoinParameters {
     glm::vec2 inverse_half_size;
     glm::vec2 inverse_size;
-    float inverse_tolerance;
 };
 
 // Depth in radii, as gloam_level_depth() has it.
@@ -79,10 +69,7 @@ SweepParameters sweep_parameters(const View& view, float radius) {
             .first = 0.5F / size,
             .ray_step = step / unit,
             .first_ray = (glm::vec2(view.camera.proj_vk[2]) - 1.0F) / scale + 0.5F * step,
-            .reach = unit / step,
-            .bias = bias,
-            .bias_depth = bias_depth,
-            .thickness = 1.0F};
+            .reach = unit / step};
 }
 
 // Groups of 16 x 8 invocations, which make `x` x `y` pixels each.
@@ -98,12 +85,11 @@ PlannedPass last_pass(const ShortSettings& settings, gpu::Extent extent) {
                                                                         : "GLOAM_OUTPUT r16f");
     if (settings.half) {
         const gpu::Extent half = half_of(extent);
-        const JoinParameters all{1.0F / glm::vec2(half.width, half.height), 1.0F / size,
-                                 1.0F / join_tolerance};
+        const JoinParameters all{1.0F / glm::vec2(half.width, half.height), 1.0F / size};
         return single_pass("join", source, {"texels", "levels", "shown"}, all, groups_of(extent, 2, 2));
     }
     source.constants = {{.id = 0, .bits = settings.half_width}};
-    const FilterParameters all{1.0F / size, 1.0F / filter_tolerance};
+    const FilterParameters all{1.0F / size};
     return single_pass("filter", source, {"texels", "shown"}, all, groups_of(extent, 2, 1));
 }
 

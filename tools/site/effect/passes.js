@@ -57,25 +57,27 @@ class Passes {
         return {handle, uniforms};
     }
 
-    // A texture of this format, one of Passes.formats.
-    image(format, width, height) {
+    // A texture of this format, one of Passes.formats. Its nearest texel is read, clamped to the edge.
+    image(format, width, height, levels = 1) {
         const {gl} = this;
         const texture = gl.createTexture();
         gl.bindTexture(gl.TEXTURE_2D, texture);
-        gl.texStorage2D(gl.TEXTURE_2D, 1, gl[Passes.formats[format]], width, height);
-        for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
-            gl.texParameteri(gl.TEXTURE_2D, filter, gl.NEAREST);
+        gl.texStorage2D(gl.TEXTURE_2D, levels, gl[Passes.formats[format]], width, height);
+        gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, levels > 1 ? gl.NEAREST_MIPMAP_NEAREST : gl.NEAREST);
+        gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+        for (const edge of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T])
+            gl.texParameteri(gl.TEXTURE_2D, edge, gl.CLAMP_TO_EDGE);
         return texture;
     }
 
-    static formats = {r32float: "R32F", rgba32float: "RGBA32F", rgba8unorm: "RGBA8"};
+    static formats = {r16float: "R16F", r32float: "R32F", r32uint: "R32UI", rgba32float: "RGBA32F", rgba8unorm: "RGBA8"};
 
-    framebuffer(...textures) {
+    framebuffer(textures, level = 0) {
         const {gl} = this;
         const framebuffer = gl.createFramebuffer();
         gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
         textures.forEach((texture, i) =>
-            gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0 + i, gl.TEXTURE_2D, texture, 0));
+            gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0 + i, gl.TEXTURE_2D, texture, level));
         gl.drawBuffers(textures.map((_, i) => gl.COLOR_ATTACHMENT0 + i));
         return framebuffer;
     }
@@ -83,7 +85,16 @@ class Passes {
     // Images of one size and what draws to all of them.
     target(width, height, ...formats) {
         const images = formats.map((format) => this.image(format, width, height));
-        return {width, height, formats, images, image: images[0], framebuffer: this.framebuffer(...images)};
+        return {width, height, formats, images, image: images[0], framebuffer: this.framebuffer(images)};
+    }
+
+    // One image with levels, as many as its size has but at most `most`: a target for each, the largest first.
+    levels(width, height, format, most) {
+        const count = Math.min(most, 1 + Math.floor(Math.log2(Math.max(width, height))));
+        const image = this.image(format, width, height, count);
+        return Array.from({length: count}, (_, level) => ({image, images: [image],
+            width: Math.max(width >> level, 1), height: Math.max(height >> level, 1),
+            framebuffer: this.framebuffer([image], level)}));
     }
 
     deleteTarget({images, framebuffer}) {
@@ -119,7 +130,7 @@ class Passes {
         for (const {whole, name, type, location} of uniforms) {
             const value = values[name];
             if (value === undefined) throw new Error(`${whole}: there is no value of that name`);
-            if (type === gl.SAMPLER_2D) {
+            if (type === gl.SAMPLER_2D || type === gl.UNSIGNED_INT_SAMPLER_2D) {
                 gl.activeTexture(gl.TEXTURE0 + unit);
                 gl.bindTexture(gl.TEXTURE_2D, value);
                 gl.uniform1i(location, unit++);
@@ -135,6 +146,7 @@ class Passes {
         else if (type === gl.FLOAT_VEC2) gl.uniform2fv(location, value);
         else if (type === gl.FLOAT_VEC3) gl.uniform3fv(location, value);
         else if (type === gl.FLOAT_MAT3) gl.uniformMatrix3fv(location, false, value);
+        else if (type === gl.FLOAT_MAT3x4) gl.uniformMatrix3x4fv(location, false, value);
         else if (type === gl.FLOAT_MAT4) gl.uniformMatrix4fv(location, false, value);
         else if (type === gl.INT_VEC2) gl.uniform2iv(location, value);
         else if (type === gl.UNSIGNED_INT) gl.uniform1ui(location, value);

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_PASSES_FRAME_FILTER_GLSL
+#define GLOAM_PASSES_FRAME_FILTER_GLSL
+
+// The filter of the frame at full size, for compute and fragment shaders.
+
+#include "gloam/filter/frame_texel.glsl"
+#include "passes/frame/parameters.glsl"
+
+layout(constant_id = 0) const int half_width = 1;  // 1: 3 x 3 pixels; 2: 5 x 5
+
+const float inverse_tolerance = 1.0 / 0.011;  // of the relative difference of depth that counts as another surface
+const float falloff = 0.18;                   // weights of 5 x 5 fall by 2^-(0.18 r^2)
+
+struct FilterParameters {
+    vec2 inverse_size;
+};
+FRAME_PARAMETERS(FilterParameters)
+
+// The texel at a place among those that an invocation reads.
+GloamFrameTexel texel_at(ivec2 place);
+
+// Occlusion of the pixel at a place, in [0, 1].
+float filtered(ivec2 middle) {
+    GloamFrameTexel own = texel_at(middle);
+    float scale = inverse_tolerance / own.depth;
+    vec2 sum = vec2(0.0, 1e-4);
+    for (int y = -half_width; y <= half_width; ++y) {
+        for (int x = -half_width; x <= half_width; ++x) {
+            GloamFrameTexel texel = texel_at(middle + ivec2(x, y));
+            vec2 offset = vec2(x, y);
+            float near = offset == vec2(0.0) ? 1.0 : gloam_near(texel.depth, own.depth, scale);
+            float spatial = half_width == 1 ? 1.0 : exp2(-falloff * dot(offset, offset));
+            sum += spatial * texel.weight * near * vec2(texel.occlusion, 1.0);
+        }
+    }
+    return sum.x / sum.y * (1.0 / 255.0);
+}
+
+#endif

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#version 450
+// join.comp as a fragment shader.
+uniform highp usampler2D texel_image;  // nearest, clamped to the edge
+uniform highp sampler2D depth_image;   // of prepare; likewise
+layout(location = 0) out highp float occlusion;
+
+#include "passes/frame/join.glsl"
+
+GloamFrameTexel texel_at(ivec2 place) {
+    vec2 block = vec2(ivec2(gl_FragCoord.xy) >> 1) + 0.5;
+    return gloam_frame_texel(texture(texel_image, (block + vec2(place)) * parameters.inverse_half_size).x);
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    occlusion = joined(pixel & 1, texelFetch(depth_image, pixel, 0).x);
+}

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#ifndef GLOAM_PASSES_FRAME_SWEEP_GLSL
+#define GLOAM_PASSES_FRAME_SWEEP_GLSL
+
+// The horizon sweep of the frame, for compute and fragment shaders. They declare before it:
+//   sampler2D depth_image    of prepare, with its levels; nearest texel and level, clamped to the edge
+//   sampler2D normal_image   as the engine stores them; any format
+
+#include "passes/engine_inputs.glsl"
+#include "passes/frame/parameters.glsl"
+#include "gloam/filter/frame_texel.glsl"
+#include "gloam/occlusion/sweep_pair.glsl"
+#include "gloam/sampling/depth_levels.glsl"
+#include "gloam/sampling/lattice_rotation.glsl"
+#include "gloam/sampling/slice_sample.glsl"
+
+layout(constant_id = 5) const int slices = 1;
+layout(constant_id = 6) const int steps = 6;   // taps on each side of a slice
+layout(constant_id = 7) const int stride = 1;  // pixels of the view from one that is written to the next
+
+const float bias = 0.001;               // least height over the tangent plane, in radii
+const float bias_depth = 1.0 / 1024.0;  // the same for each unit of depth: two roundings of a depth to 16 bits
+const float thickness = 1.0;            // of features, in widths
+
+// Lengths are in radii of influence. Signs of y, and of x where the projection mirrors, turn view space to the image.
+struct SweepParameters {
+    mat3x4 view_from_world;  // a rotation: only xyz of each column are used
+    vec2 inverse_size;       // of the view, 1 / pixels
+    vec2 first;              // middle of the first pixel, 0 to 1
+    vec2 ray_step;           // from one pixel to the next, of the ray at depth 1; orthographic: of the position
+    vec2 first_ray;          // of the first pixel
+    vec2 reach;              // pixels of a radius at depth 1; orthographic: at any
+};
+FRAME_PARAMETERS(SweepParameters)
+
+// What all slices of a pixel share.
+struct Point {
+    vec2 at;  // in the image, 0 to 1
+    float depth;
+    float ray_length;
+    vec3 view;
+    vec3 normal;
+    vec2 reach;  // pixels
+    float turns;
+    float bias;
+};
+
+Point point_at(ivec2 pixel, float depth, vec2 reach) {
+    vec2 place = vec2(stride * pixel);
+    vec2 ray = place * parameters.ray_step + parameters.first_ray;
+    float squared = orthographic ? 1.0 : dot(ray, ray) + 1.0;
+    float inverse = inversesqrt(squared);
+    vec3 view = orthographic ? vec3(0.0, 0.0, 1.0) : vec3(-inverse * ray, inverse);
+    vec3 normal = view_direction(texelFetch(normal_image, stride * pixel, 0).xyz, parameters.view_from_world);
+    normal *= inversesqrt(max(dot(normal, normal), GLOAM_LEAST_SQUARE));
+    return Point(place * parameters.inverse_size + parameters.first, depth, squared * inverse, view, normal, reach,
+                 gloam_lattice_rotation(pixel) * (0.5 / GLOAM_PI), max(bias, bias_depth * depth));
+}
+
+// What one slice sees, and what an empty one would, both with the slice's weight: (occluded, whole).
+vec2 slice_of(Point point, int slice) {
+    float angle = GLOAM_PI / float(slices) * (point.turns + float(slice));
+    vec2 direction = vec2(cos(angle), sin(angle));
+    GloamTangentAxes axes = gloam_tangent_axes(direction, point.view, point.normal);
+    vec2 along = axes.along.xy * parameters.ray_step;
+    vec2 height = axes.height.xy * parameters.ray_step;
+    vec2 slope = point.ray_length * axes.normal;
+    float reach = max(abs(point.reach.x), abs(point.reach.y));
+    vec2 to_reach = point.reach * direction;
+    float jitter = fract(14.0 * point.turns) * (1.0 / float(steps));
+    GloamSweepPair pair = gloam_sweep_pair();
+    for (int k = 0; k < steps; ++k) {
+        float place = gloam_slice_place(jitter + float(k) / float(steps), reach);
+        vec2 offset = round(place * to_reach);
+        float level = gloam_depth_level(place * reach);
+        vec2 moved = offset * parameters.inverse_size;
+        vec2 depth = vec2(textureLod(depth_image, point.at + moved, level).x,
+                          textureLod(depth_image, point.at - moved, level).x);
+        GloamTapPair taps =
+            gloam_tap_pair(vec2(dot(along, offset), dot(height, offset)), slope, point.depth, depth, orthographic);
+        pair = gloam_pair_tap(pair, taps, point.depth - depth, place, axes.normal, point.bias, thickness);
+    }
+    vec2 occluded = pair.occluded + pair.feature;
+    return vec2(axes.weight * (occluded.x + occluded.y), axes.weight * gloam_tangent_whole(axes.normal));
+}
+
+// The texel of a pixel (gloam/filter/frame_texel.glsl).
+uint texel_of(ivec2 pixel) {
+    float depth = texelFetch(depth_image, stride * pixel, 0).x;
+    vec2 reach = orthographic ? parameters.reach : parameters.reach / depth;
+    vec2 sum = vec2(0.0);
+    // A radius below a pixel sees nothing but that pixel.
+    if (depth < GLOAM_FARTHEST_LEVEL_DEPTH && max(abs(reach.x), abs(reach.y)) >= 1.0) {
+        Point point = point_at(pixel, depth, reach);
+        for (int i = 0; i < slices; ++i) sum += slice_of(point, i);
+    }
+    if (!(sum.x >= 0.0 && sum.y > 0.0)) sum = vec2(0.0, 1e-3);  // background, or no normal
+    float weight = sum.y * (1.0 / float(slices));
+    return gloam_frame_code(depth, min(sum.x / sum.y, 1.0), min(weight, 1.6));
+}
+
+#endif

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// frame_cases FILE: views as engines store them, and the occlusion that the passes of the frame give for them
+// on Vulkan, as a script for the page.
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "backend/vulkan/device.hpp"
+#include "base/text.hpp"
+#include "effect/short_frame.hpp"
+#include "scene/draw.hpp"
+#include "scene/pass_library.hpp"
+#include "scene/scene.hpp"
+
+namespace {
+
+using namespace gloam;
+using nlohmann::ordered_json;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+struct Row {
+    const char* name;
+    const char* preset;
+    gpu::Extent extent;
+    const char* depth;
+    const char* normals;
+    bool orthographic;
+    double near;
+    double far;
+    bool reversed;
+    bool poisoned;
+};
+
+constexpr Row rows[] = {
+    {"linear", "frame-fast", {96, 54}, "linear", "view", false, 0.1, 100, false, false},
+    {"linear", "frame-balanced", {96, 54}, "linear", "view", false, 0.1, 100, false, false},
+    {"linear", "frame-quality", {96, 54}, "linear", "view", false, 0.1, 100, false, false},
+    {"linear", "frame-reference", {96, 54}, "linear", "view", false, 0.1, 100, false, false},
+    {"odd", "frame-fast", {83, 45}, "buffer", "world", false, 0.1, 100, false, false},
+    {"odd", "frame-quality", {83, 45}, "buffer", "view-unorm", false, 0.1, 100, true, false},
+    {"infinite",
+     "frame-fast",
+     {96, 54},
+     "buffer",
+     "world-octahedral-unorm",
+     false,
+     0.1,
+     infinite,
+     true,
+     false},
+    {"infinite", "frame-quality", {31, 57}, "buffer", "view-octahedral", false, 0.1, infinite, false, false},
+    {"orthographic", "frame-fast", {83, 45}, "buffer", "view", true, -10, 60, false, false},
+    {"orthographic", "frame-quality", {96, 54}, "buffer", "world-unorm", true, -10, 60, true, false},
+    {"poisoned", "frame-balanced", {83, 45}, "linear", "view", false, 0.1, 100, false, true},
+    {"poisoned", "frame-quality", {83, 45}, "linear", "view", false, 0.1, 100, false, true},
+    {"one pixel", "frame-fast", {1, 1}, "linear", "view", false, 0.1, 100, false, false},
+    {"a row", "frame-reference", {64, 1}, "linear", "view", false, 0.1, 100, false, false}};
+
+template <class Texel>
+std::string bytes_of(const std::vector<Texel>& texels) {
+    return base::base64(
+        {reinterpret_cast<const unsigned char*>(texels.data()), texels.size() * sizeof(Texel)});
+}
+
+std::vector<float> numbers_of(const glm::mat4& matrix) {
+    return {&matrix[0][0], &matrix[0][0] + 16};
+}
+
+scene::GBuffer view_of(const Row& row, scene::Scene& scene) {
+    if (row.orthographic) scene.camera.projection = scene::Projection::orthographic;
+    scene.camera.near = row.near;
+    scene.camera.far = row.far;
+    scene.camera.reversed_z = row.reversed;
+    scene::GBuffer view = scene::draw(scene, row.extent);
+    const float poison[] = {NAN, INFINITY, -INFINITY, 0.0F, -1.0F, 1e30F};
+    for (std::size_t i = 0; row.poisoned && i < view.depth.size(); i += 7)
+        view.depth[i] = poison[i % std::size(poison)];
+    for (std::size_t i = 0; row.poisoned && i < view.normal.size(); i += 11)
+        view.normal[i] = glm::vec3(poison[i % 4]);
+    view.stored = scene::stored_inputs(view, scene::encoding_named(row.depth, row.normals));
+    return view;
+}
+
+ordered_json case_of(const Row& row, effect::ShortFrame& frame) {
+    scene::Scene scene = scene::make_scene("columns");
+    const scene::GBuffer view = view_of(row, scene);
+    effect::ShortSettings settings = effect::short_frame_named(row.preset);
+    settings.output = effect::OutputFormat::r32f;
+    std::vector<glm::vec4> normals;
+    for (const glm::vec3& normal : view.stored->normal) normals.emplace_back(normal, 0.0F);
+    const std::vector<float> shown = frame.run(view, settings, static_cast<float>(scene.ao_radius)).filtered;
+    return {{"name", std::string(row.name) + " " + row.preset},
+            {"preset",
+             {{"slices", settings.slices},
+              {"steps", settings.steps},
+              {"half", settings.half},
+              {"half_width", settings.half_width}}},
+            {"inputs", {{"depth", row.depth}, {"range", "zero-to-one"}, {"normals", row.normals}}},
+            {"size", {row.extent.width, row.extent.height}},
+            {"radius", scene.ao_radius},
+            {"projection", numbers_of(view.camera.proj_vk)},
+            {"view", numbers_of(view.camera.view)},
+            {"depth", bytes_of(view.stored->depth)},
+            {"normal", bytes_of(normals)},
+            {"want", bytes_of(shown)}};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::cerr << "frame_cases FILE\n";
+        return 2;
+    }
+    const scene::PassLibrary passes(GLOAM_GLSL_DIR);
+    const gpu::Device device({.validation = gpu::Validation::on});
+    effect::ShortFrame frame(device, passes);
+    ordered_json cases = ordered_json::array();
+    for (const Row& row : rows) cases.push_back(case_of(row, frame));
+    std::ofstream(argv[1]) << "const cases = " << cases.dump() << ";\n";
+    return 0;
+}
