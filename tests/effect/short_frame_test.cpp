@@ -41,6 +41,63 @@ TEST_P(ShortFrames, APlaneIsOpen) {
                 ASSERT_LE(value, 0.02F) << orthographic << ' ' << normal.x;
 }
 
+struct Engine {
+    const char* depth;
+    const char* normals;
+    bool reversed;
+    double far;  // world units
+    scene::Projection projection = scene::Projection::perspective;
+};
+constexpr double endless = std::numeric_limits<double>::infinity();
+constexpr Engine engines[] = {{"buffer", "view", false, 60.0},
+                              {"buffer", "world", true, 60.0},
+                              {"buffer", "view-unorm", false, endless},
+                              {"buffer", "world-octahedral-unorm", true, endless},
+                              {"buffer", "world-unorm", false, 60.0, scene::Projection::orthographic},
+                              {"buffer", "view-octahedral", true, 60.0, scene::Projection::orthographic},
+                              {"linear", "view-octahedral-unorm", false, 60.0}};
+
+scene::Scene seen_by(const Engine& engine) {
+    scene::Scene scene = floor_and_wall(true);
+    scene.camera.projection = engine.projection;
+    scene.camera.reversed_z = engine.reversed;
+    scene.camera.far = engine.far;
+    scene.camera.view_height = 2.5;
+    return scene;
+}
+
+// What is stored differs in rounding alone from what is eye-linear, and background is background.
+TEST_P(ShortFrames, TakeWhatEnginesStore) {
+    for (const Engine& engine : engines) {
+        scene::GBuffer view = rasterized(seen_by(engine), odd);
+        view.depth[5] = std::numeric_limits<float>::infinity();
+        const std::vector<float> expected = frame(view, 0.5).filtered;
+        view.stored = scene::stored_inputs(view, scene::encoding_named(engine.depth, engine.normals));
+        view.depth.assign(view.depth.size(), 1.0F);
+        const std::vector<float> shown = frame(view, 0.5).filtered;
+        EXPECT_LT(errors_of(shown, expected).rmse, 0.002) << engine.depth << ' ' << engine.normals;
+        EXPECT_GT(mean_of(expected), 0.02) << engine.depth << ' ' << engine.normals;
+    }
+}
+
+// An image whose axis is not in its middle shows that part of the larger image.
+TEST_P(ShortFrames, AnOffCentreViewIsAPartOfACentredOne) {
+    for (const Engine& engine : engines) {
+        scene::GBuffer view = rasterized(seen_by(engine), {96, 64});
+        const std::vector<float> whole = frame(view, 0.25).filtered;
+        view.border.right = 30;
+        view.border.bottom = 20;
+        const scene::GBuffer window = scene::cropped(view);
+        std::vector<float> part = scene::cropped(view, whole);
+        const std::vector<float> shown = frame(window, 0.25).filtered;
+        for (std::size_t i = 0; i < part.size(); ++i) {
+            const bool cut = i % window.extent.width > 45 || i / window.extent.width > 23;
+            if (cut) part[i] = std::numeric_limits<float>::quiet_NaN();
+        }
+        EXPECT_LT(errors_of(shown, part).rmse, 0.002) << engine.depth << ' ' << engine.normals;
+    }
+}
+
 TEST_P(ShortFrames, PoisonedDepthStaysInRange) {
     scene::GBuffer view = rasterized("columns", odd);
     const float poison[] = {NAN, INFINITY, -INFINITY, 0.0F, -1.0F, 1e30F};

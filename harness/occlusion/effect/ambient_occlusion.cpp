@@ -59,6 +59,7 @@ void AmbientOcclusion::Impl::take(const scene::GBuffer& new_view, const Settings
     require_guard(new_view, settings);
     require_layers(new_view, settings);
     (void)scene::frame_of(new_view);
+    require_centred(new_view);
     require_sizes(new_view, moment.given.extent);
     moment.settings = settings;
     moment.converted = new_view.stored ? std::optional(new_view.stored->encoding) : std::nullopt;

@@ -276,10 +276,13 @@ void require_layers(const scene::GBuffer& view, const Settings& settings) {
                                             settings.own.layers, view.layers.size() + 1));
 }
 
-void require_sizes(const scene::GBuffer& view, gpu::Extent extent) {
+void require_centred(const scene::GBuffer& view) {
     if (view.off_centre != glm::ivec2(0))
         throw std::invalid_argument(
             "the camera's axis is not in the image's middle: expected a centred() view");
+}
+
+void require_sizes(const scene::GBuffer& view, gpu::Extent extent) {
     require_size("depth", view.depth.size(), extent);
     if (!view.normal.empty()) require_size("normals", view.normal.size(), extent);
     if (!view.previous_position.empty())
@@ -309,6 +312,7 @@ void upload(const scene::GBuffer& view, gpu::Extent extent, bool stores, Resourc
 
 void take_linear(const scene::GBuffer& view, Resources& resources, Executor& executor,
                  const PassWatcher& watcher) {
+    require_centred(view);
     require_sizes(view, view.extent);
     upload(view, view.extent, false, resources);
     if (!view.normal.empty()) return;

@@ -106,6 +106,9 @@ void require_guard(const scene::GBuffer& view, const Settings& settings);
 // At least as many depth layers as the settings ask for.
 void require_layers(const scene::GBuffer& view, const Settings& settings);
 
+// A camera whose axis is in the middle of its image.
+void require_centred(const scene::GBuffer& view);
+
 // Images of this size: depth and its layers, normals, positions in the previous frame.
 void require_sizes(const scene::GBuffer& view, gpu::Extent extent);
 
