@@ -18,10 +18,9 @@ BenchmarkViews::BenchmarkViews(const gpu::Device& device, const scene::PassLibra
                                scene::Scene scene, const BenchmarkFrames& frames,
                                const scene::TruthCache& cache, const std::function<void(double)>& progress)
     : scene_(std::move(scene)), frames_(frames), cache_(cache) {
-    if (frames.scored < 1 || frames.scored > frames.frames) {
+    if (frames.scored < 1 || frames.scored > frames.frames)
         throw std::invalid_argument(fmt::format("{} scored frames of {}: expected 1 to {}", frames.scored,
                                                 frames.frames, frames.frames));
-    }
     for (std::size_t i = 0; i < frames.shown.size(); ++i)
         numbers_.insert(numbers_.end(), static_cast<std::size_t>(frames.shown[i]), static_cast<int>(i));
     for (int i = 0; frames.shown.empty() && i < frames.frames; ++i) numbers_.push_back(i);
@@ -388,9 +387,8 @@ ConfigurationVisit depth_truth_of(const BenchmarkViews& views, int round) {
     quality.raw_geometry = quality.geometry;
     const ScoredView& last = views.scored(views.last_scored());
     quality.similarity = effect::structural_similarity(last.depth, last.geometry, frames.extent);
-    if (frames.converged) {
+    if (frames.converged)
         quality.converged = converged_of(effect::metrics_of(last.depth, last.geometry, frames.extent));
-    }
     return {.quality = quality, .shown = {.filtered = last.depth}};
 }
 
