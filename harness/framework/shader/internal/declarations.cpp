@@ -96,7 +96,7 @@ std::vector<Declaration> declarations(std::string preprocessed) {
 }
 
 std::vector<Declaration> each_once(std::vector<Declaration> functions) {
-    std::ranges::stable_partition(functions, &Declaration::defined);
+    std::stable_partition(functions.begin(), functions.end(), [](const Declaration& f) { return f.defined; });
     std::vector<Declaration> once;
     for (Declaration& function : functions) {
         const auto is_same = [&](const Declaration& other) { return declare_the_same(other, function); };
