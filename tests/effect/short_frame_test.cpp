@@ -21,7 +21,7 @@ class ShortFrames : public OnDevice<testing::TestWithParam<ShortSettings>> {
 
 // The mean of a noisy frame is that of the presets' method with many slices, and follows the radius.
 TEST_P(ShortFrames, EstimateWhatTheSweepEstimates) {
-    const scene::GBuffer& view = rasterized("columns", {192, 108});
+    const scene::GBuffer& view = drawn("columns", {192, 108});
     for (const double radius : {1.0, 0.4}) {
         Settings many = with_radius(preset_named("reference").settings, static_cast<float>(radius));
         many.history = false;
@@ -69,7 +69,7 @@ scene::Scene seen_by(const Engine& engine) {
 // What is stored differs in rounding alone from what is eye-linear, and background is background.
 TEST_P(ShortFrames, TakeWhatEnginesStore) {
     for (const Engine& engine : engines) {
-        scene::GBuffer view = rasterized(seen_by(engine), odd);
+        scene::GBuffer view = drawn(seen_by(engine), odd);
         view.depth[5] = std::numeric_limits<float>::infinity();
         const std::vector<float> expected = frame(view, 0.5).filtered;
         view.stored = scene::stored_inputs(view, scene::encoding_named(engine.depth, engine.normals));
@@ -83,7 +83,7 @@ TEST_P(ShortFrames, TakeWhatEnginesStore) {
 // An image whose axis is not in its middle shows that part of the larger image.
 TEST_P(ShortFrames, AnOffCentreViewIsAPartOfACentredOne) {
     for (const Engine& engine : engines) {
-        scene::GBuffer view = rasterized(seen_by(engine), {96, 64});
+        scene::GBuffer view = drawn(seen_by(engine), {96, 64});
         const std::vector<float> whole = frame(view, 0.25).filtered;
         view.border.right = 30;
         view.border.bottom = 20;
@@ -99,7 +99,7 @@ TEST_P(ShortFrames, AnOffCentreViewIsAPartOfACentredOne) {
 }
 
 TEST_P(ShortFrames, PoisonedDepthStaysInRange) {
-    scene::GBuffer view = rasterized("columns", odd);
+    scene::GBuffer view = drawn("columns", odd);
     const float poison[] = {NAN, INFINITY, -INFINITY, 0.0F, -1.0F, 1e30F};
     for (std::size_t i = 0; i < view.depth.size(); i += 7) view.depth[i] = poison[i % std::size(poison)];
     for (std::size_t i = 0; i < view.normal.size(); i += 11) view.normal[i] = glm::vec3(poison[i % 4]);
@@ -113,7 +113,7 @@ TEST_P(ShortFrames, PoisonedDepthStaysInRange) {
 }
 
 TEST_P(ShortFrames, WhatTheyDoNotTakeIsRefused) {
-    EXPECT_THROW((void)frame(rasterized("columns", odd), 0.0), std::invalid_argument);
+    EXPECT_THROW((void)frame(drawn("columns", odd), 0.0), std::invalid_argument);
     EXPECT_THROW((void)short_frame_named("frame-none"), std::invalid_argument);
 }
 
