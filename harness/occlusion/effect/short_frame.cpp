@@ -26,7 +26,7 @@ struct PrepareParameters {
     glm::vec2 inverse_size;
     float far;
 };
-struct alignas(16) SweepParameters {
+struct SweepParameters {
     glm::mat3x4 view_from_world;
     glm::vec2 inverse_size;
     glm::vec2 first;

@@ -184,10 +184,16 @@ std::string vulkan_format(gpu::Format format) {
                                       "R32G32B32A32_SFLOAT",
                                       "R16G16B16A16_SFLOAT",
                                       "R16G16B16A16_UINT",
-                                      "D32_SFLOAT",
                                       "R16_SFLOAT",
                                       "R8_UNORM",
-                                      "R32_UINT"};  // in the order of gpu::Format
+                                      "R32_UINT",
+                                      "R32G32_SFLOAT",
+                                      "R16G16_SFLOAT",
+                                      "R8G8B8A8_UNORM",
+                                      "R16_UINT",
+                                      "R16G16_UINT",
+                                      "R32G32_UINT",
+                                      "R32G32B32A32_UINT"};  // as gpu::Format
     return std::string("VK_FORMAT_") + names.at(static_cast<std::size_t>(format));
 }
 
