@@ -32,13 +32,18 @@ TEST_P(ShortFrames, EstimateWhatTheSweepEstimates) {
     }
 }
 
-// A bare plane is open, at any tilt, up to the rounding of depth to 16 bits. That counts most in a slice in
-// which the normal is short.
+// A bare plane is open, at any tilt, up to the rounding of depth to 16 bits; but for a band at the image's
+// edge, where taps beyond it read the depth of the edge.
 TEST_P(ShortFrames, APlaneIsOpen) {
+    constexpr std::size_t band = 12;
     for (const bool orthographic : {false, true})
-        for (const glm::dvec3 normal : {glm::dvec3(0, 0, 1), {0.6, 0.3, 1}, {-0.4, 0.9, 1}})
-            for (const float value : frame(plane(odd, orthographic, normal), 0.5).filtered)
-                ASSERT_LE(value, 0.02F) << orthographic << ' ' << normal.x;
+        for (const glm::dvec3 normal : {glm::dvec3(0, 0, 1), {0.6, 0.3, 1}, {-0.4, 0.9, 1}}) {
+            const std::vector<float> shown = frame(plane(odd, orthographic, normal), 0.2).filtered;
+            for (std::size_t y = band; y + band < odd.height; ++y)
+                for (std::size_t x = band; x + band < odd.width; ++x)
+                    ASSERT_LE(shown[y * odd.width + x], 0.01F) << orthographic << ' ' << normal.x << ' ' << x;
+            EXPECT_LE(mean_of(shown), 0.01) << orthographic << ' ' << normal.x;
+        }
 }
 
 struct Engine {
@@ -76,7 +81,7 @@ TEST_P(ShortFrames, TakeWhatEnginesStore) {
         view.depth.assign(view.depth.size(), 1.0F);
         const std::vector<float> shown = frame(view, 0.5).filtered;
         EXPECT_LT(errors_of(shown, expected).rmse, 0.002) << engine.depth << ' ' << engine.normals;
-        EXPECT_GT(mean_of(expected), 0.02) << engine.depth << ' ' << engine.normals;
+        EXPECT_GT(mean_of(expected), 0.01) << engine.depth << ' ' << engine.normals;
     }
 }
 

@@ -52,12 +52,10 @@ constexpr Row rows[] = {
      true,
      false},
     {"infinite", "frame-quality", {31, 57}, "buffer", "view-octahedral", false, 0.1, infinite, false, false},
-    {"orthographic", "frame-fast", {83, 45}, "buffer", "view", true, -10, 60, false, false},
-    {"orthographic", "frame-quality", {96, 54}, "buffer", "world-unorm", true, -10, 60, true, false},
+    {"orthographic", "frame-fast", {83, 45}, "buffer", "view", true, 0.1, 60, false, false},
+    {"orthographic", "frame-quality", {96, 54}, "buffer", "world-unorm", true, 0.1, 60, true, false},
     {"poisoned", "frame-balanced", {83, 45}, "linear", "view", false, 0.1, 100, false, true},
-    {"poisoned", "frame-quality", {83, 45}, "linear", "view", false, 0.1, 100, false, true},
-    {"one pixel", "frame-fast", {1, 1}, "linear", "view", false, 0.1, 100, false, false},
-    {"a row", "frame-reference", {64, 1}, "linear", "view", false, 0.1, 100, false, false}};
+    {"poisoned", "frame-quality", {83, 45}, "linear", "view", false, 0.1, 100, false, true}};
 
 template <class Texel>
 std::string bytes_of(const std::vector<Texel>& texels) {
@@ -70,6 +68,7 @@ std::vector<float> numbers_of(const glm::mat4& matrix) {
 }
 
 scene::GBuffer view_of(const Row& row, scene::Scene& scene) {
+    scene.camera_path = {};  // the camera below stands
     if (row.orthographic) scene.camera.projection = scene::Projection::orthographic;
     scene.camera.near = row.near;
     scene.camera.far = row.far;
