@@ -42,7 +42,8 @@ Values views() {
 
 void append_axes(Entries& entries) {
     add(entries, "FRAME-axes", &reference::gloam_tangent_axes,
-        {.domain = {unit_vector(2).only_as_drawn(), views(), unit_vector(3)}, .budget = {.absolute = 3e-6}},
+        {.domain = {unit_vector(2).only_as_drawn(), views(), unit_vector(3).only_as_drawn()},
+         .budget = {.absolute = 3e-6}},
         [](glm::dvec2 d, glm::dvec3 v, glm::dvec3 n) {
             const double across = glm::dot(d, glm::dvec2(v));
             const double facing = glm::dot(n, v);
