@@ -73,6 +73,11 @@ bool returns_floats(const Entry& entry) {
 const std::map<std::string, std::string> any_number{
     {"CS-I-ratio", "a height over a half chord: any float, -infinity for background"},
     {"CS-I-pair", "as far as its caller believes: any float from lowest to highest"},
+    {"FRAME-axes", "axes over a projection of the normal that may be short"},
+    {"FRAME-behind", "its polynomial has no limit beyond the angles that its caller gives"},
+    {"FRAME-end", "amounts and rises of the features that its caller gives"},
+    {"FRAME-pair", "places and heights of any size"},
+    {"FRAME-tap", "rises and places of any size"},
 };
 
 TEST(Catalogue, EveryResultIsHeldInsideItsCodomain) {

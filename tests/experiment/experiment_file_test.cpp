@@ -68,7 +68,7 @@ TEST(ExperimentFile, AQueryWithoutCountsTakesMethodsAsTheyAre) {
     Experiment what = read_experiment("mine.json", with("{\"name\": \"loop\", \"plain\": \"9x3+1\"}",
                                                         "{\"methods\": [\"gtao\", \"crytek\", \"unreal\"]}"));
     choose_candidates(what);
-    ASSERT_EQ(what.candidates.size(), 6U);
+    ASSERT_EQ(what.candidates.size(), 7U);
     EXPECT_EQ(what.candidates[0].name, "run");
     EXPECT_EQ(what.candidates[1].name, "gtao");
     EXPECT_EQ(what.candidates[1].group, "methods");

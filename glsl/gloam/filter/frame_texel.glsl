@@ -29,8 +29,8 @@ uint gloam_frame_code(float depth, float occlusion, float weight) {
 }
 
 // pixel of 32 bits (FRAME-texel-of): `the inverse of FRAME-texel` [gloam].
-// code: its lower 16 bits are a positive half float.
-// The free bit adds at most 1/255 to the weight. Error: none, or a depth below 2^-14.
+// code: its lower 16 bits are a half float from 2^-14.
+// The free bit adds at most 1/255 to the weight. Error: none.
 GloamFrameTexel gloam_frame_texel(uint code) {
 #ifdef GLOAM_PACKS_HALF
     float depth = unpackHalf2x16(code).x;
@@ -43,7 +43,7 @@ GloamFrameTexel gloam_frame_texel(uint code) {
 // weight of a neighbour by its depth (FRAME-near): `clamp(1.25 - |d - d0| / (t d0), 0, 1)` [gloam].
 // depth: d, of the neighbour, > 0. own: d0, > 0. scale: 1 / (t d0), t the relative difference that counts as another
 // surface.
-// Returns a weight in [0, 1]: 1 up to a quarter of that difference, 0 from five quarters. Error: 3e-7, where depths do
+// Returns a weight in [0, 1]: 1 up to a quarter of that difference, 0 from five quarters. Error: 2e-7, where depths do
 // not differ by rounding alone.
 float gloam_near(float depth, float own, float scale) {
     return clamp(1.25 - abs(depth - own) * scale, 0.0, 1.0);

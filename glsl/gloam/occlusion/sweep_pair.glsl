@@ -48,7 +48,7 @@ vec2 gloam_pair_behind(vec2 cosine, vec2 sine, vec2 plane) {
 // rise` [gloam].
 // As gloam_sweep_end. nearer: x, by which the taps are nearer than the own point. middle: place between the last step
 // and this one. thickness: t, of features, in widths, in [0, 1e18].
-// Error: 1e-6, but for falls within rounding of the share.
+// Error: 4e-7, but for falls within rounding of the share.
 GloamSweepPair gloam_pair_end(GloamSweepPair pair, vec2 nearer, float middle, float thickness) {
     bvec2 ends = lessThan(nearer, pair.nearer - 0.8 * pair.rise);
     vec2 share = clamp((middle - pair.start) * thickness / pair.rise, 0.0, 1.0);

@@ -107,7 +107,7 @@ void append_pairs(Entries& entries) {
     const Values thickness = uniform(0, 3).and_value(1e18F).only_as_drawn();
     const Values place = uniform(0.5, 1).only_as_drawn();
     add(entries, "FRAME-end", &reference::gloam_pair_end,
-        {.domain = {pairs(), nearer, place, thickness}, .budget = {.absolute = 1e-6, .backward_ulp = 4}});
+        {.domain = {pairs(), nearer, place, thickness}, .budget = {.absolute = 4e-7, .backward_ulp = 4}});
     add(entries, "FRAME-tap", &reference::gloam_pair_tap,
         {.domain = {pairs(), taps(), nearer, place, planes(), uniform(0, 0.01).only_as_drawn(), thickness},
          .budget = {.absolute = 2e-6, .backward_ulp = 4}});
@@ -139,7 +139,7 @@ void append_levels(Entries& entries) {
         [](double b, glm::dvec2, glm::dvec2, double) { return b == 0.0 || !(std::abs(b) < 1e-30); });
     add(entries, "FRAME-level", &reference::gloam_depth_level,
         {.domain = {log_uniform(1e-3, 1e5).only_as_drawn()},
-         .budget = {.absolute = 3e-6},
+         .budget = {.absolute = 2e-6},
          .codomain = {0, 4}});
     const Values blocks = vector(2, either(integers(0, 64), integers(0, 10000))).only_as_drawn();
     add(entries, "FRAME-middle", &reference::gloam_is_level_middle,
@@ -168,12 +168,13 @@ void append_texels(Entries& entries) {
              [](std::span<Word> row) {
                  row[0] &= 0xFFFF7FFFU;  // the sign, then what is no number
                  if ((row[0] & 0x7C00U) == 0x7C00U) row[0] ^= 0x4000U;
+                 if ((row[0] & 0x7C00U) == 0U) row[0] |= 0x400U;  // a subnormal one
              }),
-         .budget = {.absolute = 6.2e-5}});
+         .codomain = {0, 65504}});
     const Values near = uniform(0.9, 1.1).only_as_drawn();
     add(entries, "FRAME-near", &reference::gloam_near,
         {.domain = {near, near, either(uniform(0, 60), log_uniform(1e-3, 1e4)).only_as_drawn()},
-         .budget = {.absolute = 3e-7},
+         .budget = {.absolute = 2e-7},
          .codomain = {0, 1}});
 }
 

@@ -38,11 +38,10 @@ void read_layer(Members& members, Layer& layer) {
             plain->expected("SLICESxSTEPS+BLURS, such as 9x3+1");
         }
     }
-    members.read("frame", layer.frame);
-    if (!layer.frame.empty()) {
-        layer.kind = Kind::frame;
-        (void)effect::short_frame_named(layer.frame);
-    }
+    std::vector<std::string> frames;
+    for (const effect::ShortSettings& frame : effect::short_frames()) frames.push_back(frame.name);
+    members.read("frame", layer.frame, frames);
+    if (!layer.frame.empty()) layer.kind = Kind::frame;
     for (const auto& [name, kind] : {std::pair("depth_truth", Kind::depth_truth), {"truth", Kind::truth}}) {
         bool is = false;
         members.read(name, is);
