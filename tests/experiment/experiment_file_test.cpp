@@ -65,10 +65,12 @@ TEST(ExperimentFile, AQueryStandsForCandidates) {
 
 // Without counts each method is as it is, with its preset.
 TEST(ExperimentFile, AQueryWithoutCountsTakesMethodsAsTheyAre) {
-    Experiment what = read_experiment("mine.json", with("{\"name\": \"loop\", \"plain\": \"9x3+1\"}",
-                                                        "{\"methods\": [\"gtao\", \"crytek\", \"unreal\"]}"));
+    const char* const both = R"({"name": "loop", "plain": "9x3+1"},
+    {"name": "short", "frame": "frame-fast"})";
+    Experiment what =
+        read_experiment("mine.json", with(both, R"({"methods": ["gtao", "crytek", "unreal"]})"));
     choose_candidates(what);
-    ASSERT_EQ(what.candidates.size(), 7U);
+    ASSERT_EQ(what.candidates.size(), 6U);
     EXPECT_EQ(what.candidates[0].name, "run");
     EXPECT_EQ(what.candidates[1].name, "gtao");
     EXPECT_EQ(what.candidates[1].group, "methods");
