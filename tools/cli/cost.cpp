@@ -122,11 +122,8 @@ double bytes_of_texel(gpu::Format format) {
     return bits / 8.0;
 }
 
-// name: of the image, or of one of its levels.
-double bytes_of_image(const effect::PlannedImage& image, const std::string& name) {
-    const std::size_t slash = name.find('/');
-    const int level = slash == std::string::npos ? 0 : std::stoi(name.substr(slash + 1));
-    return std::ldexp(1.0 * image.extent.width * image.extent.height, -2 * level) *
+double bytes_of_level(const effect::PlannedImage& image, std::uint32_t level) {
+    return std::ldexp(1.0 * image.extent.width * image.extent.height, -2 * static_cast<int>(level)) *
            bytes_of_texel(image.format);
 }
 
@@ -143,9 +140,10 @@ double bytes_per_pixel(const effect::Plan& plan, const effect::PlannedPass& pass
     double bytes = 0.0;
     for (const shader::Binding& binding : shader::reflect(used).bindings) {
         const std::string& name = pass.resources.at(binding.number);
+        const effect::ImageName bound = effect::image_name_of(name);
         const double times = (binding.reads ? 1.0 : 0.0) + (binding.writes ? 1.0 : 0.0);
         for (const effect::PlannedImage& image : plan.images)
-            if (name.substr(0, name.find('/')) == image.name) bytes += times * bytes_of_image(image, name);
+            if (bound.image == image.name) bytes += times * bytes_of_level(image, bound.level.value_or(0));
         for (const effect::PlannedBuffer& buffer : plan.buffers)
             if (buffer.name == name) bytes += times * static_cast<double>(buffer.bytes);
     }

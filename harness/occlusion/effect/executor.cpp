@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "backend/vulkan/commands.hpp"
-#include "base/number.hpp"
 #include "effect/internal/executor.hpp"
 #include "effect/internal/frame_images.hpp"
 #include "effect/internal/passes.hpp"
@@ -185,10 +184,9 @@ gpu::Resource Resources::at(const std::string& name, const std::string& format) 
         return found == nothing_.end() ? nothing_.at("rgba32f") : found->second;
     }
     if (has_buffer(name)) return buffer(name);
-    const std::size_t slash = name.find('/');
-    if (slash == std::string::npos) return image(name);
-    return gpu::ImageLevel{image(name.substr(0, slash)),
-                           base::number_from<std::uint32_t>(name.substr(slash + 1)).value()};
+    const auto [bound, level] = image_name_of(name);
+    if (level) return gpu::ImageLevel{image(bound), *level};
+    return image(bound);
 }
 
 Executor::Executor(const gpu::Device& device, scene::PassLibrary library)

@@ -52,12 +52,20 @@ std::vector<std::string> defines_for(const Moment& moment) {
     return defines;
 }
 
+}  // namespace
+
+void define_output(OutputFormat output, std::vector<std::string>& defines) {
+    if (output != OutputFormat::r32f)
+        defines.emplace_back(output == OutputFormat::r8 ? "GLOAM_OUTPUT r8" : "GLOAM_OUTPUT r16f");
+}
+
+namespace {
+
 // The same for a pass that reads the occlusion, of a history or of one channel, and writes what is displayed.
 std::vector<std::string> defines_for(const Settings& settings, bool from_history) {
     std::vector<std::string> defines =
         from_history ? defines_for(settings.precision) : std::vector<std::string>{"GLOAM_SOURCE r32f"};
-    if (settings.output != OutputFormat::r32f)
-        defines.emplace_back(settings.output == OutputFormat::r8 ? "GLOAM_OUTPUT r8" : "GLOAM_OUTPUT r16f");
+    define_output(settings.output, defines);
     return defines;
 }
 

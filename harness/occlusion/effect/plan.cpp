@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "effect/plan.hpp"
 
+#include "base/number.hpp"
 #include "effect/internal/frame.hpp"
 #include "effect/internal/frame_images.hpp"
 
 namespace gloam::effect {
+
+ImageName image_name_of(const std::string& resource) {
+    const std::size_t slash = resource.find('/');
+    if (slash == std::string::npos) return {resource, std::nullopt};
+    return {resource.substr(0, slash), base::number_from<std::uint32_t>(resource.substr(slash + 1))};
+}
 
 View view_of(const PlanOptions& options) {
     constexpr double fovy = 0.9;

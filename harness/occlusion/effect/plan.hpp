@@ -49,6 +49,13 @@ struct PlannedImage {
     std::uint32_t levels = 1;
 };
 
+// What a pass names to bind an image: "IMAGE", or one level of it, "IMAGE/LEVEL".
+struct ImageName {
+    std::string image;
+    std::optional<std::uint32_t> level;
+};
+[[nodiscard]] ImageName image_name_of(const std::string& resource);
+
 struct PlannedBuffer {
     std::string name;
     std::string meaning;

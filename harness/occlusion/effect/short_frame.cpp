@@ -47,13 +47,12 @@ PrepareParameters prepare_parameters(const View& view, float radius, bool depth_
     const double p22 = view.camera.proj_vk[2][2];
     const double p32 = view.camera.proj_vk[3][2];
     const bool orthographic = view.camera.orthographic();
-    const bool reversed = p22 > (orthographic ? 0.0 : -0.5);
     PrepareParameters all{.numerator = {0.0, 1.0 / radius},
                           .divisor = {1.0, 0.0},
                           .inverse_size = 1.0F / glm::vec2(view.extent.width, view.extent.height),
                           .far = std::numeric_limits<float>::infinity()};
     if (!depth_buffer) return all;
-    all.far = reversed ? 0.0F : 1.0F;
+    all.far = scene::planes_of(view.camera.proj_vk).reversed_z ? 0.0F : 1.0F;
     all.numerator = orthographic ? glm::dvec2(p32, -1.0) / (p22 * radius) : glm::dvec2(p32 / radius, 0.0);
     if (!orthographic) all.divisor = {p22, 1.0};
     return all;
@@ -80,9 +79,7 @@ std::array<std::uint32_t, 3> groups_of(gpu::Extent extent, std::uint32_t x, std:
 PlannedPass last_pass(const ShortSettings& settings, gpu::Extent extent) {
     const glm::vec2 size(extent.width, extent.height);
     PassSource source{.file = settings.half ? "frame/join.comp" : "frame/filter.comp", .unrolls = true};
-    if (settings.output != OutputFormat::r32f)
-        source.defines.emplace_back(settings.output == OutputFormat::r8 ? "GLOAM_OUTPUT r8"
-                                                                        : "GLOAM_OUTPUT r16f");
+    define_output(settings.output, source.defines);
     if (settings.half) {
         const gpu::Extent half = half_of(extent);
         const JoinParameters all{1.0F / glm::vec2(half.width, half.height), 1.0F / size};

@@ -23,6 +23,9 @@ namespace gloam::effect {
 // sets of parameters are those of this frame.
 [[nodiscard]] std::vector<PlannedPass> planned_passes(const Moment& moment, const Plan& resources);
 
+// Adds the macro by which a last pass writes another format than r32f.
+void define_output(OutputFormat output, std::vector<std::string>& defines);
+
 // A view in the place of the engine's.
 [[nodiscard]] View view_of(const PlanOptions& options);
 
