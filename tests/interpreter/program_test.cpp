@@ -216,7 +216,7 @@ TEST(Program, UndefinedIntegersPermitEveryResult) {
 TEST(Program, AnOperationTellsItsResultsAndNoMore) {
     struct Case {
         const char* statements;  // v is (3, 4), m has the columns (3, 4), (3, 4), (5, 6)
-        const char* operation;
+        const char* operation;   // how its name begins: newer compilers take ModfStruct for Modf
         std::vector<double> results;
     };
     for (const Case& c : {
@@ -245,7 +245,7 @@ TEST(Program, AnOperationTellsItsResultsAndNoMore) {
         machine.set_invocation({0, 0, 0});
         std::vector<double> results;
         machine.run([&](const interpreter::Step<double>& step) {
-            if (step.operation() != c.operation) return;
+            if (!step.operation().starts_with(c.operation)) return;
             for (const auto& result : step.results)
                 results.push_back(result.is_number() ? result.number() : result.bits());
         });
