@@ -21,6 +21,7 @@ WINGS = {
         "interpreter": {"base", "backend", "shader", "numeric"},
         "check": {"base", "backend", "shader", "numeric", "interpreter"},
         "cost": {"base", "backend", "shader"},
+        "report": {"base", "check", "numeric"},
     },
     "occlusion": {
         "reference": {"numeric"},
@@ -28,11 +29,11 @@ WINGS = {
         "scene": {"base", "backend", "shader", "numeric"},
         "effect": {"base", "backend", "scene", "shader", "numeric"},
         "experiment": {"base", "backend", "effect", "scene", "reference", "report", "shader", "numeric"},
-        "report": {"base", "check", "numeric"},
+        "pictures": {"base"},
     },
 }
 MAY_INCLUDE = {**WINGS["framework"], **WINGS["occlusion"],
-               "tools": {"base", "backend", "report", "experiment", "effect", "scene", "catalogue", "check", "cost",
+               "tools": {"base", "backend", "report", "pictures", "experiment", "effect", "scene", "catalogue", "check", "cost",
                          "interpreter", "shader", "numeric"}}
 
 # Libraries that belong to one room, or one folder of it, by what their headers are called.
@@ -43,7 +44,7 @@ LIBRARY_HOME = {
     "assimp": (re.compile(r"assimp/"), "scene"),
     "embree": (re.compile(r"embree"), "scene"),
     "stb_image": (re.compile(r"(stb/)?stb_image"), "base"),
-    "stb_truetype": (re.compile(r"(stb/)?stb_truetype"), "report"),
+    "stb_truetype": (re.compile(r"(stb/)?stb_truetype"), "pictures"),
 }
 
 MAX_LINES = 400

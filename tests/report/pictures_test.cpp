@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include "pictures/sheet.hpp"
 #include "report/check_page.hpp"
-#include "report/image.hpp"
 #include "report/page.hpp"
 #include "report/rows.hpp"
 #include "support/files.hpp"
 
 namespace gloam::report::pictures_test {
+
+using namespace pictures;
 
 constexpr const char* hostile = "</script><script>alert(1)</script>\" onload='x' &amp; \x01";
 

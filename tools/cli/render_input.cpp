@@ -14,7 +14,7 @@
 #include "cli/names.hpp"
 #include "cli/progress.hpp"
 #include "cli/settings.hpp"
-#include "report/image.hpp"
+#include "pictures/sheet.hpp"
 #include "scene/draw.hpp"
 #include "scene/mesh_scene.hpp"
 #include "scene/read_gbuffer.hpp"
@@ -262,7 +262,7 @@ void write_truth(report::OutputFolder& folder, const std::string& prefix, gpu::E
                  const TracedView& traced) {
     const auto write = [&](const std::string& name, const std::vector<float>& image) {
         folder.write(prefix + name + ".pfm", base::to_pfm(image, size.width, size.height, 1));
-        folder.write(prefix + name + ".png", report::to_visibility_png(image, size.width, size.height));
+        folder.write(prefix + name + ".png", pictures::to_visibility_png(image, size.width, size.height));
     };
     const scene::TracedTruth& best = traced.geometry ? *traced.geometry : traced.depth;
     write("truth", best.occlusion);

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "report/image.hpp"
+#include "pictures/sheet.hpp"
 #include "scene/read_gbuffer.hpp"
 
 namespace gloam::cli {
@@ -47,7 +47,7 @@ void write_gbuffer(report::OutputFolder& folder, int number, const scene::GBuffe
 void write_images(report::OutputFolder& folder, const std::string& stem, const effect::Frame& frame) {
     const auto [width, height] = frame.extent;
     folder.write(stem + "_ao.pfm", base::to_pfm(frame.filtered, width, height, 1));
-    folder.write(stem + "_ao.png", report::to_visibility_png(frame.filtered, width, height));
+    folder.write(stem + "_ao.png", pictures::to_visibility_png(frame.filtered, width, height));
 }
 
 namespace {
@@ -58,11 +58,12 @@ std::string png_of(const Pictures& pictures, const base::RgbBytes& rgb) {
     return base::to_rgb_png(rgb, pictures.extent.width, pictures.extent.height);
 }
 
-std::vector<report::SheetPicture> pictures_of_one(const Rendered& run) {
+std::vector<pictures::SheetPicture> pictures_of_one(const Rendered& run) {
     const Pictures& last = run.last;
-    std::vector<report::SheetPicture> sheet{{last.plain, "Light without ambient occlusion"},
-                                            {last.shaded, "With ambient occlusion"},
-                                            {last.visibility, "Occlusion alone: " + caption_of(run.report)}};
+    std::vector<pictures::SheetPicture> sheet{
+        {last.plain, "Light without ambient occlusion"},
+        {last.shaded, "With ambient occlusion"},
+        {last.visibility, "Occlusion alone: " + caption_of(run.report)}};
     if (!last.error.empty()) {
         sheet.push_back({last.error, fmt::format("Error against the truth: black 0, pale yellow {} and more",
                                                  brightest_error)});
@@ -85,12 +86,12 @@ Pictures pictures_of(const effect::Composite& composite, std::string name, const
                       .extent = light.extent,
                       .plain = lit({}),
                       .shaded = lit(occlusion),
-                      .visibility = report::visibility_rgb(occlusion),
+                      .visibility = pictures::visibility_rgb(occlusion),
                       .truth = {},
                       .truth_lit = {},
                       .error = {}};
     if (truth.empty()) return pictures;
-    pictures.truth = report::visibility_rgb(truth);
+    pictures.truth = pictures::visibility_rgb(truth);
     pictures.truth_lit = lit({truth.begin(), truth.end()});
     std::vector<float> errors;
     for (std::size_t i = 0; i < truth.size(); ++i) errors.push_back(std::abs(occlusion[i] - truth[i]));
@@ -126,7 +127,7 @@ std::string caption_of(const RenderReport& report) {
 }
 
 std::string sheet_of(const std::vector<Rendered>& runs) {
-    std::vector<report::SheetPicture> sheet;
+    std::vector<pictures::SheetPicture> sheet;
     if (runs.size() == 1) {
         sheet = pictures_of_one(runs.front());
     } else {
@@ -136,7 +137,7 @@ std::string sheet_of(const std::vector<Rendered>& runs) {
     }
     const gpu::Extent extent = runs.empty() ? gpu::Extent{} : runs.front().last.extent;
     const std::size_t columns = runs.size() == 1 ? 2 : methods_in_a_row;
-    return report::to_sheet_png(sheet, extent.width, extent.height, columns);
+    return pictures::to_sheet_png(sheet, extent.width, extent.height, columns);
 }
 
 void add_pictures(report::Page& page, report::OutputFolder& folder, const std::string& prefix,

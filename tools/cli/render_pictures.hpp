@@ -10,7 +10,7 @@
 #include "effect/ambient_occlusion.hpp"
 #include "effect/composite.hpp"
 #include "effect/errors.hpp"
-#include "report/image.hpp"
+#include "pictures/sheet.hpp"
 #include "report/output.hpp"
 #include "report/page.hpp"
 #include "scene/gbuffer.hpp"

@@ -11,7 +11,7 @@
 #include "cli/open_device.hpp"
 #include "cli/progress.hpp"
 #include "cli/settings.hpp"
-#include "report/image.hpp"
+#include "pictures/sheet.hpp"
 #include "scene/contradictions.hpp"
 #include "scene/draw.hpp"
 #include "scene/read_gbuffer.hpp"

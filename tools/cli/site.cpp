@@ -16,7 +16,7 @@
 #include "cli/render_pictures.hpp"
 #include "cli/renderer.hpp"
 #include "effect/methods.hpp"
-#include "report/image.hpp"
+#include "pictures/sheet.hpp"
 #include "report/output.hpp"
 #include "site/site.hpp"
 

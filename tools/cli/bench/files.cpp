@@ -9,7 +9,7 @@
 #include "base/text.hpp"
 #include "cli/arguments.hpp"
 #include "experiment/table.hpp"
-#include "report/image.hpp"
+#include "pictures/sheet.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -127,7 +127,7 @@ void ExperimentFiles::show(const experiment::Picture& picture) {
     const bool part = picture.kind == "convergence" || picture.kind == "samples";
     out_->write(file_name(picture.name) + ".png",
                 error || part ? base::to_heat_png(picture.values, width, height, error ? full_error : 1.0)
-                              : report::to_visibility_png(picture.values, width, height));
+                              : pictures::to_visibility_png(picture.values, width, height));
     out_->keep();  // a run that is taken up again does not measure what the picture shows
 }
 

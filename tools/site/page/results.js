@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Results as the file that `gloam check --json` writes (harness/occlusion/report/check_report.cpp). `gloam report`
+// Results as the file that `gloam check --json` writes (harness/framework/report/check_report.cpp). `gloam report`
 // merges both.
 "use strict";
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/image.hpp"
+#include "pictures/sheet.hpp"
 
 #include <stb_truetype.h>
 #include <algorithm>
@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace gloam::report {
+namespace gloam::pictures {
 namespace {
 
 std::uint8_t visibility_byte(float occlusion) {
@@ -168,4 +168,4 @@ std::string to_sheet_png(std::span<const SheetPicture> pictures, std::uint32_t w
                             static_cast<std::uint32_t>(canvas.height));
 }
 
-}  // namespace gloam::report
+}  // namespace gloam::pictures

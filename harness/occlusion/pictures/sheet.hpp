@@ -9,7 +9,7 @@
 
 #include "base/image_files.hpp"
 
-namespace gloam::report {
+namespace gloam::pictures {
 
 // Visibility, 1 - occlusion, in grey: see to_visibility_png().
 [[nodiscard]] base::RgbBytes visibility_rgb(std::span<const float> occlusion);
@@ -31,4 +31,4 @@ struct SheetPicture {
 [[nodiscard]] std::string to_sheet_png(std::span<const SheetPicture> pictures, std::uint32_t width,
                                        std::uint32_t height, std::size_t columns);
 
-}  // namespace gloam::report
+}  // namespace gloam::pictures
