@@ -30,7 +30,7 @@ struct Bounds {
     glm::dvec3 high{0};
 };
 
-// The bounds of a mesh. Throws std::invalid_argument for a mesh without positions.
+// The bounds of a mesh, which has a position at least.
 [[nodiscard]] Bounds bounds_of(const Mesh& mesh);
 
 // The mesh with one colour.
@@ -42,12 +42,14 @@ void append(Mesh& mesh, const Mesh& other);
 // The mesh scaled about the origin, then moved.
 [[nodiscard]] Mesh placed(Mesh mesh, double scale, const glm::dvec3& translation);
 
-// If faces meet at a larger angle than this, in degrees, there is an edge between them; otherwise the surface
-// is smooth.
-inline constexpr float crease_degrees = 45.0F;
+// The mesh rotated about the origin, then moved.
+[[nodiscard]] Mesh turned(Mesh mesh, const glm::dmat3& rotation, const glm::dvec3& translation = {0, 0, 0});
+
+// The mesh seen from inside: triangles and normals reversed.
+[[nodiscard]] Mesh inside_out(Mesh mesh);
 
 // Reads any file format that assimp supports; all meshes of the file become one. A mesh without normals gets
-// those of its faces, averaged where the angle between faces is at most crease_degrees. Lines and points are
+// those of its faces, averaged where the angle between faces is at most 45 degrees. Lines and points are
 // ignored. Throws std::runtime_error with the file's name if it is unreadable or has no triangle, if a vertex
 // is NaN or infinite, or if a face is invalid. A face is invalid without corners, with too many corners, or
 // with vertices that do not exist.
@@ -56,8 +58,7 @@ inline constexpr float crease_degrees = 45.0F;
 [[nodiscard]] Mesh load_mesh(const std::filesystem::path& file);
 
 // A parallelogram from `corner` along `u` and `v`, cut into cells of at most `cell` world units a side (large
-// triangles cost depth precision). Its normal is u x v. Throws std::invalid_argument for parallel edges or a
-// cell that is not positive.
+// triangles cost depth precision). Its normal is u x v.
 [[nodiscard]] Mesh make_parallelogram(const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v,
                                       double cell);
 
@@ -71,20 +72,20 @@ inline constexpr float crease_degrees = 45.0F;
 // A sphere with smooth normals outwards. rings: of latitude, at least 2. segments: around, at least 3.
 [[nodiscard]] Mesh make_sphere(const glm::dvec3& center, double radius, int rings, int segments);
 
-// A tube around a closed curve over the parameter 0 to 1, whose tangent is nowhere parallel to z; smooth
-// normals outwards. At least 3 segments along and around.
-[[nodiscard]] Mesh make_tube(const std::function<glm::dvec3(double)>& closed_curve, double radius, int along,
-                             int around);
-
 // A flat strip through pairs of points, left and right (at least 2): a leaf, a blade of grass. Smooth normals
 // towards the side of (right - left) x (direction along the strip).
 [[nodiscard]] Mesh make_strip(const std::vector<glm::dvec3>& left, const std::vector<glm::dvec3>& right);
 
-// The triangles of a mesh with normals calculated from them alone. The normal at a corner is the mean,
-// weighted by area, of the faces that meet there and whose normals differ from the corner's own face by at
-// most `degrees`. A vertex where faces meet at a larger angle is split. Triangles without area get the normal
-// 0. Colours are not kept.
-[[nodiscard]] Mesh with_crease_normals(const Mesh& mesh, float degrees);
+// A straight rod between two different points, with smooth sides and flat ends.
+[[nodiscard]] Mesh make_rod(const glm::dvec3& from, const glm::dvec3& to, double radius, int segments);
+
+// The image of a grid of columns x rows cells, from the vertices at its (columns + 1) x (rows + 1) corners.
+// Triangles wind counter-clockwise seen from the side of d/dx x d/dy.
+struct Vertex {
+    glm::dvec3 position;
+    glm::dvec3 normal;
+};
+[[nodiscard]] Mesh make_grid(int columns, int rows, const std::function<Vertex(int column, int row)>& at);
 
 // Object to world: a rotation by an angle in radians around an axis through the object's origin, then a
 // translation.

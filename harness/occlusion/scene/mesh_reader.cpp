@@ -9,7 +9,7 @@
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <cstring>
-#include <span>
+#include <map>
 #include <stdexcept>
 
 #include "base/process.hpp"
@@ -22,20 +22,6 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view magic = "gloam mesh 1\n";
 
-template <class T>
-void append_bytes(std::string& bytes, const std::vector<T>& values) {
-    bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
-}
-
-template <class T>
-std::vector<T> take(std::string_view& bytes, std::uint64_t count) {
-    if (count > bytes.size() / sizeof(T)) throw std::runtime_error("a mesh that is cut short");
-    std::vector<T> values(count);
-    if (count > 0) std::memcpy(static_cast<void*>(values.data()), bytes.data(), count * sizeof(T));
-    bytes.remove_prefix(count * sizeof(T));
-    return values;
-}
-
 // Limits of memory and time for a file: a constant part, and a part that grows with its size.
 base::ProcessLimits limits_for(const fs::path& file) {
     std::error_code none;
@@ -46,34 +32,39 @@ base::ProcessLimits limits_for(const fs::path& file) {
     return {.memory_bytes = memory + memory_for_byte * bytes, .cpu = cpu, .patience = 20 * cpu};
 }
 
-void require_whole(const Mesh& mesh) {
-    bool good = mesh.normals.size() == mesh.positions.size() && mesh.indices.size() % 3 == 0;
-    for (const std::uint32_t index : mesh.indices) good = good && index < mesh.positions.size();
-    if (!good) throw std::runtime_error("a mesh that does not fit together");
+std::string mesh_bytes(const Mesh& mesh) {
+    const std::array<std::uint64_t, 2> counts{mesh.positions.size(), mesh.indices.size()};
+    std::string bytes(magic);
+    const auto add = [&](const auto& values) {
+        bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof values[0]);
+    };
+    add(counts);
+    add(mesh.positions);
+    add(mesh.normals);
+    add(mesh.indices);
+    return bytes;
 }
 
 }  // namespace
 
-std::string mesh_bytes(const Mesh& mesh) {
-    const std::array<std::uint64_t, 2> counts{mesh.positions.size(), mesh.indices.size()};
-    std::string bytes(magic);
-    bytes.append(reinterpret_cast<const char*>(counts.data()), sizeof counts);
-    append_bytes(bytes, mesh.positions);
-    append_bytes(bytes, mesh.normals);
-    append_bytes(bytes, mesh.indices);
-    return bytes;
-}
-
 Mesh mesh_from_bytes(std::string_view bytes) {
     if (!bytes.starts_with(magic)) throw std::runtime_error("no mesh");
     bytes.remove_prefix(magic.size());
-    const std::vector<std::uint64_t> counts = take<std::uint64_t>(bytes, 2);
+    const auto take = [&](auto& values, std::uint64_t count) {
+        if (count > bytes.size() / sizeof values[0]) throw std::runtime_error("a mesh that is cut short");
+        if constexpr (requires { values.resize(count); }) values.resize(count);
+        if (count > 0) std::memcpy(static_cast<void*>(values.data()), bytes.data(), count * sizeof values[0]);
+        bytes.remove_prefix(count * sizeof values[0]);
+    };
+    std::array<std::uint64_t, 2> counts{};
     Mesh mesh;
-    mesh.positions = take<glm::vec3>(bytes, counts[0]);
-    mesh.normals = take<glm::vec3>(bytes, counts[0]);
-    mesh.indices = take<std::uint32_t>(bytes, counts[1]);
-    if (!bytes.empty()) throw std::runtime_error("a mesh with more behind it");
-    require_whole(mesh);
+    take(counts, counts.size());
+    take(mesh.positions, counts[0]);
+    take(mesh.normals, counts[0]);
+    take(mesh.indices, counts[1]);
+    bool good = bytes.empty() && mesh.indices.size() % 3 == 0;
+    for (const std::uint32_t index : mesh.indices) good = good && index < mesh.positions.size();
+    if (!good) throw std::runtime_error("a mesh that does not fit together");
     return mesh;
 }
 
@@ -190,6 +181,78 @@ void check_scene(const fs::path& file, const aiScene& scene) {
     check_node(file, scene, *scene.mRootNode, 0);
 }
 
+using Key = std::array<float, 6>;  // a vertex: position, normal
+
+glm::vec3 unit_or_zero(const glm::vec3& v) {
+    const float length = glm::length(v);
+    return length > 0.0F && std::isfinite(length) ? v / length : glm::vec3(0);
+}
+
+// The unit normal of each triangle, 0 for a triangle without area.
+std::vector<glm::vec3> face_normals(const Mesh& mesh) {
+    std::vector<glm::vec3> normals;
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const glm::vec3 origin = mesh.positions[mesh.indices[i]];
+        normals.push_back(unit_or_zero(glm::cross(mesh.positions[mesh.indices[i + 1]] - origin,
+                                                  mesh.positions[mesh.indices[i + 2]] - origin)));
+    }
+    return normals;
+}
+
+// The angle of a triangle at a corner (an index of mesh.indices), in radians.
+float angle_at(const Mesh& mesh, std::size_t corner) {
+    const std::size_t first = corner - corner % 3;
+    const auto position = [&](std::size_t k) {
+        return mesh.positions[mesh.indices[first + (corner + k) % 3]];
+    };
+    const glm::vec3 a = unit_or_zero(position(1) - position(0));
+    const glm::vec3 b = unit_or_zero(position(2) - position(0));
+    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+// The corners at each position, over all vertices there.
+std::map<std::array<float, 3>, std::vector<std::size_t>> corners_by_position(const Mesh& mesh) {
+    std::map<std::array<float, 3>, std::vector<std::size_t>> corners;
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+        const glm::vec3& p = mesh.positions[mesh.indices[i]];
+        corners[{p.x, p.y, p.z}].push_back(i);
+    }
+    return corners;
+}
+
+// If faces meet at a larger angle than this, in degrees, there is an edge between them; otherwise the surface
+// is smooth.
+constexpr float crease_degrees = 45.0F;
+
+// The triangles of a mesh with normals calculated from them alone. The normal at a corner is the mean,
+// weighted by the angles there, of the faces that meet and whose normals differ from the corner's own face by
+// at most crease_degrees. A vertex where faces meet at a larger angle is split. Triangles without area get
+// the normal 0.
+Mesh with_crease_normals(const Mesh& mesh) {
+    const std::vector<glm::vec3> normals = face_normals(mesh);
+    const auto corners = corners_by_position(mesh);
+    const float least_cosine = std::cos(glm::radians(crease_degrees));
+    Mesh result;
+    std::map<Key, std::uint32_t> vertices;
+    for (std::size_t i = 0; i < normals.size() * 3; ++i) {
+        const glm::vec3& p = mesh.positions[mesh.indices[i]];
+        glm::vec3 sum(0);
+        for (const std::size_t corner : corners.at({p.x, p.y, p.z})) {
+            const glm::vec3& normal = normals[corner / 3];
+            if (glm::dot(normals[i / 3], normal) >= least_cosine) sum += angle_at(mesh, corner) * normal;
+        }
+        const glm::vec3 n = unit_or_zero(sum);
+        const auto next = static_cast<std::uint32_t>(result.positions.size());
+        const auto [vertex, added] = vertices.try_emplace({p.x, p.y, p.z, n.x, n.y, n.z}, next);
+        if (added) {
+            result.positions.push_back(p);
+            result.normals.push_back(n);
+        }
+        result.indices.push_back(vertex->second);
+    }
+    return result;
+}
+
 }  // namespace
 
 Mesh load_mesh(const fs::path& file) {
@@ -207,7 +270,7 @@ Mesh load_mesh(const fs::path& file) {
     for (unsigned i = 0; scene != nullptr && i < scene->mNumMeshes; ++i) {
         check_finite(file, *scene->mMeshes[i]);  // transformed
         const Mesh part = convert(*scene->mMeshes[i]);
-        append(mesh, scene->mMeshes[i]->HasNormals() ? part : with_crease_normals(part, crease_degrees));
+        append(mesh, scene->mMeshes[i]->HasNormals() ? part : with_crease_normals(part));
     }
     if (mesh.triangle_count() == 0) fail_to_load(file, "has no triangle");
     mend_normals(mesh);

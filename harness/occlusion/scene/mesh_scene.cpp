@@ -35,12 +35,6 @@ glm::dmat3 upright(const glm::dvec3& up) {
     return glm::transpose(glm::dmat3(side, up, glm::cross(side, up)));
 }
 
-Mesh turned(Mesh mesh, const glm::dmat3& rotation) {
-    for (glm::vec3& p : mesh.positions) p = rotation * glm::dvec3(p);
-    for (glm::vec3& n : mesh.normals) n = rotation * glm::dvec3(n);
-    return mesh;
-}
-
 // The longest side in its place if that is nearly nothing.
 double height_of(const Bounds& bounds) {
     const glm::dvec3 size = bounds.high - bounds.low;

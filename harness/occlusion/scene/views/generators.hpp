@@ -2,64 +2,42 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
-#include <functional>
 #include <numbers>
 #include <string>
-#include <vector>
 
 #include "scene/mesh.hpp"
 #include "scene/scene.hpp"
 
-// Shapes of the views' generators, beside those of scene/mesh.hpp.
+// What the views and built-in scenes show, made by code: bit-identical for the same parameters. World units
+// are metres. What is made here has no name and no camera yet.
 namespace gloam::scene::views {
 
 inline constexpr double full_turn = 2.0 * std::numbers::pi;  // radians
 
-// The mesh rotated about the vertical axis through the origin by `radians`, then moved.
-[[nodiscard]] Mesh turned(Mesh mesh, double radians, const glm::dvec3& translation);
+// A mesh to which shapes are added. cell: of the faces of boxes, metres.
+struct Parts {
+    double cell = 1.0;
+    Mesh mesh{};
 
-// The mesh seen from inside: triangles and normals reversed.
-[[nodiscard]] Mesh inside_out(Mesh mesh);
-
-// A straight rod between two different points, with smooth sides and flat ends. segments: around, at least 3.
-[[nodiscard]] Mesh make_rod(const glm::dvec3& from, const glm::dvec3& to, double radius, int segments);
-
-// A square height field: y = height(x, z) over x and z from -half to half, with cells x cells cells, smooth
-// normals.
-[[nodiscard]] Mesh make_height_field(double half, int cells,
-                                     const std::function<double(double x, double z)>& height);
-
-// Smooth noise in [-1, 1] with the features of size 1, from random values at whole coordinates.
-[[nodiscard]] double smooth_noise(double x, double z, std::uint64_t seed);
-
-// Sum of `octaves` smooth noises, each of half the size and half the height of the one before.
-[[nodiscard]] double fractal_noise(double x, double z, int octaves, std::uint64_t seed);
-
-// How a camera moves by `step` in each frame: with its target, looking at the same target, or around its
-// target by step.x degrees about the vertical axis.
-enum class Way { gliding, passing, circling };
-
-// Where a view's camera starts, and its way.
-struct Stand {
-    glm::dvec3 eye{0};
-    glm::dvec3 target{0};
-    double fovy_rad = 0.9;
-    double view_height = 0.0;  // > 0: orthographic, world units from bottom to top
-    double near = 0.05;
-    double far = 200.0;
-    Way way = Way::gliding;
-    glm::dvec3 step{0};
+    void add(const Mesh& part) { append(mesh, part); }
+    void box(const glm::dvec3& low, const glm::dvec3& high) { add(make_box(low, high, cell)); }
+    void rod(const glm::dvec3& from, const glm::dvec3& to, double radius, int segments) {
+        add(make_rod(from, to, radius, segments));
+    }
+    void cylinder(const glm::dvec3& base_center, double radius, double height, int segments) {
+        add(make_cylinder(base_center, radius, height, segments));
+    }
+    void sphere(const glm::dvec3& center, double radius, int rings, int segments) {
+        add(make_sphere(center, radius, rings, segments));
+    }
 };
 
-// The camera's path, with reversed depth.
-[[nodiscard]] std::function<Camera(int frame)> path_of(const Stand& stand);
-
-// The scene with a camera path; `camera` is its frame 0.
-[[nodiscard]] Scene filmed(Scene scene, std::function<Camera(int frame)> path);
-
-// What the views show, made by code: bit-identical for the same parameters. World units are metres. The
-// scenes have no name and no camera yet.
+// A rotation about the vertical axis.
+[[nodiscard]] inline glm::dmat3 upright_turn(double radians) {
+    const double c = std::cos(radians);
+    const double s = std::sin(radians);
+    return {{c, 0, -s}, {0, 1, 0}, {s, 0, c}};
+}
 
 // A room with shelves of books along the back wall, furniture at random, and a table with small things at the
 // origin.
@@ -71,7 +49,7 @@ struct Interior {
     bool roofed = true;     // false: a floor and the back wall alone, as for a view from above
     double radius = 0.3;    // Scene::ao_radius
 };
-[[nodiscard]] Scene make_furnished(const Interior& interior);
+[[nodiscard]] Scene made(const Interior& interior);
 
 // A hall from z = 2 along -z, with niches, two rows of pillars, beams, stairs with railings, and balls.
 struct Hall {
@@ -82,7 +60,7 @@ struct Hall {
     double pillars = 2.2;  // x of the two rows
     double radius = 0.5;
 };
-[[nodiscard]] Scene make_hall(const Hall& hall);
+[[nodiscard]] Scene made(const Hall& hall);
 
 // Trees, bushes and grass of flat leaves on a plane, around the origin.
 struct Foliage {
@@ -97,7 +75,7 @@ struct Foliage {
     double blade = 0.2;
     double radius = 0.2;
 };
-[[nodiscard]] Scene make_foliage(const Foliage& foliage);
+[[nodiscard]] Scene made(const Foliage& foliage);
 
 // Housings with fins and bolts, gears and pipes before a wall, perhaps a grating on the floor.
 struct Machine {
@@ -107,7 +85,7 @@ struct Machine {
     bool grating = false;
     double radius = 0.25;
 };
-[[nodiscard]] Scene make_machine(const Machine& machine);
+[[nodiscard]] Scene made(const Machine& machine);
 
 // Hills or ridges with stones.
 struct Terrain {
@@ -120,8 +98,8 @@ struct Terrain {
     double stone = 0.6;  // radius
     double radius = 1.5;
 };
-[[nodiscard]] Scene make_terrain(const Terrain& terrain);
-[[nodiscard]] double terrain_height(const Terrain& terrain, double x, double z);
+[[nodiscard]] Scene made(const Terrain& terrain);
+[[nodiscard]] double height_at(const Terrain& terrain, double x, double z);
 
 // Rows of houses along streets, from z = 0 along -z.
 struct Town {
@@ -130,7 +108,7 @@ struct Town {
     double tallest = 18.0;
     double radius = 3.0;
 };
-[[nodiscard]] Scene make_town(const Town& town);
+[[nodiscard]] Scene made(const Town& town);
 
 // How a mesh file is shown: copies in rows on a plane, each turned further.
 struct Display {
@@ -141,8 +119,42 @@ struct Display {
     double spacing = 1.2;  // in heights of the mesh
     double radius = 0.2;
 };
+// folder: of mesh files. Throws std::runtime_error with the file's name and the package that has it if it
+// cannot be read.
+[[nodiscard]] Scene made(const Display& display, const std::filesystem::path& folder);
 
-// Throws std::runtime_error with the file's name and the package that has it if it cannot be read.
-[[nodiscard]] Scene make_display(const std::filesystem::path& folder, const Display& display);
+// The built-in scenes.
+constexpr glm::dvec3 far_place{98304.0, 512.0, -81920.0};  // of make_far(): floats are 1/128 apart there
+constexpr double relief_face = -6.7;                       // of make_relief(), x of the wall
+[[nodiscard]] Scene make_columns();
+[[nodiscard]] Scene make_corner();
+[[nodiscard]] Scene make_far();
+[[nodiscard]] Scene make_grass();
+[[nodiscard]] Scene make_knot();
+[[nodiscard]] Scene make_moving();
+[[nodiscard]] Scene make_relief();
+[[nodiscard]] Scene make_room();
+[[nodiscard]] Scene make_sky();
+
+// How a camera moves by `step` in each frame: with its target, looking at the same target, or around its
+// target by step.x degrees about the vertical axis. Or it sways: eye and target by step and aim, times the
+// sine of rate radians a frame. Or it swings around the vertical axis and back, or stands still.
+enum class Way { gliding, passing, circling, swaying, swinging, still };
+
+// Where a view's camera starts, and its way.
+struct Stand {
+    glm::dvec3 eye{0};
+    glm::dvec3 target{0};
+    double fovy_rad = 0.9;
+    double view_height = 0.0;  // > 0: orthographic, world units from bottom to top
+    double near = 0.05;
+    double far = 200.0;
+    Way way = Way::gliding;
+    glm::dvec3 step{0};
+    glm::dvec3 aim{0};
+    glm::dvec3 rate{0};
+};
+[[nodiscard]] Camera start_of(const Stand& stand);
+[[nodiscard]] Camera camera_in(const Stand& stand, int frame);
 
 }  // namespace gloam::scene::views

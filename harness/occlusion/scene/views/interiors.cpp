@@ -2,83 +2,85 @@
 #include <cmath>
 
 #include "numeric/random.hpp"
-#include "scene/mesh.hpp"
 #include "scene/views/generators.hpp"
 
 namespace gloam::scene::views {
 namespace {
 
-constexpr double furniture_cell = 1.0;  // of the faces of boxes, metres
 constexpr double board = 0.03;
 
-void add_box(Mesh& mesh, const glm::dvec3& center, const glm::dvec3& size) {
-    append(mesh, make_box(center - 0.5 * size, center + 0.5 * size, furniture_cell));
+void add_box(Parts& parts, const glm::dvec3& center, const glm::dvec3& size) {
+    parts.box(center - 0.5 * size, center + 0.5 * size);
 }
 
 // A table or a stool: a board on four legs.
-Mesh make_table(double width, double depth, double height) {
-    Mesh mesh;
-    add_box(mesh, {0, height - 0.5 * board, 0}, {width, board, depth});
+Parts make_table(double width, double depth, double height) {
+    Parts table;
+    add_box(table, {0, height - 0.5 * board, 0}, {width, board, depth});
     for (const double x : {-0.5 * width + 0.04, 0.5 * width - 0.04})
         for (const double z : {-0.5 * depth + 0.04, 0.5 * depth - 0.04})
-            add_box(mesh, {x, 0.5 * (height - board), z}, {0.05, height - board, 0.05});
-    return mesh;
+            add_box(table, {x, 0.5 * (height - board), z}, {0.05, height - board, 0.05});
+    return table;
 }
 
 // A chair with a back of slats.
-Mesh make_chair() {
-    Mesh mesh = make_table(0.44, 0.44, 0.46);
-    for (const double x : {-0.19, 0.19}) add_box(mesh, {x, 0.7, -0.2}, {0.04, 0.48, 0.03});
-    for (int i = 0; i < 3; ++i) add_box(mesh, {0, 0.6 + 0.14 * i, -0.2}, {0.36, 0.07, 0.02});
-    return mesh;
+Parts make_chair() {
+    Parts chair = make_table(0.44, 0.44, 0.46);
+    for (const double x : {-0.19, 0.19}) add_box(chair, {x, 0.7, -0.2}, {0.04, 0.48, 0.03});
+    for (int i = 0; i < 3; ++i) add_box(chair, {0, 0.6 + 0.14 * i, -0.2}, {0.36, 0.07, 0.02});
+    return chair;
 }
 
 // A shelf of boards, three quarters full of books.
-Mesh make_shelf(numeric::Random& random, double width, double height) {
+Parts make_shelf(numeric::Random& random, double width, double height) {
     constexpr double depth = 0.3;
-    Mesh mesh;
+    Parts shelf;
     for (const double x : {-0.5 * width, 0.5 * width})
-        add_box(mesh, {x, 0.5 * height, 0}, {board, height, depth});
-    add_box(mesh, {0, 0.5 * height, -0.5 * depth}, {width, height, 0.01});
+        add_box(shelf, {x, 0.5 * height, 0}, {board, height, depth});
+    add_box(shelf, {0, 0.5 * height, -0.5 * depth}, {width, height, 0.01});
     for (double y = 0.05; y < height; y += 0.35) {
-        add_box(mesh, {0, y, 0}, {width, board, depth});
+        add_box(shelf, {0, y, 0}, {width, board, depth});
         for (double x = -0.5 * width + 0.03; x < 0.5 * width - 0.06;) {
             const double thick = random.uniform(0.02, 0.05);
             const double tall = random.uniform(0.18, 0.29);
             const double deep = random.uniform(0.15, 0.24);
             if (random.unit() < 0.75)
-                add_box(mesh, {x + 0.5 * thick, y + 0.5 * (board + tall), -0.5 * (depth - deep)},
+                add_box(shelf, {x + 0.5 * thick, y + 0.5 * (board + tall), -0.5 * (depth - deep)},
                         {thick, tall, deep});
             x += thick + 0.002;
         }
     }
-    return mesh;
+    return shelf;
 }
 
 // A lamp on a stand: a foot, a rod, a shade that is open above and below.
-Mesh make_lamp() {
-    Mesh mesh = make_rod({0, 0, 0}, {0, 0.03, 0}, 0.15, 24);
-    append(mesh, make_rod({0, 0.03, 0}, {0, 1.4, 0}, 0.012, 8));
-    append(mesh, make_cylinder({0, 1.3, 0}, 0.2, 0.25, 32));
-    return mesh;
+Parts make_lamp() {
+    Parts lamp;
+    lamp.rod({0, 0, 0}, {0, 0.03, 0}, 0.15, 24);
+    lamp.rod({0, 0.03, 0}, {0, 1.4, 0}, 0.012, 8);
+    lamp.cylinder({0, 1.3, 0}, 0.2, 0.25, 32);
+    return lamp;
+}
+
+// A box on the floor, or at a height, turned and moved.
+Mesh turned_box(double half_side, double low, double high, double turn, const glm::dvec3& at) {
+    return turned(make_box({-half_side, low, -half_side}, {half_side, high, half_side}, 1.0),
+                  upright_turn(turn), at);
 }
 
 // Crates of different sizes in a heap.
-Mesh make_crates(numeric::Random& random) {
-    Mesh mesh;
+Parts make_crates(numeric::Random& random) {
+    Parts crates;
     for (int i = 0; i < 3; ++i) {
         const double side = random.uniform(0.25, 0.45);
         const double turn = random.uniform(0.0, 1.5);
-        append(mesh,
-               turned(make_box({-0.5 * side, 0, -0.5 * side}, {0.5 * side, side, 0.5 * side}, furniture_cell),
-                      turn, {0.5 * i - 0.5, 0, 0}));
+        crates.add(turned_box(0.5 * side, 0, side, turn, {0.5 * i - 0.5, 0, 0}));
     }
-    append(mesh,
-           turned(make_box({-0.15, 0.3, -0.15}, {0.15, 0.55, 0.15}, furniture_cell), 0.7, {-0.2, 0, 0}));
-    return mesh;
+    crates.add(turned_box(0.15, 0.3, 0.55, 0.7, {-0.2, 0, 0}));
+    return crates;
 }
 
-Mesh make_furniture(numeric::Random& random) {
+Parts make_furniture(numeric::Random& random) {
     switch (random.below(6)) {
         case 0:
             return make_table(random.uniform(0.8, 1.5), random.uniform(0.6, 0.9), 0.74);
@@ -94,175 +96,155 @@ Mesh make_furniture(numeric::Random& random) {
 }
 
 // Small things that stand on a board at a height.
-void add_clutter(Mesh& mesh, numeric::Random& random, const glm::dvec3& low, const glm::dvec3& high) {
+void add_clutter(Parts& room, numeric::Random& random, const glm::dvec3& low, const glm::dvec3& high) {
     for (int i = 0; i < 14; ++i) {
         const glm::dvec3 at{random.uniform(low.x, high.x), low.y, random.uniform(low.z, high.z)};
         const double size = random.uniform(0.03, 0.09);
         if (i % 3 == 0)
-            append(mesh, make_sphere(at + glm::dvec3(0, size, 0), size, 16, 32));
+            room.sphere(at + glm::dvec3(0, size, 0), size, 16, 32);
         else if (i % 3 == 1)
-            append(mesh, make_rod(at, at + glm::dvec3(0, 2.5 * size, 0), 0.6 * size, 24));
+            room.rod(at, at + glm::dvec3(0, 2.5 * size, 0), 0.6 * size, 24);
         else
-            append(mesh, turned(make_box({-size, 0, -size}, {size, 0.8 * size, size}, furniture_cell),
-                                random.uniform(0.0, 1.5), at));
+            room.add(turned_box(size, 0, 0.8 * size, random.uniform(0.0, 1.5), at));
     }
 }
 
 }  // namespace
 
-Scene make_furnished(const Interior& interior) {
+Scene made(const Interior& interior) {
     numeric::Random random(interior.seed);
     const double w = interior.half_width;
     const double d = interior.half_depth;
-    const double top = interior.roofed ? 2.6 : 6.0;
-    Scene scene{.mesh = inside_out(make_box({-w, 0, -d}, {w, top, d}, furniture_cell))};
-    if (!interior.roofed) scene.mesh = make_box({-w, -0.1, -d}, {w, 0, d}, furniture_cell);
-    if (!interior.roofed) add_box(scene.mesh, {0, 1.3, -d}, {2 * w, 2.6, 0.1});
+    Parts room;
+    if (interior.roofed) {
+        room.add(inside_out(make_box({-w, 0, -d}, {w, 2.6, d}, room.cell)));
+    } else {
+        room.box({-w, -0.1, -d}, {w, 0, d});
+        add_box(room, {0, 1.3, -d}, {2 * w, 2.6, 0.1});
+    }
     for (double x = -w + 0.7; x < w - 0.6; x += 1.25)
-        append(scene.mesh, turned(make_shelf(random, 1.1, random.uniform(1.3, 2.1)), 0.0, {x, 0, -d + 0.21}));
+        room.add(placed(make_shelf(random, 1.1, random.uniform(1.3, 2.1)).mesh, 1.0, {x, 0, -d + 0.21}));
     for (double x = -w + 0.7; x < w - 0.5; x += 1.3) {
         for (double z = -d + 1.1; z < d - 0.5; z += 1.3) {
             if (random.unit() > interior.fullness) continue;
             const double turn = random.uniform(0.0, full_turn);
             const double dx = random.uniform(-0.15, 0.15);
-            append(scene.mesh, turned(make_furniture(random), turn, {x + dx, 0, z}));
+            room.add(turned(make_furniture(random).mesh, upright_turn(turn), {x + dx, 0, z}));
         }
     }
-    append(scene.mesh, turned(make_table(1.4, 0.8, 0.74), 0.0, {0, 0, 0}));
-    add_clutter(scene.mesh, random, {-0.6, 0.74, -0.3}, {0.6, 0.74, 0.3});
-    scene.ao_radius = interior.radius;
+    room.add(make_table(1.4, 0.8, 0.74).mesh);
+    add_clutter(room, random, {-0.6, 0.74, -0.3}, {0.6, 0.74, 0.3});
+    Scene scene{.mesh = std::move(room.mesh), .ao_radius = interior.radius};
     if (interior.roofed) scene.lamp = glm::dvec3(0.3, 2.2, 0.4);
     return scene;
 }
 
 namespace {
 
-constexpr double hall_cell = 2.0;
-
 // A pillar with a base and a capital.
-Mesh make_pillar(const glm::dvec3& foot, double height) {
-    Mesh mesh = make_box(foot - glm::dvec3(0.4, 0, 0.4), foot + glm::dvec3(0.4, 0.3, 0.4), hall_cell);
-    append(mesh, make_cylinder(foot + glm::dvec3(0, 0.3, 0), 0.28, height - 0.6, 32));
-    append(mesh, make_box(foot + glm::dvec3(-0.4, height - 0.3, -0.4), foot + glm::dvec3(0.4, height, 0.4),
-                          hall_cell));
-    return mesh;
+void add_pillar(Parts& hall, const glm::dvec3& foot, double height) {
+    hall.box(foot - glm::dvec3(0.4, 0, 0.4), foot + glm::dvec3(0.4, 0.3, 0.4));
+    hall.cylinder(foot + glm::dvec3(0, 0.3, 0), 0.28, height - 0.6, 32);
+    hall.box(foot + glm::dvec3(-0.4, height - 0.3, -0.4), foot + glm::dvec3(0.4, height, 0.4));
 }
 
 // A flight of steps up along -z.
-Mesh make_stairs(const glm::dvec3& foot, double width, int steps) {
-    Mesh mesh;
+void add_stairs(Parts& hall, const glm::dvec3& foot, double width, int steps) {
     for (int i = 0; i < steps; ++i) {
         const double z = foot.z - 0.3 * i;
-        append(mesh, make_box({foot.x - 0.5 * width, foot.y, z - 0.3},
-                              {foot.x + 0.5 * width, foot.y + 0.17 * (i + 1), z}, hall_cell));
+        hall.box({foot.x - 0.5 * width, foot.y, z - 0.3}, {foot.x + 0.5 * width, foot.y + 0.17 * (i + 1), z});
     }
-    return mesh;
 }
 
 // A railing: posts and a rail.
-Mesh make_railing(const glm::dvec3& from, const glm::dvec3& to, int posts) {
-    Mesh mesh = make_rod(from + glm::dvec3(0, 0.9, 0), to + glm::dvec3(0, 0.9, 0), 0.03, 12);
+void add_railing(Parts& hall, const glm::dvec3& from, const glm::dvec3& to, int posts) {
+    hall.rod(from + glm::dvec3(0, 0.9, 0), to + glm::dvec3(0, 0.9, 0), 0.03, 12);
     for (int i = 0; i < posts; ++i) {
         const glm::dvec3 at = from + (to - from) * (static_cast<double>(i) / (posts - 1));
-        append(mesh, make_rod(at, at + glm::dvec3(0, 0.9, 0), 0.015, 8));
+        hall.rod(at, at + glm::dvec3(0, 0.9, 0), 0.015, 8);
     }
-    return mesh;
 }
 
 // Niches in the wall x = side: blocks between them.
-Mesh make_niches(double side, double length, double height) {
-    Mesh mesh;
+void add_niches(Parts& hall, double side, double length, double height) {
     const double inwards = side > 0.0 ? -0.5 : 0.5;
     for (double z = -length; z < 0.0; z += 2.4)
-        append(mesh, make_box({std::min(side, side + inwards), 0, z},
-                              {std::max(side, side + inwards), height, z + 1.2}, hall_cell));
-    return mesh;
+        hall.box({std::min(side, side + inwards), 0, z}, {std::max(side, side + inwards), height, z + 1.2});
 }
 
 }  // namespace
 
-// A hall with niches, pillars, beams, stairs with railings.
-Scene make_hall(const Hall& hall) {
+Scene made(const Hall& hall) {
     const double w = hall.half_width;
-    Scene scene{.mesh = inside_out(make_box({-w, 0, -hall.length}, {w, hall.height, 2.0}, hall_cell))};
-    append(scene.mesh, make_niches(-w, hall.length, hall.height));
-    append(scene.mesh, make_niches(w, hall.length, hall.height));
+    Parts parts{.cell = 2.0};
+    parts.add(inside_out(make_box({-w, 0, -hall.length}, {w, hall.height, 2.0}, parts.cell)));
+    for (const double side : {-w, w}) add_niches(parts, side, hall.length, hall.height);
     for (double z = -hall.length + 1.2; z < 1.0; z += 2.4) {
-        append(scene.mesh, make_box({-w, hall.height - 0.4, z - 0.2}, {w, hall.height, z + 0.2}, hall_cell));
-        for (const double x : {-hall.pillars, hall.pillars})
-            append(scene.mesh, make_pillar({x, 0, z}, hall.height - 0.4));
+        parts.box({-w, hall.height - 0.4, z - 0.2}, {w, hall.height, z + 0.2});
+        for (const double x : {-hall.pillars, hall.pillars}) add_pillar(parts, {x, 0, z}, hall.height - 0.4);
     }
-    append(scene.mesh, make_stairs({0, 0, -0.5 * hall.length}, 1.6, 9));
+    add_stairs(parts, {0, 0, -0.5 * hall.length}, 1.6, 9);
     for (const double x : {-0.85, 0.85})
-        append(scene.mesh,
-               make_railing({x, 0.1, -0.5 * hall.length}, {x, 1.6, -0.5 * hall.length - 2.7}, 10));
+        add_railing(parts, {x, 0.1, -0.5 * hall.length}, {x, 1.6, -0.5 * hall.length - 2.7}, 10);
     numeric::Random random(hall.seed);
     for (int i = 0; i < 12; ++i) {
         const double radius = random.uniform(0.1, 0.35);
         const double x = random.uniform(-w + 0.9, w - 0.9);
         const double z = random.uniform(-hall.length + 1.0, -0.5);
-        append(scene.mesh, make_sphere({x, radius, z}, radius, 24, 48));
+        parts.sphere({x, radius, z}, radius, 24, 48);
     }
-    scene.ao_radius = hall.radius;
-    scene.lamp = glm::dvec3(0.2, hall.height - 0.8, -1.5);
-    return scene;
+    return {.mesh = std::move(parts.mesh),
+            .ao_radius = hall.radius,
+            .lamp = glm::dvec3(0.2, hall.height - 0.8, -1.5)};
 }
 
 namespace {
 
-constexpr double machine_cell = 0.5;
-
 // A toothed wheel that stands upright, its axis along z.
-Mesh make_gear(const glm::dvec3& center, double radius, int teeth) {
+void add_gear(Parts& parts, const glm::dvec3& center, double radius, int teeth) {
     constexpr double thick = 0.08;
-    Mesh mesh = make_rod(center - glm::dvec3(0, 0, thick), center + glm::dvec3(0, 0, thick), radius, 48);
-    append(mesh, make_rod(center - glm::dvec3(0, 0, 0.3), center + glm::dvec3(0, 0, 0.2), 0.2 * radius, 24));
+    parts.rod(center - glm::dvec3(0, 0, thick), center + glm::dvec3(0, 0, thick), radius, 48);
+    parts.rod(center - glm::dvec3(0, 0, 0.3), center + glm::dvec3(0, 0, 0.2), 0.2 * radius, 24);
     const double tooth = 0.2 * full_turn * radius / teeth;
     for (int i = 0; i < teeth; ++i) {
         const double angle = full_turn * i / teeth;
         const glm::dvec3 out{std::cos(angle), std::sin(angle), 0};
-        append(mesh, make_rod(center + 0.95 * radius * out, center + (radius + 2.0 * tooth) * out, tooth, 6));
+        parts.rod(center + 0.95 * radius * out, center + (radius + 2.0 * tooth) * out, tooth, 6);
     }
-    return mesh;
 }
 
 // A pipe through corners, with a flange at each.
-Mesh make_pipe(const std::vector<glm::dvec3>& corners, double radius) {
-    Mesh mesh;
+void add_pipe(Parts& parts, const std::vector<glm::dvec3>& corners, double radius) {
     for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
-        append(mesh, make_rod(corners[i], corners[i + 1], radius, 20));
-        append(mesh, make_sphere(corners[i + 1], 1.05 * radius, 12, 24));
+        parts.rod(corners[i], corners[i + 1], radius, 20);
+        parts.sphere(corners[i + 1], 1.05 * radius, 12, 24);
         const glm::dvec3 way = glm::normalize(corners[i + 1] - corners[i]);
         const glm::dvec3 middle = 0.5 * (corners[i] + corners[i + 1]);
-        append(mesh, make_rod(middle - 0.04 * way, middle + 0.04 * way, 1.4 * radius, 20));
+        parts.rod(middle - 0.04 * way, middle + 0.04 * way, 1.4 * radius, 20);
     }
-    return mesh;
 }
 
-// A grating of bars on the plane y, with gaps between them.
-Mesh make_grating(const glm::dvec3& low, const glm::dvec3& high, double spacing) {
-    Mesh mesh;
-    for (double x = low.x; x <= high.x; x += spacing)
-        append(mesh, make_box({x, low.y, low.z}, {x + 0.25 * spacing, high.y, high.z}, 4.0));
-    for (double z = low.z; z <= high.z; z += 3.0 * spacing)
-        append(mesh, make_box({low.x, low.y, z}, {high.x, high.y, z + 0.25 * spacing}, 4.0));
-    return mesh;
+// A grating of bars over the floor, with gaps between them.
+void add_grating(Mesh& mesh) {
+    constexpr double spacing = 0.12;
+    Parts bars{.cell = 4.0};
+    for (double x = -2.5; x <= 2.5; x += spacing) bars.box({x, 0.25, -0.3}, {x + 0.25 * spacing, 0.29, 1.5});
+    for (double z = -0.3; z <= 1.5; z += 3.0 * spacing)
+        bars.box({-2.5, 0.25, z}, {2.5, 0.29, z + 0.25 * spacing});
+    append(mesh, bars.mesh);
 }
 
 // A housing with fins, bolts and a dial.
-Mesh make_housing(numeric::Random& random, const glm::dvec3& low, const glm::dvec3& size) {
-    Mesh mesh = make_box(low, low + size, machine_cell);
+void add_housing(Parts& parts, numeric::Random& random, const glm::dvec3& low, const glm::dvec3& size) {
+    parts.box(low, low + size);
     for (double x = 0.1; x < size.x - 0.1; x += 0.12)
-        append(mesh, make_box(low + glm::dvec3(x, size.y, 0.1),
-                              low + glm::dvec3(x + 0.03, size.y + 0.12, size.z - 0.1), machine_cell));
+        parts.box(low + glm::dvec3(x, size.y, 0.1), low + glm::dvec3(x + 0.03, size.y + 0.12, size.z - 0.1));
     for (const double x : {0.08, size.x - 0.08})
         for (const double y : {0.08, size.y - 0.08})
-            append(mesh,
-                   make_rod(low + glm::dvec3(x, y, size.z), low + glm::dvec3(x, y, size.z + 0.04), 0.04, 6));
+            parts.rod(low + glm::dvec3(x, y, size.z), low + glm::dvec3(x, y, size.z + 0.04), 0.04, 6);
     const double dial = random.uniform(0.1, 0.2);
     const glm::dvec3 middle = low + glm::dvec3(0.5 * size.x, 0.5 * size.y, size.z);
-    append(mesh, make_rod(middle, middle + glm::dvec3(0, 0, 0.08), dial, 32));
-    return mesh;
+    parts.rod(middle, middle + glm::dvec3(0, 0, 0.08), dial, 32);
 }
 
 glm::dvec3 scattered(numeric::Random& random, double x, double y, double z) {
@@ -271,29 +253,28 @@ glm::dvec3 scattered(numeric::Random& random, double x, double y, double z) {
 
 }  // namespace
 
-Scene make_machine(const Machine& machine) {
+Scene made(const Machine& machine) {
     numeric::Random random(machine.seed);
-    Scene scene{.mesh = make_parallelogram({-20, 0, -20}, {0, 0, 40}, {40, 0, 0}, 1.0)};
-    append(scene.mesh, make_box({-6, 0, -2.2}, {6, 5, -2.0}, 1.0));
+    Parts parts{.cell = 0.5, .mesh = make_parallelogram({-20, 0, -20}, {0, 0, 40}, {40, 0, 0}, 1.0)};
+    parts.add(make_box({-6, 0, -2.2}, {6, 5, -2.0}, 1.0));
     for (int i = 0; i < machine.parts; ++i) {
         const double x = -2.4 + 4.8 * (i + 0.5) / machine.parts;
         const double tall = random.uniform(0.5, 1.3);
-        append(scene.mesh, make_housing(random, {x - 0.35, 0, -1.2},
-                                        {random.uniform(0.5, 0.75), tall, random.uniform(0.5, 0.9)}));
+        add_housing(parts, random, {x - 0.35, 0, -1.2},
+                    {random.uniform(0.5, 0.75), tall, random.uniform(0.5, 0.9)});
         const double radius = random.uniform(0.2, 0.4);
-        append(scene.mesh, make_gear(scattered(random, x, 0.5 + tall, -1.5), radius,
-                                     10 + static_cast<int>(random.below(8))));
+        add_gear(parts, scattered(random, x, 0.5 + tall, -1.5), radius,
+                 10 + static_cast<int>(random.below(8)));
     }
     for (int i = 0; i < machine.pipes; ++i) {
         const double y = 0.3 + 2.0 * (i + 0.5) / machine.pipes;
         const double z = random.uniform(-1.9, -0.4);
         const double turn = random.uniform(-1.5, 1.5);
-        append(scene.mesh, make_pipe({{-4, y, z}, {turn, y, z}, {turn, y, z + 0.6}, {turn, 0, z + 0.6}},
-                                     random.uniform(0.04, 0.1)));
+        add_pipe(parts, {{-4, y, z}, {turn, y, z}, {turn, y, z + 0.6}, {turn, 0, z + 0.6}},
+                 random.uniform(0.04, 0.1));
     }
-    if (machine.grating) append(scene.mesh, make_grating({-2.5, 0.25, -0.3}, {2.5, 0.29, 1.5}, 0.12));
-    scene.ao_radius = machine.radius;
-    return scene;
+    if (machine.grating) add_grating(parts.mesh);
+    return {.mesh = std::move(parts.mesh), .ao_radius = machine.radius};
 }
 
 }  // namespace gloam::scene::views

@@ -37,63 +37,97 @@ Mesh make_leaf(numeric::Random& random, const glm::dvec3& foot, glm::dvec3 ahead
 }
 
 // Leaves in a ball, denser near its surface, as of a bush or a crown.
-void add_crown(Mesh& mesh, numeric::Random& random, const glm::dvec3& center, double radius, int leaves,
+void add_crown(Parts& parts, numeric::Random& random, const glm::dvec3& center, double radius, int leaves,
                double leaf) {
     for (int i = 0; i < leaves; ++i) {
         const glm::dvec3 out = any_direction(random);
         const double far = radius * std::sqrt(random.uniform(0.15, 1.0));
-        append(mesh, make_leaf(random, center + far * out, out, random.uniform(0.7, 1.3) * leaf, 0.5 * leaf));
+        parts.add(make_leaf(random, center + far * out, out, random.uniform(0.7, 1.3) * leaf, 0.5 * leaf));
     }
 }
 
-void add_tree(Mesh& mesh, numeric::Random& random, const glm::dvec3& foot, const Foliage& foliage) {
+void add_tree(Parts& parts, numeric::Random& random, const glm::dvec3& foot, const Foliage& foliage) {
     const double height = random.uniform(0.8, 1.2) * foliage.trunk;
     const glm::dvec3 top = foot + glm::dvec3(0.05 * height, height, 0.03 * height);
-    append(mesh, make_rod(foot, top, 0.06 * height, 12));
+    parts.rod(foot, top, 0.06 * height, 12);
     for (int i = 0; i < 6; ++i) {
         const glm::dvec3 from = foot + random.uniform(0.5, 0.95) * (top - foot);
         const glm::dvec3 aside = any_direction(random) * glm::dvec3(1, 0.3, 1);
         const glm::dvec3 to = from + height * (0.25 * aside + glm::dvec3(0, 0.2, 0));
-        append(mesh, make_rod(from, to, 0.015 * height, 8));
-        add_crown(mesh, random, to, 0.25 * height, foliage.leaves / 8, foliage.leaf);
+        parts.rod(from, to, 0.015 * height, 8);
+        add_crown(parts, random, to, 0.25 * height, foliage.leaves / 8, foliage.leaf);
     }
-    add_crown(mesh, random, top + glm::dvec3(0, 0.15 * height, 0), 0.35 * height, foliage.leaves / 4,
+    add_crown(parts, random, top + glm::dvec3(0, 0.15 * height, 0), 0.35 * height, foliage.leaves / 4,
               foliage.leaf);
 }
 
 // Blades of grass over the square of half the side `half` around the origin.
-void add_meadow(Mesh& mesh, numeric::Random& random, double half, const Foliage& foliage) {
+void add_meadow(Parts& parts, numeric::Random& random, double half, const Foliage& foliage) {
     for (int i = 0; i < foliage.blades; ++i) {
         const glm::dvec3 foot{random.uniform(-half, half), 0, random.uniform(-half, half)};
         const double around = random.uniform(0.0, full_turn);
         const glm::dvec3 up = glm::normalize(glm::dvec3(0.4 * std::cos(around), 1.0, 0.4 * std::sin(around)));
-        append(mesh,
-               make_leaf(random, foot, up, random.uniform(0.6, 1.4) * foliage.blade, 0.08 * foliage.blade));
+        parts.add(
+            make_leaf(random, foot, up, random.uniform(0.6, 1.4) * foliage.blade, 0.08 * foliage.blade));
     }
 }
 
 }  // namespace
 
-Scene make_foliage(const Foliage& foliage) {
+Scene made(const Foliage& foliage) {
     numeric::Random random(foliage.seed);
-    Scene scene{.mesh = make_parallelogram({-30, 0, -30}, {0, 0, 60}, {60, 0, 0}, 2.0)};
+    Parts parts{.mesh = make_parallelogram({-30, 0, -30}, {0, 0, 60}, {60, 0, 0}, 2.0)};
     for (int i = 0; i < foliage.trees; ++i) {
         const double x = random.uniform(-foliage.half, foliage.half);
         const double z = random.uniform(-foliage.half, foliage.half);
-        add_tree(scene.mesh, random, {x, 0, z}, foliage);
+        add_tree(parts, random, {x, 0, z}, foliage);
     }
     for (int i = 0; i < foliage.bushes; ++i) {
         const double radius = random.uniform(0.25, 0.45);
         const double x = random.uniform(-foliage.half, foliage.half);
         const double z = random.uniform(-foliage.half, foliage.half);
-        add_crown(scene.mesh, random, {x, 0.8 * radius, z}, radius, foliage.leaves, foliage.leaf);
+        add_crown(parts, random, {x, 0.8 * radius, z}, radius, foliage.leaves, foliage.leaf);
     }
-    add_meadow(scene.mesh, random, foliage.half, foliage);
-    scene.ao_radius = foliage.radius;
-    return scene;
+    add_meadow(parts, random, foliage.half, foliage);
+    return {.mesh = std::move(parts.mesh), .ao_radius = foliage.radius};
 }
 
 namespace {
+
+// A random value in [-1, 1] for whole coordinates.
+double lattice_value(double x, double z, std::uint64_t seed) {
+    const auto column = static_cast<std::uint64_t>(static_cast<std::int64_t>(x) + 4096);
+    const auto row = static_cast<std::uint64_t>(static_cast<std::int64_t>(z) + 4096);
+    std::uint64_t bits = seed + column * 0x9e3779b97f4a7c15U + row * 0xc2b2ae3d27d4eb4fU;
+    bits = (bits ^ bits >> 29) * 0xbf58476d1ce4e5b9U;
+    bits = (bits ^ bits >> 32) * 0x94d049bb133111ebU;
+    return static_cast<double>(bits >> 11) * 0x1p-52 - 1.0;
+}
+
+double eased(double t) {
+    return t * t * t * (t * (6.0 * t - 15.0) + 10.0);
+}
+
+// Smooth noise in [-1, 1] with the features of size 1, from random values at whole coordinates.
+double smooth_noise(double x, double z, std::uint64_t seed) {
+    const double column = std::floor(x);
+    const double row = std::floor(z);
+    const double u = eased(x - column);
+    const double v = eased(z - row);
+    const double near = std::lerp(lattice_value(column, row, seed), lattice_value(column + 1, row, seed), u);
+    const double far =
+        std::lerp(lattice_value(column, row + 1, seed), lattice_value(column + 1, row + 1, seed), u);
+    return std::lerp(near, far, v);
+}
+
+// Sum of `octaves` smooth noises, each of half the size and half the height of the one before.
+double fractal_noise(double x, double z, int octaves, std::uint64_t seed) {
+    double sum = 0.0;
+    double scale = 1.0;
+    for (int i = 0; i < octaves; ++i, scale *= 2.0)
+        sum += smooth_noise(scale * x, scale * z, seed + static_cast<std::uint64_t>(i)) / scale;
+    return sum;
+}
 
 // A stone: a sphere whose radius varies smoothly.
 Mesh make_stone(const glm::dvec3& center, double radius, std::uint64_t seed) {
@@ -105,15 +139,40 @@ Mesh make_stone(const glm::dvec3& center, double radius, std::uint64_t seed) {
     return mesh;
 }
 
+// A square height field: x and z from -half to half, with cells x cells cells, smooth normals.
+Mesh make_height_field(double half, int cells, const std::function<double(double x, double z)>& height) {
+    Mesh mesh;
+    const double step = 2.0 * half / cells;
+    for (int row = 0; row <= cells; ++row) {
+        for (int column = 0; column <= cells; ++column) {
+            const double x = -half + column * step;
+            const double z = -half + row * step;
+            mesh.positions.emplace_back(x, height(x, z), z);
+            const double dx = height(x + step, z) - height(x - step, z);
+            const double dz = height(x, z + step) - height(x, z - step);
+            mesh.normals.emplace_back(glm::normalize(glm::dvec3(-dx, 2.0 * step, -dz)));
+        }
+    }
+    const auto stride = static_cast<std::uint32_t>(cells + 1);
+    for (std::uint32_t row = 0; row + 1 < stride; ++row) {
+        for (std::uint32_t column = 0; column + 1 < stride; ++column) {
+            const std::uint32_t at = row * stride + column;
+            mesh.indices.insert(mesh.indices.end(),
+                                {at, at + stride, at + 1, at + 1, at + stride, at + stride + 1});
+        }
+    }
+    return mesh;
+}
+
+}  // namespace
+
 double height_at(const Terrain& terrain, double x, double z) {
     double height = fractal_noise(x / terrain.size, z / terrain.size, 6, terrain.seed);
     if (terrain.ridged) height = 1.0 - 2.0 * std::abs(height);
     return terrain.relief * height;
 }
 
-}  // namespace
-
-Scene make_terrain(const Terrain& terrain) {
+Scene made(const Terrain& terrain) {
     Scene scene{.mesh = make_height_field(terrain.half, 220,
                                           [&](double x, double z) { return height_at(terrain, x, z); })};
     numeric::Random random(terrain.seed);
@@ -128,32 +187,25 @@ Scene make_terrain(const Terrain& terrain) {
     return scene;
 }
 
-double terrain_height(const Terrain& terrain, double x, double z) {
-    return height_at(terrain, x, z);
-}
-
 // Blocks of houses in a grid of streets, with roofs, parapets and chimneys.
-Scene make_town(const Town& town) {
+Scene made(const Town& town) {
     numeric::Random random(town.seed);
-    Scene scene{.mesh = make_parallelogram({-400, 0, -400}, {0, 0, 800}, {800, 0, 0}, 10.0)};
+    Parts parts{.cell = 4.0, .mesh = make_parallelogram({-400, 0, -400}, {0, 0, 800}, {800, 0, 0}, 10.0)};
     for (int row = 0; row < town.blocks; ++row) {
         for (int column = 0; column < town.blocks; ++column) {
             const double x = 16.0 * (column - 0.5 * town.blocks);
             const double z = -16.0 * row;
             const double tall = random.uniform(5.0, town.tallest);
             const double wide = random.uniform(8.0, 12.0);
-            append(scene.mesh, make_box({x, 0, z - wide}, {x + wide, tall, z}, 4.0));
-            append(scene.mesh,
-                   make_box({x - 0.3, tall, z - wide - 0.3}, {x + wide + 0.3, tall + 0.5, z + 0.3}, 4.0));
+            parts.box({x, 0, z - wide}, {x + wide, tall, z});
+            parts.box({x - 0.3, tall, z - wide - 0.3}, {x + wide + 0.3, tall + 0.5, z + 0.3});
             for (double y = 2.0; y < tall - 2.0; y += 3.0)
-                append(scene.mesh, make_box({x + 1.0, y, z}, {x + wide - 1.0, y + 0.3, z + 1.0}, 4.0));
+                parts.box({x + 1.0, y, z}, {x + wide - 1.0, y + 0.3, z + 1.0});
             const double chimney = random.uniform(1.0, wide - 2.0);
-            append(scene.mesh,
-                   make_box({x + chimney, tall, z - 3.0}, {x + chimney + 1.2, tall + 3.0, z - 1.8}, 4.0));
+            parts.box({x + chimney, tall, z - 3.0}, {x + chimney + 1.2, tall + 3.0, z - 1.8});
         }
     }
-    scene.ao_radius = town.radius;
-    return scene;
+    return {.mesh = std::move(parts.mesh), .ao_radius = town.radius};
 }
 
 }  // namespace gloam::scene::views

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <type_traits>
 #include <variant>
 
-#include "scene/internal/built_in_scenes.hpp"
 #include "scene/views/generators.hpp"
 
 namespace gloam::scene {
@@ -14,7 +15,7 @@ using namespace views;
 using enum ViewHalf;
 using enum Way;
 
-// A built-in scene has its own camera. Above a terrain the heights of the stand are those above the ground.
+// Above a terrain the heights of the stand are those above the ground.
 using Shown = std::variant<Interior, Hall, Foliage, Machine, Terrain, Town, Display, Scene (*)()>;
 
 // An object that moves: by `step` in a frame, while it turns about `axis` by `turn` radians. It slows down
@@ -157,23 +158,86 @@ const std::vector<Row>& rows() {
          Display{.file = "asteroid-high.3ds", .copies = 4, .rows = 3, .spacing = 1.05},
          {.eye = {1.2, 1.6, 2.6}, .target = {0, 0.3, -0.8}, .way = passing, .step = {-0.015, 0, 0}}},
         {{"columns", "scene", "a column hall, from a cable 0.1 m before the eye to 200 m away", tuning},
-         make_columns},
+         make_columns,
+         {.eye = {0.3, 1.75, 1.0},
+          .target = {0.0, 1.9, -12.0},
+          .fovy_rad = 1.0,
+          .far = 250.0,
+          .way = swaying,
+          .step = {0.12, 0.02, 0},
+          .rate = {0.05, 0.11, 0}}},
         {{"corner", "scene", "a floor and two walls, whose occlusion is known in closed form", {}},
-         make_corner},
+         make_corner,
+         {.eye = {3.6, 3.1, 3.9}, .target = {0.6, 0.6, 0.6}, .near = 0.1, .far = 40.0, .way = still}},
         {{"far", "scene", "a terrace and balls 128 km from the origin, under a slow camera", unseen},
-         make_far},
+         make_far,
+         {.eye = far_place + glm::dvec3(1.2, 1.6, 3.2),
+          .target = far_place + glm::dvec3(-0.1, 0.6, -1.5),
+          .fovy_rad = 0.8,
+          .near = 0.1,
+          .far = 60.0,
+          .way = swaying,  // by less than the spacing of floats from frame to frame
+          .step = {-0.4, 0, 0.1},
+          .rate = {0.01, 0, 0.013}}},
         {{"grass", "scene", "blades and leaves without thickness, under a moving camera", tuning},
-         make_grass},
+         make_grass,
+         {.eye = {0, 0.42, 0.75},
+          .target = {0, 0.1, -0.8},
+          .fovy_rad = 0.8,
+          .far = 60.0,
+          .way = swaying,
+          .step = {0.3, 0, 0.1},
+          .aim = {0.3, 0, 0.1},
+          .rate = {0.02, 0, 0.013}}},
         {{"knot", "scene", "a knotted tube on the ground before a wall, under a circling camera", unseen},
-         make_knot},
+         make_knot,
+         {.eye = {0.9, 0.95, 2.0},
+          .target = {0, 0.48, 0},
+          .fovy_rad = 0.7,
+          .near = 0.1,
+          .far = 40.0,
+          .way = swinging}},
         {{"moving", "scene",
           "a rolling ball and a turning box before steps and a wall, under a moving camera", tuning},
-         make_moving},
-        {{"relief", "scene", "a carved panel in the hall of columns, close up", {}}, make_relief},
+         make_moving,
+         {.eye = {0.3, 1.3, 3.0},
+          .target = {0, 0.5, -1.0},
+          .fovy_rad = 0.8,
+          .near = 0.1,
+          .far = 60.0,
+          .way = swaying,
+          .step = {0.5, 0, 0.2},
+          .rate = {0.017, 0, 0.011}}},
+        {{"relief", "scene", "a carved panel in the hall of columns, close up", {}},
+         make_relief,
+         {.eye = {relief_face + 0.75, 1.75, -5.0 + 0.35},
+          .target = {relief_face, 1.58, -5.0},
+          .fovy_rad = 1.0,
+          .far = 250.0,
+          .way = swaying,
+          .step = {0, 0.01, 0.06},
+          .rate = {0, 0.11, 0.05}}},
         {{"room", "scene", "a closed room with books, boards and other small things, under a moving camera",
           unseen},
-         make_room},
-        {{"sky", "scene", "masts, wires and a kite, mostly sky, under a moving camera", tuning}, make_sky},
+         make_room,
+         {.eye = {0.7, 1.5, 1.6},
+          .target = {-0.2, 0.8, -1.6},
+          .fovy_rad = 0.95,
+          .far = 20.0,
+          .way = swaying,
+          .step = {0.5, 0, -0.3},
+          .rate = {0.02, 0, 0.015}}},
+        {{"sky", "scene", "masts, wires and a kite, mostly sky, under a moving camera", tuning},
+         make_sky,
+         {.eye = {0, 1.7, 0},
+          .target = {0, 4.7, -9.0},
+          .fovy_rad = 0.8,
+          .near = 0.1,
+          .far = 500.0,
+          .way = swaying,
+          .step = {0, 0, -0.5},
+          .aim = {1.5, 0, 0},
+          .rate = {0.02, 0, 0.01}}},
         // One object rolls, one tumbles, one slides along a wall out of the picture, and the camera moves.
         {{"yard", "motion", "a ball, a box and a crate move before machines", tuning},
          Machine{.seed = 61, .parts = 3, .pipes = 0, .radius = 0.3},
@@ -199,24 +263,21 @@ const std::vector<Row>& rows() {
 }
 
 Scene made_of(const Shown& shown, const std::filesystem::path& meshes) {
-    struct {
-        const std::filesystem::path& folder;
-        Scene operator()(const Interior& interior) const { return make_furnished(interior); }
-        Scene operator()(const Hall& hall) const { return make_hall(hall); }
-        Scene operator()(const Foliage& foliage) const { return make_foliage(foliage); }
-        Scene operator()(const Machine& machine) const { return make_machine(machine); }
-        Scene operator()(const Terrain& terrain) const { return make_terrain(terrain); }
-        Scene operator()(const Town& town) const { return make_town(town); }
-        Scene operator()(const Display& display) const { return make_display(folder, display); }
-        Scene operator()(Scene (*make)()) const { return make(); }
-    } const make{meshes};
-    return std::visit(make, shown);
+    if (const auto* display = std::get_if<Display>(&shown)) return made(*display, meshes);
+    return std::visit(
+        [](const auto& what) -> Scene {
+            if constexpr (std::is_invocable_v<decltype(what)>)
+                return what();
+            else if constexpr (!std::is_same_v<decltype(what), const Display&>)
+                return made(what);
+            return {};
+        },
+        shown);
 }
 
 Scene filmed(const Row& row, const std::filesystem::path& meshes) {
     Scene scene = made_of(row.shown, meshes);
     scene.name = row.info.name;
-    if (std::holds_alternative<Scene (*)()>(row.shown)) return scene;
     for (const Mover& mover : row.movers)
         scene.objects.push_back({mover.mesh, [mover](int frame) {
                                      const double steps = 50.0 * std::sin(0.02 * frame);
@@ -226,52 +287,52 @@ Scene filmed(const Row& row, const std::filesystem::path& meshes) {
     Stand stand = row.stand;
     if (const auto* terrain = std::get_if<Terrain>(&row.shown))
         for (glm::dvec3* point : {&stand.eye, &stand.target})
-            point->y += terrain_height(*terrain, point->x, point->z);
-    return views::filmed(std::move(scene), path_of(stand));
+            point->y += height_at(*terrain, point->x, point->z);
+    scene.camera = row.info.kind == "scene" ? start_of(stand) : camera_in(stand, 0);
+    if (stand.way != still) scene.camera_path = [stand](int frame) { return camera_in(stand, frame); };
+    return scene;
 }
 
-bool is_scene(const ViewInfo& info) {
-    return info.kind == "scene";
-}
-
-bool is_view(const ViewInfo& info) {
-    return info.half.has_value();
-}
-
-std::vector<ViewInfo> infos_of(bool (*wanted)(const ViewInfo&)) {
-    std::vector<ViewInfo> infos;
+// The rows of built-in scenes, or of views.
+std::vector<const Row*> rows_of(bool scenes) {
+    std::vector<const Row*> some;
     for (const Row& row : rows())
-        if (wanted(row.info)) infos.push_back(row.info);
+        if (scenes ? row.info.kind == "scene" : row.info.half.has_value()) some.push_back(&row);
+    return some;
+}
+
+std::vector<ViewInfo> infos_of(bool scenes) {
+    std::vector<ViewInfo> infos;
+    for (const Row* row : rows_of(scenes)) infos.push_back(row->info);
     return infos;
 }
 
-Scene named(std::string_view name, bool (*wanted)(const ViewInfo&), const std::filesystem::path& meshes,
-            const std::string& kind) {
+Scene named(std::string_view name, bool scenes, const std::filesystem::path& meshes) {
     std::string names;
-    for (const Row& row : rows()) {
-        if (!wanted(row.info)) continue;
-        if (row.info.name == name) return filmed(row, meshes);
-        names += (names.empty() ? "" : ", ") + row.info.name;
+    for (const Row* row : rows_of(scenes)) {
+        if (row->info.name == name) return filmed(*row, meshes);
+        names += (names.empty() ? "" : ", ") + row->info.name;
     }
-    throw std::invalid_argument("unknown " + kind + " \"" + std::string(name) + "\": expected " + names);
+    throw std::invalid_argument(
+        fmt::format("unknown {} \"{}\": expected {}", scenes ? "scene" : "view", name, names));
 }
 
 }  // namespace
 
 std::vector<ViewInfo> built_in_scenes() {
-    return infos_of(is_scene);
+    return infos_of(true);
 }
 
 std::vector<ViewInfo> all_views() {
-    return infos_of(is_view);
+    return infos_of(false);
 }
 
 Scene make_scene(std::string_view name) {
-    return named(name, is_scene, {}, "scene");
+    return named(name, true, {});
 }
 
 Scene make_view(std::string_view name, const std::filesystem::path& meshes) {
-    return named(name, is_view, meshes, "view");
+    return named(name, false, meshes);
 }
 
 std::string_view name_of(ViewHalf half) {
