@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "scene/camera.hpp"
@@ -44,28 +44,8 @@ class AnalyticScene {
                                                       const glm::dvec3& direction) const;
 
   private:
-    struct Plane {
-        HalfSpace plane;
-        std::vector<HalfSpace> limits;
-    };
-    struct Sphere {
-        glm::dvec3 center;
-        double radius = 0.0;
-    };
-    struct Cone {
-        glm::dvec3 apex;
-        glm::dvec3 axis;
-        double sine = 0.0;  // of the elevation
-    };
-
-    static std::optional<SurfaceHit> hit(const Plane& plane, const glm::dvec3& origin,
-                                         const glm::dvec3& direction);
-    static std::optional<SurfaceHit> hit(const Sphere& sphere, const glm::dvec3& origin,
-                                         const glm::dvec3& direction);
-    static std::optional<SurfaceHit> hit(const Cone& cone, const glm::dvec3& origin,
-                                         const glm::dvec3& direction);
-
-    std::vector<std::variant<Plane, Sphere, Cone>> surfaces_;
+    using Surface = std::function<std::optional<SurfaceHit>(const glm::dvec3&, const glm::dvec3&)>;
+    std::vector<Surface> surfaces_;
 };
 
 // A view with a closed form of the occlusion at the point in the middle of its image. Lengths are in units of

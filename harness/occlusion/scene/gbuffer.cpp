@@ -8,15 +8,6 @@
 namespace gloam::scene {
 namespace {
 
-std::uint32_t pixels_of(double guard, std::uint32_t side) {
-    return static_cast<std::uint32_t>(std::floor(guard * side + 0.5));
-}
-
-// The factor (1 + 2 guard) along one axis.
-double widening(std::uint32_t side, std::uint32_t border) {
-    return (side + 2.0 * border) / side;
-}
-
 // Motion from within the band is invalid for the frame.
 void keep_motion_inside(GBuffer& frame) {
     const glm::vec2 size(frame.extent.width, frame.extent.height);
@@ -59,12 +50,36 @@ void surround(std::vector<Texel>& image, gpu::Extent extent, const Border& borde
     image = std::move(result);
 }
 
+// Calls `visit(image, its value at the background)` for each image but those of GBuffer::stored.
+template <class Visit>
+void for_each_image(GBuffer& view, const Visit& visit) {
+    constexpr float background = std::numeric_limits<float>::infinity();
+    for (std::vector<float>* depths : {&view.depth, &view.previous_depth}) visit(*depths, background);
+    for (std::vector<float>& layer : view.layers) visit(layer, background);
+    for (auto* vectors : {&view.normal, &view.motion, &view.color, &view.previous_position})
+        visit(*vectors, glm::vec3(0));
+    visit(view.object, std::uint32_t{0});
+    visit(view.triangle, std::numeric_limits<std::uint32_t>::max());
+}
+
 }  // namespace
+
+void require_images(const GBuffer& view, const char* who) {
+    const std::size_t pixels = std::size_t{view.extent.width} * view.extent.height;
+    const auto fits = [&](const auto& image) { return image.empty() || image.size() == pixels; };
+    if (view.depth.size() == pixels && fits(view.normal) && fits(view.color)) return;
+    throw std::invalid_argument(fmt::format("{}: {} depths, {} normals and {} colours for {} x {} pixels",
+                                            who, view.depth.size(), view.normal.size(), view.color.size(),
+                                            view.extent.width, view.extent.height));
+}
 
 gpu::Extent guard_border(gpu::Extent frame, double guard) {
     if (!(guard >= 0.0 && guard <= 0.5))
         throw std::invalid_argument(fmt::format("guard {:g}: expected 0 to 0.5", guard));
-    return {pixels_of(guard, frame.width), pixels_of(guard, frame.height)};
+    const auto pixels = [&](double side) {
+        return static_cast<std::uint32_t>(std::floor(guard * side + 0.5));
+    };
+    return {pixels(frame.width), pixels(frame.height)};
 }
 
 gpu::Extent with_border(gpu::Extent frame, const Border& border) {
@@ -85,7 +100,7 @@ gpu::Extent frame_of(const GBuffer& view) {
 Camera with_border(const Camera& camera, gpu::Extent frame, gpu::Extent border) {
     if (border == gpu::Extent{}) return camera;
     Camera wider = camera;
-    const double factor = widening(frame.height, border.height);
+    const double factor = (frame.height + 2.0 * border.height) / frame.height;  // 1 + 2 guard
     wider.fovy_rad = 2.0 * std::atan(factor * std::tan(0.5 * camera.fovy_rad));
     wider.view_height = factor * camera.view_height;
     return wider;
@@ -96,19 +111,12 @@ GBuffer cropped(const GBuffer& view) {
     const gpu::Extent frame = frame_of(view);
     const glm::ivec2 lacks(glm::ivec2(view.border.left, view.border.top) -
                            glm::ivec2(view.border.right, view.border.bottom));
-    GBuffer inner{.extent = frame,
-                  .depth = cropped(view, view.depth),
-                  .normal = cropped(view, view.normal),
-                  .motion = cropped(view, view.motion),
-                  .previous_depth = cropped(view, view.previous_depth),
-                  .color = cropped(view, view.color),
-                  .camera = view.camera,
-                  .ao_radius = view.ao_radius,
-                  .off_centre = view.off_centre + lacks,
-                  .previous_position = cropped(view, view.previous_position),
-                  .object = cropped(view, view.object),
-                  .triangle = cropped(view, view.triangle)};
-    for (const std::vector<float>& layer : view.layers) inner.layers.push_back(cropped(view, layer));
+    GBuffer inner = view;
+    for_each_image(inner, [&](auto& image, const auto&) { image = cropped(view, image); });
+    inner.extent = frame;
+    inner.border = {};
+    inner.off_centre += lacks;
+    inner.stored.reset();
     inner.camera.proj_vk = reframed(view.camera.proj_vk, view.extent, frame, lacks);
     keep_motion_inside(inner);
     return inner;
@@ -123,19 +131,14 @@ Border centring_border(const GBuffer& view) {
 GBuffer centred(GBuffer view) {
     const Border lack = centring_border(view);
     if (lack == Border{}) return view;
-    constexpr float background = std::numeric_limits<float>::infinity();
     const auto widen = [&](auto& image, const auto& around) { surround(image, view.extent, lack, around); };
     if (view.stored) {
-        const double stored = stored_depth(double{background}, view.stored->encoding, view.camera);
+        constexpr double background = std::numeric_limits<double>::infinity();
+        const double stored = stored_depth(background, view.stored->encoding, view.camera);
         widen(view.stored->depth, static_cast<float>(stored));
         widen(view.stored->normal, glm::vec3(0));
     }
-    for (std::vector<float>* depths : {&view.depth, &view.previous_depth}) widen(*depths, background);
-    for (std::vector<float>& layer : view.layers) widen(layer, background);
-    for (auto* vectors : {&view.normal, &view.motion, &view.color, &view.previous_position})
-        widen(*vectors, glm::vec3(0));
-    widen(view.object, std::uint32_t{0});
-    widen(view.triangle, std::numeric_limits<std::uint32_t>::max());
+    for_each_image(view, widen);
     const gpu::Extent wide = with_border(view.extent, lack);
     view.camera.proj_vk = reframed(view.camera.proj_vk, view.extent, wide, -view.off_centre);
     view.extent = wide;

@@ -78,6 +78,10 @@ struct GBuffer {
     std::vector<std::uint32_t> triangle;       // counted over all meshes; background 2^32 - 1
 };
 
+// Throws std::invalid_argument that begins with `who` unless depth has an element for each pixel, and normals
+// and colours have one too, or none.
+void require_images(const GBuffer& view, const char* who);
+
 // A guard band (TSSAO-BORDER): the view is rendered larger, so that surfaces near the frame's edge have
 // neighbours, and the result is cropped. The band is a whole number of pixels on each side, and the larger
 // projection follows from these pixels. The frame's pixels therefore have the same view rays as without a
@@ -144,6 +148,17 @@ class PixelPositions {
                                 static_cast<double>(pixel / width_) + 0.5);
         const glm::dvec2 ndc = (2.0 * (center + aside) + off_centre_) / size_ - 1.0;
         return {ndc / scale_ * (orthographic_ ? 1.0 : depth), -depth};
+    }
+
+    // The view ray through the centre of a pixel. Its direction is 1 long along the view axis, so that
+    // distances are depths.
+    struct Ray {
+        glm::dvec3 origin;
+        glm::dvec3 direction;
+    };
+    [[nodiscard]] Ray ray(std::size_t pixel, const glm::dvec2& aside = {0, 0}) const {
+        const glm::dvec3 first = at(pixel, 1.0, aside);
+        return orthographic_ ? Ray{{first.x, first.y, 0}, {0, 0, -1}} : Ray{{0, 0, 0}, first};
     }
 
     // Position of a view-space point in the image, in pixels from the top left corner; the centre of the
