@@ -23,8 +23,8 @@ constexpr std::size_t longest_description = std::size_t{1} << 20;  // bytes
 constexpr std::size_t longest_message = 300;
 
 // Throws without the file's name; read_frame_json adds it.
-[[noreturn]] void fail_to_read(const std::string& what) {
-    throw std::runtime_error(what);
+[[noreturn]] void fail_to_read(const char* key, const std::string& what) {
+    throw std::runtime_error(fmt::format("\"{}\"{}", key, what));
 }
 
 // The value that was found instead, for a message.
@@ -39,9 +39,8 @@ bool is_given(const json& object, const char* key) {
 }
 
 double number(const json& object, const char* key) {
-    if (!is_given(object, key)) fail_to_read(std::string("\"") + key + "\" is missing, expected a number");
-    if (!object[key].is_number())
-        fail_to_read(std::string("\"") + key + "\": expected a number" + found(object[key]));
+    if (!is_given(object, key)) fail_to_read(key, " is missing, expected a number");
+    if (!object[key].is_number()) fail_to_read(key, ": expected a number" + found(object[key]));
     return object[key].get<double>();
 }
 
@@ -60,10 +59,8 @@ std::vector<std::uint32_t> pixels_in(const json& list) {
 
 std::uint32_t side(const json& object, const char* key) {
     const double value = number(object, key);
-    if (!(value >= 1.0 && value <= longest_side && value == std::floor(value))) {
-        fail_to_read(std::string("\"") + key + "\": expected whole pixels from 1 to 65536" +
-                     found(object[key]));
-    }
+    if (!(value >= 1.0 && value <= longest_side && value == std::floor(value)))
+        fail_to_read(key, ": expected whole pixels from 1 to 65536" + found(object[key]));
     return static_cast<std::uint32_t>(value);
 }
 
@@ -80,16 +77,15 @@ bool is_invertible(const glm::dmat4& matrix) {
 
 // A matrix with an inverse: sixteen numbers, column after column.
 glm::dmat4 matrix(const json& object, const char* key) {
-    const std::string name = std::string("\"") + key + "\"";
     const json& values = object[key];
-    if (!values.is_array() || values.size() != 16) fail_to_read(name + ": expected an array of 16 numbers");
+    if (!values.is_array() || values.size() != 16) fail_to_read(key, ": expected an array of 16 numbers");
     glm::dmat4 result(0.0);
     for (int i = 0; i < 16; ++i) {
         const json& value = values[static_cast<std::size_t>(i)];
-        if (!value.is_number()) fail_to_read(name + ": expected 16 numbers" + found(value));
+        if (!value.is_number()) fail_to_read(key, ": expected 16 numbers" + found(value));
         result[i / 4][i % 4] = value.get<double>();
     }
-    if (!is_invertible(result)) fail_to_read(name + ": the matrix cannot be inverted");
+    if (!is_invertible(result)) fail_to_read(key, ": the matrix cannot be inverted");
     return result;
 }
 
@@ -110,17 +106,18 @@ glm::dvec2 off_centre_of(const glm::mat4& projection, gpu::Extent extent) {
     const bool shape = projection[0][0] != 0.0F && projection[1][1] != 0.0F && !skewed;
     const bool kind = orthographic ? projection[3][3] == 1.0F : projection[2][3] == -1.0F;
     if (!shape || !kind)
-        fail_to_read("\"camera\": expected a perspective or orthographic projection without skew");
+        fail_to_read("camera", ": expected a perspective or orthographic projection without skew");
     const glm::dvec2 lacks = glm::dvec2(offset) * glm::dvec2(extent.width, extent.height);
     if (std::abs(lacks.x) <= longest_side && std::abs(lacks.y) <= longest_side) return lacks;
-    fail_to_read(fmt::format(
-        "\"camera\": the projection is off centre by {:.4g} and {:.4g} pixels, expected at most {}",
-        0.5 * lacks.x, 0.5 * lacks.y, 0.5 * longest_side));
+    fail_to_read(
+        "camera",
+        fmt::format(": the projection is off centre by {:.4g} and {:.4g} pixels, expected at most {}",
+                    0.5 * lacks.x, 0.5 * lacks.y, 0.5 * longest_side));
 }
 
 CameraFrame camera_of(const json& camera) {
-    if (!camera.is_object()) fail_to_read("\"camera\": expected an object");
-    if (!is_given(camera, "view")) fail_to_read("\"view\" is missing, expected an array of 16 numbers");
+    if (!camera.is_object()) fail_to_read("camera", ": expected an object");
+    if (!is_given(camera, "view")) fail_to_read("view", " is missing, expected an array of 16 numbers");
     CameraFrame frame{.view = glm::mat4(matrix(camera, "view"))};
     if (is_given(camera, "proj_vk")) {
         frame.proj_vk = glm::mat4(matrix(camera, "proj_vk"));
@@ -142,9 +139,9 @@ Border border_of(const json& root, gpu::Extent extent) {
     if (n.size() == 2) n.insert(n.end(), {n[0], n[1]});
     if (n.size() == 4 && n[0] + n[2] < extent.width && n[1] + n[3] < extent.height)
         return {n[0], n[1], n[2], n[3]};
-    fail_to_read(
-        "\"border\": expected two or four whole numbers of pixels that leave a frame of at least one" +
-        found(root["border"]));
+    fail_to_read("border",
+                 ": expected two or four whole numbers of pixels that leave a frame of at least one" +
+                     found(root["border"]));
 }
 
 // What is around the viewport in an image.
@@ -153,15 +150,15 @@ Border around_viewport(const json& root, gpu::Extent image) {
     const std::vector<std::uint32_t> n = pixels_in(root["viewport"]);
     if (n.size() == 4 && n[2] > 0 && n[3] > 0 && n[0] + n[2] <= image.width && n[1] + n[3] <= image.height)
         return {n[0], n[1], image.width - n[0] - n[2], image.height - n[1] - n[3]};
-    fail_to_read(fmt::format("\"viewport\": expected [x, y, width, height], whole pixels within {} x {}{}",
-                             image.width, image.height, found(root["viewport"])));
+    fail_to_read("viewport", fmt::format(": expected [x, y, width, height], whole pixels within {} x {}{}",
+                                         image.width, image.height, found(root["viewport"])));
 }
 
 FrameDescription parse(const std::string& text) {
     base::require_bounded_json(text);
     const json root = json::parse(text);
     if (!root.is_object() || !is_given(root, "camera"))
-        fail_to_read("expected an object with \"camera\" in it");
+        throw std::runtime_error("expected an object with \"camera\" in it");
     const gpu::Extent image{side(root, "width"), side(root, "height")};
     FrameDescription frame{.around = around_viewport(root, image)};
     frame.extent = frame_of({.extent = image, .border = frame.around});
@@ -171,7 +168,7 @@ FrameDescription parse(const std::string& text) {
     if (is_given(root, "ao_radius")) {
         frame.ao_radius = number(root, "ao_radius");
         if (!(*frame.ao_radius > 0.0))
-            fail_to_read("\"ao_radius\": expected a length > 0" + found(root["ao_radius"]));
+            fail_to_read("ao_radius", ": expected a length > 0" + found(root["ao_radius"]));
     }
     return frame;
 }

@@ -5,6 +5,8 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
@@ -23,32 +25,21 @@ using Names = std::vector<std::string>;
 constexpr std::int64_t longest_side = 65'536;
 constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
 
-Names all_names(const Imf::ChannelList& channels) {
-    Names names;
-    for (auto i = channels.begin(); i != channels.end(); ++i) names.emplace_back(i.name());
-    return names;
-}
-
-bool has_all(const Imf::ChannelList& channels, const Names& names) {
-    for (const std::string& name : names) {
-        if (channels.findChannel(name) == nullptr) return false;
-    }
-    return true;
-}
-
+// The first known set of names of which the file has all; for one channel its only one, whatever its name.
 Names choose(const Imf::ChannelList& channels, int count) {
     const std::vector<Names> known = count == 1 ? std::vector<Names>{{"Y"}, {"Z"}, {"R"}, {"depth"}}
                                                 : std::vector<Names>{{"R", "G", "B"}, {"X", "Y", "Z"}};
-    for (const Names& names : known) {
-        if (has_all(channels, names)) return names;
-    }
-    const Names found = all_names(channels);
+    Names found;
+    for (auto i = channels.begin(); i != channels.end(); ++i) found.emplace_back(i.name());
+    for (const Names& names : known)
+        if (std::ranges::all_of(names,
+                                [&](const auto& name) { return channels.findChannel(name) != nullptr; }))
+            return names;
     if (count == 1 && found.size() == 1) return found;
-    std::string text;
-    for (const std::string& name : found) text += (text.empty() ? "" : ", ") + name;
     throw std::runtime_error(
-        (count == 1 ? "expected one channel (Y, Z, R or depth)" : "expected channels R, G, B or X, Y, Z") +
-        (", found " + text));
+        fmt::format("expected {}, found {}",
+                    count == 1 ? "one channel (Y, Z, R or depth)" : "channels R, G, B or X, Y, Z",
+                    fmt::join(found, ", ")));
 }
 
 base::FloatImage read(const std::string& file, int channels) {
@@ -58,10 +49,9 @@ base::FloatImage read(const std::string& file, int channels) {
     const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
     if (width < 1 || height < 1 || width > longest_side || height > longest_side ||
         width * height > most_pixels)
-        throw std::runtime_error("a data window of " + std::to_string(width) + " x " +
-                                 std::to_string(height) + ", expected sides of 1 to " +
-                                 std::to_string(longest_side) + " and at most " +
-                                 std::to_string(most_pixels) + " pixels");
+        throw std::runtime_error(
+            fmt::format("a data window of {} x {}, expected sides of 1 to {} and at most {} pixels", width,
+                        height, longest_side, most_pixels));
     base::FloatImage image{.width = static_cast<std::uint32_t>(width),
                            .height = static_cast<std::uint32_t>(height),
                            .channels = channels,

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "scene/read_gbuffer.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
-#include <optional>
 #include <stdexcept>
 
 #include "scene/contradictions.hpp"
@@ -21,8 +22,8 @@ namespace fs = std::filesystem;
 }
 
 std::string size_text(gpu::Extent extent, int channels) {
-    return std::to_string(extent.width) + "x" + std::to_string(extent.height) + " with " +
-           std::to_string(channels) + (channels == 1 ? " channel" : " channels");
+    return fmt::format("{}x{} with {} channel{}", extent.width, extent.height, channels,
+                       channels == 1 ? "" : "s");
 }
 
 // Reads the viewport of the image with this stem, PFM or EXR; no texels if neither exists.
@@ -56,7 +57,7 @@ bool is_finite(const glm::vec3& v) {
 
 // Unit normals; 0 for invalid ones and at the background. Normals of 16-bit files have lengths slightly
 // different from 1.
-std::vector<glm::vec3> with_unit_length(std::vector<glm::vec3> normals, const std::vector<float>& depth) {
+void make_unit(std::vector<glm::vec3>& normals, const std::vector<float>& depth) {
     for (std::size_t i = 0; i < normals.size(); ++i) {
         const glm::dvec3 n = normals[i];
         const double square = is_finite(normals[i]) && std::isfinite(depth[i]) ? glm::dot(n, n) : 0.0;
@@ -66,13 +67,17 @@ std::vector<glm::vec3> with_unit_length(std::vector<glm::vec3> normals, const st
             normals[i] = glm::vec3(n / std::sqrt(square));
         }
     }
-    return normals;
 }
 
-// Albedo clamped to [0, 1]; NaN becomes 0.
-std::vector<glm::vec3> within_unit(std::vector<glm::vec3> colors) {
-    for (glm::vec3& color : colors) color = is_finite(color) ? glm::clamp(color, 0.0F, 1.0F) : glm::vec3(0);
-    return colors;
+// The images as GBuffer has them. Motion that is not finite becomes 0, no history; albedo that is not, 0.
+void convert(GBuffer& gbuffer, const Encoding& encoding) {
+    for (float& depth : gbuffer.depth) depth = linear_depth(depth, encoding, gbuffer.camera);
+    if (encoding != Encoding{})
+        for (glm::vec3& normal : gbuffer.normal) normal = view_normal(normal, encoding, gbuffer.camera);
+    make_unit(gbuffer.normal, gbuffer.depth);
+    for (glm::vec3& m : gbuffer.motion) m = is_finite(m) ? m : glm::vec3(0);
+    for (glm::vec3& color : gbuffer.color)
+        color = is_finite(color) ? glm::clamp(color, 0.0F, 1.0F) : glm::vec3(0);
 }
 
 // Reads PREFIX_layer1 and so on, up to the first missing one.
@@ -90,21 +95,6 @@ std::vector<std::vector<float>> read_layers(const fs::path& stem, const FrameDes
         layers.push_back(std::move(layer));
     }
     return layers;
-}
-
-// Motion that is not finite is set to 0: no history.
-std::vector<glm::vec3> with_finite_motion(std::vector<glm::vec3> motion) {
-    for (glm::vec3& m : motion) {
-        if (!is_finite(m)) m = glm::vec3(0);
-    }
-    return motion;
-}
-
-std::vector<float> with_background_at_infinity(std::vector<float> depth) {
-    for (float& d : depth) {
-        if (!(d > 0.0F && std::isfinite(d))) d = std::numeric_limits<float>::infinity();
-    }
-    return depth;
 }
 
 // An orthographic projection shows what lies behind the eye's plane as well, where its near plane has a
@@ -144,34 +134,21 @@ int whole_off_centre(double pixels, int before) {
     return static_cast<int>(std::lround(pixels));
 }
 
-// The frame number in a file name such as "f0012.json"; nullopt for any other name.
-std::optional<int> frame_of(const std::string& name) {
-    constexpr std::size_t digits = 4;
-    const std::string number = name.substr(std::min<std::size_t>(1, name.size()), digits);
-    const bool all_digits = number.find_first_not_of("0123456789") == std::string::npos;
-    if (number.size() != digits || !all_digits || name != "f" + number + ".json") return std::nullopt;
-    return std::stoi(number);
-}
-
-void decode(GBuffer& gbuffer, const Encoding& encoding) {
-    for (float& depth : gbuffer.depth) depth = linear_depth(depth, encoding, gbuffer.camera);
-    for (glm::vec3& normal : gbuffer.normal) normal = view_normal(normal, encoding, gbuffer.camera);
-}
-
 }  // namespace
 
 std::string frame_prefix(int frame) {
     if (frame < 0 || frame > 9999)
-        throw std::invalid_argument("frame " + std::to_string(frame) + ": expected 0 to 9999");
-    const std::string digits = std::to_string(frame);
-    return "f" + std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits;
+        throw std::invalid_argument(fmt::format("frame {}: expected 0 to 9999", frame));
+    return fmt::format("f{:04}", frame);
 }
 
 std::vector<int> frames_of(const fs::path& directory) {
     std::error_code error;
     std::vector<int> frames;
     for (fs::directory_iterator i(directory, error), end; !error && i != end; i.increment(error)) {
-        if (const auto frame = frame_of(i->path().filename().string())) frames.push_back(*frame);
+        const std::string name = i->path().filename().string();
+        const int frame = name.starts_with('f') ? std::atoi(name.c_str() + 1) : -1;
+        if (frame >= 0 && frame <= 9999 && name == frame_prefix(frame) + ".json") frames.push_back(frame);
     }
     if (error) fail_with_frame(directory, "cannot be read: " + error.message());
     if (frames.empty()) fail_with_frame(directory, "no frames in it, expected f0000.json and so on");
@@ -190,9 +167,9 @@ GBuffer read_gbuffer(const fs::path& directory, int frame, const Encoding& encod
     GBuffer gbuffer{.extent = description.extent,
                     .depth = numbers("_depth"),
                     .normal = vectors("_normal"),
-                    .motion = with_finite_motion(vectors("_motion")),
+                    .motion = vectors("_motion"),
                     .previous_depth = numbers("_previous_depth"),
-                    .color = within_unit(vectors("_color")),
+                    .color = vectors("_color"),
                     .camera = description.camera,
                     .ao_radius = description.ao_radius,
                     .border = description.border};
@@ -205,9 +182,7 @@ GBuffer read_gbuffer(const fs::path& directory, int frame, const Encoding& encod
     if (gbuffer.depth.empty()) fail_with_frame(stem.string() + "_depth.pfm", "is missing (and so is .exr)");
     move_in_front_of_the_eye(gbuffer, encoding);
     StoredInputs as_stored{.encoding = encoding, .depth = gbuffer.depth, .normal = gbuffer.normal};
-    if (encoding != Encoding{}) decode(gbuffer, encoding);
-    gbuffer.depth = with_background_at_infinity(std::move(gbuffer.depth));
-    gbuffer.normal = with_unit_length(std::move(gbuffer.normal), gbuffer.depth);
+    convert(gbuffer, encoding);
     const std::string contradiction = contradiction_of(gbuffer, as_stored);
     if (!contradiction.empty()) fail_with_frame(stem, contradiction);
     if (encoding != Encoding{}) gbuffer.stored = std::move(as_stored);
