@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Views by rays: against surfaces in closed form, pixel by pixel.
-#include "scene/draw.hpp"
-#include "scene/analytic_scene.hpp"
-#include "scene/mesh.hpp"
 #include "scene/support.hpp"
 
 namespace gloam::scene::test::draw_test {
 
 constexpr double far_off = std::numeric_limits<double>::infinity();
-constexpr auto nothing = static_cast<float>(far_off);
 
 // A floor through the near plane, a box that stands still, and one that turns and moves, under a moving
 // camera.
@@ -124,11 +120,8 @@ const std::vector<Row> rows{
 // The surfaces under a point of a pixel.
 std::vector<Surface> under(const GBuffer& view, const Solids& solids, const Camera& camera, std::size_t pixel,
                            const glm::dvec2& aside = {0, 0}) {
-    const PixelPositions positions(view);
-    const glm::dvec3 first = positions.at(pixel, 1.0, aside);
-    if (positions.orthographic())
-        return solids.along({first.x, first.y, 0}, {0, 0, -1}, camera.near, camera.far);
-    return solids.along({0, 0, 0}, first, camera.near, camera.far);
+    const auto [origin, direction] = PixelPositions(view).ray(pixel, aside);
+    return solids.along(origin, direction, camera.near, camera.far);
 }
 
 // Whether the same surfaces are seen a hundredth of a pixel aside: no edge is there.
@@ -144,7 +137,7 @@ void expect_surface(const GBuffer& view, std::size_t i, const std::vector<Surfac
     EXPECT_EQ(view.object[i], want[0].object) << i;
     for (std::size_t k = 0; k < view.layers.size(); ++k) {
         if (k + 1 >= want.size()) {
-            EXPECT_EQ(view.layers[k][i], nothing) << i << ' ' << k;
+            EXPECT_EQ(view.layers[k][i], infinity) << i << ' ' << k;
             continue;
         }
         const Surface& layer = want[k + 1];
@@ -159,7 +152,7 @@ void expect_motion(const GBuffer& view, std::size_t i, const Camera& like, int f
     const Camera before = camera_of(like, std::max(frame - 1, 0));
     const PixelPositions positions(view);
     const glm::dvec3 here = positions.at(i, double{view.depth[i]});
-    glm::dvec3 world = now.eye + glm::transpose(view_rotation(now)) * here;
+    glm::dvec3 world = world_of(view, now, i);
     if (view.object[i] > 0)
         world = motion_of(std::max(frame - 1, 0)) * glm::inverse(motion_of(frame)) * glm::dvec4(world, 1.0);
     const glm::dvec3 then = view_rotation(before) * (world - before.eye);
@@ -175,11 +168,9 @@ void expect_motion(const GBuffer& view, std::size_t i, const Camera& like, int f
 // The facet of the triangle that a pixel names is the pixel's.
 void expect_triangle(const GBuffer& view, std::size_t i, const Mesh& mesh) {
     ASSERT_LT(view.triangle[i], mesh.triangle_count());
-    const std::uint32_t* corner = &mesh.indices[3 * std::size_t{view.triangle[i]}];
-    const glm::dvec3 a = mesh.positions[corner[0]];
-    const glm::dvec3 normal = glm::normalize(
-        glm::cross(glm::dvec3(mesh.positions[corner[1]]) - a, glm::dvec3(mesh.positions[corner[2]]) - a));
-    EXPECT_LT(std::abs(glm::dot(normal, PixelPositions(view).at(i, double{view.depth[i]}) - a)), 1e-5) << i;
+    const glm::dvec3 a = mesh.positions[mesh.indices[3 * std::size_t{view.triangle[i]}]];
+    const glm::dvec3 at = PixelPositions(view).at(i, double{view.depth[i]});
+    EXPECT_LT(std::abs(glm::dot(glm::normalize(area_of(mesh, view.triangle[i])), at - a)), 1e-5) << i;
 }
 
 TEST(Draw, ShowsTheClosedForm) {
@@ -204,7 +195,7 @@ TEST(Draw, ShowsTheClosedForm) {
                 continue;
             ++seen.at(want.size());
             if (want.empty()) {
-                EXPECT_EQ(view.depth[i], nothing) << i;
+                EXPECT_EQ(view.depth[i], infinity) << i;
                 EXPECT_EQ(view.normal[i], glm::vec3(0));
                 EXPECT_EQ(view.motion[i], glm::vec3(0));
                 EXPECT_EQ(view.previous_position[i], glm::vec3(0));
@@ -225,7 +216,7 @@ TEST(Draw, ShowsTheClosedForm) {
 
 // Smooth normals at the rim of a coarse sphere tip away from the viewer; none may be handed on like that.
 TEST(Draw, NormalsFaceTheViewer) {
-    for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+    for (const Projection projection : projections) {
         Scene scene{.name = "sphere", .mesh = make_sphere({0, 0, 0}, 1.0, 6, 10)};
         scene.camera = {
             .eye = {0.5, 1, 3}, .target = {0, 0, 0}, .projection = projection, .view_height = 2.4};
@@ -279,7 +270,7 @@ TEST(Draw, EachLayerLiesBehindTheOneBefore) {
             float before = view.depth[i];
             for (const std::vector<float>& layer : view.layers) {
                 const float depth = std::abs(layer[i]);
-                ASSERT_TRUE(depth > before || layer[i] == nothing) << name << ' ' << i;
+                ASSERT_TRUE(depth > before || layer[i] == infinity) << name << ' ' << i;
                 further += std::isfinite(depth) ? 1 : 0;
                 before = depth;
             }

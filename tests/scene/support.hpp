@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/image_files.hpp"
+#include "scene/analytic_scene.hpp"
+#include "scene/draw.hpp"
 #include "scene/read_gbuffer.hpp"
 #include "support/environment.hpp"
 #include "support/files.hpp"
 
 namespace gloam::scene::test {
+
+inline constexpr std::array projections{Projection::perspective, Projection::orthographic};
 
 inline std::vector<float> components(const std::vector<glm::vec3>& vectors) {
     std::vector<float> values;
@@ -13,29 +18,79 @@ inline std::vector<float> components(const std::vector<glm::vec3>& vectors) {
     return values;
 }
 
-// A portable float map of texels that come with their rows from the top.
+// Of texels that come with their rows from the top.
 inline std::string pfm_text(gpu::Extent extent, const std::vector<float>& texels) {
-    const std::size_t row = texels.size() / extent.height;
-    std::string text = (row == extent.width ? "Pf\n" : "PF\n") + std::to_string(extent.width) + " " +
-                       std::to_string(extent.height) + "\n-1.0\n";
-    for (std::size_t y = extent.height; y-- > 0;) {
-        const auto begin = texels.begin() + static_cast<std::ptrdiff_t>(y * row);
-        text += bytes({begin, begin + static_cast<std::ptrdiff_t>(row)}, true);
-    }
-    return text;
+    const int channels = texels.size() == std::size_t{extent.width} * extent.height ? 1 : 3;
+    return base::to_pfm(texels, extent.width, extent.height, channels);
 }
 
 // Writes a frame as an engine would.
 inline void write_frame(const TemporaryDirectory& folder, int frame, const GBuffer& gbuffer) {
     const std::string prefix = frame_prefix(frame);
     folder.write(prefix + ".json", frame_json(gbuffer, frame));
-    folder.write(prefix + "_depth.pfm", pfm_text(gbuffer.extent, gbuffer.depth));
-    if (!gbuffer.normal.empty())
-        folder.write(prefix + "_normal.pfm", pfm_text(gbuffer.extent, components(gbuffer.normal)));
-    if (!gbuffer.motion.empty())
-        folder.write(prefix + "_motion.pfm", pfm_text(gbuffer.extent, components(gbuffer.motion)));
-    if (!gbuffer.previous_depth.empty())
-        folder.write(prefix + "_previous_depth.pfm", pfm_text(gbuffer.extent, gbuffer.previous_depth));
+    const auto write = [&](const std::string& name, const std::vector<float>& texels) {
+        if (!texels.empty()) folder.write(prefix + name + ".pfm", pfm_text(gbuffer.extent, texels));
+    };
+    write("_depth", gbuffer.depth);
+    write("_normal", components(gbuffer.normal));
+    write("_motion", components(gbuffer.motion));
+    write("_previous_depth", gbuffer.previous_depth);
+    for (std::size_t i = 0; i < gbuffer.layers.size(); ++i)
+        write("_layer" + std::to_string(i + 1), gbuffer.layers[i]);
 }
+
+// A floor before a wall, all of it visible, 33 x 33 pixels.
+inline GBuffer floor_and_wall(Projection projection = Projection::perspective) {
+    const std::vector<ClosedFormView> views = closed_form_views(projection);
+    const auto view = std::ranges::find_if(views, [](const auto& v) { return v.name.starts_with("wall"); });
+    GBuffer buffer = draw(*view, 33);
+    buffer.border = {};
+    return buffer;
+}
+
+// The point of the world that a pixel shows.
+inline glm::dvec3 world_of(const GBuffer& view, const Camera& camera, std::size_t pixel) {
+    return camera.eye +
+           glm::transpose(view_rotation(camera)) * PixelPositions(view).at(pixel, double{view.depth[pixel]});
+}
+
+// Of a triangle, by its normal; its length is twice the area.
+inline glm::dvec3 area_of(const Mesh& mesh, std::size_t triangle) {
+    const std::uint32_t* corner = &mesh.indices[3 * triangle];
+    const glm::dvec3 a = mesh.positions[corner[0]];
+    return glm::cross(glm::dvec3(mesh.positions[corner[1]]) - a, glm::dvec3(mesh.positions[corner[2]]) - a);
+}
+
+// Unit normals, indices in range, and each triangle winds counter-clockwise around its normals.
+inline void expect_whole(const Mesh& mesh) {
+    ASSERT_GT(mesh.triangle_count(), 0U);
+    ASSERT_EQ(mesh.normals.size(), mesh.positions.size());
+    for (const std::uint32_t index : mesh.indices) ASSERT_LT(index, mesh.positions.size());
+    for (const glm::vec3& normal : mesh.normals) ASSERT_NEAR(glm::length(normal), 1.0F, 1e-5F);
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i)
+        ASSERT_GE(glm::dot(area_of(mesh, i / 3), glm::dvec3(mesh.normals[mesh.indices[i]])), -1e-9) << i;
+}
+
+// How often an estimate was further from the truth than 1, 2 and 3 of its own standard errors.
+struct Tally {
+    double points = 0.0;
+    std::array<double, 3> beyond{};
+
+    void add(double error, double standard_error) {
+        points += 1.0;
+        for (std::size_t k = 0; k < beyond.size(); ++k)
+            if (error > static_cast<double>(k + 1) * standard_error) beyond[k] += 1.0;
+    }
+
+    // The mean of 16 parts over its estimated error: Student's t with 15 degrees of freedom.
+    void expect_student(double least_points) const {
+        const std::array<double, 3> expected{0.3332, 0.0640, 0.0090};
+        EXPECT_GT(points, least_points);
+        for (std::size_t k = 0; k < expected.size(); ++k) {
+            const double deviation = std::sqrt(expected[k] * (1.0 - expected[k]) / points);
+            EXPECT_NEAR(beyond[k] / points, expected[k], 4.0 * deviation) << k + 1;
+        }
+    }
+};
 
 }  // namespace gloam::scene::test

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+// Frames that follow each other, and views larger than their frame.
+#include "scene/support.hpp"
+
+namespace gloam::scene::test::frames_test {
+
+GBuffer shot(const Scene& scene, int number, double guard = 0.0) {
+    return draw(scene, {96, 54}, {.frame = number, .motion = true, .ids = true, .guard = guard});
+}
+
+// As an engine would write it and gloam reads it.
+GBuffer from_files(GBuffer view, bool previous_depth) {
+    if (previous_depth) {
+        for (const glm::vec3& p : view.previous_position) view.previous_depth.push_back(0.0F - p.z);
+    }
+    const TemporaryDirectory folder;
+    write_frame(folder, 3, view);
+    return read_gbuffer(folder.path(), 3);
+}
+
+// A sequence read from files is linked as draw() links it. Without depths of the frame before the cameras
+// tell: what stands still is where it was, and the objects of this scene hardly move towards the eye.
+TEST(FrameLink, PositionsComeBackFromFiles) {
+    const Scene scene = make_scene("moving");
+    for (const auto& [guard, depths, tolerance] :
+         {std::tuple{0.0, true, 3e-6F}, {0.1, true, 3e-6F}, {0.0, false, 0.02F}}) {
+        const GBuffer before = from_files(shot(scene, 8, guard), depths);
+        const GBuffer drawn = shot(scene, 9, guard);
+        GBuffer read = from_files(drawn, depths);
+        EXPECT_TRUE(read.previous_position.empty());
+        ASSERT_EQ(cut_between(before, read), "");
+        link(read, before);
+        ASSERT_EQ(read.previous_position.size(), drawn.depth.size());
+        EXPECT_EQ(read.camera.previous_from_current, drawn.camera.previous_from_current);
+        for (std::size_t i = 0; i < drawn.depth.size(); ++i)
+            EXPECT_LT(glm::distance(read.previous_position[i], drawn.previous_position[i]),
+                      tolerance * drawn.depth[i])
+                << i;
+    }
+}
+
+TEST(FrameLink, WithoutMotionTheMatricesTell) {
+    const Scene scene = make_scene("far");  // 128 km from the origin
+    GBuffer drawn = shot(scene, 5);
+    drawn.motion.clear();
+    drawn.previous_position.clear();
+    GBuffer read = from_files(drawn, false);
+    link(read, shot(scene, 4));
+    EXPECT_TRUE(read.previous_position.empty());
+    EXPECT_EQ(read.camera.previous_from_current, drawn.camera.previous_from_current);
+
+    GBuffer near = shot(make_scene("room"), 5);
+    const glm::mat4 exact = near.camera.previous_from_current.value();
+    near.camera.previous_from_current.reset();
+    link(near, shot(make_scene("room"), 4));
+    for (int i = 0; i < 16; ++i)
+        EXPECT_NEAR((*near.camera.previous_from_current)[i / 4][i % 4], exact[i / 4][i % 4], 1e-5F) << i;
+}
+
+TEST(FrameLink, CutsAreNamed) {
+    const Scene scene = make_scene("moving");
+    const GBuffer before = shot(scene, 8);
+    const GBuffer view = shot(scene, 9);
+    EXPECT_EQ(cut_between(before, view), "");
+    EXPECT_EQ(cut_between(shot(scene, 7), view), "prev_view is not the view before");
+    GBuffer other = view;
+    other.camera.previous_view.reset();
+    EXPECT_EQ(cut_between(before, other), "") << "previous_from_current is enough";
+    other.camera.previous_from_current.reset();
+    EXPECT_EQ(cut_between(before, other), "there is no prev_view");
+    EXPECT_EQ(cut_between(shot(scene, 8, 0.1), view), "the size has changed");
+}
+
+// Two pixels of depth 2 before a camera that stands still; motion and depth as given.
+glm::vec3 earlier(const glm::vec3& motion, std::vector<float> previous_depth, float depth = 2.0F) {
+    GBuffer view{.extent = {2, 1},
+                 .depth = {depth, depth},
+                 .motion = {motion, glm::vec3(0)},
+                 .previous_depth = std::move(previous_depth),
+                 .camera = make_frame({}, 2.0, {})};
+    link(view, {.extent = {2, 1}, .camera = make_frame({}, 2.0)});
+    return view.previous_position.at(0);
+}
+
+TEST(FrameLink, MotionThatIsNotValid) {
+    const glm::vec3 none(0);
+    EXPECT_EQ(earlier({0, 0, 0}, {}), none) << "it leads into the image, so nothing is known";
+    EXPECT_EQ(earlier({-1, 0, 0}, {}), none);
+    EXPECT_LT(earlier({1, 0, 0}, {}).x, earlier({0, 0, 1}, {}).x) << "outside: that is where it was";
+    EXPECT_EQ(earlier({0, 0, 1}, {3, 3}).z, -3.0F);
+    for (const float bad : {nan, infinity, 0.0F, -1.0F}) EXPECT_EQ(earlier({0, 0, 1}, {bad, 1}), none) << bad;
+    EXPECT_EQ(earlier({0, 0, 1}, {}, infinity), none) << "background";
+    EXPECT_EQ(earlier({0, 0, 1}, {}, nan), none);
+}
+
+TEST(GuardBand, IsWholePixelsOfEachSide) {
+    EXPECT_EQ(guard_border({640, 360}, 0.1), (gpu::Extent{64, 36}));
+    EXPECT_EQ(guard_border({33, 47}, 0.05), (gpu::Extent{2, 2}));  // 1.65 and 2.35
+    EXPECT_EQ(guard_border({5, 4}, 0.1), (gpu::Extent{1, 0}));     // one half is rounded up
+    EXPECT_EQ(guard_border({640, 360}, 0.0), gpu::Extent{});
+    EXPECT_EQ(with_border({640, 360}, gpu::Extent{64, 36}), (gpu::Extent{768, 432}));
+    for (const double bad : {-0.01, 0.51, double{nan}})
+        expect_error<std::invalid_argument>([&] { (void)guard_border({5, 4}, bad); }, {"guard", "0 to 0.5"});
+    for (const gpu::Extent border : {gpu::Extent{4, 0}, gpu::Extent{0, 3}, gpu::Extent{0xFFFFFFFF, 0}})
+        expect_error<std::invalid_argument>([&] { (void)frame_of({.extent = {8, 6}, .border = border}); },
+                                            {"guard band", "no frame"});
+}
+
+// In the projections' own numbers: the pixel centres of the frame are those of the plain view.
+TEST(GuardBand, InnerPixelsLookAlongTheSameRays) {
+    constexpr gpu::Extent frame{160, 90};
+    for (const Projection projection : projections) {
+        for (const double guard : {0.05, 0.1, 0.37, 0.5}) {
+            const Camera camera{.projection = projection};
+            const gpu::Extent border = guard_border(frame, guard);
+            const gpu::Extent wide = with_border(frame, border);
+            const double aspect = static_cast<double>(wide.width) / wide.height;
+            const GBuffer plain{.extent = frame, .camera = make_frame(camera, 16.0 / 9.0)};
+            const GBuffer view{.extent = wide,
+                               .camera = make_frame(with_border(camera, frame, border), aspect),
+                               .border = border};
+            for (const std::size_t inner : {0U, 160U * 90U - 1U, 77U * 160U + 31U}) {
+                const std::size_t outer =
+                    (inner / frame.width + border.height) * wide.width + inner % frame.width + border.width;
+                EXPECT_LT(
+                    glm::distance(PixelPositions(view).at(outer, 3.0), PixelPositions(plain).at(inner, 3.0)),
+                    1e-6)
+                    << guard;
+            }
+        }
+    }
+}
+
+// Every pixel of the frame shows the same as without a band: its ray is the same, but for the rounding of
+// the projection.
+TEST(GuardBand, TheFrameIsThatOfThePlainView) {
+    for (const char* name : {"moving", "columns", "far"}) {
+        const Scene scene = make_scene(name);
+        const GBuffer plain = shot(scene, 2);
+        const GBuffer view = shot(scene, 2, 0.1);
+        EXPECT_EQ(cropped(plain).depth, plain.depth);
+        EXPECT_EQ(view.border, (gpu::Extent{10, 5}));
+        EXPECT_EQ(view.extent, (gpu::Extent{116, 64}));
+        const GBuffer inner = cropped(view);
+        ASSERT_EQ(inner.extent, plain.extent);
+        std::size_t same = 0;
+        for (std::size_t i = 0; i < plain.depth.size(); ++i) {
+            const bool close = std::abs(inner.depth[i] - plain.depth[i]) < 1e-4F * plain.depth[i] &&
+                               glm::distance(inner.normal[i], plain.normal[i]) < 1e-3F &&
+                               glm::distance(inner.motion[i], plain.motion[i]) < 2e-2F &&
+                               inner.object[i] == plain.object[i];
+            same += close || std::isinf(plain.depth[i]) ? 1 : 0;
+        }
+        EXPECT_GT(static_cast<double>(same), 0.995 * static_cast<double>(plain.depth.size())) << name;
+    }
+}
+
+TEST(GuardBand, MotionOutOfTheBandIsNoneForTheFrame) {
+    GBuffer view{.extent = {6, 4}, .border = gpu::Extent{1, 1}};
+    view.depth.assign(24, 1.0F);
+    view.motion.assign(24, glm::vec3(1.0F, 0.0F, 1.0F));  // what is now in the first column was in the band
+    const GBuffer inner = cropped(view);
+    for (std::size_t i = 0; i < inner.motion.size(); ++i)
+        EXPECT_EQ(inner.motion[i].z, i % 4 == 0 ? 0.0F : 1.0F) << i;
+}
+
+// Parts of a view look along the rays of the whole: the frame of a guard band, and an image whose camera's
+// axis is not in its middle, which is written, read and centred.
+TEST(PartsOfViews, HaveTheRaysOfTheWholeView) {
+    for (const Projection projection : projections) {
+        for (const Border& around :
+             {Border(0, 0, 20, 0), Border(15, 0, 0, 0), Border(0, 0, 0, 9), Border(0, 13, 0, 0),
+              Border(12, 0, 0, 5), Border(0, 0, 24, 24), Border(3, 5, 3, 5)}) {
+            GBuffer whole = floor_and_wall(projection);
+            whole.border = around;
+            const GBuffer part = cropped(whole);
+            const TemporaryDirectory folder;
+            write_frame(folder, 0, part);
+            const GBuffer read = read_gbuffer(folder.path(), 0);
+            EXPECT_EQ(read.off_centre, part.off_centre);
+            const bool even = around == Border(around.each_side());
+            EXPECT_EQ(centred(read).extent, even ? part.extent : whole.extent);
+            EXPECT_EQ(cropped(centred(read)).depth, read.depth);
+            const PixelPositions positions(read);
+            for (std::size_t i = 0; i < read.depth.size(); ++i) {
+                const glm::dvec3 at = positions.at(i, 3.0);
+                const glm::dvec2 place = glm::dvec2(i % read.extent.width, i / read.extent.width) + 0.5;
+                ASSERT_LT(glm::distance(positions.pixel_of(at), place), 1e-9) << i;
+                const glm::dvec2 outer = place + glm::dvec2(around.left, around.top);
+                ASSERT_LT(glm::distance(PixelPositions(whole).pixel_of(at), outer), 1e-4) << i;
+            }
+        }
+    }
+}
+
+// three.js gives orthographic cameras a near plane behind the eye: what lies there is part of the picture.
+TEST(OrthographicViews, BehindTheEyesPlaneAreReadAsTheSameView) {
+    const GBuffer view = floor_and_wall(Projection::orthographic);
+    for (const bool reversed : {false, true}) {
+        for (const bool buffer : {false, true}) {
+            const Encoding encoding{.depth_buffer = buffer};
+            glm::dmat4 projection =
+                make_frame({.projection = Projection::orthographic, .reversed_z = reversed}, 1.0).proj_vk;
+            for (const int axis : {0, 1}) projection[axis][axis] = view.camera.proj_vk[axis][axis];
+            const TemporaryDirectory folder;
+            std::vector<GBuffer> read;
+            for (const double by : {0.0, 50.0}) {  // that the eye stands ahead
+                GBuffer moved = view;
+                const glm::dmat4 shift{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, -by, 1}};
+                moved.camera.proj_vk = glm::mat4(projection * shift);
+                moved.camera.view = glm::mat4(glm::inverse(shift) * glm::dmat4(view.camera.view));
+                const CameraFrame unmoved{.proj_vk = glm::mat4(projection)};
+                for (float& d : moved.depth)
+                    d = static_cast<float>(buffer ? stored_depth(double{d}, encoding, unmoved)
+                                                  : double{d} - by);
+                write_frame(folder, 0, moved);
+                read.push_back(read_gbuffer(folder.path(), 0, encoding));
+            }
+            EXPECT_GT(planes_of(read[1].camera.proj_vk).near, 0.0);
+            for (std::size_t i = 0; i < view.depth.size(); ++i) {
+                const auto world = [&](const GBuffer& one) {
+                    return glm::inverse(glm::dmat4(one.camera.view)) *
+                           glm::dvec4(PixelPositions(one).at(i, double{one.depth[i]}), 1.0);
+                };
+                ASSERT_LT(glm::distance(world(read[0]), world(read[1])), 1e-4) << i;
+            }
+        }
+    }
+}
+
+}  // namespace gloam::scene::test::frames_test
