@@ -27,7 +27,7 @@ void expect_same(const FrameQuality& one, const FrameQuality& other) {
 class ConfigurationStudyTest : public effect::OnDevice<testing::Test> {
   protected:
     [[nodiscard]] BenchmarkViews views_of(const char* scene) const {
-        return {device_, passes_, scene::make_scene(scene), frames, scene::TruthCache("")};
+        return {device_, passes_, scene::make_scene(scene), frames};
     }
 };
 
@@ -84,7 +84,7 @@ TEST_F(ConfigurationStudyTest, SamplesAreCountedOverPixelsWithGeometry) {
 TEST_F(ConfigurationStudyTest, FastAndBalancedErrLessThanASingleFrameOfNineSlices) {
     for (const char* name : {"columns", "grass", "knot"}) {
         const BenchmarkFrames shown{.extent = {64, 36}, .frames = 16, .scored = 8, .rays = 64};
-        BenchmarkViews views(device_, passes_, scene::make_scene(name), shown, scene::TruthCache(""));
+        BenchmarkViews views(device_, passes_, scene::make_scene(name), shown);
         const auto settings_of = [&](const char* preset) {
             return with_radius(effect::preset_named(preset).settings,
                                static_cast<float>(views.scene().ao_radius));
@@ -104,7 +104,7 @@ TEST_F(ConfigurationStudyTest, FastAndBalancedErrLessThanASingleFrameOfNineSlice
 // A view that is shown for several frames is advanced once; without a truth nothing is judged.
 TEST_F(ConfigurationStudyTest, ViewsAreShownForAsManyFramesAsAsked) {
     const BenchmarkFrames shown{.extent = {64, 36}, .frames = 4, .scored = 1, .rays = 0, .shown = {1, 3}};
-    BenchmarkViews views(device_, passes_, scene::make_scene("columns"), shown, scene::TruthCache(""));
+    BenchmarkViews views(device_, passes_, scene::make_scene("columns"), shown);
     EXPECT_TRUE(views.is_new(0));
     EXPECT_TRUE(views.is_new(1));
     EXPECT_FALSE(views.is_new(2));
@@ -135,8 +135,7 @@ TEST_F(ConfigurationStudyTest, ClassesOfPixelsAreCountedByHand) {
     scene.ao_radius = 15.0;  // 30 pixels
     BenchmarkViews views(
         device_, passes_, scene,
-        {.extent = {64, 36}, .frames = 3, .scored = 1, .rays = 32, .depth_truth = false, .by_class = true},
-        scene::TruthCache(""));
+        {.extent = {64, 36}, .frames = 3, .scored = 1, .rays = 32, .depth_truth = false, .by_class = true});
     ConfigurationStudy study(device_, passes_);
     const ClassScores scores = study.visit(views, four_samples(), true, 0).quality->by_class.value();
     std::uint64_t reached = 0;  // within 24 pixels of where the square is or was
@@ -194,7 +193,7 @@ class TemporalQuality : public effect::OnDevice<testing::Test> {
         frames.depth_truth = false;
         frames.by_class = true;
         frames.limit = settings_for("tssao-paper", scene);
-        return {device_, passes_, scene, frames, scene::TruthCache("")};
+        return {device_, passes_, scene, frames};
     }
 
     // So many frames of the first view.

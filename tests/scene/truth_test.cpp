@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/truth.hpp"
-#include "scene/draw.hpp"
-#include "scene/mesh.hpp"
-#include "scene/picture_light.hpp"
-#include "scene/scene.hpp"
 #include "scene/support.hpp"
 
 namespace gloam::scene::test::truth_test {
-
-using scene::GBuffer;
-using scene::PictureLight;
 
 GBuffer shot(const Scene& scene, gpu::Extent extent, int frame = 0) {
     return draw(scene, extent, {.frame = frame, .ids = true});
@@ -25,27 +18,16 @@ TEST(TruthTest, OfTheCornerIsItsClosedForm) {
     const Scene scene = make_scene("corner");
     const GBuffer view = shot(scene, {64, 48});
     const TracedTruth truth = trace_geometry(scene, 0, view, settings(1.0, 256));
-    const PixelPositions positions(view);
-    const glm::dmat3 turn = glm::transpose(view_rotation(scene.camera));
-    double judged = 0.0;
-    std::array<double, 3> beyond{};
+    Tally tally;
     for (std::size_t i = 0; i < view.depth.size(); ++i) {
-        const glm::dvec3 world = scene.camera.eye + turn * positions.at(i, double{view.depth[i]});
+        const glm::dvec3 world = world_of(view, scene.camera, i);
         const double error = std::abs(double{truth.occlusion[i]} - corner_occlusion_at(world, 1.0));
         const double deviation = truth.standard_error[i];
-        ASSERT_LT(error, 8.0 * deviation + 1e-3)
-            << i;  // where a ray in a hundred is blocked few parts see one
-        if (!(deviation > 1e-3)) continue;
-        judged += 1.0;
-        for (std::size_t k = 0; k < 3; ++k)
-            beyond[k] += error > static_cast<double>(k + 1) * deviation ? 1 : 0;
+        // Where a ray in a hundred is blocked few parts see one.
+        ASSERT_LT(error, 8.0 * deviation + 1e-3) << i;
+        if (deviation > 1e-3) tally.add(error, deviation);
     }
-    std::printf("%.0f pixels; beyond 1, 2, 3 standard errors: %.4f %.4f %.4f\n", judged, beyond[0] / judged,
-                beyond[1] / judged, beyond[2] / judged);
-    EXPECT_GT(judged, 1000.0);
-    EXPECT_NEAR(beyond[0] / judged, 0.333, 0.05);
-    EXPECT_NEAR(beyond[1] / judged, 0.064, 0.03);
-    EXPECT_LT(beyond[2] / judged, 0.02);
+    tally.expect_student(1000.0);
     EXPECT_EQ(truth.unmatched, 0U);
 }
 
@@ -62,14 +44,12 @@ TEST(TruthTest, OfTheFrameBefore) {
         return camera;
     };
     const GBuffer view = shot(scene, {48, 27}, 1);
-    const std::vector<float> before = TruthCache("").before(scene, 1, view, settings(1.0, 1024));
+    const std::vector<float> before = trace_before(scene, 1, view, settings(1.0, 1024));
     const std::vector<float> now = trace_geometry(scene, 1, view, settings(1.0, 1024)).occlusion;
-    const glm::dmat3 turn = glm::transpose(view_rotation(camera_at(scene, 1)));
     double largest_change = 0.0;
     for (std::size_t i = 0; i < before.size(); ++i) {
         if (!is_surface(view.depth[i])) continue;
-        const glm::dvec3 at =
-            camera_at(scene, 1).eye + turn * PixelPositions(view).at(i, double{view.depth[i]});
+        const glm::dvec3 at = world_of(view, camera_at(scene, 1), i);
         const double from_other = view.object[i] == 0 ? at.x : at.y;
         EXPECT_NEAR(before[i], corner_occlusion(from_other, 2.0, 1.0), 0.01) << i;
         if (view.object[i] == 1 || at.x > 1.3) {
@@ -154,152 +134,90 @@ TEST(TruthTest, TellsHowFarItIs) {
 TEST(TruthTest, OfWhatCannotBeTraced) {
     Scene scene = make_scene("corner");
     GBuffer view = shot(scene, {8, 8});
-    expect_error<std::invalid_argument>([&] { (void)trace_geometry(scene, 0, view, settings(0.5, 0)); },
-                                        {"0 rays", "32"});
-    expect_error<std::invalid_argument>([&] { (void)trace_geometry(scene, 0, view, settings(-1.0, 64)); },
-                                        {"radius"});
+    const auto refused = [&](double radius, int rays, std::initializer_list<std::string> parts) {
+        expect_error<std::invalid_argument>(
+            [&] { (void)trace_geometry(scene, 0, view, settings(radius, rays)); }, parts);
+    };
+    refused(0.5, 0, {"0 rays", "32"});
+    refused(-1.0, 64, {"radius"});
     scene.mesh.positions[3].y = nan;
-    expect_error<std::invalid_argument>([&] { (void)trace_geometry(scene, 0, view, settings(0.5, 64)); },
-                                        {"corner", "vertex 3", "finite"});
+    refused(0.5, 64, {"corner", "vertex 3", "finite"});
     scene = {.name = "void"};
-    expect_error<std::invalid_argument>([&] { (void)trace_geometry(scene, 0, view, settings(0.5, 64)); },
-                                        {"void", "no triangles"});
+    refused(0.5, 64, {"void", "no triangles"});
     scene = make_scene("corner");
     view.normal.clear();
-    expect_error<std::invalid_argument>([&] { (void)trace_geometry(scene, 0, view, settings(0.5, 64)); },
-                                        {"0 normals", "64 pixels"});
+    refused(0.5, 64, {"no normals"});
+    view.depth.pop_back();
+    refused(0.5, 64, {"63 depths", "8 x 8"});
 }
 
-TEST(TruthTest, IsKept) {
-    const TemporaryDirectory folder;
-    const TruthCache cache(folder.path() / "truth");
-    const Scene scene = make_scene("moving");
-    const GBuffer view = shot(scene, {16, 9});
+// The truth of the scene "moving" in a folder of its own.
+class KeptTruth : public InFolder {
+  protected:
+    KeptTruth() { settings_.cache = folder.path() / "truth"; }
+
+    [[nodiscard]] TracedTruth depth() const { return trace_depth(view_, settings_); }
+    [[nodiscard]] std::filesystem::path file() const {
+        return *std::filesystem::directory_iterator(settings_.cache);
+    }
+    static void overwrite(const std::filesystem::path& file, const std::string& bytes) {
+        std::ofstream(file, std::ios::binary) << bytes;
+    }
+
+    const Scene scene_ = make_scene("moving");
+    const GBuffer view_ = shot(scene_, {16, 9});
+    TruthSettings settings_ = settings(0.4, 64, 1);
+};
+
+TEST_F(KeptTruth, IsTracedOnce) {
     int traced = 0;
-    TruthSettings watched = settings(0.4, 64, 1);
-    watched.progress = [&](double part) { traced += part == 1.0 ? 1 : 0; };
-    const TracedTruth first = cache.geometry(scene, 0, view, watched);
-    const TracedTruth again = cache.geometry(scene, 0, view, watched);
+    settings_.progress = [&](double part) { traced += part == 1.0 ? 1 : 0; };
+    const TracedTruth first = trace_geometry(scene_, 0, view_, settings_);
+    const TracedTruth again = trace_geometry(scene_, 0, view_, settings_);
     EXPECT_EQ(traced, 1);
     EXPECT_EQ(bits(again.occlusion), bits(first.occlusion));
     EXPECT_EQ(bits(again.standard_error), bits(first.standard_error));
     EXPECT_EQ(again.rays, first.rays);
     EXPECT_EQ(again.pixels, first.pixels);
     // Anything that counts makes it another one.
-    (void)cache.geometry(scene, 1, view, watched);
+    (void)trace_geometry(scene_, 1, view_, settings_);
     EXPECT_EQ(traced, 2);
-    watched.rays.rays = 128;
-    (void)cache.geometry(scene, 0, view, watched);
-    watched.rays.falloff = Falloff::step;
-    (void)cache.geometry(scene, 0, view, watched);
-    (void)cache.depth(view, watched);
-    watched.thickness = 0.3;
-    (void)cache.depth(view, watched);
+    settings_.rays.rays = 128;
+    (void)trace_geometry(scene_, 0, view_, settings_);
+    settings_.rays.falloff = Falloff::step;
+    (void)trace_geometry(scene_, 0, view_, settings_);
+    (void)depth();
+    settings_.thickness = 0.3;
+    (void)depth();
     EXPECT_EQ(traced, 6);
-    (void)cache.depth(view, watched);
+    (void)depth();
     EXPECT_EQ(traced, 6);
 }
 
-TEST(TruthTest, ThatIsDamagedIsTracedAgain) {
-    const TemporaryDirectory folder;
-    const TruthCache cache(folder.path());
-    const Scene scene = make_scene("moving");
-    const GBuffer view = shot(scene, {16, 9});
-    const TracedTruth first = cache.depth(view, settings(0.4, 64));
-    const auto file = *std::filesystem::directory_iterator(folder.path());
-    const std::string whole = read_file(file.path());
+TEST_F(KeptTruth, ThatIsDamagedIsTracedAgain) {
+    const TracedTruth first = depth();
+    const std::string whole = read_file(file());
     for (const std::size_t place : {std::size_t{0}, whole.size() / 2, whole.size() - 1}) {
         std::string damaged = whole;
         damaged[place] ^= 1;
-        std::ofstream(file.path(), std::ios::binary) << damaged;
-        EXPECT_EQ(bits(cache.depth(view, settings(0.4, 64)).occlusion), bits(first.occlusion));
-        EXPECT_EQ(read_file(file.path()), whole);
+        overwrite(file(), damaged);
+        EXPECT_EQ(bits(depth().occlusion), bits(first.occlusion));
+        EXPECT_EQ(read_file(file()), whole);
     }
-    std::filesystem::resize_file(file.path(), whole.size() / 2);
-    EXPECT_EQ(bits(cache.depth(view, settings(0.4, 64)).occlusion), bits(first.occlusion));
+    std::filesystem::resize_file(file(), whole.size() / 2);
+    EXPECT_EQ(bits(depth().occlusion), bits(first.occlusion));
 }
 
 // A whole file of the same size is the truth of something else, under another's name.
-TEST(TruthTest, ThatWasExchangedIsTracedAgain) {
-    const TemporaryDirectory folder;
-    const TruthCache cache(folder.path());
-    const Scene scene = make_scene("moving");
-    const GBuffer view = shot(scene, {16, 9});
-    const TracedTruth one = cache.depth(view, settings(0.4, 64));
-    const auto file = std::filesystem::directory_iterator(folder.path())->path();
-    const std::string whole = read_file(file);
-    std::filesystem::remove(file);
-    const TracedTruth other = cache.depth(view, settings(0.2, 64));
+TEST_F(KeptTruth, ThatWasExchangedIsTracedAgain) {
+    const TracedTruth one = depth();
+    const std::string whole = read_file(file());
+    std::filesystem::remove(file());
+    settings_.rays.radius = 0.2;
+    const TracedTruth other = depth();
     ASSERT_NE(bits(other.occlusion), bits(one.occlusion));
-    const auto other_file = std::filesystem::directory_iterator(folder.path())->path();
-    std::ofstream(other_file, std::ios::binary) << whole;
-    EXPECT_EQ(bits(cache.depth(view, settings(0.2, 64)).occlusion), bits(other.occlusion));
-}
-
-// The light of pictures at several samples of a pixel: which pixel a sample shows, and the mean of the
-// samples.
-
-constexpr float background = infinity;
-
-// A view of walls that face the eye, with these depths.
-GBuffer walls(gpu::Extent extent, const std::vector<float>& depth) {
-    GBuffer view{.extent = extent, .depth = depth, .camera = scene::make_frame({}, 1.0)};
-    view.normal.assign(depth.size(), glm::vec3(0, 0, 1));
-    return view;
-}
-
-// 2 x 2 pixels of 2 x 2 samples: a near wall on the left ends in the middle of the second column of samples.
-PictureLight edge() {
-    const GBuffer view = walls({2, 2}, {1, 4, 1, 4});
-    const GBuffer fine = walls({4, 4}, {1, 4, 4, 4, 1, 4, 4, 4, 1, 1, 4, background, 1, 1, 4, 4});
-    return scene::picture_light(view, fine, 2, nullptr);
-}
-
-TEST(PictureLight, ASampleShowsThePixelWhosePlaneItLiesOn) {
-    EXPECT_EQ(edge().pixel, (std::vector<std::uint32_t>{0, 1, 1, 1, 0, 1, 1, 1, 2, 2, 3, 3, 2, 2, 3, 3}));
-    EXPECT_EQ(edge().spread({0.1F, 0.2F, 0.3F, 0.4F}),
-              (std::vector<float>{0.1F, 0.2F, 0.2F, 0.2F, 0.1F, 0.2F, 0.2F, 0.2F, 0.3F, 0.3F, 0.4F, 0.4F,
-                                  0.3F, 0.3F, 0.4F, 0.4F}));
-}
-
-TEST(PictureLight, ATiltedPlaneIsOnePixelsOwn) {
-    // The plane z = -4 + 2 x: depths of samples differ by far more than the tolerance, and each lies on it.
-    GBuffer view = walls({2, 2}, std::vector<float>(4));
-    GBuffer fine = walls({4, 4}, std::vector<float>(16));
-    const glm::dvec3 normal = glm::normalize(glm::dvec3(-2, 0, 1));
-    for (GBuffer* one : {&view, &fine}) {
-        one->normal.assign(one->depth.size(), glm::vec3(normal));
-        const scene::PixelPositions positions(*one);
-        for (std::size_t i = 0; i < one->depth.size(); ++i) {
-            const glm::dvec3 ray = positions.at(i, 1.0);
-            one->depth[i] = static_cast<float>(4.0 / (1.0 + 2.0 * ray.x));
-        }
-    }
-    EXPECT_EQ(scene::picture_light(view, fine, 2, nullptr).pixel,
-              (std::vector<std::uint32_t>{0, 0, 1, 1, 0, 0, 1, 1, 2, 2, 3, 3, 2, 2, 3, 3}));
-}
-
-TEST(PictureLight, ThePictureIsTheMeanOfItsSamples) {
-    std::vector<glm::vec3> samples;
-    for (int i = 0; i < 16; ++i) samples.emplace_back(static_cast<float>(i));
-    const std::vector<glm::vec3> means = edge().mean(samples);
-    ASSERT_EQ(means.size(), 4U);
-    const float expected[] = {2.5F, 4.5F, 10.5F, 12.5F};
-    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(means[i], glm::vec3(expected[i]));
-}
-
-TEST(PictureLight, OneSampleIsThePixelItself) {
-    const GBuffer view = walls({2, 1}, {1, 4});
-    const PictureLight one = scene::picture_light(view, view, 1, nullptr);
-    EXPECT_EQ(one.pixel, (std::vector<std::uint32_t>{0, 1}));
-    EXPECT_EQ(one.light.direct, scene::light_of(view, nullptr).direct);
-}
-
-TEST(PictureLight, OtherSizesAreRefused) {
-    const GBuffer view = walls({2, 1}, {1, 4});
-    EXPECT_THROW((void)scene::picture_light(view, view, 2, nullptr), std::invalid_argument);
-    EXPECT_THROW((void)edge().spread({0.0F}), std::invalid_argument);
-    EXPECT_THROW((void)edge().mean({glm::vec3(0)}), std::invalid_argument);
+    overwrite(file(), whole);
+    EXPECT_EQ(bits(depth().occlusion), bits(other.occlusion));
 }
 
 }  // namespace gloam::scene::test::truth_test

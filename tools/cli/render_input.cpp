@@ -225,18 +225,18 @@ bool TruthSource::every_view() const {
 }
 
 TracedView TruthSource::traced(const scene::GBuffer& view, int frame, double radius) const {
-    const scene::TruthCache kept(truth_cache_directory());
     const auto settings = [&](const char* what) {
         return scene::TruthSettings{
             .rays = {.radius = radius, .falloff = falloff_, .rays = options_.truth_rays},
             .thickness = options_.truth_thickness,
-            .progress = progress_bar(fmt::format("{}: truth of the {}", input_.name, what))};
+            .progress = progress_bar(fmt::format("{}: truth of the {}", input_.name, what)),
+            .cache = truth_cache_directory()};
     };
     TracedView result;
     if (input_.scene) {
-        result.geometry = kept.geometry(*input_.scene, frame, view, settings("geometry"));
+        result.geometry = scene::trace_geometry(*input_.scene, frame, view, settings("geometry"));
     }
-    result.depth = kept.depth(view, settings("depth buffer"));
+    result.depth = scene::trace_depth(view, settings("depth buffer"));
     return result;
 }
 

@@ -14,7 +14,7 @@
 #include "report/output.hpp"
 #include "report/page.hpp"
 #include "scene/gbuffer.hpp"
-#include "scene/picture_light.hpp"
+#include "scene/lighting.hpp"
 
 namespace gloam::cli {
 

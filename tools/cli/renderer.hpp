@@ -14,8 +14,8 @@
 #include "effect/pixel_classes.hpp"
 #include "report/output.hpp"
 #include "scene/gbuffer.hpp"
+#include "scene/lighting.hpp"
 #include "scene/pass_library.hpp"
-#include "scene/picture_light.hpp"
 
 namespace gloam::cli {
 

@@ -16,8 +16,8 @@ effect::Remap remap_of(const effect::Settings& settings) {
 
 BenchmarkViews::BenchmarkViews(const gpu::Device& device, const scene::PassLibrary& passes,
                                scene::Scene scene, const BenchmarkFrames& frames,
-                               const scene::TruthCache& cache, const std::function<void(double)>& progress)
-    : scene_(std::move(scene)), frames_(frames), cache_(cache) {
+                               const std::function<void(double)>& progress)
+    : scene_(std::move(scene)), frames_(frames) {
     if (frames.scored < 1 || frames.scored > frames.frames)
         throw std::invalid_argument(fmt::format("{} scored frames of {}: expected 1 to {}", frames.scored,
                                                 frames.frames, frames.frames));
@@ -41,14 +41,14 @@ void BenchmarkViews::score(const gpu::Device& device, const scene::PassLibrary& 
         const scene::GBuffer& view = this->view(i, {});
         const scene::TruthSettings settings = traced({scene::Weighting::cosine, scene::Falloff::linear});
         truth.geometry = effect::truth_from(
-            view, cache_.geometry(scene_, frames_.still ? 0 : number, view, settings).occlusion);
+            view, scene::trace_geometry(scene_, frames_.still ? 0 : number, view, settings).occlusion);
         if (frames_.depth_truth)
-            truth.depth = effect::truth_from(view, cache_.depth(view, settings).occlusion);
+            truth.depth = effect::truth_from(view, scene::trace_depth(view, settings).occlusion);
         if (limit) truth.limit = effect::truth_from(view, limit->of(view, *frames_.limit));
         if (i == 0 || !this->is_new(i)) continue;
         truth.history.emplace(view, this->view(i - 1, {}));
         if (scene_.objects.empty() || frames_.still) continue;
-        truth.due = cache_.before(scene_, number, view, settings);
+        truth.due = scene::trace_before(scene_, number, view, settings);
         for (std::size_t pixel = 0; pixel < truth.due.size(); ++pixel)
             truth.due[pixel] = truth.geometry[pixel] - truth.due[pixel];
     }
@@ -67,11 +67,10 @@ void BenchmarkViews::classify() {
 }
 
 scene::TruthSettings BenchmarkViews::traced(const Measured& measured) const {
-    return {.rays = {.radius = scene_.ao_radius,
-                     .falloff = measured.second,
-                     .rays = frames_.rays,
-                     .weighting = measured.first},
-            .thickness = frames_.depth_thickness * scene_.ao_radius};
+    const auto& [weighting, falloff] = measured;
+    return {.rays = {scene_.ao_radius, falloff, frames_.rays, weighting},
+            .thickness = frames_.depth_thickness * scene_.ao_radius,
+            .cache = frames_.truth_cache};
 }
 
 const effect::Truth* BenchmarkViews::own_measure(const effect::MethodInfo& method) {
@@ -85,7 +84,7 @@ const effect::Truth* BenchmarkViews::own_measure(const effect::MethodInfo& metho
     const scene::GBuffer& view = this->view(last_scored(), {});
     if (is_new)
         at->second =
-            effect::truth_from(view, cache_.geometry(scene_, number, view, traced(measured)).occlusion);
+            effect::truth_from(view, scene::trace_geometry(scene_, number, view, traced(measured)).occlusion);
     return &at->second;
 }
 

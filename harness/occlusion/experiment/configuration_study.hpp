@@ -27,11 +27,12 @@ namespace gloam::experiment {
 // The frames of a scene that the benchmark uses, and the number of rays of their truth.
 struct BenchmarkFrames {
     gpu::Extent extent;
-    int frames = 16;          // of a temporal run
-    int scored = 8;           // the last ones of these: 1 to frames
-    int every = 1;            // of these, from one that counts to the next
-    int rays = 256;           // of the truth, for each pixel; 0: there is no truth, and nothing is scored
-    bool depth_truth = true;  // false: only the geometry is traced
+    int frames = 16;  // of a temporal run
+    int scored = 8;   // the last ones of these: 1 to frames
+    int every = 1;    // of these, from one that counts to the next
+    int rays = 256;   // of the truth, for each pixel; 0: there is no truth, and nothing is scored
+    std::filesystem::path truth_cache{};  // scene::TruthSettings::cache
+    bool depth_truth = true;              // false: only the geometry is traced
     double depth_thickness =
         std::numeric_limits<double>::infinity();  // of the surface of (D), in radii; as in depth_field()
     int repeat = 1;                               // runs of a timed frame, whose median time counts
@@ -57,8 +58,7 @@ class BenchmarkViews {
     // The device must outlive this object. Throws std::invalid_argument for frames out of range, and like
     // scene::draw() and scene::trace_geometry().
     BenchmarkViews(const gpu::Device& device, const scene::PassLibrary& passes, scene::Scene scene,
-                   const BenchmarkFrames& frames, const scene::TruthCache& cache,
-                   const std::function<void(double)>& progress = {});
+                   const BenchmarkFrames& frames, const std::function<void(double)>& progress = {});
 
     [[nodiscard]] const scene::Scene& scene() const { return scene_; }
     [[nodiscard]] const BenchmarkFrames& frames() const { return frames_; }
@@ -95,7 +95,6 @@ class BenchmarkViews {
 
     scene::Scene scene_;
     BenchmarkFrames frames_;
-    scene::TruthCache cache_;
     std::vector<int> numbers_;  // of the view that each frame shows
     std::map<std::pair<double, int>, std::vector<scene::GBuffer>> views_;  // by guard band and layers
     std::map<int, ScoredView> scored_;                                     // by the view's number

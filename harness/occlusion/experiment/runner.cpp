@@ -55,12 +55,7 @@ class SizeRun {
   public:
     SizeRun(const Experiment& experiment, gpu::Extent extent, const Place& place, Record& record,
             Shared& shared)
-        : experiment_(experiment),
-          extent_(extent),
-          place_(place),
-          record_(record),
-          shared_(shared),
-          cache_(place.truth_cache) {}
+        : experiment_(experiment), extent_(extent), place_(place), record_(record), shared_(shared) {}
 
     void run() {
         if (experiment_.interleaved) {
@@ -137,6 +132,7 @@ class SizeRun {
     // Cases that show the same share their views.
     [[nodiscard]] std::shared_ptr<BenchmarkViews> views_of(const Case& one, double radius, bool depth_truth) {
         BenchmarkFrames frames = frames_of(experiment_, one, extent_);
+        frames.truth_cache = place_.truth_cache;
         frames.depth_truth = depth_truth;
         frames.remap = remap_;
         frames.bins = fit_;
@@ -156,7 +152,7 @@ class SizeRun {
             frames.limit = with_radius(subject_of({&experiment_.layer, &one.layer}, place_).settings,
                                        static_cast<float>(scene.ao_radius));
         views = std::make_shared<BenchmarkViews>(place_.device, place_.passes, std::move(scene), frames,
-                                                 cache_, place_.progress(label_of(one) + ", truth"));
+                                                 place_.progress(label_of(one) + ", truth"));
         return views;
     }
 
@@ -323,7 +319,6 @@ class SizeRun {
     const Place& place_;
     Record& record_;
     Shared& shared_;
-    scene::TruthCache cache_;
     bool remap_ = shows(experiment_, "rmse_remapped");
     bool fit_ = shows(experiment_, "rmse_fit");
     bool own_radius_ = shows(experiment_, "rmse_own_radius");

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "base/threads.hpp"
-#include "scene/internal/ray_scene.hpp"
+#include "scene/internal/tracer.hpp"
 
 namespace gloam::scene {
 namespace {
@@ -59,7 +59,7 @@ class Shot {
     Shot(const Scene& scene, gpu::Extent frame, const DrawOptions& options)
         : options_(options),
           mesh_(view_space_mesh(scene, options.frame)),
-          rays_(mesh_.positions, mesh_.indices),
+          rays_(mesh_),
           objects_(objects_of_triangles(scene)) {
         const gpu::Extent border = guard_border(frame, options.guard);
         const gpu::Extent wide = with_border(frame, border);
@@ -107,12 +107,7 @@ class Shot {
     }
 
     void trace(std::size_t pixel) {
-        const PixelPositions positions(view_);
-        // The direction is 1 long along the view axis, so that distances are depths.
-        const glm::dvec3 first = positions.at(pixel, 1.0);
-        const bool orthographic = positions.orthographic();
-        const glm::dvec3 origin = orthographic ? glm::dvec3(first.x, first.y, 0) : glm::dvec3(0);
-        const glm::dvec3 direction = orthographic ? glm::dvec3(0, 0, -1) : first;
+        const auto [origin, direction] = PixelPositions(view_).ray(pixel);
         double from = near_;
         double before = 0.0;  // depth of the layer before
         for (int layer = 0; layer < options_.layers;) {

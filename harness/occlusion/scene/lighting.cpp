@@ -10,7 +10,7 @@
 #include <string>
 
 #include "base/threads.hpp"
-#include "scene/internal/ray_scene.hpp"
+#include "scene/internal/tracer.hpp"
 
 namespace gloam::scene {
 namespace {
@@ -92,24 +92,14 @@ glm::vec3 normal_at(const GBuffer& view, const PixelPositions& positions, long x
     return {0, 0, 1};  // a surface of a single pixel: facing the viewer
 }
 
-void require(bool condition, const std::string& message) {
-    if (!condition) throw std::invalid_argument("depth field: " + message);
-}
-
-void check(const GBuffer& view, double thickness) {
-    const std::size_t pixels = std::size_t{view.extent.width} * view.extent.height;
-    require(view.depth.size() == pixels, fmt::format("{} depths for {} x {} pixels", view.depth.size(),
-                                                     view.extent.width, view.extent.height));
-    require(view.normal.empty() || view.normal.size() == pixels,
-            fmt::format("{} normals for {} pixels", view.normal.size(), pixels));
-    require(thickness > 0.0, fmt::format("thickness {}, expected > 0", thickness));
-    require(std::ranges::any_of(view.depth, is_surface), "no geometry in the view");
-}
-
 }  // namespace
 
 Mesh depth_field(const GBuffer& view, double thickness) {
-    check(view, thickness);
+    require_images(view, "depth field");
+    if (!(thickness > 0.0))
+        throw std::invalid_argument(fmt::format("depth field: thickness {}, expected > 0", thickness));
+    if (std::ranges::none_of(view.depth, is_surface))
+        throw std::invalid_argument("depth field: no geometry in the view");
     const PixelPositions positions(view);
     const auto width = static_cast<long>(view.extent.width);
     Mesh mesh;
@@ -145,30 +135,12 @@ constexpr glm::dvec3 sky_above{0.50, 0.55, 0.62};
 constexpr glm::dvec3 sky_horizon{0.62, 0.67, 0.73};
 constexpr glm::dvec3 sky_below{0.40, 0.37, 0.33};  // light from the ground
 
-// The light of one view; positions and directions in view space.
-struct Lamp {
-    glm::dvec3 position{0};  // of a lamp
-    glm::dvec3 to_sun{0};    // of the sun
-    bool sun = true;
-
-    // Unit direction from a point to the middle of the light.
-    [[nodiscard]] glm::dvec3 from(const glm::dvec3& point) const {
-        return sun ? to_sun : glm::normalize(position - point);
-    }
-    // Radius of the light's disc as seen from a point, radians.
-    [[nodiscard]] double radius_from(const glm::dvec3& point) const {
-        return sun ? sun_radius : lamp_radius / std::max(glm::distance(position, point), lamp_radius);
-    }
-    [[nodiscard]] double distance_from(const glm::dvec3& point) const {
-        return sun ? std::numeric_limits<double>::infinity() : glm::distance(position, point);
-    }
+// Where the light of a view is: its sun, or the lamp of its scene.
+struct Light {
+    glm::dvec3 direction{0};  // from a point to its middle, unit, view space
+    double radius = 0.0;      // of its disc as seen from there, radians
+    double distance = std::numeric_limits<double>::infinity();
 };
-
-Lamp lamp_of(const GBuffer& view, const Scene* scene, int frame) {
-    const glm::dmat3 rotation(view.camera.view);
-    if (scene == nullptr || !scene->lamp) return {.to_sun = glm::normalize(rotation * to_sun)};
-    return {.position = rotation * (*scene->lamp - camera_at(*scene, frame).eye), .sun = false};
-}
 
 // Jorge Jimenez's interleaved gradient noise: rotates the pattern of rays from pixel to pixel.
 double turn_of(std::size_t pixel, std::uint32_t width) {
@@ -180,21 +152,22 @@ double turn_of(std::size_t pixel, std::uint32_t width) {
 }
 
 // Visible part of the light's disc at a point, in [0, 1]; the directions form a spiral over the disc.
-double lit_part(const RayScene& blockers, const Lamp& lamp, const glm::dvec3& origin, double clearance,
+double lit_part(const RayScene& blockers, const Light& light, const glm::dvec3& origin, double clearance,
                 int rays, double turn) {
-    const glm::dvec3 middle = lamp.from(origin);
+    const glm::dvec3 middle = light.direction;
     const glm::dvec3 aside = std::abs(middle.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     const glm::dvec3 right = glm::normalize(glm::cross(aside, middle));
     const glm::dvec3 up = glm::cross(middle, right);
     const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
-    const auto far = static_cast<float>(lamp.distance_from(origin));
     int open = 0;
     for (int i = 0; i < rays; ++i) {
-        const double radius = lamp.radius_from(origin) * std::sqrt((i + 0.5) / rays);
+        const double radius = light.radius * std::sqrt((i + 0.5) / rays);
         const double angle = golden * i + 2.0 * std::numbers::pi * turn;
         const glm::dvec3 direction =
             glm::normalize(middle + radius * (std::cos(angle) * right + std::sin(angle) * up));
-        if (!blockers.first_hit(origin, direction, static_cast<float>(clearance), far)) ++open;
+        if (!blockers.first_hit(origin, direction, static_cast<float>(clearance),
+                                static_cast<float>(light.distance)))
+            ++open;
     }
     return static_cast<double>(open) / rays;
 }
@@ -206,71 +179,68 @@ class Lighting {
         : view_(view),
           positions_(view),
           normals_(view.normal),
-          lamp_(lamp_of(view, scene, options.frame)),
-          world_from_view_(glm::transpose(glm::dmat3(view.camera.view))),
+          view_from_world_(view.camera.view),
           rays_(options.rays) {
         if (normals_.empty() && std::ranges::any_of(view.depth, is_surface))
             normals_ = depth_field(view).normals;
         if (scene == nullptr) return;
-        Mesh mesh = view_space_mesh(*scene, options.frame);
-        blockers_.emplace(std::move(mesh.positions), std::move(mesh.indices));
+        if (scene->lamp) lamp_ = view_from_world_ * (*scene->lamp - camera_at(*scene, options.frame).eye);
+        blockers_.emplace(view_space_mesh(*scene, options.frame));
     }
 
     void light(std::size_t pixel, SplitLight& light) const {
         const double depth = view_.depth[pixel];
         if (!is_surface(view_.depth[pixel])) {
-            light.direct[pixel] = sky(world_from_view_ * glm::normalize(positions_.at(pixel, 1.0)));
+            const glm::dvec3 away = glm::normalize(positions_.at(pixel, 1.0));
+            const double up = (glm::transpose(view_from_world_) * away).y;
+            light.direct[pixel] = glm::mix(sky_horizon, sky_above, std::sqrt(std::clamp(up, 0.0, 1.0)));
             return;
         }
         const glm::dvec3 albedo = view_.color.empty() ? default_color : view_.color[pixel];
         const glm::dvec3 normal = normals_[pixel];
-        const double height = (world_from_view_ * normal).y;
-        light.ambient[pixel] = albedo * glm::mix(sky_below, sky_above, 0.5 + 0.5 * height);
+        const double up = (glm::transpose(view_from_world_) * normal).y;
+        light.ambient[pixel] = albedo * glm::mix(sky_below, sky_above, 0.5 + 0.5 * up);
         light.direct[pixel] = albedo * sun_color * direct(pixel, positions_.at(pixel, depth), normal);
     }
 
   private:
-    static glm::dvec3 sky(const glm::dvec3& direction) {
-        return glm::mix(sky_horizon, sky_above, std::sqrt(std::clamp(direction.y, 0.0, 1.0)));
+    [[nodiscard]] Light light_at(const glm::dvec3& point) const {
+        if (!lamp_) return {.direction = glm::normalize(view_from_world_ * to_sun), .radius = sun_radius};
+        const double distance = glm::distance(*lamp_, point);
+        return {.direction = glm::normalize(*lamp_ - point),
+                .radius = lamp_radius / std::max(distance, lamp_radius),
+                .distance = distance};
     }
 
     [[nodiscard]] double direct(std::size_t pixel, const glm::dvec3& point, const glm::dvec3& normal) const {
-        const double cosine = glm::dot(normal, lamp_.from(point));
+        const double cosine = glm::dot(normal, light_at(point).direction);
         if (!(cosine > 0.0)) return 0.0;
         if (!blockers_) return cosine;
         const double clearance = 1e-4 * largest(point);  // far above the rounding error of a depth
-        return cosine * lit_part(*blockers_, lamp_, point + clearance * normal, clearance, rays_,
+        const glm::dvec3 origin = point + clearance * normal;
+        return cosine * lit_part(*blockers_, light_at(origin), origin, clearance, rays_,
                                  turn_of(pixel, view_.extent.width));
     }
 
     const GBuffer& view_;
     PixelPositions positions_;
     std::vector<glm::vec3> normals_;
-    Lamp lamp_;
-    glm::dmat3 world_from_view_;
+    glm::dmat3 view_from_world_;
     int rays_;
+    std::optional<glm::dvec3> lamp_;  // view space; without it there is the sun
     std::optional<RayScene> blockers_;
 };
-
-void require(std::size_t found, std::size_t expected, const char* what) {
-    if (found == expected) return;
-    throw std::invalid_argument("lighting: " + std::to_string(found) + " " + what + ", expected " +
-                                std::to_string(expected));
-}
 
 }  // namespace
 
 SplitLight light_of(const GBuffer& view, const Scene* scene, const LightingOptions& options) {
-    const std::size_t pixels = std::size_t{view.extent.width} * view.extent.height;
-    require(view.depth.size(), pixels, "depths");
-    if (!view.normal.empty()) require(view.normal.size(), pixels, "normals");
-    if (!view.color.empty()) require(view.color.size(), pixels, "colours");
-    if (options.rays < 1) throw std::invalid_argument("lighting: expected one ray at least");
+    require_images(view, "lighting");
+    const std::size_t pixels = view.depth.size();
     SplitLight light{.ambient = std::vector<glm::vec3>(pixels, glm::vec3(0)),
                      .direct = std::vector<glm::vec3>(pixels, glm::vec3(0))};
     const Lighting lighting(view, scene, options);
     base::for_each_index(
-        view.extent.height, options.threads,
+        view.extent.height, 0,
         [&](std::size_t row) {
             for (std::size_t x = 0; x < view.extent.width; ++x)
                 lighting.light(row * view.extent.width + x, light);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
 #include <limits>
@@ -21,9 +22,8 @@ struct SplitLight {
 };
 
 struct LightingOptions {
-    int frame = 0;         // of the scene
-    int rays = 16;         // towards the sun or lamp from each pixel: its disc causes soft shadows
-    unsigned threads = 0;  // 0: one for each processor
+    int frame = 0;                           // of the scene
+    int rays = 16;                           // towards the sun or lamp: its disc causes soft shadows
     std::function<void(double)> progress{};  // called with the completed part, in [0, 1]
 };
 
@@ -33,6 +33,34 @@ struct LightingOptions {
 // std::invalid_argument for images of another size.
 [[nodiscard]] SplitLight light_of(const GBuffer& view, const Scene* scene,
                                   const LightingOptions& options = {});
+
+// The light of a picture at several samples of each pixel, so that its edges are smooth. The occlusion stays
+// that of the pixels: a sample shows the pixel of `pixel`.
+struct PictureLight {
+    gpu::Extent extent;                // in pixels of the view
+    int samples = 1;                   // on each side of a pixel
+    SplitLight light;                  // of each sample: extent * samples on each side, rows from the top
+    std::vector<glm::vec3> albedo;     // of each sample; 0 at the background
+    std::vector<std::uint32_t> pixel;  // of each sample: the pixel whose surface it shows
+
+    [[nodiscard]] gpu::Extent sampled() const {
+        const auto count = static_cast<std::uint32_t>(samples);
+        return {extent.width * count, extent.height * count};
+    }
+
+    // A value for each sample, from those of the pixels.
+    [[nodiscard]] std::vector<float> spread(const std::vector<float>& of_pixels) const;
+
+    // The mean of each pixel's samples.
+    [[nodiscard]] std::vector<glm::vec3> mean(const std::vector<glm::vec3>& of_samples) const;
+};
+
+// The light of a view without its guard band, at the samples of `fine`: the same view with `samples` times as
+// many pixels on each side. A sample shows its own pixel, unless it is off the plane of that pixel's surface
+// by more than 0.6 % of its depth; then that of the 3 x 3 pixels around it whose plane is nearest. Throws
+// like light_of().
+[[nodiscard]] PictureLight picture_light(const GBuffer& view, const GBuffer& fine, int samples,
+                                         const Scene* scene, const LightingOptions& options = {});
 
 // A depth buffer as a surface in view space: one vertex at the centre of each pixel, in the order of the
 // pixels, and two triangles between four pixels with geometry. Nothing is connected to the background.

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "scene/occlusion_tracer.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,40 +6,31 @@
 #include <stdexcept>
 #include <string>
 
-#include "scene/internal/ray_scene.hpp"
+#include "scene/internal/tracer.hpp"
 
 namespace gloam::scene {
+
+namespace {
+
+constexpr std::array<std::pair<Falloff, const char*>, 3> falloff_names{
+    {{Falloff::linear, "linear"}, {Falloff::quadratic, "quadratic"}, {Falloff::step, "step"}}};
+
+}  // namespace
 
 double falloff_weight(Falloff falloff, double distance, double radius) {
     if (!(distance <= radius)) return 0.0;
     const double x = distance / radius;
-    switch (falloff) {
-        case Falloff::linear:
-            return 1.0 - x;
-        case Falloff::quadratic:
-            return 1.0 - x * x;
-        case Falloff::step:
-            return 1.0;
-    }
-    return 0.0;
+    if (falloff == Falloff::step) return 1.0;
+    return falloff == Falloff::linear ? 1.0 - x : 1.0 - x * x;
 }
 
 const char* name_of(Falloff falloff) {
-    switch (falloff) {
-        case Falloff::linear:
-            return "linear";
-        case Falloff::quadratic:
-            return "quadratic";
-        case Falloff::step:
-            return "step";
-    }
-    return "";
+    return falloff_names.at(static_cast<std::size_t>(falloff)).second;
 }
 
 std::optional<Falloff> falloff_named(std::string_view name) {
-    for (const Falloff falloff : {Falloff::linear, Falloff::quadratic, Falloff::step}) {
-        if (name == name_of(falloff)) return falloff;
-    }
+    for (const auto& [falloff, known] : falloff_names)
+        if (name == known) return falloff;
     return std::nullopt;
 }
 
@@ -113,42 +102,14 @@ std::array<glm::dvec3, 2> tangents(const glm::dvec3& n) {
             glm::dvec3(b, sign + n.y * n.y * a, -n.y)};
 }
 
-// A direction with density cos / pi about the z axis, from a uniform point of the unit square.
-glm::dvec3 cosine_direction(const glm::dvec2& u) {
-    const double r = std::sqrt(u.x);
-    const double angle = 2.0 * std::numbers::pi * u.y;
-    return {r * std::cos(angle), r * std::sin(angle), std::sqrt(1.0 - u.x)};
-}
-
-// The same with density 1 / (2 pi).
-glm::dvec3 uniform_direction(const glm::dvec2& u) {
-    const double height = 1.0 - u.x;
-    const double r = std::sqrt(std::max(1.0 - height * height, 0.0));
+// A direction about the z axis from a uniform point of the unit square, with density cos / pi or 1 / (2 pi).
+glm::dvec3 direction_of(const glm::dvec2& u, Weighting weighting) {
+    const bool cosine = weighting == Weighting::cosine;
+    const double height = cosine ? std::sqrt(1.0 - u.x) : 1.0 - u.x;
+    const double r = cosine ? std::sqrt(u.x) : std::sqrt(std::max(1.0 - height * height, 0.0));
     const double angle = 2.0 * std::numbers::pi * u.y;
     return {r * std::cos(angle), r * std::sin(angle), height};
 }
-
-// The directions of one part, in the frame of the receiver.
-class Directions {
-  public:
-    Directions(const Receiver& receiver, Weighting weighting)
-        : weighting_(weighting),
-          facet_(receiver.facet),
-          frame_(tangents(receiver.normal)[0], tangents(receiver.normal)[1], receiver.normal) {}
-
-    [[nodiscard]] glm::vec3 at(const glm::dvec2& u) const {
-        glm::dvec3 direction =
-            frame_ * (weighting_ == Weighting::cosine ? cosine_direction(u) : uniform_direction(u));
-        const double beneath = glm::dot(direction, facet_);
-        if (beneath < 0.0) direction -= 2.0 * beneath * facet_;
-        return {direction};
-    }
-
-  private:
-    Weighting weighting_;
-    glm::dvec3 facet_;
-    glm::dmat3 frame_;
-};
 
 }  // namespace
 
@@ -161,39 +122,34 @@ void validate(const RaySettings& settings) {
         fail(std::to_string(settings.rays) + " rays, expected 32 to 16777216");
 }
 
-struct OcclusionTracer::Impl {
-    RaySettings settings;
-    SobolPoints points;
-    RayScene scene;
-
-    // The mean weight over the rays of one part.
-    [[nodiscard]] double part_mean(const glm::vec3& origin, const Directions& directions,
-                                   std::uint64_t seed) const {
-        double sum = 0.0;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const auto hit = scene.first_hit(origin, directions.at(points.scrambled(i, seed)), 0.0F,
-                                             static_cast<float>(settings.radius));
-            if (hit) sum += falloff_weight(settings.falloff, double{hit->distance}, settings.radius);
-        }
-        return sum / static_cast<double>(points.size());
+double OcclusionTracer::part_mean(const Receiver& receiver, std::uint64_t seed) const {
+    const glm::vec3 origin(receiver.position + receiver.clearance * receiver.facet);
+    const auto [right, up] = tangents(receiver.normal);
+    const glm::dmat3 frame(right, up, receiver.normal);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        glm::dvec3 direction = frame * direction_of(points_.scrambled(i, seed), settings_.weighting);
+        const double beneath = glm::dot(direction, receiver.facet);
+        if (beneath < 0.0) direction -= 2.0 * beneath * receiver.facet;
+        const auto hit =
+            scene_.first_hit(origin, glm::vec3(direction), 0.0F, static_cast<float>(settings_.radius));
+        if (hit) sum += falloff_weight(settings_.falloff, double{hit->distance}, settings_.radius);
     }
-};
+    return sum / static_cast<double>(points_.size());
+}
 
-OcclusionTracer::OcclusionTracer(Mesh mesh, const RaySettings& settings)
-    : impl_(base::make_hidden<Impl>(Impl{settings, SobolPoints(points_in_part(settings)),
-                                         RayScene(std::move(mesh.positions), std::move(mesh.indices))})) {}
+OcclusionTracer::OcclusionTracer(const Mesh& mesh, const RaySettings& settings)
+    : settings_(settings), points_(points_in_part(settings)), scene_(mesh) {}
 
 std::size_t OcclusionTracer::rays() const {
-    return parts * impl_->points.size();
+    return parts * points_.size();
 }
 
 OcclusionEstimate OcclusionTracer::occlusion(const Receiver& receiver, std::uint64_t seed) const {
-    const glm::vec3 origin(receiver.position + receiver.clearance * receiver.facet);
-    const Directions directions(receiver, impl_->settings.weighting);
     std::array<double, parts> means{};
     double sum = 0.0;
     for (std::size_t part = 0; part < means.size(); ++part) {
-        means[part] = impl_->part_mean(origin, directions, mixed(mixed(seed) + part));
+        means[part] = part_mean(receiver, mixed(mixed(seed) + part));
         sum += means[part];
     }
     const double mean = sum / parts;
@@ -202,15 +158,15 @@ OcclusionEstimate OcclusionTracer::occlusion(const Receiver& receiver, std::uint
     const double error = std::sqrt(squares / (parts * (parts - 1)));
     // If rays have weights of 0 or 1 only, parts of few rays can agree by their strata; the reported error is
     // at least that of one ray.
-    const double least = impl_->settings.falloff == Falloff::step ? 1.0 / static_cast<double>(rays()) : 0.0;
+    const double least = settings_.falloff == Falloff::step ? 1.0 / static_cast<double>(rays()) : 0.0;
     return {std::clamp(mean, 0.0, 1.0), std::max(error, least)};
 }
 
 std::optional<Receiver> OcclusionTracer::surface(const glm::dvec3& origin, const glm::dvec3& direction,
                                                  double near, double far) const {
-    const auto hit = impl_->scene.surface(origin, direction, near, far);
+    const auto hit = scene_.surface(origin, direction, near, far);
     if (!hit) return std::nullopt;
-    const auto [a, b, c] = impl_->scene.corners(hit->triangle);
+    const auto [a, b, c] = scene_.corners(hit->triangle);
     const glm::dvec3 at = origin + hit->distance * direction;
     // Larger than the rounding of the ray's origin and of the intersection with neighbours in the same plane.
     const double reach = std::max({largest(at), largest(b - a), largest(c - a)});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/internal/ray_scene.hpp"
+#include "scene/internal/tracer.hpp"
 
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
@@ -12,17 +12,8 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 
 namespace gloam::scene {
-
-struct EmbreeReleaser {
-    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
-    void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
-};
-template <class Handle>
-using EmbreeOwned = std::unique_ptr<std::remove_pointer_t<Handle>, EmbreeReleaser>;
 
 namespace {
 
@@ -31,38 +22,20 @@ namespace {
                              " while it prepared the triangles");
 }
 
-void check(const std::vector<glm::vec3>& positions, const std::vector<std::uint32_t>& indices) {
-    if (indices.empty() || indices.size() % 3 != 0)
-        throw std::invalid_argument("nothing to trace: " + std::to_string(indices.size()) +
-                                    " indices, expected three for each triangle, one triangle at least");
-    for (const std::uint32_t index : indices) {
-        if (index < positions.size()) continue;
-        throw std::invalid_argument("index " + std::to_string(index) + " is beyond the " +
-                                    std::to_string(positions.size()) + " positions");
-    }
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        const glm::vec3& p = positions[i];
-        if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) continue;
-        throw std::invalid_argument("vertex " + std::to_string(i) + " is (" + std::to_string(p.x) + ", " +
-                                    std::to_string(p.y) + ", " + std::to_string(p.z) +
-                                    "), expected finite numbers");
-    }
+template <class Handle>
+std::shared_ptr<Handle> owned(Handle* handle, void (*release)(Handle*), RTCDevice device) {
+    if (handle == nullptr) fail(device);
+    return {handle, release};
 }
 
-EmbreeOwned<RTCGeometry> make_geometry(RTCDevice device, const std::vector<glm::vec3>& positions,
-                                       const std::vector<std::uint32_t>& indices) {
-    EmbreeOwned<RTCGeometry> geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
-    if (!geometry) fail(device);
-    const auto fill = [&](RTCBufferType type, RTCFormat format, const void* data, std::size_t count) {
-        constexpr std::size_t stride = 12;  // three words
-        void* buffer = rtcSetNewGeometryBuffer(geometry.get(), type, 0, format, stride, count);
-        if (buffer == nullptr) fail(device);
-        std::memcpy(buffer, data, count * stride);
-    };
-    fill(RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, positions.data(), positions.size());
-    fill(RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, indices.data(), indices.size() / 3);
-    rtcCommitGeometry(geometry.get());
-    return geometry;
+template <class T>
+void fill(RTCDevice device, RTCGeometry geometry, RTCBufferType type, RTCFormat format,
+          const std::vector<T>& values) {
+    constexpr std::size_t stride = 12;  // three words
+    const std::size_t bytes = values.size() * sizeof(T);
+    void* buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, stride, bytes / stride);
+    if (buffer == nullptr) fail(device);
+    std::memcpy(buffer, values.data(), bytes);
 }
 
 // The call that differs between Embree 3 and 4.
@@ -80,25 +53,23 @@ void intersect(RTCScene scene, RTCRayHit* ray) {
 
 }  // namespace
 
-struct RayScene::Impl {
-    EmbreeOwned<RTCDevice> device;
-    EmbreeOwned<RTCScene> scene;
-};
-
-RayScene::RayScene(std::vector<glm::vec3> positions, std::vector<std::uint32_t> indices)
-    : positions_(std::move(positions)), indices_(std::move(indices)), impl_(base::make_hidden<Impl>()) {
-    check(positions_, indices_);
-    // One thread builds the tree, so it is the same every time.
-    impl_->device.reset(rtcNewDevice("threads=1"));
-    if (!impl_->device) fail(nullptr);
-    impl_->scene.reset(rtcNewScene(impl_->device.get()));
-    if (!impl_->scene) fail(impl_->device.get());
+RayScene::RayScene(const Mesh& mesh)
+    : positions_(mesh.positions),
+      indices_(mesh.indices),
+      // One thread builds the tree, so it is the same every time.
+      device_(owned(rtcNewDevice("threads=1"), rtcReleaseDevice, nullptr)),
+      scene_(owned(rtcNewScene(device_.get()), rtcReleaseScene, device_.get())) {
+    RTCDevice device = device_.get();
     // Robust: no ray passes between two triangles with a common edge.
-    rtcSetSceneFlags(impl_->scene.get(), RTC_SCENE_FLAG_ROBUST);
-    const EmbreeOwned<RTCGeometry> geometry = make_geometry(impl_->device.get(), positions_, indices_);
-    rtcAttachGeometry(impl_->scene.get(), geometry.get());
-    rtcCommitScene(impl_->scene.get());
-    if (rtcGetDeviceError(impl_->device.get()) != RTC_ERROR_NONE) fail(impl_->device.get());
+    rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
+    const auto geometry =
+        owned(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE), rtcReleaseGeometry, device);
+    fill(device, geometry.get(), RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, positions_);
+    fill(device, geometry.get(), RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, indices_);
+    rtcCommitGeometry(geometry.get());
+    rtcAttachGeometry(scene_.get(), geometry.get());
+    rtcCommitScene(scene_.get());
+    if (rtcGetDeviceError(device) != RTC_ERROR_NONE) fail(device);
 }
 
 std::optional<RayHit> RayScene::first_hit(const glm::vec3& origin, const glm::vec3& direction, float near,
@@ -114,7 +85,7 @@ std::optional<RayHit> RayScene::first_hit(const glm::vec3& origin, const glm::ve
     ray.ray.tfar = far;
     ray.ray.mask = 0xFFFFFFFFU;
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    intersect(impl_->scene.get(), &ray);
+    intersect(scene_.get(), &ray);
     if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
     return RayHit{ray.hit.primID, ray.ray.tfar};
 }

@@ -14,7 +14,7 @@
 
 #include "base/cached_file.hpp"
 #include "base/threads.hpp"
-#include "scene/internal/ray_scene.hpp"
+#include "scene/internal/tracer.hpp"
 #include "scene/lighting.hpp"
 
 namespace gloam::scene {
@@ -81,54 +81,15 @@ TracedTruth trace(const GBuffer& view, const OcclusionTracer& tracer, const Trut
     return truth;
 }
 
-void require_images(const GBuffer& view) {
-    const std::size_t pixels = std::size_t{view.extent.width} * view.extent.height;
-    if (view.depth.size() == pixels && view.normal.size() == pixels) return;
-    throw std::invalid_argument("truth: " + std::to_string(view.depth.size()) + " depths and " +
-                                std::to_string(view.normal.size()) + " normals for " +
-                                std::to_string(pixels) + " pixels");
-}
-
-}  // namespace
-
-TracedTruth trace_geometry(const Scene& scene, int frame, const GBuffer& view,
-                           const TruthSettings& settings) {
-    validate(scene);
-    validate(settings.rays);
-    require_images(view);
-    const OcclusionTracer tracer(view_space_mesh(scene, frame), settings.rays);
-    const PixelPositions positions(view);
-    std::atomic<std::uint64_t> unmatched = 0;
-    TracedTruth truth = trace(view, tracer, settings, [&](std::size_t pixel) {
-        const glm::dvec3 normal = view.normal[pixel];
-        const glm::dvec3 at = positions.at(pixel, double{view.depth[pixel]});
-        if (const auto receiver = shown_by(tracer, positions, at, normal)) return *receiver;
-        ++unmatched;
-        return as_it_is(at, normal, largest(at));
-    });
-    truth.unmatched = unmatched;
-    return truth;
-}
-
-TracedTruth trace_depth(const GBuffer& view, const TruthSettings& settings) {
-    validate(settings.rays);
-    const Mesh field = depth_field(view, settings.thickness);
-    if (field.indices.empty()) return open(view);  // no four pixels form a surface: nothing blocks
-    const OcclusionTracer tracer(field, settings.rays);
-    const std::vector<double> reach = reaches(field);
-    return trace(view, tracer, settings, [&](std::size_t pixel) {
-        return as_it_is(glm::dvec3(field.positions[pixel]), glm::dvec3(field.normals[pixel]), reach[pixel]);
-    });
-}
-
-namespace {
-
 namespace fs = std::filesystem;
 
 // Increase it whenever the tracer's results change for the same input.
 constexpr std::uint64_t version = 2;
 
-void add_view(base::Fingerprint& hash, const GBuffer& view, const TruthSettings& settings) {
+base::Fingerprint hash_of(char kind, const GBuffer& view, const TruthSettings& settings) {
+    base::Fingerprint hash;
+    hash.add(version);
+    hash.add(static_cast<std::uint64_t>(kind));
     hash.add(std::uint64_t{view.extent.width});
     hash.add(std::uint64_t{view.extent.height});
     hash.add_all(view.depth);
@@ -141,6 +102,7 @@ void add_view(base::Fingerprint& hash, const GBuffer& view, const TruthSettings&
     hash.add(static_cast<std::uint64_t>(settings.rays.falloff));
     hash.add(static_cast<std::uint64_t>(settings.rays.rays));
     hash.add(static_cast<std::uint64_t>(settings.rays.weighting));
+    return hash;
 }
 
 // Three counts and two images.
@@ -187,18 +149,44 @@ TracedTruth kept(const fs::path& folder, const base::Hash& hash, std::size_t pix
 
 }  // namespace
 
-TracedTruth TruthCache::geometry(const Scene& scene, int frame, const GBuffer& view,
-                                 const TruthSettings& settings) const {
+TracedTruth trace_geometry(const Scene& scene, int frame, const GBuffer& view,
+                           const TruthSettings& settings) {
     validate(scene);
-    base::Fingerprint hash;
-    hash.add(version);
-    hash.add(std::uint64_t{'G'});
-    add_view(hash, view, settings);
+    require_images(view, "truth");
+    if (view.normal.empty()) throw std::invalid_argument("truth: no normals");
     const Mesh mesh = view_space_mesh(scene, frame);
+    base::Fingerprint hash = hash_of('G', view, settings);
     hash.add_all(mesh.positions);
     hash.add_all(mesh.indices);
-    return kept(folder_, hash.hash(), view.depth.size(),
-                [&] { return trace_geometry(scene, frame, view, settings); });
+    return kept(settings.cache, hash.hash(), view.depth.size(), [&] {
+        const OcclusionTracer tracer(mesh, settings.rays);
+        const PixelPositions positions(view);
+        std::atomic<std::uint64_t> unmatched = 0;
+        TracedTruth truth = trace(view, tracer, settings, [&](std::size_t pixel) {
+            const glm::dvec3 normal = view.normal[pixel];
+            const glm::dvec3 at = positions.at(pixel, double{view.depth[pixel]});
+            if (const auto receiver = shown_by(tracer, positions, at, normal)) return *receiver;
+            ++unmatched;
+            return as_it_is(at, normal, largest(at));
+        });
+        truth.unmatched = unmatched;
+        return truth;
+    });
+}
+
+TracedTruth trace_depth(const GBuffer& view, const TruthSettings& settings) {
+    base::Fingerprint hash = hash_of('D', view, settings);
+    hash.add(settings.thickness);
+    return kept(settings.cache, hash.hash(), view.depth.size(), [&] {
+        const Mesh field = depth_field(view, settings.thickness);
+        if (field.indices.empty()) return open(view);  // no four pixels form a surface: nothing blocks
+        const OcclusionTracer tracer(field, settings.rays);
+        const std::vector<double> reach = reaches(field);
+        return trace(view, tracer, settings, [&](std::size_t pixel) {
+            return as_it_is(glm::dvec3(field.positions[pixel]), glm::dvec3(field.normals[pixel]),
+                            reach[pixel]);
+        });
+    });
 }
 
 namespace {
@@ -221,26 +209,17 @@ Scene seen_from(const Scene& scene, std::size_t object, int frame) {
 
 }  // namespace
 
-std::vector<float> TruthCache::before(const Scene& scene, int frame, const GBuffer& view,
-                                      const TruthSettings& settings) const {
+std::vector<float> trace_before(const Scene& scene, int frame, const GBuffer& view,
+                                const TruthSettings& settings) {
     std::vector<float> all(view.depth.size(), 0.0F);
     for (std::size_t object = 0; object <= scene.objects.size(); ++object) {
         GBuffer part = view;
         for (std::size_t i = 0; i < all.size(); ++i)
             if (view.object[i] != object) part.depth[i] = std::numeric_limits<float>::infinity();
-        const TracedTruth traced = geometry(seen_from(scene, object, frame), frame, part, settings);
+        const TracedTruth traced = trace_geometry(seen_from(scene, object, frame), frame, part, settings);
         std::ranges::transform(all, traced.occlusion, all.begin(), std::plus{});
     }
     return all;
-}
-
-TracedTruth TruthCache::depth(const GBuffer& view, const TruthSettings& settings) const {
-    base::Fingerprint hash;
-    hash.add(version);
-    hash.add(std::uint64_t{'D'});
-    add_view(hash, view, settings);
-    hash.add(settings.thickness);
-    return kept(folder_, hash.hash(), view.depth.size(), [&] { return trace_depth(view, settings); });
 }
 
 }  // namespace gloam::scene

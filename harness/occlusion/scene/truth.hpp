@@ -5,19 +5,55 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "scene/gbuffer.hpp"
-#include "scene/occlusion_tracer.hpp"
 #include "scene/scene.hpp"
 
 namespace gloam::scene {
+
+// Weight of a blocker by its distance.
+enum class Falloff {
+    linear,     // 1 - d / R
+    quadratic,  // 1 - d^2 / R^2
+    step,       // 1 up to R
+};
+
+// The weight in [0, 1] of a blocker at `distance` (>= 0) for a radius > 0 (the same unit); 0 beyond the
+// radius.
+[[nodiscard]] double falloff_weight(Falloff falloff, double distance, double radius);
+
+// "linear", "quadratic", "step", and back.
+[[nodiscard]] const char* name_of(Falloff falloff);
+[[nodiscard]] std::optional<Falloff> falloff_named(std::string_view name);
+
+// The weight of the hemisphere's directions.
+enum class Weighting {
+    cosine,   // by the cosine to the normal: TSSAO-1
+    uniform,  // the same for all directions
+};
+
+struct RaySettings {
+    double radius = 0.5;  // world units, > 0; +infinity allowed with Falloff::step
+    Falloff falloff = Falloff::linear;
+    int rays = 1024;  // for each point, 32 to 2^24; rounded up to a multiple of 16, best a power of two
+    Weighting weighting = Weighting::cosine;
+};
+
+// Throws std::invalid_argument that names the first setting out of range.
+void validate(const RaySettings& settings);
 
 struct TruthSettings {
     RaySettings rays;
     double thickness = std::numeric_limits<double>::infinity();  // trace_depth(): as in depth_field()
     unsigned threads = 0;                                        // 0: one for each processor
     std::function<void(double)> progress;                        // called with the completed part, in [0, 1]
+    // Folder of traced truth, by a hash of everything that the truth depends on: triangles as the frame's
+    // camera sees them, depth, normals, projection, settings. It is created if it is missing. A damaged or
+    // truncated file counts as missing, one that cannot be written is ignored. Empty: none.
+    std::filesystem::path cache{};
 };
 
 // Traced occlusion, rows from the top; 0 at the background. Bit-identical for any number of threads.
@@ -43,26 +79,9 @@ struct TracedTruth {
 // range.
 [[nodiscard]] TracedTruth trace_depth(const GBuffer& view, const TruthSettings& settings);
 
-// A folder of traced truth, keyed by a hash of everything that the truth depends on: triangles as the frame's
-// camera sees them, depth, normals, projection, settings. A damaged or truncated file counts as missing. A
-// file that cannot be written is ignored.
-class TruthCache {
-  public:
-    // folder: created if it is missing; empty: no cache.
-    explicit TruthCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
-
-    // Like trace_geometry() and trace_depth(), from the cache if possible. They throw like those.
-    [[nodiscard]] TracedTruth geometry(const Scene& scene, int frame, const GBuffer& view,
-                                       const TruthSettings& settings) const;
-    [[nodiscard]] TracedTruth depth(const GBuffer& view, const TruthSettings& settings) const;
-
-    // (G) at the same surface points in the frame before, with the same rays: its difference from geometry()
-    // is what the motion of objects changed, without noise. Needs frame > 0 and GBuffer::object.
-    [[nodiscard]] std::vector<float> before(const Scene& scene, int frame, const GBuffer& view,
-                                            const TruthSettings& settings) const;
-
-  private:
-    std::filesystem::path folder_;
-};
+// (G) at the same surface points in the frame before, with the same rays: its difference from
+// trace_geometry() is what the motion of objects changed, without noise. Needs frame > 0 and GBuffer::object.
+[[nodiscard]] std::vector<float> trace_before(const Scene& scene, int frame, const GBuffer& view,
+                                              const TruthSettings& settings);
 
 }  // namespace gloam::scene

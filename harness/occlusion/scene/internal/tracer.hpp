@@ -7,10 +7,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
 #include <optional>
 #include <vector>
 
-#include "base/hidden.hpp"
+#include "scene/mesh.hpp"
+#include "scene/truth.hpp"
+
+struct RTCDeviceTy;
+struct RTCSceneTy;
 
 namespace gloam::scene {
 
@@ -32,12 +37,9 @@ struct RaySurface {
 // Triangles for ray tracing; the only user of Embree. Every triangle blocks on both sides. Thread-safe.
 class RayScene {
   public:
-    // Throws std::invalid_argument if there are no triangles, an index is out of range or a position is not
-    // finite; std::runtime_error if Embree fails.
-    RayScene(std::vector<glm::vec3> positions, std::vector<std::uint32_t> indices);
-
-    [[nodiscard]] const std::vector<glm::vec3>& positions() const { return positions_; }
-    [[nodiscard]] const std::vector<std::uint32_t>& indices() const { return indices_; }
+    // The triangles of a mesh with triangles, of a scene that validate() accepts; its normals are not used.
+    // Throws std::runtime_error if Embree fails.
+    explicit RayScene(const Mesh& mesh);
 
     // The first triangle between the distances `near` and `far` along a direction, in units of its length.
     // It traces one ray at a time; for rays that diverge from a point this is 1.5 times as fast as packets of
@@ -53,10 +55,10 @@ class RayScene {
     [[nodiscard]] std::array<glm::dvec3, 3> corners(std::uint32_t triangle) const;
 
   private:
-    struct Impl;
     std::vector<glm::vec3> positions_;
     std::vector<std::uint32_t> indices_;
-    base::Hidden<Impl> impl_;
+    std::shared_ptr<RTCDeviceTy> device_;
+    std::shared_ptr<RTCSceneTy> scene_;
 };
 
 [[nodiscard]] inline double largest(const glm::dvec3& v) {
@@ -88,6 +90,55 @@ class SobolPoints {
         std::uint32_t y;
     };
     std::vector<Bits> reversed_;  // the coordinates' 32 bits, least significant first
+};
+
+// A point whose occlusion is estimated.
+struct Receiver {
+    glm::dvec3 position{0};
+    glm::dvec3 normal{0, 0, 1};  // unit: the hemisphere is around it
+    glm::dvec3 facet{0, 0, 1};  // unit: normal of the triangle that contains the point, on the receiving side
+    double clearance = 0.0;     // world units: rays start this far from the triangle
+};
+
+struct OcclusionEstimate {
+    double occlusion = 0.0;       // in [0, 1]
+    double standard_error = 0.0;  // of it, from 16 independent parts; with Falloff::step 1 / rays at least
+};
+
+// Estimates the occlusion of points by tracing rays:
+//   (1 / pi) * integral over the hemisphere of V(w) D(d(w)) (n . w) dw
+// Here V = 1 where the ray is blocked at the distance d. With Weighting::uniform the factor is 1 / (2 pi),
+// without (n . w). Directions are points of Sobol' sequences of that density. The rays are divided into 16
+// equal parts, each with its own scrambling; the means of the parts give the standard error (15 degrees of
+// freedom). Thread-safe.
+//
+// A direction can leave through the back of the triangle on which it starts, because a smooth normal differs
+// from the facet's. It is then mirrored at the triangle, so that the facets of a smooth shape do not occlude
+// themselves.
+class OcclusionTracer {
+  public:
+    // Coordinates are single precision, which is most exact near the origin. Throws std::invalid_argument for
+    // settings out of range.
+    OcclusionTracer(const Mesh& mesh, const RaySettings& settings);
+
+    // Number of rays of an estimate.
+    [[nodiscard]] std::size_t rays() const;
+
+    // The estimate for one point; each seed gives another scrambling of the directions.
+    [[nodiscard]] OcclusionEstimate occlusion(const Receiver& receiver, std::uint64_t seed) const;
+
+    // The first surface between the distances `near` and `far` from an origin along a unit direction, as a
+    // receiver on that side: the point in double on its triangle; both normals are the triangle's own.
+    [[nodiscard]] std::optional<Receiver> surface(const glm::dvec3& origin, const glm::dvec3& direction,
+                                                  double near, double far) const;
+
+  private:
+    // The mean weight over the rays of one part.
+    [[nodiscard]] double part_mean(const Receiver& receiver, std::uint64_t seed) const;
+
+    RaySettings settings_;
+    SobolPoints points_;
+    RayScene scene_;
 };
 
 }  // namespace gloam::scene

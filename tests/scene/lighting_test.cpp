@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: MIT
+#include "scene/lighting.hpp"
+
+#include "scene/support.hpp"
+#include "scene/truth.hpp"
+
+namespace gloam::scene::test::lighting_test {
+
+// A view whose depths are those of planes n . x = c in view space, the nearest first; rounded to float.
+struct Plane {
+    glm::dvec3 normal;
+    double offset;
+};
+
+GBuffer view_of(const std::vector<Plane>& planes, gpu::Extent extent, Projection projection,
+                bool normals = true) {
+    GBuffer view{.extent = extent};
+    view.camera = make_frame({.projection = projection, .fovy_rad = 0.9, .view_height = 4.0},
+                             1.0 * extent.width / extent.height);
+    const PixelPositions positions(view);
+    for (std::size_t i = 0; i < std::size_t{extent.width} * extent.height; ++i) {
+        const auto [origin, direction] = positions.ray(i);
+        double depth = infinity;
+        glm::dvec3 normal(0.0);
+        for (const Plane& plane : planes) {
+            const double t =
+                (plane.offset - glm::dot(plane.normal, origin)) / glm::dot(plane.normal, direction);
+            if (!(t > 0.0 && t < depth)) continue;
+            depth = t;
+            normal = plane.normal;
+        }
+        view.depth.push_back(static_cast<float>(depth));
+        if (normals) view.normal.emplace_back(normal);
+    }
+    return view;
+}
+
+const TruthSettings few_rays{.rays = {.radius = 0.5, .rays = 64}};
+
+double largest(const std::vector<float>& values) {
+    return double{*std::ranges::max_element(values)};
+}
+
+// However the plane is tilted, and whether its normals are given or found.
+TEST(DepthField, OfAPlaneIsOpen) {
+    for (const Projection projection : projections) {
+        for (const double tilt : {0.0, 0.5, 1.2, 1.45}) {
+            for (const bool normals : {true, false}) {
+                const Plane plane{{std::sin(tilt) * 0.6, std::sin(tilt) * 0.8, std::cos(tilt)}, -3.0};
+                const GBuffer view = view_of({plane}, {48, 32}, projection, normals);
+                const TracedTruth truth = trace_depth(view, few_rays);
+                // Depths are floats: a bump of one in 10^7 may meet a ray that grazes it.
+                EXPECT_LT(largest(truth.occlusion), 0.02) << tilt << " " << normals;
+                const double sum = std::accumulate(truth.occlusion.begin(), truth.occlusion.end(), 0.0);
+                EXPECT_LT(sum / (48 * 32), 1e-4) << tilt << " " << normals;
+            }
+        }
+    }
+}
+
+// If nothing is hidden, the depth buffer contains all geometry: a wall meets a floor, both completely
+// visible.
+TEST(DepthField, AgreesWithTheGeometryWhereNothingIsHidden) {
+    Scene scene{.name = "edge", .mesh = make_parallelogram({-9, -1, -5}, {0, 0, 9}, {18, 0, 0}, 1.0)};
+    append(scene.mesh, make_parallelogram({-9, -1, -5}, {18, 0, 0}, {0, 9, 0}, 1.0));
+    scene.camera = {.far = infinity};
+    const GBuffer view = view_of({{{0, 1, 0}, -1.0}, {{0, 0, 1}, -5.0}}, {96, 64}, Projection::perspective);
+    // The same camera, by default.
+    ASSERT_EQ(view.camera.p00_p11(), make_frame(scene.camera, 1.5).p00_p11());
+    const TruthSettings settings{.rays = {.radius = 0.5, .rays = 256}};
+    const TracedTruth geometry = trace_geometry(scene, 0, view, settings);
+    const TracedTruth depth = trace_depth(view, settings);
+    EXPECT_EQ(geometry.unmatched, 0U);
+    double squares = 0.0;
+    int compared = 0;
+    for (std::size_t i = 0; i < view.depth.size(); ++i) {
+        const std::size_t x = i % 96;
+        // The border hides what is outside; the row of pixels over the edge spans a rounded corner.
+        if (x < 12 || x >= 84 || i / 96 >= 52) continue;
+        const double error = double{depth.occlusion[i]} - double{geometry.occlusion[i]};
+        squares += error * error;
+        ++compared;
+    }
+    EXPECT_GT(compared, 3000);
+    EXPECT_GT(largest(geometry.occlusion), 0.2);
+    EXPECT_LT(std::sqrt(squares / compared), 0.02);
+}
+
+// A square before a wall, 3 before it: as a solid it shades the wall beside it, as a sheet it is too far
+// away.
+TEST(DepthField, ThicknessSaysWhatIsBehindTheSurface) {
+    GBuffer view = view_of({{{0, 0, 1}, -5.0}}, {64, 64}, Projection::orthographic);
+    for (std::size_t i = 0; i < view.depth.size(); ++i)
+        if (i % 64 < 32) view.depth[i] = 2.0F;
+    TruthSettings settings = few_rays;
+    const std::size_t beside = 32 * 64 + 33;
+    const TracedTruth solid = trace_depth(view, settings);
+    EXPECT_GT(solid.occlusion[beside], 0.15F);
+    settings.thickness = 1.0;
+    const TracedTruth sheet = trace_depth(view, settings);
+    EXPECT_EQ(sheet.occlusion[beside], 0.0F);
+    EXPECT_EQ(sheet.occlusion[32 * 64 + 10], 0.0F);
+}
+
+// A floor to the horizon jumps by metres from pixel to pixel and is a plane all the same.
+TEST(DepthField, ASlopeIsNoJump) {
+    const GBuffer view = view_of({{{0, 1, 0}, -1.0}}, {32, 64}, Projection::perspective);
+    const Mesh sheet = depth_field(view, 0.01);
+    const Mesh solid = depth_field(view);
+    const auto rows_below = std::ranges::count_if(view.depth, [](float d) { return std::isfinite(d); }) / 32;
+    EXPECT_EQ(static_cast<long>(sheet.triangle_count()), 2 * 31 * (rows_below - 1));
+    EXPECT_EQ(solid.triangle_count(), sheet.triangle_count());
+}
+
+TEST(DepthField, BackgroundIsOpenAndTheEdgeOfAnObjectShadesNothing) {
+    GBuffer view = view_of({{{0, 0, 1}, -5.0}}, {32, 32}, Projection::perspective);
+    for (std::size_t i = 0; i < view.depth.size(); ++i) {
+        if (i % 32 >= 8 && i % 32 < 24) continue;
+        view.depth[i] = infinity;
+        view.normal[i] = glm::vec3(0);
+    }
+    const TracedTruth truth = trace_depth(view, few_rays);
+    EXPECT_LT(largest(truth.occlusion), 1e-3);
+    EXPECT_EQ(truth.pixels, 32U * 16);
+}
+
+TEST(DepthField, ViewsThatCannotBe) {
+    const GBuffer good = view_of({{{0, 0, 1}, -5.0}}, {4, 4}, Projection::perspective);
+    const auto refused = [&](auto change, double thickness, int rays,
+                             std::initializer_list<std::string> parts) {
+        GBuffer view = good;
+        change(view);
+        const TruthSettings settings{.rays = {.rays = rays}, .thickness = thickness};
+        expect_error<std::invalid_argument>([&] { (void)trace_depth(view, settings); }, parts);
+    };
+    const auto unchanged = [](GBuffer&) {};
+    refused([](GBuffer& view) { view.depth.pop_back(); }, 1.0, 64, {"15 depths", "4 x 4"});
+    refused([](GBuffer& view) { view.normal.pop_back(); }, 1.0, 64, {"15 normals"});
+    refused([](GBuffer& view) { std::ranges::fill(view.depth, infinity); }, 1.0, 64, {"no geometry"});
+    for (const double bad : {0.0, std::nan("")}) refused(unchanged, bad, 64, {"thickness"});
+    refused(unchanged, 1.0, 0, {"0 rays"});
+}
+
+TEST(DepthField, OfOnePixelIsOpen) {
+    for (const gpu::Extent extent : {gpu::Extent{1, 1}, gpu::Extent{1, 5}, gpu::Extent{5, 1}}) {
+        const GBuffer view = view_of({{{0, 0, 1}, -5.0}}, extent, Projection::perspective, false);
+        EXPECT_EQ(largest(trace_depth(view, few_rays).occlusion), 0.0);
+    }
+}
+
+// The light of a view.
+
+constexpr gpu::Extent size{33, 33};
+
+// A floor, and a ball above its middle; seen from right above, so that no pixel sees what is below the ball.
+Scene ball_on_floor() {
+    Scene scene{.name = "ball", .mesh = make_parallelogram({-20, 0, 20}, {40, 0, 0}, {0, 0, -40}, 40.0)};
+    append(scene.mesh, make_sphere({0, 2, 0}, 0.5, 32, 64));
+    scene.camera = {.eye = {0, 8, 0}, .target = {0, 0, 0}, .up = {0, 0, -1}, .fovy_rad = 1.2};
+    return scene;
+}
+
+// The floor of the scene as that camera sees it, the ball left out.
+GBuffer floor_view(const Scene& scene) {
+    const std::size_t pixels = std::size_t{size.width} * size.height;
+    return {.extent = size,
+            .depth = std::vector<float>(pixels, 8.0F),
+            .normal = std::vector<glm::vec3>(pixels, glm::vec3(0, 0, 1)),
+            .camera = make_frame(scene.camera, 1.0)};
+}
+
+float brightness(const glm::vec3& color) {
+    return color.x + color.y + color.z;
+}
+
+TEST(Lighting, TheBallThrowsItsShadowAwayFromTheSun) {
+    const Scene scene = ball_on_floor();
+    const SplitLight with = light_of(floor_view(scene), &scene);
+    const SplitLight without = light_of(floor_view(scene), nullptr);
+    std::size_t dark = 0;
+    double x = 0.0;
+    for (std::size_t i = 0; i < with.direct.size(); ++i) {
+        ASSERT_LE(brightness(with.direct[i]), brightness(without.direct[i]) + 1e-5F);
+        EXPECT_EQ(with.ambient[i], without.ambient[i]);  // shadows are of the direct light
+        if (brightness(with.direct[i]) > 0.01F) continue;
+        ++dark;
+        x += static_cast<double>(i % size.width) - 16.0;
+    }
+    ASSERT_GT(dark, 3U);
+    EXPECT_LT(dark, 60U);
+    EXPECT_GT(x / static_cast<double>(dark), 1.0);  // the sun stands at -x
+}
+
+TEST(Lighting, ALampLightsWhatFacesIt) {
+    Scene scene = ball_on_floor();
+    scene.lamp = glm::dvec3(0, 6, 0);
+    const SplitLight lit = light_of(floor_view(scene), &scene);
+    EXPECT_EQ(brightness(lit.direct[16 * 33 + 16]), 0.0F);  // below the ball
+    EXPECT_GT(brightness(lit.direct[16 * 33 + 28]), 0.1F);
+    scene.lamp = glm::dvec3(0, -6, 0);  // under the floor
+    for (const glm::vec3& color : light_of(floor_view(scene), &scene).direct)
+        EXPECT_EQ(brightness(color), 0.0F);
+}
+
+TEST(Lighting, TheBackgroundIsSkyAndHasNoOcclusion) {
+    const Scene scene = ball_on_floor();
+    GBuffer view = floor_view(scene);
+    view.depth[0] = infinity;
+    view.depth[1] = nan;
+    const SplitLight light = light_of(view, &scene);
+    for (const std::size_t i : {0, 1}) {
+        EXPECT_EQ(light.ambient[i], glm::vec3(0));
+        EXPECT_GT(brightness(light.direct[i]), 1.0F);
+    }
+}
+
+TEST(Lighting, AlbedoAndMissingNormals) {
+    const Scene scene = ball_on_floor();
+    GBuffer view = floor_view(scene);
+    const SplitLight grey = light_of(view, &scene);
+    view.color.assign(view.depth.size(), glm::vec3(default_color.x, 0.0F, 0.0F));
+    const SplitLight red = light_of(view, &scene);
+    view.normal.clear();  // the depth is that of a plane
+    const SplitLight found = light_of(view, &scene);
+    for (std::size_t i = 0; i < red.ambient.size(); ++i) {
+        EXPECT_FLOAT_EQ(red.ambient[i].x, grey.ambient[i].x);
+        EXPECT_EQ(red.ambient[i].y, 0.0F);
+        EXPECT_NEAR(found.ambient[i].x, red.ambient[i].x, 1e-4F);
+    }
+}
+
+TEST(Lighting, RefusesImagesOfAnotherSize) {
+    const Scene scene = ball_on_floor();
+    GBuffer view = floor_view(scene);
+    view.normal.resize(5);
+    expect_error<std::invalid_argument>([&] { (void)light_of(view, &scene); }, {"5 normals"});
+}
+
+// The light of pictures at several samples of a pixel: which pixel a sample shows, and the mean of the
+// samples.
+
+// A view of walls that face the eye, with these depths.
+GBuffer walls(gpu::Extent extent, const std::vector<float>& depth) {
+    GBuffer view{.extent = extent, .depth = depth, .camera = make_frame({}, 1.0)};
+    view.normal.assign(depth.size(), glm::vec3(0, 0, 1));
+    return view;
+}
+
+// 2 x 2 pixels of 2 x 2 samples: a near wall on the left ends in the middle of the second column of samples.
+PictureLight edge() {
+    const GBuffer view = walls({2, 2}, {1, 4, 1, 4});
+    const GBuffer fine = walls({4, 4}, {1, 4, 4, 4, 1, 4, 4, 4, 1, 1, 4, infinity, 1, 1, 4, 4});
+    return picture_light(view, fine, 2, nullptr);
+}
+
+TEST(PictureLight, ASampleShowsThePixelWhosePlaneItLiesOn) {
+    EXPECT_EQ(edge().pixel, (std::vector<std::uint32_t>{0, 1, 1, 1, 0, 1, 1, 1, 2, 2, 3, 3, 2, 2, 3, 3}));
+    EXPECT_EQ(edge().spread({0.1F, 0.2F, 0.3F, 0.4F}),
+              (std::vector<float>{0.1F, 0.2F, 0.2F, 0.2F, 0.1F, 0.2F, 0.2F, 0.2F, 0.3F, 0.3F, 0.4F, 0.4F,
+                                  0.3F, 0.3F, 0.4F, 0.4F}));
+}
+
+TEST(PictureLight, ATiltedPlaneIsOnePixelsOwn) {
+    // The plane z = -4 + 2 x: depths of samples differ by far more than the tolerance, and each lies on it.
+    GBuffer view = walls({2, 2}, std::vector<float>(4));
+    GBuffer fine = walls({4, 4}, std::vector<float>(16));
+    const glm::dvec3 normal = glm::normalize(glm::dvec3(-2, 0, 1));
+    for (GBuffer* one : {&view, &fine}) {
+        one->normal.assign(one->depth.size(), glm::vec3(normal));
+        const PixelPositions positions(*one);
+        for (std::size_t i = 0; i < one->depth.size(); ++i) {
+            const glm::dvec3 ray = positions.at(i, 1.0);
+            one->depth[i] = static_cast<float>(4.0 / (1.0 + 2.0 * ray.x));
+        }
+    }
+    EXPECT_EQ(picture_light(view, fine, 2, nullptr).pixel,
+              (std::vector<std::uint32_t>{0, 0, 1, 1, 0, 0, 1, 1, 2, 2, 3, 3, 2, 2, 3, 3}));
+}
+
+TEST(PictureLight, ThePictureIsTheMeanOfItsSamples) {
+    std::vector<glm::vec3> samples;
+    for (int i = 0; i < 16; ++i) samples.emplace_back(static_cast<float>(i));
+    const std::vector<glm::vec3> means = edge().mean(samples);
+    ASSERT_EQ(means.size(), 4U);
+    const float expected[] = {2.5F, 4.5F, 10.5F, 12.5F};
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(means[i], glm::vec3(expected[i]));
+}
+
+TEST(PictureLight, OneSampleIsThePixelItself) {
+    const GBuffer view = walls({2, 1}, {1, 4});
+    const PictureLight one = picture_light(view, view, 1, nullptr);
+    EXPECT_EQ(one.pixel, (std::vector<std::uint32_t>{0, 1}));
+    EXPECT_EQ(one.light.direct, light_of(view, nullptr).direct);
+}
+
+}  // namespace gloam::scene::test::lighting_test
