@@ -14,13 +14,6 @@ std::vector<ClosedFormView> all_views() {
     return all;
 }
 
-// Calls `visit` with the middles of size^2 cells of the unit square.
-template <class Visit>
-void over_square(int size, const Visit& visit) {
-    for (int i = 0; i < size; ++i)
-        for (int j = 0; j < size; ++j) visit((i + 0.5) / size, (j + 0.5) / size);
-}
-
 // Occlusion by rays through the scene itself: cosine-weighted, linear falloff.
 double traced(const ClosedFormView& view) {
     constexpr int size = 512;
@@ -28,14 +21,15 @@ double traced(const ClosedFormView& view) {
     const glm::dvec3 tangent = glm::normalize(glm::cross(helper, view.normal));
     const glm::dvec3 bitangent = glm::cross(view.normal, tangent);
     double sum = 0.0;
-    over_square(size, [&](double squared, double turn) {
-        const double angle = 2.0 * pi * turn;
+    for (int i = 0; i < size * size; ++i) {
+        const double squared = (i / size + 0.5) / size;
+        const double angle = 2.0 * pi * (i % size + 0.5) / size;
         const glm::dvec3 direction =
             std::sqrt(squared) * (std::cos(angle) * tangent + std::sin(angle) * bitangent) +
             std::sqrt(1.0 - squared) * view.normal;
         const auto hit = view.scene.first_hit(view.point + 1e-7 * view.normal, direction);
         if (hit) sum += std::max(1.0 - hit->distance, 0.0);
-    });
+    }
     return sum / (size * size);
 }
 
@@ -51,26 +45,26 @@ bool hides_space(const ClosedFormView& view) {
         const auto hit = view.scene.first_hit(from, to - from);
         return hit && hit->distance < 1.0;
     };
+    constexpr int size = 48;
     bool hidden = false;
-    for (const double distance : {0.1, 0.3, 0.5, 0.7, 0.9}) {
-        over_square(48, [&](double share, double turn) {
-            const double height = 2.0 * share - 1.0;
-            const double across = std::sqrt(1.0 - height * height);
-            const glm::dvec3 direction(across * std::cos(2.0 * pi * turn), across * std::sin(2.0 * pi * turn),
-                                       height);
-            if (glm::dot(direction, view.normal) <= 0.0) return;
-            const glm::dvec3 start = view.point + 1e-6 * view.normal;
-            const glm::dvec3 at = start + distance * direction;
-            const glm::dvec3 eye = orthographic ? glm::dvec3(glm::dvec2(at), 0.0) : glm::dvec3(0.0);
-            hidden |= !blocked(start, at) && blocked(at, eye);
-        });
+    for (int i = 0; i < 5 * size * size; ++i) {
+        const double distance = 0.1 + 0.2 * (i % 5);
+        const double height = 2.0 * (i / 5 % size + 0.5) / size - 1.0;
+        const double turn = 2.0 * pi * (i / 5 / size + 0.5) / size;
+        const double across = std::sqrt(1.0 - height * height);
+        const glm::dvec3 direction(across * std::cos(turn), across * std::sin(turn), height);
+        if (glm::dot(direction, view.normal) <= 0.0) continue;
+        const glm::dvec3 start = view.point + 1e-6 * view.normal;
+        const glm::dvec3 at = start + distance * direction;
+        const glm::dvec3 eye = orthographic ? glm::dvec3(glm::dvec2(at), 0.0) : glm::dvec3(0.0);
+        hidden |= !blocked(start, at) && blocked(at, eye);
     }
     return hidden;
 }
 
-TEST(ClosedFormViews, ShowAllOfTheirSceneOrSayThatTheyDoNot) {
+TEST(ClosedFormViews, ShowAllOfTheirSceneUnlessAPlateHidesIt) {
     for (const ClosedFormView& view : all_views())
-        EXPECT_EQ(!hides_space(view), view.seen_whole) << view.name;
+        EXPECT_EQ(hides_space(view), view.name == "plate") << view.name;
 }
 
 TEST(ClosedFormViews, ShowTheirPointInTheMiddle) {
@@ -84,13 +78,6 @@ TEST(ClosedFormViews, ShowTheirPointInTheMiddle) {
             const double length = glm::length(glm::dvec3(buffer.normal[i]));
             EXPECT_NEAR(length, std::isfinite(buffer.depth[i]) ? 1.0 : 0.0, 1e-6) << view.name;
         }
-    }
-}
-
-TEST(ClosedFormViews, AreDrawnInOddSizesOnly) {
-    const ClosedFormView view = all_views().front();
-    for (const std::uint32_t size : {0U, 1U, 2U, 64U}) {
-        EXPECT_THROW((void)draw(view, size), std::invalid_argument) << size;
     }
 }
 

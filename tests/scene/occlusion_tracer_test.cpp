@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The ray tracer against meshes whose occlusion is known, at the points where it is.
+#include <fmt/format.h>
+
 #include "scene/internal/tracer.hpp"
 #include "scene/support.hpp"
 
@@ -40,7 +42,7 @@ KnownScene ceiling(Falloff falloff, double q, Weighting weighting = Weighting::c
     if (weighting == Weighting::uniform) occlusion = 1.0 - q + q * std::log(q);
     Mesh mesh = ground(30.0);
     append(mesh, make_parallelogram({-30, q * 2.0, -30}, {60, 0, 0}, {0, 0, 60}, 60.0));
-    return {.name = std::string("ceiling, ") + name_of(falloff),
+    return {.name = fmt::format("ceiling, {}", static_cast<int>(falloff)),
             .mesh = mesh,
             .point = [=](int i) -> KnownPoint { return {on_ground(0.13 * i, 0.07 * i), occlusion}; },
             .settings = {.radius = 2.0, .falloff = falloff, .rays = 1024, .weighting = weighting}};
@@ -59,7 +61,7 @@ KnownScene wall(Falloff falloff) {
     };
     Mesh mesh = ground(30.0);
     append(mesh, make_parallelogram({0, 0, -30}, {0, 30, 0}, {0, 0, 60}, 60.0));
-    return {.name = std::string("wall, ") + name_of(falloff),
+    return {.name = fmt::format("wall, {}", static_cast<int>(falloff)),
             .mesh = mesh,
             .points = 55,
             .point = [=](int i) -> KnownPoint {
@@ -75,7 +77,7 @@ KnownScene enclosed(Falloff falloff, double x) {
     double occlusion = x <= 1.0 ? 1.0 : 1.0 / (x * x);
     if (falloff == Falloff::linear) occlusion = x <= 1.0 ? 1.0 - 2.0 * x / 3.0 : 1.0 / (3.0 * x * x);
     if (falloff == Falloff::quadratic) occlusion = x <= 1.0 ? 1.0 - 0.5 * x * x : 0.5 / (x * x);
-    return {.name = std::string("in a sphere, ") + name_of(falloff),
+    return {.name = fmt::format("in a sphere, {}", static_cast<int>(falloff)),
             .mesh = make_sphere({0, 0, 0}, 0.5 * x, 256, 512),
             .point = [=](int i) -> KnownPoint {
                 const double angle = 0.1 + 0.15 * i;

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 #include <utility>
 
 namespace gloam::scene {
@@ -107,12 +106,10 @@ struct Part {
 // A view in coordinates of its own, which start at the point: x towards the blockers, z along the normal.
 struct Setup {
     std::string name;
-    std::string description;
     double occlusion = 0.0;
     double tilt = 0.0;  // radians from the normal to the eye's direction, away from the blockers
     double distance = away;
     double half_height = half_image;  // of the image, at the point's depth
-    bool seen_whole = true;
     bool flat = true;
     std::vector<Part> planes{};
     double sphere = 0.0;  // > 0: one of this radius, that the point lies on
@@ -132,11 +129,9 @@ ClosedFormView view_of(const Setup& setup, Projection projection) {
     };
     const HalfSpace point = placed({{0, 0, 0}, {0, 0, 1}});
     ClosedFormView view{.name = setup.name,
-                        .description = setup.description,
                         .point = point.point,
                         .normal = point.normal,
                         .occlusion = setup.occlusion,
-                        .seen_whole = setup.seen_whole,
                         .flat = setup.flat};
     view.camera.projection = projection;
     view.camera.view_height = 2.0 * setup.half_height;
@@ -177,8 +172,7 @@ Setup under_ceiling() {
     constexpr double height = 0.5;
     constexpr double along = 2.0;
     const double distance = std::hypot(along, 0.5 * height);
-    return {.name = "ceiling",
-            .description = "floor under a ceiling at 0.5 R, seen from between them, 2 R away",
+    return {.name = "ceiling",  // floor under a ceiling at 0.5 R, seen from between them, 2 R away
             .occlusion = (1.0 - height) * (1.0 - height),
             .tilt = std::atan2(along, 0.5 * height),
             .distance = distance,
@@ -190,36 +184,29 @@ Setup under_ceiling() {
 std::vector<Setup> shapes(Projection projection) {
     // The orthographic view of the sphere starts at half the height: the upper half would hide the inside.
     const bool orthographic = projection == Projection::orthographic;
-    return {{.name = "groove",
-             .description = "floor that rises by 45 degrees from the line through the point",
+    return {{.name = "groove",  // floor that rises by 45 degrees from the line through the point
              .occlusion = 0.5 * (1.0 - std::cos(quarter)),
              .flat = false,
              .planes = {ground, slope(1.0)}},
-            {.name = "valley",
-             .description = "line between two slopes of 45 degrees",
+            {.name = "valley",  // line between two slopes of 45 degrees
              .occlusion = 1.0 - std::cos(quarter),
              .flat = false,
              .planes = {ground, slope(1.0), slope(-1.0)}},
-            {.name = "pit",
-             .description = "bottom of a funnel that rises by 45 degrees all round",
+            {.name = "pit",  // bottom of a funnel that rises by 45 degrees all round
              .occlusion = 0.5,
              .flat = false,
              .cone = quarter},
-            {.name = "sphere",
-             .description = "inside of a sphere of radius R",
+            {.name = "sphere",  // inside of a sphere of radius R
              .occlusion = 1.0 / 12.0,
              .distance = orthographic ? 1.0 : 1.9,
              .flat = false,
              .sphere = 1.0},
-            {.name = "step",
-             .description = "floor 0.5 R before a block 1.5 R high, seen from straight above",
+            {.name = "step",  // floor 0.5 R before a block 1.5 R high, seen from straight above
              .occlusion = wall_occlusion(0.5),
              .planes = {ground, {wall(0.5).plane, {{{0, 0, 1.5}, {0, 0, -1}}}}, roof(1.5, 0.5)}},
-            {.name = "plate",
-             .description = "floor under the edge of a plate without thickness at 0.5 R",
+            {.name = "plate",  // floor under the edge of a plate without thickness at 0.5 R
              .occlusion = 0.5 * 0.5 * 0.5,
              .tilt = pi / 6.0,
-             .seen_whole = false,
              .planes = {ground, roof(0.5, 0.0)}}};
 }
 
@@ -229,13 +216,9 @@ std::vector<ClosedFormView> closed_form_views(Projection projection) {
     std::vector<ClosedFormView> views;
     const auto add = [&](const Setup& setup) { views.push_back(view_of(setup, projection)); };
     for (const double degrees : {0.0, 30.0, 60.0})
-        add({.name = fmt::format("plane {:g}", degrees),
-             .description = fmt::format("bare plane, tilted by {:g} degrees", degrees),
-             .tilt = degrees * pi / 180.0,
-             .planes = {ground}});
+        add({.name = fmt::format("plane {:g}", degrees), .tilt = degrees * pi / 180.0, .planes = {ground}});
     for (const double distance : {0.25, 0.5, 0.75})
         add({.name = fmt::format("wall {:g}", distance),
-             .description = fmt::format("floor {:g} R before a wall, both seen at 45 degrees", distance),
              .occlusion = wall_occlusion(distance),
              .tilt = quarter,
              .planes = {ground, wall(distance)}});
@@ -245,9 +228,6 @@ std::vector<ClosedFormView> closed_form_views(Projection projection) {
 }
 
 GBuffer draw(const ClosedFormView& view, std::uint32_t size) {
-    if (size < 3 || size % 2 == 0)
-        throw std::invalid_argument(
-            fmt::format("view {}: {} pixels, expected an odd number from 3 on", view.name, size));
     GBuffer buffer{.extent = {size, size}, .border = gpu::Extent{size / 2, size / 2}};
     buffer.camera = make_frame(view.camera, 1.0);
     const PixelPositions positions(buffer);

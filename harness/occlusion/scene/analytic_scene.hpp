@@ -57,13 +57,11 @@ class AnalyticScene {
 // depth buffer cannot know all that blocks.
 struct ClosedFormView {
     std::string name;
-    std::string description;
     AnalyticScene scene;  // in view space
     Camera camera;        // at the origin, looking down -z; the image is square
     glm::dvec3 point{0};  // on the optical axis, view space
     glm::dvec3 normal{0, 0, 1};
     double occlusion = 0.0;  // at the point: TSSAO-1, cosine-weighted, linear falloff
-    bool seen_whole = true;  // the depth buffer shows the whole scene
     bool flat = true;        // the surface around the point is a plane
 };
 
@@ -72,8 +70,7 @@ struct ClosedFormView {
 [[nodiscard]] std::vector<ClosedFormView> closed_form_views(Projection projection);
 
 // The view's images, calculated in double at the centres of size x size pixels. All pixels except the middle
-// one are guard band, so a frame is one pixel. Throws std::invalid_argument for a size that is even or below
-// 3.
+// one are guard band, so a frame is one pixel. size: odd, from 3 on.
 [[nodiscard]] GBuffer draw(const ClosedFormView& view, std::uint32_t size);
 
 }  // namespace gloam::scene

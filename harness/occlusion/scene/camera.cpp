@@ -35,33 +35,26 @@ void check(const Camera& camera, double aspect) {
     }
 }
 
-// Elements [2][2] and [3][2]: b = 0 at `zero`, b = 1 at `one`.
-glm::dvec2 perspective_depth(double zero, double one) {
+// Elements [2][2] and [3][2]: depth-buffer value 0 at the depth `zero`, 1 at `one`.
+glm::dvec2 depth_elements(bool perspective, double zero, double one) {
+    if (!perspective) return {1.0 / (zero - one), zero / (zero - one)};
     if (std::isinf(one)) return {-1.0, -zero};
     if (std::isinf(zero)) return {0.0, one};
     return {one / (zero - one), one * zero / (zero - one)};
 }
 
 glm::dmat4 projection_of(const Camera& camera, double aspect) {
-    const double zero = camera.reversed_z ? camera.far : camera.near;
-    const double one = camera.reversed_z ? camera.near : camera.far;
+    const bool perspective = camera.projection == Projection::perspective;
+    const double scale = perspective ? 1.0 / std::tan(0.5 * camera.fovy_rad) : 2.0 / camera.view_height;
+    const glm::dvec2 depth = camera.reversed_z ? depth_elements(perspective, camera.far, camera.near)
+                                               : depth_elements(perspective, camera.near, camera.far);
     glm::dmat4 projection(0.0);
-    if (camera.projection == Projection::perspective) {
-        const double scale = 1.0 / std::tan(0.5 * camera.fovy_rad);
-        const glm::dvec2 depth = perspective_depth(zero, one);
-        projection[0][0] = scale / aspect;
-        projection[1][1] = -scale;
-        projection[2][2] = depth.x;
-        projection[3][2] = depth.y;
-        projection[2][3] = -1.0;
-    } else {
-        const double scale = 2.0 / camera.view_height;
-        projection[0][0] = scale / aspect;
-        projection[1][1] = -scale;
-        projection[2][2] = 1.0 / (zero - one);
-        projection[3][2] = zero / (zero - one);
-        projection[3][3] = 1.0;
-    }
+    projection[0][0] = scale / aspect;
+    projection[1][1] = -scale;
+    projection[2][2] = depth.x;
+    projection[3][2] = depth.y;
+    projection[2][3] = perspective ? -1.0 : 0.0;
+    projection[3][3] = perspective ? 0.0 : 1.0;
     return projection;
 }
 

@@ -11,35 +11,26 @@ namespace {
 constexpr double most = 0.5;  // share of the surface from which on a contradiction is reported
 constexpr std::size_t too_few_pixels = 64;
 
-// The pixels of a frame that show a surface.
-class Surface {
-  public:
-    explicit Surface(const GBuffer& view) : view_(view) {
+// The pixels of a frame that show a surface, and their depths, ascending.
+struct Surface {
+    explicit Surface(const GBuffer& view) {
         for (std::size_t i = 0; i < view.depth.size(); ++i) {
-            if (is_surface(view.depth[i])) pixels_.push_back(i);
+            if (!is_surface(view.depth[i])) continue;
+            pixels.push_back(i);
+            depths.push_back(double{view.depth[i]});
         }
-        for (const std::size_t i : pixels_) sorted_depth_.push_back(double{view.depth[i]});
-        std::ranges::sort(sorted_depth_);
+        std::ranges::sort(depths);
     }
-
-    [[nodiscard]] bool empty() const { return pixels_.empty(); }
-    [[nodiscard]] bool covers_all() const { return pixels_.size() == view_.depth.size(); }
-    [[nodiscard]] double nearest() const { return sorted_depth_.front(); }
-    [[nodiscard]] double median() const { return sorted_depth_[sorted_depth_.size() / 2]; }
-    [[nodiscard]] double farthest() const { return sorted_depth_.back(); }
-    [[nodiscard]] const std::vector<std::size_t>& pixels() const { return pixels_; }
 
     // The share of the pixels that satisfy a condition.
     template <class Condition>
     [[nodiscard]] double share(Condition condition) const {
-        const auto count = std::ranges::count_if(pixels_, condition);
-        return static_cast<double>(count) / static_cast<double>(pixels_.size());
+        return static_cast<double>(std::ranges::count_if(pixels, condition)) /
+               static_cast<double>(pixels.size());
     }
 
-  private:
-    const GBuffer& view_;
-    std::vector<std::size_t> pixels_;
-    std::vector<double> sorted_depth_;
+    std::vector<std::size_t> pixels;
+    std::vector<double> depths;
 };
 
 std::string percent(double share) {
@@ -69,9 +60,10 @@ std::string values_of_no_depth_buffer(const GBuffer& view, const std::vector<flo
 }
 
 std::string values_of_no_linear_depth(const GBuffer& view, const Surface& surface) {
+    const std::vector<double>& depths = surface.depths;
     constexpr double typical = 0.9;  // of a depth buffer: most is just below 1, the background is 1
-    if (surface.covers_all() && surface.farthest() == 1.0 && surface.nearest() < 1.0 &&
-        surface.median() > typical)
+    if (depths.size() == view.depth.size() && depths.back() == 1.0 && depths.front() < 1.0 &&
+        depths[depths.size() / 2] > typical)
         return "no depth exceeds 1, and most lie just below it: these are values of a depth buffer, which "
                "--depth "
                "buffer reads; expected eye-linear depth";
@@ -101,7 +93,7 @@ std::string lengths_that_differ(const GBuffer& view, const Surface& surface, con
     };
     const double wrong = surface.share(differs);
     if (wrong <= most) return "";
-    const std::size_t first = *std::ranges::find_if(surface.pixels(), differs);
+    const std::size_t first = *std::ranges::find_if(surface.pixels, differs);
     return fmt::format(
         "{} of the normals have another length than 1 ({:.3g} at {}): expected unit vectors, stored as "
         "--normals says",
@@ -143,7 +135,7 @@ std::string directions_that_differ(const GBuffer& view, const Surface& surface) 
     }
     std::size_t judged = 0;
     std::size_t agree = 0;
-    for (const std::size_t i : surface.pixels()) {
+    for (const std::size_t i : surface.pixels) {
         if (!has_neighbours(view, i)) continue;
         const glm::dvec3 across =
             glm::cross(along(view, positions, i, view.extent.width), along(view, positions, i, 1));
@@ -169,7 +161,7 @@ std::string contradiction_of(const GBuffer& view, const StoredInputs& as_stored)
         if (!values.empty()) return values;
     }
     const Surface surface(view);
-    if (surface.empty()) return "";
+    if (surface.pixels.empty()) return "";
     std::string text = as_stored.encoding.depth_buffer ? "" : values_of_no_linear_depth(view, surface);
     if (text.empty() && !view.normal.empty()) text = lengths_that_differ(view, surface, as_stored);
     if (text.empty() && !view.normal.empty()) text = directions_that_differ(view, surface);
@@ -178,19 +170,19 @@ std::string contradiction_of(const GBuffer& view, const StoredInputs& as_stored)
 
 std::string radius_out_of_proportion(const GBuffer& view, double radius) {
     const Surface surface(view);
-    if (surface.empty()) return "";
+    if (surface.pixels.empty()) return "";
     const PixelPositions positions(view);
-    if (positions.pixels_of_length(radius, surface.nearest()) < 1.0) {
+    if (positions.pixels_of_length(radius, surface.depths.front()) < 1.0) {
         return fmt::format(
             "radius {:g}: it is below a pixel at the nearest surface, {:g} away, so nothing is occluded",
-            radius, surface.nearest());
+            radius, surface.depths.front());
     }
     constexpr double largest = 1e3;
-    if (radius <= largest * surface.farthest()) return "";
+    if (radius <= largest * surface.depths.back()) return "";
     return fmt::format(
         "radius {:g}: the farthest surface is {:g} away, expected a radius of the size of the scene's "
         "features",
-        radius, surface.farthest());
+        radius, surface.depths.back());
 }
 
 }  // namespace gloam::scene

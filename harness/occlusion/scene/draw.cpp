@@ -86,7 +86,6 @@ class Shot {
         if (options_.motion) view_.motion = view_.previous_position = view_.normal;
         if (options_.color) view_.color = view_.normal;
         if (options_.ids) view_.object.assign(pixels, 0);
-        if (options_.ids) view_.triangle.assign(pixels, std::numeric_limits<std::uint32_t>::max());
         base::for_each_index(view_.extent.height, 0, [&](std::size_t row) {
             for (std::size_t x = 0; x < view_.extent.width; ++x) trace(row * view_.extent.width + x);
         });
@@ -134,10 +133,7 @@ class Shot {
         view_.normal[pixel] = shading_normal(interpolated(mesh_.normals, surface), surface.facet, away);
         if (options_.color)
             view_.color[pixel] = mesh_.colors.empty() ? default_color : mesh_.colors[surface.triangle];
-        if (options_.ids) {
-            view_.object[pixel] = objects_[surface.triangle];
-            view_.triangle[pixel] = surface.triangle;
-        }
+        if (options_.ids) view_.object[pixel] = objects_[surface.triangle];
         if (!options_.motion) return;
         view_.previous_position[pixel] = interpolated(earlier_, surface);
         if (options_.frame > 0)

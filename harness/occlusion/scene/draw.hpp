@@ -10,7 +10,7 @@ namespace gloam::scene {
 struct DrawOptions {
     int frame = 0;
     bool motion = false;  // GBuffer::motion and previous_position; frame 0 has no history
-    bool ids = false;     // GBuffer::object and triangle
+    bool ids = false;     // GBuffer::object
     bool color = false;   // GBuffer::color, of the triangles; 0 at the background
     int layers = 1;  // depth layers, 1 to 1 + most_further_layers: GBuffer::layers has those behind the first
     double guard = 0.0;  // share of the image rendered around it on each side, 0 to 0.5 (guard_band.hpp)

@@ -179,10 +179,6 @@ json to_json(const glm::dmat4& matrix) {
     return values;
 }
 
-json finite_or_null(double value) {
-    return std::isfinite(value) ? json(value) : json(nullptr);
-}
-
 }  // namespace
 
 FrameDescription read_frame_json(const std::filesystem::path& file) {
@@ -212,7 +208,7 @@ std::string frame_json(const GBuffer& gbuffer, int frame) {
         root["border"] = {border.left, border.top, border.right, border.bottom};
     else if (border != Border{})
         root["border"] = {border.left, border.top};
-    root["camera"] = {{"near", finite_or_null(planes.near)}, {"far", finite_or_null(planes.far)}};
+    root["camera"] = {{"near", planes.near}, {"far", planes.far}};
     if (!camera.orthographic()) root["camera"]["fovy_rad"] = 2.0 * std::atan(1.0 / scale.y);
     root["camera"]["aspect"] = scale.y / scale.x;
     root["camera"]["view"] = to_json(camera.view);

@@ -8,15 +8,16 @@
 namespace gloam::scene {
 namespace {
 
+bool inside(const glm::dvec2& place, gpu::Extent extent) {
+    return place.x >= 0.0 && place.y >= 0.0 && place.x < extent.width && place.y < extent.height;
+}
+
 // Motion from within the band is invalid for the frame.
 void keep_motion_inside(GBuffer& frame) {
-    const glm::vec2 size(frame.extent.width, frame.extent.height);
     for (std::size_t i = 0; i < frame.motion.size(); ++i) {
         const glm::vec2 now(static_cast<float>(i % frame.extent.width) + 0.5F,
                             static_cast<float>(i / frame.extent.width) + 0.5F);
-        const glm::vec2 then = now - glm::vec2(frame.motion[i]);
-        const bool inside = then.x >= 0.0F && then.y >= 0.0F && then.x < size.x && then.y < size.y;
-        if (!inside) frame.motion[i].z = 0.0F;
+        if (!inside(now - glm::vec2(frame.motion[i]), frame.extent)) frame.motion[i].z = 0.0F;
     }
 }
 
@@ -59,7 +60,6 @@ void for_each_image(GBuffer& view, const Visit& visit) {
     for (auto* vectors : {&view.normal, &view.motion, &view.color, &view.previous_position})
         visit(*vectors, glm::vec3(0));
     visit(view.object, std::uint32_t{0});
-    visit(view.triangle, std::numeric_limits<std::uint32_t>::max());
 }
 
 }  // namespace
@@ -162,38 +162,22 @@ bool agree(const glm::mat4& a, const glm::mat4& b) {
     return true;
 }
 
-bool inside(const glm::dvec2& place, gpu::Extent extent) {
-    return place.x >= 0.0 && place.y >= 0.0 && place.x < extent.width && place.y < extent.height;
+// Position of a view's point in the previous frame, from its motion. now, then: of the two views.
+glm::vec3 earlier(const GBuffer& view, const PixelPositions& now, const PixelPositions& then,
+                  std::size_t pixel) {
+    const double depth = view.depth[pixel];
+    if (!(depth > 0.0 && std::isfinite(depth))) return glm::vec3(0);
+    const glm::dmat4 change(*view.camera.previous_from_current);
+    const glm::dvec3 if_still(change * glm::dvec4(now.at(pixel, depth), 1.0));
+    const double before = view.previous_depth.empty() ? -if_still.z : double{view.previous_depth[pixel]};
+    if (!std::isfinite(before) || (!(before > 0.0) && !then.orthographic())) return glm::vec3(0);
+    const glm::vec3& motion = view.motion[pixel];
+    const glm::vec3 moved = then.at(pixel, before, -glm::dvec2(motion));
+    // Invalid motion: the point was outside the previous image, or its position is unknown.
+    if (motion.z > 0.5F || !inside(then.pixel_of(moved), view.extent)) return moved;
+    const bool left = if_still.z < 0.0 && !inside(then.pixel_of(if_still), view.extent);
+    return left ? glm::vec3(if_still) : glm::vec3(0);
 }
-
-// Positions of a view's points in the previous frame, from its motion.
-class Earlier {
-  public:
-    Earlier(const GBuffer& view, const GBuffer& previous)
-        : view_(view), now_(view), then_(previous), change_(*view.camera.previous_from_current) {}
-
-    [[nodiscard]] glm::vec3 of(std::size_t pixel) const {
-        const double depth = view_.depth[pixel];
-        if (!(depth > 0.0 && std::isfinite(depth))) return glm::vec3(0);
-        const glm::dvec3 if_still(change_ * glm::dvec4(now_.at(pixel, depth), 1.0));
-        const double before =
-            view_.previous_depth.empty() ? -if_still.z : double{view_.previous_depth[pixel]};
-        if (!std::isfinite(before) || (!(before > 0.0) && !then_.orthographic())) return glm::vec3(0);
-        const glm::vec3& motion = view_.motion[pixel];
-        const glm::vec3 moved = then_.at(pixel, before, -glm::dvec2(motion));
-        if (motion.z > 0.5F) return moved;
-        // Invalid motion: the point was outside the previous image, or its position is unknown.
-        if (!inside(then_.pixel_of(moved), view_.extent)) return moved;
-        const bool left = if_still.z < 0.0 && !inside(then_.pixel_of(if_still), view_.extent);
-        return left ? glm::vec3(if_still) : glm::vec3(0);
-    }
-
-  private:
-    const GBuffer& view_;
-    PixelPositions now_;
-    PixelPositions then_;
-    glm::dmat4 change_;
-};
 
 }  // namespace
 
@@ -212,9 +196,10 @@ void link(GBuffer& view, const GBuffer& previous) {
             glm::mat4(glm::dmat4(camera.previous_view.value()) * glm::inverse(glm::dmat4(camera.view)));
     }
     if (view.motion.empty() || !view.previous_position.empty()) return;
-    const Earlier earlier(view, previous);
-    view.previous_position.reserve(view.depth.size());
-    for (std::size_t i = 0; i < view.depth.size(); ++i) view.previous_position.push_back(earlier.of(i));
+    const PixelPositions now(view);
+    const PixelPositions then(previous);
+    for (std::size_t i = 0; i < view.depth.size(); ++i)
+        view.previous_position.push_back(earlier(view, now, then, i));
 }
 
 StoredInputs stored_inputs(const GBuffer& view, const Encoding& encoding) {

@@ -75,7 +75,6 @@ struct GBuffer {
     std::vector<glm::vec3> previous_position;  // where the surface point was, in the view space of the frame
                                                // before; background 0
     std::vector<std::uint32_t> object;         // 0: static, k: the k-th moving object; background 0
-    std::vector<std::uint32_t> triangle;       // counted over all meshes; background 2^32 - 1
 };
 
 // Throws std::invalid_argument that begins with `who` unless depth has an element for each pixel, and normals

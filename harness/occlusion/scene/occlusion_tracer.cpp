@@ -12,11 +12,8 @@ namespace gloam::scene {
 
 namespace {
 
-constexpr std::array<std::pair<Falloff, const char*>, 3> falloff_names{
-    {{Falloff::linear, "linear"}, {Falloff::quadratic, "quadratic"}, {Falloff::step, "step"}}};
-
-}  // namespace
-
+// The weight in [0, 1] of a blocker at `distance` (>= 0) for a radius > 0 (the same unit); 0 beyond the
+// radius.
 double falloff_weight(Falloff falloff, double distance, double radius) {
     if (!(distance <= radius)) return 0.0;
     const double x = distance / radius;
@@ -24,14 +21,12 @@ double falloff_weight(Falloff falloff, double distance, double radius) {
     return falloff == Falloff::linear ? 1.0 - x : 1.0 - x * x;
 }
 
-const char* name_of(Falloff falloff) {
-    return falloff_names.at(static_cast<std::size_t>(falloff)).second;
-}
+}  // namespace
 
 std::optional<Falloff> falloff_named(std::string_view name) {
-    for (const auto& [falloff, known] : falloff_names)
-        if (name == known) return falloff;
-    return std::nullopt;
+    if (name == "linear") return Falloff::linear;
+    if (name == "quadratic") return Falloff::quadratic;
+    return name == "step" ? std::optional(Falloff::step) : std::nullopt;
 }
 
 namespace {

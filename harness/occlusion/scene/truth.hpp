@@ -21,12 +21,7 @@ enum class Falloff {
     step,       // 1 up to R
 };
 
-// The weight in [0, 1] of a blocker at `distance` (>= 0) for a radius > 0 (the same unit); 0 beyond the
-// radius.
-[[nodiscard]] double falloff_weight(Falloff falloff, double distance, double radius);
-
-// "linear", "quadratic", "step", and back.
-[[nodiscard]] const char* name_of(Falloff falloff);
+// Of "linear", "quadratic" or "step".
 [[nodiscard]] std::optional<Falloff> falloff_named(std::string_view name);
 
 // The weight of the hemisphere's directions.

@@ -141,18 +141,22 @@ constexpr double relief_face = -6.7;                       // of make_relief(), 
 // sine of rate radians a frame. Or it swings around the vertical axis and back, or stands still.
 enum class Way { gliding, passing, circling, swaying, swinging, still };
 
+struct Lens {
+    double fovy_rad = 0.9;
+    double near = 0.05;
+    double far = 200.0;
+    double view_height = 0.0;  // > 0: orthographic, world units from bottom to top
+};
+
 // Where a view's camera starts, and its way.
 struct Stand {
     glm::dvec3 eye{0};
     glm::dvec3 target{0};
-    double fovy_rad = 0.9;
-    double view_height = 0.0;  // > 0: orthographic, world units from bottom to top
-    double near = 0.05;
-    double far = 200.0;
     Way way = Way::gliding;
     glm::dvec3 step{0};
-    glm::dvec3 aim{0};
+    Lens lens{};
     glm::dvec3 rate{0};
+    glm::dvec3 aim{0};
 };
 [[nodiscard]] Camera start_of(const Stand& stand);
 [[nodiscard]] Camera camera_in(const Stand& stand, int frame);

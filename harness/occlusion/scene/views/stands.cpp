@@ -11,13 +11,13 @@ namespace gloam::scene::views {
 Camera start_of(const Stand& stand) {
     Camera start{.eye = stand.eye,
                  .target = stand.target,
-                 .fovy_rad = stand.fovy_rad,
-                 .near = stand.near,
-                 .far = stand.far,
+                 .fovy_rad = stand.lens.fovy_rad,
+                 .near = stand.lens.near,
+                 .far = stand.lens.far,
                  .reversed_z = true};
-    if (stand.view_height > 0.0) {
+    if (stand.lens.view_height > 0.0) {
         start.projection = Projection::orthographic;
-        start.view_height = stand.view_height;
+        start.view_height = stand.lens.view_height;
     }
     return start;
 }
