@@ -1,39 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "scene/lighting.hpp"
 
+#include "effect/surface_views.hpp"
 #include "scene/support.hpp"
 #include "scene/truth.hpp"
 
 namespace gloam::scene::test::lighting_test {
 
-// A view whose depths are those of planes n . x = c in view space, the nearest first; rounded to float.
-struct Plane {
-    glm::dvec3 normal;
-    double offset;
-};
-
-GBuffer view_of(const std::vector<Plane>& planes, gpu::Extent extent, Projection projection,
-                bool normals = true) {
-    GBuffer view{.extent = extent};
-    view.camera = make_frame({.projection = projection, .fovy_rad = 0.9, .view_height = 4.0},
-                             1.0 * extent.width / extent.height);
-    const PixelPositions positions(view);
-    for (std::size_t i = 0; i < std::size_t{extent.width} * extent.height; ++i) {
-        const auto [origin, direction] = positions.ray(i);
-        double depth = infinity;
-        glm::dvec3 normal(0.0);
-        for (const Plane& plane : planes) {
-            const double t =
-                (plane.offset - glm::dot(plane.normal, origin)) / glm::dot(plane.normal, direction);
-            if (!(t > 0.0 && t < depth)) continue;
-            depth = t;
-            normal = plane.normal;
-        }
-        view.depth.push_back(static_cast<float>(depth));
-        if (normals) view.normal.emplace_back(normal);
-    }
-    return view;
-}
+using effect::plane;
+using effect::view_of;
+using effect::wall;
+using effect::wall_of;
 
 const TruthSettings few_rays{.rays = {.radius = 0.5, .rays = 64}};
 
@@ -46,8 +23,9 @@ TEST(DepthField, OfAPlaneIsOpen) {
     for (const Projection projection : projections) {
         for (const double tilt : {0.0, 0.5, 1.2, 1.45}) {
             for (const bool normals : {true, false}) {
-                const Plane plane{{std::sin(tilt) * 0.6, std::sin(tilt) * 0.8, std::cos(tilt)}, -3.0};
-                const GBuffer view = view_of({plane}, {48, 32}, projection, normals);
+                const glm::dvec3 normal{std::sin(tilt) * 0.6, std::sin(tilt) * 0.8, std::cos(tilt)};
+                GBuffer view = plane({48, 32}, projection == Projection::orthographic, normal);
+                if (!normals) view.normal.clear();
                 const TracedTruth truth = trace_depth(view, few_rays);
                 // Depths are floats: a bump of one in 10^7 may meet a ray that grazes it.
                 EXPECT_LT(largest(truth.occlusion), 0.02) << tilt << " " << normals;
@@ -63,10 +41,7 @@ TEST(DepthField, OfAPlaneIsOpen) {
 TEST(DepthField, AgreesWithTheGeometryWhereNothingIsHidden) {
     Scene scene{.name = "edge", .mesh = make_parallelogram({-9, -1, -5}, {0, 0, 9}, {18, 0, 0}, 1.0)};
     append(scene.mesh, make_parallelogram({-9, -1, -5}, {18, 0, 0}, {0, 9, 0}, 1.0));
-    scene.camera = {.far = infinity};
-    const GBuffer view = view_of({{{0, 1, 0}, -1.0}, {{0, 0, 1}, -5.0}}, {96, 64}, Projection::perspective);
-    // The same camera, by default.
-    ASSERT_EQ(view.camera.p00_p11(), make_frame(scene.camera, 1.5).p00_p11());
+    const GBuffer view = draw(scene, {96, 64});
     const TruthSettings settings{.rays = {.radius = 0.5, .rays = 256}};
     const TracedTruth geometry = trace_geometry(scene, 0, view, settings);
     const TracedTruth depth = trace_depth(view, settings);
@@ -89,9 +64,7 @@ TEST(DepthField, AgreesWithTheGeometryWhereNothingIsHidden) {
 // A square before a wall, 3 before it: as a solid it shades the wall beside it, as a sheet it is too far
 // away.
 TEST(DepthField, ThicknessSaysWhatIsBehindTheSurface) {
-    GBuffer view = view_of({{{0, 0, 1}, -5.0}}, {64, 64}, Projection::orthographic);
-    for (std::size_t i = 0; i < view.depth.size(); ++i)
-        if (i % 64 < 32) view.depth[i] = 2.0F;
+    const GBuffer view = view_of({64, 64}, true, [](glm::dvec2 at) { return at.x < 0.0 ? 2.0 : 5.0; });
     TruthSettings settings = few_rays;
     const std::size_t beside = 32 * 64 + 33;
     const TracedTruth solid = trace_depth(view, settings);
@@ -104,7 +77,8 @@ TEST(DepthField, ThicknessSaysWhatIsBehindTheSurface) {
 
 // A floor to the horizon jumps by metres from pixel to pixel and is a plane all the same.
 TEST(DepthField, ASlopeIsNoJump) {
-    const GBuffer view = view_of({{{0, 1, 0}, -1.0}}, {32, 64}, Projection::perspective);
+    const GBuffer view =
+        view_of({32, 64}, false, [](glm::dvec2 at) { return at.y < 0.0 ? -1.0 / at.y : double{infinity}; });
     const Mesh sheet = depth_field(view, 0.01);
     const Mesh solid = depth_field(view);
     const auto rows_below = std::ranges::count_if(view.depth, [](float d) { return std::isfinite(d); }) / 32;
@@ -113,22 +87,16 @@ TEST(DepthField, ASlopeIsNoJump) {
 }
 
 TEST(DepthField, BackgroundIsOpenAndTheEdgeOfAnObjectShadesNothing) {
-    GBuffer view = view_of({{{0, 0, 1}, -5.0}}, {32, 32}, Projection::perspective);
-    for (std::size_t i = 0; i < view.depth.size(); ++i) {
-        if (i % 32 >= 8 && i % 32 < 24) continue;
-        view.depth[i] = infinity;
-        view.normal[i] = glm::vec3(0);
-    }
+    const GBuffer view = wall_of({32, 32}, [](auto x, auto) { return x >= 8 && x < 24 ? 5.0F : infinity; });
     const TracedTruth truth = trace_depth(view, few_rays);
     EXPECT_LT(largest(truth.occlusion), 1e-3);
     EXPECT_EQ(truth.pixels, 32U * 16);
 }
 
 TEST(DepthField, ViewsThatCannotBe) {
-    const GBuffer good = view_of({{{0, 0, 1}, -5.0}}, {4, 4}, Projection::perspective);
     const auto refused = [&](auto change, double thickness, int rays,
                              std::initializer_list<std::string> parts) {
-        GBuffer view = good;
+        GBuffer view = wall({4, 4}, 5.0F);
         change(view);
         const TruthSettings settings{.rays = {.rays = rays}, .thickness = thickness};
         expect_error<std::invalid_argument>([&] { (void)trace_depth(view, settings); }, parts);
@@ -143,7 +111,8 @@ TEST(DepthField, ViewsThatCannotBe) {
 
 TEST(DepthField, OfOnePixelIsOpen) {
     for (const gpu::Extent extent : {gpu::Extent{1, 1}, gpu::Extent{1, 5}, gpu::Extent{5, 1}}) {
-        const GBuffer view = view_of({{{0, 0, 1}, -5.0}}, extent, Projection::perspective, false);
+        GBuffer view = wall(extent, 5.0F);
+        view.normal.clear();
         EXPECT_EQ(largest(trace_depth(view, few_rays).occlusion), 0.0);
     }
 }
@@ -162,11 +131,9 @@ Scene ball_on_floor() {
 
 // The floor of the scene as that camera sees it, the ball left out.
 GBuffer floor_view(const Scene& scene) {
-    const std::size_t pixels = std::size_t{size.width} * size.height;
-    return {.extent = size,
-            .depth = std::vector<float>(pixels, 8.0F),
-            .normal = std::vector<glm::vec3>(pixels, glm::vec3(0, 0, 1)),
-            .camera = make_frame(scene.camera, 1.0)};
+    GBuffer view = wall(size, 8.0F);
+    view.camera = make_frame(scene.camera, 1.0);
+    return view;
 }
 
 float brightness(const glm::vec3& color) {
@@ -241,9 +208,7 @@ TEST(Lighting, RefusesImagesOfAnotherSize) {
 
 // A view of walls that face the eye, with these depths.
 GBuffer walls(gpu::Extent extent, const std::vector<float>& depth) {
-    GBuffer view{.extent = extent, .depth = depth, .camera = make_frame({}, 1.0)};
-    view.normal.assign(depth.size(), glm::vec3(0, 0, 1));
-    return view;
+    return wall_of(extent, [&](auto x, auto y) { return depth.at(y * extent.width + x); });
 }
 
 // 2 x 2 pixels of 2 x 2 samples: a near wall on the left ends in the middle of the second column of samples.
@@ -261,18 +226,9 @@ TEST(PictureLight, ASampleShowsThePixelWhosePlaneItLiesOn) {
 }
 
 TEST(PictureLight, ATiltedPlaneIsOnePixelsOwn) {
-    // The plane z = -4 + 2 x: depths of samples differ by far more than the tolerance, and each lies on it.
-    GBuffer view = walls({2, 2}, std::vector<float>(4));
-    GBuffer fine = walls({4, 4}, std::vector<float>(16));
-    const glm::dvec3 normal = glm::normalize(glm::dvec3(-2, 0, 1));
-    for (GBuffer* one : {&view, &fine}) {
-        one->normal.assign(one->depth.size(), glm::vec3(normal));
-        const PixelPositions positions(*one);
-        for (std::size_t i = 0; i < one->depth.size(); ++i) {
-            const glm::dvec3 ray = positions.at(i, 1.0);
-            one->depth[i] = static_cast<float>(4.0 / (1.0 + 2.0 * ray.x));
-        }
-    }
+    // Depths of samples differ by far more than the tolerance, and each lies on the plane.
+    const GBuffer view = plane({2, 2}, false, {-2, 0, 1});
+    const GBuffer fine = plane({4, 4}, false, {-2, 0, 1});
     EXPECT_EQ(picture_light(view, fine, 2, nullptr).pixel,
               (std::vector<std::uint32_t>{0, 0, 1, 1, 0, 0, 1, 1, 2, 2, 3, 3, 2, 2, 3, 3}));
 }

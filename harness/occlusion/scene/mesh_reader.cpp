@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <span>
 #include <stdexcept>
 
 #include "base/process.hpp"
@@ -80,8 +81,10 @@ Mesh read_mesh(const fs::path& file) {
 
 namespace {
 
-[[noreturn]] void fail_to_load(const fs::path& file, const std::string& what) {
-    throw std::runtime_error("mesh " + file.string() + ": " + what);
+// Throws without the file's name; load_mesh() adds it.
+template <class... Values>
+[[noreturn]] void refuse(fmt::format_string<Values...> what, Values&&... values) {
+    throw std::runtime_error(fmt::format(what, std::forward<Values>(values)...));
 }
 
 glm::vec3 to_vec3(const aiVector3D& v) {
@@ -106,47 +109,35 @@ Mesh convert(const aiMesh& source) {
     return mesh;
 }
 
-// Assimp's error message, in one line.
-std::string reason_of(const Assimp::Importer& importer) {
-    const std::string text = base::one_line(importer.GetErrorString());
-    return text.empty() ? "cannot be read" : text;
-}
-
 constexpr unsigned most_corners = 4096;  // of a face: taking one apart costs their square
 constexpr int deepest_node = 256;        // assimp recurses
 
 // Checks properties that assimp's later steps require and its readers do not ensure.
-void check_faces(const fs::path& file, const aiMesh& mesh) {
+void check_faces(const aiMesh& mesh) {
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
         const aiFace& face = mesh.mFaces[i];
         if (face.mNumIndices < 1 || face.mNumIndices > most_corners || face.mIndices == nullptr)
-            fail_to_load(file, fmt::format("face {} has {} corners, expected 1 to {}", i, face.mNumIndices,
-                                           most_corners));
-        for (unsigned k = 0; k < face.mNumIndices; ++k) {
-            if (face.mIndices[k] >= mesh.mNumVertices)
-                fail_to_load(file, fmt::format("face {} has the vertex {}, but there are {} vertices", i,
-                                               face.mIndices[k], mesh.mNumVertices));
-        }
+            refuse("face {} has {} corners, expected 1 to {}", i, face.mNumIndices, most_corners);
+        for (const unsigned index : std::span(face.mIndices, face.mNumIndices))
+            if (index >= mesh.mNumVertices)
+                refuse("face {} has the vertex {}, but there are {} vertices", i, index, mesh.mNumVertices);
     }
 }
 
-void check_node(const fs::path& file, const aiScene& scene, const aiNode& node, int depth) {
-    if (depth > deepest_node)
-        fail_to_load(file, fmt::format("its parts are nested more than {} deep", deepest_node));
-    for (unsigned i = 0; i < node.mNumMeshes; ++i) {
-        if (node.mMeshes[i] >= scene.mNumMeshes)
-            fail_to_load(file, fmt::format("a part has the mesh {}, but there are {} meshes", node.mMeshes[i],
-                                           scene.mNumMeshes));
-    }
-    for (unsigned i = 0; i < node.mNumChildren; ++i) check_node(file, scene, *node.mChildren[i], depth + 1);
+void check_node(const aiScene& scene, const aiNode& node, int depth) {
+    if (depth > deepest_node) refuse("its parts are nested more than {} deep", deepest_node);
+    for (const unsigned mesh : std::span(node.mMeshes, node.mNumMeshes))
+        if (mesh >= scene.mNumMeshes)
+            refuse("a part has the mesh {}, but there are {} meshes", mesh, scene.mNumMeshes);
+    for (const aiNode* child : std::span(node.mChildren, node.mNumChildren))
+        check_node(scene, *child, depth + 1);
 }
 
-void check_finite(const fs::path& file, const aiMesh& mesh) {
+void check_finite(const aiMesh& mesh) {
     for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
-        const glm::vec3 p = to_vec3(mesh.mVertices[i]);
-        if (is_finite(p)) continue;
-        fail_to_load(file,
-                     fmt::format("vertex {} is ({}, {}, {}), expected finite numbers", i, p.x, p.y, p.z));
+        const aiVector3D& p = mesh.mVertices[i];
+        if (!is_finite(to_vec3(p)))
+            refuse("vertex {} is ({}, {}, {}), expected finite numbers", i, p.x, p.y, p.z);
     }
 }
 
@@ -169,19 +160,15 @@ void mend_normals(Mesh& mesh) {
 }
 
 // Checks the scene before assimp calculates with it.
-void check_scene(const fs::path& file, const aiScene& scene) {
-    if (scene.mNumMeshes == 0 || scene.mRootNode == nullptr) fail_to_load(file, "has no triangle");
-    for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
-        const aiMesh& mesh = *scene.mMeshes[i];
-        if (mesh.mNumVertices > 0 && mesh.mVertices == nullptr)
-            fail_to_load(file, "has vertices without positions");
-        check_finite(file, mesh);
-        check_faces(file, mesh);
+void check_scene(const aiScene& scene) {
+    if (scene.mNumMeshes == 0 || scene.mRootNode == nullptr) refuse("has no triangle");
+    for (const aiMesh* mesh : std::span(scene.mMeshes, scene.mNumMeshes)) {
+        if (mesh->mNumVertices > 0 && mesh->mVertices == nullptr) refuse("has vertices without positions");
+        check_finite(*mesh);
+        check_faces(*mesh);
     }
-    check_node(file, scene, *scene.mRootNode, 0);
+    check_node(scene, *scene.mRootNode, 0);
 }
-
-using Key = std::array<float, 6>;  // a vertex: position, normal
 
 glm::vec3 unit_or_zero(const glm::vec3& v) {
     const float length = glm::length(v);
@@ -210,16 +197,6 @@ float angle_at(const Mesh& mesh, std::size_t corner) {
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-// The corners at each position, over all vertices there.
-std::map<std::array<float, 3>, std::vector<std::size_t>> corners_by_position(const Mesh& mesh) {
-    std::map<std::array<float, 3>, std::vector<std::size_t>> corners;
-    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
-        const glm::vec3& p = mesh.positions[mesh.indices[i]];
-        corners[{p.x, p.y, p.z}].push_back(i);
-    }
-    return corners;
-}
-
 // If faces meet at a larger angle than this, in degrees, there is an edge between them; otherwise the surface
 // is smooth.
 constexpr float crease_degrees = 45.0F;
@@ -230,10 +207,14 @@ constexpr float crease_degrees = 45.0F;
 // the normal 0.
 Mesh with_crease_normals(const Mesh& mesh) {
     const std::vector<glm::vec3> normals = face_normals(mesh);
-    const auto corners = corners_by_position(mesh);
+    std::map<std::array<float, 3>, std::vector<std::size_t>> corners;  // by position, over all vertices there
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+        const glm::vec3& p = mesh.positions[mesh.indices[i]];
+        corners[{p.x, p.y, p.z}].push_back(i);
+    }
     const float least_cosine = std::cos(glm::radians(crease_degrees));
     Mesh result;
-    std::map<Key, std::uint32_t> vertices;
+    std::map<std::array<float, 6>, std::uint32_t> vertices;  // by position and normal
     for (std::size_t i = 0; i < normals.size() * 3; ++i) {
         const glm::vec3& p = mesh.positions[mesh.indices[i]];
         glm::vec3 sum(0);
@@ -253,28 +234,39 @@ Mesh with_crease_normals(const Mesh& mesh) {
     return result;
 }
 
-}  // namespace
-
-Mesh load_mesh(const fs::path& file) {
+Mesh loaded(const fs::path& file) {
     std::error_code none;
-    if (!fs::exists(file, none)) fail_to_load(file, "no such file");
-    if (!fs::is_regular_file(file, none)) fail_to_load(file, "not a file");
+    if (!fs::exists(file, none)) refuse("no such file");
+    if (!fs::is_regular_file(file, none)) refuse("not a file");
     Assimp::Importer importer;
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     const aiScene* scene = importer.ReadFile(file.string(), 0);
-    if (scene == nullptr) fail_to_load(file, reason_of(importer));
-    check_scene(file, *scene);
+    if (scene == nullptr) {
+        const std::string reason = base::one_line(importer.GetErrorString());
+        refuse("{}", reason.empty() ? "cannot be read" : reason);
+    }
+    check_scene(*scene);
     scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_PreTransformVertices |
                                          aiProcess_JoinIdenticalVertices | aiProcess_SortByPType);
     Mesh mesh;
     for (unsigned i = 0; scene != nullptr && i < scene->mNumMeshes; ++i) {
-        check_finite(file, *scene->mMeshes[i]);  // transformed
+        check_finite(*scene->mMeshes[i]);  // transformed
         const Mesh part = convert(*scene->mMeshes[i]);
         append(mesh, scene->mMeshes[i]->HasNormals() ? part : with_crease_normals(part));
     }
-    if (mesh.triangle_count() == 0) fail_to_load(file, "has no triangle");
+    if (mesh.triangle_count() == 0) refuse("has no triangle");
     mend_normals(mesh);
     return mesh;
+}
+
+}  // namespace
+
+Mesh load_mesh(const fs::path& file) {
+    try {
+        return loaded(file);
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error(fmt::format("mesh {}: {}", file.string(), error.what()));
+    }
 }
 
 }  // namespace gloam::scene

@@ -43,8 +43,8 @@ Camera camera_in(const Stand& stand, int frame) {
             camera.target += stand.aim * swayed;
             break;
         case Way::swinging: {
-            const double angle = std::atan2(0.9, 2.0) + 0.5 * (std::cos(0.02 * frame) - 1.0);
-            const double distance = std::hypot(0.9, 2.0);
+            const double angle = std::atan2(stand.eye.x, stand.eye.z) + 0.5 * (std::cos(0.02 * frame) - 1.0);
+            const double distance = std::hypot(stand.eye.x, stand.eye.z);
             camera.eye = {distance * std::sin(angle), camera.eye.y, distance * std::cos(angle)};
             break;
         }
