@@ -184,7 +184,7 @@ TEST(PartsOfViews, HaveTheRaysOfTheWholeView) {
             const PixelPositions positions(read);
             for (std::size_t i = 0; i < read.depth.size(); ++i) {
                 const glm::dvec3 at = positions.at(i, 3.0);
-                const glm::dvec2 place = glm::dvec2(i % read.extent.width, i / read.extent.width) + 0.5;
+                const glm::dvec2 place = positions.center(i);
                 ASSERT_LT(glm::distance(positions.pixel_of(at), place), 1e-9) << i;
                 const glm::dvec2 outer = place + glm::dvec2(around.left, around.top);
                 ASSERT_LT(glm::distance(PixelPositions(whole).pixel_of(at), outer), 1e-4) << i;

@@ -46,11 +46,7 @@ glm::vec3 motion_of(std::size_t pixel, const glm::vec3& previous_position, const
     const PixelPositions positions(before);
     if (!(previous_position.z < 0.0F || positions.orthographic())) return glm::vec3(0);
     const glm::dvec2 then = positions.pixel_of(previous_position);
-    const glm::dvec2 now(static_cast<double>(pixel % before.extent.width) + 0.5,
-                         static_cast<double>(pixel / before.extent.width) + 0.5);
-    const bool inside =
-        then.x >= 0.0 && then.y >= 0.0 && then.x < before.extent.width && then.y < before.extent.height;
-    return {glm::vec2(now - then), inside ? 1.0F : 0.0F};
+    return {glm::vec2(positions.center(pixel) - then), positions.contains(then) ? 1.0F : 0.0F};
 }
 
 // One frame of one scene.

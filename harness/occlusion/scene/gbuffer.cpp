@@ -8,17 +8,12 @@
 namespace gloam::scene {
 namespace {
 
-bool inside(const glm::dvec2& place, gpu::Extent extent) {
-    return place.x >= 0.0 && place.y >= 0.0 && place.x < extent.width && place.y < extent.height;
-}
-
 // Motion from within the band is invalid for the frame.
 void keep_motion_inside(GBuffer& frame) {
-    for (std::size_t i = 0; i < frame.motion.size(); ++i) {
-        const glm::vec2 now(static_cast<float>(i % frame.extent.width) + 0.5F,
-                            static_cast<float>(i / frame.extent.width) + 0.5F);
-        if (!inside(now - glm::vec2(frame.motion[i]), frame.extent)) frame.motion[i].z = 0.0F;
-    }
+    const PixelPositions positions(frame);
+    for (std::size_t i = 0; i < frame.motion.size(); ++i)
+        if (!positions.contains(glm::vec2(positions.center(i)) - glm::vec2(frame.motion[i])))
+            frame.motion[i].z = 0.0F;
 }
 
 // The projection of another part of the image plane. lacks: what that part lacks to be centred, less what the
@@ -174,8 +169,8 @@ glm::vec3 earlier(const GBuffer& view, const PixelPositions& now, const PixelPos
     const glm::vec3& motion = view.motion[pixel];
     const glm::vec3 moved = then.at(pixel, before, -glm::dvec2(motion));
     // Invalid motion: the point was outside the previous image, or its position is unknown.
-    if (motion.z > 0.5F || !inside(then.pixel_of(moved), view.extent)) return moved;
-    const bool left = if_still.z < 0.0 && !inside(then.pixel_of(if_still), view.extent);
+    if (motion.z > 0.5F || !then.contains(then.pixel_of(moved))) return moved;
+    const bool left = if_still.z < 0.0 && !then.contains(then.pixel_of(if_still));
     return left ? glm::vec3(if_still) : glm::vec3(0);
 }
 

@@ -140,12 +140,18 @@ class PixelPositions {
           off_centre_(view.off_centre),
           orthographic_(view.camera.orthographic()) {}
 
+    // The centre of a pixel in the image, and whether a place is in it.
+    [[nodiscard]] glm::dvec2 center(std::size_t pixel) const {
+        return {static_cast<double>(pixel % width_) + 0.5, static_cast<double>(pixel / width_) + 0.5};
+    }
+    [[nodiscard]] bool contains(const glm::dvec2& place) const {
+        return place.x >= 0.0 && place.y >= 0.0 && place.x < size_.x && place.y < size_.y;
+    }
+
     // The point at an eye-linear depth under the centre of a pixel; pixels are counted by rows from the top.
     // aside: offset from the centre, pixels.
     [[nodiscard]] glm::dvec3 at(std::size_t pixel, double depth, const glm::dvec2& aside = {0, 0}) const {
-        const glm::dvec2 center(static_cast<double>(pixel % width_) + 0.5,
-                                static_cast<double>(pixel / width_) + 0.5);
-        const glm::dvec2 ndc = (2.0 * (center + aside) + off_centre_) / size_ - 1.0;
+        const glm::dvec2 ndc = (2.0 * (center(pixel) + aside) + off_centre_) / size_ - 1.0;
         return {ndc / scale_ * (orthographic_ ? 1.0 : depth), -depth};
     }
 
