@@ -32,17 +32,13 @@ TEST_P(ShortFrames, EstimateWhatTheSweepEstimates) {
     }
 }
 
-// A bare plane is open, at any tilt, up to the rounding of depth to 16 bits; but for a band at the image's
-// edge, where taps beyond it read the depth of the edge.
+// A bare plane is open, at any tilt and to the image's edge, up to the rounding of depth to 16 bits.
 TEST_P(ShortFrames, APlaneIsOpen) {
-    constexpr std::size_t band = 12;
     for (const bool orthographic : {false, true})
         for (const glm::dvec3 normal : {glm::dvec3(0, 0, 1), {0.6, 0.3, 1}, {-0.4, 0.9, 1}}) {
             const std::vector<float> shown = frame(plane(odd, orthographic, normal), 0.2).filtered;
-            for (std::size_t y = band; y + band < odd.height; ++y)
-                for (std::size_t x = band; x + band < odd.width; ++x)
-                    ASSERT_LE(shown[y * odd.width + x], 0.01F) << orthographic << ' ' << normal.x << ' ' << x;
-            EXPECT_LE(mean_of(shown), 0.01) << orthographic << ' ' << normal.x;
+            EXPECT_LE(std::ranges::max(shown), 0.02F) << orthographic << ' ' << normal.x;
+            EXPECT_LE(mean_of(shown), 0.005) << orthographic << ' ' << normal.x;
         }
 }
 

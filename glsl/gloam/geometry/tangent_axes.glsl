@@ -50,22 +50,20 @@ struct GloamTapPair {
     vec2 height;
 };
 
-// both taps of a step (FRAME-pair): `(m + s) d - s d0 in perspective, m + s (d - d0) orthographic; the other side with
-// -m and, along the plane, mirrored` [gloam].
-// A pixel `offset` away sees d ((r, -1) + offset k) in perspective, where r is the ray of the own pixel and k the step
-// of rays from a pixel to the next. The product of an axis with it, less that of the own point d0 (r, -1), is
-// (m + s) d - s d0, where m = (axis . k) offset and s = axis . (r, -1) = -|(r, -1)| (axis . v). s is |(r, -1)| sin n
-// along the tangent plane and -|(r, -1)| cos n over it. An orthographic camera sees (offset k, 0) - (0, 0, d - d0).
-// moved: m, of (along, height), for the first side. slope: |(r, -1)| (cos n, sin n). own: d0. depth: d of both sides,
-// all in the unit in which the result is.
+// both taps of a step (FRAME-pair): `q d - s d0 in perspective, q + s (d - d0) orthographic; along the plane, mirrored
+// for the other side` [gloam].
+// A pixel with the ray t sees d (t, -1) in perspective. The product of an axis with it, less that of the own point
+// d0 (r, -1), is q d - s d0, where q = axis . (t, -1) and s = axis . (r, -1) = -|(r, -1)| (axis . v). s is
+// |(r, -1)| sin n along the tangent plane and -|(r, -1)| cos n over it. An orthographic camera sees (t, -d), and
+// q = axis . (t - r, 0). So q is affine in the place of the tap in the image.
+// along, height: q of both sides. slope: |(r, -1)| (cos n, sin n). own: d0. depth: d of both sides, all in the unit in
+// which the result is.
 // Error: 4e-7 of the sum of the terms.
-GloamTapPair gloam_tap_pair(vec2 moved, vec2 slope, float own, vec2 depth, bool orthographic) {
-    vec2 along = vec2(slope.y, -slope.y);
-    vec2 height = vec2(-slope.x);
-    vec2 sides = vec2(moved.y, -moved.y);
-    if (orthographic)
-        return GloamTapPair(moved.x + along * (depth - own), sides + height * (depth - own));
-    return GloamTapPair((moved.x + along) * depth - along * own, (sides + height) * depth - height * own);
+GloamTapPair gloam_tap_pair(vec2 along, vec2 height, vec2 slope, float own, vec2 depth, bool orthographic) {
+    vec2 farther = depth - own;
+    vec2 sides = orthographic ? along + slope.y * farther : along * depth - slope.y * own;
+    return GloamTapPair(vec2(sides.x, -sides.y),
+                        orthographic ? height - slope.x * farther : height * depth + slope.x * own);
 }
 
 #endif

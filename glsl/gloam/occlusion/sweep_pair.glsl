@@ -61,13 +61,13 @@ GloamSweepPair gloam_pair_end(GloamSweepPair pair, vec2 nearer, float middle, fl
 // both sides of a slice with one more tap each (FRAME-tap): `FRAME-end; feature + D (b - behind) where b > behind and D
 // > 0 and the tap is higher than the bias, D = clamp(1 - (before + here) / 2, 0, 1)` [gloam].
 // As gloam_sweep_tap with a linear falloff.
-// taps: what both see, in radii; not both products 0. nearer: by how much the taps are nearer to the eye than the own
-// point, by depth. place: of the step, more than that of the last one. plane: (cos n, sin n). bias: least height, >= 0.
+// taps: what both see, in radii; the own point tells nothing. nearer: by how much they are nearer to the eye, by
+// depth. place: of the step, more than that of the last one. plane: (cos n, sin n). bias: least height, >= 0.
 // thickness: as in gloam_pair_end.
 // Error: 2e-6 but for that of gloam_pair_behind, and for taps within rounding of the bias, or of where a feature ends.
 GloamSweepPair gloam_pair_tap(GloamSweepPair pair, GloamTapPair taps, vec2 nearer, float place, vec2 plane, float bias,
                               float thickness) {
-    vec2 squared = taps.along * taps.along + taps.height * taps.height;
+    vec2 squared = taps.along * taps.along + (taps.height * taps.height + GLOAM_LEAST_SQUARE);
     vec2 inverse = inversesqrt(squared);
     vec2 here = squared * inverse;
     vec2 weight = clamp(pair.counts - 0.5 * here, 0.0, 1.0);

@@ -20,12 +20,12 @@ float gloam_level_depth(float stored, vec2 numerator, vec2 divisor, float far) {
     return stored != far && depth > 0.0 && depth < GLOAM_FARTHEST_LEVEL_DEPTH ? depth : GLOAM_FARTHEST_LEVEL_DEPTH;
 }
 
-// level that a tap reads (FRAME-level): `clamp(log2(h) - 4.3, 0, 4), h in pixels` [gloam; XeGTAO (Strugar 2021)].
-// As gloam_depth_mip_level, but with parts of a level, for a sampler that takes the nearest one. With XeGTAO's 3.3 in
-// the place of 4.3 the error of the frame is 1 % larger.
-// pixels: h, distance of the tap from its pixel, > 0. Returns a level in [0, 4]. Error: 2e-6.
+// level that a tap reads (FRAME-level): `log2(h) - 4.3, h in pixels` [gloam; XeGTAO (Strugar 2021)].
+// As gloam_depth_mip_level, but with parts of a level, for a sampler that takes the nearest one that there is. With
+// XeGTAO's 3.3 in the place of 4.3 the error of the frame is 1 % larger.
+// pixels: h, distance of the tap from its pixel, > 0. Error: 2e-6.
 float gloam_depth_level(float pixels) {
-    return clamp(log2(pixels) - 4.3, 0.0, 4.0);
+    return log2(pixels) - 4.3;
 }
 
 // whether a block of 2 x 2 pixels has the middle of a texel of a level (FRAME-middle): `block mod 2^(l - 1) = 2^(l - 2)

@@ -25,9 +25,10 @@ const float thickness = 1.0;            // of features, in widths
 // Lengths are in radii of influence. Signs of y, and of x where the projection mirrors, turn view space to the image.
 struct SweepParameters {
     mat3x4 view_from_world;  // a rotation: only xyz of each column are used
-    vec2 inverse_size;       // of the view, 1 / pixels
-    vec2 first;              // middle of the first pixel, 0 to 1
-    vec2 ray_step;           // from one pixel to the next, of the ray at depth 1; orthographic: of the position
+    vec2 inverse_span;       // 1 / (pixels of the view - 1)
+    vec2 first;              // middle of the first pixel, in the image from 0 to 1
+    vec2 span;               // from there to the middle of the last pixel
+    vec2 ray_span;           // likewise, of the ray at depth 1; orthographic: of the position
     vec2 first_ray;          // of the first pixel
     vec2 reach;              // pixels of a radius at depth 1; orthographic: at any
 };
@@ -35,7 +36,7 @@ FRAME_PARAMETERS(SweepParameters)
 
 // What all slices of a pixel share.
 struct Point {
-    vec2 at;  // in the image, 0 to 1
+    vec2 at;  // 0 to 1, from the first pixel to the last
     float depth;
     float ray_length;
     vec3 view;
@@ -46,15 +47,25 @@ struct Point {
 };
 
 Point point_at(ivec2 pixel, float depth, vec2 reach) {
-    vec2 place = vec2(stride * pixel);
-    vec2 ray = place * parameters.ray_step + parameters.first_ray;
+    vec2 at = vec2(stride * pixel) * parameters.inverse_span;
+    vec2 ray = at * parameters.ray_span + parameters.first_ray;
     float squared = orthographic ? 1.0 : dot(ray, ray) + 1.0;
     float inverse = inversesqrt(squared);
     vec3 view = orthographic ? vec3(0.0, 0.0, 1.0) : vec3(-inverse * ray, inverse);
     vec3 normal = view_direction(texelFetch(normal_image, stride * pixel, 0).xyz, parameters.view_from_world);
     normal *= inversesqrt(max(dot(normal, normal), GLOAM_LEAST_SQUARE));
-    return Point(place * parameters.inverse_size + parameters.first, depth, squared * inverse, view, normal, reach,
-                 gloam_lattice_rotation(pixel) * (0.5 / GLOAM_PI), max(bias, bias_depth * depth));
+    return Point(at, depth, squared * inverse, view, normal, reach, gloam_lattice_rotation(pixel) * (0.5 / GLOAM_PI),
+                 max(bias, bias_depth * depth));
+}
+
+// An axis as q of gloam_tap_pair is affine in a place of the image: q = x at.x + y at.y + z. own: s of that axis.
+vec3 rays_along(vec3 axis, Point point, float own) {
+    vec2 product = axis.xy * parameters.ray_span;
+    return vec3(product, (orthographic ? 0.0 : own) - dot(product, point.at));
+}
+
+float depth_at(vec2 at, float level) {
+    return textureLod(depth_image, at * parameters.span + parameters.first, level).x;
 }
 
 // What one slice sees, and what an empty one would, both with the slice's weight: (occluded, whole).
@@ -62,22 +73,27 @@ vec2 slice_of(Point point, int slice) {
     float angle = GLOAM_PI / float(slices) * (point.turns + float(slice));
     vec2 direction = vec2(cos(angle), sin(angle));
     GloamTangentAxes axes = gloam_tangent_axes(direction, point.view, point.normal);
-    vec2 along = axes.along.xy * parameters.ray_step;
-    vec2 height = axes.height.xy * parameters.ray_step;
     vec2 slope = point.ray_length * axes.normal;
+    vec3 along = rays_along(axes.along, point, slope.y);
+    vec3 height = rays_along(axes.height, point, -slope.x);
     float reach = max(abs(point.reach.x), abs(point.reach.y));
     vec2 to_reach = point.reach * direction;
-    float jitter = fract(14.0 * point.turns) * (1.0 / float(steps));
+    vec3 places = gloam_slice_places(fract(14.0 * point.turns), float(steps), reach);
+    float reach_level = gloam_depth_level(reach);
     GloamSweepPair pair = gloam_sweep_pair();
     for (int k = 0; k < steps; ++k) {
-        float place = gloam_slice_place(jitter + float(k) / float(steps), reach);
+        float place = places.x + float(k) * (places.y + float(k) * places.z);
         vec2 offset = round(place * to_reach);
-        float level = gloam_depth_level(place * reach);
-        vec2 moved = offset * parameters.inverse_size;
-        vec2 depth = vec2(textureLod(depth_image, point.at + moved, level).x,
-                          textureLod(depth_image, point.at - moved, level).x);
-        GloamTapPair taps =
-            gloam_tap_pair(vec2(dot(along, offset), dot(height, offset)), slope, point.depth, depth, orthographic);
+        // Beyond the edge, the pixel at the edge.
+        vec2 fore = clamp(offset * parameters.inverse_span + point.at, 0.0, 1.0);
+        vec2 back = clamp(-offset * parameters.inverse_span + point.at, 0.0, 1.0);
+        vec2 x = vec2(fore.x, back.x);
+        vec2 y = vec2(fore.y, back.y);
+        // By the middle of the step, so that the logarithm is a constant.
+        float level = reach_level + log2(gloam_slice_place((float(k) + 0.5) / float(steps), 1e18));
+        vec2 depth = vec2(depth_at(fore, level), depth_at(back, level));
+        GloamTapPair taps = gloam_tap_pair(along.z + along.x * x + along.y * y, height.z + height.x * x + height.y * y,
+                                           slope, point.depth, depth, orthographic);
         pair = gloam_pair_tap(pair, taps, point.depth - depth, place, axes.normal, point.bias, thickness);
     }
     vec2 occluded = pair.occluded + pair.feature;

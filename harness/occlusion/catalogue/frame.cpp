@@ -56,7 +56,7 @@ void append_axes(Entries& entries) {
         {.domain = {planes()}, .budget = {.absolute = 0.009}, .codomain = {0.98, 1.58}});
     const Values values = vector(2, uniform(-2, 2)).only_as_drawn();
     add(entries, "FRAME-pair", &reference::gloam_tap_pair,
-        {.domain = {values, values, uniform(0.5, 50).only_as_drawn(),
+        {.domain = {values, values, values, uniform(0.5, 50).only_as_drawn(),
                     vector(2, uniform(0.5, 50)).only_as_drawn(), booleans()},
          .budget = {.absolute = 6e-5}});
 }
@@ -138,9 +138,7 @@ void append_levels(Entries& entries) {
          .codomain = {0, 65504}},
         [](double b, glm::dvec2, glm::dvec2, double) { return b == 0.0 || !(std::abs(b) < 1e-30); });
     add(entries, "FRAME-level", &reference::gloam_depth_level,
-        {.domain = {log_uniform(1e-3, 1e5).only_as_drawn()},
-         .budget = {.absolute = 2e-6},
-         .codomain = {0, 4}});
+        {.domain = {log_uniform(1e-3, 1e5).only_as_drawn()}, .budget = {.absolute = 2e-6}});
     const Values blocks = vector(2, either(integers(0, 64), integers(0, 10000))).only_as_drawn();
     add(entries, "FRAME-middle", &reference::gloam_is_level_middle,
         {.domain = {blocks, integers(2, 6).only_as_drawn()}});

@@ -244,6 +244,10 @@ void append_slice_parts(Entries& entries) {
          .codomain = {-1.000001, 1.000001}});
     add(entries, "SLICE-place", &reference::gloam_slice_place,
         {.domain = {uniform(0, 1), log_uniform(0.01, 1e6)}, .budget = {.ulp = 4}, .codomain = {0, 1}});
+    add(entries, "SLICE-places", &reference::gloam_slice_places,
+        {.domain = {uniform(0, 1), uniform(1, 32), log_uniform(0.01, 1e6)},
+         .budget = {.absolute = 6e-7},
+         .codomain = {0, 1.6}});
     add(entries, "SAMPLES-whole", &reference::gloam_whole_samples,
         {.domain = {log_integers(100'000).and_near_integers({64, 4294967295}), integers(0, 64)}});
 }

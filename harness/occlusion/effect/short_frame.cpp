@@ -28,9 +28,10 @@ struct PrepareParameters {
 };
 struct SweepParameters {
     glm::mat3x4 view_from_world;
-    glm::vec2 inverse_size;
+    glm::vec2 inverse_span;
     glm::vec2 first;
-    glm::vec2 ray_step;
+    glm::vec2 span;
+    glm::vec2 ray_span;
     glm::vec2 first_ray;
     glm::vec2 reach;
 };
@@ -63,10 +64,12 @@ SweepParameters sweep_parameters(const View& view, float radius) {
     const glm::vec2 scale = view.camera.p00_p11();
     const float unit = view.camera.orthographic() ? radius : 1.0F;
     const glm::vec2 step = 2.0F / (size * scale);
+    const glm::vec2 last = glm::max(size - 1.0F, 1.0F);
     return {.view_from_world = glm::mat3x4(glm::mat3(view.camera.view)),
-            .inverse_size = 1.0F / size,
+            .inverse_span = 1.0F / last,
             .first = 0.5F / size,
-            .ray_step = step / unit,
+            .span = last / size,
+            .ray_span = step * last / unit,
             .first_ray = (glm::vec2(view.camera.proj_vk[2]) - 1.0F) / scale + 0.5F * step,
             .reach = unit / step};
 }

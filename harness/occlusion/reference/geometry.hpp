@@ -272,14 +272,15 @@ struct GloamTapPair {
 };
 
 // Side by side, each tap from where it is to the own point.
-inline GloamTapPair gloam_tap_pair(dvec2 moved, dvec2 slope, double own, dvec2 depth, bool orthographic) {
+inline GloamTapPair gloam_tap_pair(dvec2 along, dvec2 height, dvec2 slope, double own, dvec2 depth,
+                                   bool orthographic) {
     GloamTapPair taps{};
     for (int side = 0; side < 2; ++side) {
         const double towards = side == 0 ? 1.0 : -1.0;
         const double seen = orthographic ? 1.0 : depth[side];
-        const double farther = depth[side] - own;
-        taps.along[side] = moved.x * seen + towards * slope.y * farther;
-        taps.height[side] = towards * moved.y * seen - slope.x * farther;
+        const double before = orthographic ? own - depth[side] : own;
+        taps.along[side] = towards * (along[side] * seen - slope.y * before);
+        taps.height[side] = height[side] * seen + slope.x * before;
     }
     return taps;
 }

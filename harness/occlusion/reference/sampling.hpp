@@ -210,6 +210,13 @@ inline double gloam_slice_place(double share, double reach) {
     return std::lerp(own, 1.0, 0.4 * share + 0.6 * share * share);
 }
 
+// The parabola through the first three places.
+inline dvec3 gloam_slice_places(double jitter, double steps, double reach) {
+    const auto place = [&](double k) { return gloam_slice_place((k + jitter) / steps, reach); };
+    const double curve = 0.5 * (place(2.0) + place(0.0)) - place(1.0);
+    return {place(0.0), place(1.0) - place(0.0) - curve, curve};
+}
+
 inline dvec3 gloam_eye_march(dvec3 position, dvec3 direction, double radius, unsigned index, unsigned count,
                              double jitter) {
     return position + direction * (radius * (index + jitter) / count);
@@ -283,7 +290,7 @@ inline double gloam_level_depth(double stored, dvec2 numerator, dvec2 divisor, d
 }
 
 inline double gloam_depth_level(double pixels) {
-    return clamp(std::log2(pixels) - 4.3, 0.0, 4.0);
+    return std::log2(pixels) - 4.3;
 }
 
 inline bool gloam_is_level_middle(glm::ivec2 block, int level) {

@@ -55,9 +55,11 @@ class Frame {
         const unit = orthographic ? radius : 1;
         const scale = [projection[0], projection[5]];
         const step = scale.map((p, axis) => 2 / (size[axis] * p));
+        const last = size.map((n) => Math.max(n - 1, 1));
         return {orthographic, values: {
             view_from_world: [0, 1, 2].flatMap((column) => [...view.slice(4 * column, 4 * column + 3), 0]),
-            inverse_size: size.map((n) => 1 / n), first: size.map((n) => 0.5 / n), ray_step: step.map((x) => x / unit),
+            inverse_span: last.map((n) => 1 / n), first: size.map((n) => 0.5 / n),
+            span: last.map((n, axis) => n / size[axis]), ray_span: step.map((x, axis) => x * last[axis] / unit),
             first_ray: step.map((x, axis) => (projection[8 + axis] - 1) / scale[axis] + 0.5 * x),
             reach: step.map((x) => unit / x)}};
     }
