@@ -54,6 +54,7 @@ constexpr Row rows[] = {
     {"infinite", "frame-quality", {31, 57}, "buffer", "view-octahedral", false, 0.1, infinite, false, false},
     {"orthographic", "frame-fast", {83, 45}, "buffer", "view", true, 0.1, 60, false, false},
     {"orthographic", "frame-quality", {96, 54}, "buffer", "world-unorm", true, 0.1, 60, true, false},
+    {"behind the eye", "frame-fast", {83, 45}, "buffer", "view", true, -9, 50, false, false},
     {"poisoned", "frame-balanced", {83, 45}, "linear", "view", false, 0.1, 100, false, true},
     {"poisoned", "frame-quality", {83, 45}, "linear", "view", false, 0.1, 100, false, true}};
 
@@ -70,8 +71,9 @@ std::vector<float> numbers_of(const glm::mat4& matrix) {
 scene::GBuffer view_of(const Row& row, scene::Scene& scene) {
     scene.camera_path = {};  // the camera below stands
     if (row.orthographic) scene.camera.projection = scene::Projection::orthographic;
-    scene.camera.near = row.near;
-    scene.camera.far = row.far;
+    const double before = row.near > 0.0 ? 0.0 : 0.1 - row.near;
+    scene.camera.near = row.near + before;
+    scene.camera.far = row.far + before;
     scene.camera.reversed_z = row.reversed;
     scene::GBuffer view = scene::draw(scene, row.extent);
     const float poison[] = {NAN, INFINITY, -INFINITY, 0.0F, -1.0F, 1e30F};
@@ -80,6 +82,7 @@ scene::GBuffer view_of(const Row& row, scene::Scene& scene) {
     for (std::size_t i = 0; row.poisoned && i < view.normal.size(); i += 11)
         view.normal[i] = glm::vec3(poison[i % 4]);
     view.stored = scene::stored_inputs(view, scene::encoding_named(row.depth, row.normals));
+    view.camera.proj_vk[3][2] -= static_cast<float>(before) * view.camera.proj_vk[2][2];
     return view;
 }
 

@@ -43,7 +43,8 @@ struct JoinParameters {
     glm::vec2 inverse_size;
 };
 
-// Depth in radii, as gloam_level_depth() has it.
+// Depth in radii, as gloam_level_depth() has it. An orthographic camera whose near plane is at the eye or
+// behind it has depths from 1 radius: no pass needs where its eye is.
 PrepareParameters prepare_parameters(const View& view, float radius, bool depth_buffer) {
     const double p22 = view.camera.proj_vk[2][2];
     const double p32 = view.camera.proj_vk[3][2];
@@ -53,8 +54,11 @@ PrepareParameters prepare_parameters(const View& view, float radius, bool depth_
                           .inverse_size = 1.0F / glm::vec2(view.extent.width, view.extent.height),
                           .far = std::numeric_limits<float>::infinity()};
     if (!depth_buffer) return all;
-    all.far = scene::planes_of(view.camera.proj_vk).reversed_z ? 0.0F : 1.0F;
-    all.numerator = orthographic ? glm::dvec2(p32, -1.0) / (p22 * radius) : glm::dvec2(p32 / radius, 0.0);
+    const scene::Planes planes = scene::planes_of(view.camera.proj_vk);
+    const double before = orthographic && planes.near <= 0.0 ? radius - planes.near : 0.0;
+    all.far = planes.reversed_z ? 0.0F : 1.0F;
+    all.numerator =
+        orthographic ? glm::dvec2(p32 + before * p22, -1.0) / (p22 * radius) : glm::dvec2(p32 / radius, 0.0);
     if (!orthographic) all.divisor = {p22, 1.0};
     return all;
 }

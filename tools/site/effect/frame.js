@@ -45,8 +45,10 @@ class Frame {
         const [p22, p32, orthographic] = [projection[10], projection[14], projection[11] === 0];
         const [scale, offset] = this.inputs.range === "zero-to-one" ? [1, 0] : [2, -1];  // from stored to clip space
         const reversed = p22 > (orthographic || offset !== 0 ? 0 : -0.5);
+        const near = (p32 - offset - (reversed ? scale : 0)) / p22;  // orthographic
+        const before = near > 0 ? 0 : radius - near;
         return {far: reversed ? 0 : 1, ...(orthographic
-            ? {numerator: [p32 - offset, -scale].map((x) => x / (p22 * radius)), divisor: [1, 0]}
+            ? {numerator: [p32 - offset + before * p22, -scale].map((x) => x / (p22 * radius)), divisor: [1, 0]}
             : {numerator: [p32 / radius, 0], divisor: [p22 + offset, scale]})};
     }
 
