@@ -14,7 +14,7 @@ constexpr const char* whole = R"({
   "cases": [{"scene": "sky", "shown": [3, 1], "scored": 1, "target": 0.5, "candidates": ["run"]}],
   "candidates": [{"name": "run", "sequence": true}, {"name": "loop", "plain": "9x3+1"},
     {"name": "short", "frame": "frame-fast"}],
-  "tables": [{"rows": "cases", "columns": [{"title": "ratio", "value": "ms", "of": "run", "over": "loop"}]}]})";
+  "tables": [{"name": "all", "each": "SELECT [case] FROM cases", "select": ["SELECT 1", ", '{}'"]}]})";
 
 // The description with a part replaced.
 std::string with(const std::string& part, const std::string& other) {
@@ -39,7 +39,8 @@ TEST(ExperimentFile, ReadsAllParts) {
     EXPECT_EQ(read.candidates.at(1).layer.plain.blurs, 1);
     EXPECT_EQ(read.candidates.at(2).layer.kind, Kind::frame);
     EXPECT_EQ(read.candidates.at(2).layer.frame, "frame-fast");
-    EXPECT_EQ(read.tables.at(0).columns.at(0).over, "loop");
+    EXPECT_EQ(read.tables.at(0).each, "SELECT [case] FROM cases");
+    EXPECT_THAT(read.tables.at(0).select, ElementsAre("SELECT 1", ", '{}'"));
     EXPECT_NO_THROW(require_consistent(read));
 }
 
@@ -111,7 +112,8 @@ TEST(ExperimentFile, EveryFaultIsNamedWithItsPlace) {
     expect_refused(with("[3, 1]", "[3, 0]"), "cases[0].shown[1]");
     expect_refused(with("\"target\": 0.5", "\"target\": \"big\""), "cases[0].target: expected a number");
     expect_refused(with("9x3+1", "9x"), "candidates[1].plain: expected SLICESxSTEPS+BLURS");
-    expect_refused(with("\"value\": \"ms\"", "\"value\": \"luck\""), "tables[0].columns[0].value");
+    expect_refused(with("\"select\"", "\"columns\""), "tables[0]: expected an object with \"select\"");
+    expect_refused(with("\"SELECT 1\"", "1"), "tables[0].select[0]: expected a text");
     expect_refused(with("{\"samples\": 8", "{\"samples\": [8]"), "set.samples");
     expect_refused(with("\"name\": \"run\", ", ""), "candidates[0]: expected an object with \"name\"");
     expect_refused(with("\"sequence\": true", "\"held\": 1"), "candidates[0].held: expected true or false");
@@ -123,29 +125,13 @@ TEST(ExperimentFile, EveryFaultIsNamedWithItsPlace) {
     expect_refused(with("\"scored\": 1", "\"pixels\": 64"), "cases[0].pixels: expected an odd number");
 }
 
-TEST(ExperimentFile, AColumnAsksForWhatThereIs) {
-    const std::string place = "tables[0].columns[0]";
-    const auto refused = [&](const std::string& column, const std::string& why) {
-        expect_refused(with("\"value\": \"ms\"", column), place + why);
-    };
-    refused(R"("value": "rmse", "pixels": "odd")", ".pixels: expected one of all, disoccluded");
-    refused(R"("value": "rmse", "against": "me")", ".against: expected one of limit, depth, geometry");
-    refused(R"("value": "ms", "against": "limit")", ": expected a \"value\" of rmse, rmse_raw");
-    refused(R"("value": "ms", "statistic": "slope")", ": expected a \"value\" of rmse, rmse_raw");
-    refused(R"("value": "rmse", "frame": 0)", ".frame: expected a whole number from 1");
-    refused(R"("value": "rmse", "most": "little")", ".most: expected a number");
-    refused(R"("value": "rmse", "repeated": "cakes")", ".repeated: expected one of candidates, cases");
-    expect_refused(with("\"over\": \"loop\"", "\"cases\": [\"ski\"]"), "cases: \"ski\"");
-    expect_refused(with("\"rows\": \"cases\"", "\"rows\": \"cases\", \"keep\": \"some\""),
-                   "tables[0].keep: expected one of front, best, doubling");
-}
-
 TEST(ExperimentFile, NamesThatPartsReferToExistOnce) {
     const auto expect = [](const std::string& text, const std::string& why) {
         const Experiment read = read_experiment("mine.json", text);
         expect_error<std::invalid_argument>([&] { require_consistent(read); }, {why});
     };
-    expect(with("\"over\": \"loop\"", "\"over\": \"lop\""), "\"lop\"");
+    expect(with("SELECT 1", "SELECT one"), "mine.json: tables[0]: no such column: one");
+    expect(with("SELECT [case]", "DELETE"), "tables[0]: ");
     expect(with("[\"run\"]", "[\"ran\"]"), "\"ran\"");
     expect(with("\"name\": \"loop\"", "\"name\": \"run\""), "twice");
 }
@@ -187,55 +173,8 @@ TEST(Cases, AQueryIsReplacedByItsCases) {
 
 namespace comparison_test {
 
-using Points = std::vector<std::pair<double, double>>;
-
-TEST(ExperimentFront, HoldsWhatNothingBeatsInBoth) {
-    EXPECT_THAT(pareto_front(Points{}), IsEmpty());
-    EXPECT_THAT(pareto_front(Points{{3, 1}, {1, 3}, {2, 2}, {2, 3}, {4, 1}}), ElementsAre(1, 2, 0));
-    EXPECT_THAT(pareto_front(Points{{1, 1}, {1, 1}}), ElementsAre(0));
-    EXPECT_THAT(pareto_front(Points{{1, 2}, {1, 1}}), ElementsAre(1));
-    EXPECT_THAT(pareto_front(Points{{2, 2}, {1, 2}}), ElementsAre(1));
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_THAT(pareto_front(Points{{nan, 0}, {0, nan}, {5, 5}, {HUGE_VAL, 0}}), ElementsAre(2));
-}
-
-// Every point of a grid either is in the front or is beaten by one that is.
-TEST(ExperimentFront, HoldsOnManyPoints) {
-    Points points;
-    for (unsigned i = 0; i < 500; ++i) points.emplace_back((i * 7919U) % 101U, (i * 104'729U) % 97U);
-    const std::vector<std::size_t> front = pareto_front(points);
-    for (const auto& point : points) {
-        bool held = false;
-        for (const std::size_t f : front)
-            held |= points[f].first <= point.first && points[f].second <= point.second;
-        EXPECT_TRUE(held);
-    }
-    for (std::size_t i = 1; i < front.size(); ++i) {
-        EXPECT_LT(points[front[i - 1]].first, points[front[i]].first);
-        EXPECT_GT(points[front[i - 1]].second, points[front[i]].second);
-    }
-}
-
 const std::vector<Row> two_scenes{{"a", "fast", 10, 0.08}, {"a", "good", 40, 0.02}, {"a", "bad", 50, 0.09},
                                   {"b", "fast", 10, 0.04}, {"b", "good", 90, 0.04}, {"b", "bad", 50, 0.05}};
-
-std::vector<Choice> choices_in(const std::vector<Row>& rows) {
-    const Record record = make_record(rows);
-    Experiment what;
-    return choices_of(what, results_of(what, choose_recorded(what, record), record).at(0));
-}
-
-TEST(ExperimentChoices, AreMeansOfWhatIsInAllCases) {
-    std::vector<Row> rows = two_scenes;
-    rows.push_back({"a", "once", 1, 0.001});
-    const std::vector<Choice> all = choices_in(rows);
-    ASSERT_EQ(all.size(), 3U);
-    EXPECT_EQ(all[1].name, "good");
-    EXPECT_DOUBLE_EQ(all[1].ms, 60.0);  // the geometric mean
-    EXPECT_DOUBLE_EQ(all[1].mean_error, 0.03);
-    EXPECT_DOUBLE_EQ(all[1].worst_ms, 90.0);
-    EXPECT_EQ(all[1].worst_error, 0.04);
-}
 
 TEST(ExperimentChoices, BudgetsAreTimes) {
     EXPECT_EQ(time_budget("0.25ms"), 0.25);
@@ -247,52 +186,54 @@ TEST(ExperimentChoices, BudgetsAreTimes) {
 }
 
 TEST(ExperimentChoices, NameTheBestWithinAndTheFastestWith) {
-    const std::vector<Choice> all = choices_in(two_scenes);
-    EXPECT_EQ(best_within(all, 95)->name, "good");
-    EXPECT_EQ(best_within(all, 89)->name, "fast");  // 90 in one case
-    EXPECT_FALSE(best_within(all, 9));
-    EXPECT_EQ(fastest_with(all, 0.08)->name, "fast");
-    EXPECT_EQ(fastest_with(all, 0.07)->name, "good");
-    EXPECT_FALSE(fastest_with(all, 0.03));  // 0.04 in one case
-    EXPECT_FALSE(best_within({}, 1));
+    const Record record = make_record(two_scenes);
+    const auto expect = [&](const char* budget, double error, const std::string& answer) {
+        EXPECT_THAT(answers_to(Database(record), budget, error).text, HasSubstr(answer));
+        EXPECT_EQ(answers_to(Database(record), budget, error).all, answer.find("no configuration") > 99);
+    };
+    expect("95ms", 0, "within 95ms: good, at most 90.000 ms, RMSE (G) 0.0300 in the mean, at most 0.0400\n");
+    expect("89ms", 0, "within 89ms: fast, ");  // 90 in one case
+    expect("9ms", 0, "within 9ms: no configuration\n  the nearest: fast, at most 10.000 ms");
+    expect("", 0.08, "RMSE at most 0.08: fast, ");
+    expect("", 0.07, "RMSE at most 0.07: good, ");
+    expect("", 0.03, "RMSE at most 0.03: no configuration\n  the nearest: good, ");  // 0.04 in one case
+    EXPECT_EQ(answers_to(Database(record), "", 0).text, "");
+}
+
+Comparison changed(const std::vector<Row>& before, const std::vector<Row>& after) {
+    return compared(make_record(before), make_record(after));
 }
 
 TEST(ExperimentComparison, TheSameIsNoChange) {
-    const Record record = make_record({{"a", "m/4", 10, 0.05}});
-    const Comparison same = compared(record, record);
-    EXPECT_FALSE(same.got_worse());
-    EXPECT_THAT(same.warnings, IsEmpty());
-    EXPECT_DOUBLE_EQ(same.time, 1.0);
-    EXPECT_DOUBLE_EQ(same.error, 1.0);
-    EXPECT_THAT(to_text(same), HasSubstr("nothing got worse"));
+    const Comparison same = changed({{"a", "m/4", 10, 0.05}}, {{"a", "m/4", 10, 0.05}});
+    EXPECT_FALSE(same.got_worse);
+    EXPECT_EQ(same.text,
+              "1 configurations in both; new over old, geometric means: time 1.000, error 1.000\n"
+              "nothing got worse beyond the spread\n");
 }
 
+// 10.8 to 13.2 after 9 to 11 is within the spread.
 TEST(ExperimentComparison, ATimeChangesBeyondItsSpread) {
-    const Record before = make_record({{"a", "m", 10, 0.05}, {"a", "n", 10, 0.05}, {"a", "o", 10, 0.05}});
-    const Record after = make_record({{"a", "m", 12, 0.05}, {"a", "n", 13, 0.05}, {"a", "o", 8, 0.05}});
-    const Comparison found = compared(before, after);
-    EXPECT_FALSE(found.changes[0].slower);  // 10.8 to 13.2 after 9 to 11
-    EXPECT_TRUE(found.changes[1].slower);   // 11.7 to 14.3
-    EXPECT_FALSE(found.changes[1].faster);
-    EXPECT_TRUE(found.changes[2].faster);  // 7.2 to 8.8
-    EXPECT_DOUBLE_EQ(found.changes[1].time.median, 1.3);
-    EXPECT_DOUBLE_EQ(found.changes[1].time.low, 11.7 / 11.0);
-    EXPECT_DOUBLE_EQ(found.changes[1].time.high, 14.3 / 9.0);
-    EXPECT_NEAR(found.time, std::cbrt(1.2 * 1.3 * 0.8), 1e-12);
-    EXPECT_TRUE(found.got_worse());
-    EXPECT_THAT(to_text(found), HasSubstr("slower, beyond the spread: 1\n  a/n"));
-    EXPECT_THAT(to_text(found), Not(HasSubstr("nothing got worse")));
+    const Comparison found = changed({{"a", "m", 10, 0.05}, {"a", "n", 10, 0.05}, {"a", "o", 10, 0.05}},
+                                     {{"a", "m", 12, 0.05}, {"a", "n", 13, 0.05}, {"a", "o", 8, 0.05}});
+    EXPECT_TRUE(found.got_worse);
+    const std::string name = std::string(44 - 3, ' ');
+    EXPECT_EQ(found.text,
+              "3 configurations in both; new over old, geometric means: time 1.077, error 1.000\n"
+              "slower, beyond the spread: 1\n  a/n" +
+                  name +
+                  " time 1.300 (1.064 to 1.589)   error 1.000\n"
+                  "faster, beyond the spread: 1\n  a/o" +
+                  name + " time 0.800 (0.655 to 0.978)   error 1.000\n");
 }
 
 TEST(ExperimentComparison, AnErrorThatRisesIsNamed) {
-    const Record before = make_record({{"a", "m", 10, 0.0500}, {"a", "n", 10, 0.05}});
-    const Record after = make_record({{"a", "m", 10, 0.0502}, {"a", "n", 10, 0.04}});
-    const Comparison found = compared(before, after);
-    EXPECT_TRUE(found.changes[0].worse);
-    EXPECT_TRUE(found.changes[1].better);
-    EXPECT_TRUE(found.got_worse());
-    EXPECT_FALSE(
-        compared(make_record({{"a", "m", 10, 0.05}}), make_record({{"a", "m", 10, 0.05001}})).got_worse());
+    const Comparison found = changed({{"a", "m", 10, 0.0500}, {"a", "n", 10, 0.05}},
+                                     {{"a", "m", 10, 0.0502}, {"a", "n", 10, 0.04}});
+    EXPECT_THAT(found.text,
+                AllOf(HasSubstr("larger error: 1\n  a/m "), HasSubstr("smaller error: 1\n  a/n ")));
+    EXPECT_TRUE(found.got_worse);
+    EXPECT_FALSE(changed({{"a", "m", 10, 0.05}}, {{"a", "m", 10, 0.05001}}).got_worse);
 }
 
 TEST(ExperimentComparison, WarnsOfOtherCircumstancesAndStillCompares) {
@@ -312,13 +253,11 @@ TEST(ExperimentComparison, WarnsOfOtherCircumstancesAndStillCompares) {
         }
     }
     const Comparison found = compared(before, after);
-    EXPECT_THAT(found.warnings, ElementsAre(HasSubstr("other devices: device"),
-                                            HasSubstr("other sizes: 320 x 180"), HasSubstr("256 rays")));
-    ASSERT_EQ(found.changes.size(), 1U);
-    EXPECT_DOUBLE_EQ(found.changes.front().time.median, 2.0);
-    EXPECT_THAT(found.only_old, ElementsAre("a/old/4"));
-    EXPECT_THAT(found.only_new, ElementsAre("a/new/4"));
-    EXPECT_THAT(to_text(found), StartsWith("warning: other devices"));
+    EXPECT_THAT(found.text, StartsWith("warning: other devices: device"));
+    for (const char* text :
+         {"other sizes: 320 x 180 and 640 x 180\n", "256 rays", "1 configurations in both", "time 2.000",
+          "only in the old file: 1, the first a/old/4\n", "only in the new file: 1, the first a/new/4\n"})
+        EXPECT_THAT(found.text, HasSubstr(text));
 }
 
 }  // namespace comparison_test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Records of visits: written ones are read again, and wrong values in a file are refused.
+// Records of visits: written ones are read again, wrong values in a file are refused, and tables show them.
 #include "experiment/results.hpp"
 #include "experiment/table.hpp"
 #include "experiment/visits.hpp"
@@ -57,13 +57,7 @@ TEST(ExperimentRecord, ReadsWhatItWrote) {
 // The document of --json holds the same, in one line or in many.
 TEST(ExperimentRecord, ReadsTheDocumentOfResults) {
     const Record record = everything();
-    Experiment what{.name = "mine"};
-    const std::vector<gpu::Extent> sizes = choose_recorded(what, record);
-    ASSERT_EQ(sizes.size(), 1U);
-    EXPECT_EQ(what.cases.size(), 2U);
-    EXPECT_EQ(what.candidates.size(), 3U);
-    EXPECT_EQ(what.candidates[1].group, "n");
-    std::string text = to_json(what, results_of(what, sizes, record), record, "gloam 1");
+    std::string text = to_json(Database(record), record, "gloam 1");
     EXPECT_EQ(lines_of(read_record("", text)), lines_of(record));
     std::erase(text, '\n');
     EXPECT_EQ(lines_of(read_record("", text)), lines_of(record));
@@ -120,13 +114,18 @@ TEST(ExperimentResults, TimesAreMedians) {
                       {{{"reproject", 1.0}, {"ambient_occlusion", 4.0}}}};
     Record record({.experiment = "mine"});
     record.add(visit);
-    Experiment what;
-    const std::vector<SizeResult> results = results_of(what, choose_recorded(what, record), record);
-    const std::vector<const CaseResult*> cases{&results.at(0).cases.at(0)};
-    const Part gather{.prefixes = {"ambient_occlusion"}};
-    EXPECT_EQ(mean_value(cases, 0, "ms", "median", gather), 4.0);
-    EXPECT_EQ(mean_value(cases, 0, "ms", "median", {}), 5.0);
-    EXPECT_FALSE(mean_value(cases, 0, "rmse", "median", {})) << "nothing was judged";
+    EXPECT_EQ(rows_of(record, "SELECT ms, gather_ms, least_ms, rmse FROM result"), "| 5 | 4 | 4 | - |\n");
+    EXPECT_EQ(rows_of(record, "SELECT pass, ms, least_ms FROM passes"),
+              "| ambient_occlusion | 4 | 3 |\n| filter_x | 1 | 0 |\n| reproject | 0 | 0 |\n");
+}
+
+// A candidate that lacks a case has no mean over all of them.
+TEST(ExperimentResults, MeansAreOverAllCases) {
+    const Record record = make_record({{"a", "m", 10, 0.25}, {"b", "m", 40, 0.75}, {"a", "once", 1, 0.5}});
+    EXPECT_EQ(rows_of(record, "SELECT candidate, fixed(ms, 2), rmse, worst_ms, worst_rmse FROM overall"),
+              "| m | 20.00 | 0.5 | 40 | 0.75 |\n");
+    EXPECT_EQ(rows_of(record, "SELECT [case], candidate, measured FROM result WHERE NOT measured"),
+              "| b | once | 0 |\n");
 }
 
 // One remap for all cases, the best one for those of the tuning half.
@@ -142,12 +141,10 @@ TEST(ExperimentResults, TheRemapOfTheTuningHalfIsApplied) {
         record.add(visit);
     };
     const auto fits = [&] {
-        Experiment what{.name = "mine"};
-        const Record read = read_record("", lines_of(record));
-        const std::vector<SizeResult> results = results_of(what, choose_recorded(what, read), read);
         std::vector<double> all;
-        for (const CaseResult& one : results.front().cases)
-            all.push_back(one.cells.front()->rmse_fit.value_or(-1.0));
+        const Record read = read_record("", lines_of(record));
+        for (const auto& row : Database(read).select("SELECT coalesce(rmse_fit, -1.0) FROM result").all)
+            all.push_back(std::get<double>(row.at(0)));
         return all;
     };
     add("unseen, alike", "unseen", made);
@@ -162,9 +159,7 @@ TEST(ExperimentResults, TheRemapOfTheTuningHalfIsApplied) {
 }
 
 TEST(ExperimentResults, CsvHasALineForEachCandidateOfEachCase) {
-    Experiment what;
-    const Record record = everything();
-    const std::string text = to_csv(what, results_of(what, choose_recorded(what, record), record));
+    const std::string text = to_csv(Database(everything()));
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 5);
     EXPECT_THAT(text, HasSubstr("width,height,case,what,candidate,ms,rmse,"));
     EXPECT_THAT(text, HasSubstr("\n320,180,\"a\",\"\",\"m/4\",10,0.05,"));
@@ -172,46 +167,46 @@ TEST(ExperimentResults, CsvHasALineForEachCandidateOfEachCase) {
     EXPECT_EQ(text.find("nan"), std::string::npos);
 }
 
-Table table_of(const std::string& rows, const std::string& keep) {
-    Table table{.rows = rows, .keep = keep};
-    table.columns = {{.label = "case"},
-                     {.label = "candidate"},
-                     {.value = "rmse", .statistic = rows == "runs" ? "median" : "of_best"}};
-    return table;
-}
-
 // m is fast, n/8 errs least, n/4 is beaten by it.
-TEST(ExperimentTable, KeepsTheFrontOrTheBestOfEachGroup) {
+TEST(ExperimentResults, TheFrontIsWhatNoOtherBeats) {
     const Record record = make_record({{"a", "m/4", 10, 0.08},
                                        {"a", "n/8", 40, 0.02},
                                        {"a", "n/4", 50, 0.09},
                                        {"b", "n/4", 50, 0.05},
                                        {"b", "m/4", 10, 0.04},
                                        {"b", "n/8", 90, 0.04}});
-    Experiment what;
-    const std::vector<SizeResult> results = results_of(what, choose_recorded(what, record), record);
-    const auto rows_of = [&](const Table& table) {
-        what.tables = {table};
-        const std::string text = to_text(what, results).text;
-        return text.substr(text.find("|\n", text.find("---")) + 2);
-    };
-    EXPECT_EQ(rows_of(table_of("runs", "front")),
-              "| a | m/4 | 0.08 |\n| a | n/8 | 0.02 |\n| b | m/4 | 0.04 |\n");
-    EXPECT_EQ(rows_of(table_of("runs", "best")),
-              "| a | m/4 | 0.08 |\n| a | n/8 | 0.02 |\n| b | m/4 | 0.04 |\n| b | n/8 | 0.04 |\n");
-    EXPECT_EQ(rows_of(table_of("candidates", "front")), "| a | m/4 | 2.00 |\n| a | n/8 | 1.00 |\n");
-    Table group = table_of("candidates", "");
-    group.group = "m";
-    EXPECT_EQ(rows_of(group), "| a | m/4 | 2.00 |\n");
-    group.in_report = true;
-    what.tables = {group};
-    EXPECT_EQ(to_text(what, results).text, "");
-    EXPECT_THAT(to_text(what, results).report, HasSubstr("| a | m/4 | 2.00 |"));
+    EXPECT_EQ(rows_of(record, "SELECT [case], candidate FROM result WHERE on_front"),
+              "| a | m/4 |\n| a | n/8 |\n| b | m/4 |\n");
+    EXPECT_EQ(rows_of(record, "SELECT candidate, fixed(of_best, 2) FROM overall WHERE on_front"),
+              "| m/4 | 2.00 |\n| n/8 | 1.00 |\n");
+    EXPECT_EQ(rows_of(record, "SELECT mark || candidate || mark FROM overall"),
+              "| **m/4** |\n| **n/8** |\n| n/4 |\n");
+}
+
+// Of equal points the first is in the front; what was not judged or not timed is not.
+TEST(ExperimentResults, TheFrontHoldsOnManyPoints) {
+    std::vector<Row> rows;
+    for (unsigned i = 0; i < 300; ++i)
+        rows.push_back({"a", fmt::format("m{}", i), 1.0 + (i * 7919U) % 101U, 1.0 + (i * 104'729U) % 97U});
+    rows.push_back({"a", "same", rows[0].ms, rows[0].error});
+    Record record = make_record(rows);
+    record.add(make_visit("a", "untimed", 0, 1, 0.5));
+    record.add(make_visit("a", "not judged", 1, 0.1, 0));
+    const auto front = Database(record).select("SELECT candidate, ms, rmse FROM result WHERE on_front").all;
+    for (const Row& row : rows) {
+        const bool held = std::ranges::any_of(front, [&](const auto& point) {
+            return std::get<double>(point[1]) <= row.ms + 1e-9 && std::get<double>(point[2]) <= row.error;
+        });
+        EXPECT_TRUE(held) << row.candidate;
+    }
+    EXPECT_LT(front.size(), 20U);
+    for (const auto& point : front)
+        EXPECT_THAT(text_of(point[0]), Not(AnyOf("same", "untimed", "not judged")));
 }
 
 }  // namespace results_test
 
-// What columns show of scores by class and frame, and of points in closed form.
+// What tables show of scores by class and frame, and of points in closed form.
 
 namespace table_test {
 
@@ -241,16 +236,6 @@ Visit visit_of(const char* shown, const char* candidate) {
     return {.size = {320, 180}, .shown = {.name = shown}, .candidate = candidate};
 }
 
-// The written table of one kind of rows, without its heading.
-std::string rows_of(const Record& record, Table table, bool* missed = nullptr) {
-    Experiment what;
-    const std::vector<SizeResult> results = results_of(what, choose_recorded(what, record), record);
-    what.tables = {std::move(table)};
-    const Text text = to_text(what, results);
-    if (missed != nullptr) *missed = text.missed;
-    return text.text.substr(text.text.find("|\n", text.text.find("--")) + 2);
-}
-
 Record scored() {
     Record record({.experiment = "mine"});
     Visit visit = visit_of("a", "m");
@@ -261,52 +246,95 @@ Record scored() {
     return read_record("", text);
 }
 
+// sqrt(0.04 (1 + 1/4 + 1/9 + 1/16) / 4), and the mean of 0.4, 0.2, 0.4 / 3 and 0.1; then sqrt(0.07 / 2), and
+// 0.07 / 0.2.
 TEST(ExperimentTable, ClassesAreAddedAsSquares) {
-    const Table table{.rows = "runs",
-                      .columns = {{.value = "rmse", .against = "limit", .digits = 4},
-                                  {.value = "rmse", .against = "limit", .frame = 3, .digits = 4},
-                                  {.value = "rmse_raw", .against = "limit", .frame = 9, .digits = 4},
-                                  {.value = "rmse_raw", .against = "limit", .frame = 4, .over_frame = 2},
-                                  {.value = "rmse", .pixels = "settled", .digits = 4},
-                                  {.value = "share", .pixels = "settled"},
-                                  {.value = "share", .pixels = "settled", .frame = 4},
-                                  {.value = "rmse", .pixels = "young"},
-                                  {.value = "flicker", .pixels = "all"},
-                                  {.value = "bias_raw", .against = "limit", .frame = 4, .with_sign = true}}};
-    // sqrt(0.04 (1 + 1/4 + 1/9 + 1/16) / 4), 0.2 / 3, 0.4 / 4, sqrt(0.07 / 2), 0.07 / 0.2, and 0.04 / 0.1
-    EXPECT_EQ(rows_of(scored(), table),
-              "| 0.1193 | 0.0667 | 0.1000 | 0.50 | 0.1871 | 0.35 | 0.40 | - | 0.25 | +0.10 |\n");
+    const char* const select =
+        "SELECT pixels, against, fixed(rmse, 4), fixed(bias_raw, 4), fixed(share, 2), flicker FROM "
+        "class_errors ORDER BY pixels, against";
+    EXPECT_EQ(rows_of(scored(), select),
+              "| all | geometry | 0.1581 | 0.0000 | 1.00 | 0.25 |\n"
+              "| all | limit | 0.1193 | 0.2083 | 1.00 | 0.25 |\n"
+              "| settled | geometry | 0.1871 | 0.0000 | 0.35 | - |\n"
+              "| settled | limit | - | - | 0.00 | - |\n");
 }
 
 // The square falls with the square of the samples, as long as all of them count: in frames 1 and 2.
-TEST(ExperimentTable, TheSlopeIsThatOfTheMeanSquareError) {
-    const Table table{.rows = "runs",
-                      .columns = {{.value = "rmse_raw", .against = "limit", .statistic = "slope"}}};
-    EXPECT_EQ(rows_of(scored(), table), "| -2.00 |\n");
+TEST(ExperimentTable, TheExponentIsThatOfTheMeanSquareError) {
+    EXPECT_EQ(rows_of(scored(),
+                      "SELECT fixed(exponent(samples, rmse_raw * rmse_raw), 2), count(*) FROM class_frames "
+                      "WHERE against = 'limit' AND all_count"),
+              "| -2.00 | 2 |\n");
 }
 
 TEST(ExperimentTable, FramesHaveRows) {
-    const Table table{.rows = "frames",
-                      .keep = "doubling",
-                      .columns = {{.title = "frame", .label = "frame"},
-                                  {.title = "samples", .value = "samples_so_far", .digits = 0},
-                                  {.title = "raw", .value = "rmse_raw", .against = "limit"},
-                                  {.title = "independent", .value = "rmse_independent", .against = "limit"},
-                                  {.title = "settled", .value = "rmse", .pixels = "settled"}}};
-    EXPECT_EQ(rows_of(scored(), table),
-              "| 1 | 8 | 0.40 | 0.40 | - |\n| 2 | 16 | 0.20 | 0.28 | - |\n| 4 | 32 | 0.10 | 0.20 | 0.20 |\n");
+    EXPECT_EQ(rows_of(scored(),
+                      "SELECT frame, samples, fixed(rmse_raw, 2), signed(bias_raw, 2) FROM class_frames "
+                      "WHERE against = 'limit' AND frame <> 3"),
+              "| 1 | 8 | 0.40 | +0.40 |\n| 2 | 16 | 0.20 | +0.20 |\n| 4 | 32 | 0.10 | +0.10 |\n");
 }
 
-TEST(ExperimentTable, AColumnsOwnTargetIsMetOrMissed) {
-    const auto table = [](double most) {
-        return Table{.rows = "runs",
-                     .columns = {{.value = "rmse_raw", .against = "limit", .frame = 4, .most = most}}};
-    };
+TEST(ExperimentTable, ATargetIsMetOrMissed) {
     bool missed = true;
-    EXPECT_EQ(rows_of(scored(), table(0.2), &missed), "| 0.10, at most 0.2: met |\n");
+    EXPECT_EQ(rows_of(scored(), "SELECT at_most(0.1, 0.2, 2), at_most(NULL, 0.2, 2)", &missed),
+              "| 0.10, at most 0.2: met | - |\n");
     EXPECT_FALSE(missed);
-    EXPECT_EQ(rows_of(scored(), table(0.05), &missed), "| 0.10, at most 0.05: missed |\n");
+    EXPECT_EQ(rows_of(scored(), "SELECT at_most(0.1, 0.05, 2)", &missed), "| 0.10, at most 0.05: missed |\n");
     EXPECT_TRUE(missed);
+}
+
+// Lines with "{}" that stand together are repeated for each name, whatever is in it; numbers are at the
+// right.
+TEST(ExperimentTable, LinesAreRepeatedForEachName) {
+    const Record record = make_record({{"a", "it's", 10, 0.25}, {"a", "n", 40, 0.75}});
+    const Experiment what{.tables = {{.name = "block",
+                                      .each = "SELECT candidate FROM candidates",
+                                      .select = {"SELECT [case] AS 'case'",
+                                                 ", max(rmse) FILTER (WHERE candidate = '{}') AS '{}'",
+                                                 ", '**' || max(1) || '**' AS 'b'", "FROM result"}}}};
+    EXPECT_EQ(to_text(what, Database(record)).text,
+              "\n| case | it's | n | b |\n|---|--:|--:|--:|\n| a | 0.25 | 0.75 | **1** |\n");
+    EXPECT_EQ(to_text(what, Database(record)).named.at("block"),
+              to_text(what, Database(record)).text.substr(1));
+}
+
+TEST(ExperimentTable, ATableOfOneSizeStandsOnceForEach) {
+    Record record = make_record({{"a", "m", 10, 0.25}});
+    Visit small = make_visit("a", "m", 0, 1, 0.5);
+    small.size = {64, 36};
+    record.add(small);
+    Experiment what{
+        .tables = {{.in_report = true, .select = {"SELECT rmse FROM result WHERE size = :size"}}}};
+    EXPECT_EQ(to_text(what, Database(record)).report,
+              "\n320 x 180:\n\n| rmse |\n|--:|\n| 0.25 |\n\n64 x 36:\n\n| rmse |\n|--:|\n| 0.5 |\n");
+    EXPECT_EQ(to_text(what, Database(record)).text, "");
+}
+
+// A description may be of somebody else: its SELECTs only read, and do not run for ever.
+TEST(ExperimentTable, ASelectOnlyReads) {
+    const Database database(scored());
+    const auto refused = [&](const char* select, const char* why) {
+        EXPECT_THAT([&] { (void)database.select(select); }, ThrowsMessage<std::runtime_error>(HasSubstr(why)))
+            << select;
+    };
+    refused("SELECT rmsee FROM result", "no such column: rmsee");
+    refused("", "expected one SELECT");
+    refused("SELECT 1; SELECT 2", "expected one SELECT");
+    refused("DELETE FROM result", "not authorized");
+    refused("CREATE TABLE mine(x)", "not authorized");
+    refused("ATTACH 'gloam.db' AS other", "not authorized");
+    refused("PRAGMA writable_schema = 1", "not authorized");
+    refused("SELECT * FROM pragma_database_list", "not authorized");
+    refused("SELECT load_extension('libm.so.6')", "not authorized");
+    refused("SELECT zeroblob(2000000000)", "too big");
+    refused("WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT max(i) FROM n",
+            "seconds");
+    refused("WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT i FROM n", "fewer rows");
+    refused(
+        "WITH RECURSIVE n(i) AS (SELECT zeroblob(1000000) UNION ALL SELECT zeroblob(1000000) FROM n) "
+        "SELECT i FROM n ORDER BY i",
+        "out of memory");
+    EXPECT_EQ(rows_of(scored(), "SELECT 'a' || char(10) || char(27) || '[2J'"), "| a??[2J |\n");
 }
 
 // Two methods at two points; the second has no remapped value.
@@ -322,15 +350,9 @@ TEST(ExperimentTable, OfPoints) {
         record.add(two);
         record.add(visit_of(shown, "nothing"));
     }
-    const Table table{.rows = "candidates",
-                      .columns = {{.label = "candidate"},
-                                  {.value = "occlusion", .repeated = "cases"},
-                                  {.value = "occlusion", .cases = {"near"}},
-                                  {.value = "off_truth", .statistic = "furthest", .with_sign = true},
-                                  {.value = "off_truth"}}};
-    EXPECT_EQ(rows_of(record, table),
-              "| one | 0.25 | 0.75 | 0.25 | far: +0.20 | 0.05 |\n"
-              "| two | 0.50 | 0.50 | 0.50 | - | - |\n");
+    EXPECT_EQ(rows_of(record, "SELECT candidate, [case], occlusion, fixed(off_truth, 2) FROM result"),
+              "| one | near | 0.25 | -0.10 |\n| two | near | 0.5 | - |\n| nothing | near | - | - |\n"
+              "| one | far | 0.75 | 0.20 |\n| two | far | 0.5 | - |\n| nothing | far | - | - |\n");
 }
 
 }  // namespace table_test

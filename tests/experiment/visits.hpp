@@ -2,6 +2,7 @@
 #pragma once
 
 #include "experiment/results.hpp"
+#include "experiment/table.hpp"
 #include "support/test.hpp"
 
 namespace gloam::experiment {
@@ -56,6 +57,13 @@ inline std::string lines_of(const Record& record) {
     std::string text = record.heading() + "\n";
     for (const Visit& visit : record.visits()) text += line_of(visit) + "\n";
     return text;
+}
+
+// The rows of a table, without its heading.
+inline std::string rows_of(const Record& record, const std::string& select, bool* missed = nullptr) {
+    const Text text = to_text({.tables = {{.select = {select}}}}, Database(record));
+    if (missed != nullptr) *missed = text.missed;
+    return text.text.substr(text.text.find("|\n", text.text.find("--")) + 2);
 }
 
 }  // namespace gloam::experiment

@@ -43,6 +43,7 @@ LIBRARY_HOME = {
     "glslang": (re.compile(r"(glslang|SPIRV|spirv[-/_]|StandAlone)"), "shader"),
     "assimp": (re.compile(r"assimp/"), "scene"),
     "embree": (re.compile(r"embree"), "scene"),
+    "sqlite": (re.compile(r"sqlite3"), "experiment"),
     "stb_image": (re.compile(r"(stb/)?stb_image"), "base"),
     "stb_truetype": (re.compile(r"(stb/)?stb_truetype"), "pictures"),
 }

@@ -13,6 +13,7 @@
 
 #include "effect/methods.hpp"
 #include "effect/settings.hpp"
+#include "experiment/table.hpp"
 #include "scene/mesh.hpp"
 #include "scene/scene.hpp"
 
@@ -153,13 +154,6 @@ void require_names(const std::vector<Case>& cases, const std::vector<std::string
 
 }  // namespace
 
-std::optional<std::size_t> candidate_of(const Experiment& experiment, std::string_view name) {
-    const std::vector<Candidate>& candidates = experiment.candidates;
-    for (std::size_t i = 0; i < candidates.size(); ++i)
-        if (candidates[i].name == name || fmt::format("#{}", i) == name) return i;
-    return std::nullopt;
-}
-
 void require_consistent(const Experiment& experiment) {
     std::set<std::string> names;
     for (const Candidate& candidate : experiment.candidates)
@@ -167,7 +161,7 @@ void require_consistent(const Experiment& experiment) {
             throw std::invalid_argument(
                 fmt::format("candidates: \"{}\" twice, expected once", candidate.name));
     const auto require = [&](const std::string& name, const char* where) {
-        if (!name.empty() && !candidate_of(experiment, name))
+        if (!names.contains(name))
             throw std::invalid_argument(
                 fmt::format("{}: \"{}\", expected one of {}", where, name, fmt::join(names, ", ")));
     };
@@ -177,12 +171,10 @@ void require_consistent(const Experiment& experiment) {
             throw std::invalid_argument(fmt::format("cases: \"{}\" twice, expected once", one.name));
     for (const Case& one : experiment.cases)
         for (const std::string& name : one.candidates) require(name, "a case's candidates");
-    for (const Table& table : experiment.tables) {
-        for (const Column& column : table.columns) {
-            require(column.of, "a column's \"of\"");
-            require(column.over, "a column's \"over\"");
-            require(column.minus, "a column's \"minus\"");
-        }
+    try {
+        (void)to_text(experiment, Database(Record({})));
+    } catch (const std::runtime_error& error) {
+        throw std::invalid_argument(error.what());
     }
 }
 

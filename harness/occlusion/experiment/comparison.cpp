@@ -3,237 +3,125 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <map>
 #include <stdexcept>
-#include <utility>
+
+#include "base/number.hpp"
 
 namespace gloam::experiment {
 namespace {
 
-constexpr double noticed = 1e-4;  // RMSE: as many digits as are printed
+// Candidates that were judged and timed in all cases.
+constexpr const char* choice =
+    "SELECT printf('%s, at most %.3f ms, RMSE (G) %.4f in the mean, at most %.4f', candidate, worst_ms, "
+    "rmse, "
+    "worst_rmse) FROM overall WHERE size = :size AND ms + rmse IS NOT NULL";
 
-std::string line_of(const std::string& question, const Choice& choice) {
-    return fmt::format("{}: {}, at most {:.3f} ms, RMSE (G) {:.4f} in the mean, at most {:.4f}\n", question,
-                       choice.name, choice.worst_ms, choice.mean_error, choice.worst_error);
+// What both runs hold, by name, with the ratios of new to old.
+constexpr const char* both = R"(WITH
+old AS (SELECT *, iif(size_number > 1, 'size ' || size_number || '/', '') || [case]
+  || iif(what = '', '', ', ' || what) || '/' || candidate AS name FROM before.result WHERE measured),
+new AS (SELECT *, iif(size_number > 1, 'size ' || size_number || '/', '') || [case]
+  || iif(what = '', '', ', ' || what) || '/' || candidate AS name FROM main.result WHERE measured),
+change AS (SELECT name, new.ms / old.ms AS time, new.low_ms / old.high_ms AS low, new.high_ms / old.low_ms AS high,
+  iif(new.rmse = old.rmse, 1.0, new.rmse / old.rmse) AS error, new.low_ms > old.high_ms AS slower,
+  new.high_ms < old.low_ms AS faster, new.rmse - old.rmse >= 1e-4 AS worse, new.rmse - old.rmse <= -1e-4 AS better
+  FROM new JOIN old USING (name) ORDER BY new.size_number, new.case_number, new.candidate_number)
+)";
+
+// The conditions of a record and its sizes, by what a warning calls them.
+std::vector<std::pair<const char*, std::string>> circumstances(const Record& record) {
+    const Conditions& all = record.conditions();
+    return {{"experiments", all.experiment},
+            {"devices", fmt::format("{} ({})", all.device, all.driver)},
+            {"sizes", Database(record).text("SELECT group_concat(size, ', ') FROM sizes")},
+            {"frames or rays", fmt::format("{} of {} frames, {} rays", all.scored, all.frames, all.rays)}};
 }
 
-void add_answer(Answers& answers, const std::string& question, const std::optional<Choice>& best,
-                const std::vector<Choice>& choices, double Choice::* nearest) {
-    answers.text += "\n";
-    if (best) {
-        answers.text += line_of(question, *best);
-        return;
-    }
-    answers.all = false;
-    answers.text += fmt::format("{}: no configuration\n", question);
-    const auto found = std::ranges::min_element(choices, {}, nearest);
-    if (found != choices.end()) answers.text += line_of("  the nearest", *found);
+std::string warnings(const Record& before, const Record& after) {
+    std::string text;
+    const auto old = circumstances(before);
+    const auto now = circumstances(after);
+    for (std::size_t i = 0; i < old.size(); ++i)
+        if (old[i].second != now[i].second)
+            text += fmt::format("warning: other {}: {} and {}\n", old[i].first, old[i].second, now[i].second);
+    return text;
 }
 
-// What is compared of a candidate in a case.
-struct Compared {
-    std::string name;
-    numeric::Spread time;
-    double error = 0.0;
-};
-
-std::vector<Compared> compared_of(const Record& record) {
-    Experiment all;
-    const std::vector<gpu::Extent> sizes = choose_recorded(all, record);
-    const std::vector<SizeResult> results = results_of(all, sizes, record);
-    std::vector<Compared> measured;
-    for (std::size_t size = 0; size < results.size(); ++size) {
-        for (const CaseResult& one : results[size].cases) {
-            for (std::size_t i = 0; i < one.cells.size(); ++i) {
-                const std::optional<Cell>& cell = one.cells[i];
-                if (!cell) continue;
-                std::string name = size == 0 ? "" : fmt::format("size {}/", size + 1);
-                name += one.shown.name + (one.shown.what.empty() ? "" : ", " + one.shown.what) + "/";
-                measured.push_back(
-                    {.name = name + all.candidates[i].name,
-                     .time = numeric::spread_of(times_of(*cell, {})),
-                     .error = mean_value({&one}, i, "rmse", "median", {}).value_or(std::nan(""))});
-            }
-        }
-    }
-    return measured;
-}
-
-Change change_of(const Compared& before, const Compared& after) {
-    const numeric::Spread& old_time = before.time;
-    const numeric::Spread& new_time = after.time;
-    const double risen = after.error - before.error;
-    return {.name = after.name,
-            .time = {new_time.median / old_time.median, new_time.low / old_time.high,
-                     new_time.high / old_time.low},
-            .error = risen == 0.0 ? 1.0 : after.error / before.error,
-            .slower = new_time.low > old_time.high,
-            .faster = new_time.high < old_time.low,
-            .worse = risen >= noticed,
-            .better = risen <= -noticed};
-}
-
-double geometric_mean(const std::vector<Change>& changes, double (*of)(const Change&)) {
-    double sum = 0.0;
-    std::size_t count = 0;
-    for (const Change& change : changes) {
-        const double value = std::log(of(change));
-        if (!std::isfinite(value)) continue;
-        sum += value;
-        ++count;
-    }
-    return count == 0 ? 1.0 : std::exp(sum / static_cast<double>(count));
-}
-
-std::string sizes_text(const Record& record) {
-    std::vector<std::string> sizes;
-    for (const Visit& visit : record.visits()) {
-        std::string size = size_text(visit.size);
-        if (std::ranges::count(sizes, size) == 0) sizes.push_back(std::move(size));
-    }
-    return fmt::format("{}", fmt::join(sizes, ", "));
-}
-
-std::vector<std::string> warnings_of(const Record& before, const Record& after) {
-    const Conditions& old = before.conditions();
-    const Conditions& now = after.conditions();
-    std::vector<std::string> warnings;
-    const auto warn = [&](const char* what, const std::string& first, const std::string& second) {
-        if (first != second) warnings.push_back(fmt::format("other {}: {} and {}", what, first, second));
-    };
-    const auto device = [](const Conditions& c) { return fmt::format("{} ({})", c.device, c.driver); };
-    const auto frames = [](const Conditions& c) {
-        return fmt::format("{} of {} frames, {} rays", c.scored, c.frames, c.rays);
-    };
-    warn("experiments", old.experiment, now.experiment);
-    warn("devices", device(old), device(now));
-    warn("sizes", sizes_text(before), sizes_text(after));
-    warn("frames or rays", frames(old), frames(now));
-    return warnings;
-}
-
-std::string list_of(const char* title, const std::vector<Change>& changes, bool Change::* which) {
+// The first column of all rows.
+std::string lines_of(const Rows& rows) {
     std::string lines;
-    std::size_t count = 0;
-    for (const Change& change : changes) {
-        if (!(change.*which)) continue;
-        lines += fmt::format("  {:<44} time {:.3f} ({:.3f} to {:.3f})   error {:.3f}\n", change.name,
-                             change.time.median, change.time.low, change.time.high, change.error);
-        ++count;
-    }
-    return count == 0 ? std::string{} : fmt::format("{}: {}\n{}", title, count, lines);
-}
-
-std::string names_line(const char* title, const std::vector<std::string>& names) {
-    return names.empty() ? std::string{}
-                         : fmt::format("{}: {}, the first {}\n", title, names.size(), names.front());
+    for (const std::vector<Value>& row : rows.all) lines += text_of(row[0]) + "\n";
+    return lines;
 }
 
 }  // namespace
 
 double time_budget(std::string_view text) {
-    double budget = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), budget);
-    const std::string_view unit(end, static_cast<std::size_t>(text.data() + text.size() - end));
-    if (error == std::errc{} && unit == "ms" && std::isfinite(budget) && budget > 0.0) return budget;
+    if (text.ends_with("ms"))
+        if (const auto budget = base::number_from<double>(text.substr(0, text.size() - 2));
+            budget && std::isfinite(*budget) && *budget > 0.0)
+            return *budget;
     throw std::invalid_argument(fmt::format("--budget {}: expected milliseconds, such as 1ms", text));
 }
 
-std::vector<Choice> choices_of(const Experiment& experiment, const SizeResult& result) {
-    std::vector<const CaseResult*> cases;
-    for (const CaseResult& one : result.cases) cases.push_back(&one);
-    std::vector<Choice> choices;
-    for (std::size_t i = 0; i < experiment.candidates.size(); ++i) {
-        const auto value = [&](const char* quantity, const char* statistic) {
-            return mean_value(cases, i, quantity, statistic, {}).value_or(std::nan(""));
-        };
-        const Choice choice{.name = experiment.candidates[i].name,
-                            .ms = value("ms", "median"),
-                            .worst_ms = value("ms", "most"),
-                            .mean_error = value("rmse", "median"),
-                            .worst_error = value("rmse", "most")};
-        if (std::isfinite(choice.ms) && std::isfinite(choice.mean_error)) choices.push_back(choice);
-    }
-    return choices;
-}
-
-std::optional<Choice> best_within(const std::vector<Choice>& choices, double budget) {
-    std::optional<Choice> best;
-    for (const Choice& choice : choices) {
-        if (!(choice.worst_ms <= budget)) continue;
-        if (!best || std::pair(choice.mean_error, choice.ms) < std::pair(best->mean_error, best->ms))
-            best = choice;
-    }
-    return best;
-}
-
-std::optional<Choice> fastest_with(const std::vector<Choice>& choices, double error) {
-    std::optional<Choice> best;
-    for (const Choice& choice : choices) {
-        if (!(choice.worst_error <= error)) continue;
-        if (!best || std::pair(choice.ms, choice.mean_error) < std::pair(best->ms, best->mean_error))
-            best = choice;
-    }
-    return best;
-}
-
-Answers answers_to(const Experiment& experiment, const std::vector<SizeResult>& results,
-                   const std::string& budget, double error) {
+Answers answers_to(const Database& database, const std::string& budget, double error) {
     Answers answers;
-    for (const SizeResult& result : results) {
-        const std::vector<Choice> choices = choices_of(experiment, result);
-        const std::string at = results.size() == 1 ? "" : size_text(result.extent) + ", ";
+    const Rows sizes = database.select("SELECT size FROM sizes");
+    const auto ask = [&](const std::string& size, const std::string& question, const std::string& within,
+                         const std::string& best, const std::string& nearest) {
+        const std::string at = sizes.all.size() == 1 ? "" : size + ", ";
+        answers.text += fmt::format("\n{}{}: ", at, question);
+        const std::string found = lines_of(
+            database.select(fmt::format("{} AND {} ORDER BY {} LIMIT 1", choice, within, best), size));
+        answers.text += found.empty() ? "no configuration\n" : found;
+        if (!found.empty()) return;
+        answers.all = false;
+        const std::string near =
+            lines_of(database.select(fmt::format("{} ORDER BY {} LIMIT 1", choice, nearest), size));
+        if (!near.empty()) answers.text += "  the nearest: " + near;
+    };
+    for (const std::vector<Value>& row : sizes.all) {
         if (!budget.empty())
-            add_answer(answers, at + "within " + budget, best_within(choices, time_budget(budget)), choices,
-                       &Choice::worst_ms);
+            ask(text_of(row[0]), "within " + budget, fmt::format("worst_ms <= {}", time_budget(budget)),
+                "rmse, ms, rowid", "worst_ms, rowid");
         if (error > 0.0)
-            add_answer(answers, fmt::format("{}RMSE at most {:g}", at, error), fastest_with(choices, error),
-                       choices, &Choice::worst_error);
+            ask(text_of(row[0]), fmt::format("RMSE at most {:g}", error),
+                fmt::format("worst_rmse <= {}", error), "ms, rmse, rowid", "worst_rmse, rowid");
     }
     if (!answers.text.empty())
         answers.text += "RMSE (G): root mean square error against the traced geometry\n";
     return answers;
 }
 
-bool Comparison::got_worse() const {
-    return std::ranges::any_of(changes, [](const Change& c) { return c.slower || c.worse; });
-}
-
 Comparison compared(const Record& before, const Record& after) {
-    Comparison result{.warnings = warnings_of(before, after)};
-    std::map<std::string, Compared> old;
-    for (const Compared& one : compared_of(before)) old.emplace(one.name, one);
-    for (const Compared& one : compared_of(after)) {
-        if (const auto found = old.find(one.name); found != old.end()) {
-            result.changes.push_back(change_of(found->second, one));
-            old.erase(found);
-        } else {
-            result.only_new.push_back(one.name);
-        }
+    const Database database(after, &before);
+    const auto ask = [&](const std::string& select) { return lines_of(database.select(both + select)); };
+    Comparison found{.text = warnings(before, after)};
+    found.text += ask(
+        "SELECT printf('%d configurations in both; new over old, geometric means: time %.3f, error %.3f', "
+        "count(*), coalesce(exp(avg(ln(time))), 1), coalesce(exp(avg(ln(error))), 1)) FROM change");
+    for (const auto& [here, there, title] : {std::tuple("old", "new", "old"), {"new", "old", "new"}})
+        found.text += ask(
+            fmt::format("SELECT printf('only in the {} file: %d, the first %s', count(*), min(name)) FROM {} "
+                        "WHERE name NOT IN (SELECT name FROM {}) HAVING count(*) > 0",
+                        title, here, there));
+    for (const auto& [title, which] : {std::pair("slower, beyond the spread", "slower"),
+                                       {"larger error", "worse"},
+                                       {"faster, beyond the spread", "faster"},
+                                       {"smaller error", "better"}}) {
+        const std::string lines = ask(fmt::format(
+            "SELECT printf('{}: %d', count(*)) FROM change WHERE {} HAVING count(*) > 0", title, which));
+        found.got_worse |=
+            !lines.empty() && (which == std::string("slower") || which == std::string("worse"));
+        found.text += lines;
+        found.text +=
+            ask(fmt::format("SELECT printf('  %-44s time %.3f (%.3f to %.3f)   error %.3f', name, "
+                            "time, low, high, error) FROM change WHERE {}",
+                            which));
     }
-    for (const auto& [name, one] : old) result.only_old.push_back(name);
-    result.time = geometric_mean(result.changes, [](const Change& c) { return c.time.median; });
-    result.error = geometric_mean(result.changes, [](const Change& c) { return c.error; });
-    return result;
-}
-
-std::string to_text(const Comparison& comparison) {
-    std::string text;
-    for (const std::string& warning : comparison.warnings) text += "warning: " + warning + "\n";
-    text +=
-        fmt::format("{} configurations in both; new over old, geometric means: time {:.3f}, error {:.3f}\n",
-                    comparison.changes.size(), comparison.time, comparison.error);
-    text += names_line("only in the old file", comparison.only_old);
-    text += names_line("only in the new file", comparison.only_new);
-    text += list_of("slower, beyond the spread", comparison.changes, &Change::slower);
-    text += list_of("larger error", comparison.changes, &Change::worse);
-    text += list_of("faster, beyond the spread", comparison.changes, &Change::faster);
-    text += list_of("smaller error", comparison.changes, &Change::better);
-    if (!comparison.got_worse()) text += "nothing got worse beyond the spread\n";
-    return text;
+    if (!found.got_worse) found.text += "nothing got worse beyond the spread\n";
+    return found;
 }
 
 }  // namespace gloam::experiment

@@ -78,7 +78,7 @@ struct Case {
     std::optional<double> rough_from{};     // share of the width from which on the depth is roughened
     double empty_until = 0.0;               // share of the width up to which there is nothing
     bool filled_later = false;              // that share is empty in the first view alone
-    double target = 0.0;                    // of the table's column with a target; 0: none
+    double target = 0.0;                    // for tables; 0: none
     std::vector<std::string> candidates{};  // names of those that are measured; empty: all
     Layer layer{};
 };
@@ -101,49 +101,12 @@ struct CandidateQuery {
     bool sequence = true;
 };
 
-// A column of a table.
-struct Column {
-    std::string title;  // "{}" is replaced by the name of the candidate, or of what it is repeated for
-    std::string label;  // one of labels()
-    std::string value;  // a quantity of quantities(); empty: a label
-    std::string half;   // over the views of this half alone
-    std::vector<std::string> cases;   // over these alone, or repeated for these; empty: over all of the row
-    std::string pixels;               // of one class, of pixel_classes()
-    std::string against;              // one of references()
-    int frame = 0;                    // the last scored one up to this number, from 1 on; 0: all
-    int over_frame = 0;               // divided by the value in that frame
-    std::string of;                   // the candidate, as in candidate_of(); empty: the row's
-    std::string over;                 // divided by the value of this candidate; empty: not divided
-    std::string minus;                // less the value of this candidate
-    std::vector<std::string> passes;  // times of passes whose names begin so; empty: of all
-    std::string repeated;             // "candidates", "cases" or "sizes": a column for each
-    // Of times: "median" or "least". Over cases: "most", the largest; "furthest", the one furthest from 0
-    // with its case; or "of_best", the geometric mean of the ratios to the least of each case. Over the
-    // scored frames: "slope", the exponent of the mean square error as a power of the samples taken, as long
-    // as all samples count.
-    std::string statistic = "median";
-    int digits = 2;
-    bool percent = false;
-    bool with_sign = false;
-    bool front = false;          // bold where no other candidate has both a smaller error and a smaller time
-    bool target = false;         // the case's target, and whether it is met
-    std::optional<double> most;  // a target of the column's own
-};
-
-// A table over the results.
+// A table over the results: the rows of a SELECT.
 struct Table {
-    std::string name;  // of the block of a page; empty: it stands in the experiment's
-    // "cases", "candidates", "runs" (each candidate of each case), "passes", "kinds" or "frames" (each scored
-    // frame of each case)
-    std::string rows;
-    std::string kind;   // only the cases of this kind; empty: all
-    std::string group;  // only the candidates of this group; empty: all
-    // Of rows "runs" and "candidates": "front", those that no other beats in both error and time, by time; or
-    // "best", the one with the least error of each group. Of rows "frames": "doubling", frames 1, 2, 4 and so
-    // on. Empty: all.
-    std::string keep;
+    std::string name;        // of the block of a page; empty: it stands in the experiment's
     bool in_report = false;  // it stands in the report alone
-    std::vector<Column> columns;
+    std::string each;        // a SELECT of the names that lines of the other are repeated for; empty: none
+    std::vector<std::string> select;  // its lines, "{}" where a name stands
 };
 
 struct Experiment {
@@ -169,9 +132,6 @@ struct Experiment {
     std::vector<Table> tables;
 };
 
-// "case", "what", "kind", "half", "candidate", "pass", "frame", "cases", a count.
-[[nodiscard]] const std::vector<std::string>& labels();
-
 // "visibility", "error", "convergence", "samples", "limit", "converged".
 [[nodiscard]] const std::vector<std::string>& picture_kinds();
 
@@ -180,11 +140,8 @@ struct Experiment {
 // and for values out of range.
 [[nodiscard]] Experiment read_experiment(const std::string& name, std::string_view text);
 
-// The number of the candidate with this name, or "#0" for the first and so on. nullopt: there is none.
-[[nodiscard]] std::optional<std::size_t> candidate_of(const Experiment& experiment, std::string_view name);
-
 // Throws std::invalid_argument for two candidates with one name, two cases with one name, kind and "what",
-// and for a case or a column that names a candidate or a case that does not exist.
+// for a case that names a candidate that does not exist, and for a table that is no SELECT.
 void require_consistent(const Experiment& experiment);
 
 // Replaces a query by its cases, and keeps the cases with these names; all without names. half: instead of

@@ -7,8 +7,6 @@
 #include "effect/short_frame.hpp"
 #include "experiment/experiment.hpp"
 #include "experiment/internal/json_value.hpp"
-#include "experiment/scores.hpp"
-#include "experiment/table.hpp"
 
 namespace gloam::experiment {
 namespace {
@@ -138,54 +136,17 @@ void read_candidates(const JsonReader& value, Experiment& experiment) {
     }
 }
 
-Column column_from(const JsonReader& value) {
-    Members members(value);
-    Column column;
-    members.read("title", column.title);
-    members.read("label", column.label, labels());
-    std::vector<std::string> values = quantities();
-    values.insert(values.end(), class_quantities().begin(), class_quantities().end());
-    members.read("value", column.value, values);
-    members.require("value", column.value.empty() != column.label.empty());
-    members.read("half", column.half, std::vector<std::string>{"tuning", "unseen"});
-    members.read("cases", column.cases);
-    members.read("pixels", column.pixels, pixel_classes());
-    members.read("against", column.against, references());
-    members.read("frame", column.frame, 1, 1'000'000);
-    members.read("over_frame", column.over_frame, 1, 1'000'000);
-    members.read("of", column.of);
-    members.read("over", column.over);
-    members.read("minus", column.minus);
-    members.read("passes", column.passes);
-    members.read("repeated", column.repeated, std::vector<std::string>{"candidates", "cases", "sizes"});
-    members.read("statistic", column.statistic,
-                 std::vector<std::string>{"median", "least", "most", "furthest", "of_best", "slope"});
-    members.read("digits", column.digits, 0, 9);
-    members.read("percent", column.percent);
-    members.read("with_sign", column.with_sign);
-    members.read("front", column.front);
-    members.read("target", column.target);
-    members.read("most", column.most, -1e9, 1e9);
-    members.require_known();
-    if (by_class(column) && std::ranges::count(class_quantities(), column.value) == 0)
-        value.expected(fmt::format("a \"value\" of {}", fmt::join(class_quantities(), ", ")));
-    return column;
-}
-
 Table table_from(const JsonReader& value) {
     Members members(value);
     Table table;
-    members.read("rows", table.rows,
-                 std::vector<std::string>{"cases", "candidates", "runs", "passes", "kinds", "frames"});
     members.read("name", table.name);
-    members.read("kind", table.kind);
-    members.read("group", table.group);
-    members.read("keep", table.keep, std::vector<std::string>{"front", "best", "doubling"});
     members.read("in_report", table.in_report);
-    const JsonReader* columns = members.find("columns");
-    members.require("rows", !table.rows.empty());
-    members.require("columns", columns != nullptr);
-    for (const JsonReader& column : columns->elements()) table.columns.push_back(column_from(column));
+    members.read("each", table.each);
+    if (const JsonReader* select = members.find("select"); select != nullptr && !select->is_array())
+        internal::read(*select, table.select.emplace_back());
+    else
+        members.read("select", table.select);
+    members.require("select", !table.select.empty());
     members.require_known();
     return table;
 }
@@ -203,23 +164,7 @@ void read_frames(Members& members, Experiment& experiment) {
     members.read("equal_readings", experiment.equal_readings);
 }
 
-// A query's cases are not known yet.
-void require_cases(const Experiment& experiment) {
-    if (experiment.query) return;
-    for (const Table& table : experiment.tables)
-        for (const Column& column : table.columns)
-            for (const std::string& name : column.cases)
-                if (std::ranges::find(experiment.cases, name, &Case::name) == experiment.cases.end())
-                    throw std::runtime_error(fmt::format("cases: \"{}\", expected the name of a case", name));
-}
-
 }  // namespace
-
-const std::vector<std::string>& labels() {
-    static const std::vector<std::string> names{"case",      "what", "kind",  "half",
-                                                "candidate", "pass", "frame", "cases"};
-    return names;
-}
 
 const std::vector<std::string>& picture_kinds() {
     static const std::vector<std::string> names{"visibility", "error", "convergence",
@@ -244,7 +189,6 @@ Experiment read_experiment(const std::string& name, std::string_view text) {
         if (experiment.sizes.empty()) throw std::runtime_error("sizes: expected one or more");
         if (experiment.cases.empty() && !experiment.query)
             throw std::runtime_error("cases: expected one or more");
-        require_cases(experiment);
         return experiment;
     } catch (const std::runtime_error& error) {
         throw std::runtime_error(fmt::format("experiment {}: {}", name, error.what()));

@@ -202,6 +202,10 @@ void Record::add_line(std::string_view line) {
     add(part_in<Visit>(JsonReader(visit, "")));
 }
 
+std::string size_text(gpu::Extent extent) {
+    return fmt::format("{} x {}", extent.width, extent.height);
+}
+
 std::string line_of(const Visit& visit) {
     Visit written = visit;
     return MemberWriter::json_of(written).dump();

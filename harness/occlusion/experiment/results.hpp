@@ -84,34 +84,7 @@ class Record {
 // visit in two parts.
 [[nodiscard]] Record joined(std::span<const Record> parts);
 
-// What a candidate reached in a case.
-struct Cell {
-    std::optional<FrameQuality> quality;  // nullopt: without a truth
-    std::optional<PointQuality> point;
-    std::vector<std::vector<FrameReading>> rounds;  // the readings of each timed round
-    effect::Work work;
-    std::optional<double> own_radius_error;
-    int samples_asked = 0;
-    // After one remap for all cases, the best for those of the tuning half. nullopt: the experiment does not
-    // show it, or has no such case.
-    std::optional<double> rmse_fit;
-};
-
-struct CaseResult {
-    Case shown;
-    std::vector<std::optional<Cell>> cells;  // of the experiment's candidates; nullopt: not measured
-};
-
-struct SizeResult {
-    gpu::Extent extent;
-    std::vector<CaseResult> cases;
-};
-
-// Replaces the cases and candidates by those of the record, and returns its sizes.
-std::vector<gpu::Extent> choose_recorded(Experiment& experiment, const Record& record);
-
-// The results of all visits to the experiment's candidates in its cases.
-[[nodiscard]] std::vector<SizeResult> results_of(const Experiment& experiment,
-                                                 const std::vector<gpu::Extent>& sizes, const Record& record);
+// "640 x 360".
+[[nodiscard]] std::string size_text(gpu::Extent extent);
 
 }  // namespace gloam::experiment

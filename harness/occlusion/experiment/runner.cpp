@@ -105,9 +105,7 @@ class SizeRun {
     // Nothing is measured in a case of which all is recorded.
     [[nodiscard]] Visited visited(const Case& one) {
         Visited made{.shown = &one};
-        bool depth_truth = shows(experiment_, "rmse_depth") || shows(experiment_, "rmse_depth_raw") ||
-                           shows(experiment_, "converged_depth") ||
-                           internal::shows_against(experiment_, "depth");
+        bool depth_truth = shows(experiment_, {"rmse_depth", "converged_depth", "'depth'"});
         bool missing = false;
         for (std::size_t i = 0; i < experiment_.candidates.size(); ++i) {
             const Candidate& candidate = experiment_.candidates[i];
@@ -319,13 +317,13 @@ class SizeRun {
     const Place& place_;
     Record& record_;
     Shared& shared_;
-    bool remap_ = shows(experiment_, "rmse_remapped");
-    bool fit_ = shows(experiment_, "rmse_fit");
-    bool own_radius_ = shows(experiment_, "rmse_own_radius");
-    bool by_class_ = internal::shows_classes(experiment_);
-    bool places_ = internal::shows_places(experiment_);
-    bool converged_ = internal::shows_converged(experiment_);
-    bool limit_ = internal::shows_against(experiment_, "limit");
+    bool remap_ = shows(experiment_, {"rmse_remapped"});
+    bool fit_ = shows(experiment_, {"rmse_fit"});
+    bool own_radius_ = shows(experiment_, {"rmse_own_radius"});
+    bool by_class_ = shows(experiment_, {"class_errors", "class_frames"});
+    bool places_ = shows(experiment_, {"'contacts'", "'thin'", "'rim'"});
+    bool converged_ = shows(experiment_, {"converged_"});
+    bool limit_ = shows(experiment_, {"'limit'"});
 };
 
 }  // namespace

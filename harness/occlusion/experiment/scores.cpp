@@ -36,11 +36,6 @@ std::vector<float> Limit::of(const scene::GBuffer& view, const effect::Settings&
     return limit;
 }
 
-const std::vector<std::string>& references() {
-    static const std::vector<std::string> names{"limit", "depth", "geometry"};
-    return names;
-}
-
 const std::vector<std::string>& pixel_classes() {
     static const std::vector<std::string> names = [] {
         std::vector<std::string> all{"all", "contacts", "thin", "rim"};

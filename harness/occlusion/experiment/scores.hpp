@@ -33,9 +33,6 @@ class Limit {
     effect::AmbientOcclusion effect_;
 };
 
-// What images are compared with: "limit", the depth truth (D) "depth", the geometry truth (G) "geometry".
-[[nodiscard]] const std::vector<std::string>& references();
-
 // "all"; effect::pixel_class_names; and the places of effect::HardPlaces, "contacts", "thin" and "rim".
 [[nodiscard]] const std::vector<std::string>& pixel_classes();
 
@@ -62,8 +59,8 @@ struct ScoredView {
 
 // Errors of the pixels of one class against one reference, as sums, so that those of frames can be added.
 struct ClassScore {
-    std::string pixels;  // the class
-    std::string against;
+    std::string pixels;        // the class
+    std::string against;       // "limit", the depth truth (D) "depth", the geometry truth (G) "geometry"
     std::uint64_t count = 0;   // of pixels
     double squares = 0.0;      // of the displayed image's errors
     double raw_squares = 0.0;  // of the estimate's

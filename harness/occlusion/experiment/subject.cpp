@@ -10,7 +10,6 @@
 #include "base/number.hpp"
 #include "effect/methods.hpp"
 #include "effect/settings.hpp"
-#include "experiment/table.hpp"
 
 namespace gloam::experiment {
 namespace internal {
@@ -32,15 +31,6 @@ void apply(effect::Settings& settings, const Layer& layer) {
                 fmt::format("set {}: expected a setting other than method and radius", name));
         effect::set(settings, name, value_text(settings, name, value));
     }
-}
-
-// Whether a column of a table is so.
-template <class Predicate>
-bool any_column(const Experiment& experiment, const Predicate& predicate) {
-    return std::ranges::any_of(experiment.tables, [&](const Table& table) {
-        return std::ranges::any_of(table.columns,
-                                   [&](const Column& column) { return predicate(table, column); });
-    });
 }
 
 }  // namespace
@@ -84,30 +74,12 @@ Subject subject_of(const Experiment& experiment, const Case& one, const Candidat
     }
 }
 
-bool shows(const Experiment& experiment, std::string_view quantity) {
+bool shows(const Experiment& experiment, const std::vector<std::string_view>& words) {
     return std::ranges::any_of(experiment.tables, [&](const Table& table) {
-        return std::ranges::count(table.columns, quantity, &Column::value) > 0;
-    });
-}
-
-bool shows_against(const Experiment& experiment, std::string_view reference) {
-    return any_column(experiment,
-                      [&](const Table&, const Column& column) { return column.against == reference; });
-}
-
-bool shows_classes(const Experiment& experiment) {
-    return any_column(experiment, [](const Table& table, const Column& column) {
-        return table.rows == "frames" || by_class(column);
-    });
-}
-
-bool shows_places(const Experiment& experiment) {
-    return any_column(experiment, [](const Table&, const Column& column) { return is_place(column.pixels); });
-}
-
-bool shows_converged(const Experiment& experiment) {
-    return any_column(experiment, [](const Table&, const Column& column) {
-        return column.value.starts_with("converged_");
+        return std::ranges::any_of(table.select, [&](const std::string& line) {
+            return std::ranges::any_of(
+                words, [&](std::string_view word) { return line.find(word) != std::string::npos; });
+        });
     });
 }
 

@@ -5,234 +5,170 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
 
-#include "experiment/internal/rows.hpp"
+#include "base/number.hpp"
+#include "base/version.hpp"
 
 namespace gloam::experiment {
 namespace {
 
-using internal::Row;
+using nlohmann::ordered_json;
 
-// What a column shows: itself, at one size, of one candidate.
-struct Shown {
-    const Column* column;
-    std::size_t size = 0;
-    std::optional<std::size_t> candidate;
-    std::string title;
-    std::vector<std::string> cases;  // over these alone; empty: over all of the row
-};
+constexpr const char* measured = "SELECT * FROM result WHERE measured ORDER BY rowid";
 
-// One table over results of one or all sizes.
-class Writer {
-  public:
-    Writer(const Experiment& experiment, const std::vector<SizeResult>& results, const Table& table)
-        : experiment_(experiment), results_(results), table_(table), rows_(experiment, results, table) {}
+void replace_all(std::string& text, std::string_view from, std::string_view to) {
+    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+        text.replace(at, from.size(), to);
+}
 
-    // Empty where none of the cases is of the table's kind.
-    [[nodiscard]] std::string written(std::size_t size) {
-        const auto rows = rows_.of(size);
-        if (!rows.empty() && std::ranges::all_of(rows, [](const Row& row) { return row.cases.empty(); }))
-            return {};
-        const std::vector<Shown> columns = columns_of(size);
-        std::string text = "|";
-        std::string rule = "\n|";
-        for (const Shown& shown : columns) {
-            text += fmt::format(" {} |", shown.title);
-            rule += shown.column->label.empty() && !shown.column->target ? "--:|" : "---|";
+// The SELECT, in which lines with "{}" that stand together are repeated for each of the names. These stand
+// there in single quotes.
+std::string expanded(const Table& table, const Database& database, const std::string& size) {
+    std::vector<std::string> names;
+    if (!table.each.empty())
+        for (const std::vector<Value>& row : database.select(table.each, size).all)
+            replace_all(names.emplace_back(text_of(row.at(0))), "'", "''");
+    std::string text;
+    const auto repeats = [](const std::string& line) { return line.find("{}") != std::string::npos; };
+    for (auto line = table.select.begin(); line != table.select.end();) {
+        if (!repeats(*line)) {
+            text += *line++ + "\n";
+            continue;
         }
-        text += rule + "\n";
-        for (const Row& row : rows) {
-            std::string line = "|";
-            bool known = table_.rows != "candidates";
-            for (const Shown& shown : columns) {
-                const std::string cell = cell_text(row, shown);
-                known |= shown.column->label.empty() && cell != "-";
-                line += fmt::format(" {} |", cell);
+        const auto end = std::find_if_not(line, table.select.end(), repeats);
+        for (const std::string& name : names)
+            for (auto repeated = line; repeated != end; ++repeated) {
+                std::string shown = *repeated;
+                replace_all(shown, "{}", name);
+                text += shown + "\n";
             }
-            if (known) text += line + "\n";
-        }
-        return text;
+        line = end;
     }
+    return text;
+}
 
-    [[nodiscard]] bool missed() const { return missed_; }
+// "1.5", "**1.5**", "15 %", "1.50, at most 2: met".
+bool is_number(std::string_view cell) {
+    cell.remove_prefix(std::min(cell.find_first_not_of("*+"), cell.size()));
+    const std::string_view digits = cell.substr(0, cell.find_first_of("*, "));
+    return base::number_from<double>(digits) &&
+           (digits.size() == cell.size() || cell[digits.size()] != ' ' || cell.substr(digits.size()) == " %");
+}
 
-  private:
-    [[nodiscard]] std::vector<Shown> columns_of(std::size_t size) const {
-        std::vector<Shown> columns;
-        const auto add = [&](const Column& column, std::size_t at, std::optional<std::size_t> candidate,
-                             const std::string& name) {
-            std::string title = column.title;
-            const std::size_t place = title.find("{}");
-            if (place != std::string::npos) title.replace(place, 2, name);
-            columns.push_back({&column, at, candidate, title, column.cases});
-        };
-        for (std::size_t i = 0; i < table_.columns.size(); ++i) {
-            const Column& column = table_.columns[i];
-            if (column.repeated == "candidates") {
-                for (std::size_t c = 0; c < experiment_.candidates.size(); ++c)
-                    add(column, size, c, experiment_.candidates[c].name);
-            } else if (!column.repeated.empty()) {
-                // Columns beside each other are repeated together.
-                const std::size_t first = i;
-                while (i + 1 < table_.columns.size() && table_.columns[i + 1].repeated == column.repeated)
-                    ++i;
-                const auto repeat = [&](std::size_t at, const std::string& name, bool of_case) {
-                    for (std::size_t c = first; c <= i; ++c) {
-                        add(table_.columns[c], at, std::nullopt, name);
-                        if (of_case) columns.back().cases = {name};
-                    }
-                };
-                for (std::size_t s = 0; column.repeated == "sizes" && s < results_.size(); ++s)
-                    repeat(s, size_text(results_[s].extent), false);
-                if (column.repeated == "cases")
-                    for (const CaseResult* one :
-                         rows_.cases_of(rows_.all_cases(size), size, column.cases, ""))
-                        repeat(size, one->shown.name, true);
-            } else {
-                add(column, size, std::nullopt,
-                    column.of.empty() ? "" : experiment_.candidates[number_of(column.of, 0)].name);
-            }
-        }
-        return columns;
+// In Markdown. Columns of numbers are aligned at the right.
+std::string markdown(const Rows& rows) {
+    std::string text = "|";
+    std::string rule = "\n|";
+    for (std::size_t column = 0; column < rows.headings.size(); ++column) {
+        text += fmt::format(" {} |", rows.headings[column]);
+        rule += std::ranges::all_of(rows.all,
+                                    [&](const std::vector<Value>& row) {
+                                        const std::string cell = text_of(row[column]);
+                                        return cell == "-" || is_number(cell);
+                                    })
+                    ? "--:|"
+                    : "---|";
     }
-
-    // require_consistent() has found that there is such a candidate.
-    [[nodiscard]] std::size_t number_of(const std::string& candidate, std::size_t rows) const {
-        return candidate.empty() ? rows : candidate_of(experiment_, candidate).value();
+    text += rule + "\n";
+    for (const std::vector<Value>& row : rows.all) {
+        text += "|";
+        for (const Value& value : row) text += fmt::format(" {} |", text_of(value));
+        text += "\n";
     }
+    return text;
+}
 
-    [[nodiscard]] std::string label_text(const Row& row, const Shown& shown) const {
-        const Case& first = results_[shown.size].cases[row.cases.front()].shown;
-        const std::string& label = shown.column->label;
-        if (label == "case") return first.name;
-        if (label == "what") return first.what;
-        if (label == "kind") return first.kind;
-        if (label == "half") return first.half;
-        if (label == "pass") return row.pass;
-        if (label == "frame") return std::to_string(row.frame);
-        if (label == "cases") return std::to_string(row.cases.size());
-        return experiment_.candidates[row.candidate].name;
+bool misses(const Rows& rows) {
+    return std::ranges::any_of(rows.all, [](const std::vector<Value>& row) {
+        return std::ranges::any_of(row,
+                                   [](const Value& value) { return text_of(value).ends_with("missed"); });
+    });
+}
+
+void add(Text& all, const Table& table, const std::string& text) {
+    all.report += "\n" + text;
+    if (!table.in_report) all.text += "\n" + text;
+    if (table.name.empty()) return;
+    std::string& block = all.named[table.name];
+    block += (block.empty() ? "" : "\n") + text;
+}
+
+// Once for each size that there is, or once if the SELECT does not name it.
+void add_table(Text& all, const Table& table, const Database& database) {
+    std::vector<std::string> sizes;
+    if (std::ranges::any_of(table.select, [](const auto& line) { return line.find(":size") != line.npos; }))
+        for (const std::vector<Value>& row : database.select("SELECT size FROM sizes").all)
+            sizes.push_back(text_of(row[0]));
+    if (sizes.empty()) sizes.emplace_back();
+    for (const std::string& size : sizes) {
+        const Rows rows = database.select(expanded(table, database, size), size);
+        all.missed |= misses(rows);
+        const std::string heading = sizes.size() > 1 ? size + ":\n\n" : "";
+        if (!rows.all.empty()) add(all, table, heading + markdown(rows));
     }
+}
 
-    // The value of a column in a row, after all divisions.
-    [[nodiscard]] std::optional<double> number_in(const Row& row, const Shown& shown) const {
-        const Column& column = *shown.column;
-        const std::vector<const CaseResult*> cases =
-            rows_.cases_of(row, shown.size, shown.cases, column.half);
-        const std::size_t of = number_of(column.of, shown.candidate.value_or(row.candidate));
-        const Part part = part_of(row, column);
-        const auto value_in = [&](std::size_t candidate, const Part& counted) {
-            return mean_value(cases, candidate, column.value, column.statistic, counted);
-        };
-        std::optional<double> value = value_in(of, part);
-        const auto combine = [&](const std::optional<double>& other, const auto& operation) {
-            value = value && other ? std::optional(operation(*value, *other)) : std::nullopt;
-        };
-        if (!column.over.empty()) combine(value_in(number_of(column.over, of), part), std::divides{});
-        if (!column.minus.empty()) combine(value_in(number_of(column.minus, of), part), std::minus{});
-        if (column.over_frame > 0) {
-            Part over_part = part;
-            over_part.frame = column.over_frame;
-            combine(value_in(of, over_part), std::divides{});
-        }
-        return value;
+ordered_json json_of(const Value& value) {
+    if (std::holds_alternative<std::monostate>(value)) return nullptr;
+    if (const auto* const number = std::get_if<double>(&value)) return *number;
+    if (const auto* const count = std::get_if<std::int64_t>(&value)) return *count;
+    return std::get<std::string>(value);
+}
+
+ordered_json json_of(const Rows& rows) {
+    ordered_json all = ordered_json::array();
+    for (const std::vector<Value>& row : rows.all) {
+        ordered_json& object = all.emplace_back(ordered_json::object());
+        for (std::size_t i = 0; i < row.size(); ++i) object[rows.headings[i]] = json_of(row[i]);
     }
+    return all;
+}
 
-    [[nodiscard]] static Part part_of(const Row& row, const Column& column) {
-        return {.prefixes = column.passes,
-                .name = row.pass,
-                .pixels = column.pixels,
-                .against = column.against,
-                .frame = row.frame > 0 ? row.frame : column.frame};
-    }
-
-    [[nodiscard]] std::string cell_text(const Row& row, const Shown& shown) {
-        const Column& column = *shown.column;
-        if (!column.label.empty()) return label_text(row, shown);
-        const std::vector<const CaseResult*> cases =
-            rows_.cases_of(row, shown.size, shown.cases, column.half);
-        const std::size_t of = number_of(column.of, shown.candidate.value_or(row.candidate));
-        if (column.statistic == "furthest") return furthest_text(cases, of, column);
-        const std::optional<double> value = number_in(row, shown);
-        if (column.target) return target_text(*cases.front(), value);
-        if (!value) return "-";
-        std::string text = number_text(*value, column);
-        if (column.most) text += most_text(*value, *column.most);
-        return column.front && on_front(cases, of) ? "**" + text + "**" : text;
-    }
-
-    // Whether a target of the column's own is met.
-    [[nodiscard]] std::string most_text(double value, double most) {
-        missed_ |= !(value <= most);
-        return fmt::format(", at most {:g}: {}", most, value <= most ? "met" : "missed");
-    }
-
-    // The value that is furthest from 0, behind its case.
-    [[nodiscard]] static std::string furthest_text(const std::vector<const CaseResult*>& cases,
-                                                   std::size_t of, const Column& column) {
-        std::optional<double> furthest;
-        std::string name;
-        for (const CaseResult* one : cases) {
-            const auto value = mean_value({one}, of, column.value, "median", {});
-            if (!value || (furthest && std::abs(*value) <= std::abs(*furthest))) continue;
-            furthest = value;
-            name = one->shown.name;
-        }
-        return furthest ? fmt::format("{}: {}", name, number_text(*furthest, column)) : "-";
-    }
-
-    [[nodiscard]] static std::string number_text(double value, const Column& column) {
-        if (column.percent) return fmt::format("{:.{}f} %", 100.0 * value, column.digits);
-        return column.with_sign ? fmt::format("{:+.{}f}", value, column.digits)
-                                : fmt::format("{:.{}f}", value, column.digits);
-    }
-
-    [[nodiscard]] std::string target_text(const CaseResult& one, std::optional<double> value) {
-        if (one.shown.target == 0.0 || !value) return "";
-        const bool met = *value <= one.shown.target;
-        missed_ |= !met;
-        return fmt::format("{:.2f}, {}", one.shown.target, met ? "met" : "missed");
-    }
-
-    // Whether no other candidate has both a smaller mean error and a smaller mean time.
-    [[nodiscard]] bool on_front(const std::vector<const CaseResult*>& cases, std::size_t own) const {
-        const auto of = [&](std::size_t candidate, const char* what) {
-            return mean_value(cases, candidate, what, "median", {}).value_or(0.0);
-        };
-        for (std::size_t other = 0; other < experiment_.candidates.size(); ++other)
-            if (of(other, "rmse") < of(own, "rmse") && of(other, "ms") < of(own, "ms")) return false;
-        return true;
-    }
-
-    const Experiment& experiment_;
-    const std::vector<SizeResult>& results_;
-    const Table& table_;
-    internal::Rows rows_;
-    bool missed_ = false;
-};
+std::string csv_of(const Value& value) {
+    if (std::holds_alternative<std::monostate>(value)) return "";
+    if (!std::holds_alternative<std::string>(value)) return text_of(value);
+    std::string text = text_of(value);
+    replace_all(text, "\"", "\"\"");
+    return '"' + text + '"';
+}
 
 }  // namespace
 
-Text to_text(const Experiment& experiment, const std::vector<SizeResult>& results) {
+Text to_text(const Experiment& experiment, const Database& database) {
     Text all;
-    for (const Table& table : experiment.tables) {
-        const bool by_size = std::ranges::count(table.columns, "sizes", &Column::repeated) > 0;
-        for (std::size_t size = 0; size < (by_size ? 1 : results.size()); ++size) {
-            Writer writer(experiment, results, table);
-            std::string text = writer.written(size);
-            if (text.empty()) continue;
-            if (!by_size && results.size() > 1) text = size_text(results[size].extent) + ":\n\n" + text;
-            all.report += "\n" + text;
-            if (!table.in_report) all.text += "\n" + text;
-            if (!table.name.empty()) {
-                std::string& block = all.named[table.name];
-                block += (block.empty() ? "" : "\n") + text;
-            }
-            all.missed |= writer.missed();
+    for (std::size_t i = 0; i < experiment.tables.size(); ++i) {
+        try {
+            add_table(all, experiment.tables[i], database);
+        } catch (const std::runtime_error& error) {
+            throw std::runtime_error(
+                fmt::format("experiment {}: tables[{}]: {}", experiment.name, i, error.what()));
         }
     }
     return all;
+}
+
+std::string to_json(const Database& database, const Record& record, const std::string& versions) {
+    ordered_json document{{"gloam", base::version()}, {"versions", versions}};
+    document.update(ordered_json::parse(record.heading()));
+    document["results"] = json_of(database.select(measured));
+    document["passes"] = json_of(database.select("SELECT * FROM passes ORDER BY rowid"));
+    document["visits"] = ordered_json::array();
+    for (const Visit& visit : record.visits())
+        document["visits"].push_back(ordered_json::parse(line_of(visit)));
+    return document.dump(1) + "\n";
+}
+
+std::string to_csv(const Database& database) {
+    const Rows rows = database.select(measured);
+    std::string text = fmt::format("{}\n", fmt::join(rows.headings, ","));
+    for (const std::vector<Value>& row : rows.all) {
+        std::vector<std::string> fields;
+        std::ranges::transform(row, std::back_inserter(fields), csv_of);
+        text += fmt::format("{}\n", fmt::join(fields, ","));
+    }
+    return text;
 }
 
 }  // namespace gloam::experiment

@@ -16,7 +16,7 @@ function(run WHAT)
 endfunction()
 
 set(without)
-foreach(package embree assimp OpenEXR CLI11 rapidcheck benchmark)
+foreach(package embree assimp OpenEXR CLI11 SQLite3 rapidcheck benchmark)
   list(APPEND without -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
 endforeach()
 run("configure" "${CMAKE_COMMAND}" -G Ninja -S "${CONSUMER}" -B "${work}" "-DGLOAM_SOURCE=${SOURCE}"

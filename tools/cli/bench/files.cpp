@@ -16,7 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using experiment::Experiment;
-using experiment::SizeResult;
 
 // A part of a page that a command generates: the text between the lines "<!-- begin NAME -->" and "<!-- end
 // NAME -->".
@@ -76,13 +75,11 @@ std::string report_text(const Measured& measured, const std::string& heading) {
 
 std::string heading_of(const Measured& measured) {
     const experiment::Conditions& conditions = measured.record.conditions();
-    std::string text = fmt::format("{} cases on {} ({})", measured.results.front().cases.size(),
-                                   conditions.device, conditions.driver);
-    int rounds = 0;
-    for (const experiment::Visit& visit : measured.record.visits()) rounds = std::max(rounds, visit.round);
-    for (const SizeResult& result : measured.results)
-        text += fmt::format(",\n{} x {} pixels", result.extent.width, result.extent.height);
-    text += fmt::format(", {} rounds", rounds);
+    std::string text = measured.database.text("SELECT count(*) FROM cases");
+    text += fmt::format(" cases on {} ({})", conditions.device, conditions.driver);
+    for (const auto& row : measured.database.select("SELECT size FROM sizes").all)
+        text += fmt::format(",\n{} pixels", experiment::text_of(row[0]));
+    text += fmt::format(", {} rounds", measured.database.text("SELECT max(round) FROM rounds"));
     if (conditions.rays > 0)
         text += fmt::format(",\nthe last {} of {} frames, the truth of {} rays a pixel", conditions.scored,
                             conditions.frames, conditions.rays);
@@ -133,8 +130,8 @@ void ExperimentFiles::show(const experiment::Picture& picture) {
 
 void ExperimentFiles::write(const Measured& measured, const std::string& heading,
                             const std::string& versions) {
-    const std::string json = to_json(measured.what, measured.results, measured.record, versions);
-    const std::string csv = to_csv(measured.what, measured.results);
+    const std::string json = to_json(measured.database, measured.record, versions);
+    const std::string csv = to_csv(measured.database);
     json_.write(json);
     csv_.write(csv);
     if (!paths_.page.empty())

@@ -26,7 +26,7 @@ struct ExperimentPaths {
 struct Measured {
     const experiment::Experiment& what;
     const experiment::Record& record;
-    const std::vector<experiment::SizeResult>& results;
+    const experiment::Database& database;
     const experiment::Text& tables;
 };
 

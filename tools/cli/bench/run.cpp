@@ -44,31 +44,29 @@ experiment::Record record_in(const fs::path& file) {
 int compare_files(const ExperimentOptions& options) {
     const experiment::Comparison found =
         experiment::compared(record_in(options.compare.at(0)), record_in(options.compare.at(1)));
-    fmt::print("{}", to_text(found));
-    return options.fail_if_worse && found.got_worse() ? 1 : 0;
+    fmt::print("{}", found.text);
+    return options.fail_if_worse && found.got_worse ? 1 : 0;
 }
 
 // Prints the tables and the answers, and writes the files.
-int report_on(const Experiment& what, const std::vector<gpu::Extent>& sizes, const experiment::Record& record,
-              const ExperimentOptions& options, ExperimentFiles& files) {
-    const std::vector<experiment::SizeResult> results = results_of(what, sizes, record);
-    const experiment::Text tables = to_text(what, results);
-    const Measured measured{what, record, results, tables};
+int report_on(const Experiment& what, const experiment::Record& record, const ExperimentOptions& options,
+              ExperimentFiles& files) {
+    const experiment::Database database(record);
+    const experiment::Text tables = to_text(what, database);
+    const Measured measured{what, record, database, tables};
     const std::string heading = heading_of(measured);
-    const experiment::Answers answers = answers_to(what, results, options.budget, options.error);
+    const experiment::Answers answers = answers_to(database, options.budget, options.error);
     fmt::print("{}{}{}", heading, tables.text, answers.text);
     files.write(measured, heading, versions());
     return !answers.all || (tables.missed && options.fail_if_missed) ? 1 : 0;
 }
 
-int report_stored(Experiment what, const ExperimentOptions& options) {
+int report_stored(const Experiment& what, const ExperimentOptions& options) {
     std::vector<experiment::Record> parts;
     for (const fs::path& file : options.from) parts.push_back(record_in(file));
     const experiment::Record record = experiment::joined(parts);
-    const std::vector<gpu::Extent> sizes = choose_recorded(what, record);
-    require_consistent(what);
     ExperimentFiles files(options.paths, what);
-    return report_on(what, sizes, record, options, files);
+    return report_on(what, record, options, files);
 }
 
 int run_experiment(const ExperimentOptions& options) {
@@ -79,7 +77,7 @@ int run_experiment(const ExperimentOptions& options) {
     if (!options.budget.empty()) (void)experiment::time_budget(options.budget);
     if (!options.compare.empty()) return compare_files(options);
     Experiment what = described(options);
-    if (!options.from.empty()) return report_stored(std::move(what), options);
+    if (!options.from.empty()) return report_stored(what, options);
     const fs::path meshes = options.meshes.empty() ? scene::installed_meshes() : options.meshes;
     choose_candidates(what, options);
     choose_cases(what, options.cases, options.half, meshes);
@@ -107,7 +105,7 @@ int run_experiment(const ExperimentOptions& options) {
     place.keep = [&](const std::string& line) { files.keep(line); };
     if (files.shows_pictures()) place.show = [&](const experiment::Picture& picture) { files.show(picture); };
     run(what, sizes, place, record);
-    const int status = report_on(what, sizes, record, options, files);
+    const int status = report_on(what, record, options, files);
     const int messages = validation_status(device);
     return messages == 0 ? status : messages;
 }

@@ -35,11 +35,7 @@ struct Subject {
 
 [[nodiscard]] bool takes_part(const Case& one, const Candidate& candidate);
 
-// What the tables ask for.
-[[nodiscard]] bool shows(const Experiment& experiment, std::string_view quantity);
-[[nodiscard]] bool shows_against(const Experiment& experiment, std::string_view reference);
-[[nodiscard]] bool shows_classes(const Experiment& experiment);
-[[nodiscard]] bool shows_places(const Experiment& experiment);
-[[nodiscard]] bool shows_converged(const Experiment& experiment);
+// Whether a SELECT of a table holds one of these words: what none of them names is not measured.
+[[nodiscard]] bool shows(const Experiment& experiment, const std::vector<std::string_view>& words);
 
 }  // namespace gloam::experiment::internal

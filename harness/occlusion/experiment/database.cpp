@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+#include "experiment/database.hpp"
+
+#include <fmt/format.h>
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "experiment/internal/sql.hpp"
+
+namespace gloam::experiment {
+namespace {
+
+// What a SELECT may take.
+constexpr int most_bytes = 1 << 20;  // of a value and of its text
+constexpr std::size_t most_values = 1'000'000;
+constexpr std::int64_t most_memory = std::int64_t{1} << 30;
+constexpr int most_progress = 50'000;  // thousands of SQLite's steps: seconds
+
+using Statement = std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)>;
+
+[[noreturn]] void fail(sqlite3* handle) {
+    throw std::runtime_error(sqlite3_errmsg(handle));
+}
+
+Statement prepared(sqlite3* handle, const std::string& text) {
+    sqlite3_stmt* made = nullptr;
+    const char* rest = nullptr;
+    if (sqlite3_prepare_v2(handle, text.c_str(), -1, &made, &rest) != SQLITE_OK) fail(handle);
+    Statement statement(made, sqlite3_finalize);
+    if (!statement || std::string_view(rest).find_first_not_of(" \n\t;") != std::string_view::npos)
+        throw std::runtime_error("expected one SELECT");
+    return statement;
+}
+
+// Stops a SELECT that takes too many steps.
+class Bound {
+  public:
+    explicit Bound(sqlite3* handle) : handle_(handle) {
+        const auto count = [](void* left) { return --*static_cast<int*>(left) < 0 ? 1 : 0; };
+        sqlite3_progress_handler(handle, 1000, count, &left_);
+    }
+    ~Bound() { sqlite3_progress_handler(handle_, 0, nullptr, nullptr); }
+    Bound(const Bound&) = delete;
+    Bound& operator=(const Bound&) = delete;
+
+  private:
+    sqlite3* handle_;
+    int left_ = most_progress;
+};
+
+// A row is left. false: there is none.
+bool step(sqlite3* handle, const Statement& statement) {
+    const int result = sqlite3_step(statement.get());
+    if (result == SQLITE_INTERRUPT) throw std::runtime_error("expected a SELECT that takes seconds");
+    if (result != SQLITE_ROW && result != SQLITE_DONE) fail(handle);
+    return result == SQLITE_ROW;
+}
+
+void set_text(const Statement& statement, int place, const std::string& text) {
+    if (place > 0)
+        sqlite3_bind_text(statement.get(), place, text.data(), static_cast<int>(text.size()),
+                          SQLITE_TRANSIENT);
+}
+
+// A SELECT reads, and calls functions.
+int permit(void* /*unused*/, int action, const char* /*unused*/, const char* /*unused*/,
+           const char* /*unused*/, const char* /*unused*/) {
+    const bool reads = action == SQLITE_SELECT || action == SQLITE_READ || action == SQLITE_FUNCTION ||
+                       action == SQLITE_RECURSIVE;
+    return reads ? SQLITE_OK : SQLITE_DENY;
+}
+
+std::string one_line(const unsigned char* bytes) {
+    std::string text(bytes == nullptr ? "" : reinterpret_cast<const char*>(bytes));
+    std::ranges::replace_if(
+        text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
+    return text;
+}
+
+Value value_in(const Statement& statement, int column) {
+    switch (sqlite3_column_type(statement.get(), column)) {
+        case SQLITE_NULL:
+            return {};
+        case SQLITE_INTEGER:
+            return std::int64_t{sqlite3_column_int64(statement.get(), column)};
+        case SQLITE_FLOAT:
+            return sqlite3_column_double(statement.get(), column);
+        default:
+            return one_line(sqlite3_column_text(statement.get(), column));
+    }
+}
+
+// One remap of each candidate at each size, fitted to the cases of the tuning half, is applied to all of its
+// cases: the error that is left for each visit.
+std::vector<std::optional<double>> fits_of(const std::vector<Visit>& visits) {
+    const auto key_of = [](const Visit& visit) { return std::pair(size_text(visit.size), visit.candidate); };
+    const auto has_bins = [](const Visit& visit) { return visit.quality && visit.quality->bins; };
+    std::map<std::pair<std::string, std::string>, std::vector<effect::RemapBin>> tuning;
+    for (const Visit& visit : visits) {
+        if (visit.shown.half != "tuning" || !has_bins(visit)) continue;
+        const std::vector<effect::RemapBin>& bins = *visit.quality->bins;
+        std::vector<effect::RemapBin>& all = tuning[key_of(visit)];
+        all.insert(all.end(), bins.begin(), bins.end());
+    }
+    std::map<std::pair<std::string, std::string>, effect::Remap> remaps;
+    for (const auto& [key, bins] : tuning) remaps.emplace(key, effect::best_remap(bins));
+    std::vector<std::optional<double>> fits;
+    for (const Visit& visit : visits) {
+        std::optional<double>& fit = fits.emplace_back();
+        const auto found = remaps.find(key_of(visit));
+        if (has_bins(visit) && found != remaps.end())
+            fit = effect::remapped_rmse(*visit.quality->bins, found->second);
+    }
+    return fits;
+}
+
+}  // namespace
+
+Database::Database(const Record& record, const Record* before) : handle_(nullptr, sqlite3_close) {
+    sqlite3* handle = nullptr;
+    const int opened = sqlite3_open(":memory:", &handle);
+    handle_.reset(handle);
+    if (opened != SQLITE_OK) fail(handle);
+    sqlite3_hard_heap_limit64(most_memory);
+    internal::add_functions(handle);
+    run("PRAGMA temp_store = MEMORY");
+    load(record);
+    if (before != nullptr) copy(Database(*before));
+    sqlite3_set_authorizer(handle, permit, nullptr);
+    sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, most_bytes);
+    sqlite3_limit(handle, SQLITE_LIMIT_SQL_LENGTH, most_bytes);
+}
+
+void Database::load(const Record& record) const {
+    run("CREATE TABLE visit(number INTEGER PRIMARY KEY, line TEXT, rmse_fit REAL); BEGIN");
+    const Statement insert =
+        prepared(handle_.get(), "INSERT INTO visit(line, rmse_fit) VALUES (:line, :rmse_fit)");
+    const std::vector<std::optional<double>> fits = fits_of(record.visits());
+    for (std::size_t i = 0; i < fits.size(); ++i) {
+        Visit visit = record.visits()[i];
+        if (visit.quality) visit.quality->bins.reset();
+        set_text(insert, 1, line_of(visit));
+        if (fits[i])
+            sqlite3_bind_double(insert.get(), 2, *fits[i]);
+        else
+            sqlite3_bind_null(insert.get(), 2);
+        (void)step(handle_.get(), insert);
+        sqlite3_reset(insert.get());
+    }
+    run("COMMIT");
+    run(internal::schema());
+}
+
+void Database::copy(const Database& before) const {
+    run("ATTACH ':memory:' AS before");
+    sqlite3_backup* backup = sqlite3_backup_init(handle_.get(), "before", before.handle_.get(), "main");
+    if (backup == nullptr) fail(handle_.get());
+    sqlite3_backup_step(backup, -1);
+    if (sqlite3_backup_finish(backup) != SQLITE_OK) fail(handle_.get());
+}
+
+void Database::run(const char* statements) const {
+    if (sqlite3_exec(handle_.get(), statements, nullptr, nullptr, nullptr) != SQLITE_OK) fail(handle_.get());
+}
+
+Rows Database::select(const std::string& text, const std::string& size) const {
+    const Bound bound(handle_.get());
+    const Statement statement = prepared(handle_.get(), text);
+    set_text(statement, sqlite3_bind_parameter_index(statement.get(), ":size"), size);
+    const int columns = sqlite3_column_count(statement.get());
+    Rows rows;
+    for (int i = 0; i < columns; ++i)
+        rows.headings.push_back(
+            one_line(reinterpret_cast<const unsigned char*>(sqlite3_column_name(statement.get(), i))));
+    while (step(handle_.get(), statement)) {
+        std::vector<Value>& row = rows.all.emplace_back();
+        for (int i = 0; i < columns; ++i) row.push_back(value_in(statement, i));
+        if (rows.all.size() * row.size() > most_values) throw std::runtime_error("expected fewer rows");
+    }
+    return rows;
+}
+
+std::string Database::text(const std::string& select, const std::string& size) const {
+    return text_of(this->select(select, size).all.at(0).at(0));
+}
+
+std::string text_of(const Value& value) {
+    if (const auto* const count = std::get_if<std::int64_t>(&value)) return std::to_string(*count);
+    if (const auto* const number = std::get_if<double>(&value)) return fmt::format("{}", *number);
+    const auto* const text = std::get_if<std::string>(&value);
+    return text == nullptr ? "-" : *text;
+}
+
+}  // namespace gloam::experiment

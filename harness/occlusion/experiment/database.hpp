@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "experiment/results.hpp"
+
+struct sqlite3;
+
+namespace gloam::experiment {
+
+// A number, a text, or nothing.
+using Value = std::variant<std::monostate, std::int64_t, double, std::string>;
+
+struct Rows {
+    std::vector<std::string> headings;
+    std::vector<std::vector<Value>> all;
+};
+
+// The visits of a record as tables of SQLite (docs/measurements.md), in memory.
+class Database {
+  public:
+    // before: a record whose tables are in the schema `before`, or nullptr.
+    explicit Database(const Record& record, const Record* before = nullptr);
+
+    // The rows of a SELECT, in which `:size` is this size. A description of somebody else's may hold it: it
+    // only reads, and takes bounded time and memory. Throws std::runtime_error with SQLite's message.
+    [[nodiscard]] Rows select(const std::string& text, const std::string& size = "") const;
+
+    // The only value of a SELECT that has one row.
+    [[nodiscard]] std::string text(const std::string& select, const std::string& size = "") const;
+
+  private:
+    void load(const Record& record) const;
+    void copy(const Database& before) const;
+    void run(const char* statements) const;
+
+    std::unique_ptr<sqlite3, int (*)(sqlite3*)> handle_;
+};
+
+// As tables and answers show it: "-" for nothing.
+[[nodiscard]] std::string text_of(const Value& value);
+
+}  // namespace gloam::experiment

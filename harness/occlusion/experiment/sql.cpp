@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "experiment/internal/sql.hpp"
+
+#include <fmt/format.h>
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "numeric/numbers.hpp"
+
+namespace gloam::experiment::internal {
+namespace {
+
+using Points = std::vector<std::pair<double, double>>;  // the second is 0 without a second argument
+using Aggregate = double (*)(const Points&);
+
+// NaN for NULL, and a result of NaN becomes NULL.
+double number_of(sqlite3_value* value) noexcept {
+    return sqlite3_value_type(value) == SQLITE_NULL ? std::numeric_limits<double>::quiet_NaN()
+                                                    : sqlite3_value_double(value);
+}
+
+void collect(sqlite3_context* context, int count, sqlite3_value** arguments) noexcept {
+    auto** const points = static_cast<Points**>(sqlite3_aggregate_context(context, sizeof(Points*)));
+    if (points == nullptr) return sqlite3_result_error_nomem(context);
+    if (*points == nullptr) *points = std::make_unique<Points>().release();
+    (*points)->emplace_back(number_of(arguments[0]), count > 1 ? number_of(arguments[1]) : 0.0);
+}
+
+void finish(sqlite3_context* context) noexcept {
+    auto** const points = static_cast<Points**>(sqlite3_aggregate_context(context, 0));
+    if (points == nullptr || *points == nullptr) return sqlite3_result_null(context);
+    const std::unique_ptr<Points> all(*points);
+    const bool complete = std::ranges::none_of(
+        *all, [](const auto& point) { return std::isnan(point.first) || std::isnan(point.second); });
+    if (complete)
+        sqlite3_result_double(context, (*static_cast<Aggregate*>(sqlite3_user_data(context)))(*all));
+    else
+        sqlite3_result_null(context);
+}
+
+double sum_of(const Points& points, double (*of)(double)) {
+    double sum = 0.0;
+    for (const auto& [x, y] : points) sum += of(x);
+    return sum;
+}
+
+double mean(const Points& points) {
+    return sum_of(points, [](double x) { return x; }) / static_cast<double>(points.size());
+}
+
+double geometric_mean(const Points& points) {
+    return std::exp(sum_of(points, [](double x) { return std::log(x); }) /
+                    static_cast<double>(points.size()));
+}
+
+template <double numeric::Spread::* member>
+double spread(const Points& points) {
+    std::vector<double> values;
+    for (const auto& [x, y] : points) values.push_back(x);
+    return numeric::spread_of(values).*member;
+}
+
+double exponent(const Points& points) {
+    return numeric::exponent_of(points);
+}
+
+// The format of a number and its digits.
+void write(sqlite3_context* context, int /*unused*/, sqlite3_value** arguments) noexcept {
+    const double number = number_of(arguments[0]);
+    if (std::isnan(number)) return sqlite3_result_null(context);
+    const auto* const format = static_cast<const char*>(sqlite3_user_data(context));
+    const std::string text =
+        fmt::format(fmt::runtime(format), number, std::clamp(sqlite3_value_int(arguments[1]), 0, 9));
+    sqlite3_result_text(context, text.c_str(), -1, SQLITE_TRANSIENT);
+}
+
+void at_most(sqlite3_context* context, int /*unused*/, sqlite3_value** arguments) noexcept {
+    const double number = number_of(arguments[0]);
+    const double most = number_of(arguments[1]);
+    if (std::isnan(number)) return sqlite3_result_null(context);
+    const std::string text =
+        fmt::format("{:.{}f}, at most {:g}: {}", number, std::clamp(sqlite3_value_int(arguments[2]), 0, 9),
+                    most, number <= most ? "met" : "missed");
+    sqlite3_result_text(context, text.c_str(), -1, SQLITE_TRANSIENT);
+}
+
+constexpr int flags = SQLITE_UTF8 | SQLITE_DETERMINISTIC;
+
+}  // namespace
+
+void add_functions(sqlite3* handle) {
+    static std::pair<const char*, Aggregate> aggregates[]{{"median", spread<&numeric::Spread::median>},
+                                                          {"quartile_low", spread<&numeric::Spread::low>},
+                                                          {"quartile_high", spread<&numeric::Spread::high>},
+                                                          {"mean", mean},
+                                                          {"geometric_mean", geometric_mean},
+                                                          {"exponent", exponent}};
+    for (auto& [name, of] : aggregates)
+        sqlite3_create_function(handle, name, of == exponent ? 2 : 1, flags, &of, nullptr, collect, finish);
+    static char fixed[] = "{:.{}f}";
+    static char with_sign[] = "{:+.{}f}";
+    sqlite3_create_function(handle, "fixed", 2, flags, fixed, write, nullptr, nullptr);
+    sqlite3_create_function(handle, "signed", 2, flags, with_sign, write, nullptr, nullptr);
+    sqlite3_create_function(handle, "at_most", 3, flags, nullptr, at_most, nullptr, nullptr);
+}
+
+}  // namespace gloam::experiment::internal
