@@ -5,7 +5,6 @@
 #include <ImfOutputFile.h>
 #include <nlohmann/json.hpp>
 
-#include "scene/image_files.hpp"
 #include "scene/support.hpp"
 
 namespace gloam::scene::test::gbuffer_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/image_files.hpp"
+#include "scene/read_gbuffer.hpp"
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>

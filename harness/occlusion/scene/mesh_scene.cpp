@@ -66,17 +66,6 @@ double fitting_distance(const Mesh& mesh, const glm::dvec3& center, const glm::d
     return distance;
 }
 
-Camera camera_from(const glm::dvec3& eye, const glm::dvec3& target, double fovy_deg, double size) {
-    const double distance = glm::distance(eye, target);
-    if (!(distance > 0.0)) throw std::invalid_argument("mesh view: the eye is where it looks");
-    return {.eye = eye,
-            .target = target,
-            .fovy_rad = glm::radians(fovy_deg),
-            .near = 0.02 * distance,
-            .far = 50.0 * (distance + size),
-            .reversed_z = true};
-}
-
 // size: of the mesh's bounds.
 void place_camera(Scene& scene, const MeshView& view, const glm::dvec3& middle, double size) {
     const glm::dvec3 target = view.look_at.value_or(middle);
@@ -86,7 +75,15 @@ void place_camera(Scene& scene, const MeshView& view, const glm::dvec3& middle, 
     const double elevation = std::atan2(first.y, std::hypot(first.x, first.z)) * 180.0 / std::numbers::pi;
     const glm::dvec3 back = direction_of(azimuth, elevation);
     const double distance = view.eye ? glm::length(first) : fitting_distance(scene.mesh, target, back, view);
-    scene.camera = camera_from(target + distance * back, target, view.fovy_deg, size);
+    if (!(distance > 0.0)) throw std::invalid_argument("mesh view: the eye is where it looks");
+    const glm::dvec3 eye = target + distance * back;
+    const double from_eye = glm::distance(eye, target);
+    scene.camera = {.eye = eye,
+                    .target = target,
+                    .fovy_rad = glm::radians(view.fovy_deg),
+                    .near = 0.02 * from_eye,
+                    .far = 50.0 * (from_eye + size),
+                    .reversed_z = true};
 }
 
 }  // namespace

@@ -10,7 +10,6 @@
 #include <stdexcept>
 
 #include "scene/contradictions.hpp"
-#include "scene/image_files.hpp"
 
 namespace gloam::scene {
 namespace {

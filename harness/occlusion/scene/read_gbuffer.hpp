@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "backend/vulkan/resources.hpp"
+#include "base/image_files.hpp"
 #include "scene/camera.hpp"
 #include "scene/gbuffer.hpp"
 
@@ -32,6 +33,11 @@ namespace gloam::scene {
 // effect the result has to be centred().
 [[nodiscard]] GBuffer read_gbuffer(const std::filesystem::path& directory, int frame,
                                    const Encoding& encoding = {}, const glm::ivec2& off_centre = {0, 0});
+
+// Reads the first part of an OpenEXR file: float, half or integer channels, the whole data window. For one
+// channel it takes Y, Z, R, depth, or the only one; for three R G B, or X Y Z. Throws std::runtime_error with
+// the file's name and what was expected.
+[[nodiscard]] base::FloatImage read_exr(const std::filesystem::path& file, int channels);
 
 // The text of a frame's PREFIX.json; read_gbuffer reads exactly the same camera from it.
 [[nodiscard]] std::string frame_json(const GBuffer& gbuffer, int frame);

@@ -119,10 +119,6 @@ struct Display {
     double spacing = 1.2;  // in heights of the mesh
     double radius = 0.2;
 };
-// folder: of mesh files. Throws std::runtime_error with the file's name and the package that has it if it
-// cannot be read.
-[[nodiscard]] Scene made(const Display& display, const std::filesystem::path& folder);
-
 // The built-in scenes.
 constexpr glm::dvec3 far_place{98304.0, 512.0, -81920.0};  // of make_far(): floats are 1/128 apart there
 constexpr double relief_face = -6.7;                       // of make_relief(), x of the wall
@@ -158,7 +154,5 @@ struct Stand {
     glm::dvec3 rate{0};
     glm::dvec3 aim{0};
 };
-[[nodiscard]] Camera start_of(const Stand& stand);
-[[nodiscard]] Camera camera_in(const Stand& stand, int frame);
 
 }  // namespace gloam::scene::views
