@@ -130,6 +130,7 @@ TEST(ExperimentFile, NamesThatPartsReferToExistOnce) {
         const Experiment read = read_experiment("mine.json", text);
         expect_error<std::invalid_argument>([&] { require_consistent(read); }, {why});
     };
+    expect(with("SELECT 1", "SELECT candidate = 'lop'"), "\"lop\"");
     expect(with("SELECT 1", "SELECT one"), "mine.json: tables[0]: no such column: one");
     expect(with("SELECT [case]", "DELETE"), "tables[0]: ");
     expect(with("[\"run\"]", "[\"ran\"]"), "\"ran\"");

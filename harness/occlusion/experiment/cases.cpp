@@ -152,6 +152,20 @@ void require_names(const std::vector<Case>& cases, const std::vector<std::string
             throw std::invalid_argument(fmt::format("case {}: expected {}", name, known));
 }
 
+// What the SELECT compares candidates with. One that is misspelt would be a column of nothing.
+std::vector<std::string> candidates_in(const Table& table) {
+    constexpr std::string_view before = "candidate = '";
+    std::vector<std::string> names;
+    for (const std::string& line : table.select) {
+        for (std::size_t at = line.find(before); at != std::string::npos; at = line.find(before, at)) {
+            at += before.size();
+            std::string name = line.substr(at, line.find('\'', at) - at);
+            if (name != "{}") names.push_back(std::move(name));
+        }
+    }
+    return names;
+}
+
 }  // namespace
 
 void require_consistent(const Experiment& experiment) {
@@ -171,6 +185,8 @@ void require_consistent(const Experiment& experiment) {
             throw std::invalid_argument(fmt::format("cases: \"{}\" twice, expected once", one.name));
     for (const Case& one : experiment.cases)
         for (const std::string& name : one.candidates) require(name, "a case's candidates");
+    for (const Table& table : experiment.tables)
+        for (const std::string& name : candidates_in(table)) require(name, "a table's candidate");
     try {
         (void)to_text(experiment, Database(Record({})));
     } catch (const std::runtime_error& error) {

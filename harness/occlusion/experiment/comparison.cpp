@@ -14,15 +14,14 @@ namespace {
 // Candidates that were judged and timed in all cases.
 constexpr const char* choice =
     "SELECT printf('%s, at most %.3f ms, RMSE (G) %.4f in the mean, at most %.4f', candidate, worst_ms, "
-    "rmse, "
-    "worst_rmse) FROM overall WHERE size = :size AND ms + rmse IS NOT NULL";
+    "rmse, worst_rmse) FROM overall WHERE size = :size AND ms + rmse IS NOT NULL";
 
 // What both runs hold, by name, with the ratios of new to old.
 constexpr const char* both = R"(WITH
-old AS (SELECT *, iif(size_number > 1, 'size ' || size_number || '/', '') || [case]
-  || iif(what = '', '', ', ' || what) || '/' || candidate AS name FROM before.result WHERE measured),
-new AS (SELECT *, iif(size_number > 1, 'size ' || size_number || '/', '') || [case]
-  || iif(what = '', '', ', ' || what) || '/' || candidate AS name FROM main.result WHERE measured),
+named AS (SELECT *, iif(size_number > 1, 'size ' || size_number || '/', '') || [case]
+  || iif(what = '', '', ', ' || what) || '/' || candidate AS name
+  FROM (SELECT 'old' AS run, * FROM before.result UNION ALL SELECT 'new', * FROM main.result) WHERE measured),
+old AS (SELECT * FROM named WHERE run = 'old'), new AS (SELECT * FROM named WHERE run = 'new'),
 change AS (SELECT name, new.ms / old.ms AS time, new.low_ms / old.high_ms AS low, new.high_ms / old.low_ms AS high,
   iif(new.rmse = old.rmse, 1.0, new.rmse / old.rmse) AS error, new.low_ms > old.high_ms AS slower,
   new.high_ms < old.low_ms AS faster, new.rmse - old.rmse >= 1e-4 AS worse, new.rmse - old.rmse <= -1e-4 AS better
@@ -116,8 +115,9 @@ Comparison compared(const Record& before, const Record& after) {
             !lines.empty() && (which == std::string("slower") || which == std::string("worse"));
         found.text += lines;
         found.text +=
-            ask(fmt::format("SELECT printf('  %-44s time %.3f (%.3f to %.3f)   error %.3f', name, "
-                            "time, low, high, error) FROM change WHERE {}",
+            ask(fmt::format("SELECT printf('  %-44s time %s (%s to %s)   error %s', name, "
+                            "ifnull(fixed(time, 3), '-'), ifnull(fixed(low, 3), '-'), "
+                            "ifnull(fixed(high, 3), '-'), ifnull(fixed(error, 3), '-')) FROM change WHERE {}",
                             which));
     }
     if (!found.got_worse) found.text += "nothing got worse beyond the spread\n";

@@ -137,7 +137,7 @@ Database::Database(const Record& record, const Record* before) : handle_(nullptr
     sqlite3_limit(handle, SQLITE_LIMIT_SQL_LENGTH, most_bytes);
 }
 
-void Database::load(const Record& record) const {
+void Database::load(const Record& record) {
     run("CREATE TABLE visit(number INTEGER PRIMARY KEY, line TEXT, rmse_fit REAL); BEGIN");
     const Statement insert =
         prepared(handle_.get(), "INSERT INTO visit(line, rmse_fit) VALUES (:line, :rmse_fit)");
@@ -157,7 +157,7 @@ void Database::load(const Record& record) const {
     run(internal::schema());
 }
 
-void Database::copy(const Database& before) const {
+void Database::copy(const Database& before) {
     run("ATTACH ':memory:' AS before");
     sqlite3_backup* backup = sqlite3_backup_init(handle_.get(), "before", before.handle_.get(), "main");
     if (backup == nullptr) fail(handle_.get());
@@ -165,7 +165,7 @@ void Database::copy(const Database& before) const {
     if (sqlite3_backup_finish(backup) != SQLITE_OK) fail(handle_.get());
 }
 
-void Database::run(const char* statements) const {
+void Database::run(const char* statements) {
     if (sqlite3_exec(handle_.get(), statements, nullptr, nullptr, nullptr) != SQLITE_OK) fail(handle_.get());
 }
 

@@ -35,9 +35,9 @@ class Database {
     [[nodiscard]] std::string text(const std::string& select, const std::string& size = "") const;
 
   private:
-    void load(const Record& record) const;
-    void copy(const Database& before) const;
-    void run(const char* statements) const;
+    void load(const Record& record);
+    void copy(const Database& before);
+    void run(const char* statements);
 
     std::unique_ptr<sqlite3, int (*)(sqlite3*)> handle_;
 };

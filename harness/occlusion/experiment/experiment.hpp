@@ -141,7 +141,7 @@ struct Experiment {
 [[nodiscard]] Experiment read_experiment(const std::string& name, std::string_view text);
 
 // Throws std::invalid_argument for two candidates with one name, two cases with one name, kind and "what",
-// for a case that names a candidate that does not exist, and for a table that is no SELECT.
+// for a case or a table that names a candidate that does not exist, and for a table that is no SELECT.
 void require_consistent(const Experiment& experiment);
 
 // Replaces a query by its cases, and keeps the cases with these names; all without names. half: instead of

@@ -79,7 +79,7 @@ std::string heading_of(const Measured& measured) {
     text += fmt::format(" cases on {} ({})", conditions.device, conditions.driver);
     for (const auto& row : measured.database.select("SELECT size FROM sizes").all)
         text += fmt::format(",\n{} pixels", experiment::text_of(row[0]));
-    text += fmt::format(", {} rounds", measured.database.text("SELECT max(round) FROM rounds"));
+    text += fmt::format(", {} rounds", measured.database.text("SELECT coalesce(max(round), 0) FROM rounds"));
     if (conditions.rays > 0)
         text += fmt::format(",\nthe last {} of {} frames, the truth of {} rays a pixel", conditions.scored,
                             conditions.frames, conditions.rays);
