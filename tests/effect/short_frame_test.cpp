@@ -36,9 +36,12 @@ TEST_P(ShortFrames, EstimateWhatTheSweepEstimates) {
 TEST_P(ShortFrames, APlaneIsOpen) {
     for (const bool orthographic : {false, true})
         for (const glm::dvec3 normal : {glm::dvec3(0, 0, 1), {0.6, 0.3, 1}, {-0.4, 0.9, 1}}) {
-            const std::vector<float> shown = frame(plane(odd, orthographic, normal), 0.2).filtered;
+            scene::GBuffer view = plane(odd, orthographic, normal);
+            const std::vector<float> shown = frame(view, 0.2).filtered;
             EXPECT_LE(std::ranges::max(shown), 0.02F) << orthographic << ' ' << normal.x;
             EXPECT_LE(mean_of(shown), 0.005) << orthographic << ' ' << normal.x;
+            view.normal.clear();
+            EXPECT_LE(std::ranges::max(frame(view, 0.2).filtered), 0.02F) << orthographic << ' ' << normal.x;
         }
 }
 
@@ -89,7 +92,8 @@ scene::Scene seen_by(const Engine& engine) {
     return scene;
 }
 
-// What is stored differs in rounding alone from what is eye-linear, and background is background.
+// What is stored differs in rounding alone from what is eye-linear, and background is background. Normals
+// from depth are those of the surface but at its silhouettes.
 TEST_P(ShortFrames, TakeWhatEnginesStore) {
     for (const Engine& engine : engines) {
         scene::GBuffer view = drawn(seen_by(engine), odd);
@@ -101,6 +105,10 @@ TEST_P(ShortFrames, TakeWhatEnginesStore) {
         EXPECT_LT(errors_of(shown, expected).rmse, 0.002)
             << engine.depth << engine.depth_bits << ' ' << engine.normals << ' ' << engine.before_near;
         EXPECT_GT(mean_of(expected), 0.01) << engine.depth << ' ' << engine.normals;
+        view.normal.clear();
+        view.stored->normal.clear();
+        EXPECT_LT(errors_of(frame(view, 0.5).filtered, expected).rmse, 0.012)
+            << engine.depth << engine.depth_bits << ", normals from depth";
     }
 }
 

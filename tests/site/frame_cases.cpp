@@ -18,6 +18,7 @@ namespace {
 
 using namespace gloam;
 using nlohmann::ordered_json;
+using namespace std::string_literals;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -54,6 +55,7 @@ constexpr Row rows[] = {
     {"infinite", "frame-quality", {31, 57}, "buffer", "view-octahedral", false, 0.1, infinite, false, false},
     {"orthographic", "frame-fast", {83, 45}, "buffer", "view", true, 0.1, 60, false, false},
     {"orthographic", "frame-quality", {96, 54}, "buffer", "world-unorm", true, 0.1, 60, true, false},
+    {"no normals", "frame-balanced", {83, 45}, "buffer", "none", false, 0.1, infinite, true, false},
     {"behind the eye", "frame-fast", {83, 45}, "buffer", "view", true, -9, 50, false, false},
     {"poisoned", "frame-balanced", {83, 45}, "linear", "view", false, 0.1, 100, false, true},
     {"poisoned", "frame-quality", {83, 45}, "linear", "view", false, 0.1, 100, false, true}};
@@ -81,7 +83,9 @@ scene::GBuffer view_of(const Row& row, scene::Scene& scene) {
         view.depth[i] = poison[i % std::size(poison)];
     for (std::size_t i = 0; row.poisoned && i < view.normal.size(); i += 11)
         view.normal[i] = glm::vec3(poison[i % 4]);
-    view.stored = scene::stored_inputs(view, scene::encoding_named(row.depth, row.normals));
+    if (row.normals == "none"s) view.normal.clear();
+    view.stored = scene::stored_inputs(
+        view, scene::encoding_named(row.depth, view.normal.empty() ? "view" : row.normals));
     view.camera.proj_vk[3][2] -= static_cast<float>(before) * view.camera.proj_vk[2][2];
     return view;
 }

@@ -27,7 +27,7 @@ RUN = """(({inputs, preset, depth, normal, want, size, ...view}) => {
         return image;
     };
     const shown = new Frame(passes, texts, inputs).render(preset, {...view, size,
-        depth: stored("r32float", gl.RED, depth), normal: stored("rgba32float", gl.RGBA, normal)});
+        depth: stored("r32float", gl.RED, depth), normal: normal && stored("rgba32float", gl.RGBA, normal)});
     const got = passes.read(shown, 1), wanted = floats(want);
     const error = gl.getError();
     gl.getExtension("WEBGL_lose_context").loseContext();

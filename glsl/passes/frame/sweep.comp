@@ -5,7 +5,7 @@
 //
 // Dispatch ceil(size of binding 2 / (16, 8)) groups. Descriptor set 0:
 //   0  r16f   depth of prepare.comp with its levels; nearest texel and level, clamped to the edge
-//   1         normals as the engine stores them; any format
+//   1         normals as the engine stores them, any format; from depth: its depth, in x
 //   2  r32ui  written: gloam/filter/frame_texel.glsl
 layout(local_size_x = 16, local_size_y = 8) in;
 

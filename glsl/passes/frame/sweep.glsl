@@ -4,11 +4,12 @@
 
 // The horizon sweep of the frame, for compute and fragment shaders. They declare before it:
 //   sampler2D depth_image    of prepare, with its levels; nearest texel and level, clamped to the edge
-//   sampler2D normal_image   as the engine stores them; any format
+//   sampler2D normal_image   as the engine stores them, any format; from depth: its depth, in x
 
 #include "passes/engine_inputs.glsl"
 #include "passes/frame/parameters.glsl"
 #include "gloam/filter/frame_texel.glsl"
+#include "gloam/geometry/normal.glsl"
 #include "gloam/occlusion/sweep_pair.glsl"
 #include "gloam/sampling/depth_levels.glsl"
 #include "gloam/sampling/lattice_rotation.glsl"
@@ -17,6 +18,7 @@
 layout(constant_id = 5) const int slices = 1;
 layout(constant_id = 6) const int steps = 6;   // taps on each side of a slice
 layout(constant_id = 7) const int stride = 1;  // pixels of the view from one that is written to the next
+layout(constant_id = 8) const bool normals_from_depth = false;
 
 const float bias = 0.001;               // least height over the tangent plane, in radii
 const float bias_depth = 1.0 / 1024.0;  // the same for each unit of depth: two roundings of a depth to 16 bits
@@ -31,6 +33,9 @@ struct SweepParameters {
     vec2 ray_span;           // likewise, of the ray at depth 1; orthographic: of the position
     vec2 first_ray;          // of the first pixel
     vec2 reach;              // pixels of a radius at depth 1; orthographic: at any
+    vec2 numerator;          // as prepare has them, for normals from depth
+    vec2 divisor;
+    float far;
 };
 FRAME_PARAMETERS(SweepParameters)
 
@@ -46,13 +51,37 @@ struct Point {
     float bias;
 };
 
+vec2 ray_of(vec2 at) {
+    return at * parameters.ray_span + parameters.first_ray;
+}
+
+// Of the surface at a pixel, radii; zero for background and outside the image.
+vec3 position_at(ivec2 pixel) {
+    if (pixel != clamp(pixel, ivec2(0), textureSize(normal_image, 0) - 1)) return vec3(0.0);
+    float depth = gloam_level_depth(texelFetch(normal_image, pixel, 0).x, parameters.numerator, parameters.divisor,
+                                    parameters.far);
+    if (depth >= GLOAM_FARTHEST_LEVEL_DEPTH) return vec3(0.0);
+    vec2 ray = ray_of(vec2(pixel) * parameters.inverse_span);
+    return vec3(orthographic ? ray : depth * ray, -depth);
+}
+
+// Not normalised.
+vec3 normal_at(ivec2 pixel) {
+    if (!normals_from_depth)
+        return view_direction(texelFetch(normal_image, pixel, 0).xyz, parameters.view_from_world);
+    vec3 middle = position_at(pixel);
+    vec3 along = gloam_neighbor_direction(middle, position_at(pixel - ivec2(1, 0)), position_at(pixel + ivec2(1, 0)));
+    vec3 across = gloam_neighbor_direction(middle, position_at(pixel - ivec2(0, 1)), position_at(pixel + ivec2(0, 1)));
+    return gloam_facing_normal(along, across, orthographic ? vec3(0.0, 0.0, 1.0) : -middle);
+}
+
 Point point_at(ivec2 pixel, float depth, vec2 reach) {
     vec2 at = vec2(stride * pixel) * parameters.inverse_span;
-    vec2 ray = at * parameters.ray_span + parameters.first_ray;
+    vec2 ray = ray_of(at);
     float squared = orthographic ? 1.0 : dot(ray, ray) + 1.0;
     float inverse = inversesqrt(squared);
     vec3 view = orthographic ? vec3(0.0, 0.0, 1.0) : vec3(-inverse * ray, inverse);
-    vec3 normal = view_direction(texelFetch(normal_image, stride * pixel, 0).xyz, parameters.view_from_world);
+    vec3 normal = normal_at(stride * pixel);
     normal *= inversesqrt(max(dot(normal, normal), GLOAM_LEAST_SQUARE));
     return Point(at, depth, squared * inverse, view, normal, reach, gloam_lattice_rotation(pixel) * (0.5 / GLOAM_PI),
                  max(bias, bias_depth * depth));

@@ -34,6 +34,9 @@ struct SweepParameters {
     glm::vec2 ray_span;
     glm::vec2 first_ray;
     glm::vec2 reach;
+    glm::vec2 numerator;
+    glm::vec2 divisor;
+    float far;
 };
 struct FilterParameters {
     glm::vec2 inverse_size;
@@ -63,7 +66,7 @@ PrepareParameters prepare_parameters(const View& view, float radius, bool depth_
     return all;
 }
 
-SweepParameters sweep_parameters(const View& view, float radius) {
+SweepParameters sweep_parameters(const View& view, float radius, const PrepareParameters& depth) {
     const glm::vec2 size(view.extent.width, view.extent.height);
     const glm::vec2 scale = view.camera.p00_p11();
     const float unit = view.camera.orthographic() ? radius : 1.0F;
@@ -75,7 +78,10 @@ SweepParameters sweep_parameters(const View& view, float radius) {
             .span = last / size,
             .ray_span = step * last / unit,
             .first_ray = (glm::vec2(view.camera.proj_vk[2]) - 1.0F) / scale + 0.5F * step,
-            .reach = unit / step};
+            .reach = unit / step,
+            .numerator = depth.numerator,
+            .divisor = depth.divisor,
+            .far = depth.far};
 }
 
 // Groups of 16 x 8 invocations, which make `x` x `y` pixels each.
@@ -98,8 +104,9 @@ PlannedPass last_pass(const ShortSettings& settings, gpu::Extent extent) {
 }
 
 std::vector<PlannedPass> passes_of(const ShortSettings& settings, const View& view, float radius,
-                                   const scene::Encoding& encoding) {
+                                   const scene::Encoding& encoding, bool normals) {
     const gpu::Extent extent = view.extent;
+    const PrepareParameters depth = prepare_parameters(view, radius, encoding.depth_buffer);
     const PassSource sweep{.file = "frame/sweep.comp",
                            .constants = {{.id = 1, .bits = flag(view.camera.orthographic())},
                                          {.id = 2, .bits = flag(encoding.world)},
@@ -107,18 +114,20 @@ std::vector<PlannedPass> passes_of(const ShortSettings& settings, const View& vi
                                          {.id = 4, .bits = flag(encoding.unorm)},
                                          {.id = 5, .bits = settings.slices},
                                          {.id = 6, .bits = settings.steps},
-                                         {.id = 7, .bits = settings.half ? 2U : 1U}},
+                                         {.id = 7, .bits = settings.half ? 2U : 1U},
+                                         {.id = 8, .bits = flag(!normals)}},
                            .unrolls = true};
     return {single_pass("prepare", {.file = "frame/prepare.comp"},
-                        {"depth", "levels/0", "levels/1", "levels/2", "levels/3", "levels/4"},
-                        prepare_parameters(view, radius, encoding.depth_buffer), groups_of(extent, 2, 2)),
-            single_pass("sweep", sweep, {"levels", "normal", "texels"}, sweep_parameters(view, radius),
+                        {"depth", "levels/0", "levels/1", "levels/2", "levels/3", "levels/4"}, depth,
+                        groups_of(extent, 2, 2)),
+            single_pass("sweep", sweep, {"levels", normals ? "normal" : "depth", "texels"},
+                        sweep_parameters(view, radius, depth),
                         groups_of(settings.half ? half_of(extent) : extent, 1, 1)),
             last_pass(settings, extent)};
 }
 
 Plan short_plan(const ShortSettings& settings, const View& view, float radius,
-                const scene::Encoding& encoding) {
+                const scene::Encoding& encoding, bool normals) {
     const gpu::Extent swept = settings.half ? half_of(view.extent) : view.extent;
     Plan plan;
     plan.images = {{.name = "depth",
@@ -144,7 +153,9 @@ Plan short_plan(const ShortSettings& settings, const View& view, float radius,
                     .meaning = "the occlusion",
                     .format = format_of(settings.output),
                     .extent = view.extent}};
-    plan.passes = passes_of(settings, view, radius, encoding);
+    if (!normals)
+        std::erase_if(plan.images, [](const PlannedImage& image) { return image.name == "normal"; });
+    plan.passes = passes_of(settings, view, radius, encoding, normals);
     plan.result = "shown";
     return plan;
 }
@@ -165,7 +176,7 @@ const ShortSettings& short_frame_named(std::string_view name) {
 }
 
 Plan plan_of(const ShortSettings& settings, const PlanOptions& options) {
-    Plan plan = short_plan(settings, view_of(options), 1.0F, options.encoding);
+    Plan plan = short_plan(settings, view_of(options), 1.0F, options.encoding, options.normals);
     for (PlannedImage& image : plan.images)
         if (image.name == "normal" && options.encoding.unorm) image.format = rgba8;
     return plan;
@@ -187,14 +198,11 @@ Frame ShortFrame::run(const scene::GBuffer& view, const ShortSettings& settings,
     if (!(radius > 0.0F && std::isfinite(radius)))
         throw std::invalid_argument(fmt::format("radius {:g}: expected more than 0", radius));
     require_sizes(view, view.extent);
-    const bool stored = view.stored && !view.normal.empty();
-    const Plan plan = short_plan(settings, {view.camera, view.extent, view.border}, radius,
-                                 stored ? view.stored->encoding : scene::Encoding{});
+    const Plan plan =
+        short_plan(settings, {view.camera, view.extent, view.border}, radius,
+                   view.stored ? view.stored->encoding : scene::Encoding{}, !view.normal.empty());
     impl_->resources.provide(plan);
-    if (view.normal.empty())
-        take_linear(view, impl_->resources, impl_->executor, {});
-    else
-        upload(view, view.extent, stored, impl_->resources);
+    upload(view, view.extent, true, impl_->resources);
     const std::vector<Step> steps = impl_->executor.steps(plan.passes, impl_->resources);
     Frame frame;
     frame.times = effect::run(*impl_->device, steps, {}, repeat);

@@ -38,7 +38,7 @@ class ShortFrame {
 
     // A frame of a view, as its engine stores it. radius: of influence, world units, > 0. Runs `repeat`
     // (>= 1) times and reports median times. `filtered` is what is shown; `occlusion` is the same. Missing
-    // normals are reconstructed from depth, untimed, for a camera whose axis is in the middle of its image.
+    // normals are made from depth by the sweep.
     // Throws std::invalid_argument for images of another size and for a radius out of range,
     // std::runtime_error like gpu::Commands::submit().
     [[nodiscard]] Frame run(const scene::GBuffer& view, const ShortSettings& settings, float radius,

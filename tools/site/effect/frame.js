@@ -3,13 +3,13 @@
 
 class Frame {
     // passes: a Passes. texts: of whole_image.vert and of the four passes, by their names, in GLSL ES 3.00. inputs: as
-    // AmbientOcclusion has them, with normals.
+    // AmbientOcclusion has them; normals "none" are made from depth.
     constructor(passes, texts, {depth, range, normals}) {
         this.passes = passes;
         this.texts = texts;
         this.inputs = {depth, range};
         this.normals = {world_normals: normals.startsWith("world"), octahedral_normals: normals.includes("octahedral"),
-            unorm_normals: normals.includes("unorm")};
+            unorm_normals: normals.includes("unorm"), normals_from_depth: normals === "none"};
     }
 
     // preset: {slices, steps, half, half_width}. radius: world units. depth, normal: textures of this size, as they are
@@ -24,7 +24,8 @@ class Frame {
         levels.forEach((target, level) => this.draw("prepare", {},
             {...this.depthValues(projection, radius), stored_image: depth, level}, target));
         const texels = this.draw("sweep", {...this.normals, orthographic, slices: preset.slices, steps: preset.steps,
-            stride: preset.half ? 2 : 1}, {...values, depth_image: levels[0].image, normal_image: normal}, passes.target(...swept, "r32uint"));
+            stride: preset.half ? 2 : 1}, {...values, ...this.depthValues(projection, radius),
+                depth_image: levels[0].image, normal_image: normal || depth}, passes.target(...swept, "r32uint"));
         const shown = this.draw(preset.half ? "join" : "filter", preset.half ? {} : {half_width: preset.half_width},
             {texel_image: texels.image, depth_image: levels[0].image, inverse_size: size.map((n) => 1 / n),
                 inverse_half_size: swept.map((n) => 1 / n)}, passes.target(...size, "r32float"));
