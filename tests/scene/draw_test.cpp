@@ -116,9 +116,7 @@ void expect_motion(const GBuffer& view, std::size_t i, const Camera& like, int f
     const glm::dvec3 then = view_rotation(before) * (world - before.eye);
     EXPECT_LT(glm::distance(then, glm::dvec3(view.previous_position[i])), 2e-6 * view.depth[i]) << i;
     const glm::dvec2 moved = positions.pixel_of(here) - positions.pixel_of(then);
-    const glm::dvec2 place = positions.pixel_of(then);
-    const bool inside =
-        place.x >= 0 && place.y >= 0 && place.x < view.extent.width && place.y < view.extent.height;
+    const bool inside = positions.contains(positions.pixel_of(then));
     EXPECT_LT(glm::distance(glm::dvec2(view.motion[i]), frame > 0 ? moved : glm::dvec2(0)), 1e-3) << i;
     EXPECT_EQ(view.motion[i].z, frame > 0 && inside ? 1.0F : 0.0F) << i;
 }

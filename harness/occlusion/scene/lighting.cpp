@@ -18,12 +18,7 @@ namespace {
 // Determines which neighbouring pixels belong to one surface.
 class Connections {
   public:
-    Connections(const GBuffer& view, double thickness)
-        : depth_(view.depth),
-          width_(static_cast<long>(view.extent.width)),
-          height_(static_cast<long>(view.extent.height)),
-          orthographic_(view.camera.orthographic()),
-          thickness_(thickness) {}
+    Connections(const GBuffer& view, double thickness) : view_(view), thickness_(thickness) {}
 
     // Between two neighbouring pixels, (x, y) and (x + dx, y + dy).
     [[nodiscard]] bool connected(long x, long y, long dx, long dy) const {
@@ -42,22 +37,20 @@ class Connections {
 
   private:
     [[nodiscard]] float at(long x, long y) const {
-        if (x < 0 || y < 0 || x >= width_ || y >= height_) return 0.0F;
-        return depth_[static_cast<std::size_t>(y * width_ + x)];
+        const long width = view_.extent.width;
+        if (x < 0 || y < 0 || x >= width || y >= long{view_.extent.height}) return 0.0F;
+        return view_.depth[static_cast<std::size_t>(y * width + x)];
     }
 
     // Whether the slope from `first` to `second`, one pixel apart, continues to `third` within the thickness.
     [[nodiscard]] bool continues(float first, float second, float third) const {
         if (!is_surface(first)) return false;
-        if (orthographic_) return std::abs(2.0 * second - first - third) <= thickness_;
+        if (view_.camera.orthographic()) return std::abs(2.0 * second - first - third) <= thickness_;
         const double expected = 2.0 / second - 1.0 / first;
         return std::abs(expected - 1.0 / third) * third * third <= thickness_;
     }
 
-    const std::vector<float>& depth_;
-    long width_;
-    long height_;
-    bool orthographic_;
+    const GBuffer& view_;
     double thickness_;
 };
 

@@ -128,22 +128,18 @@ std::optional<TracedTruth> read(const fs::path& path, const base::Hash& key, std
                        .unmatched = counts[2]};
 }
 
-void write(const fs::path& path, const base::Hash& key, const TracedTruth& truth) {
-    const Counts counts{truth.rays, truth.pixels, truth.unmatched};
-    std::string bytes;
-    append(bytes, std::span<const std::uint64_t>(counts));
-    append(bytes, std::span<const float>(truth.occlusion));
-    append(bytes, std::span<const float>(truth.standard_error));
-    base::write_cached(path, key, bytes);  // the cache is optional
-}
-
 template <class Trace>
 TracedTruth kept(const fs::path& folder, const base::Hash& hash, std::size_t pixels, const Trace& trace) {
     if (folder.empty()) return trace();
     const fs::path path = folder / (base::to_hex(hash) + ".truth");
     if (auto truth = read(path, hash, pixels)) return *std::move(truth);
     TracedTruth truth = trace();
-    write(path, hash, truth);
+    const Counts counts{truth.rays, truth.pixels, truth.unmatched};
+    std::string bytes;
+    append(bytes, std::span<const std::uint64_t>(counts));
+    append(bytes, std::span<const float>(truth.occlusion));
+    append(bytes, std::span<const float>(truth.standard_error));
+    base::write_cached(path, hash, bytes);  // the cache is optional
     return truth;
 }
 
