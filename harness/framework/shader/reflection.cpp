@@ -31,7 +31,7 @@ std::string format_name(SpvImageFormat format) {
         {SpvImageFormatRgba16ui, "rgba16ui"}, {SpvImageFormatRg16ui, "rg16ui"},
         {SpvImageFormatR16ui, "r16ui"},       {SpvImageFormatRgba32ui, "rgba32ui"},
         {SpvImageFormatRg32ui, "rg32ui"},     {SpvImageFormatR32ui, "r32ui"},
-        {SpvImageFormatUnknown, ""}};
+        {SpvImageFormatRgb10A2, "rgb10_a2"},  {SpvImageFormatUnknown, ""}};
     const auto found = names.find(format);
     if (found == names.end()) throw std::runtime_error("an image of a format that has no name here");
     return found->second;

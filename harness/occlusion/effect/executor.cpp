@@ -110,7 +110,8 @@ Resources::Resources(const gpu::Device& device) : device_(&device) {
     for (const auto& [name, format] : {std::pair{"r32f", Format::r32f},
                                        {"rgba32f", Format::rgba32f},
                                        {"rgba16ui", Format::rgba16ui},
-                                       {"r32ui", Format::r32ui}})
+                                       {"r32ui", Format::r32ui},
+                                       {"rgb10_a2", Format::rgb10_a2}})
         nothing_.try_emplace(name, device, gpu::Extent{1, 1}, format);
 }
 
@@ -184,8 +185,9 @@ gpu::Resource Resources::at(const std::string& name, const std::string& format) 
         return found == nothing_.end() ? nothing_.at("rgba32f") : found->second;
     }
     if (has_buffer(name)) return buffer(name);
-    const auto [bound, level] = image_name_of(name);
+    const auto [bound, level, linear] = image_name_of(name);
     if (level) return gpu::ImageLevel{image(bound), *level};
+    if (linear) return gpu::LinearImage{image(bound)};
     return image(bound);
 }
 

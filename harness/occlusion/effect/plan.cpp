@@ -10,7 +10,9 @@ namespace gloam::effect {
 ImageName image_name_of(const std::string& resource) {
     const std::size_t slash = resource.find('/');
     if (slash == std::string::npos) return {resource, std::nullopt};
-    return {resource.substr(0, slash), base::number_from<std::uint32_t>(resource.substr(slash + 1))};
+    const std::string image = resource.substr(0, slash);
+    if (resource.ends_with("/linear")) return {image, std::nullopt, true};
+    return {image, base::number_from<std::uint32_t>(resource.substr(slash + 1))};
 }
 
 View view_of(const PlanOptions& options) {

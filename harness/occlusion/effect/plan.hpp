@@ -49,10 +49,11 @@ struct PlannedImage {
     std::uint32_t levels = 1;
 };
 
-// What a pass names to bind an image: "IMAGE", or one level of it, "IMAGE/LEVEL".
+// What a pass names to bind an image: "IMAGE", one level of it, "IMAGE/LEVEL", or "IMAGE/linear", sampled so.
 struct ImageName {
     std::string image;
     std::optional<std::uint32_t> level;
+    bool linear = false;
 };
 [[nodiscard]] ImageName image_name_of(const std::string& resource);
 

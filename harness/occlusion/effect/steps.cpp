@@ -99,8 +99,11 @@ std::uint64_t memory_of(std::span<const Step> passes) {
                 bytes[&buffer->get()] = buffer->get().size();
             } else {
                 const auto* level = std::get_if<gpu::ImageLevel>(&resource);
-                const gpu::Image& image =
-                    level ? level->image : std::get<std::reference_wrapper<const gpu::Image>>(resource);
+                const auto* linear = std::get_if<gpu::LinearImage>(&resource);
+                const gpu::Image& image = level ? level->image
+                                          : linear
+                                              ? linear->image
+                                              : std::get<std::reference_wrapper<const gpu::Image>>(resource);
                 bytes[&image] = bytes_of(image);
             }
         }

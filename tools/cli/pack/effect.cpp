@@ -193,7 +193,8 @@ std::string vulkan_format(gpu::Format format) {
                                       "R16_UINT",
                                       "R16G16_UINT",
                                       "R32G32_UINT",
-                                      "R32G32B32A32_UINT"};  // as gpu::Format
+                                      "R32G32B32A32_UINT",
+                                      "A2B10G10R10_UNORM_PACK32"};  // as gpu::Format
     return std::string("VK_FORMAT_") + names.at(static_cast<std::size_t>(format));
 }
 

@@ -174,8 +174,10 @@ void write_descriptors(const Context& context, const vk::raii::DescriptorSet& se
                                         .imageLayout = vk::ImageLayout::eGeneral};
             write.pImageInfo = &images[i];
         } else {
-            const Image& image = std::get<std::reference_wrapper<const Image>>(resources[i]);
-            images[i] = vk::DescriptorImageInfo{.sampler = *context.sampler,
+            const auto* linear = std::get_if<LinearImage>(&resources[i]);
+            const Image& image =
+                linear ? linear->image : std::get<std::reference_wrapper<const Image>>(resources[i]);
+            images[i] = vk::DescriptorImageInfo{.sampler = linear ? *context.linear : *context.sampler,
                                                 .imageView = *image.impl().handles->view,
                                                 .imageLayout = vk::ImageLayout::eGeneral};
             write.pImageInfo = &images[i];

@@ -46,7 +46,7 @@ class ComputePipeline {
 // images.
 using Resource = std::variant<std::reference_wrapper<const Buffer>, std::reference_wrapper<const Image>,
                               std::reference_wrapper<const SampledImage>,
-                              std::reference_wrapper<const LayeredImage>, ImageLevel>;
+                              std::reference_wrapper<const LayeredImage>, ImageLevel, LinearImage>;
 
 // Work that is recorded in order and run once. Each command sees the writes of all commands before it.
 // Resources and pipelines passed to it must live until submit() returns. After submit() only times_ms() may

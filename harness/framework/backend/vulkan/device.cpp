@@ -66,6 +66,18 @@ Physical::Physical(vk::raii::PhysicalDevice device, DeviceInfo description)
     timestamp_mask = bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
 }
 
+namespace {
+
+vk::SamplerCreateInfo sampler_info(vk::Filter filter) {
+    return {.magFilter = filter,
+            .minFilter = filter,
+            .addressModeU = vk::SamplerAddressMode::eClampToEdge,
+            .addressModeV = vk::SamplerAddressMode::eClampToEdge,
+            .maxLod = VK_LOD_CLAMP_NONE};
+}
+
+}  // namespace
+
 Device::Impl::Impl(const DeviceOptions& options)
     : log(checked(options).on_validation_message),
       loader(open_loader()),
@@ -78,9 +90,8 @@ Device::Impl::Impl(const DeviceOptions& options)
       command_pool(device, vk::CommandPoolCreateInfo{.flags = vk::CommandPoolCreateFlagBits::eTransient,
                                                      .queueFamilyIndex = physical.queue_family}),
       fence(device, vk::FenceCreateInfo{}),
-      sampler(device, vk::SamplerCreateInfo{.addressModeU = vk::SamplerAddressMode::eClampToEdge,
-                                            .addressModeV = vk::SamplerAddressMode::eClampToEdge,
-                                            .maxLod = VK_LOD_CLAMP_NONE}),
+      sampler(device, sampler_info(vk::Filter::eNearest)),
+      linear(device, sampler_info(vk::Filter::eLinear)),
       cache(device, physical.properties, options.cache_directory, physical.info.identity),
       timeout(options.timeout) {}
 

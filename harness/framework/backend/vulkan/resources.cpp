@@ -72,7 +72,8 @@ const FormatTraits& traits(Format format) {
                                     FormatTraits{"r16ui", eR16Uint, 1, 2, shorts},
                                     FormatTraits{"rg16ui", eR16G16Uint, 2, 4, shorts},
                                     FormatTraits{"rg32ui", eR32G32Uint, 2, 8, words},
-                                    FormatTraits{"rgba32ui", eR32G32B32A32Uint, 4, 16, words}};
+                                    FormatTraits{"rgba32ui", eR32G32B32A32Uint, 4, 16, words},
+                                    FormatTraits{"rgb10_a2", eA2B10G10R10UnormPack32, 1, 4, words}};
     const auto at = static_cast<std::size_t>(format);
     if (at >= all.size()) throw std::invalid_argument(fmt::format("unknown image format {}", at));
     return all[at];

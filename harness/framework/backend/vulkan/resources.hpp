@@ -59,10 +59,11 @@ enum class Format {
     r16ui,
     rg16ui,
     rg32ui,
-    rgba32ui
+    rgba32ui,
+    rgb10_a2
 };
 
-// The format that GLSL calls so: "rgba8".
+// The format that GLSL calls so: "rgba8". None for rgb10_a2.
 [[nodiscard]] std::optional<Format> format_from(std::string_view name);
 
 // Floats for each texel in uploads and downloads.
@@ -89,8 +90,8 @@ class Image {
     // Replaces or reads all texels: width * height * channels floats, row by row. Waits for the device.
     // Floats of 16 bits are converted from and to float32 (round to nearest even). Integers of 16 bits are
     // the nearest in 0 to 65535; r8 and rgba8 the nearest of 0 to 1 in steps of 1/255. A float of an
-    // image of 32-bit integers is the bits of its integer. Throws std::invalid_argument for another count,
-    // std::runtime_error like Commands::submit().
+    // image of 32-bit integers, or of rgb10_a2, is the bits of its texel. Throws std::invalid_argument for
+    // another count, std::runtime_error like Commands::submit().
     void upload(std::span<const float> texels);
     [[nodiscard]] std::vector<float> download() const;
 
@@ -105,6 +106,11 @@ class Image {
 struct ImageLevel {
     std::reference_wrapper<const Image> image;
     std::uint32_t level = 0;
+};
+
+// An image that a binding samples bilinearly.
+struct LinearImage {
+    std::reference_wrapper<const Image> image;
 };
 
 // An image in device memory with its sampler. The words are those of backend/sampled.hpp. Throws

@@ -62,7 +62,8 @@ struct Device::Impl {
     vk::raii::Queue queue;
     vk::raii::CommandPool command_pool;
     vk::raii::Fence fence;
-    vk::raii::Sampler sampler;  // of all sampled images but SampledImage
+    vk::raii::Sampler sampler;  // of all sampled images but SampledImage and LinearImage
+    vk::raii::Sampler linear;
     PipelineCache cache;
     std::chrono::milliseconds timeout;
 
