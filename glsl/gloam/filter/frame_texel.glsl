@@ -2,12 +2,16 @@
 #ifndef GLOAM_FILTER_FRAME_TEXEL_GLSL
 #define GLOAM_FILTER_FRAME_TEXEL_GLSL
 
-// What the filter of the frame reads of a pixel, in 32 bits: depth 16, occlusion 8, a free bit, weight 7.
+// What the filter of the frame reads of a pixel, in 32 bits: depth 16, occlusion 8, whether something moved, weight 7.
 struct GloamFrameTexel {
     float depth;      // in radii of influence
     float occlusion;  // in 1/255
     float weight;     // of the occlusion, in 1/255 of 1.6, the most that a slice counts
+    uint moved;       // 1 where a tap met what the frame before did not show; else 0
 };
+
+// Added to the code of such a pixel.
+const uint GLOAM_FRAME_MOVED = 0x1000000u;
 
 #if defined(GL_ES) || __VERSION__ >= 420
 #define GLOAM_PACKS_HALF
@@ -30,14 +34,15 @@ uint gloam_frame_code(float depth, float occlusion, float weight) {
 
 // pixel of 32 bits (FRAME-texel-of): `the inverse of FRAME-texel` [gloam].
 // code: its lower 16 bits are a half float from 2^-14.
-// The free bit adds at most 1/255 to the weight. Error: none.
+// Bit 24 adds at most 1/255 to the weight. Error: none.
 GloamFrameTexel gloam_frame_texel(uint code) {
 #ifdef GLOAM_PACKS_HALF
     float depth = unpackHalf2x16(code).x;
 #else
     float depth = uintBitsToFloat(((code & 0xFFFFu) << 13u) + GLOAM_HALF_SHIFT);
 #endif
-    return GloamFrameTexel(depth, float(code >> 16u & 0xFFu), float(code >> 24u));
+    return GloamFrameTexel(depth, float(code >> 16u & 0xFFu), float(code >> 24u),
+                           code >> 24u & 1u);
 }
 
 // weight of a neighbour by its depth (FRAME-near): `clamp(1.25 - |d - d0| / (t d0), 0, 1)` [gloam].

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The parts of the frame: a slice in the axes of the tangent plane, its two sides, levels of depth, packed
-// texels.
+// texels, the history.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -9,6 +9,7 @@
 #include "catalogue/inputs.hpp"
 #include "reference/filter.hpp"
 #include "reference/occlusion_slices.hpp"
+#include "reference/temporal.hpp"
 
 namespace gloam::catalogue {
 namespace {
@@ -176,6 +177,42 @@ void append_texels(Entries& entries) {
          .codomain = {0, 1}});
 }
 
+// A column of what brings a pixel of an image of 100 x 100 to the frame before. own: the coordinate that it
+// is of.
+Values column(int own, float size, float most) {
+    return made_by<glm::vec3>([=](numeric::Random& random) {
+               const auto part = [&](float one) { return static_cast<float>(random.uniform(-one, one)); };
+               glm::vec3 made(part(most), part(most), part(most));
+               made[own] += size;
+               return made;
+           })
+        .only_as_drawn();
+}
+
+void append_history(Entries& entries) {
+    const Values depth = uniform(0.5, 10).only_as_drawn();
+    add(entries, "FRAME-before", &reference::gloam_frame_before,
+        {.domain = {vector(2, uniform(0, 100)).only_as_drawn(), depth, column(0, 0.01F, 1e-4F),
+                    column(1, 0.01F, 1e-4F), column(2, 1.0F, 0.1F), column(2, 0.5F, 0.1F), booleans()},
+         .budget = {.absolute = 5e-6}});
+    const Values near = uniform(0.9, 1.1).and_value(65504.0F).only_as_drawn();
+    add(entries, "FRAME-moved", &reference::gloam_frame_moved,
+        {.domain = {near, vector(4, near).only_as_drawn(),
+                    uniform(1, 1e4).and_value(32752.0F).only_as_drawn(), uniform(0, 0.05).only_as_drawn()},
+         .budget = {.backward_ulp = 4}});
+    const Values part = uniform(0, 1).and_near({0.0, 1.0}).only_as_drawn();
+    const Values sums = made_by<glm::vec2>([](numeric::Random& random) {
+                            const double weight = random.uniform(0.1, 1);
+                            return glm::vec2(weight * random.unit(), weight);
+                        }).only_as_drawn();
+    add(entries, "FRAME-sharp", &reference::gloam_frame_sharp,
+        {.domain = {sums, sums, part}, .budget = {.absolute = 1.5e-6}, .codomain = {0, 1.00001}});
+    add(entries, "FRAME-blend", &reference::gloam_frame_blend,
+        {.domain = {part, part, part, part, part, part},
+         .budget = {.absolute = 4e-7},
+         .codomain = {-1e-6, 1.00001}});
+}
+
 }  // namespace
 
 void append_frame(Entries& entries) {
@@ -183,6 +220,7 @@ void append_frame(Entries& entries) {
     append_pairs(entries);
     append_levels(entries);
     append_texels(entries);
+    append_history(entries);
 }
 
 }  // namespace gloam::catalogue

@@ -270,13 +270,14 @@ struct GloamFrameTexel {
     double depth;
     double occlusion;
     double weight;
+    unsigned moved;
 };
 
 inline GloamFrameTexel gloam_frame_texel(unsigned code) {
     const int exponent = static_cast<int>(code % 32768U / 1024U);
     const double part = (exponent > 0 ? 1.0 : 0.0) + code % 1024U / 1024.0;
     return {std::ldexp(part, std::max(exponent, 1) - 15), static_cast<double>(code / 65536U % 256U),
-            static_cast<double>(code / 16777216U)};
+            static_cast<double>(code / 16777216U), code / 16777216U % 2U};
 }
 
 inline double gloam_near(double depth, double own, double scale) {

@@ -230,4 +230,30 @@ inline dvec3 gloam_displacement_from_code(unsigned code, double unit) {
     return std::ldexp(unit, static_cast<int>(code >> 27U)) * dvec3(component(0), component(9), component(18));
 }
 
+inline dvec3 gloam_frame_before(dvec2 pixel, double depth, dvec3 m0, dvec3 m1, dvec3 m2, dvec3 m3,
+                                bool orthographic) {
+    const dmat4 m(dvec4(m0, 0.0), dvec4(m1, 0.0), dvec4(m2, 0.0), dvec4(m3, 1.0));
+    if (orthographic) return m * dvec4(pixel, 1.0, depth);
+    const dvec3 before = m * dvec4(pixel * depth, depth, 1.0);
+    return {before.x / before.z, before.y / before.z, before.z};
+}
+
+inline bool gloam_frame_moved(double depth, dvec4 before, double far, double tolerance) {
+    const auto [least, most] = std::minmax({before.x, before.y, before.z, before.w});
+    const double own = std::min(depth, far);
+    return own < std::min(least, far) * (1.0 - tolerance) || own / (1.0 + tolerance) > most;
+}
+
+inline double gloam_frame_sharp(dvec2 own, dvec2 all, double part) {
+    return (own.x * part + all.x * (1.0 - part)) / (own.y * part + all.y * (1.0 - part));
+}
+
+inline dvec2 gloam_frame_blend(double mean, double fast, double weight, double fresh, double filtered,
+                               double range) {
+    const double quick = std::max(weight, 0.7);
+    const double now = fast * (1.0 - quick) + filtered * quick;
+    const double kept = std::min(std::max(mean, now - range), now + range);
+    return {kept * (1.0 - weight) + fresh * weight, now};
+}
+
 }  // namespace gloam::reference
