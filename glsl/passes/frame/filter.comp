@@ -7,6 +7,10 @@
 // Dispatch ceil(size / (32, 8)) groups. Descriptor set 0:
 //   0  r32ui   texels of sweep.comp; nearest, clamped to the edge
 //   1  output  written: occlusion, in [0, 1]
+// In sequences (history.glsl):
+//   2          the history of the frame before; bilinear, clamped to the edge
+//   3          level 0 of the depth of the frame before; nearest, clamped to the edge
+//   4  rgb10_a2  written: the history
 layout(local_size_x = 16, local_size_y = 8) in;
 
 #ifndef GLOAM_OUTPUT
@@ -14,6 +18,9 @@ layout(local_size_x = 16, local_size_y = 8) in;
 #endif
 layout(binding = 0) uniform highp usampler2D texel_image;
 layout(binding = 1, GLOAM_OUTPUT) uniform writeonly highp image2D result_image;
+layout(binding = 2) uniform highp sampler2D before_image;
+layout(binding = 3) uniform highp sampler2D depth_before_image;
+layout(binding = 4, rgb10_a2) uniform writeonly highp image2D history_image;
 
 #include "passes/frame/filter.glsl"
 
@@ -21,6 +28,18 @@ GloamFrameTexel texels[6][6];
 
 GloamFrameTexel texel_at(ivec2 place) {
     return texels[place.y][place.x];
+}
+
+void show(ivec2 pixel, ivec2 place) {
+    vec4 sums = filtered(place);
+    float shown = sums.z / sums.w;
+    if (history) {
+        vec4 kept;
+        float moved = moved_around(ivec2(half_width));
+        shown = accumulated(pixel, texel_at(place).depth, sums, moved, parameters.history, kept);
+        imageStore(history_image, pixel, kept);
+    }
+    imageStore(result_image, pixel, vec4(shown));
 }
 
 void main() {
@@ -35,6 +54,6 @@ void main() {
             texels[y + 1][x + 1] = gloam_frame_texel(four.y);
         }
     }
-    imageStore(result_image, pixel, vec4(filtered(ivec2(half_width))));
-    imageStore(result_image, pixel + ivec2(1, 0), vec4(filtered(ivec2(half_width + 1, half_width))));
+    show(pixel, ivec2(half_width));
+    show(pixel + ivec2(1, 0), ivec2(half_width + 1, half_width));
 }

@@ -2,6 +2,8 @@
 #version 450
 // filter.comp as a fragment shader.
 uniform highp usampler2D texel_image;  // nearest, clamped to the edge
+uniform highp sampler2D before_image;
+uniform highp sampler2D depth_before_image;
 layout(location = 0) out highp float occlusion;
 
 #include "passes/frame/filter.glsl"
@@ -11,5 +13,6 @@ GloamFrameTexel texel_at(ivec2 place) {
 }
 
 void main() {
-    occlusion = filtered(ivec2(0));
+    vec4 sums = filtered(ivec2(0));
+    occlusion = sums.z / sums.w;
 }

@@ -5,6 +5,7 @@
 // The filter of the frame at full size, for compute and fragment shaders.
 
 #include "gloam/filter/frame_texel.glsl"
+#include "passes/frame/history.glsl"
 #include "passes/frame/parameters.glsl"
 
 layout(constant_id = 0) const int half_width = 1;  // 1: 3 x 3 pixels; 2: 5 x 5
@@ -13,6 +14,7 @@ const float inverse_tolerance = 1.0 / 0.011;  // of the relative difference of d
 const float falloff = 0.18;                   // weights of 5 x 5 fall by 2^-(0.18 r^2)
 
 struct FilterParameters {
+    HistoryParameters history;
     vec2 inverse_size;
 };
 FRAME_PARAMETERS(FilterParameters)
@@ -20,8 +22,8 @@ FRAME_PARAMETERS(FilterParameters)
 // The texel at a place among those that an invocation reads.
 GloamFrameTexel texel_at(ivec2 place);
 
-// Occlusion of the pixel at a place, in [0, 1].
-float filtered(ivec2 middle) {
+// Sums of the pixel at a place: of its own occlusion and weight, and of all.
+vec4 filtered(ivec2 middle) {
     GloamFrameTexel own = texel_at(middle);
     float scale = inverse_tolerance / own.depth;
     vec2 sum = vec2(0.0, 1e-4);
@@ -34,7 +36,16 @@ float filtered(ivec2 middle) {
             sum += spatial * texel.weight * near * vec2(texel.occlusion, 1.0);
         }
     }
-    return sum.x / sum.y * (1.0 / 255.0);
+    return vec4(own.weight * vec2(own.occlusion, 1.0), sum) * vec2(1.0 / 255.0, 1.0).xyxy;
+}
+
+// Share of the texels around two pixels side by side whose taps met what moved: 1 from a half on. first: place of the
+// first of the two.
+float moved_around(ivec2 first) {
+    uint moved = 0u;
+    for (int y = -1; y <= 1; ++y)
+        for (int x = 0; x <= 1; ++x) moved += texel_at(first + ivec2(x, y)).moved;
+    return min(float(moved) * (1.0 / 3.0), 1.0);
 }
 
 #endif

@@ -8,6 +8,10 @@
 //   0  r32ui   texels of sweep.comp, of every second pixel; nearest, clamped to the edge
 //   1  r16f    depth of prepare.comp; likewise
 //   2  output  written: occlusion, in [0, 1]
+// In sequences (history.glsl):
+//   3          the history of the frame before; bilinear, clamped to the edge
+//   4          level 0 of the depth of the frame before; nearest, clamped to the edge
+//   5  rgb10_a2  written: the history
 layout(local_size_x = 16, local_size_y = 8) in;
 
 #ifndef GLOAM_OUTPUT
@@ -16,6 +20,9 @@ layout(local_size_x = 16, local_size_y = 8) in;
 layout(binding = 0) uniform highp usampler2D texel_image;
 layout(binding = 1) uniform highp sampler2D depth_image;
 layout(binding = 2, GLOAM_OUTPUT) uniform writeonly highp image2D result_image;
+layout(binding = 3) uniform highp sampler2D before_image;
+layout(binding = 4) uniform highp sampler2D depth_before_image;
+layout(binding = 5, rgb10_a2) uniform writeonly highp image2D history_image;
 
 #include "passes/frame/join.glsl"
 
@@ -23,6 +30,18 @@ GloamFrameTexel texels[4][4];
 
 GloamFrameTexel texel_at(ivec2 place) {
     return texels[place.y + 1][place.x + 1];
+}
+
+void show(ivec2 first, ivec2 odd, float depth) {
+    ivec2 pixel = first + odd;
+    vec4 sums = joined(odd, depth);
+    float shown = sums.z / sums.w;
+    if (history) {
+        vec4 kept;
+        shown = accumulated(pixel, depth, sums, moved_around(), parameters.history, kept);
+        imageStore(history_image, pixel, kept);
+    }
+    imageStore(result_image, pixel, vec4(shown));
 }
 
 void main() {
@@ -38,9 +57,9 @@ void main() {
         }
     }
     ivec2 pixel = 2 * block;
-    vec4 own = textureGather(depth_image, vec2(pixel + 1) * parameters.inverse_size).wzxy;  // by rows
-    imageStore(result_image, pixel, vec4(joined(ivec2(0), own.x)));
-    imageStore(result_image, pixel + ivec2(1, 0), vec4(joined(ivec2(1, 0), own.y)));
-    imageStore(result_image, pixel + ivec2(0, 1), vec4(joined(ivec2(0, 1), own.z)));
-    imageStore(result_image, pixel + 1, vec4(joined(ivec2(1), own.w)));
+    vec4 own = abs(textureGather(depth_image, vec2(pixel + 1) * parameters.inverse_size)).wzxy;  // by rows
+    show(pixel, ivec2(0), own.x);
+    show(pixel, ivec2(1, 0), own.y);
+    show(pixel, ivec2(0, 1), own.z);
+    show(pixel, ivec2(1), own.w);
 }

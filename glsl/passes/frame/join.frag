@@ -2,6 +2,8 @@
 #version 450
 // join.comp as a fragment shader.
 uniform highp usampler2D texel_image;  // nearest, clamped to the edge
+uniform highp sampler2D before_image;
+uniform highp sampler2D depth_before_image;
 uniform highp sampler2D depth_image;   // of prepare; likewise
 layout(location = 0) out highp float occlusion;
 
@@ -14,5 +16,6 @@ GloamFrameTexel texel_at(ivec2 place) {
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    occlusion = joined(pixel & 1, texelFetch(depth_image, pixel, 0).x);
+    vec4 sums = joined(pixel & 1, texelFetch(depth_image, pixel, 0).x);
+    occlusion = sums.z / sums.w;
 }

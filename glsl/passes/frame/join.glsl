@@ -5,11 +5,13 @@
 // Filter and upsampling of the frame at half size, for compute and fragment shaders.
 
 #include "gloam/filter/frame_texel.glsl"
+#include "passes/frame/history.glsl"
 #include "passes/frame/parameters.glsl"
 
 const float inverse_tolerance = 1.0 / 0.02;  // of the relative difference of depth that counts as another surface
 
 struct JoinParameters {
+    HistoryParameters history;
     vec2 inverse_half_size;  // of the texels
     vec2 inverse_size;       // of the view
 };
@@ -18,19 +20,32 @@ FRAME_PARAMETERS(JoinParameters)
 // The texel at a place, counted from that of the pixel's block.
 GloamFrameTexel texel_at(ivec2 place);
 
-// Occlusion of a pixel, in [0, 1]. odd: 0 for the first pixel of its block, else 1, in x and in y. depth: its own.
-float joined(ivec2 odd, float depth) {
+// Sums of a pixel: of the occlusion and weight of the nearest texels, and of all. odd: 0 for the first pixel of its
+// block, else 1, in x and in y. depth: its own.
+vec4 joined(ivec2 odd, float depth) {
     float scale = inverse_tolerance / depth;
+    vec2 inner = vec2(0.0);
     vec2 sum = vec2(0.0, 1e-4);
     for (int y = -1; y <= 2; ++y) {
         for (int x = -1; x <= 2; ++x) {
             vec2 tent = max(2.0 - abs(vec2(x, y) - 0.5 * vec2(odd)), 0.0);
             if (tent.x * tent.y == 0.0) continue;
             GloamFrameTexel texel = texel_at(ivec2(x, y));
-            sum += tent.x * tent.y * texel.weight * gloam_near(texel.depth, depth, scale) * vec2(texel.occlusion, 1.0);
+            float weight = tent.x * tent.y * texel.weight * gloam_near(texel.depth, depth, scale);
+            vec2 part = weight * vec2(texel.occlusion, 1.0);
+            sum += part;
+            if (min(tent.x, tent.y) >= 1.5) inner += part;
         }
     }
-    return sum.x / sum.y * (1.0 / 255.0);
+    return vec4(inner, sum) * vec2(1.0 / 255.0, 1.0).xyxy;
+}
+
+// Share of the texels around a block whose taps met what moved: 1 from a quarter on.
+float moved_around() {
+    uint moved = 0u;
+    for (int y = -1; y <= 2; ++y)
+        for (int x = -1; x <= 2; ++x) moved += texel_at(ivec2(x, y)).moved;
+    return min(0.25 * float(moved), 1.0);
 }
 
 #endif

@@ -18,7 +18,8 @@
 layout(constant_id = 5) const int slices = 1;
 layout(constant_id = 6) const int steps = 6;   // taps on each side of a slice
 layout(constant_id = 7) const int stride = 1;  // pixels of the view from one that is written to the next
-layout(constant_id = 8) const bool normals_from_depth = false;
+layout(constant_id = 8) const bool history = false;  // frames follow one another
+layout(constant_id = 9) const bool normals_from_depth = false;
 
 const float bias = 0.001;               // least height over the tangent plane, in radii
 const float bias_depth = 1.0 / 1024.0;  // the same for each unit of depth: two roundings of a depth to 16 bits
@@ -35,7 +36,8 @@ struct SweepParameters {
     vec2 reach;              // pixels of a radius at depth 1; orthographic: at any
     vec2 numerator;          // as prepare has them, for normals from depth
     vec2 divisor;
-    float far;
+    vec2 noise;              // of the frame: of the turns of slices, and of the shift of taps
+    float far;               // as prepare has it
 };
 FRAME_PARAMETERS(SweepParameters)
 
@@ -48,6 +50,7 @@ struct Point {
     vec3 normal;
     vec2 reach;  // pixels
     float turns;
+    float shift;  // of the taps, a fraction of a step
     float bias;
 };
 
@@ -83,8 +86,9 @@ Point point_at(ivec2 pixel, float depth, vec2 reach) {
     vec3 view = orthographic ? vec3(0.0, 0.0, 1.0) : vec3(-inverse * ray, inverse);
     vec3 normal = normal_at(stride * pixel);
     normal *= inversesqrt(max(dot(normal, normal), GLOAM_LEAST_SQUARE));
-    return Point(at, depth, squared * inverse, view, normal, reach, gloam_lattice_rotation(pixel) * (0.5 / GLOAM_PI),
-                 max(bias, bias_depth * depth));
+    float turns = gloam_lattice_rotation(pixel) * (0.5 / GLOAM_PI);
+    vec2 noise = vec2(turns, 14.0 * turns) + (history ? parameters.noise : vec2(0.0));
+    return Point(at, depth, squared * inverse, view, normal, reach, noise.x, noise.y, max(bias, bias_depth * depth));
 }
 
 // An axis as q of gloam_tap_pair is affine in a place of the image: q = x at.x + y at.y + z. own: s of that axis.
@@ -97,8 +101,9 @@ float depth_at(vec2 at, float level) {
     return textureLod(depth_image, at * parameters.span + parameters.first, level).x;
 }
 
-// What one slice sees, and what an empty one would, both with the slice's weight: (occluded, whole).
-vec2 slice_of(Point point, int slice) {
+// What one slice sees, and what an empty one would, both with the slice's weight, and the least depth that taps
+// meet, whose sign tells what moved: (occluded, whole, least). At full size some taps tell enough.
+vec3 slice_of(Point point, int slice) {
     float angle = GLOAM_PI / float(slices) * (point.turns + float(slice));
     vec2 direction = vec2(cos(angle), sin(angle));
     GloamTangentAxes axes = gloam_tangent_axes(direction, point.view, point.normal);
@@ -107,9 +112,10 @@ vec2 slice_of(Point point, int slice) {
     vec3 height = rays_along(axes.height, point, -slope.x);
     float reach = max(abs(point.reach.x), abs(point.reach.y));
     vec2 to_reach = point.reach * direction;
-    vec3 places = gloam_slice_places(fract(14.0 * point.turns), float(steps), reach);
+    vec3 places = gloam_slice_places(fract(point.shift), float(steps), reach);
     float reach_level = gloam_depth_level(reach);
     GloamSweepPair pair = gloam_sweep_pair();
+    float least = 0.0;
     for (int k = 0; k < steps; ++k) {
         float place = places.x + float(k) * (places.y + float(k) * places.z);
         vec2 offset = round(place * to_reach);
@@ -121,27 +127,37 @@ vec2 slice_of(Point point, int slice) {
         // By the middle of the step, so that the logarithm is a constant.
         float level = reach_level + log2(gloam_slice_place((float(k) + 0.5) / float(steps), 1e18));
         vec2 depth = vec2(depth_at(fore, level), depth_at(back, level));
+        if (history) {
+            if (stride == 2 || (slice == 0 && k % 2 == 0)) least = min(least, min(depth.x, depth.y));
+            depth = abs(depth);
+        }
         GloamTapPair taps = gloam_tap_pair(along.z + along.x * x + along.y * y, height.z + height.x * x + height.y * y,
                                            slope, point.depth, depth, orthographic);
         pair = gloam_pair_tap(pair, taps, point.depth - depth, place, axes.normal, point.bias, thickness);
     }
     vec2 occluded = pair.occluded + pair.feature;
-    return vec2(axes.weight * (occluded.x + occluded.y), axes.weight * gloam_tangent_whole(axes.normal));
+    return vec3(axes.weight * (occluded.x + occluded.y), axes.weight * gloam_tangent_whole(axes.normal), least);
 }
 
 // The texel of a pixel (gloam/filter/frame_texel.glsl).
 uint texel_of(ivec2 pixel) {
-    float depth = texelFetch(depth_image, stride * pixel, 0).x;
+    float least = texelFetch(depth_image, stride * pixel, 0).x;
+    float depth = abs(least);
     vec2 reach = orthographic ? parameters.reach : parameters.reach / depth;
     vec2 sum = vec2(0.0);
     // A radius below a pixel sees nothing but that pixel.
     if (depth < GLOAM_FARTHEST_LEVEL_DEPTH && max(abs(reach.x), abs(reach.y)) >= 1.0) {
         Point point = point_at(pixel, depth, reach);
-        for (int i = 0; i < slices; ++i) sum += slice_of(point, i);
+        for (int i = 0; i < slices; ++i) {
+            vec3 slice = slice_of(point, i);
+            sum += slice.xy;
+            least = min(least, slice.z);
+        }
     }
     if (!(sum.x >= 0.0 && sum.y > 0.0)) sum = vec2(0.0, 1e-3);  // background, or no normal
     float weight = sum.y * (1.0 / float(slices));
-    return gloam_frame_code(depth, min(sum.x / sum.y, 1.0), min(weight, 1.6));
+    uint code = gloam_frame_code(depth, min(sum.x / sum.y, 1.0), min(weight, 1.6));
+    return history && least < 0.0 ? code + GLOAM_FRAME_MOVED : code;
 }
 
 #endif

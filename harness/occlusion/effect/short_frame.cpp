@@ -13,6 +13,31 @@
 #include "effect/internal/named.hpp"
 
 namespace gloam::effect {
+
+// What a frame takes of the engine.
+struct Taken {
+    View view;
+    float radius = 1.0F;
+    scene::Encoding encoding{};
+    bool normals = true;  // there are some
+
+    // World units that are added to depth: an orthographic camera whose near plane is at the eye or behind it
+    // has depths from 1 radius. No pass needs where its eye is.
+    [[nodiscard]] double lift() const {
+        if (!encoding.depth_buffer || !view.camera.orthographic()) return 0.0;
+        const double near = scene::planes_of(view.camera.proj_vk).near;
+        return near <= 0.0 ? radius - near : 0.0;
+    }
+};
+
+// And of the frame before.
+struct Before {
+    Taken taken;
+    int frames = 0;      // of the sequence, before this one
+    bool known = false;  // it has a history
+    bool still = false;  // from the same camera
+};
+
 namespace {
 
 using enum gpu::Format;
@@ -21,6 +46,7 @@ constexpr std::uint32_t depth_levels = 5;
 
 // Push constants, with the layout that each pass declares.
 struct PrepareParameters {
+    glm::mat4 before;  // as mat4x3
     glm::vec2 numerator;
     glm::vec2 divisor;
     glm::vec2 inverse_size;
@@ -36,40 +62,112 @@ struct SweepParameters {
     glm::vec2 reach;
     glm::vec2 numerator;
     glm::vec2 divisor;
+    glm::vec2 noise;
     float far;
 };
+struct HistoryParameters {
+    glm::mat4 before;  // as mat4x3
+    float most;
+    float range;
+    float narrowing;
+    float sharpness;
+    float dither;
+    std::array<float, 3> padding{};  // to a multiple of 16 bytes
+};
 struct FilterParameters {
+    HistoryParameters history;
     glm::vec2 inverse_size;
 };
 struct JoinParameters {
+    HistoryParameters history;
     glm::vec2 inverse_half_size;
     glm::vec2 inverse_size;
 };
 
-// Depth in radii, as gloam_level_depth() has it. An orthographic camera whose near plane is at the eye or
-// behind it has depths from 1 radius: no pass needs where its eye is.
-PrepareParameters prepare_parameters(const View& view, float radius, bool depth_buffer) {
+// From (column, row, 1, 1 / depth) of a pixel, orthographic (column, row, 1, depth), to view space over depth
+// or, orthographic, to view space, both in radii.
+glm::dmat4 view_from_pixel(const Taken& taken) {
+    const View& view = taken.view;
+    const double radius = taken.radius;
+    const glm::dvec2 scale = view.camera.p00_p11();
+    const bool orthographic = view.camera.orthographic();
+    const glm::dvec2 step = 2.0 / (glm::dvec2(view.extent.width, view.extent.height) * scale);
+    const glm::dvec2 axis(view.camera.proj_vk[orthographic ? 3 : 2]);
+    const glm::dvec2 first = ((orthographic ? -axis : axis) - 1.0) / scale + 0.5 * step;
+    const double unit = orthographic ? radius : 1.0;
+    glm::dmat4 matrix(0.0);
+    matrix[0][0] = step.x / unit;
+    matrix[1][1] = step.y / unit;
+    matrix[2] = {first / unit, orthographic ? taken.lift() / radius : -1.0, orthographic ? 1.0 : 0.0};
+    matrix[3] = {0.0, 0.0, orthographic ? -1.0 : 0.0, orthographic ? 0.0 : 1.0};
+    return matrix;
+}
+
+// What gloam_frame_before() takes.
+glm::mat4 pixel_before(const Taken& taken, const Before& before) {
+    const View& view = taken.view;
+    glm::dmat4 motion(1.0);
+    if (!before.still) motion = view.camera.previous_from_current.value_or(glm::mat4(1.0F));
+    motion[3] = {glm::dvec3(motion[3]) / double{taken.radius}, 1.0};
+    const glm::dmat4 pixel = glm::inverse(view_from_pixel(before.taken)) * motion * view_from_pixel(taken);
+    // Rows of `pixel`: column, row, 1 and 1 / depth, times the depth before; orthographic: the last is the
+    // depth.
+    const glm::dmat4 rows = glm::transpose(pixel);
+    const glm::dvec4 one = rows[2];
+    const glm::dvec2 size(view.extent.width, view.extent.height);
+    const glm::dvec4 u = (rows[0] + 0.5 * one) / size.x;
+    const glm::dvec4 v = (rows[1] + 0.5 * one) / size.y;
+    glm::dmat4 all(0.0);
+    all[0] = u;
+    all[1] = v;
+    all[2] = view.camera.orthographic() ? rows[3] : one;
+    return glm::mat4(glm::transpose(all));
+}
+
+double part_of(double value) {
+    return value - std::floor(value);
+}
+
+HistoryParameters history_parameters(const ShortSettings& settings, const Taken& taken,
+                                     const Before& before) {
+    constexpr float unit = 1.0F / 1023.0F;
+    constexpr float range_moved = 0.01F;
+    const float range = before.still ? 1.0F : settings.range;
+    return {.before = pixel_before(taken, before),
+            .most = unit * (!before.known  ? 0.0F
+                            : before.still ? 63.0F
+                                           : 7.0F),
+            .range = range,
+            .narrowing = range - range_moved,
+            .sharpness = before.still ? 0.0F : settings.sharpness,
+            .dither = static_cast<float>(part_of(before.frames * 0.4142136))};
+}
+
+// Depth in radii, as gloam_level_depth() has it.
+PrepareParameters prepare_parameters(const Taken& taken, const Before& before) {
+    const View& view = taken.view;
+    const double radius = taken.radius;
     const double p22 = view.camera.proj_vk[2][2];
     const double p32 = view.camera.proj_vk[3][2];
     const bool orthographic = view.camera.orthographic();
-    PrepareParameters all{.numerator = {0.0, 1.0 / radius},
+    PrepareParameters all{.before = pixel_before(taken, before),
+                          .numerator = {0.0, 1.0 / radius},
                           .divisor = {1.0, 0.0},
                           .inverse_size = 1.0F / glm::vec2(view.extent.width, view.extent.height),
                           .far = std::numeric_limits<float>::infinity()};
-    if (!depth_buffer) return all;
-    const scene::Planes planes = scene::planes_of(view.camera.proj_vk);
-    const double before = orthographic && planes.near <= 0.0 ? radius - planes.near : 0.0;
-    all.far = planes.reversed_z ? 0.0F : 1.0F;
-    all.numerator =
-        orthographic ? glm::dvec2(p32 + before * p22, -1.0) / (p22 * radius) : glm::dvec2(p32 / radius, 0.0);
+    if (!taken.encoding.depth_buffer) return all;
+    all.far = scene::planes_of(view.camera.proj_vk).reversed_z ? 0.0F : 1.0F;
+    all.numerator = orthographic ? glm::dvec2(p32 + taken.lift() * p22, -1.0) / (p22 * radius)
+                                 : glm::dvec2(p32 / radius, 0.0);
     if (!orthographic) all.divisor = {p22, 1.0};
     return all;
 }
 
-SweepParameters sweep_parameters(const View& view, float radius, const PrepareParameters& depth) {
+SweepParameters sweep_parameters(const Taken& taken, const PrepareParameters& depth, int frames) {
+    const View& view = taken.view;
     const glm::vec2 size(view.extent.width, view.extent.height);
     const glm::vec2 scale = view.camera.p00_p11();
-    const float unit = view.camera.orthographic() ? radius : 1.0F;
+    const float unit = view.camera.orthographic() ? taken.radius : 1.0F;
     const glm::vec2 step = 2.0F / (size * scale);
     const glm::vec2 last = glm::max(size - 1.0F, 1.0F);
     return {.view_from_world = glm::mat3x4(glm::mat3(view.camera.view)),
@@ -81,6 +179,7 @@ SweepParameters sweep_parameters(const View& view, float radius, const PreparePa
             .reach = unit / step,
             .numerator = depth.numerator,
             .divisor = depth.divisor,
+            .noise = {part_of(frames * 0.6180340), part_of(frames * 0.7548777)},
             .far = depth.far};
 }
 
@@ -89,45 +188,84 @@ std::array<std::uint32_t, 3> groups_of(gpu::Extent extent, std::uint32_t x, std:
     return {(extent.width + 16 * x - 1) / (16 * x), (extent.height + 8 * y - 1) / (8 * y), 1};
 }
 
-PlannedPass last_pass(const ShortSettings& settings, gpu::Extent extent) {
-    const glm::vec2 size(extent.width, extent.height);
-    PassSource source{.file = settings.half ? "frame/join.comp" : "frame/filter.comp", .unrolls = true};
-    define_output(settings.output, source.defines);
-    if (settings.half) {
-        const gpu::Extent half = half_of(extent);
-        const JoinParameters all{1.0F / glm::vec2(half.width, half.height), 1.0F / size};
-        return single_pass("join", source, {"texels", "levels", "shown"}, all, groups_of(extent, 2, 2));
-    }
-    source.constants = {{.id = 0, .bits = settings.half_width}};
-    const FilterParameters all{1.0F / size};
-    return single_pass("filter", source, {"texels", "shown"}, all, groups_of(extent, 2, 1));
+gpu::SpecializationConstant history_constant(const ShortSettings& settings) {
+    return {.id = 8, .bits = flag(settings.history)};
 }
 
-std::vector<PlannedPass> passes_of(const ShortSettings& settings, const View& view, float radius,
-                                   const scene::Encoding& encoding, bool normals) {
-    const gpu::Extent extent = view.extent;
-    const PrepareParameters depth = prepare_parameters(view, radius, encoding.depth_buffer);
+PlannedPass first_pass(const ShortSettings& settings, const View& view, const PrepareParameters& depth) {
+    const PassSource source{
+        .file = "frame/prepare.comp",
+        .constants = {{.id = 1, .bits = flag(view.camera.orthographic())}, history_constant(settings)}};
+    return single_pass("prepare", source,
+                       {"depth", "levels/0", "levels/1", "levels/2", "levels/3", "levels/4",
+                        settings.history ? "levels_before" : nothing_image},
+                       depth, groups_of(view.extent, 2, 2));
+}
+
+PlannedPass last_pass(const ShortSettings& settings, const Taken& taken, const Before& before) {
+    const View& view = taken.view;
+    const glm::vec2 size(view.extent.width, view.extent.height);
+    PassSource source{
+        .file = settings.half ? "frame/join.comp" : "frame/filter.comp",
+        .constants = {{.id = 1, .bits = flag(view.camera.orthographic())}, history_constant(settings)},
+        .unrolls = true};
+    define_output(settings.output, source.defines);
+    std::vector<std::string> resources{"texels", "shown"};
+    if (settings.half) resources.insert(resources.begin() + 1, "levels");
+    for (const char* name : {"history_before/linear", "levels_before", "history"})
+        resources.emplace_back(settings.history ? name : nothing_image);
+    const HistoryParameters history = history_parameters(settings, taken, before);
+    if (settings.half) {
+        const gpu::Extent half = half_of(view.extent);
+        const JoinParameters all{history, 1.0F / glm::vec2(half.width, half.height), 1.0F / size};
+        return single_pass("join", source, std::move(resources), all, groups_of(view.extent, 2, 2));
+    }
+    source.constants.push_back({.id = 0, .bits = settings.half_width});
+    const FilterParameters all{history, 1.0F / size};
+    return single_pass("filter", source, std::move(resources), all, groups_of(view.extent, 2, 1));
+}
+
+std::vector<PlannedPass> passes_of(const ShortSettings& settings, const Taken& taken, const Before& before) {
+    const View& view = taken.view;
+    const PrepareParameters depth = prepare_parameters(taken, before);
     const PassSource sweep{.file = "frame/sweep.comp",
                            .constants = {{.id = 1, .bits = flag(view.camera.orthographic())},
-                                         {.id = 2, .bits = flag(encoding.world)},
-                                         {.id = 3, .bits = flag(encoding.octahedral)},
-                                         {.id = 4, .bits = flag(encoding.unorm)},
+                                         {.id = 2, .bits = flag(taken.encoding.world)},
+                                         {.id = 3, .bits = flag(taken.encoding.octahedral)},
+                                         {.id = 4, .bits = flag(taken.encoding.unorm)},
                                          {.id = 5, .bits = settings.slices},
                                          {.id = 6, .bits = settings.steps},
                                          {.id = 7, .bits = settings.half ? 2U : 1U},
-                                         {.id = 8, .bits = flag(!normals)}},
-                           .unrolls = true};
-    return {single_pass("prepare", {.file = "frame/prepare.comp"},
-                        {"depth", "levels/0", "levels/1", "levels/2", "levels/3", "levels/4"}, depth,
-                        groups_of(extent, 2, 2)),
-            single_pass("sweep", sweep, {"levels", normals ? "normal" : "depth", "texels"},
-                        sweep_parameters(view, radius, depth),
-                        groups_of(settings.half ? half_of(extent) : extent, 1, 1)),
-            last_pass(settings, extent)};
+                                         history_constant(settings),
+                                         {.id = 9, .bits = flag(!taken.normals)}},
+                           .unrolls = settings.slices < 4};
+    return {first_pass(settings, view, depth),
+            single_pass("sweep", sweep, {"levels", taken.normals ? "normal" : "depth", "texels"},
+                        sweep_parameters(taken, depth, before.frames),
+                        groups_of(settings.half ? half_of(view.extent) : view.extent, 1, 1)),
+            last_pass(settings, taken, before)};
 }
 
-Plan short_plan(const ShortSettings& settings, const View& view, float radius,
-                const scene::Encoding& encoding, bool normals) {
+void add_history(gpu::Extent extent, Plan& plan) {
+    using Origin = PlannedImage::Origin;
+    plan.images.push_back({.name = "levels_before",
+                           .meaning = "levels of the frame before",
+                           .format = r16f,
+                           .origin = Origin::history,
+                           .extent = extent,
+                           .levels = depth_levels});
+    plan.images.push_back({.name = "history_before",
+                           .meaning = "the history of the frame before",
+                           .format = rgb10_a2,
+                           .origin = Origin::history,
+                           .extent = extent});
+    plan.images.push_back(
+        {.name = "history", .meaning = "the history of this frame", .format = rgb10_a2, .extent = extent});
+    plan.exchanged = {{"levels_before", "levels"}, {"history_before", "history"}};
+}
+
+Plan short_plan(const ShortSettings& settings, const Taken& taken, const Before& before) {
+    const View& view = taken.view;
     const gpu::Extent swept = settings.half ? half_of(view.extent) : view.extent;
     Plan plan;
     plan.images = {{.name = "depth",
@@ -153,9 +291,10 @@ Plan short_plan(const ShortSettings& settings, const View& view, float radius,
                     .meaning = "the occlusion",
                     .format = format_of(settings.output),
                     .extent = view.extent}};
-    if (!normals)
+    if (settings.history) add_history(view.extent, plan);
+    if (!taken.normals)
         std::erase_if(plan.images, [](const PlannedImage& image) { return image.name == "normal"; });
-    plan.passes = passes_of(settings, view, radius, encoding, normals);
+    plan.passes = passes_of(settings, taken, before);
     plan.result = "shown";
     return plan;
 }
@@ -164,10 +303,15 @@ Plan short_plan(const ShortSettings& settings, const View& view, float radius,
 
 const std::vector<ShortSettings>& short_frames() {
     static const std::vector<ShortSettings> all{
-        {.name = "frame-fast", .slices = 1, .steps = 6, .half = true},
-        {.name = "frame-balanced", .slices = 2, .steps = 8, .half = true},
-        {.name = "frame-quality", .slices = 1, .steps = 7, .half_width = 2},
-        {.name = "frame-reference", .slices = 2, .steps = 9}};
+        {.name = "frame-fast", .slices = 1, .steps = 6, .half = true, .range = 0.15F, .sharpness = 0.3F},
+        {.name = "frame-balanced", .slices = 2, .steps = 8, .half = true, .range = 0.08F, .sharpness = 0.9F},
+        {.name = "frame-quality",
+         .slices = 1,
+         .steps = 7,
+         .half_width = 2,
+         .range = 0.05F,
+         .sharpness = 1.0F},
+        {.name = "frame-reference", .slices = 2, .steps = 9, .range = 0.03F, .sharpness = 1.0F}};
     return all;
 }
 
@@ -176,7 +320,8 @@ const ShortSettings& short_frame_named(std::string_view name) {
 }
 
 Plan plan_of(const ShortSettings& settings, const PlanOptions& options) {
-    Plan plan = short_plan(settings, view_of(options), 1.0F, options.encoding, options.normals);
+    const Taken taken{view_of(options), 1.0F, options.encoding, options.normals};
+    Plan plan = short_plan(settings, taken, {.taken = taken, .known = true});
     for (PlannedImage& image : plan.images)
         if (image.name == "normal" && options.encoding.unorm) image.format = rgba8;
     return plan;
@@ -189,27 +334,62 @@ struct ShortFrame::Impl {
     const gpu::Device* device;
     Executor executor;
     Resources resources;
+    Before before;           // what the next frame has before it, unless a cut comes
+    ShortSettings settings;  // of these frames
+
+    // What a view that follows has before it.
+    [[nodiscard]] Before before_of(const Taken& taken, const ShortSettings& next) const;
+    [[nodiscard]] Frame frame(const scene::GBuffer& view, const ShortSettings& of, float radius, int repeat);
 };
+
+Before ShortFrame::Impl::before_of(const Taken& taken, const ShortSettings& next) const {
+    const View& view = taken.view;
+    const scene::CameraFrame& camera = view.camera;
+    const View& given = before.taken.view;
+    const scene::CameraFrame& last = given.camera;
+    const scene::GBuffer now{.extent = view.extent, .camera = camera, .border = view.border};
+    const scene::GBuffer then{.extent = given.extent, .camera = last, .border = given.border};
+    Before found = before;
+    found.still = camera.view == last.view && camera.proj_vk == last.proj_vk && now.extent == then.extent;
+    const bool follows = found.still || (cut_between(then, now).empty() && camera.previous_from_current);
+    found.known = before.known && next == settings && taken.radius == before.taken.radius && follows &&
+                  camera.orthographic() == last.orthographic();
+    return found.known ? found : Before{.taken = taken};
+}
+
+Frame ShortFrame::Impl::frame(const scene::GBuffer& view, const ShortSettings& of, float radius, int repeat) {
+    if (!(radius > 0.0F && std::isfinite(radius)))
+        throw std::invalid_argument(fmt::format("radius {:g}: expected more than 0", radius));
+    require_sizes(view, view.extent);
+    const Taken taken{{view.camera, view.extent, view.border},
+                      radius,
+                      view.stored ? view.stored->encoding : scene::Encoding{},
+                      !view.normal.empty()};
+    const Before there = of.history ? before_of(taken, of) : Before{.taken = taken};
+    const Plan plan = short_plan(of, taken, there);
+    resources.provide(plan);
+    upload(view, view.extent, true, resources);
+    const std::vector<Step> steps = executor.steps(plan.passes, resources);
+    Frame frame;
+    frame.times = effect::run(*device, steps, {}, repeat);
+    frame.extent = scene::frame_of(view);
+    frame.filtered = frame.occlusion = scene::cropped(view, resources.image("shown").download());
+    frame.memory_bytes = memory_of(steps);
+    resources.exchange(plan.exchanged);
+    before = {.taken = taken, .frames = there.frames + 1, .known = of.history};
+    settings = of;
+    return frame;
+}
 
 ShortFrame::ShortFrame(const gpu::Device& device, const scene::PassLibrary& passes)
     : impl_(base::make_hidden<Impl>(device, passes)) {}
 
 Frame ShortFrame::run(const scene::GBuffer& view, const ShortSettings& settings, float radius, int repeat) {
-    if (!(radius > 0.0F && std::isfinite(radius)))
-        throw std::invalid_argument(fmt::format("radius {:g}: expected more than 0", radius));
-    require_sizes(view, view.extent);
-    const Plan plan =
-        short_plan(settings, {view.camera, view.extent, view.border}, radius,
-                   view.stored ? view.stored->encoding : scene::Encoding{}, !view.normal.empty());
-    impl_->resources.provide(plan);
-    upload(view, view.extent, true, impl_->resources);
-    const std::vector<Step> steps = impl_->executor.steps(plan.passes, impl_->resources);
-    Frame frame;
-    frame.times = effect::run(*impl_->device, steps, {}, repeat);
-    frame.extent = scene::frame_of(view);
-    frame.filtered = frame.occlusion = scene::cropped(view, impl_->resources.image("shown").download());
-    frame.memory_bytes = memory_of(steps);
-    return frame;
+    return impl_->frame(view, settings, radius, repeat);
+}
+
+void ShortFrame::cut() {
+    impl_->before.known = false;
 }
 
 }  // namespace gloam::effect

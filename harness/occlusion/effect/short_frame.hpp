@@ -19,6 +19,12 @@ struct ShortSettings {
     bool half = false;             // the sweep takes every second pixel in both directions
     std::uint32_t half_width = 1;  // of the filter at full size: 1 is 3 x 3, 2 is 5 x 5
     OutputFormat output = OutputFormat::r8;
+    bool history = false;  // frames follow one another
+    float range = 0.0F;    // in a sequence: how far the mean may be from that of the last frames
+    float sharpness =
+        0.0F;  // and the part of the neighbours' weights that a long mean leaves out of a new frame
+
+    friend bool operator==(const ShortSettings&, const ShortSettings&) = default;
 };
 
 // The frames that have names.
@@ -30,7 +36,7 @@ struct ShortSettings {
 // The plan of such a frame, for a radius of 1.
 [[nodiscard]] Plan plan_of(const ShortSettings& settings, const PlanOptions& options);
 
-// Single frames by these passes.
+// Frames by these passes.
 class ShortFrame {
   public:
     // The device must outlive this object.
@@ -41,8 +47,13 @@ class ShortFrame {
     // normals are made from depth by the sweep.
     // Throws std::invalid_argument for images of another size and for a radius out of range,
     // std::runtime_error like gpu::Commands::submit().
+    // With a history a frame follows the last one, if its camera knows the one before, or is the same, and
+    // size and settings are the same; otherwise it begins a sequence.
     [[nodiscard]] Frame run(const scene::GBuffer& view, const ShortSettings& settings, float radius,
                             int repeat = 1);
+
+    // The next frame begins a sequence.
+    void cut();
 
   private:
     struct Impl;

@@ -336,11 +336,16 @@ ConfigurationVisit ConfigurationStudy::short_frame(BenchmarkViews& views,
     const BenchmarkFrames& frames = views.frames();
     Judge judge(views, {});
     ConfigurationVisit visit;
-    for (int i = views.first_scored(); i < frames.frames; i += frames.every) {
+    std::vector<float> before;
+    short_.cut();
+    for (int i = settings.history ? 0 : views.first_scored(); i < frames.frames;
+         i += settings.history ? 1 : frames.every) {
+        const bool timed = round > 0 && views.is_scored(i);
         visit.shown = short_.run(views.view(i, {}), settings, static_cast<float>(views.scene().ao_radius),
-                                 round > 0 ? frames.repeat : 1);
-        if (round > 0) visit.readings.push_back({visit.shown.times});
-        if (round == 0) judge.add(i, visit.shown, {});
+                                 timed ? frames.repeat : 1);
+        if (timed) visit.readings.push_back({visit.shown.times});
+        if (round == 0) judge.add(i, visit.shown, before);
+        if (settings.history) before = visit.shown.filtered;
     }
     if (round == 0) visit.quality = judge.mean();
     return visit;

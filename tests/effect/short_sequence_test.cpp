@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// Sequences of the frame of three short passes: what they gain, and what ends a history.
+#include "effect/errors.hpp"
+#include "effect/pixel_classes.hpp"
+#include "effect/short_frame.hpp"
+#include "on_device.hpp"
+#include "surface_views.hpp"
+
+namespace gloam::effect::short_sequence_test {
+
+constexpr gpu::Extent small{96, 54};
+constexpr float radius = 1.0F;
+
+class ShortSequences : public OnDevice<testing::TestWithParam<ShortSettings>> {
+  protected:
+    [[nodiscard]] static ShortSettings settings(bool history) {
+        ShortSettings exact = GetParam();
+        exact.output = OutputFormat::r32f;
+        exact.history = history;
+        return exact;
+    }
+    [[nodiscard]] std::vector<float> single(const scene::GBuffer& view) const {
+        return ShortFrame(device_, passes_).run(view, settings(false), radius).filtered;
+    }
+    // The last of these frames.
+    [[nodiscard]] std::vector<float> sequence(const std::vector<scene::GBuffer>& views) const {
+        ShortFrame frame(device_, passes_);
+        std::vector<float> shown;
+        for (const scene::GBuffer& view : views) shown = frame.run(view, settings(true), radius).filtered;
+        return shown;
+    }
+    [[nodiscard]] std::vector<scene::GBuffer> moving(int frames) const {
+        std::vector<scene::GBuffer> views;
+        for (int i = 0; i < frames; ++i) views.push_back(drawn("moving", small, {.frame = i}));
+        return views;
+    }
+};
+
+// Where nothing is known of a frame before, it is a single frame.
+TEST_P(ShortSequences, BeginAnewWhereTheHistoryEnds) {
+    const std::vector<scene::GBuffer> views = moving(3);
+    scene::GBuffer cut = views[2];
+    cut.camera.previous_from_current.reset();
+    scene::GBuffer larger = drawn("moving", {83, 45}, {.frame = 2});
+    const std::vector<float> expected = single(cut);
+    const auto same = [](const std::vector<float>& shown, const std::vector<float>& wanted) {
+        return errors_of(shown, wanted).rmse < 0.002;
+    };
+    EXPECT_TRUE(same(sequence({cut}), expected));
+    EXPECT_TRUE(same(sequence({views[0], views[1], cut}), expected));
+    EXPECT_TRUE(same(sequence({views[0], views[1], larger}), single(larger)));
+    EXPECT_FALSE(same(sequence(views), expected));
+    ShortFrame frame(device_, passes_);
+    (void)frame.run(views[1], settings(true), radius);
+    frame.cut();
+    EXPECT_TRUE(same(frame.run(views[2], settings(true), radius).filtered, expected));
+}
+
+// A camera that jumps: the engine still names the camera that stood where the last one did not.
+TEST_P(ShortSequences, AJumpKeepsNothing) {
+    std::vector<scene::GBuffer> views = moving(8);
+    const scene::GBuffer after = views[7];
+    views.assign({views[0], views[1], views[2], after});
+    EXPECT_LT(errors_of(sequence(views), single(after)).rmse, 0.002);
+}
+
+// What stands still converges to what as many slices in one frame give, against many more of them.
+TEST_P(ShortSequences, AStillViewConverges) {
+    const scene::GBuffer& view = drawn("columns", small);
+    ShortSettings many = settings(false);
+    many.slices *= 64;
+    const std::vector<float> wanted = ShortFrame(device_, passes_).run(view, many, radius).filtered;
+    Settings exact = with_radius(preset_named("reference").settings, radius);
+    exact.history = false;
+    const Truth limit = truth_from(view, run(view, exact).filtered);
+    const std::vector<float> shown = sequence(std::vector<scene::GBuffer>(64, view));
+    EXPECT_LT(errors_of(shown, limit).rmse, 1.02 * errors_of(wanted, limit).rmse);
+    EXPECT_LT(errors_of(shown, wanted).rmse, 0.2 * errors_of(single(view), wanted).rmse);
+}
+
+// A history steadies what a moving camera shows, and follows it.
+TEST_P(ShortSequences, AMovingViewIsSteadier) {
+    const std::vector<scene::GBuffer> views = moving(9);
+    const HistoryMap points(views[8], views[7]);
+    const auto flicker = [&](const auto& shown) {
+        return mean_change(points, shown(views), shown(std::vector(views.begin(), views.end() - 1))).value();
+    };
+    const double alone = flicker([&](const auto& all) { return single(all.back()); });
+    EXPECT_LT(flicker([&](const auto& all) { return sequence(all); }), 0.75 * alone);
+    const Truth limit = truth_from(views[8], sequence(std::vector<scene::GBuffer>(32, views[8])));
+    EXPECT_LT(errors_of(sequence(views), limit).rmse, 1.6 * errors_of(single(views[8]), limit).rmse);
+}
+
+// A box before a wall that stands, seen by a camera that stands: what comes and goes is shown at once.
+TEST_P(ShortSequences, WhatEntersIsSeenAtOnce) {
+    const scene::GBuffer empty = wall(small, 3.0F);
+    const scene::GBuffer entered = wall_of(small, [](std::uint32_t x, std::uint32_t y) {
+        return x > 30 && x < 60 && y > 15 && y < 40 ? 2.6F : 3.0F;
+    });
+    std::vector<scene::GBuffer> views(40, empty);
+    views.insert(views.end(), 2, entered);
+    EXPECT_LT(errors_of(sequence(views), single(entered)).rmse, 0.06);
+    EXPECT_GT(mean_of(single(entered)), 0.015);
+    views.insert(views.end(), 2, empty);
+    EXPECT_LT(mean_of(sequence(views)), 0.01);
+}
+
+// No bits in an engine's images leave the range, or spoil the frames after.
+TEST_P(ShortSequences, PoisonDoesNotStay) {
+    const scene::GBuffer& clean = drawn("columns", small);
+    scene::GBuffer poisoned = clean;
+    const float poison[] = {NAN, INFINITY, -INFINITY, 0.0F, -1.0F, 1e30F};
+    for (std::size_t i = 0; i < clean.depth.size(); i += 3) poisoned.depth[i] = poison[i % std::size(poison)];
+    for (std::size_t i = 0; i < clean.normal.size(); i += 5) poisoned.normal[i] = glm::vec3(poison[i % 4]);
+    for (const float value : sequence({clean, poisoned, clean, poisoned}))
+        ASSERT_TRUE(value >= 0.0F && value <= 1.0F) << value;
+    std::vector<scene::GBuffer> views(10, clean);
+    views[1] = poisoned;
+    EXPECT_LT(errors_of(sequence(views), sequence(std::vector<scene::GBuffer>(10, clean))).rmse, 0.03);
+}
+
+INSTANTIATE_TEST_SUITE_P(Names, ShortSequences, testing::ValuesIn(short_frames()), [](const auto& asked) {
+    return asked.param.name.substr(asked.param.name.find('-') + 1);
+});
+
+}  // namespace gloam::effect::short_sequence_test
