@@ -164,6 +164,26 @@ TEST_F(OfChip, AFrameOfAPreset) {
     EXPECT_THAT(above.err, StartsWith("fast: "));
 }
 
+// What the history of a frame in three passes costs, and the memory with it and without.
+TEST_F(OfChip, AHistoryCostsLittle) {
+    for (const std::string preset : {"fast", "balanced", "quality", "reference"}) {
+        double valu[2] = {};
+        for (const bool sequence : {false, true}) {
+            const json frame =
+                json_of(words("cost --json --preset frame-" + preset + (sequence ? " --sequence" : "")));
+            for (const json& pass : frame.at("passes")) {
+                valu[sequence] += pass.at("valu_per_pixel").get<double>();
+                EXPECT_EQ(pass.at("spilled"), 0) << pass;
+                EXPECT_EQ(pass.at("loops"), 0) << pass;
+            }
+            EXPECT_LE(frame.at("memory_bytes"), sequence ? 40e6 : 20e6) << preset;
+            EXPECT_GE(frame.at("memory_bytes"), 10e6) << preset;
+        }
+        EXPECT_LE(valu[1] - valu[0], 70.0) << preset;
+        EXPECT_GE(valu[1] - valu[0], 20.0) << preset;
+    }
+}
+
 // Vector instructions and bytes a pixel of the frames in three passes: within 2 % of what they were.
 TEST_F(OfChip, TheFramesInThreePasses) {
     const std::map<std::string, std::pair<double, double>> counted{{"frame-fast", {290, 17.7}},

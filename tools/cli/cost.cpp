@@ -37,6 +37,7 @@ struct CostCommand {
     std::string file;
     std::vector<std::string> functions;
     std::string preset;
+    bool sequence = false;
     std::vector<std::string> includes;
     std::vector<std::string> defines;
     cost::CostOptions options;
@@ -115,7 +116,7 @@ std::vector<CostRow> cost_of_file(const CostCommand& command, const std::filesys
 // The name of a format says the bits of each channel: VK_FORMAT_R16G16_SFLOAT.
 double bytes_of_texel(gpu::Format format) {
     double bits = 0.0;
-    const std::string name = vulkan_format(format);
+    const std::string name = vulkan_format(format).substr(0, vulkan_format(format).find("_PACK"));
     for (std::size_t at = 0; (at = name.find_first_of("0123456789", at)) != std::string::npos;
          at = name.find_first_not_of("0123456789", at))
         bits += std::stod(name.substr(at));
@@ -159,16 +160,33 @@ double pixels_of_invocation(const effect::PlannedPass& pass, const shader::Spirv
 
 // The plan of a preset, or of a frame of three short passes, which takes depth and normals as most engines
 // store them.
-effect::Plan plan_of_preset(const std::string& name, effect::PlanOptions options) {
+effect::Plan plan_of_preset(const std::string& name, bool sequence, effect::PlanOptions options) {
     if (!name.starts_with("frame-")) return effect::plan_of(preset_settings(name), options);
     options.encoding = {.depth_buffer = true, .unorm = true};
-    return effect::plan_of(effect::short_frame_named(name), options);
+    effect::ShortSettings settings = effect::short_frame_named(name);
+    settings.history = sequence;
+    return effect::plan_of(settings, options);
+}
+
+effect::Plan plan_of_preset(const CostCommand& command) {
+    return plan_of_preset(command.preset, command.sequence, {.first = true});
+}
+
+// Bytes of the images and buffers that a frame of a preset needs beside those of the engine.
+double memory_of_preset(const CostCommand& command) {
+    const effect::Plan plan = plan_of_preset(command);
+    double bytes = 0.0;
+    for (const effect::PlannedImage& image : plan.images)
+        for (std::uint32_t level = 0; level < image.levels; ++level)
+            if (image.origin != effect::PlannedImage::Origin::engine) bytes += bytes_of_level(image, level);
+    for (const effect::PlannedBuffer& buffer : plan.buffers) bytes += static_cast<double>(buffer.bytes);
+    return bytes;
 }
 
 std::vector<CostRow> cost_of_preset(const CostCommand& command) {
     const effect::PlanOptions options{.first = true};
     const double view = 1.0 * options.view.width * options.view.height;
-    const effect::Plan plan = plan_of_preset(command.preset, options);
+    const effect::Plan plan = plan_of_preset(command);
     const scene::PassLibrary library(glsl_directory(), cache_directory());
     std::vector<CostRow> rows;
     for (const effect::PlannedPass& pass : plan.passes) {
@@ -207,8 +225,8 @@ std::string text_of_costs(const CostCommand& command, const std::vector<CostRow>
         bytes += row.bytes;
     }
     if (frame)
-        text += fmt::format("a frame of {}: {:.0f} vector instructions, {:.1f} bytes a pixel\n",
-                            command.preset, valu, bytes);
+        text += fmt::format("a frame of {}: {:.0f} vector instructions, {:.1f} bytes a pixel; {:.1f} MB\n",
+                            command.preset, valu, bytes, 1e-6 * memory_of_preset(command));
     return text;
 }
 
@@ -216,6 +234,7 @@ nlohmann::ordered_json json_of_costs(const CostCommand& command, const std::vect
     nlohmann::ordered_json json{{"gloam", base::version()}, {"family", command.options.family}};
     const bool frame = !command.preset.empty();
     if (frame) json["preset"] = command.preset;
+    if (frame) json["memory_bytes"] = memory_of_preset(command);
     auto& shaders = json[frame ? "passes" : "shaders"] = nlohmann::ordered_json::array();
     for (const CostRow& row : rows) {
         nlohmann::ordered_json one{{"name", row.name}};
@@ -275,6 +294,8 @@ void add_cost(CLI::App& app, int& status) {
     cost->add_option("function", command->functions, "functions that it defines (all when none is given)");
     cost->add_option("--preset", command->preset,
                      "the passes of one frame of 1920 x 1080 pixels instead (gloam list presets)");
+    cost->add_flag("--sequence", command->sequence,
+                   "with --preset of a frame in three passes: a frame that follows others");
     add_include_option(*cost, command->includes);
     cost->add_option("--define", command->defines, "NAME or NAME=VALUE, of a compute shader; may be repeated")
         ->allow_extra_args(false);
