@@ -18,6 +18,7 @@ namespace {
 
 // What a SELECT may take.
 constexpr int most_bytes = 1 << 20;  // of a value and of its text
+constexpr int most_pattern = 50;     // of LIKE
 constexpr std::size_t most_values = 1'000'000;
 constexpr std::int64_t most_memory = std::int64_t{1} << 30;
 constexpr int most_progress = 50'000;  // thousands of SQLite's steps: seconds
@@ -135,6 +136,7 @@ Database::Database(const Record& record, const Record* before) : handle_(nullptr
     sqlite3_set_authorizer(handle, permit, nullptr);
     sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, most_bytes);
     sqlite3_limit(handle, SQLITE_LIMIT_SQL_LENGTH, most_bytes);
+    sqlite3_limit(handle, SQLITE_LIMIT_LIKE_PATTERN_LENGTH, most_pattern);
 }
 
 void Database::load(const Record& record) {
