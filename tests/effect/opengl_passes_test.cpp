@@ -4,12 +4,15 @@
 
 #include "backend/gl/opened.hpp"
 #include "backend/gl/program.hpp"
+#include "effect/errors.hpp"
 #include "effect/plan.hpp"
+#include "effect/short_frame.hpp"
 #include "numeric/numbers.hpp"
 #include "on_device.hpp"
 #include "shader/compile.hpp"
 #include "shader/reflection.hpp"
 #include "support/method_names.hpp"
+#include "support/poison.hpp"
 
 namespace gloam::effect::opengl_passes_test {
 
@@ -18,6 +21,7 @@ constexpr std::uint32_t push_constants = 15;  // a binding that no pass has
 // The text of a pass for Vulkan in the words of OpenGL: it has no push constants and no specialization
 // constants, and Mesa has no attributes of loops.
 std::string for_opengl(std::string text) {
+    text = std::regex_replace(text, std::regex("#ifdef VULKAN"), "#if 1");
     text = std::regex_replace(
         text, std::regex(R"(layout\(push_constant\) uniform)"),
         "layout(std430, binding = " + std::to_string(push_constants) + ") readonly buffer");
@@ -33,7 +37,11 @@ std::vector<gl::Word> words_of(std::span<const std::byte> bytes) {
 }
 
 gl::Image::Format format_of(gpu::Format format) {
-    return format == gpu::Format::r32f ? gl::Image::Format::r32f : gl::Image::Format::rgba32f;
+    using enum gl::Image::Format;
+    static const std::map<gpu::Format, gl::Image::Format> formats{
+        {gpu::Format::r16f, r16f}, {gpu::Format::r32f, r32f}, {gpu::Format::r32ui, r32ui}};
+    const auto found = formats.find(format);
+    return found == formats.end() ? rgba32f : found->second;
 }
 
 // The plan of a first frame, executed on a device of OpenGL.
@@ -47,8 +55,9 @@ class OnOpenGl {
           view_(view),
           passes_(passes) {
         for (const PlannedImage& image : plan.images) {
-            const auto [place, is_new] = images_.try_emplace(image.name, device, format_of(image.format),
-                                                             image.extent.width, image.extent.height);
+            const auto [place, is_new] =
+                images_.try_emplace(image.name, device, format_of(image.format), image.extent.width,
+                                    image.extent.height, image.levels);
             EXPECT_TRUE(is_new) << image.name;
             if (image.origin == PlannedImage::Origin::engine) fill(image.name, place->second);
         }
@@ -89,11 +98,17 @@ class OnOpenGl {
         const gl::Program program(
             device_, gl::Program::Stage::compute,
             {.name = pass.source.file, .text = es_ ? text(shader::Language::es310) : for_opengl(vulkan)});
-        gl::ImageDispatch work{
-            .program = program, .images = {}, .storage = {}, .uniforms = {}, .groups = groups_of(pass)};
+        gl::ImageDispatch work{.program = program,
+                               .images = {},
+                               .levels = {},
+                               .storage = {},
+                               .uniforms = {},
+                               .groups = groups_of(pass)};
         for (std::uint32_t binding = 0; binding < pass.resources.size(); ++binding) {
-            if (const auto image = images_.find(pass.resources[binding]); image != images_.end())
+            const ImageName name = image_name_of(pass.resources[binding]);
+            if (const auto image = images_.find(name.image); image != images_.end())
                 work.images.emplace(binding, image->second);
+            work.levels.emplace(binding, name.level.value_or(0));
             if (const auto buffer = buffers_.find(pass.resources[binding]); buffer != buffers_.end())
                 work.storage.emplace(binding, buffer->second);
         }
@@ -145,6 +160,16 @@ class OpenGlPasses : public OnDevice<testing::TestWithParam<std::string>> {};
 // On both devices, so that Vulkan's picture is made once.
 constexpr std::array device_names{"gl:llvmpipe-4.5", "es:llvmpipe-3.1"};
 
+// Why there is no such device; empty: there is.
+std::string why_not_opened(std::optional<gl::Device>& device, const char* name) {
+    try {
+        device.emplace(name);
+    } catch (const gl::Unavailable& error) {
+        return error.what();
+    }
+    return {};
+}
+
 TEST_P(OpenGlPasses, GiveThePictureOfVulkan) {
     const gpu::Extent extent{49, 35};
     const scene::GBuffer view = drawn("room", extent, {});
@@ -156,11 +181,7 @@ TEST_P(OpenGlPasses, GiveThePictureOfVulkan) {
     EXPECT_GT(most - least, 0.01F);
     for (const char* name : device_names) {
         std::optional<gl::Device> device;
-        try {
-            device.emplace(name);
-        } catch (const gl::Unavailable& error) {
-            GTEST_SKIP() << error.what();
-        }
+        if (const std::string why = why_not_opened(device, name); !why.empty()) GTEST_SKIP() << why;
         const std::vector<float> got = OnOpenGl(*device, plan, view, passes_).run();
         ASSERT_EQ(got.size(), want.size());
         const double largest = largest_difference(got, want);
@@ -170,6 +191,32 @@ TEST_P(OpenGlPasses, GiveThePictureOfVulkan) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, OpenGlPasses, testing::ValuesIn(passes_of_methods()), test::parameter_name);
+
+// Of an odd size, poisoned.
+class OpenGlShortFrames : public OnDevice<testing::TestWithParam<ShortSettings>> {};
+
+TEST_P(OpenGlShortFrames, GiveThePictureOfVulkan) {
+    std::optional<gl::Device> device;
+    if (const std::string why = why_not_opened(device, device_names[0]); !why.empty()) GTEST_SKIP() << why;
+    for (const bool from_depth : {false, true}) {
+        scene::GBuffer view = drawn("columns", {83, 45});
+        test::poison(view);
+        if (from_depth) view.normal.clear();
+        ShortSettings settings = GetParam();
+        settings.output = OutputFormat::r32f;
+        const Plan plan = plan_of(settings, view, 1.0F);
+        const std::vector<float> want = ShortFrame(device_, passes_).run(view, settings, 1.0F).filtered;
+        const std::vector<float> got = OnOpenGl(*device, plan, view, passes_).run();
+        ASSERT_EQ(got.size(), want.size());
+        // A tap within rounding of a limit counts on one driver and not on the other.
+        EXPECT_LT(errors_of(got, want).rmse, 1e-3) << from_depth;
+        EXPECT_LT(largest_difference(got, want), 0.06) << from_depth;
+        EXPECT_GT(std::ranges::max(want), 0.5F);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, OpenGlShortFrames, testing::ValuesIn(short_frames()),
+                         [](const auto& asked) { return asked.param.name.substr(6); });
 
 // The passes of the effect as one text each in GLSL ES 3.10: Mesa's compiler takes them.
 

@@ -4,6 +4,7 @@
 #include "effect/errors.hpp"
 #include "effect/methods.hpp"
 #include "on_device.hpp"
+#include "support/poison.hpp"
 #include "surface_views.hpp"
 
 namespace gloam::effect::short_frame_test {
@@ -132,9 +133,7 @@ TEST_P(ShortFrames, AnOffCentreViewIsAPartOfACentredOne) {
 
 TEST_P(ShortFrames, PoisonedDepthStaysInRange) {
     scene::GBuffer view = drawn("columns", odd);
-    const float poison[] = {NAN, INFINITY, -INFINITY, 0.0F, -1.0F, 1e30F};
-    for (std::size_t i = 0; i < view.depth.size(); i += 7) view.depth[i] = poison[i % std::size(poison)];
-    for (std::size_t i = 0; i < view.normal.size(); i += 11) view.normal[i] = glm::vec3(poison[i % 4]);
+    test::poison(view);
     const std::vector<float> shown = frame(view, 1.0).filtered;
     for (std::size_t i = 0; i < shown.size(); ++i) {
         ASSERT_TRUE(shown[i] >= 0.0F && shown[i] <= 1.0F) << i << ": " << shown[i];

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // frame_cases FILE: views as engines store them, and the occlusion that the passes of the frame give for them
 // on Vulkan, as a script for the page.
-#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <limits>
@@ -13,6 +12,7 @@
 #include "scene/draw.hpp"
 #include "scene/pass_library.hpp"
 #include "scene/scene.hpp"
+#include "support/poison.hpp"
 
 namespace {
 
@@ -78,11 +78,7 @@ scene::GBuffer view_of(const Row& row, scene::Scene& scene) {
     scene.camera.far = row.far + before;
     scene.camera.reversed_z = row.reversed;
     scene::GBuffer view = scene::draw(scene, row.extent);
-    const float poison[] = {NAN, INFINITY, -INFINITY, 0.0F, -1.0F, 1e30F};
-    for (std::size_t i = 0; row.poisoned && i < view.depth.size(); i += 7)
-        view.depth[i] = poison[i % std::size(poison)];
-    for (std::size_t i = 0; row.poisoned && i < view.normal.size(); i += 11)
-        view.normal[i] = glm::vec3(poison[i % 4]);
+    if (row.poisoned) test::poison(view);
     if (row.normals == "none"s) view.normal.clear();
     view.stored = scene::stored_inputs(
         view, scene::encoding_named(row.depth, view.normal.empty() ? "view" : row.normals));

@@ -299,6 +299,13 @@ Plan short_plan(const ShortSettings& settings, const Taken& taken, const Before&
     return plan;
 }
 
+Taken taken_of(const scene::GBuffer& view, float radius) {
+    return {{view.camera, view.extent, view.border},
+            radius,
+            view.stored ? view.stored->encoding : scene::Encoding{},
+            !view.normal.empty()};
+}
+
 }  // namespace
 
 const std::vector<ShortSettings>& short_frames() {
@@ -325,6 +332,11 @@ Plan plan_of(const ShortSettings& settings, const PlanOptions& options) {
     for (PlannedImage& image : plan.images)
         if (image.name == "normal" && options.encoding.unorm) image.format = rgba8;
     return plan;
+}
+
+Plan plan_of(const ShortSettings& settings, const scene::GBuffer& view, float radius) {
+    const Taken taken = taken_of(view, radius);
+    return short_plan(settings, taken, {.taken = taken});
 }
 
 struct ShortFrame::Impl {
@@ -361,10 +373,7 @@ Frame ShortFrame::Impl::frame(const scene::GBuffer& view, const ShortSettings& o
     if (!(radius > 0.0F && std::isfinite(radius)))
         throw std::invalid_argument(fmt::format("radius {:g}: expected more than 0", radius));
     require_sizes(view, view.extent);
-    const Taken taken{{view.camera, view.extent, view.border},
-                      radius,
-                      view.stored ? view.stored->encoding : scene::Encoding{},
-                      !view.normal.empty()};
+    const Taken taken = taken_of(view, radius);
     const Before there = of.history ? before_of(taken, of) : Before{.taken = taken};
     const Plan plan = short_plan(of, taken, there);
     resources.provide(plan);

@@ -36,6 +36,9 @@ struct ShortSettings {
 // The plan of such a frame, for a radius of 1.
 [[nodiscard]] Plan plan_of(const ShortSettings& settings, const PlanOptions& options);
 
+// The plan of a frame of this view, as its engine stores it. radius: of influence, world units.
+[[nodiscard]] Plan plan_of(const ShortSettings& settings, const scene::GBuffer& view, float radius);
+
 // Frames by these passes.
 class ShortFrame {
   public:

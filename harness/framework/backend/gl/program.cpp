@@ -136,8 +136,10 @@ void dispatch(const Device& device, const ImageDispatch& work) {
     require_compute(device);
     gl.UseProgram(work.program.handle());
     for (const auto& [binding, image] : work.images) {
-        gl.BindImageTexture(binding, image.get().handle(), 0, GL_FALSE, 0, GL_READ_WRITE,
-                            internal::format_of(image.get().format()));
+        const auto level = work.levels.find(binding);
+        gl.BindImageTexture(binding, image.get().handle(),
+                            level == work.levels.end() ? 0 : static_cast<GLint>(level->second), GL_FALSE, 0,
+                            GL_READ_WRITE, internal::format_of(image.get().format()));
         gl.ActiveTexture(GL_TEXTURE0 + binding);
         gl.BindTexture(GL_TEXTURE_2D, image.get().handle());
     }

@@ -65,20 +65,22 @@ std::vector<Word> Buffer::read() const {
 }
 
 std::size_t channels_of(Image::Format format) {
-    return format == Image::Format::r32f ? 1 : 4;
+    return format < Image::Format::rgba16f ? 1 : 4;
 }
 
-Image::Image(const Device& device, Format format, std::size_t width, std::size_t height)
+Image::Image(const Device& device, Format format, std::size_t width, std::size_t height, std::size_t levels)
     : format_(format), width_(width), height_(height), handle_(device, Handle::Kind::texture) {
     const internal::Context& context = device.context();
     const internal::Functions& gl = context.use();
     if (!has_compute(device.info().id.version))
         throw CallFailed(to_string(device.info().id.version) + " has no images");
     gl.BindTexture(GL_TEXTURE_2D, handle_.name());
-    gl.TexStorage2D(GL_TEXTURE_2D, 1, internal::format_of(format), static_cast<GLsizei>(width),
-                    static_cast<GLsizei>(height));
-    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-        gl.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+    gl.TexStorage2D(GL_TEXTURE_2D, static_cast<GLsizei>(levels), internal::format_of(format),
+                    static_cast<GLsizei>(width), static_cast<GLsizei>(height));
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        gl.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
     context.check("an image");
     write(std::vector<float>(width * height * channels_of(format)));
 }
@@ -89,8 +91,11 @@ void Image::write(std::span<const float> channels) {
     const internal::Functions& gl = handle_.device().context().use();
     gl.BindTexture(GL_TEXTURE_2D, handle_.name());
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    const bool whole = format_ == Format::r32ui;
+    const GLenum one = whole ? GL_RED_INTEGER : GL_RED;
     gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, static_cast<GLsizei>(width_), static_cast<GLsizei>(height_),
-                     channels_of(format_) == 1 ? GL_RED : GL_RGBA, GL_FLOAT, channels.data());
+                     channels_of(format_) == 1 ? one : GL_RGBA, whole ? GL_UNSIGNED_INT : GL_FLOAT,
+                     channels.data());
     handle_.device().context().check("writing an image");
 }
 

@@ -54,12 +54,14 @@ class Buffer {
 // An image of floats that compute shaders load from and store to.
 class Image {
   public:
-    enum class Format { r32f, rgba16f, rgba32f };
+    enum class Format { r16f, r32f, r32ui, rgba16f, rgba32f };
 
-    // All zero. Throws backend::OutOfMemory; CallFailed on a device without compute shaders.
-    Image(const Device& device, Format format, std::size_t width, std::size_t height);
+    // The first level is all zero. Throws backend::OutOfMemory; CallFailed on a device without compute
+    // shaders.
+    Image(const Device& device, Format format, std::size_t width, std::size_t height, std::size_t levels = 1);
 
-    // All texels, row by row, one number for each channel. Throws std::invalid_argument for another count.
+    // All texels of the first level, row by row, one number for each channel. Throws std::invalid_argument
+    // for another count. Of r32ui, the bits are taken.
     void write(std::span<const float> channels);
     // The same, but always four channels; those that the format lacks are 0, 0, 1.
     [[nodiscard]] std::vector<float> read() const;

@@ -59,7 +59,8 @@ void SampledTexture::bind(std::uint32_t /*unit*/) const {
 WordTexture::WordTexture(const Device& device, std::span<const Word> /*words*/)
     : handle_(device, Handle::Kind::texture) {}
 
-Image::Image(const Device& device, Format format, std::size_t width, std::size_t height)
+Image::Image(const Device& device, Format format, std::size_t width, std::size_t height,
+             std::size_t /*levels*/)
     : format_(format), width_(width), height_(height), handle_(device, Handle::Kind::texture) {}
 
 void Image::write(std::span<const float> /*channels*/) {

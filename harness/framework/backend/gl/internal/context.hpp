@@ -112,8 +112,8 @@ struct Context {
 
 // OpenGL's name of an image's format.
 inline GLenum format_of(Image::Format format) {
-    if (format == Image::Format::r32f) return GL_R32F;
-    return format == Image::Format::rgba16f ? GL_RGBA16F : GL_RGBA32F;
+    constexpr GLenum names[] = {GL_R16F, GL_R32F, GL_R32UI, GL_RGBA16F, GL_RGBA32F};
+    return names[static_cast<std::size_t>(format)];
 }
 
 }  // namespace gloam::gl::internal
