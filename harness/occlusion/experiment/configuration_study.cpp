@@ -396,9 +396,4 @@ ConfigurationVisit depth_truth_of(const BenchmarkViews& views, int round) {
     return {.quality = quality, .shown = {.filtered = last.depth}};
 }
 
-ConfigurationVisit truth_of(const BenchmarkViews& views, int round) {
-    if (round > 0 || views.frames().rays == 0) return {};
-    return {.shown = {.filtered = views.scored(views.last_scored()).geometry}};
-}
-
 }  // namespace gloam::experiment

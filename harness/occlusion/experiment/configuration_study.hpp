@@ -206,6 +206,9 @@ class PlainRun {
 [[nodiscard]] ConfigurationVisit depth_truth_of(const BenchmarkViews& views, int round);
 
 // (G) itself, as an image of which nothing is judged.
-[[nodiscard]] ConfigurationVisit truth_of(const BenchmarkViews& views, int round);
+[[nodiscard]] inline ConfigurationVisit truth_of(const BenchmarkViews& views, int round) {
+    if (round > 0 || views.frames().rays == 0) return {};
+    return {.shown = {.filtered = views.scored(views.last_scored()).geometry}};
+}
 
 }  // namespace gloam::experiment
