@@ -51,7 +51,7 @@ class ShortFrame {
     // Throws std::invalid_argument for images of another size and for a radius out of range,
     // std::runtime_error like gpu::Commands::submit().
     // With a history a frame follows the last one, if its camera knows the one before, or is the same, and
-    // size and settings are the same; otherwise it begins a sequence.
+    // size, radius and settings are the same; otherwise it begins a sequence.
     [[nodiscard]] Frame run(const scene::GBuffer& view, const ShortSettings& settings, float radius,
                             int repeat = 1);
 
