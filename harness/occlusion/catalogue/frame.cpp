@@ -59,7 +59,7 @@ void append_axes(Entries& entries) {
     add(entries, "FRAME-pair", &reference::gloam_tap_pair,
         {.domain = {values, values, values, uniform(0.5, 50).only_as_drawn(),
                     vector(2, uniform(0.5, 50)).only_as_drawn(), booleans()},
-         .budget = {.absolute = 6e-5}});
+         .budget = {.absolute = 4e-5}});
 }
 
 // Both sides within a march.
@@ -139,7 +139,9 @@ void append_levels(Entries& entries) {
          .codomain = {0, 65504}},
         [](double b, glm::dvec2, glm::dvec2, double) { return b == 0.0 || !(std::abs(b) < 1e-30); });
     add(entries, "FRAME-level", &reference::gloam_depth_level,
-        {.domain = {log_uniform(1e-3, 1e5).only_as_drawn()}, .budget = {.absolute = 2e-6}});
+        {.domain = {log_uniform(1e-3, 1e5).only_as_drawn()},
+         .budget = {.absolute = 2e-6},
+         .codomain = {-154, 124}});
     const Values blocks = vector(2, either(integers(0, 64), integers(0, 10000))).only_as_drawn();
     add(entries, "FRAME-middle", &reference::gloam_is_level_middle,
         {.domain = {blocks, integers(2, 6).only_as_drawn()}});
