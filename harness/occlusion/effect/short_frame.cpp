@@ -110,16 +110,13 @@ glm::mat4 pixel_before(const Taken& taken, const Before& before) {
     if (!before.still) motion = view.camera.previous_from_current.value_or(glm::mat4(1.0F));
     motion[3] = {glm::dvec3(motion[3]) / double{taken.radius}, 1.0};
     const glm::dmat4 pixel = glm::inverse(view_from_pixel(before.taken)) * motion * view_from_pixel(taken);
-    // Rows of `pixel`: column, row, 1 and 1 / depth, times the depth before; orthographic: the last is the
-    // depth.
+    // Column, row, 1 and 1 / depth, times the depth before; orthographic: the last is the depth.
     const glm::dmat4 rows = glm::transpose(pixel);
     const glm::dvec4 one = rows[2];
     const glm::dvec2 size(view.extent.width, view.extent.height);
-    const glm::dvec4 u = (rows[0] + 0.5 * one) / size.x;
-    const glm::dvec4 v = (rows[1] + 0.5 * one) / size.y;
     glm::dmat4 all(0.0);
-    all[0] = u;
-    all[1] = v;
+    all[0] = (rows[0] + 0.5 * one) / size.x;
+    all[1] = (rows[1] + 0.5 * one) / size.y;
     all[2] = view.camera.orthographic() ? rows[3] : one;
     return glm::mat4(glm::transpose(all));
 }
@@ -134,9 +131,7 @@ HistoryParameters history_parameters(const ShortSettings& settings, const Taken&
     constexpr float range_moved = 0.01F;
     const float range = before.still ? 1.0F : settings.range;
     return {.before = pixel_before(taken, before),
-            .most = unit * (!before.known  ? 0.0F
-                            : before.still ? 63.0F
-                                           : 7.0F),
+            .most = before.known ? unit * (before.still ? 63.0F : 7.0F) : 0.0F,
             .range = range,
             .narrowing = range - range_moved,
             .sharpness = before.still ? 0.0F : settings.sharpness,
