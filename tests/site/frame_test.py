@@ -52,7 +52,7 @@ class FrameTest(BrowserCase):
             with self.subTest(self.browser.evaluate(f"cases[{i}].name")):
                 told = self.browser.evaluate(f"{RUN}(cases[{i}])")
                 self.assertEqual(0, told["error"])
-                # A tap within rounding of a limit counts on one driver and not on the other: up to 3.05 % of the pixels.
+                # A tap within rounding of a limit counts on one driver and not on the other: up to 3.05 % of pixels.
                 self.assertLess(told["apart"], 0.035, told)
                 self.assertLess(abs(told["mean"]), 5e-4, told)
                 self.assertGreater(told["contrast"], 0.3, told)
