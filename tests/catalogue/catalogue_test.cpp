@@ -74,6 +74,7 @@ const std::map<std::string, std::string> any_number{
     {"CS-I-ratio", "a height over a half chord: any float, -infinity for background"},
     {"CS-I-pair", "as far as its caller believes: any float from lowest to highest"},
     {"FRAME-axes", "axes over a projection of the normal that may be short"},
+    {"FRAME-before", "places outside the image, for cameras that its caller gives"},
     {"FRAME-behind", "its polynomial has no limit beyond the angles that its caller gives"},
     {"FRAME-end", "amounts and rises of the features that its caller gives"},
     {"FRAME-pair", "places and heights of any size"},

@@ -23,7 +23,7 @@ float gloam_level_depth(float stored, vec2 numerator, vec2 divisor, float far) {
 // level that a tap reads (FRAME-level): `log2(h) - 4.3, h in pixels` [gloam; XeGTAO (Strugar 2021)].
 // As gloam_depth_mip_level, but with parts of a level, for a sampler that takes the nearest one that there is. With
 // XeGTAO's 3.3 in the place of 4.3 the error of the frame is 1 % larger.
-// pixels: h, distance of the tap from its pixel, > 0. Error: 2e-6.
+// pixels: h, distance of the tap from its pixel, > 0, at most 16384. Error: 2e-6.
 float gloam_depth_level(float pixels) {
     return log2(pixels) - 4.3;
 }

@@ -139,7 +139,7 @@ void append_levels(Entries& entries) {
          .codomain = {0, 65504}},
         [](double b, glm::dvec2, glm::dvec2, double) { return b == 0.0 || !(std::abs(b) < 1e-30); });
     add(entries, "FRAME-level", &reference::gloam_depth_level,
-        {.domain = {log_uniform(1e-3, 1e5).only_as_drawn()},
+        {.domain = {log_uniform(1e-3, 16384).only_as_drawn()},
          .budget = {.absolute = 2e-6},
          .codomain = {-154, 124}});
     const Values blocks = vector(2, either(integers(0, 64), integers(0, 10000))).only_as_drawn();

@@ -27,8 +27,9 @@ class Frame {
             stride: preset.half ? 2 : 1}, {...values, ...this.depthValues(projection, radius),
                 depth_image: levels[0].image, normal_image: normal || depth}, passes.target(...swept, "r32uint"));
         const shown = this.draw(preset.half ? "join" : "filter", preset.half ? {} : {half_width: preset.half_width},
-            {texel_image: texels.image, depth_image: levels[0].image, inverse_size: size.map((n) => 1 / n),
-                inverse_half_size: swept.map((n) => 1 / n)}, passes.target(...size, "r32float"));
+            {...Frame.noHistory, texel_image: texels.image, depth_image: levels[0].image,
+                inverse_size: size.map((n) => 1 / n), inverse_half_size: swept.map((n) => 1 / n)},
+            passes.target(...size, "r32float"));
         for (const target of [...levels, texels]) passes.deleteTarget(target);
         passes.end();
         return shown;
@@ -64,8 +65,12 @@ class Frame {
             inverse_span: last.map((n) => 1 / n), first: size.map((n) => 0.5 / n),
             span: last.map((n, axis) => n / size[axis]), ray_span: step.map((x, axis) => x * last[axis] / unit),
             first_ray: step.map((x, axis) => (projection[8 + axis] - 1) / scale[axis] + 0.5 * x),
-            reach: step.map((x) => unit / x)}};
+            noise: [0, 0], reach: step.map((x) => unit / x)}};
     }
+
+    // Of what a single frame does not read.
+    static noHistory = {before: Array(12).fill(0), most: 0, range: 0, narrowing: 0, sharpness: 0, dither: 0,
+        before_image: null, depth_before_image: null};
 
     static levels = 5;
 }

@@ -147,6 +147,7 @@ class Passes {
         else if (type === gl.FLOAT_VEC3) gl.uniform3fv(location, value);
         else if (type === gl.FLOAT_MAT3) gl.uniformMatrix3fv(location, false, value);
         else if (type === gl.FLOAT_MAT3x4) gl.uniformMatrix3x4fv(location, false, value);
+        else if (type === gl.FLOAT_MAT4x3) gl.uniformMatrix4x3fv(location, false, value);
         else if (type === gl.FLOAT_MAT4) gl.uniformMatrix4fv(location, false, value);
         else if (type === gl.INT_VEC2) gl.uniform2iv(location, value);
         else if (type === gl.UNSIGNED_INT) gl.uniform1ui(location, value);
