@@ -184,14 +184,14 @@ TEST_F(OfChip, AHistoryCostsLittle) {
     }
 }
 
-// Vector instructions and bytes a pixel of the frames in three passes: within 2 % of what they were.
+// Vector instructions and bytes a pixel of the frames in three passes: within 2 % of what this compiler
+// counted.
 TEST_F(OfChip, TheFramesInThreePasses) {
-    const std::map<std::string, std::pair<double, double>> counted{{"frame-fast", {290, 17.7}},
-                                                                   {"frame-balanced", {558, 17.7}},
-                                                                   {"frame-quality", {1049, 21.7}},
-                                                                   {"frame-reference", {2093, 21.7}}};
-    for (const auto& [name, expected] : counted) {
-        const json frame = json_of(words("cost --preset " + name + " --json"));
+    const bool newer = gloam("devices").out.find("Mesa 25") != std::string::npos;
+    for (const auto& [name, mesa_22, mesa_25, all_bytes] :
+         {std::tuple{"frame-fast", 290, 295, 17.7}, std::tuple{"frame-balanced", 558, 573, 17.7},
+          std::tuple{"frame-quality", 1049, 1076, 21.7}, std::tuple{"frame-reference", 2093, 2164, 21.7}}) {
+        const json frame = json_of(words("cost --preset {} --json", name));
         EXPECT_EQ(frame.at("passes").size(), 3U);
         double valu = 0.0;
         double bytes = 0.0;
@@ -201,8 +201,9 @@ TEST_F(OfChip, TheFramesInThreePasses) {
             EXPECT_EQ(pass.at("loops"), 0) << pass;
             EXPECT_EQ(pass.at("spilled"), 0) << pass;
         }
-        EXPECT_NEAR(valu, expected.first, 0.02 * expected.first) << name;
-        EXPECT_NEAR(bytes, expected.second, 0.02 * expected.second) << name;
+        const int expected = newer ? mesa_25 : mesa_22;
+        EXPECT_NEAR(valu, expected, 0.02 * expected) << name;
+        EXPECT_NEAR(bytes, all_bytes, 0.02 * all_bytes) << name;
     }
 }
 
