@@ -212,6 +212,8 @@ TEST_F(OfChip, WhatCannotBeCountedIsOneLine) {
     expect_could_not_run(gloam("cost"), "--preset NAME");
     expect_could_not_run(gloam("cost {} --preset fast", filter), "--preset NAME");
     expect_could_not_run(gloam("cost --preset none"), "none");
+    expect_could_not_run(gloam("cost --preset fast --sequence"), "--sequence");
+    expect_could_not_run(gloam("cost {} --sequence", filter), "--sequence");
     expect_could_not_run(gloam("cost {} --family GTX", filter), "expected NAVI21, NAVI31, POLARIS10");
     std::ofstream(path("far.comp")) << "#version 450\nlayout(set = 40, binding = 0) buffer B { float v; };\n"
                                        "void main() { v = 1.0; }\n";

@@ -55,6 +55,8 @@ TEST_P(ShortSequences, BeginAnewWhereTheHistoryEnds) {
     (void)frame.run(views[1], settings(true), radius);
     frame.cut();
     EXPECT_TRUE(same(frame.run(views[2], settings(true), radius).filtered, expected));
+    const std::vector<float> wider = frame.run(views[2], settings(true), 2.0F * radius).filtered;
+    EXPECT_TRUE(same(wider, ShortFrame(device_, passes_).run(cut, settings(false), 2.0F * radius).filtered));
 }
 
 // A camera that jumps: the engine still names the camera that stood where the last one did not.

@@ -175,7 +175,7 @@ double value_of(const ConfigurationVisit& visit, const std::string& quantity, co
                                "' AND against = '" + against + "'");
 }
 
-// The same of all pixels, against the limit, in one frame.
+// A quantity of all pixels against the limit, in one frame.
 double value_in(const ConfigurationVisit& visit, int frame, const std::string& quantity) {
     return value_of(visit, "SELECT " + quantity +
                                " FROM class_frames WHERE pixels = 'all' AND against = 'limit' AND frame <= " +

@@ -158,18 +158,19 @@ double pixels_of_invocation(const effect::PlannedPass& pass, const shader::Spirv
     return view / (invocations * pass.groups[0] * pass.groups[1] * pass.groups[2]);
 }
 
-// The plan of a preset, or of a frame of three short passes, which takes depth and normals as most engines
-// store them.
-effect::Plan plan_of_preset(const std::string& name, bool sequence, effect::PlanOptions options) {
-    if (!name.starts_with("frame-")) return effect::plan_of(preset_settings(name), options);
-    options.encoding = {.depth_buffer = true, .unorm = true};
-    effect::ShortSettings settings = effect::short_frame_named(name);
-    settings.history = sequence;
-    return effect::plan_of(settings, options);
+bool is_short_frame(const CostCommand& command) {
+    return command.preset.starts_with("frame-");
 }
 
+// The plan of a preset, or of a frame of three short passes, which takes depth and normals as most engines
+// store them.
 effect::Plan plan_of_preset(const CostCommand& command) {
-    return plan_of_preset(command.preset, command.sequence, {.first = true});
+    effect::PlanOptions options{.first = true};
+    if (!is_short_frame(command)) return effect::plan_of(preset_settings(command.preset), options);
+    options.encoding = {.depth_buffer = true, .unorm = true};
+    effect::ShortSettings settings = effect::short_frame_named(command.preset);
+    settings.history = command.sequence;
+    return effect::plan_of(settings, options);
 }
 
 // Bytes of the images and buffers that a frame of a preset needs beside those of the engine.
@@ -184,8 +185,8 @@ double memory_of_preset(const CostCommand& command) {
 }
 
 std::vector<CostRow> cost_of_preset(const CostCommand& command) {
-    const effect::PlanOptions options{.first = true};
-    const double view = 1.0 * options.view.width * options.view.height;
+    const gpu::Extent extent = effect::PlanOptions{}.view;
+    const double view = 1.0 * extent.width * extent.height;
     const effect::Plan plan = plan_of_preset(command);
     const scene::PassLibrary library(glsl_directory(), cache_directory());
     std::vector<CostRow> rows;
@@ -273,6 +274,9 @@ bool costs_more(const CostCommand& command, const std::vector<CostRow>& rows) {
 int run_cost(const CostCommand& command) {
     if (command.file.empty() == command.preset.empty())
         throw std::invalid_argument("expected a file, or --preset NAME");
+    if (command.sequence && !is_short_frame(command))
+        throw std::invalid_argument(
+            "--sequence: expected --preset of a frame in three passes: frame-fast, ...");
     const std::vector<CostRow> rows =
         command.file.empty() ? cost_of_preset(command) : cost_of_file(command, path_of_shader(command.file));
     if (command.json)

@@ -35,7 +35,7 @@ void show(ivec2 pixel, ivec2 place) {
     float shown = sums.z / sums.w;
     if (history) {
         vec4 kept;
-        float moved = moved_around(ivec2(half_width));
+        float moved = moved_around(ivec2(half_width));  // around the first pixel, for both
         shown = accumulated(pixel, texel_at(place).depth, sums, moved, parameters.history, kept);
         imageStore(history_image, pixel, kept);
     }
