@@ -248,7 +248,6 @@ TEST_F(EsPasses, AreTakenByADriver) {
         settings.remap_b = 2.0F;
         expect_linked(settings, {.moving_objects = true, .tiles = true, .normals = false});
     }
-    expect_linked(preset_named("balanced").settings, {});
     Settings other = with_method({}, "alchemy");
     other.filter = Filter::geometry;
     expect_linked(other, {});

@@ -282,7 +282,11 @@ class EverySetting : public OnDevice<testing::Test> {
   protected:
     // What the last of a few frames shows.
     const std::vector<float>& shown(const Changes& changes) {
-        Settings settings = with_radius(Settings{}, 0.5F);
+        const bool frame = std::ranges::count(changes, "frame", [](const auto& one) {
+                               return std::string_view(one.second);
+                           }) > 0;
+        Settings settings = with_radius(Settings{}, frame ? 1.0F : 0.5F);
+        settings.radius = 0.5F;
         std::string key;
         for (const auto& [name, value] : changes) {
             set(settings, name, value);
