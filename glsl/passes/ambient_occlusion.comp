@@ -6,46 +6,39 @@
 // counts less (TSSAO-9, -SI).
 //
 // The history is held as history_image.glsl says.
-// Define GLOAM_SAMPLE_TABLE as 11 for a table of what the samples share, and what samples/table.glsl asks for; else
-// it is computed for each of them. Define METHOD, and change the include, for another method than the one below.
+// Define METHOD, and change the include, for another method than the one below.
 // Define GLOAM_PREPARED as r32f for a method whose prepared image has one channel (separable, sao_chain), else it is
-// rgba32f. Dispatch ceil(size / 8) groups, or a list of tiles (tiles/select.comp). Descriptor set 0:
+// rgba32f. Dispatch ceil(size / 8) groups. Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
 //   1  rgba32f  view-space normal facing the eye in xyz
 //   2  history  before: (occlusion, samples accumulated, samples of the sequence used, depth); zeros for none; read
 //               when keeps_history is set
 //   3  history  written unless shows_alone is set: after, likewise; background (0, 0, 0, infinity)
-//   4  buffer   the tiles' states (tiles/state.glsl): what each took is added when counts is set, else it is never
-//               touched
-//   5  r32ui    how each surface point has moved otherwise than the camera (reproject.comp); read when moving_objects
-//               is set; it counts for nothing while the view stands still
-//   6  buffer   a MethodValues
-//   7  prepared what the method's preparation passes have written (preparation/pass.glsl); read by methods that have
+//   4  r32ui    how each surface point has moved otherwise than the camera (reproject.comp); read when moving_objects
+//               is set
+//   5  buffer   a MethodValues
+//   6  prepared what the method's preparation passes have written (preparation/pass.glsl); read by methods that have
 //               some
-//   8  rgba32f  depth layers 1 to 3 behind binding 0 in xyz: eye-linear, negative where seen from behind, 0 or not
+//   7  rgba32f  depth layers 1 to 3 behind binding 0 in xyz: eye-linear, negative where seen from behind, 0 or not
 //               finite where there is none; read when layers is more than 1
-//   9  buffer   lists of tiles; read when listed is set
-//  10  r32f     occlusion: written when shows is set, where the filter leaves pixels as they are; when shows_alone is
-//               set, everywhere
-//  11  rgba32f  what the samples share (samples/table.glsl); read when GLOAM_SAMPLE_TABLE is defined
+//   8  r32f     occlusion: written when shows_alone is set
 #include "history_image.glsl"
 #ifndef GLOAM_PREPARED
 #define GLOAM_PREPARED rgba32f
 #endif
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(constant_id = 1) const bool moving_objects = false;  // watch the neighbourhood through binding 5
+layout(constant_id = 1) const bool moving_objects = false;  // watch the neighbourhood through binding 4
 layout(constant_id = 2) const int layers = 1;               // of depth that the samples see, 1 to 4
 // leave out taps further in front than MethodValues::range (CS-REJ)
 layout(constant_id = 3) const bool reject_taps = false;
-layout(constant_id = 4) const bool shows = false;           // a filter follows, over lists of tiles: see binding 10
 layout(constant_id = 5) const uint table_size = 65536u;     // samples after which the sequence starts over
 layout(constant_id = 6) const bool fewer_samples = true;    // read samples_distance, samples_radius and samples_least
 layout(constant_id = 7) const bool caps_radius = true;      // read radius_cap
 layout(constant_id = 8) const bool smooths = true;          // read smoothing
 layout(constant_id = 9) const bool orthographic = false;    // the camera; else perspective
 layout(constant_id = 14) const bool keeps_history = true;   // else each frame stands by itself
-layout(constant_id = 20) const bool shows_alone = false;    // neither history nor filter: only binding 10 is written
+layout(constant_id = 20) const bool shows_alone = false;    // neither history nor filter: only binding 8 is written
 layout(constant_id = 21) const bool on_lattice = false;    // kernels are rotated on a lattice; else by a hash
 // Numbers that loops end by: compilers unroll those whose length they know.
 layout(constant_id = 15) const uint samples_asked = 32u;      // k_1, for each pixel that has not converged
@@ -58,7 +51,7 @@ layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
 layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT normal_image;
 layout(binding = 2 GLOAM_FORMAT(GLOAM_HISTORY)) uniform GLOAM_HISTORY_INPUT history_before;
 layout(binding = 3, GLOAM_HISTORY) uniform writeonly GLOAM_HISTORY_IMAGE history_after;
-layout(binding = 5 GLOAM_FORMAT(r32ui)) uniform GLOAM_UINT_INPUT displacement_image;
+layout(binding = 4 GLOAM_FORMAT(r32ui)) uniform GLOAM_UINT_INPUT displacement_image;
 
 layout(push_constant) uniform Parameters {
     vec2 p00_p11;          // elements [0][0] and [1][1] of the projection, y down
@@ -71,14 +64,11 @@ layout(push_constant) uniform Parameters {
     float c_rot;           // kernels are rotated below this convergence; 0 never
     float least_radius;    // pixels: where the projected radius is smaller, occlusion is 0 without a sample; 0 never
     uint shade_border;     // 1: the band has occlusion as well, a history for what moves in; 0: it is left out
-    uint skip_background;  // 1: background returns at once; 0: it goes the long way, with the same result
     uint invalidation;     // where a neighbourhood changed: 0 nothing, 1 at most weight_small samples count, 2 by
                            // confidence
     float change_tolerance;  // change of a distance that is taken for rounding, world units
     float weight_small;    // invalidation 1: samples
     float confidence_factor;  // invalidation 2: S, per radius of change
-    uint still;            // 1: the view and its objects are those of the last frame
-    uint freeze;           // 1: pixels that have converged take no samples then
     float samples_distance;  // of the far plane, world units: fewer samples the further away (CS-N); 0: as many
                              // everywhere
     float samples_radius;    // pixels: fewer samples where the projected radius is smaller (ISSAO-LOD); 0: as many
@@ -86,12 +76,10 @@ layout(push_constant) uniform Parameters {
     uint samples_least;    // of those, at least
     float radius_cap;      // pixels: the projected radius is at most that large (Gears of War 2)
     float smoothing;       // part of a frame in an exponential mean (CS-G); 0: the mean of TSSAO-5
-    float c_filter;        // convergence from which the filter leaves a pixel as it is; infinite: it leaves none
     float bias_depth;      // the bias is at least this share of the depth
-    float displacement_unit;  // of binding 5, world units
+    float displacement_unit;  // of binding 4, world units
 } parameters;
 
-#include "gloam/filter/shrink.glsl"
 #include "gloam/geometry/borders.glsl"
 #include "gloam/geometry/camera.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
@@ -105,17 +93,10 @@ layout(push_constant) uniform Parameters {
 #include "method_values.glsl"
 #include "invalidation.glsl"
 
-layout(binding = 8 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT layer_image;
-layout(binding = 6, std430) readonly buffer MethodSettings { MethodValues method_values; };
-layout(binding = 7 GLOAM_FORMAT(GLOAM_PREPARED)) uniform GLOAM_INPUT prepared_image;
-
-#define GLOAM_LIST_BINDING 9
-#include "tiles/listed.glsl"
-#define GLOAM_STATE_BINDING 4
-#include "tiles/tally.glsl"
-layout(binding = 10, r32f) uniform writeonly highp image2D shown_image;
-
-#include "samples/table.glsl"
+layout(binding = 7 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT layer_image;
+layout(binding = 5, std430) readonly buffer MethodSettings { MethodValues method_values; };
+layout(binding = 6 GLOAM_FORMAT(GLOAM_PREPARED)) uniform GLOAM_INPUT prepared_image;
+layout(binding = 8, r32f) uniform writeonly highp image2D shown_image;
 
 // The method, any file of that folder, and its call; values: a MethodValues.
 #include "gloam/methods/hemisphere.glsl"
@@ -134,20 +115,14 @@ struct Neighborhood {
 };
 Neighborhood neighborhood;
 
-// The invocation's part of what is counted.
-uint samples_missed = 0u;  // of those that its pixels could have taken
-uint pixel_kinds = 0u;     // COUNT_*
-
 GloamCamera this_camera() {
     return GloamCamera(parameters.p00_p11, parameters.size, orthographic);
 }
 
 #include "pixel_samples.glsl"
 
-// Zero while the view stands still: then the image is of an earlier frame.
 vec3 displacement_at(ivec2 pixel) {
-    float unit = parameters.still == 0u ? parameters.displacement_unit : 0.0;
-    return gloam_displacement_from_code(GLOAM_FETCH(displacement_image, pixel).x, unit);
+    return gloam_displacement_from_code(GLOAM_FETCH(displacement_image, pixel).x, parameters.displacement_unit);
 }
 
 // Takes the surface point under a sample as a probe (TSSAO-9). The camera's motion keeps all distances, so two points
@@ -209,18 +184,12 @@ GloamEstimate estimated(ivec2 pixel, float depth, GloamHistory before, uint samp
     return METHOD(position, normal, camera, kernel, values);
 }
 
-// Whether a pixel has converged and takes no samples while nothing moves.
-bool frozen(GloamHistory before) {
-    bool freezes = parameters.freeze != 0u && parameters.still != 0u;
-    return freezes && gloam_convergence(before.weight, parameters.weight_max) >= 1.0;
-}
-
 // The whole units of the method that `samples` stands for.
 uint whole_samples(uint samples) {
     return gloam_whole_samples(rounds_up ? samples + samples_unit - 1u : samples, samples_unit);
 }
 
-// How many samples a pixel takes that is not frozen: whole units of the method. A constant where k_1 is k_2, so that
+// How many samples a pixel takes: whole units of the method. A constant where k_1 is k_2, so that
 // loops are unrolled.
 uint samples_for(GloamHistory before, float depth) {
     uint samples = samples_at(before, depth);
@@ -232,23 +201,19 @@ GloamHistory sampled(ivec2 pixel, float depth) {
     GloamHistory before = gloam_history_empty(depth);
     if (keeps_history) before = GLOAM_LOAD_HISTORY(history_before, pixel);
     uint samples = samples_for(before, depth);
-    bool samples_none = frozen(before) || samples == 0u;
-    pixel_kinds += samples_none && !gloam_is_background(depth) ? COUNT_FROZEN : 0u;
-    GloamEstimate fresh = GloamEstimate(0.0, samples_none ? 0.0 : float(samples), 1.0);
+    GloamEstimate fresh = GloamEstimate(0.0, 0.0, 1.0);
     float change = 0.0;  // of a pixel that takes no sample nothing is known
-    if (!samples_none) {
+    if (samples > 0u) {
         fresh = estimated(pixel, depth, before, samples);
         change = neighborhood.change;
     }
-    samples_missed -= uint(fresh.samples);
     float weight = weight_after_change(before.weight, change);
     vec2 blended =
         gloam_blend(before.occlusion, weight, fresh.occlusion, fresh.samples * fresh.weight, parameters.weight_max);
     if (smooths && parameters.smoothing > 0.0 && fresh.samples > 0.0) {
         blended.x = gloam_temporal_smooth(before.occlusion, weight > 0.0, fresh.occlusion, parameters.smoothing);
     }
-    return GloamHistory(blended.x, blended.y, gloam_next_index(before.index, samples_none ? 0u : samples, table_size),
-                        depth);
+    return GloamHistory(blended.x, blended.y, gloam_next_index(before.index, samples, table_size), depth);
 }
 
 bool left_out(ivec2 pixel) {
@@ -259,43 +224,20 @@ bool left_out(ivec2 pixel) {
 
 GloamHistory shade(ivec2 pixel) {
     float depth = GLOAM_FETCH(depth_image, pixel).x;
-    if (left_out(pixel)) return gloam_history_empty(depth);
-    samples_missed += whole_samples(max(samples_asked, samples_converged));
-    bool background = gloam_is_background(depth);
-    pixel_kinds += background ? COUNT_BACKGROUND : 0u;
-    if (background && parameters.skip_background != 0u) return gloam_history_empty(depth);
-
+    if (left_out(pixel) || gloam_is_background(depth)) return gloam_history_empty(depth);
     vec2 reach = reach_at(depth);
-    if (!background && max(reach.x, reach.y) < parameters.least_radius) {
-        pixel_kinds += COUNT_BELOW_LIMIT;
-        return GloamHistory(0.0, parameters.weight_max, 0u, depth);  // known for certain: converged
-    }
+    // Known for certain: converged.
+    if (max(reach.x, reach.y) < parameters.least_radius) return GloamHistory(0.0, parameters.weight_max, 0u, depth);
     return sampled(pixel, depth);
 }
 
-// Stores the pixel's history, and what is shown of it where the filter leaves it as it is: the filter runs on the
-// tiles of all others.
-void store(ivec2 pixel, GloamHistory after) {
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
+    GloamHistory after = shade(pixel);
     if (shows_alone) {
         imageStore(shown_image, pixel, vec4(gloam_history_sanitize(after).occlusion));
-        return;
+    } else {
+        GLOAM_STORE_HISTORY(history_after, pixel, after);
     }
-    GLOAM_STORE_HISTORY(history_after, pixel, after);
-    if (!shows) return;
-    GloamHistory stored = stored_history(after);
-    float convergence = gloam_convergence(stored.weight, parameters.weight_max);
-    bool filtered = !gloam_is_background(stored.depth) && gloam_shrink(convergence, parameters.c_filter) > 0.0;
-    pixel_kinds += filtered ? COUNT_FILTERED : 0u;
-    if (!filtered) imageStore(shown_image, pixel, vec4(stored.occlusion));
-}
-
-// Pixels outside the image are left out.
-void shade_and_store(ivec2 pixel) {
-    if (pixel.x < parameters.size.x && pixel.y < parameters.size.y) store(pixel, shade(pixel));
-}
-
-void main() {
-    Column column = column_of_invocation(parameters.size);
-    shade_and_store(column.first);
-    count_tile(column.entry, tiles_of(parameters.size), samples_missed, pixel_kinds);
 }

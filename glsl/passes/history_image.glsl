@@ -9,8 +9,7 @@
 //   GLOAM_LOAD_HISTORY(image, pixel)          a GloamHistory
 //   GLOAM_LOAD_HISTORY_TEXEL(image, pixel)    the same as a vec4, as gloam_history_pack gives it, but not sanitized
 //   GLOAM_STORE_HISTORY(image, pixel, history)
-// stored_history(history) is what a load gives after a store. GLOAM_HISTORY_ROUNDS: true where that may differ from the
-// history, sanitized.
+// GLOAM_HISTORY_ROUNDS: true where what a load gives after a store may differ from the history, sanitized.
 
 #include "gloam/temporal/history.glsl"
 #include "gloam/temporal/packed_history.glsl"
@@ -55,9 +54,5 @@ GloamHistory history_from_texel(vec4 texel) {
 
 #define GLOAM_LOAD_HISTORY(image, pixel) history_from_texel(GLOAM_FETCH(image, pixel))
 #define GLOAM_STORE_HISTORY(image, pixel, history) imageStore(image, pixel, texel_from_history(history))
-
-GloamHistory stored_history(GloamHistory history) {
-    return GLOAM_HISTORY_ROUNDS ? history_from_texel(texel_from_history(history)) : gloam_history_sanitize(history);
-}
 
 #endif

@@ -6,11 +6,10 @@
 //
 // Define GLOAM_OUTPUT as r16f or r8 for an output of fewer bits; the default is r32f.
 // Define GLOAM_SOURCE as r32f if binding 1 is not a history; a history has the format of history_image.glsl.
-// Dispatch ceil(size / 8) groups, or a list of tiles (tiles/select.comp). Descriptor set 0:
+// Dispatch ceil(size / 8) groups. Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
 //   1  source   occlusion in x: the history, or the filter's result
 //   2  output   written: mapped occlusion, in [0, 1]; background as it is
-//   3  buffer   lists of tiles; read when listed is set
 #include "history_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -25,9 +24,6 @@ layout(binding = 1 GLOAM_FORMAT(GLOAM_HISTORY)) uniform GLOAM_HISTORY_INPUT sour
 #endif
 layout(binding = 2, GLOAM_OUTPUT) uniform writeonly highp image2D mapped_image;
 
-#define GLOAM_LIST_BINDING 3
-#include "tiles/listed.glsl"
-
 layout(push_constant) uniform Parameters {
     ivec2 size;  // of the images, pixels
     float a;     // added to the visibility
@@ -38,7 +34,8 @@ layout(push_constant) uniform Parameters {
 #include "gloam/geometry/background.glsl"
 #include "gloam/shading/remap.glsl"
 
-void map(ivec2 pixel) {
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
 #ifdef GLOAM_SOURCE
     float occlusion = GLOAM_FETCH(source_image, pixel).x;
@@ -49,9 +46,4 @@ void map(ivec2 pixel) {
         occlusion = 1.0 - gloam_remap(1.0 - occlusion, parameters.a, parameters.b, parameters.c);
     }
     imageStore(mapped_image, pixel, vec4(occlusion));
-}
-
-void main() {
-    Column column = column_of_invocation(parameters.size);
-    for (int i = 0; i < column.pixels; ++i) map(column.first + ivec2(0, i));
 }

@@ -4,15 +4,14 @@
 // What was hidden, outside the image or another surface has no history.
 //
 // The history is held as history_image.glsl says.
-// Dispatch ceil(size / 8) groups, or a list of tiles (tiles/select.comp). Descriptor set 0:
+// Dispatch ceil(size / 8) groups. Descriptor set 0:
 //   0  r32f     eye-linear depth of this frame, world units; background 0 or not finite
 //   1  rgba32f  xyz: where each surface point was, in the view space of the previous frame; read when moving_objects is
 //               set
 //   2  history  of the previous frame: (occlusion, samples accumulated, samples of the sequence used, depth)
 //   3  history  written: the same for this frame's pixels, with the depth the point had in the previous camera; (0, 0,
 //               0, depth) for none
-//   4  buffer   lists of tiles; read when listed is set
-//   5  r32ui    written when keeps_displacement is set: how each surface point has moved otherwise than the camera, in
+//   4  r32ui    written when keeps_displacement is set: how each surface point has moved otherwise than the camera, in
 //               the view space of this frame (gloam/temporal/displacement.glsl); not written at the background
 #include "history_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -22,16 +21,13 @@ layout(constant_id = 0) const bool moving_objects = false;  // binding 1 holds t
 layout(constant_id = 1) const uint taps = 2u;
 layout(constant_id = 3) const bool orthographic = false;           // this frame's camera; else perspective
 layout(constant_id = 4) const bool previous_orthographic = false;  // the previous frame's
-layout(constant_id = 5) const bool keeps_displacement = false;     // write binding 5; moving_objects is set as well
+layout(constant_id = 5) const bool keeps_displacement = false;     // write binding 4; moving_objects is set as well
 
 layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
 layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT previous_position_image;
 layout(binding = 2 GLOAM_FORMAT(GLOAM_HISTORY)) uniform GLOAM_HISTORY_INPUT previous_history;
 layout(binding = 3, GLOAM_HISTORY) uniform writeonly GLOAM_HISTORY_IMAGE history;
-layout(binding = 5, r32ui) uniform writeonly highp uimage2D displacement_image;
-
-#define GLOAM_LIST_BINDING 4
-#include "tiles/listed.glsl"
+layout(binding = 4, r32ui) uniform writeonly highp uimage2D displacement_image;
 
 layout(push_constant) uniform Parameters {
     mat4 previous_from_current;  // view space of this frame to that of the previous one; a rigid motion
@@ -39,7 +35,7 @@ layout(push_constant) uniform Parameters {
     vec2 previous_p00_p11;       // of the previous frame's
     ivec2 size;                  // of all images, pixels
     float tolerance;             // of the depth test, relative; infinity: no test
-    float displacement_unit;     // of binding 5, world units
+    float displacement_unit;     // of binding 4, world units
 } parameters;
 
 #include "gloam/geometry/camera.glsl"
@@ -86,7 +82,7 @@ GloamHistory reprojected(ivec2 pixel) {
 }
 
 void main() {
-    ivec2 pixel = column_of_invocation(parameters.size).first;
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
     GLOAM_STORE_HISTORY(history, pixel, reprojected(pixel));
 }

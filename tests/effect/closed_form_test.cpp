@@ -173,10 +173,6 @@ TEST_P(Invariants, ABarePlaneIsOpenInImagesOfAnySize) {
                         EXPECT_NEAR(double{occlusion}, on_a_plane(GetParam()), normals ? 1e-5 : 1e-4)
                             << extent.width << 'x' << extent.height << (normals ? "" : " without normals")
                             << (resolution == Resolution::half ? " at half the resolution" : "");
-                    const std::uint64_t asked =
-                        frame.work.pixels * samples_taken(method, 32, settings.own.steps);
-                    EXPECT_LE(frame.work.samples, asked);
-                    EXPECT_TRUE(frame.work.samples == asked || method.takes_fewer) << frame.work.samples;
                 }
             }
         }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The filters that the setting `filter` chooses from. The pass filters several pixels at a time and reads
-// what they share once: beside the references, pixel by pixel, it is the same but for rounding. What these
-// functions do is shown in tests/glsl/filter_test.cpp. And the filters in the effect.
+// The filters that the setting `filter` chooses from: the pass beside the references, pixel by pixel. What
+// these functions do is shown in tests/glsl/filter_test.cpp. And the filters in the effect.
 #include <fmt/format.h>
 
 #include "backend/vulkan/commands.hpp"
@@ -43,11 +42,10 @@ Field rough_field(glm::ivec2 size) {
     return field;
 }
 
-// A pass along x and one along y, and how many pixels a group of either takes.
+// A pass along x and one along y.
 struct FilterPair {
     gpu::ComputePipeline along_x;
     gpu::ComputePipeline along_y;
-    glm::uvec2 pixels_of_group;
 };
 
 // The filters of the references on a field whose occlusion is in `source`.
@@ -113,7 +111,7 @@ struct References {
 // Filter, taps on each side, whether the camera is orthographic.
 using Case = std::tuple<std::string, int, bool>;
 
-class FilterRows : public OnDevice<testing::TestWithParam<Case>> {
+class FilterPass : public OnDevice<testing::TestWithParam<Case>> {
   protected:
     // A frame of the case's settings.
     [[nodiscard]] static Moment moment() {
@@ -126,10 +124,9 @@ class FilterRows : public OnDevice<testing::TestWithParam<Case>> {
         return moment;
     }
 
-    [[nodiscard]] FilterPair rows() const {
+    [[nodiscard]] FilterPair pair() const {
         return {pipeline_of(device_, passes_, filter_source(moment(), false)),
-                pipeline_of(device_, passes_, filter_source(moment(), true)),
-                {tile_side * filter_tiles, tile_side}};
+                pipeline_of(device_, passes_, filter_source(moment(), true))};
     }
 
     // The same by the references.
@@ -169,13 +166,10 @@ class FilterRows : public OnDevice<testing::TestWithParam<Case>> {
         source.upload(texels);
         normal.upload(normals);
         with_view(parameters, field);
-        const glm::uvec2 groups = (glm::uvec2(field.size) + pair.pixels_of_group - 1U) / pair.pixels_of_group;
-        const gpu::Buffer no_list(device_, 128);
         gpu::Commands commands(device_);
         const auto run = [&](const gpu::ComputePipeline& pass, const gpu::Image& from, const gpu::Image& to) {
-            const std::vector<gpu::Resource> resources{depth, source, to, normal, no_list, from};
-            commands.dispatch(pass, resources, {groups.x, groups.y, 1},
-                              std::as_bytes(std::span(&parameters, 1)));
+            const std::vector<gpu::Resource> resources{depth, source, to, normal, from};
+            commands.dispatch(pass, resources, groups_for(extent), std::as_bytes(std::span(&parameters, 1)));
         };
         run(pair.along_x, result, half);
         run(pair.along_y, half, result);
@@ -191,10 +185,9 @@ class FilterRows : public OnDevice<testing::TestWithParam<Case>> {
     }
 };
 
-// Images smaller than a row, smaller than a window, and of tiles that are not whole; more than a group's
-// tiles.
-TEST_P(FilterRows, GiveWhatTheReferencesGiveForEachPixel) {
-    const FilterPair of_rows = rows();
+// Images smaller than a window, and of groups that are not whole.
+TEST_P(FilterPass, GiveWhatTheReferencesGiveForEachPixel) {
+    const FilterPair passes = pair();
     FilterParameters parameters{.sigma_pixels = 0.25F * static_cast<float>(2 * std::get<1>(GetParam()) + 1),
                                 .depth_scale = 0.1F,
                                 .c_adaptive = 0.7F};
@@ -202,7 +195,7 @@ TEST_P(FilterRows, GiveWhatTheReferencesGiveForEachPixel) {
         const Field field = rough_field(size);
         for (const float cap : {1e18F, 1.0F}) {
             parameters.cap = cap;
-            const std::vector<float> result = filtered(of_rows, field, parameters);
+            const std::vector<float> result = filtered(passes, field, parameters);
             const std::vector<double> expected = by_reference(field, parameters);
             for (std::size_t i = 0; i < result.size(); ++i)
                 EXPECT_NEAR(double{result[i]}, expected[i], 3e-6) << i << " of " << size.x << ", cap " << cap;
@@ -216,15 +209,13 @@ std::string name_of(const testing::TestParamInfo<Case>& info) {
     return fmt::format("{}_{}{}", filter, half_width, orthographic ? "_orthographic" : "");
 }
 
-// No neighbours, rows of 8 pixels, of 4, and windows whose rows are not held; what all filters share, in one
-// of them.
-INSTANTIATE_TEST_SUITE_P(Every, FilterRows,
+INSTANTIATE_TEST_SUITE_P(Every, FilterPass,
                          testing::Combine(testing::Values("convergence", "geometry", "bilateral", "sao"),
                                           testing::Values(0, 2, 9), testing::Values(false)),
                          name_of);
-INSTANTIATE_TEST_SUITE_P(Convergence, FilterRows, testing::Values(Case{"convergence", 3, true}), name_of);
+INSTANTIATE_TEST_SUITE_P(Convergence, FilterPass, testing::Values(Case{"convergence", 3, true}), name_of);
 
-class SaoFilter : public FilterRows {};
+class SaoFilter : public FilterPass {};
 
 // Along a row at one depth: nine taps, every other pixel, with the paper's weights.
 TEST_P(SaoFilter, ReadsEveryOtherPixelFourTimes) {
@@ -234,7 +225,7 @@ TEST_P(SaoFilter, ReadsEveryOtherPixelFourTimes) {
                 .normal = std::vector(25, glm::vec3(0, 0, 1)),
                 .samples = std::vector(25, 50.0F)};
     field.occlusion[12] = 1.0F;
-    const std::vector<float> result = filtered(rows(), field, {.sigma_pixels = 1.5F, .depth_scale = 0.1F});
+    const std::vector<float> result = filtered(pair(), field, {.sigma_pixels = 1.5F, .depth_scale = 0.1F});
     const std::vector<double> g{0.153170, 0.144893, 0.122649, 0.092902, 0.062970};
     const double sum = g[0] + 2.0 * (1.2 + g[1] + g[2] + g[3] + g[4]);
     for (std::size_t x = 0; x < 25; ++x) {

@@ -222,12 +222,7 @@ class InterpretedPasses : public OnDevice<testing::Test> {
   private:
     void expect_same(const Step& pass, const std::vector<Bound>& before, const std::vector<Bound>& device,
                      const std::string& what) {
-        std::array<std::uint32_t, 3> groups = pass.groups;
-        if (pass.indirect != nullptr) {
-            const auto words = pass.indirect->as<Word>().subspan(pass.offset / sizeof(Word), 3);
-            groups = {words[0], words[1], words[2]};
-        }
-        std::vector<Bound> ours = InterpretedPass(pass, before).run(groups);
+        std::vector<Bound> ours = InterpretedPass(pass, before).run(pass.groups);
         copy_to_second_bindings(pass, ours);
         const Comparison one = compared(before, ours, device);
         EXPECT_EQ(one.close, one.words) << what << ", " << pass.name;
@@ -264,11 +259,9 @@ TEST_F(InterpretedPasses, OfAMovingSceneAreTheDevicesPixelByPixel) {
     half.resolution = Resolution::half;
     half.remap_c = 1.5F;
     expect_the_devices(views, half, "moving, half the resolution");
-    for (const char* name :
-         {"ambient_occlusion", "filter_x", "filter_y", "halve_inputs", "normals_from_depth", "remap",
-          "remap_filtered", "reproject", "sample_table", "select_filtered_tiles", "select_tiles", "upsample"})
+    for (const char* name : {"ambient_occlusion", "filter_x", "filter_y", "halve_inputs",
+                             "normals_from_depth", "remap", "remap_filtered", "reproject", "upsample"})
         EXPECT_GT(seen_[name].words, 0U) << name;
-    EXPECT_EQ(seen_["select_tiles"].equal, seen_["select_tiles"].words) << "integers";
 }
 
 // Fixed point in integers of 16 bits.

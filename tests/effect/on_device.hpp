@@ -91,15 +91,6 @@ inline Settings many_slices(float radius) {
     return many;
 }
 
-// The settings with every skip on, or off.
-inline Settings with_skips(Settings settings, bool on = true) {
-    settings.skip_background = settings.skip_settled = settings.skip_filtered = on;
-    return settings;
-}
-inline Settings without_skips(const Settings& settings) {
-    return with_skips(settings, false);
-}
-
 // A test of passes on the device that tests run on, under validation: any message fails it.
 // Base: testing::Test, or testing::TestWithParam of something.
 // lavapipe compiles a pass anew for images whose width or height is a power of two: tests of all methods take

@@ -21,12 +21,6 @@ std::vector<std::string> names_of(const std::vector<PassTime>& times) {
     return names;
 }
 
-// Of a frame in which everything runs, over the whole image.
-Settings without_tiles(Settings settings) {
-    settings.skip_settled = settings.skip_filtered = settings.skip_background = false;
-    return settings;
-}
-
 TEST_F(PlanTest, IsWhatAFrameRuns) {
     const gpu::Extent extent{33, 17};
     const scene::GBuffer first = drawn("room", extent, {.frame = 0});
@@ -37,7 +31,7 @@ TEST_F(PlanTest, IsWhatAFrameRuns) {
             const bool half = std::string_view(preset).ends_with("half");
             const std::string_view named =
                 std::string_view(preset).substr(0, std::string_view(preset).find(','));
-            Settings settings = without_tiles(with_method(preset_named(std::string(named)).settings, method));
+            Settings settings = with_method(preset_named(std::string(named)).settings, method);
             settings.history = !alone;
             if (half) settings.resolution = Resolution::half;
             settings.remap_b = 2.0F;
@@ -48,10 +42,9 @@ TEST_F(PlanTest, IsWhatAFrameRuns) {
             std::vector<std::string> ran = names_of(effect.next(1).times);
             std::erase(
                 ran, "remap");  // of the unfiltered occlusion, which nobody is shown where there is a filter
-            std::erase(ran, "sample_table");
             std::vector<std::string> planned;
             for (const PlannedPass& pass : plan_of(settings, {.view = extent}).passes)
-                if (pass.turn != Turn::once) planned.push_back(pass.name);
+                planned.push_back(pass.name);
             std::erase(planned, "remap");
             EXPECT_EQ(planned, ran) << method << " " << preset;
         }
@@ -92,31 +85,29 @@ TEST_F(PlanTest, ImagesHaveTheSizeThatTheMethodPrepares) {
 TEST_F(PlanTest, GroupsCoverTheHalfSizeView) {
     Settings settings;
     settings.resolution = Resolution::half;
-    for (const bool tiles : {false, true}) {
-        const Plan plan = plan_of(settings, {.view = {35, 18}, .tiles = tiles, .normals = false});
-        EXPECT_EQ(plan.tile, 16U);
-        EXPECT_EQ(plan.result, "upsampled");
-        std::size_t full = 0;
-        for (const PlannedPass& pass : plan.passes) {
-            full += pass.divisor == 1 && pass.turn != Turn::once ? 1 : 0;
-            if (pass.pixels[0] == 0) continue;
-            EXPECT_EQ(pass.pixels[1] % 16, pass.name == "normals_from_depth" ? 8U : 0U) << pass.name;
-            EXPECT_EQ(pass.divisor, pass.name == "normals_from_depth" || pass.name == "halve_inputs" ||
-                                            pass.name == "upsample"
-                                        ? 1U
-                                        : 2U)
-                << pass.name;
-        }
-        EXPECT_EQ(full, 3U);
-        const auto size = [&](const char* name) {
-            const auto found = std::ranges::find(plan.images, name, &PlannedImage::name);
-            return found == plan.images.end() ? gpu::Extent{} : found->extent;
-        };
-        EXPECT_EQ(size("depth"), (gpu::Extent{35, 18}));
-        EXPECT_EQ(size("half_depth"), (gpu::Extent{18, 9}));
-        EXPECT_EQ(size("history_after"), (gpu::Extent{18, 9}));
-        EXPECT_EQ(size("upsampled"), (gpu::Extent{35, 18}));
+    const Plan plan = plan_of(settings, {.view = {35, 18}, .normals = false});
+    EXPECT_EQ(plan.tile, 16U);
+    EXPECT_EQ(plan.result, "upsampled");
+    std::size_t full = 0;
+    for (const PlannedPass& pass : plan.passes) {
+        full += pass.divisor == 1 ? 1 : 0;
+        if (pass.pixels[0] == 0) continue;
+        EXPECT_EQ(pass.pixels[1] % 16, pass.name == "normals_from_depth" ? 8U : 0U) << pass.name;
+        EXPECT_EQ(pass.divisor,
+                  pass.name == "normals_from_depth" || pass.name == "halve_inputs" || pass.name == "upsample"
+                      ? 1U
+                      : 2U)
+            << pass.name;
     }
+    EXPECT_EQ(full, 3U);
+    const auto size = [&](const char* name) {
+        const auto found = std::ranges::find(plan.images, name, &PlannedImage::name);
+        return found == plan.images.end() ? gpu::Extent{} : found->extent;
+    };
+    EXPECT_EQ(size("depth"), (gpu::Extent{35, 18}));
+    EXPECT_EQ(size("half_depth"), (gpu::Extent{18, 9}));
+    EXPECT_EQ(size("history_after"), (gpu::Extent{18, 9}));
+    EXPECT_EQ(size("upsampled"), (gpu::Extent{35, 18}));
 }
 
 // Of the push constants the view's are what an engine must give, all others are the settings'.
@@ -134,7 +125,8 @@ TEST_F(PlanTest, TellsWhatIsTheViews) {
         EXPECT_TRUE(any(8, 4) && any(12, 4));   // size
         EXPECT_TRUE(any(16, 4) && any(20, 4));  // border
         constexpr std::size_t radius = offsetof(OcclusionParameters, radius);
-        EXPECT_FALSE(any(radius, offsetof(OcclusionParameters, still) - radius));  // to confidence_factor
+        EXPECT_FALSE(
+            any(radius, offsetof(OcclusionParameters, samples_distance) - radius));  // to confidence_factor
     }
 }
 
@@ -178,23 +170,20 @@ class Layouts : public OnDevice<testing::Test> {
 };
 
 PassSource occlusion() {
-    return occlusion_source({.counting = Counting::each_group});
+    return occlusion_source({});
 }
 
 TEST_F(Layouts, SamplesAndWhatIsPreparedForThem) {
     expect_pushed<OcclusionParameters>(
-        occlusion(),
-        LINES_OF(OcclusionParameters, p00_p11, size, border, radius, bias, c_spatial, weight_max, c_rot,
-                 least_radius, shade_border, skip_background, invalidation, change_tolerance, weight_small,
-                 confidence_factor, still, freeze, samples_distance, samples_radius, samples_least,
-                 radius_cap, smoothing, c_filter, bias_depth, displacement_unit));
+        occlusion(), LINES_OF(OcclusionParameters, p00_p11, size, border, radius, bias, c_spatial, weight_max,
+                              c_rot, least_radius, shade_border, invalidation, change_tolerance, weight_small,
+                              confidence_factor, samples_distance, samples_radius, samples_least, radius_cap,
+                              smoothing, bias_depth, displacement_unit));
     expect_pushed<PreparationParameters>(
         preparation_source({}, "half_resolution.comp"),
         LINES_OF(PreparationParameters, p00_p11, size, border, radius, bias, c_spatial, weight_max, c_rot,
                  least_radius, orthographic, shade_border, samples_distance, samples_radius, samples_least,
                  radius_cap, bias_depth, level));
-    expect_pushed<SampleTableParameters>(sample_table_source(method_named("hemisphere").points),
-                                         LINES_OF(SampleTableParameters, first, last));
 }
 
 TEST_F(Layouts, ReprojectionFilterAndMap) {
@@ -216,11 +205,7 @@ TEST_F(Layouts, ReprojectionFilterAndMap) {
                                     LINES_OF(NormalParameters, p00_p11, size, orthographic));
 }
 
-TEST_F(Layouts, TilesAndDirections) {
-    expect_pushed<SelectParameters>({.file = "tiles/select.comp"},
-                                    LINES_OF(SelectParameters, size, band, written, background, settled));
-    expect_pushed<SelectFilteredParameters>({.file = "tiles/select_filtered.comp"},
-                                            LINES_OF(SelectFilteredParameters, size, reach));
+TEST_F(Layouts, Directions) {
     for (const char* file :
          {"bent_normals.comp", "bent_gather.comp", "direct_light.comp", "bounced_light.comp"})
         expect_pushed<DirectionalParameters>(
@@ -235,16 +220,6 @@ TEST_F(Layouts, Buffers) {
     EXPECT_EQ(lines_of(method[0].members),
               LINES_OF(MethodValues, range, epsilon, intensity, thickness, angle_bias, mip_distance, steps,
                        disagreement, feature_thickness, layers));
-    const std::vector<LaidOut> states = buffer_of({.file = "tiles/select.comp"}, "StatesAfter");
-    ASSERT_EQ(states.size(), 1U);
-    EXPECT_EQ(states[0].stride, sizeof(TileState));
-    EXPECT_EQ(lines_of(states[0].members), LINES_OF(TileState, flags, missed, pixels));
-    const std::vector<LaidOut> lists = buffer_of({.file = "tiles/select.comp"}, "TileLists");
-    ASSERT_EQ(lists.size(), 2U);
-    EXPECT_EQ(lists[0].sizes, std::vector<unsigned>{header_lists});
-    EXPECT_EQ(lists[0].stride, sizeof(TileList));
-    EXPECT_EQ(lists[1].offset, header_lists * sizeof(TileList));
-    EXPECT_EQ(lines_of(lists[0].members), LINES_OF(TileList, columns, rows, layers, tiles));
 }
 
 // Engines have sampled images, and OpenGL ES 3.1 lets no pass read an image of four channels that it writes.
@@ -256,7 +231,7 @@ TEST_F(Layouts, NoImageIsReadAndWritten) {
         settings.remap_b = 2.0F;
         if (reads(method_named(method), "layers")) settings.own.layers = 2;
         settings.resolution = method == std::string("mssao") ? Resolution::half : Resolution::full;
-        const PlanOptions options{.moving_objects = true, .tiles = true, .normals = false};
+        const PlanOptions options{.moving_objects = true, .normals = false};
         for (const PlannedPass& pass : plan_of(settings, options).passes) {
             for (const shader::Binding& binding : interface_of(pass.source).bindings) {
                 const bool stored = binding.type == shader::BindingType::storage_image;
@@ -266,7 +241,7 @@ TEST_F(Layouts, NoImageIsReadAndWritten) {
             seen.insert(pass.source.file);
         }
     }
-    EXPECT_EQ(seen.size(), 17U);
+    EXPECT_EQ(seen.size(), 14U);
 }
 
 // A constant that a pass is given exists in it. The optimiser removes those that a method does not use, so
@@ -279,7 +254,7 @@ TEST_F(Layouts, SpecializationConstants) {
         Settings settings = with_method({}, method);
         settings.remap_b = 2.0F;
         settings.resolution = method == std::string("sao") ? Resolution::half : Resolution::full;
-        for (const PlannedPass& pass : plan_of(settings, {.tiles = true}).passes) {
+        for (const PlannedPass& pass : plan_of(settings, {}).passes) {
             const std::string& file = pass.source.file;
             const std::string key = file.starts_with("preparation/") ? "preparation" : file;
             const shader::ModuleInterface found = interface_of(pass.source);
@@ -288,7 +263,7 @@ TEST_F(Layouts, SpecializationConstants) {
             EXPECT_EQ(found.push_constants->size, pass.parameters.size()) << method << " " << pass.name;
         }
     }
-    EXPECT_EQ(given.size(), 7U);
+    EXPECT_EQ(given.size(), 6U);
     for (const auto& [file, constants] : given)
         for (const std::uint32_t constant : constants) EXPECT_THAT(known[file], Contains(constant)) << file;
 }

@@ -6,7 +6,6 @@
 #include "backend/vulkan/commands.hpp"
 #include "backend/vulkan/resources.hpp"
 #include "effect/internal/passes.hpp"
-#include "effect/internal/tiles.hpp"
 #include "effect/methods.hpp"
 #include "on_device.hpp"
 #include "reference/geometry_camera.hpp"
@@ -71,7 +70,6 @@ class MovingPass : public OnDevice<testing::Test> {
         gpu::Image history(device_, extent, rgba32f);
         const gpu::Image after(device_, extent, rgba32f);
         const gpu::Image displacement(device_, extent, r32ui);
-        const gpu::Buffer no_list(device_, 128);
         depth.upload(depths);
         std::vector<float> words;
         for (const Texel& t : before) words.insert(words.end(), {t.occlusion, t.weight, t.index, t.depth});
@@ -81,8 +79,7 @@ class MovingPass : public OnDevice<testing::Test> {
         if (!places.empty()) positions.upload(places);
         const gpu::ComputePipeline pass = pipeline_of(device_, passes_, reprojection_source(moment));
         gpu::Commands commands(device_);
-        commands.dispatch(pass,
-                          std::vector<gpu::Resource>{depth, positions, history, after, no_list, displacement},
+        commands.dispatch(pass, std::vector<gpu::Resource>{depth, positions, history, after, displacement},
                           {2, 1, 1}, std::as_bytes(std::span(&parameters, 1)));
         commands.submit();
         Moved moved;
@@ -272,7 +269,6 @@ bool is_right(std::size_t pixel) {
 Settings settings() {
     Settings all = with_radius(with_method({}, "hemisphere"), 1.0F);
     all.samples = all.samples_converged = 8;
-    all.sample_table = false;
     all.filter = Filter::none;
     return all;
 }
@@ -280,15 +276,13 @@ Settings settings() {
 // A wall whose right half stands further in front, with a history everywhere.
 class WatchingPass : public OnDevice<testing::Test> {
   protected:
-    // Weights of the history after a frame. displacement: of the pixel's point. still: the view has not
-    // changed.
+    // Weights of the history after a frame. displacement: of the pixel's point.
     template <class Displacement>
-    [[nodiscard]] std::vector<float> weights(const Displacement& displacement, bool still = false) const {
+    [[nodiscard]] std::vector<float> weights(const Displacement& displacement) const {
         using enum gpu::Format;
         const View view{scene::make_frame({}, 1.5), extent, {}};
-        OcclusionParameters parameters = occlusion_parameters(view, settings());
-        parameters.still = still ? 1 : 0;
-        Moment moment{.settings = settings(), .has_positions = true, .counting = Counting::each_group};
+        const OcclusionParameters parameters = occlusion_parameters(view, settings());
+        Moment moment{.settings = settings(), .has_positions = true};
         moment.view = view;
         gpu::Image depth(device_, extent, r32f);
         gpu::Image normal(device_, extent, rgba32f);
@@ -297,8 +291,6 @@ class WatchingPass : public OnDevice<testing::Test> {
         const gpu::Image after(device_, extent, rgba32f);
         const gpu::Image shown(device_, extent, r32f);
         const gpu::Image nothing(device_, {1, 1}, rgba32f);
-        const gpu::Buffer states(device_, 6 * sizeof(TileState));
-        const gpu::Buffer lists(device_, 256);
         gpu::Buffer method(device_, sizeof(MethodValues));
         method.as<MethodValues>()[0] = settings().own;
         std::vector<float> depths;
@@ -317,13 +309,13 @@ class WatchingPass : public OnDevice<testing::Test> {
         before.upload(history);
         displacements.upload(codes);
         using enum gpu::BindingKind;
-        std::vector<gpu::BindingKind> kinds(12, storage_image);
-        for (const std::size_t buffer : {4, 6, 9}) kinds[buffer] = storage_buffer;
+        std::vector<gpu::BindingKind> kinds(9, storage_image);
+        kinds[5] = storage_buffer;
         const gpu::ComputePipeline pass = pipeline_of(device_, passes_, occlusion_source(moment), kinds);
         gpu::Commands commands(device_);
         commands.dispatch(pass,
-                          std::vector<gpu::Resource>{depth, normal, before, after, states, displacements,
-                                                     method, nothing, nothing, lists, shown, nothing},
+                          std::vector<gpu::Resource>{depth, normal, before, after, displacements, method,
+                                                     nothing, nothing, shown},
                           groups_for(extent), std::as_bytes(std::span(&parameters, 1)));
         commands.submit();
         std::vector<float> found;
@@ -348,7 +340,6 @@ TEST_F(WatchingPass, WhatIsNearSomethingThatMovedLosesSome) {
     const std::vector<float> found = weights(right_half);
     EXPECT_LT(found[left_of_the_step], 0.8F * all_kept[0]);
     EXPECT_EQ(found[8 * extent.width], all_kept[0]) << "further away than the radius";
-    EXPECT_EQ(weights(right_half, true), all_kept) << "of an earlier frame";
 }
 
 }  // namespace gloam::effect::reprojection_pass_test

@@ -37,23 +37,17 @@ Settings four_samples() {
     return settings;
 }
 
-Settings all_skips(Settings settings) {
-    settings.freeze = true;
-    return settings;
-}
-
 // All configurations of a size share one effect: each must find it as if it were new.
 TEST_F(ConfigurationStudyTest, WhatWentBeforeLeavesNoTrace) {
     BenchmarkViews views = views_of("sky");
     const auto radius = static_cast<float>(views.scene().ao_radius);
     const Settings plain = with_radius(four_samples(), radius);
-    Settings half = all_skips(plain);
+    Settings half = plain;
     half.precision = effect::HistoryPrecision::packed;
     half.table_size = 2'048;
     half.remap_c = 2.0F;
     const Settings others[] = {
-        all_skips(plain), half,
-        with_radius(effect::preset_named("study-volumetric-performance").settings, radius)};
+        half, with_radius(effect::preset_named("study-volumetric-performance").settings, radius)};
     ConfigurationStudy fresh(device_, passes_);
     const FrameQuality expected = *fresh.visit(views, plain, true, 0).quality;
     ConfigurationStudy shared(device_, passes_);
@@ -65,19 +59,14 @@ TEST_F(ConfigurationStudyTest, WhatWentBeforeLeavesNoTrace) {
     }
 }
 
-// A skipped tile is counted correctly: the sky has no pixels over which samples are averaged.
+// The sky has no pixels over which samples are averaged.
 TEST_F(ConfigurationStudyTest, SamplesAreCountedOverPixelsWithGeometry) {
     BenchmarkViews views = views_of("sky");
     Settings settings = with_radius(four_samples(), static_cast<float>(views.scene().ao_radius));
     settings.least_radius = 0.0F;
     ConfigurationStudy study(device_, passes_);
     for (const bool temporal : {false, true}) {
-        const FrameQuality with_skips = *study.visit(views, settings, temporal, 0).quality;
-        EXPECT_DOUBLE_EQ(with_skips.samples, 4.0) << temporal;
-        Settings without = settings;
-        without.skip_background = false;
-        without.skip_settled = false;
-        EXPECT_DOUBLE_EQ(study.visit(views, without, temporal, 0).quality->samples, 4.0) << temporal;
+        EXPECT_DOUBLE_EQ(study.visit(views, settings, temporal, 0).quality->samples, 4.0) << temporal;
     }
 }
 

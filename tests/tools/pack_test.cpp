@@ -67,7 +67,7 @@ TEST_F(Pack, OtherLanguages) {
 
 // A whole shader, whose stage follows from its name.
 TEST_F(Pack, AShaderWithAMain) {
-    for (const char* name : {"reproject.comp", "tiles/select.comp"}) {
+    for (const char* name : {"reproject.comp", "remap.comp"}) {
         const std::string result = output_of(gloam("pack {}", std::string(GLOAM_GLSL_DIR "/passes/") + name));
         EXPECT_THAT(result, HasSubstr("void main()")) << name;
         EXPECT_THAT(result, Not(HasSubstr("#if"))) << name;
@@ -235,14 +235,12 @@ TEST_F(PackEffect, AnotherLanguageBesideGlsl) {
 // With whatever else there is in the passes.
 TEST_F(PackEffect, EveryOptionCompiles) {
     for (const std::vector<std::string>& options :
-         {std::vector<std::string>{"--tiles", "--preset", "balanced"},
-          {"--moving-objects", "--orthographic", "--reconstruct-normals"},
+         {std::vector<std::string>{"--moving-objects", "--orthographic", "--reconstruct-normals"},
           {"--method", "ssdo", "--set", "layers=3", "--set", "remap_b=2"},
-          {"--set", "remap_b=2", "--tiles", "--set", "precision=packed"},
+          {"--set", "remap_b=2", "--set", "precision=packed"},
           {"--set", "resolution=half", "--moving-objects", "--preset", "tssao-paper", "--set", "layers=2",
            "--depth", "buffer"},
-          {"--set", "resolution=half", "--orthographic", "--reconstruct-normals", "--preset", "balanced",
-           "--tiles"}}) {
+          {"--set", "resolution=half", "--orthographic", "--reconstruct-normals", "--preset", "balanced"}}) {
         pack(options);
         expect_compiles();
     }
@@ -273,7 +271,7 @@ TEST_F(PackEffect, FormatsAreThoseOfThePreset) {
 // reads has a barrier.
 TEST_F(PackEffect, TheTablesAgree) {
     for (const char* method : {"hemisphere", "mssao", "separable"}) {
-        pack(words("--method {} --preset tssao-paper --tiles", method));
+        pack(words("--method {} --preset tssao-paper", method));
         const json all = description();
         std::set<std::string> resources;
         for (const char* kind : {"images", "buffers"})
@@ -310,11 +308,11 @@ TEST_F(PackEffect, PreparationComesWithTheMethod) {
 
 // tests/effect/opengl_passes_test.cpp compiles them with a driver.
 TEST_F(PackEffect, PassesInES) {
-    pack(words("--version 310es --tiles --preset tssao-paper"));
+    pack(words("--version 310es --moving-objects --preset tssao-paper"));
     const std::string shader = read_file(out() / "reproject.comp");
     EXPECT_THAT(shader, StartsWith("#version 310 es\n"));
     EXPECT_THAT(shader, HasSubstr("layout(binding = 0, std140) uniform Parameters {"));
-    EXPECT_THAT(shader, HasSubstr("const bool listed = true;"));
+    EXPECT_THAT(shader, HasSubstr("const bool moving_objects = true;"));
     EXPECT_THAT(shader, Not(HasSubstr("constant_id")));
     EXPECT_THAT(read_file(out() / "README.md"), HasSubstr("GLSL ES file"));
 }

@@ -88,10 +88,9 @@ float gloam_fetch_depth(ivec2 pixel) {
 
 // The samples that ambient_occlusion.comp takes at a pixel in this frame.
 GloamKernel kernel_at(ivec2 pixel) {
-    // Tiles of background are skipped (tiles/select.comp), so nothing may have been written where there is no geometry.
     float depth = gloam_fetch_depth(pixel);
     GloamHistory before = gloam_history_empty(0.0);
-    if (keeps_history && !gloam_is_background(depth)) before = GLOAM_LOAD_HISTORY(history_before, pixel);
+    if (keeps_history) before = GLOAM_LOAD_HISTORY(history_before, pixel);
     return kernel_of(pixel, depth, before, samples_at(before, depth));
 }
 

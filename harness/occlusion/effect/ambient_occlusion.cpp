@@ -12,7 +12,6 @@
 #include "effect/internal/frame_images.hpp"
 #include "effect/internal/progress.hpp"
 #include "effect/internal/short_frame.hpp"
-#include "effect/internal/work.hpp"
 #include "scene/gbuffer.hpp"
 
 namespace gloam::effect {
@@ -24,8 +23,7 @@ struct AmbientOcclusion::Impl {
           executor(the_device, passes),
           resources(the_device),
           short_frame(the_device, passes) {
-        moment.has_tiles = moment.shows_unfiltered = true;
-        moment.counting = runs_on_cpu(the_device) ? Counting::each_invocation : Counting::each_group;
+        moment.shows_unfiltered = true;
         look({.camera = {}, .extent = size, .border = {}}, {});
     }
 
@@ -36,8 +34,6 @@ struct AmbientOcclusion::Impl {
     Moment moment;           // the next frame, or the last one
     Plan plan;               // its images and buffers; passes after the first frame
     Progress progress;
-    Tabulated tabulated;
-    Listing listing;
     PassWatcher watcher;  // empty: no watcher
 
     // Sets the view of the next frames and the one before it, and makes what their passes need.
@@ -60,7 +56,6 @@ struct AmbientOcclusion::Impl {
     // Decides what the next frame runs.
     void decide();
     [[nodiscard]] Frame collect() const;
-    [[nodiscard]] Work work(std::span<const float> convergence) const;
     // The history into which the samples are blended.
     [[nodiscard]] HistoryTexels history() const {
         return history_in(resources.image(moment.moves_history() ? "history_reprojected" : "history_before"));
@@ -80,19 +75,33 @@ void AmbientOcclusion::Impl::take(const scene::GBuffer& new_view, const Settings
     const View view{new_view.camera, moment.given.extent, new_view.border};
     look(view, follows ? View(moment.given) : view);
     upload(new_view, view.extent, true, resources);
-    tabulated.take(settings);
 }
 
 void AmbientOcclusion::Impl::decide() {
     moment.new_view = progress.first_of_view();
     moment.moved = progress.history_lags();
-    moment.settled = progress.settled();
-    // Before the first frame nothing is known that a list could leave out.
-    const bool known = progress.frames_since_cut() > 0;
-    moment.listed = selects_tiles(moment.settings) && known && listing.due(moment.moved);
-    moment.tabulated = tabulated.missing();
     plan.passes = planned_passes(moment, plan);
 }
+
+namespace {
+
+// Mean over the pixels with a surface; k_1 where nothing tells which they are.
+double samples_asked(const Frame& frame, const Settings& settings) {
+    const auto whole = [&](std::uint32_t samples) {
+        return static_cast<double>(samples_taken(method_named(settings.method), samples, settings.own.steps));
+    };
+    double sum = 0.0;
+    double surfaces = 0.0;
+    for (std::size_t i = 0; i < frame.kept.size(); ++i) {
+        if (!(frame.convergence[i] > 0.0F)) continue;
+        const bool converged = frame.kept[i] / settings.weight_max >= settings.c_spatial;
+        sum += whole(converged ? settings.samples_converged : settings.samples);
+        surfaces += 1.0;
+    }
+    return surfaces > 0.0 ? sum / surfaces : whole(settings.samples);
+}
+
+}  // namespace
 
 Frame AmbientOcclusion::Impl::collect() const {
     const Settings& settings = moment.settings;
@@ -111,7 +120,6 @@ Frame AmbientOcclusion::Impl::collect() const {
     frame.filtered =
         moment.filtered || moment.half() ? resources.image(filtered).download() : frame.occlusion;
     for (float& value : frame.convergence) value = std::min(value / settings.weight_max, 1.0F);
-    frame.work = work(frame.convergence);
     const View& given = moment.given;
     if (moment.half()) {
         frame.occlusion = moment.filtered ? expanded(frame.occlusion, given.extent) : frame.filtered;
@@ -122,27 +130,8 @@ Frame AmbientOcclusion::Impl::collect() const {
     frame.extent = scene::frame_of(shape);
     for (std::vector<float>* image : {&frame.occlusion, &frame.filtered, &frame.convergence, &frame.kept})
         *image = scene::cropped(shape, *image);
+    frame.samples = samples_asked(frame, settings);
     return frame;
-}
-
-Work AmbientOcclusion::Impl::work(std::span<const float> convergence) const {
-    const Settings& settings = moment.settings;
-    const bool selected = moment.listed;
-    const std::uint32_t samples =
-        samples_taken(method_named(settings.method), std::max(settings.samples, settings.samples_converged),
-                      settings.own.steps);
-    Work total = summed(resources.buffer("tile_states_after").as<const TileState>(), moment.view.extent,
-                        moment.unshaded_band(), samples, selected);
-    const SelectedTiles tiles = counts_in(resources.buffer("tile_lists"));
-    total.tiles_shaded = selected ? tiles.shaded : total.tiles;
-    if (moment.filtered) total.tiles_filtered = selected ? tiles.filtered : total.tiles;
-    total.tiles_blank = tiles.background;
-    total.tiles_settled = tiles.settled;
-    total.tiles_unfiltered = tiles.filtered_enough;
-    if (settings.filter == Filter::convergence) {
-        for (const float value : convergence) total.converged += value >= settings.c_adaptive ? 1 : 0;
-    }
-    return total;
 }
 
 AmbientOcclusion::AmbientOcclusion(const gpu::Device& device, const scene::PassLibrary& passes,
@@ -157,8 +146,6 @@ void AmbientOcclusion::begin(const scene::GBuffer& view, const Settings& setting
         return impl.progress.begin();
     }
     impl.take(view, settings, false);
-    impl.tabulated.restart();
-    impl.listing.restart();
     impl.resources.restart(impl.plan);
     impl.progress.begin();
 }
@@ -187,17 +174,12 @@ Frame AmbientOcclusion::next(int repeat) {
     impl.decide();
     // Each run reads the same history and writes the same images, so a repeated run changes nothing.
     const std::vector<Step> steps = impl.executor.steps(impl.plan.passes, impl.resources);
-    std::vector<PassTime> times =
-        run(*impl.device, steps, {}, repeat, [&] { impl.resources.refill(impl.plan); }, impl.watcher);
+    std::vector<PassTime> times = run(*impl.device, steps, {}, repeat, impl.watcher);
     Frame frame = impl.collect();
     frame.memory_bytes = memory_of(steps);
     frame.times = std::move(times);
-    const SelectedTiles found = counts_in(impl.resources.buffer("tile_lists"));
-    impl.listing.advance(impl.moment.listed, found, frame.work.tiles);
     impl.progress.count_frame();
-    impl.tabulated.advance();
     impl.resources.exchange(impl.plan.exchanged);
-    impl.moment.odd = !impl.moment.odd;
     return frame;
 }
 

@@ -49,7 +49,7 @@ std::vector<glm::vec3> Composite::lit(gpu::Extent extent, const scene::SplitLigh
     if (!albedo.empty()) color.upload(texels_of(albedo));
     const CompositeParameters parameters{{extent.width, extent.height}, flag(!albedo.empty())};
     const Step step{"composite", &pipeline_, {ambient, direct, shown, image, color}, bytes_of(parameters)};
-    (void)run(*device_, std::span(&step, 1), groups_for(extent), 1, {}, watcher_);
+    (void)run(*device_, std::span(&step, 1), groups_for(extent), 1, watcher_);
     return vectors_of(image.download());
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "effect/internal/constants.hpp"
 
-#include <limits>
-
 #include "effect/internal/passes.hpp"
 
 namespace gloam::effect {
@@ -12,23 +10,6 @@ namespace {
 // change.
 float displacement_unit(const Settings& settings) {
     return settings.change_tolerance / 32.0F;
-}
-
-// Convergence from which the filter leaves a pixel unchanged; infinite if it changes all.
-float c_filter(const Settings& settings) {
-    const bool leaves = settings.skip_filtered && settings.filter == Filter::convergence;
-    return leaves ? settings.c_adaptive : std::numeric_limits<float>::infinity();
-}
-
-// The images that the frame writes, as TileImage.
-std::uint32_t written_images(const Moment& moment) {
-    std::uint32_t written = moment.odd ? image_second_history : image_first_history;
-    if (moment.moves_history()) written |= image_reprojected;
-    if (moment.filtered) written |= image_filtered;
-    if (shows_alone(moment.settings)) written = image_filtered;
-    if (moment.maps_images()) written |= image_mapped;
-    if (moment.maps_images() && moment.filtered && !moment.half()) written |= image_filtered_mapped;
-    return written;
 }
 
 }  // namespace
@@ -54,19 +35,15 @@ OcclusionParameters occlusion_parameters(const View& view, const Settings& setti
             .c_rot = settings.c_rot,
             .least_radius = settings.least_radius,
             .shade_border = flag(settings.guard_history),
-            .skip_background = flag(settings.skip_background),
             .invalidation = static_cast<std::uint32_t>(settings.invalidation),
             .change_tolerance = settings.change_tolerance,
             .weight_small = settings.weight_small,
             .confidence_factor = settings.confidence_factor,
-            .still = 0,
-            .freeze = flag(settings.freeze),
             .samples_distance = settings.samples_distance,
             .samples_radius = settings.samples_radius,
             .samples_least = settings.samples_least,
             .radius_cap = settings.radius_cap,
             .smoothing = settings.smoothing,
-            .c_filter = c_filter(settings),
             .bias_depth = settings.bias_depth,
             .displacement_unit = displacement_unit(settings)};
 }
@@ -130,14 +107,6 @@ FilterParameters filter_parameters(const View& view, const Settings& settings) {
             .c_adaptive = settings.c_adaptive,
             .weight_max = settings.weight_max,
             .cap = settings.filter_cap};
-}
-
-SelectParameters select_parameters(const Moment& moment) {
-    return {.size = vector_of_size(moment.view.extent),
-            .band = vector_of_size(moment.unshaded_band()),
-            .written = written_images(moment),
-            .background = flag(moment.settings.skip_background),
-            .settled = flag(moment.settings.skip_settled && moment.settled)};
 }
 
 }  // namespace gloam::effect

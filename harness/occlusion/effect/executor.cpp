@@ -12,7 +12,6 @@
 #include "effect/internal/executor.hpp"
 #include "effect/internal/frame_images.hpp"
 #include "effect/internal/passes.hpp"
-#include "effect/internal/work.hpp"
 #include "scene/gbuffer.hpp"
 #include "shader/reflection.hpp"
 
@@ -151,14 +150,6 @@ void Resources::restart(const Plan& plan) {
     }
 }
 
-void Resources::refill(const Plan& plan) {
-    for (const PlannedBuffer& planned : plan.buffers) {
-        if (!planned.refilled) continue;
-        if (planned.contents.empty()) clear(buffer(planned.name));
-        fill(buffer(planned.name), planned.contents);
-    }
-}
-
 void Resources::exchange(std::span<const std::array<std::string, 2>> pairs) {
     for (const auto& names : pairs) {
         swap_named(images_, names);
@@ -230,10 +221,6 @@ std::vector<Step> Executor::steps(std::span<const PlannedPass> passes, const Res
                   .groups = pass.groups};
         for (std::size_t i = 0; i < pass.resources.size(); ++i)
             step.resources.push_back(resources.at(pass.resources[i], of_pass.formats[i]));
-        if (pass.list) {
-            step.indirect = &resources.buffer("tile_lists");
-            step.offset = *pass.list;
-        }
         steps.push_back(std::move(step));
     }
     return steps;
@@ -241,7 +228,7 @@ std::vector<Step> Executor::steps(std::span<const PlannedPass> passes, const Res
 
 void Executor::run(std::span<const PlannedPass> passes, const Resources& resources,
                    const PassWatcher& watcher) {
-    (void)effect::run(*device_, steps(passes, resources), {}, 1, {}, watcher);
+    (void)effect::run(*device_, steps(passes, resources), {}, 1, watcher);
 }
 
 namespace {

@@ -110,13 +110,6 @@ void add_fixed_images(const Moment& m, Plan& plan) {
         if (image.extent == half_of(m.view.extent)) image.divisor = m.half() ? 4 : 2;
         plan.images.push_back(std::move(image));
     }
-    if (tabulates_samples(m.settings))
-        plan.images.push_back({.name = "sample_table",
-                               .meaning = "what all pixels share of their samples",
-                               .format = gpu::Format::rgba32f,
-                               .origin = Origin::once,
-                               .extent = sample_table_extent(m.settings),
-                               .divisor = 0});
 }
 
 void add_buffers(const Moment& m, Plan& plan) {
@@ -125,28 +118,6 @@ void add_buffers(const Moment& m, Plan& plan) {
                             .meaning = "the method's settings",
                             .bytes = sizeof(MethodValues),
                             .contents = {own.begin(), own.end()}});
-    if (!m.has_tiles) {
-        plan.buffers.push_back({.name = nothing_buffer,
-                                .meaning = "for bindings that these settings do not read",
-                                .bytes = 256});
-        return;
-    }
-    const auto [columns, rows, layers] = groups_for(m.view.extent);
-    const std::size_t tiles = std::size_t{columns} * rows;
-    const auto of_tiles = [&](const char* name, const char* meaning, std::size_t bytes, bool refilled = false,
-                              std::vector<std::byte> contents = {}) {
-        plan.buffers.push_back({.name = name,
-                                .meaning = meaning,
-                                .bytes = bytes * tiles + contents.size(),
-                                .bytes_a_tile = bytes,
-                                .contents = std::move(contents),
-                                .refilled = refilled});
-    };
-    of_tiles("tile_states_before", "what is known about the tiles after the previous frame",
-             sizeof(TileState));
-    of_tiles("tile_states_after", "the same after this frame", sizeof(TileState), true);
-    of_tiles("tile_lists", "which tiles the passes run on, and their indirect dispatches",
-             tile_lists * sizeof(std::uint32_t), true, empty_lists());
 }
 
 // The table for one frame.
@@ -167,7 +138,7 @@ class Evaluation {
     [[nodiscard]] PlannedPass pass(const PassRow& row) const {
         Constants filled = row.fill(moment_);
         PlannedPass pass{.name = row.own_name ? row.own_name(moment_) : row.name,
-                         .source = row.source(moment_, moment_.listed ? row.list : List{}),
+                         .source = row.source(moment_),
                          .turn = row.turn,
                          .resources = {},
                          .parameters = filled.bytes,
@@ -175,10 +146,7 @@ class Evaluation {
                          .of_view = std::move(filled.of_view)};
         for (const char* resource : row.resources) pass.resources.push_back(present(named(resource)));
         if (row.cover != Cover::view && row.cover != Cover::halved) pass.divisor = moment_.half() ? 2 : 1;
-        if (moment_.listed && row.list)
-            pass.list = offset_of(*row.list);
-        else
-            set_groups(row, pass);
+        set_groups(row, pass);
         return pass;
     }
 
@@ -195,10 +163,6 @@ class Evaluation {
     [[nodiscard]] std::array<std::uint32_t, 2> pixels_of_group(const PassRow& row) const {
         const std::uint32_t side = moment_.half() && row.cover != Cover::view ? 2 * tile_side : tile_side;
         switch (row.cover) {
-            case Cover::rows_of_tiles:
-                return {side * filter_tiles, side};
-            case Cover::tiles_of_tiles:
-                return {side * tile_side, side * tile_side};
             case Cover::own:
                 return row.name == std::string_view("preparation") ? pixels_of_preparation()
                                                                    : std::array<std::uint32_t, 2>{};
@@ -242,7 +206,7 @@ class Evaluation {
             return std::ranges::any_of(all, [&](const auto& one) { return one.name == name; });
         };
         if (among(resources_.images) || among(resources_.buffers)) return name;
-        return name.starts_with("tile_") ? nothing_buffer : nothing_image;
+        return nothing_image;
     }
 
     Moment moment_;
@@ -259,7 +223,6 @@ Plan planned_resources(const Moment& moment) {
     add_buffers(moment, plan);
     plan.tile = moment.half() ? 2 * tile_side : tile_side;
     if (!shows_alone(moment.settings)) plan.exchanged.push_back({"history_before", "history_after"});
-    if (moment.has_tiles) plan.exchanged.push_back({"tile_states_before", "tile_states_after"});
     return plan;
 }
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <stdexcept>
 #include <utility>
 
@@ -14,21 +13,11 @@
 namespace gloam::effect {
 namespace {
 
-constexpr std::uint32_t table_columns = 256;       // SAMPLE_TABLE_COLUMNS of samples/table.glsl
-constexpr std::uint32_t most_tabulated = 131'072;  // 2 MiB
-constexpr std::uint32_t listed_constant = 10;
-constexpr std::uint32_t list_constant = 11;
-
 // The pass's method in the place of the one that its source names.
 PassSource with_method_in(PassSource source, const MethodInfo& method) {
     source.defines.push_back("METHOD(position, normal, camera, kernel, values) " + call_of(method));
     source.replaced = {{file_of(methods().front()), file_of(method)}};
     return source;
-}
-
-std::string upper_case(std::string text) {
-    for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    return text;
 }
 
 std::string filter_include(Filter filter) {
@@ -69,22 +58,8 @@ std::vector<std::string> defines_for(const Settings& settings, bool from_history
     return defines;
 }
 
-// Constants of a pass that runs over a list of tiles, or over the whole image.
-std::vector<gpu::SpecializationConstant> constants_of(List list) {
-    return {{.id = listed_constant, .bits = flag(list.has_value())},
-            {.id = list_constant, .bits = static_cast<std::uint32_t>(list.value_or(TileLists::shaded))}};
-}
-
 bool takes_fewer_samples(const Settings& settings) {
     return settings.samples_distance > 0.0F || settings.samples_radius > 0.0F;
-}
-
-// Whether the loops over samples have a length that is a constant, and so few rounds that their code stays
-// small. Points that each sample computes itself have loops of their own.
-bool has_short_loops(const Settings& settings) {
-    constexpr std::uint32_t few = 96;
-    return settings.samples == settings.samples_converged && settings.samples <= few &&
-           !takes_fewer_samples(settings) && tabulates_samples(settings);
 }
 
 std::uint32_t half_side(std::uint32_t pixels) {
@@ -99,12 +74,6 @@ std::uint32_t half_band(std::uint32_t pixels) {
 glm::dvec2 shift_of(const View& view) {
     const glm::dvec2 even(1 - vector_of_size(view.extent) % 2);
     return even / (glm::dvec2(vector_of_size(view.extent)) * glm::dvec2(view.camera.p00_p11()));
-}
-
-// Preprocessor definition of a shader that reads or writes a table of the points with this name
-// (samples/table.glsl).
-std::string sample_point_of(std::string_view points) {
-    return fmt::format("SAMPLE_POINT gloam_{}_point", points);
 }
 
 }  // namespace
@@ -164,11 +133,6 @@ HistoryPrecision bound_precision(const Settings& settings) {
     return shows_alone(settings) ? HistoryPrecision::float32 : settings.precision;
 }
 
-std::int32_t filter_reach(const Settings& settings) {
-    // SAO's taps are two pixels apart.
-    return settings.filter == Filter::sao ? 2 * settings.filter_half_width : settings.filter_half_width;
-}
-
 PassSource input_source(const Moment& moment) {
     const scene::Encoding encoding = moment.converted.value_or(scene::Encoding{});
     return {.file = "take_inputs.comp",
@@ -196,22 +160,14 @@ PassSource upsample_source(const Moment& moment, bool filtered) {
                           {.id = 1, .bits = flag(moment.given.camera.orthographic())}}};
 }
 
-PassSource occlusion_source(const Moment& moment, List list) {
+PassSource occlusion_source(const Moment& moment) {
     const Settings& settings = moment.settings;
     const MethodInfo& method = method_named(settings.method);
     PassSource source =
         with_method_in({.file = "ambient_occlusion.comp", .defines = defines_for(moment)}, method);
-    const bool tabulated = tabulates_samples(settings);
-    if (tabulated) {
-        source.defines.emplace_back("GLOAM_SAMPLE_TABLE 11");
-        source.defines.push_back(sample_point_of(method.points));
-        source.defines.push_back(fmt::format("GLOAM_SAMPLING_{}_POINT_GLSL", upper_case(method.points)));
-    }
-    source.constants = {{.id = 0, .bits = static_cast<std::uint32_t>(moment.counting)},
-                        {.id = 1, .bits = flag(moment.watches())},
+    source.constants = {{.id = 1, .bits = flag(moment.watches())},
                         {.id = 2, .bits = static_cast<std::uint32_t>(settings.own.layers)},
                         {.id = 3, .bits = flag(settings.reject_taps)},
-                        {.id = 4, .bits = flag(moment.listed && moment.filtered)},
                         {.id = 5, .bits = settings.table_size},
                         {.id = 6, .bits = flag(takes_fewer_samples(settings))},
                         {.id = 7, .bits = flag(no_radius_cap > settings.radius_cap)},
@@ -225,8 +181,6 @@ PassSource occlusion_source(const Moment& moment, List list) {
                         {.id = 19, .bits = flag(method.unit == SampleUnit::pair)},
                         {.id = 20, .bits = flag(shows_alone(settings))},
                         {.id = 21, .bits = flag(settings.rotation == Rotation::lattice)}};
-    std::ranges::copy(constants_of(list), std::back_inserter(source.constants));
-    source.unrolls = has_short_loops(settings);
     return source;
 }
 
@@ -238,20 +192,17 @@ PassSource reprojection_source(const Moment& moment) {
                           {.id = 1, .bits = static_cast<std::uint32_t>(settings.taps)},
                           {.id = 3, .bits = flag(moment.view.camera.orthographic())},
                           {.id = 4, .bits = flag(moment.before.camera.orthographic())},
-                          {.id = 5, .bits = flag(moment.watches())},
-                          {.id = listed_constant, .bits = flag(moment.listed)}}};
+                          {.id = 5, .bits = flag(moment.watches())}}};
 }
 
-PassSource filter_source(const Moment& moment, bool along_y, List list) {
+PassSource filter_source(const Moment& moment, bool along_y) {
     const Settings& settings = moment.settings;
-    PassSource source{.file = "spatial_filter.comp",
-                      .defines = defines_for(settings.precision),
-                      .replaced = {{filter_include(Filter::convergence), filter_include(settings.filter)}},
-                      .constants = constants_of(list)};
-    source.defines.push_back(fmt::format("GLOAM_HALF_WIDTH {}", settings.filter_half_width));
-    source.constants.push_back({.id = 0, .bits = flag(along_y)});
-    source.constants.push_back({.id = 1, .bits = flag(moment.view.camera.orthographic())});
-    return source;
+    return {.file = "spatial_filter.comp",
+            .defines = defines_for(settings.precision),
+            .replaced = {{filter_include(Filter::convergence), filter_include(settings.filter)}},
+            .constants = {{.id = 0, .bits = flag(along_y)},
+                          {.id = 1, .bits = flag(moment.view.camera.orthographic())},
+                          {.id = 2, .bits = static_cast<std::uint32_t>(settings.filter_half_width)}}};
 }
 
 PassSource directional_source(const std::string& name, std::uint32_t interleave) {
@@ -266,10 +217,8 @@ PassSource motion_source(const View& view, const View& before) {
                           {.id = 1, .bits = flag(before.camera.orthographic())}}};
 }
 
-PassSource remap_source(const Settings& settings, bool from_history, List list) {
-    return {.file = "remap.comp",
-            .defines = defines_for(settings, from_history),
-            .constants = constants_of(list)};
+PassSource remap_source(const Settings& settings, bool from_history) {
+    return {.file = "remap.comp", .defines = defines_for(settings, from_history)};
 }
 
 PassSource preparation_source(const Moment& moment, const std::string& file) {
@@ -283,27 +232,6 @@ PassSource preparation_source(const Moment& moment, const std::string& file) {
                           {.id = 4, .bits = settings.samples_converged},
                           {.id = 5, .bits = settings.own.steps},
                           {.id = 6, .bits = flag(settings.rotation == Rotation::lattice)}}};
-}
-
-PassSource sample_table_source(const std::string& samples) {
-    return {.file = "sample_table.comp",
-            .defines = {sample_point_of(samples)},
-            .replaced = {{"gloam/sampling/hemisphere_cosine_point.glsl",
-                          fmt::format("gloam/sampling/{}_point.glsl", samples)}}};
-}
-
-// A frame starts at an index below the size of the table, and continues past it if needed.
-std::uint32_t last_tabulated(const Settings& settings) {
-    return settings.table_size - 1 + std::max(settings.samples, settings.samples_converged);
-}
-
-gpu::Extent sample_table_extent(const Settings& settings) {
-    return {table_columns, last_tabulated(settings) / table_columns + 1};
-}
-
-bool tabulates_samples(const Settings& settings) {
-    return settings.sample_table && !method_named(settings.method).points.empty() &&
-           last_tabulated(settings) < most_tabulated;
 }
 
 std::array<std::uint32_t, 3> groups_for(gpu::Extent extent) {

@@ -40,13 +40,10 @@ Moment moment_of(const Settings& settings, const PlanOptions& options) {
     moment.from_motion = options.motion_vectors;
     moment.bent_normals = options.bent_normals;
     moment.filtered = filters(settings);
-    moment.has_tiles = moment.listed = options.tiles;
     if (options.first) {
-        moment.has_tiles = moment.shows_unfiltered = true;
+        moment.shows_unfiltered = true;
         moment.moved = false;
     }
-    if (options.tiles || options.first) moment.counting = Counting::each_group;
-    if (tabulates_samples(settings)) moment.tabulated = {1, last_tabulated(settings)};
     return moment;
 }
 
@@ -73,9 +70,6 @@ Plan plan_of(const Settings& settings, const PlanOptions& options) {
     Moment moment = moment_of(settings, options);
     Plan plan = planned_resources(moment);
     plan.passes = planned_passes(moment, plan);
-    moment.odd = true;
-    const std::vector<PlannedPass> odd = planned_passes(moment, plan);
-    for (std::size_t i = 0; i < odd.size(); ++i) plan.passes[i].odd_parameters = odd[i].parameters;
     const ShownImage shown = shown_image(settings);
     plan.result = shown.name;
     plan.result_unit = shown.unit;

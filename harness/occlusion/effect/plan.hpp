@@ -92,9 +92,8 @@ struct PlannedPass {
 // Format of the images that hold a history.
 [[nodiscard]] gpu::Format format_of(HistoryPrecision precision);
 
-// Names of the resources that are bound where the settings need no image or no buffer.
+// Name of the image that is bound where the settings need none.
 inline constexpr const char* nothing_image = "nothing";
-inline constexpr const char* nothing_buffer = "no_buffer";
 
 // The passes of a frame, in their order, with all resources that they need.
 struct Plan {
@@ -113,9 +112,8 @@ struct PlanOptions {
     bool moving_objects = false;  // the engine gives the previous positions of surface points
     bool motion_vectors = false;  // it gives motion vectors, from which these follow
     bool orthographic = false;
-    bool tiles = false;   // passes run over lists of tiles (docs/passes.md); otherwise over the whole image
-    bool first = false;   // the first frame of AmbientOcclusion on a GPU, whose groups count their work
-    bool normals = true;  // the engine has normals; otherwise they are reconstructed from depth
+    bool first = false;         // the first frame of AmbientOcclusion
+    bool normals = true;        // the engine has normals; otherwise they are reconstructed from depth
     bool bent_normals = false;  // an image of the mean open directions is written as well
     scene::Encoding encoding;   // of the engine's depth and normals
 };

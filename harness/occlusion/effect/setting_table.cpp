@@ -228,18 +228,6 @@ void add_output(std::vector<Setting>& table) {
     table.push_back(number("guard", "of the frame", "guard band on each side", &S::guard, {.most = 0.5}));
     table.push_back(flag("guard_history", "the band is sampled too: what moves in from it has a history",
                          &S::guard_history));
-    table.push_back(
-        flag("freeze", "what has converged takes no more samples while nothing moves", &S::freeze));
-    table.push_back(flag("sample_table",
-                         "off: what samples share is computed for each anew, to the same result",
-                         &S::sample_table));
-    table.push_back(flag("skip_background", "off: background goes the long way, to the same result",
-                         &S::skip_background));
-    table.push_back(flag("skip_settled", "off: tiles that would not change are shaded, to the same result",
-                         &S::skip_settled));
-    table.push_back(flag("skip_filtered",
-                         "off: tiles that the filter leaves as they are pass it, to the same result",
-                         &S::skip_filtered));
 }
 
 SettingValue value_of(const Setting& setting, std::string_view text) {

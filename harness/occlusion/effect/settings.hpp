@@ -150,12 +150,7 @@ struct Settings {
     float least_radius =
         one_pixel;       // pixels: below this projected radius the occlusion is 0 without a sample; 0: never
     float guard = 0.0F;  // guard band of the view, part of the frame on each side, 0 to 0.5 (TSSAO-BORDER)
-    bool guard_history = true;    // the band is sampled too: surfaces that enter from it have a history
-    bool freeze = false;          // converged pixels take no more samples while nothing moves
-    bool sample_table = true;     // off: each pixel computes the shared part of its samples; same result
-    bool skip_background = true;  // off: background is processed like geometry; same result
-    bool skip_settled = true;     // off: tiles that would not change are shaded; same result
-    bool skip_filtered = true;    // off: tiles that the filter would not change are filtered; same result
+    bool guard_history = true;  // the band is sampled too: surfaces that enter from it have a history
 };
 
 // Whether these passes read the setting. All others have the value of Settings{}.

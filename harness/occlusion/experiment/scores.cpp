@@ -84,10 +84,4 @@ std::vector<ClassScore> scores_of(const effect::Frame& frame, const ScoredView& 
     return scores;
 }
 
-double samples_of(const effect::Work& work) {
-    const std::uint64_t left_out = work.background + work.below_radius;
-    return static_cast<double>(work.samples) /
-           static_cast<double>(std::max<std::uint64_t>(1, work.pixels - left_out));
-}
-
 }  // namespace gloam::experiment

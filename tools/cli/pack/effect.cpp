@@ -95,7 +95,7 @@ const std::string& resource_at(const PackedPass& pass, const shader::Binding& bi
 }
 
 bool is_nothing(const std::string& resource) {
-    return resource.starts_with(effect::nothing_image) || resource == effect::nothing_buffer;
+    return resource.starts_with(effect::nothing_image);
 }
 
 bool is_of_view(const PackedPass& pass, const shader::LaidOut& member) {
@@ -148,7 +148,6 @@ void pack_effect(const EffectPackOptions& options) {
                                    .moving_objects = options.moving_objects,
                                    .motion_vectors = options.motion_vectors,
                                    .orthographic = options.orthographic,
-                                   .tiles = options.tiles,
                                    .normals = !options.reconstruct_normals,
                                    .bent_normals = options.bent_normals,
                                    .encoding = scene::encoding_named(options.depth, options.normals)};

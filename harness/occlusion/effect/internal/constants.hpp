@@ -31,19 +31,15 @@ struct OcclusionParameters {
     float c_rot;
     float least_radius;
     std::uint32_t shade_border;
-    std::uint32_t skip_background;
     std::uint32_t invalidation;
     float change_tolerance;
     float weight_small;
     float confidence_factor;
-    std::uint32_t still;
-    std::uint32_t freeze;
     float samples_distance;
     float samples_radius;
     std::uint32_t samples_least;
     float radius_cap;
     float smoothing;
-    float c_filter;
     float bias_depth;
     float displacement_unit;
 };
@@ -134,27 +130,6 @@ struct PreparationParameters {
     float radius_cap;
     float bias_depth;
     std::int32_t level;
-};
-
-// Push constants of sample_table.comp.
-struct SampleTableParameters {
-    std::uint32_t first;
-    std::uint32_t last;
-};
-
-// Push constants of tiles/select.comp.
-struct SelectParameters {
-    glm::ivec2 size;
-    glm::ivec2 band;
-    std::uint32_t written;
-    std::uint32_t background;
-    std::uint32_t settled;
-};
-
-// Push constants of tiles/select_filtered.comp.
-struct SelectFilteredParameters {
-    glm::ivec2 size;
-    glm::ivec2 reach;
 };
 
 }  // namespace gloam::effect

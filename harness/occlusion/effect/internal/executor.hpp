@@ -30,10 +30,6 @@ class Resources {
     // Fills what a first frame expects: zeros in the images of the history, contents in all buffers.
     void restart(const Plan& plan);
 
-    // Fills the buffers that are refilled before each frame. Behind a buffer's contents nothing is read that
-    // the frame has not written.
-    void refill(const Plan& plan);
-
     // Swaps the images or buffers of each pair.
     void exchange(std::span<const std::array<std::string, 2>> pairs);
 

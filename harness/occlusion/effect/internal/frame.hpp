@@ -18,7 +18,7 @@ namespace gloam::effect {
 [[nodiscard]] Plan planned_resources(const Moment& moment);
 
 // The passes of one frame, in their order: pass_table() evaluated. resources: those that exist; a pass gets
-// nothing_image or nothing_buffer in the place of others. The table names what a resource is to the frame:
+// nothing_image in the place of others. The table names what a resource is to the frame:
 // `depth`, for example, is the depth that the passes read, and `history` the one that the samples enter. Both
 // sets of parameters are those of this frame.
 [[nodiscard]] std::vector<PlannedPass> planned_passes(const Moment& moment, const Plan& resources);
@@ -37,23 +37,20 @@ struct Constants {
 
 // What the groups of a pass cover.
 enum class Cover {
-    tiles,           // one tile: 8 x 8 pixels of the images that the passes read
-    rows_of_tiles,   // a row of filter_tiles tiles
-    tiles_of_tiles,  // 8 x 8 tiles
-    view,            // 8 x 8 pixels of the engine's view
-    halved,          // 8 x 8 pixels of the half-size images; the constants are those of the engine's view
-    own              // PassRow::groups
+    read,    // 8 x 8 pixels of the images that the passes read
+    view,    // 8 x 8 pixels of the engine's view
+    halved,  // 8 x 8 pixels of the half-size images; the constants are those of the engine's view
+    own      // PassRow::groups
 };
 
 // A pass. Resources are named by what they are to the frame: see planned_passes().
 struct PassRow {
     const char* name;
     std::function<std::size_t(const Moment&)> when;  // how many times it runs; Moment::step counts them
-    std::function<PassSource(const Moment&, List)> source;
+    std::function<PassSource(const Moment&)> source;
     std::vector<const char*> resources;  // at binding 0, 1, ...
     std::function<Constants(const Moment&)> fill;
-    Cover cover = Cover::tiles;
-    List list = {};  // on which it runs in frames with lists
+    Cover cover = Cover::read;
     Turn turn = Turn::always;
     std::function<std::array<std::uint32_t, 3>(const Moment&)> groups = {};
     std::function<std::string(const Moment&)> own_name = {};  // in the place of `name`
