@@ -14,8 +14,8 @@
 //   2  history  before: (occlusion, samples accumulated, samples of the sequence used, depth); zeros for none; read
 //               when keeps_history is set
 //   3  history  written unless shows_alone is set: after, likewise; background (0, 0, 0, infinity)
-//   4  r32ui    how each surface point has moved otherwise than the camera (reproject.comp); read when moving_objects
-//               is set
+//   4  rgba32f  xyz: where each surface point was, in the view space of the previous frame; read when moving_objects is
+//               set
 //   5  buffer   a MethodValues
 //   6  prepared what the method's preparation passes have written (preparation/pass.glsl); read by methods that have
 //               some
@@ -51,7 +51,7 @@ layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
 layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT normal_image;
 layout(binding = 2 GLOAM_FORMAT(GLOAM_HISTORY)) uniform GLOAM_HISTORY_INPUT history_before;
 layout(binding = 3, GLOAM_HISTORY) uniform writeonly GLOAM_HISTORY_IMAGE history_after;
-layout(binding = 4 GLOAM_FORMAT(r32ui)) uniform GLOAM_UINT_INPUT displacement_image;
+layout(binding = 4 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT previous_position_image;
 
 layout(push_constant) uniform Parameters {
     vec2 p00_p11;          // elements [0][0] and [1][1] of the projection, y down
@@ -77,7 +77,6 @@ layout(push_constant) uniform Parameters {
     float radius_cap;      // pixels: the projected radius is at most that large (Gears of War 2)
     float smoothing;       // part of a frame in an exponential mean (CS-G); 0: the mean of TSSAO-5
     float bias_depth;      // the bias is at least this share of the depth
-    float displacement_unit;  // of binding 4, world units
 } parameters;
 
 #include "gloam/geometry/borders.glsl"
@@ -85,7 +84,6 @@ layout(push_constant) uniform Parameters {
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/temporal/blend.glsl"
 #include "gloam/temporal/convergence.glsl"
-#include "gloam/temporal/displacement.glsl"
 #include "gloam/temporal/history.glsl"
 #include "gloam/temporal/neighborhood.glsl"
 #include "gloam/temporal/smoothing.glsl"
@@ -105,10 +103,10 @@ layout(binding = 8, r32f) uniform writeonly highp image2D shown_image;
     gloam_hemisphere(position, normal, camera, kernel, GloamHemisphere(values.range, values.layers))
 #endif
 
-// The point being shaded, its motion, and what the samples have shown of its neighbourhood so far.
+// The point being shaded, where it was, and what the samples have shown of its neighbourhood so far.
 struct Neighborhood {
     vec3 position;
-    vec3 displacement;  // otherwise than the camera, since the last frame
+    vec3 previous;  // in the view space of the previous frame
     vec3 normal;
     float reach;   // how far what blocks a sample may be, world units
     float change;  // largest, world units
@@ -121,17 +119,12 @@ GloamCamera this_camera() {
 
 #include "pixel_samples.glsl"
 
-vec3 displacement_at(ivec2 pixel) {
-    return gloam_displacement_from_code(GLOAM_FETCH(displacement_image, pixel).x, parameters.displacement_unit);
-}
-
-// Takes the surface point under a sample as a probe (TSSAO-9). The camera's motion keeps all distances, so two points
-// were as far apart as they are without their displacements. The ray is divided as gloam_footprint_ray divides, so that
-// compilers share it.
+// Takes the surface point under a sample as a probe (TSSAO-9). The ray is divided as gloam_footprint_ray divides, so
+// that compilers share it.
 void probe(ivec2 pixel, float depth) {
     vec2 ray = (vec2(2 * pixel + 1) - vec2(parameters.size)) / vec2(parameters.size) / parameters.p00_p11;
     vec3 now = vec3(orthographic ? ray : ray * depth, -depth) - neighborhood.position;
-    vec3 before = now + (displacement_at(pixel) - neighborhood.displacement);
+    vec3 before = GLOAM_FETCH(previous_position_image, pixel).xyz - neighborhood.previous;
     float change = gloam_probe_change(now, before, neighborhood.normal, neighborhood.reach);
     float largest = max(neighborhood.change, change);  // outside of the choice, so that it is no branch
     neighborhood.change = gloam_tap_sees(depth) ? largest : neighborhood.change;
@@ -168,7 +161,8 @@ float weight_after_change(float weight, float seen) {
 
 // A sample is as far as the radius from the point, and what blocks it up to `range` in front of the sample.
 Neighborhood neighborhood_of(ivec2 pixel, vec3 position, vec3 normal, float radius) {
-    return Neighborhood(position, displacement_at(pixel), normal, radius + method_values.range, 0.0);
+    vec3 previous = GLOAM_FETCH(previous_position_image, pixel).xyz;
+    return Neighborhood(position, previous, normal, radius + method_values.range, 0.0);
 }
 
 // What the method says of a pixel by `samples` samples.

@@ -11,8 +11,6 @@
 //   2  history  of the previous frame: (occlusion, samples accumulated, samples of the sequence used, depth)
 //   3  history  written: the same for this frame's pixels, with the depth the point had in the previous camera; (0, 0,
 //               0, depth) for none
-//   4  r32ui    written when keeps_displacement is set: how each surface point has moved otherwise than the camera, in
-//               the view space of this frame (gloam/temporal/displacement.glsl); not written at the background
 #include "history_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -21,13 +19,11 @@ layout(constant_id = 0) const bool moving_objects = false;  // binding 1 holds t
 layout(constant_id = 1) const uint taps = 2u;
 layout(constant_id = 3) const bool orthographic = false;           // this frame's camera; else perspective
 layout(constant_id = 4) const bool previous_orthographic = false;  // the previous frame's
-layout(constant_id = 5) const bool keeps_displacement = false;     // write binding 4; moving_objects is set as well
 
 layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
 layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT previous_position_image;
 layout(binding = 2 GLOAM_FORMAT(GLOAM_HISTORY)) uniform GLOAM_HISTORY_INPUT previous_history;
 layout(binding = 3, GLOAM_HISTORY) uniform writeonly GLOAM_HISTORY_IMAGE history;
-layout(binding = 4, r32ui) uniform writeonly highp uimage2D displacement_image;
 
 layout(push_constant) uniform Parameters {
     mat4 previous_from_current;  // view space of this frame to that of the previous one; a rigid motion
@@ -35,11 +31,9 @@ layout(push_constant) uniform Parameters {
     vec2 previous_p00_p11;       // of the previous frame's
     ivec2 size;                  // of all images, pixels
     float tolerance;             // of the depth test, relative; infinity: no test
-    float displacement_unit;     // of binding 4, world units
 } parameters;
 
 #include "gloam/geometry/camera.glsl"
-#include "gloam/temporal/displacement.glsl"
 #include "gloam/temporal/reprojected_history.glsl"
 
 const uint NEAREST = 0u;
@@ -49,8 +43,9 @@ vec4 gloam_fetch_history(ivec2 pixel) {
     return GLOAM_LOAD_HISTORY_TEXEL(previous_history, pixel);
 }
 
-// Where the camera's motion alone would have a surface point, in the view space of the previous frame.
-vec3 carried_position(ivec2 pixel, float depth) {
+// Where a surface point was, in the view space of the previous frame.
+vec3 previous_position(ivec2 pixel, float depth) {
+    if (moving_objects) return GLOAM_FETCH(previous_position_image, pixel).xyz;
     GloamCamera camera = GloamCamera(parameters.p00_p11, parameters.size, orthographic);
     return (parameters.previous_from_current * vec4(gloam_camera_position(pixel, depth, camera), 1.0)).xyz;
 }
@@ -68,13 +63,7 @@ GloamHistory history_at(vec2 uv, float expected_depth) {
 GloamHistory reprojected(ivec2 pixel) {
     float depth = GLOAM_FETCH(depth_image, pixel).x;
     if (gloam_is_background(depth)) return gloam_history_empty(depth);
-    vec3 carried = carried_position(pixel, depth);
-    vec3 previous = moving_objects ? GLOAM_FETCH(previous_position_image, pixel).xyz : carried;
-    if (keeps_displacement) {
-        vec3 displacement = (previous - carried) * mat3(parameters.previous_from_current);  // by the transpose
-        uint code = gloam_displacement_to_code(displacement, parameters.displacement_unit);
-        imageStore(displacement_image, pixel, uvec4(code));
-    }
+    vec3 previous = previous_position(pixel, depth);
     GloamCamera camera = GloamCamera(parameters.previous_p00_p11, parameters.size, previous_orthographic);
     vec2 uv = gloam_camera_uv(previous, camera);
     bool seen = !gloam_is_background(-previous.z) && gloam_inside_unit(uv);

@@ -175,10 +175,10 @@ PassSource occlusion() {
 
 TEST_F(Layouts, SamplesAndWhatIsPreparedForThem) {
     expect_pushed<OcclusionParameters>(
-        occlusion(), LINES_OF(OcclusionParameters, p00_p11, size, border, radius, bias, c_spatial, weight_max,
-                              c_rot, least_radius, shade_border, invalidation, change_tolerance, weight_small,
-                              confidence_factor, samples_distance, samples_radius, samples_least, radius_cap,
-                              smoothing, bias_depth, displacement_unit));
+        occlusion(),
+        LINES_OF(OcclusionParameters, p00_p11, size, border, radius, bias, c_spatial, weight_max, c_rot,
+                 least_radius, shade_border, invalidation, change_tolerance, weight_small, confidence_factor,
+                 samples_distance, samples_radius, samples_least, radius_cap, smoothing, bias_depth));
     expect_pushed<PreparationParameters>(
         preparation_source({}, "half_resolution.comp"),
         LINES_OF(PreparationParameters, p00_p11, size, border, radius, bias, c_spatial, weight_max, c_rot,
@@ -187,9 +187,9 @@ TEST_F(Layouts, SamplesAndWhatIsPreparedForThem) {
 }
 
 TEST_F(Layouts, ReprojectionFilterAndMap) {
-    expect_pushed<ReprojectionParameters>(reprojection_source({}),
-                                          LINES_OF(ReprojectionParameters, previous_from_current, p00_p11,
-                                                   previous_p00_p11, size, tolerance, displacement_unit));
+    expect_pushed<ReprojectionParameters>(
+        reprojection_source({}),
+        LINES_OF(ReprojectionParameters, previous_from_current, p00_p11, previous_p00_p11, size, tolerance));
     for (const Filter filter : {Filter::convergence, Filter::geometry, Filter::bilateral, Filter::sao}) {
         Moment moment;
         moment.settings.filter = filter;

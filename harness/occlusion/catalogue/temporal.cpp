@@ -139,20 +139,6 @@ void append_packed_history(Entries& entries) {
     add_exact(entries, "PACKED-decode", &reference::gloam_history_decode, {packed});
 }
 
-void append_displacement(Entries& entries) {
-    const Values component = either(uniform(-8, 8), log_uniform(1e-30, 1e30)).and_special();
-    const Values unit = either(uniform(1e-4, 1e-3), log_uniform(1e-6, 1));
-    add(entries, "DISPLACED-code", &reference::gloam_displacement_to_code,
-        {.domain = {either(vector(3, component), vector(3, uniform(-0.05, 0.05))), unit},
-         .budget = {.backward_ulp = 4},
-         .codomain = {0, 4294967295.0}},
-        [](glm::dvec3 displacement, double) { return moderate(1e-30, 1e30, displacement); });
-    add(entries, "DISPLACED-of", &reference::gloam_displacement_from_code,
-        {.domain = {log_integers(4294967295).and_near_integers({134217727, 4227727103}), unit},
-         .budget = {.ulp = 1},
-         .codomain = {-0x1p40, 0x1p40}});
-}
-
 void append_disocclusion(Entries& entries) {
     const Values depth =
         either(uniform(1, 4), log_uniform(1e-3, 1e6)).and_near({0x1p-126, float_max}).and_special();
@@ -304,7 +290,6 @@ void append_temporal(Entries& entries) {
     append_accumulation(entries);
     append_history(entries);
     append_packed_history(entries);
-    append_displacement(entries);
     append_validity(entries);
     append_reprojection(entries);
     append_temporal_smoothing(entries);

@@ -4,15 +4,6 @@
 #include "effect/internal/passes.hpp"
 
 namespace gloam::effect {
-namespace {
-
-// To what a displacement is rounded: so little that rounding two of them stays far below what counts as a
-// change.
-float displacement_unit(const Settings& settings) {
-    return settings.change_tolerance / 32.0F;
-}
-
-}  // namespace
 
 NormalParameters normal_parameters(const View& view) {
     return {view.camera.p00_p11(), vector_of_size(view.extent), flag(view.camera.orthographic())};
@@ -44,8 +35,7 @@ OcclusionParameters occlusion_parameters(const View& view, const Settings& setti
             .samples_least = settings.samples_least,
             .radius_cap = settings.radius_cap,
             .smoothing = settings.smoothing,
-            .bias_depth = settings.bias_depth,
-            .displacement_unit = displacement_unit(settings)};
+            .bias_depth = settings.bias_depth};
 }
 
 MotionParameters motion_parameters(const View& view, const View& before) {
@@ -95,8 +85,7 @@ ReprojectionParameters reprojection_parameters(const Moment& moment) {
             .p00_p11 = moment.view.camera.p00_p11(),
             .previous_p00_p11 = moment.before.camera.p00_p11(),
             .size = vector_of_size(moment.view.extent),
-            .tolerance = moment.settings.depth_tolerance,
-            .displacement_unit = displacement_unit(moment.settings)};
+            .tolerance = moment.settings.depth_tolerance};
 }
 
 FilterParameters filter_parameters(const View& view, const Settings& settings) {

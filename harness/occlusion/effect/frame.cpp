@@ -33,8 +33,6 @@ std::vector<ImageRow> images_of_inputs(const Moment& m) {
     const char* normals = "view-space unit normals that face the eye, in xyz";
     const bool converts = m.converted.has_value();
     const bool layers = m.settings.own.layers > 1;
-    const bool watched =
-        m.has_positions && m.settings.history && m.settings.invalidation != Invalidation::none;
     return {
         {"depth", true, r32f, Origin::engine, Size::view,
          converts ? "depth as the engine stores it, any format that is sampled" : linear},
@@ -47,8 +45,6 @@ std::vector<ImageRow> images_of_inputs(const Moment& m) {
          "before"},
         {"previous_position", m.has_positions, rgba32f, m.from_motion ? Origin::frame : Origin::engine,
          Size::view, "where each surface point was, in the view space of the frame before, in xyz"},
-        {"displacement", watched, r32ui, Origin::frame, Size::read,
-         "how surface points move otherwise than the camera"},
         {"layers", layers, rgba32f, Origin::engine, Size::view,
          "depth layers 1 to 3 behind the first in xyz"},
         {"half_depth", m.half(), r32f, Origin::frame, Size::read, "eye-linear depth of every second pixel"},

@@ -80,7 +80,7 @@ PassRow row_of_samples() {
     return {.name = "ambient_occlusion",
             .when = [](const Moment&) { return 1; },
             .source = [](const Moment& m) { return occlusion_source(m); },
-            .resources = {"depth", "normal", "history", "history_after", "displacement", "method", "prepared",
+            .resources = {"depth", "normal", "history", "history_after", "positions", "method", "prepared",
                           "layers", "filtered"},
             .fill =
                 [](const Moment& m) {
@@ -95,7 +95,7 @@ std::vector<PassRow> rows_of_samples() {
         {.name = "reproject",
          .when = [](const Moment& m) { return m.moves_history(); },
          .source = [](const Moment& m) { return reprojection_source(m); },
-         .resources = {"depth", "positions", "history_before", "history_reprojected", "displacement"},
+         .resources = {"depth", "positions", "history_before", "history_reprojected"},
          .fill =
              [](const Moment& m) {
                  using P = ReprojectionParameters;

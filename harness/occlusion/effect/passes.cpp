@@ -191,8 +191,7 @@ PassSource reprojection_source(const Moment& moment) {
             .constants = {{.id = 0, .bits = flag(moment.has_positions)},
                           {.id = 1, .bits = static_cast<std::uint32_t>(settings.taps)},
                           {.id = 3, .bits = flag(moment.view.camera.orthographic())},
-                          {.id = 4, .bits = flag(moment.before.camera.orthographic())},
-                          {.id = 5, .bits = flag(moment.watches())}}};
+                          {.id = 4, .bits = flag(moment.before.camera.orthographic())}}};
 }
 
 PassSource filter_source(const Moment& moment, bool along_y) {

@@ -41,7 +41,6 @@ struct OcclusionParameters {
     float radius_cap;
     float smoothing;
     float bias_depth;
-    float displacement_unit;
 };
 
 struct ReprojectionParameters {
@@ -50,7 +49,6 @@ struct ReprojectionParameters {
     glm::vec2 previous_p00_p11;
     glm::ivec2 size;
     float tolerance;
-    float displacement_unit;
 };
 
 // Of positions_from_motion.comp.
