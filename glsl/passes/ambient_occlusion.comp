@@ -5,15 +5,14 @@
 // objects move, the samples tell as well whether the neighbourhood of the pixel has changed, and the history then
 // counts less (TSSAO-9, -SI).
 //
-// The history is held as history_image.glsl says.
 // Define METHOD, and change the include, for another method than the one below.
 // Define GLOAM_PREPARED as r32f for a method whose prepared image has one channel (separable, sao_chain), else it is
 // rgba32f. Dispatch ceil(size / 8) groups. Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
 //   1  rgba32f  view-space normal facing the eye in xyz
-//   2  history  before: (occlusion, samples accumulated, samples of the sequence used, depth); zeros for none; read
+//   2  rgba32f  history before: (occlusion, samples accumulated, samples of the sequence used, depth); zeros for none; read
 //               when keeps_history is set
-//   3  history  written unless shows_alone is set: after, likewise; background (0, 0, 0, infinity)
+//   3  rgba32f  history, written unless shows_alone is set: after, likewise; background (0, 0, 0, infinity)
 //   4  rgba32f  xyz: where each surface point was, in the view space of the previous frame; read when moving_objects is
 //               set
 //   5  buffer   a MethodValues
@@ -22,7 +21,7 @@
 //   7  rgba32f  depth layers 1 to 3 behind binding 0 in xyz: eye-linear, negative where seen from behind, 0 or not
 //               finite where there is none; read when layers is more than 1
 //   8  r32f     occlusion: written when shows_alone is set
-#include "history_image.glsl"
+#include "passes/input_image.glsl"
 #ifndef GLOAM_PREPARED
 #define GLOAM_PREPARED rgba32f
 #endif
@@ -49,8 +48,8 @@ layout(constant_id = 19) const bool rounds_up = false;        // to the next who
 
 layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
 layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT normal_image;
-layout(binding = 2 GLOAM_FORMAT(GLOAM_HISTORY)) uniform GLOAM_HISTORY_INPUT history_before;
-layout(binding = 3, GLOAM_HISTORY) uniform writeonly GLOAM_HISTORY_IMAGE history_after;
+layout(binding = 2 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT history_before;
+layout(binding = 3, rgba32f) uniform writeonly highp image2D history_after;
 layout(binding = 4 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT previous_position_image;
 
 layout(push_constant) uniform Parameters {
@@ -193,7 +192,7 @@ uint samples_for(GloamHistory before, float depth) {
 
 GloamHistory sampled(ivec2 pixel, float depth) {
     GloamHistory before = gloam_history_empty(depth);
-    if (keeps_history) before = GLOAM_LOAD_HISTORY(history_before, pixel);
+    if (keeps_history) before = gloam_history_unpack(GLOAM_FETCH(history_before, pixel));
     uint samples = samples_for(before, depth);
     GloamEstimate fresh = GloamEstimate(0.0, 0.0, 1.0);
     float change = 0.0;  // of a pixel that takes no sample nothing is known
@@ -232,6 +231,6 @@ void main() {
     if (shows_alone) {
         imageStore(shown_image, pixel, vec4(gloam_history_sanitize(after).occlusion));
     } else {
-        GLOAM_STORE_HISTORY(history_after, pixel, after);
+        imageStore(history_after, pixel, gloam_history_pack(after));
     }
 }

@@ -5,20 +5,19 @@
 // converts to the format of the output.
 //
 // Define GLOAM_OUTPUT as r16f or r8 for an output of fewer bits; the default is r32f.
-// Define GLOAM_SOURCE as r32f if binding 1 is not a history; a history has the format of history_image.glsl.
+// Define GLOAM_SOURCE as r32f if binding 1 is not a history.
 // Dispatch ceil(size / 8) groups. Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
 //   1  source   occlusion in x: the history, or the filter's result
 //   2  output   written: mapped occlusion, in [0, 1]; background as it is
-#include "history_image.glsl"
+#include "passes/input_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
-#ifdef GLOAM_SOURCE
-layout(binding = 1 GLOAM_FORMAT(GLOAM_SOURCE)) uniform GLOAM_INPUT source_image;
-#else
-layout(binding = 1 GLOAM_FORMAT(GLOAM_HISTORY)) uniform GLOAM_HISTORY_INPUT source_image;
+#ifndef GLOAM_SOURCE
+#define GLOAM_SOURCE rgba32f
 #endif
+layout(binding = 1 GLOAM_FORMAT(GLOAM_SOURCE)) uniform GLOAM_INPUT source_image;
 #ifndef GLOAM_OUTPUT
 #define GLOAM_OUTPUT r32f
 #endif
@@ -37,11 +36,7 @@ layout(push_constant) uniform Parameters {
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
-#ifdef GLOAM_SOURCE
     float occlusion = GLOAM_FETCH(source_image, pixel).x;
-#else
-    float occlusion = GLOAM_LOAD_HISTORY_TEXEL(source_image, pixel).x;
-#endif
     if (!gloam_is_background(GLOAM_FETCH(depth_image, pixel).x)) {
         occlusion = 1.0 - gloam_remap(1.0 - occlusion, parameters.a, parameters.b, parameters.c);
     }

@@ -3,15 +3,14 @@
 // Brings the history of the previous frame to the pixels of this one (TSSAO-RP, -7, -8, BUF): one invocation a pixel.
 // What was hidden, outside the image or another surface has no history.
 //
-// The history is held as history_image.glsl says.
 // Dispatch ceil(size / 8) groups. Descriptor set 0:
 //   0  r32f     eye-linear depth of this frame, world units; background 0 or not finite
 //   1  rgba32f  xyz: where each surface point was, in the view space of the previous frame; read when moving_objects is
 //               set
-//   2  history  of the previous frame: (occlusion, samples accumulated, samples of the sequence used, depth)
-//   3  history  written: the same for this frame's pixels, with the depth the point had in the previous camera; (0, 0,
+//   2  rgba32f  history of the previous frame: (occlusion, samples accumulated, samples of the sequence used, depth)
+//   3  rgba32f  written: the same for this frame's pixels, with the depth the point had in the previous camera; (0, 0,
 //               0, depth) for none
-#include "history_image.glsl"
+#include "passes/input_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 0) const bool moving_objects = false;  // binding 1 holds the positions; else only the camera moved
@@ -22,8 +21,8 @@ layout(constant_id = 4) const bool previous_orthographic = false;  // the previo
 
 layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
 layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT previous_position_image;
-layout(binding = 2 GLOAM_FORMAT(GLOAM_HISTORY)) uniform GLOAM_HISTORY_INPUT previous_history;
-layout(binding = 3, GLOAM_HISTORY) uniform writeonly GLOAM_HISTORY_IMAGE history;
+layout(binding = 2 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT previous_history;
+layout(binding = 3, rgba32f) uniform writeonly highp image2D history;
 
 layout(push_constant) uniform Parameters {
     mat4 previous_from_current;  // view space of this frame to that of the previous one; a rigid motion
@@ -40,7 +39,7 @@ const uint NEAREST = 0u;
 const uint BILINEAR = 1u;
 
 vec4 gloam_fetch_history(ivec2 pixel) {
-    return GLOAM_LOAD_HISTORY_TEXEL(previous_history, pixel);
+    return GLOAM_FETCH(previous_history, pixel);
 }
 
 // Where a surface point was, in the view space of the previous frame.
@@ -73,5 +72,5 @@ GloamHistory reprojected(ivec2 pixel) {
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
-    GLOAM_STORE_HISTORY(history, pixel, reprojected(pixel));
+    imageStore(history, pixel, gloam_history_pack(reprojected(pixel)));
 }

@@ -4,24 +4,22 @@
 // history must not contain the result. A file of the folder filters says how: by convergence (TSSAO-10), by normal and
 // depth (CS-BLUR), by distance and depth (ISSAO-7), or as SAO.
 //
-// The history has the format of history_image.glsl. Dispatch ceil(size / 8) groups. Descriptor set 0:
-//   0  r32f     eye-linear depth, world units; background 0 or not finite; read where the history rounds
-//   1  history  occlusion in x, accumulated samples in y, depth in w as binding 0 has it unless it is rounded
-//   2  r32f     written: filtered occlusion
-//   3  rgba32f  view-space normal in xyz; read by the filter geometry alone
-//   4  r32f     what this pass has written along x; read when along_y is set
-#include "history_image.glsl"
+// Dispatch ceil(size / 8) groups. Descriptor set 0:
+//   0  rgba32f  history: occlusion in x, accumulated samples in y, depth in w
+//   1  r32f     written: filtered occlusion
+//   2  rgba32f  view-space normal in xyz; read by the filter geometry alone
+//   3  r32f     what this pass has written along x; read when along_y is set
+#include "passes/input_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 0) const bool along_y = false;       // the second of the two passes
 layout(constant_id = 1) const bool orthographic = false;  // else perspective
 layout(constant_id = 2) const int half_width = 2;         // taps on each side: 2 is 5 x 5
 
-layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
-layout(binding = 1 GLOAM_FORMAT(GLOAM_HISTORY)) uniform GLOAM_HISTORY_INPUT history_image;
-layout(binding = 2, r32f) uniform writeonly highp image2D filtered_image;
-layout(binding = 3 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT normal_image;
-layout(binding = 4 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT along_x_image;
+layout(binding = 0 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT history_image;
+layout(binding = 1, r32f) uniform writeonly highp image2D filtered_image;
+layout(binding = 2 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT normal_image;
+layout(binding = 3 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT along_x_image;
 
 layout(push_constant) uniform Parameters {
     vec2 p00_p11;        // elements [0][0] and [1][1] of the projection, y down
@@ -43,9 +41,8 @@ struct Source {
 };
 
 Source source_at(ivec2 pixel) {
-    vec4 texel = GLOAM_LOAD_HISTORY_TEXEL(history_image, pixel);
+    vec4 texel = GLOAM_FETCH(history_image, pixel);
     if (along_y) texel.x = GLOAM_FETCH(along_x_image, pixel).x;
-    if (GLOAM_HISTORY_ROUNDS) texel.w = GLOAM_FETCH(depth_image, pixel).x;
     return Source(texel.x, texel.y, texel.w);
 }
 

@@ -247,11 +247,10 @@ TEST_F(EsPasses, AreTakenByADriver) {
     Settings other = with_method({}, "alchemy");
     other.filter = Filter::geometry;
     expect_linked(other, {});
-    Settings half = with_method(other, "hemisphere");
-    half.resolution = Resolution::half;
-    half.filter = Filter::none;
-    half.own.layers = 2;
-    expect_linked(half, {.moving_objects = true});
+    Settings layered = with_method(other, "hemisphere");
+    layered.filter = Filter::none;
+    layered.own.layers = 2;
+    expect_linked(layered, {.moving_objects = true});
     EXPECT_EQ(files_.size(), 11U);
 }
 

@@ -26,14 +26,9 @@ TEST_F(PlanTest, IsWhatAFrameRuns) {
     const scene::GBuffer first = drawn("room", extent, {.frame = 0});
     const scene::GBuffer second = drawn("room", extent, {.frame = 1});
     for (const char* method : {"hemisphere", "mssao", "dual_resolution", "sao_chain", "separable"}) {
-        for (const char* preset : {"tssao-paper", "tssao-paper, frames alone", "tssao-paper, half"}) {
-            const bool alone = std::string_view(preset).ends_with("alone");
-            const bool half = std::string_view(preset).ends_with("half");
-            const std::string_view named =
-                std::string_view(preset).substr(0, std::string_view(preset).find(','));
-            Settings settings = with_method(preset_named(std::string(named)).settings, method);
-            settings.history = !alone;
-            if (half) settings.resolution = Resolution::half;
+        for (const bool history : {true, false}) {
+            Settings settings = with_method(preset_named("tssao-paper").settings, method);
+            settings.history = history;
             settings.remap_b = 2.0F;
             AmbientOcclusion& effect = effect_for(extent);
             effect.begin(first, settings);
@@ -46,7 +41,7 @@ TEST_F(PlanTest, IsWhatAFrameRuns) {
             for (const PlannedPass& pass : plan_of(settings, {.view = extent}).passes)
                 planned.push_back(pass.name);
             std::erase(planned, "remap");
-            EXPECT_EQ(planned, ran) << method << " " << preset;
+            EXPECT_EQ(planned, ran) << method << " " << history;
         }
     }
 }
@@ -54,60 +49,26 @@ TEST_F(PlanTest, IsWhatAFrameRuns) {
 TEST_F(PlanTest, ImagesHaveTheSizeThatTheMethodPrepares) {
     for (const char* method : {"mssao", "dual_resolution", "sao_chain", "separable"}) {
         for (const gpu::Extent extent : {gpu::Extent{640, 360}, gpu::Extent{33, 17}, gpu::Extent{1, 1}}) {
-            for (const Resolution resolution : {Resolution::full, Resolution::half}) {
-                Settings settings = with_method({}, method);
-                settings.resolution = resolution;
-                const gpu::Extent read = resolution == Resolution::half ? half_of(extent) : extent;
-                const Preparation preparation = preparation_of(settings, read).value();
-                const Plan plan = plan_of(settings, {.view = extent});
-                std::size_t next = 0;
-                for (const PlannedImage& image : plan.images) {
-                    const std::uint32_t d = image.divisor;
-                    if (d == 0) continue;
-                    EXPECT_EQ(image.extent.width, (extent.width + d - 1) / d) << image.name;
-                    EXPECT_EQ(image.extent.height, (extent.height + d - 1) / d) << image.name;
-                }
-                for (const PlannedPass& pass : plan.passes) {
-                    if (next == preparation.passes.size() || pass.name != preparation.passes[next].name)
-                        continue;
-                    const gpu::Extent needed = preparation.passes[next++].invocations;
-                    const auto [x, y] = pass.pixels;
-                    EXPECT_GE((extent.width + x - 1) / x * 8, needed.width) << pass.name;
-                    EXPECT_GE((extent.height + y - 1) / y * 8, needed.height) << pass.name;
-                }
-                EXPECT_EQ(next, preparation.passes.size());
+            const Settings settings = with_method({}, method);
+            const Preparation preparation = preparation_of(settings, extent).value();
+            const Plan plan = plan_of(settings, {.view = extent});
+            std::size_t next = 0;
+            for (const PlannedImage& image : plan.images) {
+                const std::uint32_t d = image.divisor;
+                if (d == 0) continue;
+                EXPECT_EQ(image.extent.width, (extent.width + d - 1) / d) << image.name;
+                EXPECT_EQ(image.extent.height, (extent.height + d - 1) / d) << image.name;
             }
+            for (const PlannedPass& pass : plan.passes) {
+                if (next == preparation.passes.size() || pass.name != preparation.passes[next].name) continue;
+                const gpu::Extent needed = preparation.passes[next++].invocations;
+                const auto [x, y] = pass.pixels;
+                EXPECT_GE((extent.width + x - 1) / x * 8, needed.width) << pass.name;
+                EXPECT_GE((extent.height + y - 1) / y * 8, needed.height) << pass.name;
+            }
+            EXPECT_EQ(next, preparation.passes.size());
         }
     }
-}
-
-// Passes over half-size images have groups of as many pixels of the half-size view.
-TEST_F(PlanTest, GroupsCoverTheHalfSizeView) {
-    Settings settings;
-    settings.resolution = Resolution::half;
-    const Plan plan = plan_of(settings, {.view = {35, 18}, .normals = false});
-    EXPECT_EQ(plan.tile, 16U);
-    EXPECT_EQ(plan.result, "upsampled");
-    std::size_t full = 0;
-    for (const PlannedPass& pass : plan.passes) {
-        full += pass.divisor == 1 ? 1 : 0;
-        if (pass.pixels[0] == 0) continue;
-        EXPECT_EQ(pass.pixels[1] % 16, pass.name == "normals_from_depth" ? 8U : 0U) << pass.name;
-        EXPECT_EQ(pass.divisor,
-                  pass.name == "normals_from_depth" || pass.name == "halve_inputs" || pass.name == "upsample"
-                      ? 1U
-                      : 2U)
-            << pass.name;
-    }
-    EXPECT_EQ(full, 3U);
-    const auto size = [&](const char* name) {
-        const auto found = std::ranges::find(plan.images, name, &PlannedImage::name);
-        return found == plan.images.end() ? gpu::Extent{} : found->extent;
-    };
-    EXPECT_EQ(size("depth"), (gpu::Extent{35, 18}));
-    EXPECT_EQ(size("half_depth"), (gpu::Extent{18, 9}));
-    EXPECT_EQ(size("history_after"), (gpu::Extent{18, 9}));
-    EXPECT_EQ(size("upsampled"), (gpu::Extent{35, 18}));
 }
 
 // Of the push constants the view's are what an engine must give, all others are the settings'.
@@ -198,9 +159,6 @@ TEST_F(Layouts, ReprojectionFilterAndMap) {
                                                  c_adaptive, weight_max, cap));
     }
     expect_pushed<RemapParameters>(remap_source({}, false), LINES_OF(RemapParameters, size, a, b, c));
-    expect_pushed<HalveParameters>(halve_source({}),
-                                   LINES_OF(HalveParameters, p00_p11, previous_p00_p11, size));
-    expect_pushed<UpsampleParameters>(upsample_source({}, true), LINES_OF(UpsampleParameters, size, a, b, c));
     expect_pushed<NormalParameters>({.file = "normals_from_depth.comp"},
                                     LINES_OF(NormalParameters, p00_p11, size, orthographic));
 }
@@ -230,7 +188,6 @@ TEST_F(Layouts, NoImageIsReadAndWritten) {
         Settings settings = with_method({}, method);
         settings.remap_b = 2.0F;
         if (reads(method_named(method), "layers")) settings.own.layers = 2;
-        settings.resolution = method == std::string("mssao") ? Resolution::half : Resolution::full;
         const PlanOptions options{.moving_objects = true, .normals = false};
         for (const PlannedPass& pass : plan_of(settings, options).passes) {
             for (const shader::Binding& binding : interface_of(pass.source).bindings) {
@@ -241,7 +198,7 @@ TEST_F(Layouts, NoImageIsReadAndWritten) {
             seen.insert(pass.source.file);
         }
     }
-    EXPECT_EQ(seen.size(), 14U);
+    EXPECT_EQ(seen.size(), 12U);
 }
 
 // A constant that a pass is given exists in it. The optimiser removes those that a method does not use, so
@@ -253,7 +210,6 @@ TEST_F(Layouts, SpecializationConstants) {
          {"hemisphere", "gtao", "hbao_study", "sao", "separable", "mssao", "dual_resolution"}) {
         Settings settings = with_method({}, method);
         settings.remap_b = 2.0F;
-        settings.resolution = method == std::string("sao") ? Resolution::half : Resolution::full;
         for (const PlannedPass& pass : plan_of(settings, {}).passes) {
             const std::string& file = pass.source.file;
             const std::string key = file.starts_with("preparation/") ? "preparation" : file;
@@ -263,7 +219,7 @@ TEST_F(Layouts, SpecializationConstants) {
             EXPECT_EQ(found.push_constants->size, pass.parameters.size()) << method << " " << pass.name;
         }
     }
-    EXPECT_EQ(given.size(), 6U);
+    EXPECT_EQ(given.size(), 4U);
     for (const auto& [file, constants] : given)
         for (const std::uint32_t constant : constants) EXPECT_THAT(known[file], Contains(constant)) << file;
 }

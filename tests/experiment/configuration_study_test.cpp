@@ -42,12 +42,11 @@ TEST_F(ConfigurationStudyTest, WhatWentBeforeLeavesNoTrace) {
     BenchmarkViews views = views_of("sky");
     const auto radius = static_cast<float>(views.scene().ao_radius);
     const Settings plain = with_radius(four_samples(), radius);
-    Settings half = plain;
-    half.precision = effect::HistoryPrecision::packed;
-    half.table_size = 2'048;
-    half.remap_c = 2.0F;
+    Settings mapped = plain;
+    mapped.table_size = 2'048;
+    mapped.remap_c = 2.0F;
     const Settings others[] = {
-        half, with_radius(effect::preset_named("study-volumetric-performance").settings, radius)};
+        mapped, with_radius(effect::preset_named("study-volumetric-performance").settings, radius)};
     ConfigurationStudy fresh(device_, passes_);
     const FrameQuality expected = *fresh.visit(views, plain, true, 0).quality;
     ConfigurationStudy shared(device_, passes_);

@@ -6,19 +6,19 @@
 // list. Each writes a part of one image, which the method reads by gloam_fetch_prepared. The image keeps nothing from
 // frame to frame.
 //
-// The history has the format of history_image.glsl. Define GLOAM_PREPARED as r32f for the passes whose image has one
+// Define GLOAM_PREPARED as r32f for the passes whose image has one
 // channel (first_direction.comp, depth_chain.comp, disc_visibility.comp); the default is rgba32f.
 // Dispatch ceil(invocations / 8) groups; each pass says how many invocations. Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
 //   1  rgba32f  view-space normal facing the eye in xyz
-//   2  history  before, at the pixels of this frame: (occlusion, samples accumulated, samples of the sequence used,
+//   2  rgba32f  history before, at the pixels of this frame: (occlusion, samples accumulated, samples of the sequence used,
 //               depth)
 //   3  prepared the prepared image, written
 //   4  buffer   a MethodValues
 //   5  rgba32f  depth layers 1 to 3 behind binding 0 in xyz, as ambient_occlusion.comp has them; read when layers is
 //               more than 1
 //   6  prepared the image of binding 3: read by passes that build on others, where earlier passes have written
-#include "../history_image.glsl"
+#include "passes/input_image.glsl"
 #ifndef GLOAM_PREPARED
 #define GLOAM_PREPARED rgba32f
 #endif
@@ -37,7 +37,7 @@ const bool caps_radius = true;
 
 layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
 layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT normal_image;
-layout(binding = 2 GLOAM_FORMAT(GLOAM_HISTORY)) uniform GLOAM_HISTORY_INPUT history_before;
+layout(binding = 2 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT history_before;
 layout(binding = 3, GLOAM_PREPARED) uniform writeonly highp image2D prepared_image;
 
 layout(push_constant) uniform Parameters {
@@ -90,7 +90,7 @@ float gloam_fetch_depth(ivec2 pixel) {
 GloamKernel kernel_at(ivec2 pixel) {
     float depth = gloam_fetch_depth(pixel);
     GloamHistory before = gloam_history_empty(0.0);
-    if (keeps_history) before = GLOAM_LOAD_HISTORY(history_before, pixel);
+    if (keeps_history) before = gloam_history_unpack(GLOAM_FETCH(history_before, pixel));
     return kernel_of(pixel, depth, before, samples_at(before, depth));
 }
 

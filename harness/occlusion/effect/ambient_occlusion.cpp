@@ -49,7 +49,7 @@ struct AmbientOcclusion::Impl {
     // The same for Passes::frame.
     void take_short(const scene::GBuffer& new_view, const Settings& settings, bool follows) {
         require_guard(new_view, settings);
-        require_sizes(new_view, moment.given.extent);
+        require_sizes(new_view, moment.view.extent);
         moment.settings = settings;
         short_frame.take(new_view, settings, follows);
     }
@@ -67,13 +67,13 @@ void AmbientOcclusion::Impl::take(const scene::GBuffer& new_view, const Settings
     require_layers(new_view, settings);
     (void)scene::frame_of(new_view);
     require_centred(new_view);
-    require_sizes(new_view, moment.given.extent);
+    require_sizes(new_view, moment.view.extent);
     moment.settings = settings;
     moment.converted = new_view.stored ? std::optional(new_view.stored->encoding) : std::nullopt;
     moment.has_normals = !new_view.normal.empty();
     moment.has_positions = !new_view.previous_position.empty();
-    const View view{new_view.camera, moment.given.extent, new_view.border};
-    look(view, follows ? View(moment.given) : view);
+    const View view{new_view.camera, moment.view.extent, new_view.border};
+    look(view, follows ? View(moment.view) : view);
     upload(new_view, view.extent, true, resources);
 }
 
@@ -116,17 +116,10 @@ Frame AmbientOcclusion::Impl::collect() const {
         frame.convergence = std::move(result.samples);
         frame.kept = history().samples;
     }
-    const char* filtered = moment.half() ? "upsampled" : mapped ? "filtered_mapped" : "filtered";
-    frame.filtered =
-        moment.filtered || moment.half() ? resources.image(filtered).download() : frame.occlusion;
+    const char* filtered = mapped ? "filtered_mapped" : "filtered";
+    frame.filtered = moment.filtered ? resources.image(filtered).download() : frame.occlusion;
     for (float& value : frame.convergence) value = std::min(value / settings.weight_max, 1.0F);
-    const View& given = moment.given;
-    if (moment.half()) {
-        frame.occlusion = moment.filtered ? expanded(frame.occlusion, given.extent) : frame.filtered;
-        frame.convergence = expanded(frame.convergence, given.extent);
-        frame.kept = expanded(frame.kept, given.extent);
-    }
-    const scene::GBuffer shape{.extent = given.extent, .border = given.border};
+    const scene::GBuffer shape{.extent = moment.view.extent, .border = moment.view.border};
     frame.extent = scene::frame_of(shape);
     for (std::vector<float>* image : {&frame.occlusion, &frame.filtered, &frame.convergence, &frame.kept})
         *image = scene::cropped(shape, *image);
@@ -153,8 +146,8 @@ void AmbientOcclusion::begin(const scene::GBuffer& view, const Settings& setting
 void AmbientOcclusion::advance(const scene::GBuffer& view) {
     Impl& impl = *impl_;
     if (!impl.progress.has_view()) throw std::logic_error("no view: begin() must come before advance()");
-    const bool resized = view.extent != impl.moment.given.extent;
-    if (resized) impl.moment.given.extent = view.extent;
+    const bool resized = view.extent != impl.moment.view.extent;
+    if (resized) impl.moment.view.extent = view.extent;
     const Settings settings = impl.moment.settings;
     if (settings.passes == Passes::frame) return impl.take_short(view, settings, true);
     if (resized || !view.camera.previous_from_current) return begin(view, settings);

@@ -24,8 +24,7 @@ struct PassTime {
 };
 
 // One frame, rows from the top, without the view's guard band. Occlusion is 1 where blocked, 0 at the
-// background, always in [0, 1]. With Resolution::half, `filtered` is the result at the view's size. The other
-// images then hold what belongs to each pixel's block of 2 x 2; without a filter `occlusion` is `filtered`.
+// background, always in [0, 1].
 struct Frame {
     gpu::Extent extent;
     std::vector<float> occlusion;    // the accumulated estimate, remapped where the settings say so

@@ -79,9 +79,7 @@ PreparationParameters preparation_parameters(const View& view, const Settings& s
 }
 
 ReprojectionParameters reprojection_parameters(const Moment& moment) {
-    return {.previous_from_current = moment.half()
-                                         ? half_previous_from_current(moment.given, moment.given_before)
-                                         : moment.view.camera.previous_from_current.value_or(glm::mat4(1.0F)),
+    return {.previous_from_current = moment.view.camera.previous_from_current.value_or(glm::mat4(1.0F)),
             .p00_p11 = moment.view.camera.p00_p11(),
             .previous_p00_p11 = moment.before.camera.p00_p11(),
             .size = vector_of_size(moment.view.extent),

@@ -32,47 +32,31 @@ std::vector<PassRow> rows_of_inputs() {
     return {{.name = "take_inputs",
              .when = [](const Moment& m) { return m.new_view && m.converted; },
              .source = [](const Moment& m) { return input_source(m); },
-             .resources = {"stored_depth", "stored_normal", "full_depth", "full_normal"},
+             .resources = {"stored_depth", "stored_normal", "depth", "normal"},
              .fill =
                  [](const Moment& m) {
                      using P = InputParameters;
-                     return constants(input_parameters(m.given), &P::view_from_world, &P::p22_p32, &P::size);
-                 },
-             .cover = Cover::view},
+                     return constants(input_parameters(m.view), &P::view_from_world, &P::p22_p32, &P::size);
+                 }},
             {.name = "normals_from_depth",
              .when = [](const Moment& m) { return m.new_view && !m.has_normals; },
              .source = file("normals_from_depth.comp"),
-             .resources = {"full_depth", "full_normal"},
+             .resources = {"depth", "normal"},
              .fill =
                  [](const Moment& m) {
                      using P = NormalParameters;
-                     return constants(normal_parameters(m.given), &P::p00_p11, &P::size);
-                 },
-             .cover = Cover::view},
+                     return constants(normal_parameters(m.view), &P::p00_p11, &P::size);
+                 }},
             {.name = "positions_from_motion",
              .when = [](const Moment& m) { return m.new_view && m.from_motion; },
-             .source = [](const Moment& m) { return motion_source(m.given, m.given_before); },
-             .resources = {"full_depth", "motion", "full_positions"},
+             .source = [](const Moment& m) { return motion_source(m.view, m.before); },
+             .resources = {"depth", "motion", "positions"},
              .fill =
                  [](const Moment& m) {
                      using P = MotionParameters;
-                     return constants(motion_parameters(m.given, m.given_before), &P::previous_from_current,
+                     return constants(motion_parameters(m.view, m.before), &P::previous_from_current,
                                       &P::p00_p11, &P::previous_p00_p11, &P::size, &P::motion_unit);
-                 },
-             .cover = Cover::view},
-            {.name = "halve_inputs",
-             .when = [](const Moment& m) { return m.new_view && m.half(); },
-             .source = [](const Moment& m) { return halve_source(m); },
-             .resources = {"full_depth", "full_normal", "full_positions", "full_layers", "depth", "normal",
-                           "positions", "layers"},
-             .fill =
-                 [](const Moment& m) {
-                     using P = HalveParameters;
-                     const P all{m.given.camera.p00_p11(), m.given_before.camera.p00_p11(),
-                                 vector_of_size(m.given.extent)};
-                     return constants(all, &P::p00_p11, &P::previous_p00_p11, &P::size);
-                 },
-             .cover = Cover::halved}};
+                 }}};
 }
 
 // The pass that takes the samples.
@@ -125,7 +109,7 @@ PassRow row_of_filter(const char* name, bool along_y, const char* from, const ch
     return {.name = name,
             .when = [](const Moment& m) { return m.filtered; },
             .source = [along_y](const Moment& m) { return filter_source(m, along_y); },
-            .resources = {"depth", "history_after", to, "normal", from},
+            .resources = {"history_after", to, "normal", from},
             .fill =
                 [](const Moment& m) {
                     using P = FilterParameters;
@@ -156,26 +140,10 @@ PassRow row_of_remap(const char* name, bool of_history, const char* from, const 
                 }};
 }
 
-// A pass that brings an image to the size of the view.
-PassRow row_of_upsampling(bool filtered, const char* from, std::function<bool(const Moment&)> when) {
-    return {.name = "upsample",
-            .when = std::move(when),
-            .source = [filtered](const Moment& m) { return upsample_source(m, filtered); },
-            .resources = {"full_depth", "depth", from, "upsampled"},
-            .fill =
-                [](const Moment& m) {
-                    const Settings& s = m.settings;
-                    using P = UpsampleParameters;
-                    return constants(P{vector_of_size(m.given.extent), s.remap_a, s.remap_b, s.remap_c},
-                                     &P::size);
-                },
-            .cover = Cover::halved};
-}
-
 // The pixels of a block share one pattern of samples (interleaved sampling): the first pass takes each
 // pixel's part, the second gathers those of the block.
 PassRow row_of_directions(const char* name, std::vector<const char*> images) {
-    std::vector<const char*> resources{"full_depth", "full_normal", "method"};
+    std::vector<const char*> resources{"depth", "normal", "method"};
     resources.insert(resources.end(), images.begin(), images.end());
     return {.name = name,
             .when = [](const Moment& m) { return m.bent_normals; },
@@ -185,9 +153,8 @@ PassRow row_of_directions(const char* name, std::vector<const char*> images) {
                 [](const Moment& m) {
                     using P = DirectionalParameters;
                     // world_from_view is for the passes of light: these do not read it.
-                    return constants(directional_parameters(m.given, m.settings), &P::p00_p11, &P::size);
-                },
-            .cover = Cover::view};
+                    return constants(directional_parameters(m.view, m.settings), &P::p00_p11, &P::size);
+                }};
 }
 
 std::vector<PassRow> rows_of_directions() {
@@ -200,9 +167,7 @@ std::vector<PassRow> rows_of_results() {
         row_of_remap("remap", true, "occlusion", "mapped",
                      [](const Moment& m) { return m.maps_images() && (!m.filtered || m.shows_unfiltered); }),
         row_of_remap("remap_filtered", false, "filtered", "filtered_mapped",
-                     [](const Moment& m) { return m.maps_images() && m.filtered && !m.half(); }),
-        row_of_upsampling(false, "occlusion", [](const Moment& m) { return m.half() && !m.filtered; }),
-        row_of_upsampling(true, "filtered", [](const Moment& m) { return m.half() && m.filtered; })};
+                     [](const Moment& m) { return m.maps_images() && m.filtered; })};
 }
 
 }  // namespace

@@ -48,18 +48,10 @@ Moment moment_of(const Settings& settings, const PlanOptions& options) {
 }
 
 // The planned image whose first channel is shown.
-struct ShownImage {
-    std::string name;
-    float unit = 1.0F;  // occlusion that a value of 1 stands for
-};
-
-ShownImage shown_image(const Settings& settings) {
+std::string shown_image(const Settings& settings) {
     const bool filtered = filters(settings);
-    if (settings.resolution == Resolution::half) return {"upsampled"};
-    if (remaps(settings)) return {filtered ? "filtered_mapped" : "mapped"};
-    if (filtered || shows_alone(settings)) return {"filtered"};
-    const bool packed = settings.precision == HistoryPrecision::packed;
-    return {"history_after", packed ? packed_occlusion_unit : 1.0F};
+    if (remaps(settings)) return filtered ? "filtered_mapped" : "mapped";
+    return filtered || shows_alone(settings) ? "filtered" : "history_after";
 }
 
 }  // namespace
@@ -70,9 +62,7 @@ Plan plan_of(const Settings& settings, const PlanOptions& options) {
     Moment moment = moment_of(settings, options);
     Plan plan = planned_resources(moment);
     plan.passes = planned_passes(moment, plan);
-    const ShownImage shown = shown_image(settings);
-    plan.result = shown.name;
-    plan.result_unit = shown.unit;
+    plan.result = shown_image(settings);
     return plan;
 }
 

@@ -89,9 +89,6 @@ struct PlannedPass {
         1;  // 2: the pass reads half-size images, and `of_view` are those of the half-size view
 };
 
-// Format of the images that hold a history.
-[[nodiscard]] gpu::Format format_of(HistoryPrecision precision);
-
 // Name of the image that is bound where the settings need none.
 inline constexpr const char* nothing_image = "nothing";
 

@@ -94,21 +94,6 @@ struct DirectionalParameters {
     glm::mat3x4 world_from_view;
 };
 
-// Push constants of halve_inputs.comp.
-struct HalveParameters {
-    glm::vec2 p00_p11;
-    glm::vec2 previous_p00_p11;
-    glm::ivec2 size;
-};
-
-// Push constants of upsample.comp.
-struct UpsampleParameters {
-    glm::ivec2 size;
-    float a;
-    float b;
-    float c;
-};
-
 // Push constants of the passes of glsl/passes/preparation, with the layout of pass.glsl.
 struct PreparationParameters {
     glm::vec2 p00_p11;

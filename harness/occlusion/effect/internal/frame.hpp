@@ -35,14 +35,6 @@ struct Constants {
     std::vector<bool> of_view;  // for each byte
 };
 
-// What the groups of a pass cover.
-enum class Cover {
-    read,    // 8 x 8 pixels of the images that the passes read
-    view,    // 8 x 8 pixels of the engine's view
-    halved,  // 8 x 8 pixels of the half-size images; the constants are those of the engine's view
-    own      // PassRow::groups
-};
-
 // A pass. Resources are named by what they are to the frame: see planned_passes().
 struct PassRow {
     const char* name;
@@ -50,7 +42,6 @@ struct PassRow {
     std::function<PassSource(const Moment&)> source;
     std::vector<const char*> resources;  // at binding 0, 1, ...
     std::function<Constants(const Moment&)> fill;
-    Cover cover = Cover::read;
     Turn turn = Turn::always;
     std::function<std::array<std::uint32_t, 3>(const Moment&)> groups = {};
     std::function<std::string(const Moment&)> own_name = {};  // in the place of `name`

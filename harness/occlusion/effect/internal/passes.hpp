@@ -37,23 +37,11 @@ struct View {
 // Size of the half-size image: half of each side, rounded up.
 [[nodiscard]] gpu::Extent half_of(gpu::Extent extent);
 
-// The view whose images the passes read: `view`, or at half the resolution its half-size view. Its camera has
-// another projection where a side is odd. Its band is at least one pixel smaller than half of the band,
-// because pixels at the edge of the frame are interpolated from it.
-[[nodiscard]] View working_view(const View& view, Resolution resolution);
-
-// The camera of the half-size image is in the middle of it, half a pixel of the view away from where its
-// pixels are. Its view space is sheared by that (perspective) or shifted (orthographic). This is the motion
-// `previous_from_current` of the views between these spaces.
-[[nodiscard]] glm::mat4 half_previous_from_current(const View& view, const View& previous);
-
 // One frame: the settings, the view, and everything else that decides what the frame runs.
 struct Moment {
     Settings settings;
-    View given;         // the engine's view
-    View given_before;  // the engine's view of the frame before; the same one where there is none
-    View view;          // these two at the size of the images that the passes read
-    View before;
+    View view;                               // the engine's
+    View before;                             // of the frame before; the same one where there is none
     std::optional<Preparation> preparation;  // of the method
     // How the engine stores depth and normals. None: as passes read them.
     std::optional<scene::Encoding> converted;
@@ -70,7 +58,6 @@ struct Moment {
     // Sets the view and the one before it, and what depends on their size.
     void look(const View& now, const View& last);
 
-    [[nodiscard]] bool half() const { return settings.resolution == Resolution::half; }
     // Whether the history is moved to the view.
     [[nodiscard]] bool moves_history() const { return moved && settings.history; }
     [[nodiscard]] bool knows_motion() const { return moves_history() && has_positions; }
@@ -78,15 +65,9 @@ struct Moment {
     [[nodiscard]] bool watches() const {
         return knows_motion() && settings.invalidation != Invalidation::none;
     }
-    // Whether images for remapped results exist. At half the resolution the pass that upsamples remaps as
-    // well, but only what is displayed.
-    [[nodiscard]] bool maps_images() const {
-        return remaps(settings) && (!half() || (shows_unfiltered && filtered));
-    }
+    // Whether images for remapped results exist.
+    [[nodiscard]] bool maps_images() const { return remaps(settings); }
 };
-
-// Precision of the history that is bound: of an image in its place where there is none.
-[[nodiscard]] HistoryPrecision bound_precision(const Settings& settings);
 
 // The push constants.
 [[nodiscard]] NormalParameters normal_parameters(const View& view);
@@ -102,8 +83,6 @@ struct Moment {
 
 // The shaders, with their definitions and constants.
 [[nodiscard]] PassSource input_source(const Moment& moment);
-[[nodiscard]] PassSource halve_source(const Moment& moment);
-[[nodiscard]] PassSource upsample_source(const Moment& moment, bool filtered);
 [[nodiscard]] PassSource occlusion_source(const Moment& moment);
 [[nodiscard]] PassSource reprojection_source(const Moment& moment);
 // Throws std::invalid_argument for Filter::none.
