@@ -98,7 +98,6 @@ std::vector<PassRow> rows_of_samples() {
                  return constants(preparation_parameters(m.view, m.settings, level), &P::p00_p11, &P::size,
                                   &P::border);
              },
-         .cover = Cover::own,
          .groups = [](const Moment& m) { return groups_for(m.preparation->passes[m.step].invocations); },
          .own_name = [](const Moment& m) { return m.preparation->passes[m.step].name; }},
         row_of_samples()};
