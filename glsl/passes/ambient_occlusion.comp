@@ -10,8 +10,8 @@
 // rgba32f. Dispatch ceil(size / 8) groups. Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
 //   1  rgba32f  view-space normal facing the eye in xyz
-//   2  rgba32f  history before: (occlusion, samples accumulated, samples of the sequence used, depth); zeros for none; read
-//               when keeps_history is set
+//   2  rgba32f  history before: (occlusion, samples accumulated, samples of the sequence used, depth); zeros for none;
+//               read when keeps_history is set
 //   3  rgba32f  history, written unless shows_alone is set: after, likewise; background (0, 0, 0, infinity)
 //   4  rgba32f  xyz: where each surface point was, in the view space of the previous frame; read when moving_objects is
 //               set

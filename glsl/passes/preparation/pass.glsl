@@ -11,8 +11,8 @@
 // Dispatch ceil(invocations / 8) groups; each pass says how many invocations. Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
 //   1  rgba32f  view-space normal facing the eye in xyz
-//   2  rgba32f  history before, at the pixels of this frame: (occlusion, samples accumulated, samples of the sequence used,
-//               depth)
+//   2  rgba32f  history before, at the pixels of this frame: (occlusion, samples accumulated, samples of the sequence
+//               used, depth)
 //   3  prepared the prepared image, written
 //   4  buffer   a MethodValues
 //   5  rgba32f  depth layers 1 to 3 behind binding 0 in xyz, as ambient_occlusion.comp has them; read when layers is
