@@ -13,8 +13,8 @@
 //   2  rgba32f  history before: (occlusion, samples accumulated, samples of the sequence used, depth); zeros for none;
 //               read when keeps_history is set
 //   3  rgba32f  history, written unless shows_alone is set: after, likewise; background (0, 0, 0, infinity)
-//   4  rgba32f  xyz: where each surface point was, in the view space of the previous frame; read when moving_objects is
-//               set
+//   4  rgba32f  xyz: where each surface point was, in the view space of the previous frame; read when
+//               watches_objects is set
 //   5  buffer   a MethodValues
 //   6  prepared what the method's preparation passes have written (preparation/pass.glsl); read by methods that have
 //               some
@@ -27,7 +27,7 @@
 #endif
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(constant_id = 1) const bool moving_objects = false;  // watch the neighbourhood through binding 4
+layout(constant_id = 1) const bool watches_objects = false;  // watch the neighbourhood through binding 4
 layout(constant_id = 2) const int layers = 1;               // of depth that the samples see, 1 to 4
 // leave out taps further in front than MethodValues::range (CS-REJ)
 layout(constant_id = 3) const bool reject_taps = false;
@@ -132,7 +132,7 @@ void probe(ivec2 pixel, float depth) {
 // Read by the samples, which thereby are the probes.
 float gloam_fetch_depth(ivec2 pixel) {
     float depth = GLOAM_FETCH(depth_image, pixel).x;
-    if (moving_objects) probe(pixel, depth);
+    if (watches_objects) probe(pixel, depth);
     return depth;
 }
 
@@ -153,7 +153,7 @@ vec3 gloam_fetch_normal(ivec2 pixel) {
 
 // Weight that the history keeps after what the probes have seen (TSSAO-SI). seen: the largest change, world units.
 float weight_after_change(float weight, float seen) {
-    if (!moving_objects) return weight;
+    if (!watches_objects) return weight;
     return invalidated_weight(weight, seen, parameters.radius, parameters.invalidation, parameters.change_tolerance,
                               parameters.weight_small, parameters.confidence_factor);
 }
@@ -170,7 +170,7 @@ GloamEstimate estimated(ivec2 pixel, float depth, GloamHistory before, uint samp
     GloamKernel kernel = kernel_of(pixel, depth, before, samples);
     vec3 position = gloam_camera_position(pixel, depth, camera);
     vec3 normal = GLOAM_FETCH(normal_image, pixel).xyz;
-    if (moving_objects) neighborhood = neighborhood_of(pixel, position, normal, kernel.radius);
+    if (watches_objects) neighborhood = neighborhood_of(pixel, position, normal, kernel.radius);
     MethodValues values = method_values;
     values.steps = method_steps;
     values.layers = layers;

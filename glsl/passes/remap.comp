@@ -24,10 +24,10 @@ layout(binding = 1 GLOAM_FORMAT(GLOAM_SOURCE)) uniform GLOAM_INPUT source_image;
 layout(binding = 2, GLOAM_OUTPUT) uniform writeonly highp image2D mapped_image;
 
 layout(push_constant) uniform Parameters {
-    ivec2 size;  // of the images, pixels
-    float a;     // added to the visibility
-    float b;     // brightness
-    float c;     // contrast
+    ivec2 size;     // of the images, pixels
+    float remap_a;  // added to the visibility
+    float remap_b;  // brightness
+    float remap_c;  // contrast
 } parameters;
 
 #include "gloam/geometry/background.glsl"
@@ -38,7 +38,7 @@ void main() {
     if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
     float occlusion = GLOAM_FETCH(source_image, pixel).x;
     if (!gloam_is_background(GLOAM_FETCH(depth_image, pixel).x)) {
-        occlusion = 1.0 - gloam_remap(1.0 - occlusion, parameters.a, parameters.b, parameters.c);
+        occlusion = 1.0 - gloam_remap(1.0 - occlusion, parameters.remap_a, parameters.remap_b, parameters.remap_c);
     }
     imageStore(mapped_image, pixel, vec4(occlusion));
 }

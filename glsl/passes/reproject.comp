@@ -29,7 +29,7 @@ layout(push_constant) uniform Parameters {
     vec2 p00_p11;                // elements [0][0] and [1][1] of this frame's projection, y down
     vec2 previous_p00_p11;       // of the previous frame's
     ivec2 size;                  // of all images, pixels
-    float tolerance;             // of the depth test, relative; infinity: no test
+    float depth_tolerance;       // of the depth test, relative; infinity: no test
 } parameters;
 
 #include "gloam/geometry/camera.glsl"
@@ -52,10 +52,11 @@ vec3 previous_position(ivec2 pixel, float depth) {
 GloamHistory history_at(vec2 uv, float expected_depth) {
     if (taps == NEAREST || taps == BILINEAR) {
         vec2 center = gloam_pixel_center(uv, parameters.size);
-        GloamHistory nearest = gloam_reprojected_history(center, parameters.size, expected_depth, parameters.tolerance);
+        GloamHistory nearest =
+            gloam_reprojected_history(center, parameters.size, expected_depth, parameters.depth_tolerance);
         if (taps == NEAREST || !(nearest.weight > 0.0)) return nearest;
     }
-    float tolerance = taps == BILINEAR ? gloam_background_depth() : parameters.tolerance;
+    float tolerance = taps == BILINEAR ? gloam_background_depth() : parameters.depth_tolerance;
     return gloam_reprojected_history(uv, parameters.size, expected_depth, tolerance);
 }
 

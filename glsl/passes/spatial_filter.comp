@@ -14,7 +14,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 0) const bool along_y = false;       // the second of the two passes
 layout(constant_id = 1) const bool orthographic = false;  // else perspective
-layout(constant_id = 2) const int half_width = 2;         // taps on each side: 2 is 5 x 5
+layout(constant_id = 2) const int filter_half_width = 2;  // taps on each side: 2 is 5 x 5
 
 layout(binding = 0 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT history_image;
 layout(binding = 1, r32f) uniform writeonly highp image2D filtered_image;
@@ -26,11 +26,10 @@ layout(push_constant) uniform Parameters {
     ivec2 size;          // of the images, pixels
     float sigma_pixels;  // convergence, bilateral: width of the Gaussian in the image, pixels: about a quarter of the
                          // window
-    float depth_scale;   // geometry, bilateral, sao: difference of depth that sets a neighbour apart, world units, > 0
+    float filter_depth;  // geometry, bilateral, sao: difference of depth that sets a neighbour apart, world units, > 0
     float c_adaptive;    // convergence: that from which a pixel is left as it is: 0.2
     float weight_max;    // convergence: samples at which a pixel has converged
-    float cap;  // convergence: neighbours weigh at most this many times the pixel's own; 1e18: as printed. With 1 a
-                // pixel that has just appeared is not overruled by the old ones that happen to be on one side of it
+    float filter_cap;    // convergence: neighbours weigh at most so many times the pixel's own; 1e18: as printed
 } parameters;
 
 // What the images hold for a pixel.

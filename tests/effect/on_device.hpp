@@ -4,6 +4,7 @@
 
 #include "effect/ambient_occlusion.hpp"
 #include "effect/internal/steps.hpp"
+#include "effect/internal/values.hpp"
 #include "effect/methods.hpp"
 #include "scene/draw.hpp"
 #include "scene/pass_library.hpp"
@@ -105,6 +106,14 @@ class OnDevice : public Base {
 
     gpu::Device& device_ = *test::SharedDevice::get();
     const scene::PassLibrary& passes_ = shared_->passes;
+
+    // A pass's source with its constants, and its push constants.
+    [[nodiscard]] std::pair<PassSource, std::vector<std::byte>> filled(PassSource source,
+                                                                       const Values& values) const {
+        const shader::ModuleInterface interface = shader::reflect(module_of(source, passes_));
+        source.constants = values.constants(interface, source.file);
+        return {source, values.push_constants(interface, source.file).bytes};
+    }
 
     // The same for all tests of a suite, so that pipelines are compiled once; for images of that size until
     // the next call with another. begin() leaves no trace of what it held before

@@ -171,7 +171,7 @@ TEST_P(OpenGlPasses, GiveThePictureOfVulkan) {
     const gpu::Extent extent{49, 35};
     const scene::GBuffer view = drawn("room", extent, {});
     Settings settings = with_method(preset_named("tssao-paper").settings, GetParam());
-    const Plan plan = plan_of(settings, {.view = extent});
+    const Plan plan = plan_of(settings, {.view = extent}, passes_);
     const std::vector<float> want = run(view, settings).filtered;
     const auto [least, most] = std::ranges::minmax(want);
     EXPECT_GT(most - least, 0.01F);
@@ -219,7 +219,7 @@ INSTANTIATE_TEST_SUITE_P(All, OpenGlShortFrames, testing::ValuesIn(own_presets()
 class EsPasses : public gl::Opened {
   protected:
     void expect_linked(const Settings& settings, const PlanOptions& options) {
-        for (const PlannedPass& pass : plan_of(settings, options).passes) {
+        for (const PlannedPass& pass : plan_of(settings, options, passes_).passes) {
             std::map<std::uint32_t, std::uint32_t> constants;
             for (const gpu::SpecializationConstant& constant : pass.source.constants)
                 constants[constant.id] = constant.bits;

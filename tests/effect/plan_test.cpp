@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>  // repeats a macro for each argument
 
 #include "effect/internal/passes.hpp"
+#include "effect/internal/values.hpp"
 #include "effect/methods.hpp"
 #include "on_device.hpp"
 #include "support/laid_out.hpp"
@@ -38,7 +39,7 @@ TEST_F(PlanTest, IsWhatAFrameRuns) {
             std::erase(
                 ran, "remap");  // of the unfiltered occlusion, which nobody is shown where there is a filter
             std::vector<std::string> planned;
-            for (const PlannedPass& pass : plan_of(settings, {.view = extent}).passes)
+            for (const PlannedPass& pass : plan_of(settings, {.view = extent}, passes_).passes)
                 planned.push_back(pass.name);
             std::erase(planned, "remap");
             EXPECT_EQ(planned, ran) << method << " " << history;
@@ -51,7 +52,7 @@ TEST_F(PlanTest, ImagesHaveTheSizeThatTheMethodPrepares) {
         for (const gpu::Extent extent : {gpu::Extent{640, 360}, gpu::Extent{33, 17}, gpu::Extent{1, 1}}) {
             const Settings settings = with_method({}, method);
             const Preparation preparation = preparation_of(settings, extent).value();
-            const Plan plan = plan_of(settings, {.view = extent});
+            const Plan plan = plan_of(settings, {.view = extent}, passes_);
             std::size_t next = 0;
             for (const PlannedImage& image : plan.images) {
                 const std::uint32_t d = image.divisor;
@@ -71,30 +72,10 @@ TEST_F(PlanTest, ImagesHaveTheSizeThatTheMethodPrepares) {
     }
 }
 
-// Of the push constants the view's are what an engine must give, all others are the settings'.
-TEST_F(PlanTest, TellsWhatIsTheViews) {
-    const Plan plan = plan_of({}, {});
-    for (const PlannedPass& pass : plan.passes) {
-        if (pass.name != "ambient_occlusion") continue;
-        ASSERT_EQ(pass.of_view.size(), pass.parameters.size());
-        const auto any = [&](std::size_t first, std::size_t bytes) {
-            return std::find(pass.of_view.begin() + static_cast<std::ptrdiff_t>(first),
-                             pass.of_view.begin() + static_cast<std::ptrdiff_t>(first + bytes),
-                             true) != pass.of_view.begin() + static_cast<std::ptrdiff_t>(first + bytes);
-        };
-        EXPECT_TRUE(any(0, 4) && any(4, 4));    // p00_p11
-        EXPECT_TRUE(any(8, 4) && any(12, 4));   // size
-        EXPECT_TRUE(any(16, 4) && any(20, 4));  // border
-        constexpr std::size_t radius = offsetof(OcclusionParameters, radius);
-        EXPECT_FALSE(
-            any(radius, offsetof(OcclusionParameters, samples_distance) - radius));  // to confidence_factor
-    }
-}
-
 TEST_F(PlanTest, RefusesWhatSettingsRefuse) {
     Settings settings;
     settings.samples = 0;
-    EXPECT_THROW((void)plan_of(settings, {}), std::invalid_argument);
+    EXPECT_THROW((void)plan_of(settings, {}, passes_), std::invalid_argument);
 }
 
 // The lines of all members of a struct, in their order.
@@ -106,20 +87,11 @@ TEST_F(PlanTest, RefusesWhatSettingsRefuse) {
             NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(LINE_OF_MEMBER, __VA_ARGS__))}; \
     }())
 
-// What C++ and shaders share has one layout: names, types and offsets of push constants and buffers, and
-// numbers of specialization constants, as the compiled passes have them.
+// What C++ and shaders share is found by its name.
 class Layouts : public OnDevice<testing::Test> {
   protected:
     [[nodiscard]] shader::ModuleInterface interface_of(const PassSource& source) const {
         return shader::reflect(passes_.compile(source.file, source.defines, source.replaced));
-    }
-
-    template <class Parameters>
-    void expect_pushed(const PassSource& source, const std::vector<std::string>& members) const {
-        const shader::ModuleInterface found = interface_of(source);
-        ASSERT_TRUE(found.push_constants.has_value()) << source.file;
-        EXPECT_EQ(lines_of(found.push_constants->members), members) << source.file;
-        EXPECT_EQ(found.push_constants->size, sizeof(Parameters)) << source.file;
     }
 
     [[nodiscard]] std::vector<LaidOut> buffer_of(const PassSource& source, const std::string& block) const {
@@ -130,49 +102,45 @@ class Layouts : public OnDevice<testing::Test> {
     }
 };
 
-PassSource occlusion() {
-    return occlusion_source({});
-}
-
-TEST_F(Layouts, SamplesAndWhatIsPreparedForThem) {
-    expect_pushed<OcclusionParameters>(
-        occlusion(),
-        LINES_OF(OcclusionParameters, p00_p11, size, border, radius, bias, c_spatial, weight_max, c_rot,
-                 least_radius, shade_border, invalidation, change_tolerance, weight_small, confidence_factor,
-                 samples_distance, samples_radius, samples_least, radius_cap, smoothing, bias_depth));
-    expect_pushed<PreparationParameters>(
-        preparation_source({}, "half_resolution.comp"),
-        LINES_OF(PreparationParameters, p00_p11, size, border, radius, bias, c_spatial, weight_max, c_rot,
-                 least_radius, orthographic, shade_border, samples_distance, samples_radius, samples_least,
-                 radius_cap, bias_depth, level));
-}
-
-TEST_F(Layouts, ReprojectionFilterAndMap) {
-    expect_pushed<ReprojectionParameters>(
-        reprojection_source({}),
-        LINES_OF(ReprojectionParameters, previous_from_current, p00_p11, previous_p00_p11, size, tolerance));
-    for (const Filter filter : {Filter::convergence, Filter::geometry, Filter::bilateral, Filter::sao}) {
-        Moment moment;
-        moment.settings.filter = filter;
-        expect_pushed<FilterParameters>(filter_source(moment, false),
-                                        LINES_OF(FilterParameters, p00_p11, size, sigma_pixels, depth_scale,
-                                                 c_adaptive, weight_max, cap));
+// Of the push constants the view's are what an engine must give, all others are the settings'.
+TEST_F(Layouts, TellWhatIsTheViews) {
+    for (const PlannedPass& pass : plan_of({}, {}, passes_).passes) {
+        if (pass.name != "ambient_occlusion") continue;
+        const shader::BlockLayout block = interface_of(pass.source).push_constants.value();
+        ASSERT_EQ(pass.of_view.size(), block.size);
+        for (const LaidOut& member : block.members)
+            EXPECT_EQ(pass.of_view[member.offset],
+                      member.name == "p00_p11" || member.name == "size" || member.name == "border")
+                << member.name;
     }
-    expect_pushed<RemapParameters>(remap_source({}, false), LINES_OF(RemapParameters, size, a, b, c));
-    expect_pushed<NormalParameters>({.file = "normals_from_depth.comp"},
-                                    LINES_OF(NormalParameters, p00_p11, size, orthographic));
 }
 
-TEST_F(Layouts, Directions) {
-    for (const char* file :
-         {"bent_normals.comp", "bent_gather.comp", "direct_light.comp", "bounced_light.comp"})
-        expect_pushed<DirectionalParameters>(
-            {.file = file}, LINES_OF(DirectionalParameters, p00_p11, size, radius, bias, samples,
-                                     orthographic, world_from_view));
+TEST_F(Layouts, NumbersAreThoseOfTheirNames) {
+    const shader::ModuleInterface pass = interface_of({.file = "reproject.comp"});
+    Settings settings;
+    settings.depth_tolerance = 0.125F;
+    settings.taps = HistoryTaps::bilinear;
+    Values values = values_of({scene::make_frame({}, 1.0), {7, 5}, {}}, settings);
+    const std::vector<std::byte> bytes = values.push_constants(pass, "").bytes;
+    const auto word = [&](const char* name, std::size_t place) {
+        const auto at = std::ranges::find(pass.push_constants->members, name, &LaidOut::name)->offset;
+        std::uint32_t bits = 0;
+        std::memcpy(&bits, &bytes.at(at + 4 * place), sizeof bits);
+        return bits;
+    };
+    EXPECT_EQ(word("size", 1), 5U);
+    EXPECT_EQ(word("depth_tolerance", 0), std::bit_cast<std::uint32_t>(0.125F));
+    for (const std::size_t i : {0, 5, 10, 15})
+        EXPECT_EQ(word("previous_from_current", i), std::bit_cast<std::uint32_t>(1.0F)) << i;
+    for (const gpu::SpecializationConstant& constant : values.constants(pass, ""))
+        if (constant.id == 1) EXPECT_EQ(constant.bits, 1U) << "taps";
+    values.set("depth_tolerance", glm::vec2(1.0F));
+    EXPECT_THROW((void)values.push_constants(pass, ""), std::logic_error);
+    EXPECT_THROW((void)Values().constants(pass, ""), std::logic_error);
 }
 
 TEST_F(Layouts, Buffers) {
-    const std::vector<LaidOut> method = buffer_of(occlusion(), "MethodSettings");
+    const std::vector<LaidOut> method = buffer_of(occlusion_source({}), "MethodSettings");
     ASSERT_EQ(method.size(), 1U);
     EXPECT_EQ(method[0].size, sizeof(MethodValues));
     EXPECT_EQ(lines_of(method[0].members),
@@ -189,7 +157,7 @@ TEST_F(Layouts, NoImageIsReadAndWritten) {
         settings.remap_b = 2.0F;
         if (reads(method_named(method), "layers")) settings.own.layers = 2;
         const PlanOptions options{.moving_objects = true, .normals = false};
-        for (const PlannedPass& pass : plan_of(settings, options).passes) {
+        for (const PlannedPass& pass : plan_of(settings, options, passes_).passes) {
             for (const shader::Binding& binding : interface_of(pass.source).bindings) {
                 const bool stored = binding.type == shader::BindingType::storage_image;
                 EXPECT_TRUE(!stored || (binding.writes && !binding.reads))
@@ -199,29 +167,6 @@ TEST_F(Layouts, NoImageIsReadAndWritten) {
         }
     }
     EXPECT_EQ(seen.size(), 12U);
-}
-
-// A constant that a pass is given exists in it. The optimiser removes those that a method does not use, so
-// those of several methods count; the preparation passes share theirs.
-TEST_F(Layouts, SpecializationConstants) {
-    std::map<std::string, std::set<std::uint32_t>> given;
-    std::map<std::string, std::set<std::uint32_t>> known;
-    for (const char* method :
-         {"hemisphere", "gtao", "hbao_study", "sao", "separable", "mssao", "dual_resolution"}) {
-        Settings settings = with_method({}, method);
-        settings.remap_b = 2.0F;
-        for (const PlannedPass& pass : plan_of(settings, {}).passes) {
-            const std::string& file = pass.source.file;
-            const std::string key = file.starts_with("preparation/") ? "preparation" : file;
-            const shader::ModuleInterface found = interface_of(pass.source);
-            for (const auto& constant : found.constants) known[key].insert(constant.id);
-            for (const auto& constant : pass.source.constants) given[key].insert(constant.id);
-            EXPECT_EQ(found.push_constants->size, pass.parameters.size()) << method << " " << pass.name;
-        }
-    }
-    EXPECT_EQ(given.size(), 4U);
-    for (const auto& [file, constants] : given)
-        for (const std::uint32_t constant : constants) EXPECT_THAT(known[file], Contains(constant)) << file;
 }
 
 }  // namespace gloam::effect::plan_test

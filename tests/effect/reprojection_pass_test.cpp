@@ -54,8 +54,8 @@ Settings with_taps(HistoryTaps taps) {
 // The pass on images of that size.
 class ReprojectionPass : public OnDevice<testing::Test> {
   protected:
-    [[nodiscard]] Texels run(const std::vector<float>& depths, const Texels& before, const Moment& moment,
-                             const ReprojectionParameters& parameters) const {
+    [[nodiscard]] Texels run(const std::vector<float>& depths, const Texels& before,
+                             const Values& values) const {
         const gpu::Extent extent{static_cast<std::uint32_t>(size.x), static_cast<std::uint32_t>(size.y)};
         using enum gpu::Format;
         gpu::Image depth(device_, extent, r32f);
@@ -66,10 +66,11 @@ class ReprojectionPass : public OnDevice<testing::Test> {
         std::vector<float> words;
         for (const Texel& t : before) words.insert(words.end(), {t.occlusion, t.weight, t.index, t.depth});
         history.upload(words);
-        const gpu::ComputePipeline pass = pipeline_of(device_, passes_, reprojection_source(moment));
+        const auto [source, parameters] = filled({.file = "reproject.comp"}, values);
+        const gpu::ComputePipeline pass = pipeline_of(device_, passes_, source);
         gpu::Commands commands(device_);
         commands.dispatch(pass, std::vector<gpu::Resource>{depth, positions, history, after}, {2, 1, 1},
-                          std::as_bytes(std::span(&parameters, 1)));
+                          parameters);
         commands.submit();
         Texels moved;
         const std::vector<float> got = after.download();
@@ -82,13 +83,13 @@ class ReprojectionPass : public OnDevice<testing::Test> {
     [[nodiscard]] Texels moved(const Texels& before, const Settings& settings, float tolerance = 0.1F) const {
         const glm::vec2 p00_p11(1.0F, -1.0F);
         const glm::vec2 step = 2.0F * shift / (glm::vec2(size) * p00_p11);  // view space
-        const Moment moment{.settings = settings};                          // its cameras are orthographic
-        return run(std::vector<float>(before.size(), depth_of_all), before, moment,
-                   {.previous_from_current = glm::translate(glm::mat4(1.0F), {step.x, step.y, 0.0F}),
-                    .p00_p11 = p00_p11,
-                    .previous_p00_p11 = p00_p11,
-                    .size = size,
-                    .tolerance = tolerance});
+        Values values = values_of(Moment{.settings = settings});            // its cameras are orthographic
+        values.set("previous_from_current", glm::translate(glm::mat4(1.0F), {step.x, step.y, 0.0F}));
+        values.set("p00_p11", p00_p11);
+        values.set("previous_p00_p11", p00_p11);
+        values.set("size", size);
+        values.set("depth_tolerance", tolerance);
+        return run(std::vector<float>(before.size(), depth_of_all), before, values);
     }
 
     // The bilinear mean of a member at the place between (x, y) and its three neighbours.
@@ -192,7 +193,6 @@ class WatchingPass : public OnDevice<testing::Test> {
     [[nodiscard]] std::vector<float> weights(const Displacement& displacement) const {
         using enum gpu::Format;
         const View view{scene::make_frame({}, 1.5), extent, {}};
-        const OcclusionParameters parameters = occlusion_parameters(view, settings());
         Moment moment{.settings = settings(), .has_positions = true};
         moment.view = view;
         gpu::Image depth(device_, extent, r32f);
@@ -225,12 +225,13 @@ class WatchingPass : public OnDevice<testing::Test> {
         using enum gpu::BindingKind;
         std::vector<gpu::BindingKind> kinds(9, storage_image);
         kinds[5] = storage_buffer;
-        const gpu::ComputePipeline pass = pipeline_of(device_, passes_, occlusion_source(moment), kinds);
+        const auto [source, parameters] = filled(occlusion_source(moment), values_of(moment));
+        const gpu::ComputePipeline pass = pipeline_of(device_, passes_, source, kinds);
         gpu::Commands commands(device_);
         commands.dispatch(pass,
                           std::vector<gpu::Resource>{depth, normal, before, after, previous, method, nothing,
                                                      nothing, shown},
-                          groups_for(extent), std::as_bytes(std::span(&parameters, 1)));
+                          groups_for(extent), parameters);
         commands.submit();
         std::vector<float> found;
         const std::vector<float> texels = after.download();

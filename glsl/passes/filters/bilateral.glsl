@@ -5,7 +5,7 @@
 #include "gloam/filter/bilateral.glsl"
 
 // Weights by distance in the image and by difference of depth (ISSAO-7), with at most 16 taps on each side. Reads
-// sigma_pixels (sigma_d) and depth_scale (sigma_r).
+// sigma_pixels (sigma_d) and filter_depth (sigma_r).
 
 float gloam_fetch_occlusion(ivec2 pixel) {
     return source_at(pixel).occlusion;
@@ -16,8 +16,8 @@ float gloam_fetch_depth(ivec2 pixel) {
 }
 
 float filtered_occlusion(ivec2 pixel) {
-    return gloam_bilateral_filter(pixel, half_width * filter_axis(), parameters.size, parameters.sigma_pixels,
-                                  parameters.depth_scale);
+    return gloam_bilateral_filter(pixel, filter_half_width * filter_axis(), parameters.size, parameters.sigma_pixels,
+                                  parameters.filter_depth);
 }
 
 #endif

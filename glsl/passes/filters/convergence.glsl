@@ -7,7 +7,7 @@
 #include "gloam/temporal/convergence.glsl"
 
 // Pixels that have not converged take the occlusion of pixels nearby in the world that have (TSSAO-10 and -11). Reads
-// sigma_pixels, c_adaptive, weight_max and cap.
+// sigma_pixels, c_adaptive, weight_max and filter_cap.
 
 float most = 1.0;  // upper limit of the neighbours' convergence
 
@@ -23,11 +23,12 @@ vec3 gloam_fetch_position(ivec2 pixel) {
 
 float filtered_occlusion(ivec2 pixel) {
     float own = gloam_fetch_occlusion_convergence(pixel).y;
-    if (own > 0.0) most = max(parameters.cap, 1.0) * own;
+    if (own > 0.0) most = max(parameters.filter_cap, 1.0) * own;
     float depth = orthographic ? 1.0 : source_at(pixel).depth;
     float sigma = gloam_filter_sigma(depth, 1.0 / abs(parameters.p00_p11.y), float(parameters.size.y),
                                      parameters.sigma_pixels);
-    return gloam_convergence_filter(pixel, filter_axis(), parameters.size, half_width, parameters.c_adaptive, sigma);
+    return gloam_convergence_filter(pixel, filter_axis(), parameters.size, filter_half_width, parameters.c_adaptive,
+                                    sigma);
 }
 
 #endif

@@ -80,7 +80,8 @@ void AmbientOcclusion::Impl::take(const scene::GBuffer& new_view, const Settings
 void AmbientOcclusion::Impl::decide() {
     moment.new_view = progress.first_of_view();
     moment.moved = progress.history_lags();
-    plan.passes = planned_passes(moment, plan);
+    plan.passes = planned_passes(moment, plan,
+                                 [this](const PassSource& source) { return executor.interface_of(source); });
 }
 
 namespace {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "effect/internal/frame_images.hpp"
+#include "effect/internal/values.hpp"
 
 namespace gloam::effect {
 namespace {
@@ -101,7 +102,8 @@ void add_buffers(const Moment& m, Plan& plan) {
 // The table for one frame.
 class Evaluation {
   public:
-    Evaluation(const Moment& moment, const Plan& resources) : moment_(moment), resources_(resources) {}
+    Evaluation(const Moment& moment, const Plan& resources, const InterfaceOf& interface_of)
+        : moment_(moment), resources_(resources), interface_of_(interface_of) {}
 
     std::vector<PlannedPass> run() {
         std::vector<PlannedPass> passes;
@@ -114,9 +116,14 @@ class Evaluation {
 
   private:
     [[nodiscard]] PlannedPass pass(const PassRow& row) const {
-        Constants filled = row.fill(moment_);
+        PassSource source = row.source(moment_);
+        Values values = values_of(moment_);
+        for (const auto& [name, number] : row.own) values.set(name, number);
+        const shader::ModuleInterface interface = interface_of_(source);
+        source.constants = values.constants(interface, source.file);
+        PushConstants filled = values.push_constants(interface, source.file);
         PlannedPass pass{.name = row.own_name ? row.own_name(moment_) : row.name,
-                         .source = row.source(moment_),
+                         .source = std::move(source),
                          .turn = row.turn,
                          .resources = {},
                          .parameters = filled.bytes,
@@ -163,6 +170,7 @@ class Evaluation {
 
     Moment moment_;
     const Plan& resources_;
+    const InterfaceOf& interface_of_;
 };
 
 }  // namespace
@@ -177,8 +185,9 @@ Plan planned_resources(const Moment& moment) {
     return plan;
 }
 
-std::vector<PlannedPass> planned_passes(const Moment& moment, const Plan& resources) {
-    return Evaluation(moment, resources).run();
+std::vector<PlannedPass> planned_passes(const Moment& moment, const Plan& resources,
+                                        const InterfaceOf& interface_of) {
+    return Evaluation(moment, resources, interface_of).run();
 }
 
 }  // namespace gloam::effect

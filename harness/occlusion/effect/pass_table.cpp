@@ -10,19 +10,6 @@
 namespace gloam::effect {
 namespace {
 
-// of_view: the members that depend on the view or the frame.
-template <class Parameters, class... Members>
-Constants constants(const Parameters& all, Members Parameters::*... of_view) {
-    const auto bytes = std::as_bytes(std::span(&all, 1));
-    Constants result{{bytes.begin(), bytes.end()}, std::vector<bool>(sizeof all, false)};
-    [[maybe_unused]] const auto mark = [&](const auto& member) {
-        const auto first = std::as_bytes(std::span(&member, 1)).data() - bytes.data();
-        std::fill_n(result.of_view.begin() + first, sizeof member, true);
-    };
-    (mark(all.*of_view), ...);
-    return result;
-}
-
 // The source of a pass without definitions and constants.
 std::function<PassSource(const Moment&)> file(const char* name) {
     return [name](const Moment&) { return PassSource{.file = name}; };
@@ -31,73 +18,38 @@ std::function<PassSource(const Moment&)> file(const char* name) {
 std::vector<PassRow> rows_of_inputs() {
     return {{.name = "take_inputs",
              .when = [](const Moment& m) { return m.new_view && m.converted; },
-             .source = [](const Moment& m) { return input_source(m); },
-             .resources = {"stored_depth", "stored_normal", "depth", "normal"},
-             .fill =
-                 [](const Moment& m) {
-                     using P = InputParameters;
-                     return constants(input_parameters(m.view), &P::view_from_world, &P::p22_p32, &P::size);
-                 }},
+             .source = file("take_inputs.comp"),
+             .resources = {"stored_depth", "stored_normal", "depth", "normal"}},
             {.name = "normals_from_depth",
              .when = [](const Moment& m) { return m.new_view && !m.has_normals; },
              .source = file("normals_from_depth.comp"),
-             .resources = {"depth", "normal"},
-             .fill =
-                 [](const Moment& m) {
-                     using P = NormalParameters;
-                     return constants(normal_parameters(m.view), &P::p00_p11, &P::size);
-                 }},
+             .resources = {"depth", "normal"}},
             {.name = "positions_from_motion",
              .when = [](const Moment& m) { return m.new_view && m.from_motion; },
-             .source = [](const Moment& m) { return motion_source(m.view, m.before); },
-             .resources = {"depth", "motion", "positions"},
-             .fill =
-                 [](const Moment& m) {
-                     using P = MotionParameters;
-                     return constants(motion_parameters(m.view, m.before), &P::previous_from_current,
-                                      &P::p00_p11, &P::previous_p00_p11, &P::size, &P::motion_unit);
-                 }}};
+             .source = file("positions_from_motion.comp"),
+             .resources = {"depth", "motion", "positions"}}};
 }
 
 // The pass that takes the samples.
 PassRow row_of_samples() {
     return {.name = "ambient_occlusion",
             .when = [](const Moment&) { return 1; },
-            .source = [](const Moment& m) { return occlusion_source(m); },
+            .source = occlusion_source,
             .resources = {"depth", "normal", "history", "history_after", "positions", "method", "prepared",
-                          "layers", "filtered"},
-            .fill =
-                [](const Moment& m) {
-                    using P = OcclusionParameters;
-                    return constants(occlusion_parameters(m.view, m.settings), &P::p00_p11, &P::size,
-                                     &P::border);
-                }};
+                          "layers", "filtered"}};
 }
 
 std::vector<PassRow> rows_of_samples() {
     return {
         {.name = "reproject",
          .when = [](const Moment& m) { return m.moves_history(); },
-         .source = [](const Moment& m) { return reprojection_source(m); },
+         .source = file("reproject.comp"),
          .resources = {"depth", "positions", "history_before", "history_reprojected"},
-         .fill =
-             [](const Moment& m) {
-                 using P = ReprojectionParameters;
-                 return constants(reprojection_parameters(m), &P::previous_from_current, &P::p00_p11,
-                                  &P::previous_p00_p11, &P::size);
-             },
          .turn = Turn::moved},
         {.name = "preparation",
          .when = [](const Moment& m) { return m.preparation ? m.preparation->passes.size() : 0; },
          .source = [](const Moment& m) { return preparation_source(m, m.preparation->passes[m.step].file); },
          .resources = {"depth", "normal", "history", "prepared", "method", "layers", "prepared"},
-         .fill =
-             [](const Moment& m) {
-                 using P = PreparationParameters;
-                 const int level = m.preparation->passes[m.step].level;
-                 return constants(preparation_parameters(m.view, m.settings, level), &P::p00_p11, &P::size,
-                                  &P::border);
-             },
          .groups = [](const Moment& m) { return groups_for(m.preparation->passes[m.step].invocations); },
          .own_name = [](const Moment& m) { return m.preparation->passes[m.step].name; }},
         row_of_samples()};
@@ -107,13 +59,9 @@ std::vector<PassRow> rows_of_samples() {
 PassRow row_of_filter(const char* name, bool along_y, const char* from, const char* to) {
     return {.name = name,
             .when = [](const Moment& m) { return m.filtered; },
-            .source = [along_y](const Moment& m) { return filter_source(m, along_y); },
+            .source = [](const Moment& m) { return filter_source(m.settings); },
             .resources = {"history_after", to, "normal", from},
-            .fill =
-                [](const Moment& m) {
-                    using P = FilterParameters;
-                    return constants(filter_parameters(m.view, m.settings), &P::p00_p11, &P::size);
-                }};
+            .own = {{"along_y", along_y}}};
 }
 
 std::vector<PassRow> rows_of_filter() {
@@ -130,13 +78,7 @@ PassRow row_of_remap(const char* name, bool of_history, const char* from, const 
                 [of_history](const Moment& m) {
                     return remap_source(m.settings, of_history && !shows_alone(m.settings));
                 },
-            .resources = {"depth", from, to},
-            .fill =
-                [](const Moment& m) {
-                    const Settings& s = m.settings;
-                    const RemapParameters all{vector_of_size(m.view.extent), s.remap_a, s.remap_b, s.remap_c};
-                    return constants(all, &RemapParameters::size);
-                }};
+            .resources = {"depth", from, to}};
 }
 
 // The pixels of a block share one pattern of samples (interleaved sampling): the first pass takes each
@@ -146,14 +88,9 @@ PassRow row_of_directions(const char* name, std::vector<const char*> images) {
     resources.insert(resources.end(), images.begin(), images.end());
     return {.name = name,
             .when = [](const Moment& m) { return m.bent_normals; },
-            .source = [name](const Moment&) { return directional_source(name, bent_interleave); },
+            .source = [name](const Moment&) { return PassSource{.file = std::string(name) + ".comp"}; },
             .resources = std::move(resources),
-            .fill =
-                [](const Moment& m) {
-                    using P = DirectionalParameters;
-                    // world_from_view is for the passes of light: these do not read it.
-                    return constants(directional_parameters(m.view, m.settings), &P::p00_p11, &P::size);
-                }};
+            .own = {{"interleave", 4}}};
 }
 
 std::vector<PassRow> rows_of_directions() {

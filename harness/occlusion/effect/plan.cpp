@@ -56,12 +56,13 @@ std::string shown_image(const Settings& settings) {
 
 }  // namespace
 
-Plan plan_of(const Settings& settings, const PlanOptions& options) {
+Plan plan_of(const Settings& settings, const PlanOptions& options, const scene::PassLibrary& library) {
     validate(settings);
     if (settings.passes == Passes::frame) return frame_plan(settings, options);
     Moment moment = moment_of(settings, options);
     Plan plan = planned_resources(moment);
-    plan.passes = planned_passes(moment, plan);
+    plan.passes = planned_passes(
+        moment, plan, [&](const PassSource& source) { return shader::reflect(module_of(source, library)); });
     plan.result = shown_image(settings);
     return plan;
 }

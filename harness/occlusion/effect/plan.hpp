@@ -115,8 +115,10 @@ struct PlanOptions {
     scene::Encoding encoding;   // of the engine's depth and normals
 };
 
-// The plan of a frame with these settings. Throws std::invalid_argument like validate().
-[[nodiscard]] Plan plan_of(const Settings& settings, const PlanOptions& options);
+// The plan of a frame with these settings. Throws std::invalid_argument like validate(), std::logic_error for
+// a constant of a pass that has no value.
+[[nodiscard]] Plan plan_of(const Settings& settings, const PlanOptions& options,
+                           const scene::PassLibrary& library);
 
 // The module of a pass. storage_inputs: as drivers that run on the CPU get it (scene::Inputs).
 [[nodiscard]] shader::Spirv module_of(const PassSource& source, const scene::PassLibrary& library,

@@ -72,8 +72,10 @@ void bind_nothing(PackedPass& pass, std::vector<effect::PlannedImage>& images) {
 
 PackedEffect packed_effect(const effect::Settings& settings, const effect::PlanOptions& options,
                            const scene::PassLibrary& library, shader::Language language) {
-    PackedEffect effect{
-        .language = language, .settings = settings, .options = options, .plan = plan_of(settings, options)};
+    PackedEffect effect{.language = language,
+                        .settings = settings,
+                        .options = options,
+                        .plan = plan_of(settings, options, library)};
     std::set<std::string> bound{effect.plan.result};
     for (const effect::PlannedPass& planned : effect.plan.passes) {
         effect.passes.push_back(packed_pass(planned, library, language));

@@ -3,18 +3,18 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "effect/internal/constants.hpp"
 #include "effect/methods.hpp"
 #include "effect/plan.hpp"
 #include "effect/settings.hpp"
 #include "scene/camera.hpp"
 #include "scene/gbuffer.hpp"
 
-// The shaders of the passes and their push constants.
+// The shaders of the passes.
 namespace gloam::effect {
 
 constexpr std::uint32_t tile_side = 8;
@@ -69,33 +69,15 @@ struct Moment {
     [[nodiscard]] bool maps_images() const { return remaps(settings); }
 };
 
-// The push constants.
-[[nodiscard]] NormalParameters normal_parameters(const View& view);
-[[nodiscard]] InputParameters input_parameters(const View& view);
-[[nodiscard]] DirectionalParameters directional_parameters(const View& view, const Settings& settings);
-// Motion vectors in pixels.
-[[nodiscard]] MotionParameters motion_parameters(const View& view, const View& before);
-[[nodiscard]] OcclusionParameters occlusion_parameters(const View& view, const Settings& settings);
-[[nodiscard]] ReprojectionParameters reprojection_parameters(const Moment& moment);
-[[nodiscard]] FilterParameters filter_parameters(const View& view, const Settings& settings);
-[[nodiscard]] PreparationParameters preparation_parameters(const View& view, const Settings& settings,
-                                                           int level);
-
-// The shaders, with their definitions and constants.
-[[nodiscard]] PassSource input_source(const Moment& moment);
+// The shaders, with their definitions.
 [[nodiscard]] PassSource occlusion_source(const Moment& moment);
-[[nodiscard]] PassSource reprojection_source(const Moment& moment);
 // Throws std::invalid_argument for Filter::none.
-[[nodiscard]] PassSource filter_source(const Moment& moment, bool along_y);
+[[nodiscard]] PassSource filter_source(const Settings& settings);
 // from_history: it reads the history; otherwise an image of one channel.
-// A pass that includes directional/points.glsl. interleave: side of the blocks whose pixels share a pattern
-// of samples; 0 where the pass does not use it.
-[[nodiscard]] PassSource directional_source(const std::string& name, std::uint32_t interleave);
-inline constexpr std::uint32_t bent_interleave = 4;  // in a frame's plan
-[[nodiscard]] PassSource motion_source(const View& view, const View& before);
 [[nodiscard]] PassSource remap_source(const Settings& settings, bool from_history);
 // file: in glsl/passes/preparation.
 [[nodiscard]] PassSource preparation_source(const Moment& moment, const std::string& file);
+
 // Groups of 8 x 8 invocations that cover an image.
 [[nodiscard]] std::array<std::uint32_t, 3> groups_for(gpu::Extent extent);
 
