@@ -132,7 +132,7 @@ class MotionVectors : public OnDevice<testing::Test> {
         values.set("motion_unit", unit);
         Executor executor(device_, passes_);
         const PlannedPass pass =
-            executor.planned("positions_from_motion", {.file = "positions_from_motion.comp"},
+            executor.planned("positions_from_motion", {.file = "study/positions_from_motion.comp"},
                              {"depth", "motion", "previous_position"}, values, groups_for(extent));
         executor.run(std::span(&pass, 1), resources, {});
         return vectors_of(written.download());

@@ -116,7 +116,7 @@ TEST_F(Layouts, TellWhatIsTheViews) {
 }
 
 TEST_F(Layouts, NumbersAreThoseOfTheirNames) {
-    const shader::ModuleInterface pass = interface_of({.file = "reproject.comp"});
+    const shader::ModuleInterface pass = interface_of({.file = "study/reproject.comp"});
     Settings settings;
     settings.depth_tolerance = 0.125F;
     settings.taps = HistoryTaps::bilinear;

@@ -66,7 +66,7 @@ class ReprojectionPass : public OnDevice<testing::Test> {
         std::vector<float> words;
         for (const Texel& t : before) words.insert(words.end(), {t.occlusion, t.weight, t.index, t.depth});
         history.upload(words);
-        const auto [source, parameters] = filled({.file = "reproject.comp"}, values);
+        const auto [source, parameters] = filled({.file = "study/reproject.comp"}, values);
         const gpu::ComputePipeline pass = pipeline_of(device_, passes_, source);
         gpu::Commands commands(device_);
         commands.dispatch(pass, std::vector<gpu::Resource>{depth, positions, history, after}, {2, 1, 1},

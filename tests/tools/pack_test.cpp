@@ -56,7 +56,7 @@ TEST_F(Pack, OtherLanguages) {
     EXPECT_THAT(hlsl.out, StartsWith("// Packed by gloam "));
     EXPECT_THAT(hlsl.out, HasSubstr("float gloam_radical_inverse_base2(uint index)\n{"));
     const std::string metal =
-        output_of(gloam("pack {} --target msl", GLOAM_GLSL_DIR "/passes/reproject.comp"));
+        output_of(gloam("pack {} --target msl", GLOAM_GLSL_DIR "/passes/study/reproject.comp"));
     EXPECT_THAT(metal, HasSubstr("kernel void main0("));
     expect_could_not_run(gloam("pack {} --target cg", halton), "expected hlsl or msl");
     expect_could_not_run(gloam("pack {} --target hlsl --version 330", halton), "--version");
@@ -67,7 +67,7 @@ TEST_F(Pack, OtherLanguages) {
 
 // A whole shader, whose stage follows from its name.
 TEST_F(Pack, AShaderWithAMain) {
-    for (const char* name : {"reproject.comp", "remap.comp"}) {
+    for (const char* name : {"study/reproject.comp", "study/remap.comp"}) {
         const std::string result = output_of(gloam("pack {}", std::string(GLOAM_GLSL_DIR "/passes/") + name));
         EXPECT_THAT(result, HasSubstr("void main()")) << name;
         EXPECT_THAT(result, Not(HasSubstr("#if"))) << name;
@@ -101,7 +101,7 @@ TEST_F(Pack, CountsLines) {
 TEST_F(Pack, BadInputIsNamed) {
     expect_could_not_run(gloam("pack"), "--effect");
     expect_could_not_run(gloam("pack --method disc"), "--effect");
-    expect_could_not_run(gloam("pack {} --version 300es", GLOAM_GLSL_DIR "/passes/reproject.comp"),
+    expect_could_not_run(gloam("pack {} --version 300es", GLOAM_GLSL_DIR "/passes/study/reproject.comp"),
                          "reproject.comp");
     expect_could_not_run(gloam("pack {} --npm {}", halton, path("npm").string()), "file excludes --npm");
     expect_could_not_run(gloam("pack --effect --npm {}", path("npm").string()), "--effect excludes --npm");

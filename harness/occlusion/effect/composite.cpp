@@ -28,7 +28,7 @@ void require(std::size_t found, std::size_t expected, const char* what) {
 }  // namespace
 
 Composite::Composite(const gpu::Device& device, const scene::PassLibrary& passes)
-    : device_(&device), pipeline_(pipeline_of(device, passes, {.file = "composite.comp"})) {}
+    : device_(&device), pipeline_(pipeline_of(device, passes, {.file = "study/composite.comp"})) {}
 
 void Composite::watch(PassWatcher watcher) {
     watcher_ = std::move(watcher);

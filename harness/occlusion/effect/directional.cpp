@@ -79,8 +79,8 @@ struct Directional::Impl {
         bound.insert(bound.end(), read.begin(), read.end());
         Values values = values_of({view.camera, view.extent, view.border}, settings);
         values.set("interleave", interleave);
-        const PlannedPass pass = executor.planned(name, {.file = name + ".comp"}, std::move(bound), values,
-                                                  groups_for(view.extent));
+        const PlannedPass pass = executor.planned(name, {.file = "study/" + name + ".comp"}, std::move(bound),
+                                                  values, groups_for(view.extent));
         executor.run(std::span(&pass, 1), resources, watcher);
     }
 };

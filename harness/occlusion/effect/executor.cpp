@@ -331,7 +331,7 @@ void take_linear(const scene::GBuffer& view, Resources& resources, Executor& exe
     if (!view.normal.empty()) return;
     (void)resources.image("normal", view.extent, gpu::Format::rgba32f);
     const PlannedPass pass =
-        executor.planned("normals_from_depth", {.file = "normals_from_depth.comp"}, {"depth", "normal"},
+        executor.planned("normals_from_depth", {.file = "study/normals_from_depth.comp"}, {"depth", "normal"},
                          values_of({view.camera, view.extent, view.border}, {}), groups_for(view.extent));
     executor.run(std::span(&pass, 1), resources, watcher);
 }

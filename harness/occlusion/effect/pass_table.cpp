@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "effect/internal/frame.hpp"
 
-#include <algorithm>
-#include <span>
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "effect/methods.hpp"
@@ -18,15 +18,15 @@ std::function<PassSource(const Moment&)> file(const char* name) {
 std::vector<PassRow> rows_of_inputs() {
     return {{.name = "take_inputs",
              .when = [](const Moment& m) { return m.new_view && m.converted; },
-             .source = file("take_inputs.comp"),
+             .source = file("study/take_inputs.comp"),
              .resources = {"stored_depth", "stored_normal", "depth", "normal"}},
             {.name = "normals_from_depth",
              .when = [](const Moment& m) { return m.new_view && !m.has_normals; },
-             .source = file("normals_from_depth.comp"),
+             .source = file("study/normals_from_depth.comp"),
              .resources = {"depth", "normal"}},
             {.name = "positions_from_motion",
              .when = [](const Moment& m) { return m.new_view && m.from_motion; },
-             .source = file("positions_from_motion.comp"),
+             .source = file("study/positions_from_motion.comp"),
              .resources = {"depth", "motion", "positions"}}};
 }
 
@@ -43,7 +43,7 @@ std::vector<PassRow> rows_of_samples() {
     return {
         {.name = "reproject",
          .when = [](const Moment& m) { return m.moves_history(); },
-         .source = file("reproject.comp"),
+         .source = file("study/reproject.comp"),
          .resources = {"depth", "positions", "history_before", "history_reprojected"},
          .turn = Turn::moved},
         {.name = "preparation",
@@ -86,11 +86,12 @@ PassRow row_of_remap(const char* name, bool of_history, const char* from, const 
 PassRow row_of_directions(const char* name, std::vector<const char*> images) {
     std::vector<const char*> resources{"depth", "normal", "method"};
     resources.insert(resources.end(), images.begin(), images.end());
-    return {.name = name,
-            .when = [](const Moment& m) { return m.bent_normals; },
-            .source = [name](const Moment&) { return PassSource{.file = std::string(name) + ".comp"}; },
-            .resources = std::move(resources),
-            .own = {{"interleave", 4}}};
+    return {
+        .name = name,
+        .when = [](const Moment& m) { return m.bent_normals; },
+        .source = [name](const Moment&) { return PassSource{.file = fmt::format("study/{}.comp", name)}; },
+        .resources = std::move(resources),
+        .own = {{"interleave", 4}}};
 }
 
 std::vector<PassRow> rows_of_directions() {

@@ -57,24 +57,24 @@ void Moment::look(const View& now, const View& last) {
 }
 
 PassSource occlusion_source(const Moment& moment) {
-    return with_method_in({.file = "ambient_occlusion.comp", .defines = defines_for(moment)},
+    return with_method_in({.file = "study/ambient_occlusion.comp", .defines = defines_for(moment)},
                           method_named(moment.settings.method));
 }
 
 PassSource filter_source(const Settings& settings) {
-    return {.file = "spatial_filter.comp",
+    return {.file = "study/spatial_filter.comp",
             .replaced = {{filter_include(Filter::convergence), filter_include(settings.filter)}}};
 }
 
 PassSource remap_source(const Settings& settings, bool from_history) {
-    PassSource source{.file = "remap.comp"};
+    PassSource source{.file = "study/remap.comp"};
     if (!from_history) source.defines.emplace_back("GLOAM_SOURCE r32f");
     define_output(settings.output, source.defines);
     return source;
 }
 
 PassSource preparation_source(const Moment& moment, const std::string& file) {
-    return {.file = "preparation/" + file, .defines = defines_for(moment)};
+    return {.file = "study/preparation/" + file, .defines = defines_for(moment)};
 }
 
 std::array<std::uint32_t, 3> groups_for(gpu::Extent extent) {

@@ -69,7 +69,8 @@ constexpr std::uint32_t most_samples = 2'048;
 constexpr float no_radius_cap = 1e18F;
 
 // What single methods take beside what all of them take, in the layout of MethodValues in the passes' buffer
-// (passes/method_values.glsl). The descriptor of a method names those that it reads (MethodInfo::reads).
+// (passes/study/method_values.glsl). The descriptor of a method names those that it reads
+// (MethodInfo::reads).
 struct MethodValues {
     float range =
         2.0F;  // hemisphere: blockers further in front than this are other objects; world units, > 0

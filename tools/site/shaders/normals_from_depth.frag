@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// passes/normals_from_depth.comp as a fragment shader: normals from the depth of the four neighbours.
+// passes/study/normals_from_depth.comp as a fragment shader: normals from the depth of the four neighbours.
 #include "gloam/geometry/camera_normal.glsl"
 
 layout(constant_id = 0) const bool orthographic = false;  // the camera; else perspective

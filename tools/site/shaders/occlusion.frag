@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// passes/ambient_occlusion.comp as a fragment shader, for surfaces that stand still, one depth layer, without tiles:
+// passes/study/ambient_occlusion.comp as a fragment shader, for surfaces that stand still, one depth layer, without tiles:
 // the samples of one frame, blended into the history. METHOD is the call of a method, whose file is included before
 // this one.
 #include "gloam/geometry/camera.glsl"
@@ -9,9 +9,9 @@
 #include "gloam/temporal/convergence.glsl"
 #include "gloam/temporal/history.glsl"
 #include "gloam/temporal/smoothing.glsl"
-#include "passes/method_values.glsl"
+#include "passes/study/method_values.glsl"
 
-// Those of passes/ambient_occlusion.comp, with the same meaning.
+// Those of passes/study/ambient_occlusion.comp, with the same meaning.
 struct Parameters {
     vec2 p00_p11;
     ivec2 size;
@@ -52,7 +52,7 @@ GloamCamera this_camera() {
     return GloamCamera(parameters.p00_p11, parameters.size, orthographic);
 }
 
-#include "passes/pixel_samples.glsl"
+#include "passes/study/pixel_samples.glsl"
 
 float gloam_fetch_depth(ivec2 pixel) {
     return texelFetch(depth_image, pixel, 0).x;

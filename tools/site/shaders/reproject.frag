@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// passes/reproject.comp as a fragment shader, for a camera that moves among surfaces that stand still: brings the
+// passes/study/reproject.comp as a fragment shader, for a camera that moves among surfaces that stand still: brings the
 // history of the previous frame to the pixels of this one.
 #include "gloam/geometry/camera.glsl"
 #include "gloam/temporal/reprojected_history.glsl"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// passes/spatial_filter.comp as a fragment shader, by convergence: one pixel, along one axis. Draw along x, then along
+// passes/study/spatial_filter.comp as a fragment shader, by convergence: one pixel, along one axis. Draw along x, then along
 // y.
 #define UNROLL
 #define HOLDS_ROW false
@@ -9,7 +9,7 @@ layout(constant_id = 1) const int HALF_WIDTH = 2;         // taps on each side
 layout(constant_id = 2) const bool along_y = false;       // the second of the two passes
 layout(constant_id = 0) const bool orthographic = false;  // the camera; else perspective
 
-// Those of passes/spatial_filter.comp, with the same meaning.
+// Those of passes/study/spatial_filter.comp, with the same meaning.
 struct Parameters {
     vec2 p00_p11;
     ivec2 size;
@@ -40,7 +40,7 @@ ivec2 filter_axis() {
     return ivec2(along_y ? 0 : 1, along_y ? 1 : 0);
 }
 
-#include "passes/filters/convergence.glsl"
+#include "passes/study/filters/convergence.glsl"
 
 void main() {
     read_row(ivec2(gl_FragCoord.xy));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// passes/take_inputs.comp as a fragment shader: depth and normals of an engine, converted to what the other passes
+// passes/study/take_inputs.comp as a fragment shader: depth and normals of an engine, converted to what the other passes
 // read. A projection of OpenGL has the depth range [-1, 1]; with EXT_clip_control it may have [0, 1].
 #include "passes/engine_inputs.glsl"
 

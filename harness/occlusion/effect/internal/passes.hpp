@@ -75,7 +75,7 @@ struct Moment {
 [[nodiscard]] PassSource filter_source(const Settings& settings);
 // from_history: it reads the history; otherwise an image of one channel.
 [[nodiscard]] PassSource remap_source(const Settings& settings, bool from_history);
-// file: in glsl/passes/preparation.
+// file: in glsl/passes/study/preparation.
 [[nodiscard]] PassSource preparation_source(const Moment& moment, const std::string& file);
 
 // Groups of 8 x 8 invocations that cover an image.

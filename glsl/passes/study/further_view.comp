@@ -15,7 +15,7 @@
 //   3  rgba32f  normal of the other view, in its view space
 //   4  r32f     occlusion, [0, 1]: read, and written where it becomes larger
 //   5  buffer   a MethodValues
-#include "passes/input_image.glsl"
+#include "passes/study/input_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 0) const bool orthographic = false;        // this camera; else perspective

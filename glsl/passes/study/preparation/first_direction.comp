@@ -5,7 +5,7 @@
 //
 // Writes the occlusion in x, 0 at the background.
 
-#include "passes/preparation/pass.glsl"
+#include "passes/study/preparation/pass.glsl"
 
 #include "gloam/methods/separable.glsl"
 

@@ -6,7 +6,7 @@
 // Writes a texel of each of the three values of gloam/gather/pyramid.glsl: (mean position, pixels with a surface),
 // variances, covariances.
 
-#include "passes/preparation/pass.glsl"
+#include "passes/study/preparation/pass.glsl"
 
 #include "gloam/methods/volumetric_area.glsl"
 

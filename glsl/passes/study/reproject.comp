@@ -10,7 +10,7 @@
 //   2  rgba32f  history of the previous frame: (occlusion, samples accumulated, samples of the sequence used, depth)
 //   3  rgba32f  written: the same for this frame's pixels, with the depth the point had in the previous camera; (0, 0,
 //               0, depth) for none
-#include "passes/input_image.glsl"
+#include "passes/study/input_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 0) const bool moving_objects = false;  // binding 1 holds the positions; else only the camera moved

@@ -12,7 +12,7 @@
 #include "gloam/shading/ambient_light.glsl"
 #include "gloam/shading/multi_bounce.glsl"
 
-#include "passes/input_image.glsl"
+#include "passes/study/input_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT ambient_image;

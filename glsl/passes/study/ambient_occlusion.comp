@@ -21,7 +21,7 @@
 //   7  rgba32f  depth layers 1 to 3 behind binding 0 in xyz: eye-linear, negative where seen from behind, 0 or not
 //               finite where there is none; read when layers is more than 1
 //   8  r32f     occlusion: written when shows_alone is set
-#include "passes/input_image.glsl"
+#include "passes/study/input_image.glsl"
 #ifndef GLOAM_PREPARED
 #define GLOAM_PREPARED rgba32f
 #endif

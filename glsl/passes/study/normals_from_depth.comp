@@ -5,7 +5,7 @@
 // Dispatch ceil(size / 8) groups. Descriptor set 0:
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
 //   1  rgba32f  written: unit view-space normal facing the eye in xyz, 0 at the background; w is 0
-#include "passes/input_image.glsl"
+#include "passes/study/input_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;

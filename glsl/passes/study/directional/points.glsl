@@ -11,7 +11,7 @@
 //   1  rgba32f  view-space normal facing the eye in xyz
 //   2  buffer   a MethodValues
 //   3 and on    as the pass says
-#include "passes/input_image.glsl"
+#include "passes/study/input_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
@@ -37,7 +37,7 @@ layout(push_constant) uniform Parameters {
 #include "gloam/sampling/hemisphere.glsl"
 #include "gloam/sampling/rotation.glsl"
 #include "gloam/sampling/tangent_frame.glsl"
-#include "passes/method_values.glsl"
+#include "passes/study/method_values.glsl"
 
 layout(binding = 2, std430) readonly buffer MethodSettings { MethodValues method_values; };
 

@@ -11,7 +11,7 @@
 //   0  r32f     eye-linear depth, world units; background +infinity
 //   1  rgba32f  view-space normal in xyz, unit
 //   2  r32f     written: occlusion
-#include "passes/input_image.glsl"
+#include "passes/study/input_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 0) const int slices = 9;

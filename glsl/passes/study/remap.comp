@@ -10,7 +10,7 @@
 //   0  r32f     eye-linear depth, world units; background 0 or not finite
 //   1  source   occlusion in x: the history, or the filter's result
 //   2  output   written: mapped occlusion, in [0, 1]; background as it is
-#include "passes/input_image.glsl"
+#include "passes/study/input_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;

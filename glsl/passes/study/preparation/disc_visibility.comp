@@ -5,7 +5,7 @@
 //
 // Writes 1 minus the occlusion by all discs in x; 1 at the background and where the radius is too small to see.
 
-#include "passes/preparation/pass.glsl"
+#include "passes/study/preparation/pass.glsl"
 
 #include "gloam/methods/disc_proxy_two.glsl"
 

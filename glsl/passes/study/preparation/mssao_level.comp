@@ -5,7 +5,7 @@
 //
 // Writes (largest occlusion of the levels so far, their mean, their number) into the pyramid's results.
 
-#include "passes/preparation/pass.glsl"
+#include "passes/study/preparation/pass.glsl"
 
 #include "gloam/methods/mssao.glsl"
 

@@ -6,7 +6,7 @@
 //
 // Writes the position and the normal of the pyramid's texel (gloam/gather/pyramid.glsl), zeros for background.
 
-#include "passes/preparation/pass.glsl"
+#include "passes/study/preparation/pass.glsl"
 
 #include "gloam/filter/mssao_downsample.glsl"
 #include "gloam/geometry/safe_normalize.glsl"

@@ -18,7 +18,7 @@
 //   5  rgba32f  depth layers 1 to 3 behind binding 0 in xyz, as ambient_occlusion.comp has them; read when layers is
 //               more than 1
 //   6  prepared the image of binding 3: read by passes that build on others, where earlier passes have written
-#include "passes/input_image.glsl"
+#include "passes/study/input_image.glsl"
 #ifndef GLOAM_PREPARED
 #define GLOAM_PREPARED rgba32f
 #endif
@@ -66,7 +66,7 @@ layout(push_constant) uniform Parameters {
 #include "gloam/geometry/camera.glsl"
 #include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/temporal/history.glsl"
-#include "passes/method_values.glsl"
+#include "passes/study/method_values.glsl"
 
 layout(binding = 4, std430) readonly buffer MethodSettings { MethodValues method_values; };
 layout(binding = 5 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT layer_image;

@@ -5,7 +5,7 @@
 //
 // Writes (occlusion of the pixel at the upper left of the four, its normal): occlusion 0 at the background.
 
-#include "passes/preparation/pass.glsl"
+#include "passes/study/preparation/pass.glsl"
 
 #include "gloam/methods/dual_resolution.glsl"
 

@@ -9,7 +9,7 @@
 //   1           motion vectors in xy, in units of motion_unit; any format. Not finite: the point was not in the image
 //   2  rgba32f  written: xyz: where each surface point was, in the view space of the previous frame; 0 where that is
 //               unknown, and at the background
-#include "passes/input_image.glsl"
+#include "passes/study/input_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 0) const bool orthographic = false;           // this frame's camera; else perspective

@@ -5,7 +5,7 @@
 //
 // Writes the depth in x, unchanged from the full image.
 
-#include "passes/preparation/pass.glsl"
+#include "passes/study/preparation/pass.glsl"
 
 #include "gloam/methods/sao_chain.glsl"
 

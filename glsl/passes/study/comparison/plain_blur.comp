@@ -7,7 +7,7 @@
 //   0  r32f  eye-linear depth, world units; background +infinity
 //   1  r32f  occlusion
 //   2  r32f  written: the mean
-#include "passes/input_image.glsl"
+#include "passes/study/input_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;

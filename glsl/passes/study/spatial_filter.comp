@@ -9,7 +9,7 @@
 //   1  r32f     written: filtered occlusion
 //   2  rgba32f  view-space normal in xyz; read by the filter geometry alone
 //   3  r32f     what this pass has written along x; read when along_y is set
-#include "passes/input_image.glsl"
+#include "passes/study/input_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 0) const bool along_y = false;       // the second of the two passes

@@ -8,10 +8,10 @@
 //   1           normals as the engine stores them; any format; read when has_normals is set
 //   2  r32f     written: eye-linear depth, world units; background +infinity
 //   3  rgba32f  written when has_normals is set: view-space unit normal in xyz, 0 at the background; w is 0
-#include "passes/input_image.glsl"
+#include "passes/study/input_image.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
-#include "engine_inputs.glsl"
+#include "passes/engine_inputs.glsl"
 
 layout(constant_id = 5) const bool has_normals = true;
 
