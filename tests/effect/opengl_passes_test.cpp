@@ -251,7 +251,7 @@ TEST_F(EsPasses, AreTakenByADriver) {
     layered.filter = Filter::none;
     layered.own.layers = 2;
     expect_linked(layered, {.moving_objects = true});
-    EXPECT_EQ(files_.size(), 11U);
+    EXPECT_EQ(files_.size(), 9U);
 }
 
 }  // namespace gloam::effect::opengl_passes_test

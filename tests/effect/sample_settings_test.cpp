@@ -151,7 +151,7 @@ TEST_F(SampleSettings, TheLargerHalfAxisOfTheRadiusCounts) {
         Settings settings = with_radius(plain(), static_cast<float>(high * view_height));
         settings.least_radius = 29.9F;
         const Frame whole = frame(settings);
-        EXPECT_THAT(whole.convergence, Each(Lt(1.0F)));
+        EXPECT_THAT(whole.convergence, Each(testing::Lt(1.0F)));
         settings.least_radius = 30.1F;
         EXPECT_THAT(frame(settings).convergence, Each(1.0F));
         settings.least_radius = 0.0F;
