@@ -24,9 +24,10 @@ class SampleSettings : public OnDevice<testing::Test> {
 };
 
 // Samples in the mean of a pixel with a surface.
-double per_pixel(const Frame& frame, float weight_max = Settings{}.weight_max) {
-    const double surfaces = std::ranges::count_if(frame.convergence, [](float c) { return c > 0.0F; });
-    return mean_of(frame.convergence) * frame.convergence.size() / surfaces * weight_max;
+double per_pixel(const Frame& frame) {
+    const auto surfaces = std::ranges::count_if(frame.convergence, [](float c) { return c > 0.0F; });
+    return std::accumulate(frame.convergence.begin(), frame.convergence.end(), 0.0) /
+           static_cast<double>(surfaces) * double{Settings{}.weight_max};
 }
 
 TEST_F(SampleSettings, FewerAreTakenFarAway) {
