@@ -214,11 +214,13 @@ TEST_F(OutputFormats, AddNoMoreThanTheirRounding) {
         settings.output = output;
         return run(view, settings, 2);
     };
-    Settings unfiltered = with_radius(preset_named("balanced").settings, 0.3F);
+    Settings unfiltered = with_radius({}, 0.3F);
+    unfiltered.filter = Filter::none;
     unfiltered.samples = unfiltered.samples_converged = 7;  // no share of them is exact in binary
     Settings alone = unfiltered;
     alone.history = false;
-    for (const Settings& settings : {with_radius({}, 0.3F), unfiltered, alone}) {
+    const Settings frame = with_radius(preset_named("quality").settings, 0.3F);
+    for (const Settings& settings : {with_radius({}, 0.3F), unfiltered, alone, frame}) {
         const Frame full = frame_in(OutputFormat::r32f, settings);
         for (const OutputFormat output : {OutputFormat::r16f, OutputFormat::r8}) {
             const Frame shown = frame_in(output, settings);

@@ -79,6 +79,6 @@ TEST_P(OffCentre, IsThatPartOfTheCentredView) {
 INSTANTIATE_TEST_SUITE_P(Views, OffCentre,
                          testing::Combine(testing::Values(scene::Projection::perspective,
                                                           scene::Projection::orthographic),
-                                          testing::Bool(), testing::Values("tssao-paper", "balanced")));
+                                          testing::Bool(), testing::Values("tssao-paper")));
 
 }  // namespace gloam::effect::off_centre_test

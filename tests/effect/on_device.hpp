@@ -4,6 +4,7 @@
 
 #include "effect/ambient_occlusion.hpp"
 #include "effect/internal/steps.hpp"
+#include "effect/methods.hpp"
 #include "scene/draw.hpp"
 #include "scene/pass_library.hpp"
 #include "scene/scene.hpp"
@@ -69,6 +70,25 @@ inline double largest_difference(const std::vector<float>& left, const std::vect
 // What a pass binds there.
 inline const gpu::Image& image_of(const Step& pass, std::size_t binding) {
     return std::get<std::reference_wrapper<const gpu::Image>>(pass.resources.at(binding)).get();
+}
+
+// Names of gloam's own presets: the frame.
+inline std::vector<std::string> own_presets() {
+    std::vector<std::string> own;
+    for (const Preset& preset : presets())
+        if (!preset.published) own.push_back(preset.name);
+    return own;
+}
+
+// The study's sweep, one frame of many slices: what the frame estimates, without its noise.
+inline Settings many_slices(float radius) {
+    Settings many = with_radius(with_method({}, "sweep"), radius);
+    many.history = false;
+    many.filter = Filter::none;
+    many.c_rot = 2.0F;
+    many.own.steps = 16;
+    many.samples = many.samples_converged = 2 * 16 * 32;
+    return many;
 }
 
 // The settings with every skip on, or off.

@@ -5,8 +5,8 @@
 #include "backend/gl/opened.hpp"
 #include "backend/gl/program.hpp"
 #include "effect/errors.hpp"
+#include "effect/internal/short_frame.hpp"
 #include "effect/plan.hpp"
-#include "effect/short_frame.hpp"
 #include "numeric/numbers.hpp"
 #include "on_device.hpp"
 #include "shader/compile.hpp"
@@ -193,7 +193,7 @@ TEST_P(OpenGlPasses, GiveThePictureOfVulkan) {
 INSTANTIATE_TEST_SUITE_P(All, OpenGlPasses, testing::ValuesIn(passes_of_methods()), test::parameter_name);
 
 // Of an odd size, poisoned.
-class OpenGlShortFrames : public OnDevice<testing::TestWithParam<ShortSettings>> {};
+class OpenGlShortFrames : public OnDevice<testing::TestWithParam<std::string>> {};
 
 TEST_P(OpenGlShortFrames, GiveThePictureOfVulkan) {
     std::optional<gl::Device> device;
@@ -202,10 +202,11 @@ TEST_P(OpenGlShortFrames, GiveThePictureOfVulkan) {
         scene::GBuffer view = drawn("columns", {83, 45});
         test::poison(view);
         if (from_depth) view.normal.clear();
-        ShortSettings settings = GetParam();
+        Settings settings = preset_named(GetParam()).settings;
         settings.output = OutputFormat::r32f;
-        const Plan plan = plan_of(settings, view, 1.0F);
-        const std::vector<float> want = ShortFrame(device_, passes_).run(view, settings, 1.0F).filtered;
+        settings.history = false;
+        const Plan plan = frame_plan(settings, view);
+        const std::vector<float> want = run(view, settings).filtered;
         const std::vector<float> got = OnOpenGl(*device, plan, view, passes_).run();
         ASSERT_EQ(got.size(), want.size());
         // A tap within rounding of a limit counts on one driver and not on the other.
@@ -215,8 +216,7 @@ TEST_P(OpenGlShortFrames, GiveThePictureOfVulkan) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, OpenGlShortFrames, testing::ValuesIn(short_frames()),
-                         [](const auto& asked) { return asked.param.name.substr(6); });
+INSTANTIATE_TEST_SUITE_P(All, OpenGlShortFrames, testing::ValuesIn(own_presets()), test::parameter_name);
 
 // The passes of the effect as one text each in GLSL ES 3.10: Mesa's compiler takes them.
 

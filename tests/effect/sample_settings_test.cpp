@@ -214,7 +214,12 @@ TEST_F(SampleSettings, RejectedStepsAreOpen) {
 TEST_F(SampleSettings, OnALatticeAFilterLeavesLessNoise) {
     const scene::GBuffer view = groove({96, 64});
     const auto noise_after_filter = [&](Rotation rotation) {
-        Settings settings = with_radius(preset_named("balanced").settings, 0.4F);
+        Settings settings = with_radius(with_method({}, "sweep"), 0.4F);
+        settings.own.steps = 5;
+        settings.samples = 10;
+        settings.c_rot = 2.0F;
+        settings.c_adaptive = 1.0F;
+        settings.filter_sigma = 0.4F;
         settings.rotation = rotation;
         const std::vector<float> filtered = run(view, settings).filtered;
         settings.samples = settings.samples_converged = 1024;

@@ -145,7 +145,7 @@ TEST(SettingTable, DefaultsAreThePaperPreset) {
 }
 
 TEST(SettingTable, TextReadsBack) {
-    Settings changed = with_radius(preset_named("reference").settings, 0.3F);
+    Settings changed = with_radius(preset_named("tssao-paper").settings, 0.3F);
     changed.filter = Filter::geometry;
     changed.taps = HistoryTaps::bilinear;
     changed.invalidation = Invalidation::clamp;
@@ -185,7 +185,7 @@ TEST(SettingTable, WhatCannotBeNamesTheSetting) {
                     ThrowsMessage<std::invalid_argument>(HasSubstr(expected)))
             << name << " " << text;
     };
-    refused("no_such", "1", "unknown setting \"no_such\": expected method, radius");
+    refused("no_such", "1", "unknown setting \"no_such\": expected passes, method, radius");
     refused("samples", "0", "samples 0: expected a whole number, 1 to 2048");
     refused("samples", "many", "samples \"many\"");
     refused("samples", "", "samples \"\"");
@@ -214,7 +214,17 @@ struct Case {
 };
 
 const std::map<std::string, Case>& cases() {
+    const Changes frame{{"passes", "frame"}, {"method", "sweep"}, {"steps", "6"}, {"samples", "12"}};
     static const std::map<std::string, Case> all{
+        {"passes", {"frame", {{"method", "sweep"}, {"steps", "6"}, {"samples", "12"}}}},
+        {"history_range", {"0.5", frame}},
+        {"history_sharpness",
+         {"1",
+          {{"passes", "frame"},
+           {"method", "sweep"},
+           {"steps", "6"},
+           {"samples", "12"},
+           {"history_range", "0.1"}}}},
         {"method", {"disc"}},
         {"radius", {"0.25"}},
         {"bias", {"0.05"}},

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The frame of three short passes: as right as the presets, on every camera, size and encoding.
-#include "effect/short_frame.hpp"
 #include "effect/errors.hpp"
-#include "effect/methods.hpp"
 #include "on_device.hpp"
+#include "support/method_names.hpp"
 #include "support/poison.hpp"
 #include "surface_views.hpp"
 
@@ -11,22 +10,22 @@ namespace gloam::effect::short_frame_test {
 
 constexpr gpu::Extent odd{83, 45};
 
-class ShortFrames : public OnDevice<testing::TestWithParam<ShortSettings>> {
+class ShortFrames : public OnDevice<testing::TestWithParam<std::string>> {
   protected:
     [[nodiscard]] Frame frame(const scene::GBuffer& view, double radius) const {
-        ShortSettings exact = GetParam();
+        Settings exact = preset_named(GetParam()).settings;
+        exact.radius = static_cast<float>(radius);
         exact.output = OutputFormat::r32f;
-        return ShortFrame(device_, passes_).run(view, exact, static_cast<float>(radius));
+        exact.history = false;
+        return run(view, exact);
     }
 };
 
-// The mean of a noisy frame is that of the presets' method with many slices, and follows the radius.
+// The mean of a noisy frame is that of the same method with many slices, and follows the radius.
 TEST_P(ShortFrames, EstimateWhatTheSweepEstimates) {
     const scene::GBuffer& view = drawn("columns", {192, 108});
     for (const double radius : {1.0, 0.4}) {
-        Settings many = with_radius(preset_named("reference").settings, static_cast<float>(radius));
-        many.history = false;
-        const Truth limit = truth_from(view, run(view, many).filtered);
+        const Truth limit = truth_from(view, run(view, many_slices(static_cast<float>(radius))).filtered);
         const Errors errors = errors_of(frame(view, radius).filtered, limit);
         EXPECT_LT(errors.rmse, 0.08);
         EXPECT_LT(std::abs(errors.bias), 0.02);
@@ -143,13 +142,23 @@ TEST_P(ShortFrames, PoisonedDepthStaysInRange) {
     }
 }
 
+// A setting that it does not read, or a value that it does not take.
 TEST_P(ShortFrames, WhatTheyDoNotTakeIsRefused) {
-    EXPECT_THROW((void)frame(drawn("columns", odd), 0.0), std::invalid_argument);
-    EXPECT_THROW((void)short_frame_named("frame-none"), std::invalid_argument);
+    const std::pair<const char*, const char*> refused[] = {
+        {"method", "gtao"},    {"bias", "0.5"},      {"filter", "none"},         {"samples", "13"},
+        {"samples", "1"},      {"taps", "bilinear"}, {"filter_half_width", "0"}, {"filter_half_width", "3"},
+        {"history_range", "2"}};
+    for (const auto& [name, value] : refused) {
+        Settings settings = preset_named(GetParam()).settings;
+        EXPECT_THAT(
+            [&] {
+                set(settings, name, value);
+                validate(settings);
+            },
+            testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr(name)));
+    }
 }
 
-INSTANTIATE_TEST_SUITE_P(Names, ShortFrames, testing::ValuesIn(short_frames()), [](const auto& asked) {
-    return asked.param.name.substr(asked.param.name.find('-') + 1);
-});
+INSTANTIATE_TEST_SUITE_P(Names, ShortFrames, testing::ValuesIn(own_presets()), test::parameter_name);
 
 }  // namespace gloam::effect::short_frame_test

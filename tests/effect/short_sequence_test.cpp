@@ -3,8 +3,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "effect/errors.hpp"
-#include "effect/short_frame.hpp"
 #include "on_device.hpp"
+#include "support/method_names.hpp"
 #include "surface_views.hpp"
 
 namespace gloam::effect::short_sequence_test {
@@ -12,23 +12,20 @@ namespace gloam::effect::short_sequence_test {
 constexpr gpu::Extent small{96, 54};
 constexpr float radius = 1.0F;
 
-class ShortSequences : public OnDevice<testing::TestWithParam<ShortSettings>> {
+class ShortSequences : public OnDevice<testing::TestWithParam<std::string>> {
   protected:
-    [[nodiscard]] static ShortSettings settings(bool history) {
-        ShortSettings exact = GetParam();
+    [[nodiscard]] static Settings settings(bool history, float of_radius = radius) {
+        Settings exact = with_radius(preset_named(GetParam()).settings, of_radius);
         exact.output = OutputFormat::r32f;
         exact.history = history;
         return exact;
     }
-    [[nodiscard]] std::vector<float> single(const scene::GBuffer& view) const {
-        return ShortFrame(device_, passes_).run(view, settings(false), radius).filtered;
+    [[nodiscard]] std::vector<float> single(const scene::GBuffer& view, float of_radius = radius) const {
+        return run(view, settings(false, of_radius)).filtered;
     }
     // The last of these frames.
     [[nodiscard]] std::vector<float> sequence(const std::vector<scene::GBuffer>& views) const {
-        ShortFrame frame(device_, passes_);
-        std::vector<float> shown;
-        for (const scene::GBuffer& view : views) shown = frame.run(view, settings(true), radius).filtered;
-        return shown;
+        return run(views, settings(true)).back().filtered;
     }
     [[nodiscard]] std::vector<scene::GBuffer> moving(int frames) const {
         std::vector<scene::GBuffer> views;
@@ -49,14 +46,19 @@ TEST_P(ShortSequences, BeginAnewWhereTheHistoryEnds) {
     };
     EXPECT_TRUE(same(sequence({cut}), expected));
     EXPECT_TRUE(same(sequence({views[0], views[1], cut}), expected));
-    EXPECT_TRUE(same(sequence({views[0], views[1], larger}), single(larger)));
+    AmbientOcclusion resized(device_, passes_, small);
+    resized.begin(views[1], settings(true));
+    (void)resized.next();
+    resized.advance(larger);
+    EXPECT_TRUE(same(resized.next().filtered, single(larger)));
     EXPECT_FALSE(same(sequence(views), expected));
-    ShortFrame frame(device_, passes_);
-    (void)frame.run(views[1], settings(true), radius);
-    frame.cut();
-    EXPECT_TRUE(same(frame.run(views[2], settings(true), radius).filtered, expected));
-    const std::vector<float> wider = frame.run(views[2], settings(true), 2.0F * radius).filtered;
-    EXPECT_TRUE(same(wider, ShortFrame(device_, passes_).run(cut, settings(false), 2.0F * radius).filtered));
+    AmbientOcclusion& effect = effect_for(small);
+    effect.begin(views[1], settings(true));
+    (void)effect.next();
+    effect.begin(views[2], settings(true));
+    EXPECT_TRUE(same(effect.next().filtered, expected));
+    effect.begin(views[2], settings(true, 2.0F * radius));
+    EXPECT_TRUE(same(effect.next().filtered, single(cut, 2.0F * radius)));
 }
 
 // A camera that jumps: the engine still names the camera that stood where the last one did not.
@@ -70,12 +72,10 @@ TEST_P(ShortSequences, AJumpKeepsNothing) {
 // What stands still converges to what as many slices in one frame give, against many more of them.
 TEST_P(ShortSequences, AStillViewConverges) {
     const scene::GBuffer& view = drawn("columns", small);
-    ShortSettings many = settings(false);
-    many.slices *= 64;
-    const std::vector<float> wanted = ShortFrame(device_, passes_).run(view, many, radius).filtered;
-    Settings exact = with_radius(preset_named("reference").settings, radius);
-    exact.history = false;
-    const Truth limit = truth_from(view, run(view, exact).filtered);
+    Settings many = settings(false);
+    many.samples *= std::min(64U, most_samples / many.samples);
+    const std::vector<float> wanted = run(view, many).filtered;
+    const Truth limit = truth_from(view, run(view, many_slices(radius)).filtered);
     const std::vector<float> shown = sequence(std::vector<scene::GBuffer>(64, view));
     EXPECT_LT(errors_of(shown, limit).rmse, 1.02 * errors_of(wanted, limit).rmse);
     EXPECT_LT(errors_of(shown, wanted).rmse, 0.2 * errors_of(single(view), wanted).rmse);
@@ -130,8 +130,6 @@ TEST_P(ShortSequences, PoisonDoesNotStay) {
     EXPECT_LT(errors_of(sequence(views), sequence(std::vector<scene::GBuffer>(10, clean))).rmse, 0.03);
 }
 
-INSTANTIATE_TEST_SUITE_P(Names, ShortSequences, testing::ValuesIn(short_frames()), [](const auto& asked) {
-    return asked.param.name.substr(asked.param.name.find('-') + 1);
-});
+INSTANTIATE_TEST_SUITE_P(Names, ShortSequences, testing::ValuesIn(own_presets()), test::parameter_name);
 
 }  // namespace gloam::effect::short_sequence_test

@@ -32,7 +32,7 @@ class ConfigurationStudyTest : public effect::OnDevice<testing::Test> {
 };
 
 Settings four_samples() {
-    Settings settings = with_method(effect::preset_named("balanced").settings, "hemisphere");
+    Settings settings = with_method({}, "hemisphere");
     settings.samples = settings.samples_converged = 4;
     return settings;
 }

@@ -13,7 +13,7 @@ constexpr const char* whole = R"({
   "preset": "fast", "set": {"samples": 8, "freeze": true, "filter": "none"},
   "cases": [{"scene": "sky", "shown": [3, 1], "scored": 1, "target": 0.5, "candidates": ["run"]}],
   "candidates": [{"name": "run", "sequence": true}, {"name": "loop", "plain": "9x3+1"},
-    {"name": "short", "frame": "frame-fast"}],
+    {"name": "truth", "truth": true}],
   "tables": [{"name": "all", "each": "SELECT [case] FROM cases", "select": ["SELECT 1", ", '{}'"]}]})";
 
 // The description with a part replaced.
@@ -37,8 +37,7 @@ TEST(ExperimentFile, ReadsAllParts) {
     EXPECT_EQ(read.candidates.at(1).layer.kind, Kind::plain);
     EXPECT_EQ(read.candidates.at(1).layer.plain.taps.slices, 9U);
     EXPECT_EQ(read.candidates.at(1).layer.plain.blurs, 1);
-    EXPECT_EQ(read.candidates.at(2).layer.kind, Kind::frame);
-    EXPECT_EQ(read.candidates.at(2).layer.frame, "frame-fast");
+    EXPECT_EQ(read.candidates.at(2).layer.kind, Kind::truth);
     EXPECT_EQ(read.tables.at(0).each, "SELECT [case] FROM cases");
     EXPECT_THAT(read.tables.at(0).select, ElementsAre("SELECT 1", ", '{}'"));
     EXPECT_NO_THROW(require_consistent(read));
@@ -67,7 +66,7 @@ TEST(ExperimentFile, AQueryStandsForCandidates) {
 // Without counts each method is as it is, with its preset.
 TEST(ExperimentFile, AQueryWithoutCountsTakesMethodsAsTheyAre) {
     const char* const both = R"({"name": "loop", "plain": "9x3+1"},
-    {"name": "short", "frame": "frame-fast"})";
+    {"name": "truth", "truth": true})";
     Experiment what =
         read_experiment("mine.json", with(both, R"({"methods": ["gtao", "crytek", "unreal"]})"));
     choose_candidates(what);
@@ -94,7 +93,7 @@ TEST(ExperimentFile, AMethodTakesTheSamplesAskedFor) {
     EXPECT_THAT(single.layer.set, ElementsAre(Pair("samples", "512"), Pair("samples_converged", "512")));
     const Candidate& sequence = what.candidates.at(1);
     EXPECT_EQ(sequence.group, "hemisphere, temporal");
-    EXPECT_EQ(sequence.layer.preset, "balanced");
+    EXPECT_EQ(sequence.layer.preset, "tssao-paper");
     EXPECT_EQ(sequence.layer.set.back(), (std::pair<std::string, std::string>("weight_max", "1024")));
 }
 

@@ -8,7 +8,8 @@
 
 #include "backend/vulkan/device.hpp"
 #include "base/text.hpp"
-#include "effect/short_frame.hpp"
+#include "effect/ambient_occlusion.hpp"
+#include "effect/methods.hpp"
 #include "scene/draw.hpp"
 #include "scene/pass_library.hpp"
 #include "scene/scene.hpp"
@@ -36,29 +37,20 @@ struct Row {
 };
 
 constexpr Row rows[] = {
-    {"linear", "frame-fast", {96, 54}, "linear", "view", false, 0.1, 100, false, false},
-    {"linear", "frame-balanced", {96, 54}, "linear", "view", false, 0.1, 100, false, false},
-    {"linear", "frame-quality", {96, 54}, "linear", "view", false, 0.1, 100, false, false},
-    {"linear", "frame-reference", {96, 54}, "linear", "view", false, 0.1, 100, false, false},
-    {"odd", "frame-fast", {83, 45}, "buffer", "world", false, 0.1, 100, false, false},
-    {"odd", "frame-quality", {83, 45}, "buffer", "view-unorm", false, 0.1, 100, true, false},
-    {"infinite",
-     "frame-fast",
-     {96, 54},
-     "buffer",
-     "world-octahedral-unorm",
-     false,
-     0.1,
-     infinite,
-     true,
-     false},
-    {"infinite", "frame-quality", {31, 57}, "buffer", "view-octahedral", false, 0.1, infinite, false, false},
-    {"orthographic", "frame-fast", {83, 45}, "buffer", "view", true, 0.1, 60, false, false},
-    {"orthographic", "frame-quality", {96, 54}, "buffer", "world-unorm", true, 0.1, 60, true, false},
-    {"no normals", "frame-balanced", {83, 45}, "buffer", "none", false, 0.1, infinite, true, false},
-    {"behind the eye", "frame-fast", {83, 45}, "buffer", "view", true, -9, 50, false, false},
-    {"poisoned", "frame-balanced", {83, 45}, "linear", "view", false, 0.1, 100, false, true},
-    {"poisoned", "frame-quality", {83, 45}, "linear", "view", false, 0.1, 100, false, true}};
+    {"linear", "fast", {96, 54}, "linear", "view", false, 0.1, 100, false, false},
+    {"linear", "balanced", {96, 54}, "linear", "view", false, 0.1, 100, false, false},
+    {"linear", "quality", {96, 54}, "linear", "view", false, 0.1, 100, false, false},
+    {"linear", "reference", {96, 54}, "linear", "view", false, 0.1, 100, false, false},
+    {"odd", "fast", {83, 45}, "buffer", "world", false, 0.1, 100, false, false},
+    {"odd", "quality", {83, 45}, "buffer", "view-unorm", false, 0.1, 100, true, false},
+    {"infinite", "fast", {96, 54}, "buffer", "world-octahedral-unorm", false, 0.1, infinite, true, false},
+    {"infinite", "quality", {31, 57}, "buffer", "view-octahedral", false, 0.1, infinite, false, false},
+    {"orthographic", "fast", {83, 45}, "buffer", "view", true, 0.1, 60, false, false},
+    {"orthographic", "quality", {96, 54}, "buffer", "world-unorm", true, 0.1, 60, true, false},
+    {"no normals", "balanced", {83, 45}, "buffer", "none", false, 0.1, infinite, true, false},
+    {"behind the eye", "fast", {83, 45}, "buffer", "view", true, -9, 50, false, false},
+    {"poisoned", "balanced", {83, 45}, "linear", "view", false, 0.1, 100, false, true},
+    {"poisoned", "quality", {83, 45}, "linear", "view", false, 0.1, 100, false, true}};
 
 template <class Texel>
 std::string bytes_of(const std::vector<Texel>& texels) {
@@ -86,20 +78,24 @@ scene::GBuffer view_of(const Row& row, scene::Scene& scene) {
     return view;
 }
 
-ordered_json case_of(const Row& row, effect::ShortFrame& frame) {
+ordered_json case_of(const Row& row, const gpu::Device& device, const scene::PassLibrary& passes) {
     scene::Scene scene = scene::make_scene("columns");
     const scene::GBuffer view = view_of(row, scene);
-    effect::ShortSettings settings = effect::short_frame_named(row.preset);
+    effect::Settings settings = effect::preset_named(row.preset).settings;
+    settings.radius = static_cast<float>(scene.ao_radius);
     settings.output = effect::OutputFormat::r32f;
+    settings.history = false;
     std::vector<glm::vec4> normals;
     for (const glm::vec3& normal : view.stored->normal) normals.emplace_back(normal, 0.0F);
-    const std::vector<float> shown = frame.run(view, settings, static_cast<float>(scene.ao_radius)).filtered;
+    effect::AmbientOcclusion effect(device, passes, view.extent);
+    effect.begin(view, settings);
+    const std::vector<float> shown = effect.next().filtered;
     return {{"name", std::string(row.name) + " " + row.preset},
             {"preset",
-             {{"slices", settings.slices},
-              {"steps", settings.steps},
-              {"half", settings.half},
-              {"half_width", settings.half_width}}},
+             {{"slices", slices_of(settings)},
+              {"steps", settings.own.steps},
+              {"half", settings.resolution == effect::Resolution::half},
+              {"half_width", settings.filter_half_width}}},
             {"inputs", {{"depth", row.depth}, {"range", "zero-to-one"}, {"normals", row.normals}}},
             {"size", {row.extent.width, row.extent.height}},
             {"radius", scene.ao_radius},
@@ -119,9 +115,8 @@ int main(int argc, char** argv) {
     }
     const scene::PassLibrary passes(GLOAM_GLSL_DIR);
     const gpu::Device device({.validation = gpu::Validation::on});
-    effect::ShortFrame frame(device, passes);
     ordered_json cases = ordered_json::array();
-    for (const Row& row : rows) cases.push_back(case_of(row, frame));
+    for (const Row& row : rows) cases.push_back(case_of(row, device, passes));
     std::ofstream(argv[1]) << "const cases = " << cases.dump() << ";\n";
     return 0;
 }

@@ -25,7 +25,6 @@
 #include "cli/pack/effect.hpp"
 #include "cli/settings.hpp"
 #include "effect/plan.hpp"
-#include "effect/short_frame.hpp"
 #include "shader/include.hpp"
 #include "shader/reflection.hpp"
 #include "shader/spirv.hpp"
@@ -37,7 +36,7 @@ struct CostCommand {
     std::string file;
     std::vector<std::string> functions;
     std::string preset;
-    bool sequence = false;
+    std::vector<std::string> set;  // NAME=VALUE, of the preset
     std::vector<std::string> includes;
     std::vector<std::string> defines;
     cost::CostOptions options;
@@ -158,18 +157,12 @@ double pixels_of_invocation(const effect::PlannedPass& pass, const shader::Spirv
     return view / (invocations * pass.groups[0] * pass.groups[1] * pass.groups[2]);
 }
 
-bool is_short_frame(const CostCommand& command) {
-    return command.preset.starts_with("frame-");
-}
-
-// The plan of a preset, or of a frame of three short passes, which takes depth and normals as most engines
-// store them.
+// The plan of a preset. The frame takes depth and normals as most engines store them.
 effect::Plan plan_of_preset(const CostCommand& command) {
+    effect::Settings settings = preset_settings(command.preset);
+    for (const std::string& assignment : command.set) apply(settings, assignment);
     effect::PlanOptions options{.first = true};
-    if (!is_short_frame(command)) return effect::plan_of(preset_settings(command.preset), options);
-    options.encoding = {.depth_buffer = true, .unorm = true};
-    effect::ShortSettings settings = effect::short_frame_named(command.preset);
-    settings.history = command.sequence;
+    if (settings.passes == effect::Passes::frame) options.encoding = {.depth_buffer = true, .unorm = true};
     return effect::plan_of(settings, options);
 }
 
@@ -274,9 +267,8 @@ bool costs_more(const CostCommand& command, const std::vector<CostRow>& rows) {
 int run_cost(const CostCommand& command) {
     if (command.file.empty() == command.preset.empty())
         throw std::invalid_argument("expected a file, or --preset NAME");
-    if (command.sequence && !is_short_frame(command))
-        throw std::invalid_argument(
-            "--sequence: expected --preset of a frame in three passes: frame-fast, ...");
+    if (!command.set.empty() && command.preset.empty())
+        throw std::invalid_argument("--set: expected --preset NAME");
     const std::vector<CostRow> rows =
         command.file.empty() ? cost_of_preset(command) : cost_of_file(command, path_of_shader(command.file));
     if (command.json)
@@ -298,8 +290,8 @@ void add_cost(CLI::App& app, int& status) {
     cost->add_option("function", command->functions, "functions that it defines (all when none is given)");
     cost->add_option("--preset", command->preset,
                      "the passes of one frame of 1920 x 1080 pixels instead (gloam list presets)");
-    cost->add_flag("--sequence", command->sequence,
-                   "with --preset of a frame in three passes: a frame that follows others");
+    cost->add_option("--set", command->set, "with --preset: SETTING=VALUE; may be repeated")
+        ->allow_extra_args(false);
     add_include_option(*cost, command->includes);
     cost->add_option("--define", command->defines, "NAME or NAME=VALUE, of a compute shader; may be repeated")
         ->allow_extra_args(false);

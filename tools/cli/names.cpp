@@ -15,6 +15,7 @@
 #include "catalogue/catalogue.hpp"
 #include "catalogue/printed.hpp"
 #include "cli/environment.hpp"
+#include "cli/settings.hpp"
 #include "effect/methods.hpp"
 #include "effect/settings.hpp"
 #include "scene/scene.hpp"
@@ -47,12 +48,11 @@ std::vector<Named> preset_names() {
 std::vector<Named> setting_names() {
     std::vector<Named> names;
     for (const effect::Setting& setting : effect::setting_table()) {
-        const std::string value =
-            effect::text_of(setting.get(effect::preset_named(effect::default_preset).settings));
+        const effect::Preset preset = default_preset_of(setting);
+        const std::string value = effect::text_of(setting.get(preset.settings));
         const std::string unit = setting.unit.empty() ? "" : " " + setting.unit;
-        names.push_back(
-            {setting.name, fmt::format("{} ({}: {}{}; {})", setting.meaning, effect::default_preset, value,
-                                       unit, expected_of(setting))});
+        names.push_back({setting.name, fmt::format("{} ({}: {}{}; {})", setting.meaning, preset.name, value,
+                                                   unit, expected_of(setting))});
     }
     return names;
 }

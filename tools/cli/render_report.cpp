@@ -123,6 +123,7 @@ std::string work_lines(const FrameReport& frame) {
     std::string text;
     for (const effect::PassTime& time : frame.times)
         text += fmt::format("{}{} {:.2f} ms", text.empty() ? "" : ", ", time.pass, time.ms);
+    if (work.pixels == 0) return text + "\n";
     return text + fmt::format(
                       "\n{} of {} pixels sampled ({} background, {} of a radius below a pixel), {} samples, "
                       "mean convergence {:.3f}\n",
@@ -160,19 +161,20 @@ std::string to_text(const RenderReport& report) {
     const FrameReport& last = report.frames.back();
     const effect::Settings& s = last.settings;
     std::string text = fmt::format(
-        "{}: {} ({}), {} samples a frame, radius {:g}, bias {:g}, {} x {}, {} frame{} on {}\n", report.source,
-        s.method, report.preset, s.samples, s.radius, s.bias, last.extent.width, last.extent.height,
-        report.frames.size(), report.frames.size() == 1 ? "" : "s", report.device.name);
+        "{}: {} ({}), {} samples a frame, radius {:g}, {} x {}, {} frame{} on {}\n", report.source, s.method,
+        report.preset, s.samples, s.radius, last.extent.width, last.extent.height, report.frames.size(),
+        report.frames.size() == 1 ? "" : "s", report.device.name);
     text += (report.frames.size() > 1 ? "last frame: " : "") + work_lines(last);
-    if (report.frames.size() > 1) {
+    const bool study = s.passes == effect::Passes::study;
+    if (study && report.frames.size() > 1) {
         text += fmt::format("history at {:.1f} % of the pixels, of {:.0f} samples\n",
                             100.0 * last.history.kept, last.history.samples);
     }
     if (!last.errors) return text;
     text += fmt::format("error against {}, {} pixels compared (rmse: root mean square error):\n",
                         report.truth, last.errors->raw.compared);
-    text += errors_line("before the filter", last.errors->raw);
-    if (filters(s)) text += errors_line("after the filter", last.errors->filtered);
+    if (study) text += errors_line("before the filter", last.errors->raw);
+    if (!study || filters(s)) text += errors_line("after the filter", last.errors->filtered);
     if (last.errors->filtered_depth)
         text += errors_line("against the depth buffer's", *last.errors->filtered_depth);
     if (last.errors->metrics) {

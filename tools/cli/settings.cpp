@@ -28,7 +28,8 @@ std::string text_of(const ordered_json& value) {
 }
 
 ordered_json json_of(const effect::Setting& setting) {
-    const effect::SettingValue value = setting.get(effect::preset_named(effect::default_preset).settings);
+    const effect::Preset preset = default_preset_of(setting);
+    const effect::SettingValue value = setting.get(preset.settings);
     ordered_json json{{"name", setting.name},
                       {"description", setting.meaning},
                       {"unit", setting.unit},
@@ -40,14 +41,19 @@ ordered_json json_of(const effect::Setting& setting) {
             std::isfinite(setting.range.most) ? ordered_json(setting.range.most) : ordered_json(nullptr);
     }
     json["default"] = json_of(value);
-    json["default_of"] = effect::default_preset;
+    json["default_of"] = preset.name;
     return json;
+}
+
+effect::Preset default_preset_of(const effect::Setting& setting) {
+    effect::Preset preset = effect::preset_named(effect::default_preset);
+    return reads(preset.settings, setting.name) ? preset : effect::preset_named("tssao-paper");
 }
 
 ordered_json json_of(const effect::Settings& settings) {
     ordered_json json = ordered_json::object();
     for (const effect::Setting& setting : effect::setting_table())
-        json[setting.name] = json_of(setting.get(settings));
+        if (reads(settings, setting.name)) json[setting.name] = json_of(setting.get(settings));
     return json;
 }
 
@@ -79,10 +85,6 @@ effect::Settings preset_settings(const std::string& name_or_file) {
     return preset_from(name_or_file, read_text(name_or_file));
 }
 
-namespace {
-
-// Applies NAME=VALUE. The method and the radius also change other settings, so --method and --radius apply
-// them.
 void apply(effect::Settings& settings, const std::string& assignment) {
     const std::size_t sign = assignment.find('=');
     if (sign == std::string::npos) {
@@ -94,8 +96,6 @@ void apply(effect::Settings& settings, const std::string& assignment) {
         throw std::invalid_argument(fmt::format("--set {}: expected --{} instead", assignment, name));
     effect::set(settings, name, assignment.substr(sign + 1));
 }
-
-}  // namespace
 
 effect::Settings settings_for(const RenderOptions& options, const std::optional<double>& view_radius) {
     effect::Settings settings = preset_settings(options.preset);

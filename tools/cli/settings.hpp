@@ -17,11 +17,15 @@ namespace gloam::cli {
 // The same as text that effect::set() reads: "on", "off", a number or a name.
 [[nodiscard]] std::string text_of(const nlohmann::ordered_json& value);
 
-// {"name", "description", "unit", "expected", "least", "most" or "choices", "default"}: the default is the
-// preset `balanced`'s, lengths for a radius of 1; "most" is null where there is none.
+// {"name", "description", "unit", "expected", "least", "most" or "choices", "default"}: the default is that
+// of default_preset_of(), lengths for a radius of 1; "most" is null where there is none.
 [[nodiscard]] nlohmann::ordered_json json_of(const effect::Setting& setting);
 
-// The value of every setting, by its name.
+// The preset whose value is a setting's default: effect::default_preset, or `tssao-paper` for what that does
+// not read.
+[[nodiscard]] effect::Preset default_preset_of(const effect::Setting& setting);
+
+// The value of every setting that the passes read, by its name.
 [[nodiscard]] nlohmann::ordered_json json_of(const effect::Settings& settings);
 
 // The settings of a preset's file, {"name", "description", "settings": {NAME: value, ...}}, lengths for a
@@ -29,6 +33,10 @@ namespace gloam::cli {
 // that names the file for text of another form, std::invalid_argument for an unknown setting, a value out of
 // range, or a radius other than 1.
 [[nodiscard]] effect::Settings preset_from(const std::string& file, std::string_view text);
+
+// Applies NAME=VALUE. The method and the radius also change other settings, so --method and --radius apply
+// them. Throws std::invalid_argument.
+void apply(effect::Settings& settings, const std::string& assignment);
 
 // The settings of a preset by name, or of a file if the name ends with ".json". Throws like
 // effect::preset_named(), read_text() and preset_from().

@@ -11,6 +11,7 @@
 #include "effect/internal/frame.hpp"
 #include "effect/internal/frame_images.hpp"
 #include "effect/internal/progress.hpp"
+#include "effect/internal/short_frame.hpp"
 #include "effect/internal/work.hpp"
 #include "scene/gbuffer.hpp"
 
@@ -19,7 +20,10 @@ namespace gloam::effect {
 // The state of the effect: the last view, images and histories, and what the next frame runs.
 struct AmbientOcclusion::Impl {
     Impl(const gpu::Device& the_device, const scene::PassLibrary& passes, gpu::Extent size)
-        : device(&the_device), executor(the_device, passes), resources(the_device) {
+        : device(&the_device),
+          executor(the_device, passes),
+          resources(the_device),
+          short_frame(the_device, passes) {
         moment.has_tiles = moment.shows_unfiltered = true;
         moment.counting = runs_on_cpu(the_device) ? Counting::each_invocation : Counting::each_group;
         look({.camera = {}, .extent = size, .border = {}}, {});
@@ -28,8 +32,9 @@ struct AmbientOcclusion::Impl {
     const gpu::Device* device;
     Executor executor;
     Resources resources;
-    Moment moment;  // the next frame, or the last one
-    Plan plan;      // its images and buffers; passes after the first frame
+    ShortFrame short_frame;  // with Passes::frame
+    Moment moment;           // the next frame, or the last one
+    Plan plan;               // its images and buffers; passes after the first frame
     Progress progress;
     Tabulated tabulated;
     Listing listing;
@@ -45,6 +50,13 @@ struct AmbientOcclusion::Impl {
 
     // Takes a view for the next frames. follows: it continues the one before.
     void take(const scene::GBuffer& new_view, const Settings& settings, bool follows);
+    // The same for Passes::frame.
+    void take_short(const scene::GBuffer& new_view, const Settings& settings, bool follows) {
+        require_guard(new_view, settings);
+        require_sizes(new_view, moment.given.extent);
+        moment.settings = settings;
+        short_frame.take(new_view, settings, follows);
+    }
     // Decides what the next frame runs.
     void decide();
     [[nodiscard]] Frame collect() const;
@@ -140,6 +152,10 @@ AmbientOcclusion::AmbientOcclusion(const gpu::Device& device, const scene::PassL
 void AmbientOcclusion::begin(const scene::GBuffer& view, const Settings& settings) {
     Impl& impl = *impl_;
     validate(settings);
+    if (settings.passes == Passes::frame) {
+        impl.take_short(view, settings, false);
+        return impl.progress.begin();
+    }
     impl.take(view, settings, false);
     impl.tabulated.restart();
     impl.listing.restart();
@@ -152,8 +168,10 @@ void AmbientOcclusion::advance(const scene::GBuffer& view) {
     if (!impl.progress.has_view()) throw std::logic_error("no view: begin() must come before advance()");
     const bool resized = view.extent != impl.moment.given.extent;
     if (resized) impl.moment.given.extent = view.extent;
-    if (resized || !view.camera.previous_from_current) return begin(view, Settings(impl.moment.settings));
-    impl.take(view, Settings(impl.moment.settings), true);
+    const Settings settings = impl.moment.settings;
+    if (settings.passes == Passes::frame) return impl.take_short(view, settings, true);
+    if (resized || !view.camera.previous_from_current) return begin(view, settings);
+    impl.take(view, settings, true);
     impl.progress.advance();
 }
 
@@ -165,6 +183,7 @@ Frame AmbientOcclusion::next(int repeat) {
     Impl& impl = *impl_;
     if (!impl.progress.has_view()) throw std::logic_error("no view: begin() must come before next()");
     if (repeat < 1) throw std::invalid_argument(fmt::format("repeat {}: expected 1 or more", repeat));
+    if (impl.moment.settings.passes == Passes::frame) return impl.short_frame.next(repeat, impl.watcher);
     impl.decide();
     // Each run reads the same history and writes the same images, so a repeated run changes nothing.
     const std::vector<Step> steps = impl.executor.steps(impl.plan.passes, impl.resources);

@@ -30,6 +30,7 @@ const MethodInfo& method_named(std::string_view name) {
 
 Settings with_method(Settings settings, std::string_view name) {
     const MethodInfo& info = method_named(name);
+    if (settings.passes == Passes::frame) settings = with_radius(Settings{}, settings.radius);
     if (settings.method != info.name) settings.own = {};
     settings.method = info.name;
     if (info.adapt != nullptr) info.adapt(settings);

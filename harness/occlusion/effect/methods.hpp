@@ -114,6 +114,7 @@ struct MethodInfo {
 [[nodiscard]] const MethodInfo& method_named(std::string_view name);
 
 // The settings, changed to use another method, with its own default values; lengths are for a radius of 1.
+// Those of the frame, which has one method, become Settings{}.
 // Throws like method_named().
 [[nodiscard]] Settings with_method(Settings settings, std::string_view name);
 

@@ -4,6 +4,7 @@
 #include "base/number.hpp"
 #include "effect/internal/frame.hpp"
 #include "effect/internal/frame_images.hpp"
+#include "effect/internal/short_frame.hpp"
 
 namespace gloam::effect {
 
@@ -68,6 +69,7 @@ ShownImage shown_image(const Settings& settings) {
 
 Plan plan_of(const Settings& settings, const PlanOptions& options) {
     validate(settings);
+    if (settings.passes == Passes::frame) return frame_plan(settings, options);
     Moment moment = moment_of(settings, options);
     Plan plan = planned_resources(moment);
     plan.passes = planned_passes(moment, plan);

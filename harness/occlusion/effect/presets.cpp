@@ -13,41 +13,39 @@
 namespace gloam::effect {
 namespace {
 
-// The samples of a slice share one direction, so noise follows the number of slices: pixels with fewer are
-// filtered.
-constexpr float slices_filtered = 8.0F;
-
-// The horizon sweep, `count` slices a frame, in a mean over so many samples: a longer one lags behind what
-// the camera uncovers. Kernels are always rotated, on a lattice, from whose neighbours a filter
-// leaves the least noise. For a single slice the filter's window is nearly a box; with more there is less
-// noise to remove than detail to keep (docs/measurements.md).
-Settings swept(std::uint32_t count, std::uint32_t steps, float mean = 128.0F) {
-    Settings settings = slices(method_named("sweep"), count, steps);
-    settings.weight_max = mean;
-    settings.c_rot = 2.0F;
-    settings.rotation = Rotation::lattice;
-    settings.filter = Filter::convergence;
-    settings.c_adaptive = slices_filtered * static_cast<float>(2 * steps) / settings.weight_max;
-    if (count == 1) settings.filter_sigma = 0.4F;
-    settings.precision = HistoryPrecision::packed;
+// The frame with this many slices, of `steps` taps to both sides. range, sharpness: of its history.
+Settings frame_of(std::uint32_t slices, std::uint32_t steps, float range, float sharpness) {
+    Settings settings;
+    settings.passes = Passes::frame;
+    settings.method = "sweep";
+    settings.own.steps = steps;
+    settings.samples = 2 * slices * steps;
+    settings.filter_half_width = 1;
+    settings.history_range = range;
+    settings.history_sharpness = sharpness;
+    settings.output = OutputFormat::r8;
     return settings;
 }
 
-// A pixel with few samples is a blob of several pixels of the view, so pixels that come into view later are
-// filtered as well, and all of them until their mean is full.
-Settings fast() {
-    Settings settings = swept(1, 6);
+Settings half_size(Settings settings) {
     settings.resolution = Resolution::half;
-    settings.c_adaptive = 1.0F;
+    return settings;
+}
+
+Settings widely_filtered(Settings settings) {
+    settings.filter_half_width = 2;
     return settings;
 }
 
 std::vector<Preset> own_presets() {
     return {
-        {"fast", "half the resolution, 1 slice of 6 steps to each side a frame: for the least time", fast()},
-        {"balanced", "1 slice of 5 steps to each side a frame: the default", swept(1, 5)},
-        {"quality", "2 slices of 6 steps to each side a frame", swept(2, 6)},
-        {"reference", "4 slices of 8 steps to each side a frame: for the least error", swept(4, 8)}};
+        {"fast", "half the resolution, 1 slice of 6 steps to each side: for the least time",
+         half_size(frame_of(1, 6, 0.15F, 0.3F))},
+        {"balanced", "half the resolution, 2 slices of 8 steps to each side: the default",
+         half_size(frame_of(2, 8, 0.08F, 0.9F))},
+        {"quality", "1 slice of 7 steps to each side, a filter of 5 x 5",
+         widely_filtered(frame_of(1, 7, 0.05F, 1.0F))},
+        {"reference", "2 slices of 9 steps to each side: for the least error", frame_of(2, 9, 0.03F, 1.0F)}};
 }
 
 struct Measured {

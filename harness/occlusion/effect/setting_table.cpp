@@ -88,6 +88,9 @@ Setting method() {
 
 void add_estimator(std::vector<Setting>& table) {
     using S = Settings;
+    table.push_back(choice("passes",
+                           "study: TSSAO as printed, around any method; frame: the three for engines",
+                           &S::passes, {"study", "frame"}));
     table.push_back(method());
     table.push_back(number("radius", "world units", "of influence", &S::radius, positive));
     table.push_back(number("bias", "world units", "differences below it are rounding, not occlusion",
@@ -183,6 +186,12 @@ void add_history(std::vector<Setting>& table) {
         number("weight_small", "samples", "that a history keeps by clamping", &S::weight_small, any_from_0));
     table.push_back(number("confidence_factor", "per radius", "S: how fast a change takes the confidence",
                            &S::confidence_factor, not_negative));
+    table.push_back(number("history_range", "of the occlusion",
+                           "of the frame: how far the mean may be from that of the last frames",
+                           &S::history_range, {.most = 1.0}));
+    table.push_back(number("history_sharpness", "of the neighbours' weights",
+                           "of the frame: the part that a long mean leaves out of a new frame",
+                           &S::history_sharpness, {.most = 1.0}));
     table.push_back(choice("precision", "of the history", &S::precision, {"float32", "packed"}));
 }
 

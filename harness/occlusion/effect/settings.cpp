@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string>
@@ -21,13 +22,48 @@ struct Limit {
 constexpr std::array limits{Limit{HistoryPrecision::packed, "table_size", 65536.0},
                             Limit{HistoryPrecision::packed, "weight_max", 4095.0}};
 
+constexpr std::array<std::string_view, 12> read_by_frame{"passes",
+                                                         "method",
+                                                         "radius",
+                                                         "samples",
+                                                         "steps",
+                                                         "history",
+                                                         "history_range",
+                                                         "history_sharpness",
+                                                         "output",
+                                                         "resolution",
+                                                         "filter_half_width",
+                                                         "guard"};
+
+void validate_frame(const Settings& settings) {
+    if (settings.method != "sweep")
+        throw std::invalid_argument(
+            fmt::format("method {}: expected sweep, the frame's, or passes=study", settings.method));
+    if (slices_of(settings) * 2 * settings.own.steps != settings.samples || settings.samples == 0)
+        throw std::invalid_argument(fmt::format("samples {}: expected a multiple of 2 x {} steps, a slice",
+                                                settings.samples, settings.own.steps));
+    if (settings.filter_half_width < 1 || settings.filter_half_width > 2)
+        throw std::invalid_argument(
+            fmt::format("filter_half_width {}: expected 1 or 2 in the frame", settings.filter_half_width));
+}
+
 }  // namespace
+
+bool reads(const Settings& settings, std::string_view setting) {
+    if (settings.passes == Passes::frame) return std::ranges::count(read_by_frame, setting) > 0;
+    return setting != "history_range" && setting != "history_sharpness";
+}
+
+std::uint32_t slices_of(const Settings& settings) {
+    return settings.samples / (2 * settings.own.steps);
+}
 
 Settings with_radius(Settings settings, float radius) {
     check(setting_named("radius"), double{radius});
     const double scale = double{radius / settings.radius};
     for (const Setting& setting : setting_table()) {
         if (setting.unit != "world units" || setting.name == "radius") continue;
+        if (!reads(settings, setting.name)) continue;
         setting.put(settings, std::get<double>(setting.get(settings)) * scale);
     }
     settings.radius = radius;
@@ -51,7 +87,14 @@ bool remaps(const Settings& settings) {
 }
 
 void validate(const Settings& settings) {
-    for (const Setting& setting : setting_table()) check(setting, setting.get(settings));
+    for (const Setting& setting : setting_table()) {
+        check(setting, setting.get(settings));
+        if (!reads(settings, setting.name) && setting.get(settings) != setting.get(Settings{}))
+            throw std::invalid_argument(
+                fmt::format("{} {}: the passes of this preset do not read it; expected {}", setting.name,
+                            text_of(setting.get(settings)), text_of(setting.get(Settings{}))));
+    }
+    if (settings.passes == Passes::frame) return validate_frame(settings);
     if (settings.own.layers > 1 && !reads(method_named(settings.method), "layers"))
         throw std::invalid_argument(fmt::format("layers {}: expected 1, because {} sees one layer of depth",
                                                 settings.own.layers, settings.method));

@@ -12,6 +12,12 @@
 
 namespace gloam::effect {
 
+// The passes of a frame.
+enum class Passes {
+    study,  // TSSAO as printed, around any method
+    frame   // prepare, sweep, and filter or join (glsl/passes/frame): what engines take
+};
+
 // How much of a pixel's history counts if its neighbourhood has changed, but the pixel was not disoccluded
 // (TSSAO-9, -SI).
 enum class Invalidation {
@@ -89,6 +95,7 @@ struct MethodValues {
 // All settings that affect a frame. Unless its comment says otherwise, a default is that of the preset
 // `tssao-paper` for a radius of 1. Each setting has a line in setting_table(), with its range.
 struct Settings {
+    Passes passes = Passes::study;
     std::string method = "hemisphere";  // estimator of the occlusion: a name of methods()
     float radius = 1.0F;                // of influence, world units, > 0
     float bias = 0.001F;      // world units, >= 0: differences below it count as rounding, not as occlusion
@@ -123,6 +130,9 @@ struct Settings {
     float weight_small = 48.0F;       // clamp: samples, >= 0
     float confidence_factor = 30.0F;  // confidence: S, per radius of change, >= 0
     HistoryPrecision precision = HistoryPrecision::float32;
+    float history_range = 0.0F;      // of the frame: how far the mean may be from that of the last frames
+    float history_sharpness = 0.0F;  // of the frame: part of the neighbours' weights that a long mean leaves
+                                     // out of a new frame
     Filter filter = Filter::convergence;
     float filter_cap = 1e18F;   // neighbours weigh at most this many times the pixel's own convergence; 1e18:
                                 // any number of times, as eq. 10 has it
@@ -148,6 +158,12 @@ struct Settings {
     bool skip_filtered = true;    // off: tiles that the filter would not change are filtered; same result
 };
 
+// Whether these passes read the setting. All others have the value of Settings{}.
+[[nodiscard]] bool reads(const Settings& settings, std::string_view setting);
+
+// Slices of a pixel of the frame; `steps` taps to both sides of each.
+[[nodiscard]] std::uint32_t slices_of(const Settings& settings);
+
 // Whether a filter is applied to the estimate.
 [[nodiscard]] bool filters(const Settings& settings);
 
@@ -164,7 +180,8 @@ struct Settings {
 // The same settings for another radius: all lengths in world units are scaled with it.
 [[nodiscard]] Settings with_radius(Settings settings, float radius);
 
-// Throws std::invalid_argument that names the first setting outside its range in setting_table(). A packed
+// Throws std::invalid_argument that names the first setting outside its range in setting_table(), or that is
+// not that of Settings{} though the passes do not read it. A packed
 // history also limits table_size to 65536 and weight_max to 4095.
 void validate(const Settings& settings);
 

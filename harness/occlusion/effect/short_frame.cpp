@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "effect/short_frame.hpp"
+#include "effect/internal/short_frame.hpp"
 
-#include <fmt/format.h>
 #include <passes/frame/gloam_frame.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <stdexcept>
 
 #include "effect/internal/executor.hpp"
 #include "effect/internal/frame.hpp"
 #include "effect/internal/frame_images.hpp"
-#include "effect/internal/named.hpp"
 
 namespace gloam::effect {
 
@@ -38,6 +34,10 @@ using enum gpu::Format;
 
 constexpr std::uint32_t depth_levels = 5;
 
+bool is_half(const Settings& settings) {
+    return settings.resolution == Resolution::half;
+}
+
 void copy(const glm::mat4& matrix, float* numbers) {
     std::copy_n(&matrix[0][0], 16, numbers);
 }
@@ -50,10 +50,11 @@ gloam_camera camera_of(const View& view) {
 }
 
 // With what the passes are given.
-gloam_frame filled(const ShortSettings& settings, const Taken& taken, const Before& before) {
+gloam_frame filled(const Settings& settings, const Taken& taken, const Before& before) {
     const View& view = taken.view;
     const gpu::Extent extent = view.extent;
-    gloam_frame frame{.settings = {.preset = {settings.half, settings.range, settings.sharpness},
+    const gloam_preset preset{is_half(settings), settings.history_range, settings.history_sharpness};
+    gloam_frame frame{.settings = {.preset = preset,
                                    .size = {static_cast<int>(extent.width), static_cast<int>(extent.height)},
                                    .radius = taken.radius,
                                    .depth_buffer = taken.encoding.depth_buffer},
@@ -73,11 +74,11 @@ std::array<std::uint32_t, 3> groups_of(gpu::Extent extent, std::uint32_t x, std:
     return {(extent.width + 16 * x - 1) / (16 * x), (extent.height + 8 * y - 1) / (8 * y), 1};
 }
 
-gpu::SpecializationConstant history_constant(const ShortSettings& settings) {
+gpu::SpecializationConstant history_constant(const Settings& settings) {
     return {.id = 8, .bits = flag(settings.history)};
 }
 
-PlannedPass first_pass(const ShortSettings& settings, const View& view, const gloam_prepare& parameters) {
+PlannedPass first_pass(const Settings& settings, const View& view, const gloam_prepare& parameters) {
     const PassSource source{
         .file = "frame/prepare.comp",
         .constants = {{.id = 1, .bits = flag(view.camera.orthographic())}, history_constant(settings)}};
@@ -87,26 +88,26 @@ PlannedPass first_pass(const ShortSettings& settings, const View& view, const gl
                        parameters, groups_of(view.extent, 2, 2));
 }
 
-PlannedPass last_pass(const ShortSettings& settings, const View& view, const gloam_last& parameters) {
+PlannedPass last_pass(const Settings& settings, const View& view, const gloam_last& parameters) {
     PassSource source{
-        .file = settings.half ? "frame/join.comp" : "frame/filter.comp",
+        .file = is_half(settings) ? "frame/join.comp" : "frame/filter.comp",
         .constants = {{.id = 1, .bits = flag(view.camera.orthographic())}, history_constant(settings)},
         .unrolls = true};
     define_output(settings.output, source.defines);
     std::vector<std::string> resources{"texels", "shown"};
-    if (settings.half) resources.insert(resources.begin() + 1, "levels");
+    if (is_half(settings)) resources.insert(resources.begin() + 1, "levels");
     for (const char* name : {"history_before/linear", "levels_before", "history"})
         resources.emplace_back(settings.history ? name : nothing_image);
-    if (settings.half)
+    if (is_half(settings))
         return single_pass("join", source, std::move(resources), parameters, groups_of(view.extent, 2, 2));
-    source.constants.push_back({.id = 0, .bits = settings.half_width});
+    source.constants.push_back({.id = 0, .bits = static_cast<std::uint32_t>(settings.filter_half_width)});
     PlannedPass filter =
         single_pass("filter", source, std::move(resources), parameters, groups_of(view.extent, 2, 1));
     filter.parameters.resize(offsetof(gloam_last, inverse_size));
     return filter;
 }
 
-std::vector<PlannedPass> passes_of(const ShortSettings& settings, const Taken& taken, const Before& before) {
+std::vector<PlannedPass> passes_of(const Settings& settings, const Taken& taken, const Before& before) {
     const View& view = taken.view;
     const gloam_frame frame = filled(settings, taken, before);
     const PassSource sweep{.file = "frame/sweep.comp",
@@ -114,15 +115,15 @@ std::vector<PlannedPass> passes_of(const ShortSettings& settings, const Taken& t
                                          {.id = 2, .bits = flag(taken.encoding.world)},
                                          {.id = 3, .bits = flag(taken.encoding.octahedral)},
                                          {.id = 4, .bits = flag(taken.encoding.unorm)},
-                                         {.id = 5, .bits = settings.slices},
-                                         {.id = 6, .bits = settings.steps},
-                                         {.id = 7, .bits = settings.half ? 2U : 1U},
+                                         {.id = 5, .bits = slices_of(settings)},
+                                         {.id = 6, .bits = settings.own.steps},
+                                         {.id = 7, .bits = is_half(settings) ? 2U : 1U},
                                          history_constant(settings),
                                          {.id = 9, .bits = flag(!taken.normals)}},
-                           .unrolls = settings.slices < 4};
+                           .unrolls = slices_of(settings) < 4};
     return {first_pass(settings, view, frame.prepare),
             single_pass("sweep", sweep, {"levels", taken.normals ? "normal" : "depth", "texels"}, frame.sweep,
-                        groups_of(settings.half ? half_of(view.extent) : view.extent, 1, 1)),
+                        groups_of(is_half(settings) ? half_of(view.extent) : view.extent, 1, 1)),
             last_pass(settings, view, frame.last)};
 }
 
@@ -144,9 +145,9 @@ void add_history(gpu::Extent extent, Plan& plan) {
     plan.exchanged = {{"levels_before", "levels"}, {"history_before", "history"}};
 }
 
-Plan short_plan(const ShortSettings& settings, const Taken& taken, const Before& before) {
+Plan short_plan(const Settings& settings, const Taken& taken, const Before& before) {
     const View& view = taken.view;
-    const gpu::Extent swept = settings.half ? half_of(view.extent) : view.extent;
+    const gpu::Extent swept = is_half(settings) ? half_of(view.extent) : view.extent;
     Plan plan;
     plan.images = {{.name = "depth",
                     .meaning = "depth as the engine stores it",
@@ -188,25 +189,7 @@ Taken taken_of(const scene::GBuffer& view, float radius) {
 
 }  // namespace
 
-const std::vector<ShortSettings>& short_frames() {
-    static const std::vector<ShortSettings> all{
-        {.name = "frame-fast", .slices = 1, .steps = 6, .half = true, .range = 0.15F, .sharpness = 0.3F},
-        {.name = "frame-balanced", .slices = 2, .steps = 8, .half = true, .range = 0.08F, .sharpness = 0.9F},
-        {.name = "frame-quality",
-         .slices = 1,
-         .steps = 7,
-         .half_width = 2,
-         .range = 0.05F,
-         .sharpness = 1.0F},
-        {.name = "frame-reference", .slices = 2, .steps = 9, .range = 0.03F, .sharpness = 1.0F}};
-    return all;
-}
-
-const ShortSettings& short_frame_named(std::string_view name) {
-    return named(short_frames(), name, "frame");
-}
-
-Plan plan_of(const ShortSettings& settings, const PlanOptions& options) {
+Plan frame_plan(const Settings& settings, const PlanOptions& options) {
     const Taken taken{view_of(options), 1.0F, options.encoding, options.normals};
     Plan plan = short_plan(settings, taken, {.taken = taken, .known = true});
     for (PlannedImage& image : plan.images)
@@ -214,8 +197,8 @@ Plan plan_of(const ShortSettings& settings, const PlanOptions& options) {
     return plan;
 }
 
-Plan plan_of(const ShortSettings& settings, const scene::GBuffer& view, float radius) {
-    const Taken taken = taken_of(view, radius);
+Plan frame_plan(const Settings& settings, const scene::GBuffer& view) {
+    const Taken taken = taken_of(view, settings.radius);
     return short_plan(settings, taken, {.taken = taken});
 }
 
@@ -226,15 +209,15 @@ struct ShortFrame::Impl {
     const gpu::Device* device;
     Executor executor;
     Resources resources;
-    Before before;           // what the next frame has before it, unless a cut comes
-    ShortSettings settings;  // of these frames
+    Settings settings;
+    Taken taken;
+    Before before;  // what the next frame has before it
 
-    // What a view that follows has before it.
-    [[nodiscard]] Before before_of(const Taken& taken, const ShortSettings& next) const;
-    [[nodiscard]] Frame frame(const scene::GBuffer& view, const ShortSettings& of, float radius, int repeat);
+    // What this view has before it.
+    [[nodiscard]] Before before_of_view() const;
 };
 
-Before ShortFrame::Impl::before_of(const Taken& taken, const ShortSettings& next) const {
+Before ShortFrame::Impl::before_of_view() const {
     const View& view = taken.view;
     const scene::CameraFrame& camera = view.camera;
     const View& given = before.taken.view;
@@ -244,41 +227,39 @@ Before ShortFrame::Impl::before_of(const Taken& taken, const ShortSettings& next
     Before found = before;
     found.still = camera.view == last.view && camera.proj_vk == last.proj_vk && now.extent == then.extent;
     const bool follows = found.still || (cut_between(then, now).empty() && camera.previous_from_current);
-    found.known = before.known && next == settings && taken.radius == before.taken.radius && follows &&
-                  camera.orthographic() == last.orthographic();
+    found.known = before.known && follows && camera.orthographic() == last.orthographic();
     return found.known ? found : Before{.taken = taken};
-}
-
-Frame ShortFrame::Impl::frame(const scene::GBuffer& view, const ShortSettings& of, float radius, int repeat) {
-    if (!(radius > 0.0F && std::isfinite(radius)))
-        throw std::invalid_argument(fmt::format("radius {:g}: expected more than 0", radius));
-    require_sizes(view, view.extent);
-    const Taken taken = taken_of(view, radius);
-    const Before there = of.history ? before_of(taken, of) : Before{.taken = taken};
-    const Plan plan = short_plan(of, taken, there);
-    resources.provide(plan);
-    upload(view, view.extent, true, resources);
-    const std::vector<Step> steps = executor.steps(plan.passes, resources);
-    Frame frame;
-    frame.times = effect::run(*device, steps, {}, repeat);
-    frame.extent = scene::frame_of(view);
-    frame.filtered = frame.occlusion = scene::cropped(view, resources.image("shown").download());
-    frame.memory_bytes = memory_of(steps);
-    resources.exchange(plan.exchanged);
-    before = {.taken = taken, .frames = there.frames + 1, .known = of.history};
-    settings = of;
-    return frame;
 }
 
 ShortFrame::ShortFrame(const gpu::Device& device, const scene::PassLibrary& passes)
     : impl_(base::make_hidden<Impl>(device, passes)) {}
 
-Frame ShortFrame::run(const scene::GBuffer& view, const ShortSettings& settings, float radius, int repeat) {
-    return impl_->frame(view, settings, radius, repeat);
+void ShortFrame::take(const scene::GBuffer& view, const Settings& settings, bool follows) {
+    Impl& impl = *impl_;
+    require_sizes(view, view.extent);
+    (void)scene::frame_of(view);
+    impl.before.known = impl.before.known && follows;
+    impl.settings = settings;
+    impl.taken = taken_of(view, settings.radius);
+    impl.resources.provide(frame_plan(settings, view));
+    upload(view, view.extent, true, impl.resources);
 }
 
-void ShortFrame::cut() {
-    impl_->before.known = false;
+Frame ShortFrame::next(int repeat, const PassWatcher& watcher) {
+    Impl& impl = *impl_;
+    const Before there = impl.settings.history ? impl.before_of_view() : Before{.taken = impl.taken};
+    const Plan plan = short_plan(impl.settings, impl.taken, there);
+    const std::vector<Step> steps = impl.executor.steps(plan.passes, impl.resources);
+    Frame frame;
+    frame.times = run(*impl.device, steps, {}, repeat, {}, watcher);
+    const View& view = impl.taken.view;
+    const scene::GBuffer shape{.extent = view.extent, .border = view.border};
+    frame.extent = scene::frame_of(shape);
+    frame.filtered = frame.occlusion = scene::cropped(shape, impl.resources.image("shown").download());
+    frame.memory_bytes = memory_of(steps);
+    impl.resources.exchange(plan.exchanged);
+    impl.before = {.taken = impl.taken, .frames = there.frames + 1, .known = impl.settings.history};
+    return frame;
 }
 
 }  // namespace gloam::effect

@@ -120,10 +120,10 @@ const char* mode_of(bool sequence) {
     return sequence ? "temporal" : "single";
 }
 
-// Single frames use the preset `tssao-paper`, sequences use `balanced`, with a mean over at least two frames.
+// Around the method is the preset `tssao-paper`, in sequences with a mean over at least two frames.
 // Every pixel takes so many samples in every frame.
 Candidate method_candidate(const std::string& method, int samples, bool sequence) {
-    const char* preset = sequence ? "balanced" : "tssao-paper";
+    const char* preset = "tssao-paper";
     Candidate made{.name = fmt::format("{}/{}/{}", method, samples, mode_of(sequence)),
                    .group = fmt::format("{}{}", method, sequence ? ", temporal" : "")};
     made.layer = {.kind = Kind::effect, .preset = preset, .method = method, .sequence = sequence};

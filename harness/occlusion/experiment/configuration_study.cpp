@@ -248,7 +248,7 @@ std::vector<float> converged(effect::AmbientOcclusion& effect, const scene::GBuf
 }
 
 ConfigurationStudy::ConfigurationStudy(const gpu::Device& device, const scene::PassLibrary& passes)
-    : device_(&device), passes_(passes), short_(device, passes) {}
+    : device_(&device), passes_(passes) {}
 
 effect::AmbientOcclusion& ConfigurationStudy::effect_for(gpu::Extent extent) {
     const auto key = std::pair(extent.width, extent.height);
@@ -262,8 +262,8 @@ ConfigurationVisit ConfigurationStudy::visit(BenchmarkViews& views, const effect
     return temporal ? this->temporal(views, settings, round) : single(views, settings, round);
 }
 
-ConfigurationVisit ConfigurationStudy::single(BenchmarkViews& views, const effect::Settings& settings,
-                                              int round) {
+ConfigurationVisit ConfigurationStudy::single(BenchmarkViews& views, effect::Settings settings, int round) {
+    if (settings.passes == effect::Passes::frame) settings.history = false;  // nothing is kept for a next one
     const BenchmarkFrames& frames = views.frames();
     effect::AmbientOcclusion& effect = effect_for(views.view(0, settings).extent);
     if (round > 0) {
@@ -326,26 +326,6 @@ ConfigurationVisit ConfigurationStudy::temporal(BenchmarkViews& views, const eff
         if (round == 0) judge.add(i, frame, before);
         before = frame.filtered;
         if (scored && round == 0) visit.shown = std::move(frame);
-    }
-    if (round == 0) visit.quality = judge.mean();
-    return visit;
-}
-
-ConfigurationVisit ConfigurationStudy::short_frame(BenchmarkViews& views,
-                                                   const effect::ShortSettings& settings, int round) {
-    const BenchmarkFrames& frames = views.frames();
-    Judge judge(views, {});
-    ConfigurationVisit visit;
-    std::vector<float> before;
-    short_.cut();
-    for (int i = settings.history ? 0 : views.first_scored(); i < frames.frames;
-         i += settings.history ? 1 : frames.every) {
-        const bool timed = round > 0 && views.is_scored(i);
-        visit.shown = short_.run(views.view(i, {}), settings, static_cast<float>(views.scene().ao_radius),
-                                 timed ? frames.repeat : 1);
-        if (timed) visit.readings.push_back({visit.shown.times});
-        if (round == 0) judge.add(i, visit.shown, before);
-        if (settings.history) before = visit.shown.filtered;
     }
     if (round == 0) visit.quality = judge.mean();
     return visit;

@@ -13,7 +13,6 @@
 #include "effect/errors.hpp"
 #include "effect/methods.hpp"
 #include "effect/settings.hpp"
-#include "effect/short_frame.hpp"
 #include "effect/study/plain_slices.hpp"
 #include "experiment/scores.hpp"
 #include "scene/draw.hpp"
@@ -166,23 +165,17 @@ class ConfigurationStudy {
     [[nodiscard]] ConfigurationVisit visit(BenchmarkViews& views, const effect::Settings& settings,
                                            bool temporal, int round);
 
-    // Single frames of three short passes, at the scored frames. Round 0 judges them.
-    [[nodiscard]] ConfigurationVisit short_frame(BenchmarkViews& views, const effect::ShortSettings& settings,
-                                                 int round);
-
     // Each scored frame's view alone, standing still for as many frames as the sequence has had. Untimed.
     [[nodiscard]] ConfigurationVisit held(BenchmarkViews& views, const effect::Settings& settings);
 
   private:
     effect::AmbientOcclusion& effect_for(gpu::Extent extent);
-    [[nodiscard]] ConfigurationVisit single(BenchmarkViews& views, const effect::Settings& settings,
-                                            int round);
+    [[nodiscard]] ConfigurationVisit single(BenchmarkViews& views, effect::Settings settings, int round);
     [[nodiscard]] ConfigurationVisit temporal(BenchmarkViews& views, const effect::Settings& settings,
                                               int round);
 
     const gpu::Device* device_;
     scene::PassLibrary passes_;
-    effect::ShortFrame short_;
     std::map<std::pair<std::uint32_t, std::uint32_t>, effect::AmbientOcclusion>
         effects_;  // by size of the view
 };

@@ -28,7 +28,6 @@ struct PlainLoop {
 enum class Kind {
     effect,       // the effect with settings
     plain,        // the plain loop
-    frame,        // a frame of three short passes
     depth_truth,  // the truth of the depth buffer (D), as an image: nothing is timed
     truth         // of the geometry (G), the same
 };
@@ -38,7 +37,6 @@ enum class Kind {
 struct Layer {
     std::optional<Kind> kind;
     PlainLoop plain;
-    std::string frame;             // name of such a frame
     std::string preset;            // name or file; empty: not said
     std::string method;            // empty: the preset's
     std::optional<bool> sequence;  // with the history, in the order of the frames; otherwise each frame alone

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "effect/short_frame.hpp"
 #include "experiment/experiment.hpp"
 #include "experiment/internal/json_value.hpp"
 
@@ -36,10 +35,6 @@ void read_layer(Members& members, Layer& layer) {
             plain->expected("SLICESxSTEPS+BLURS, such as 9x3+1");
         }
     }
-    std::vector<std::string> frames;
-    for (const effect::ShortSettings& frame : effect::short_frames()) frames.push_back(frame.name);
-    members.read("frame", layer.frame, frames);
-    if (!layer.frame.empty()) layer.kind = Kind::frame;
     for (const auto& [name, kind] : {std::pair("depth_truth", Kind::depth_truth), {"truth", Kind::truth}}) {
         bool is = false;
         members.read(name, is);

@@ -279,11 +279,6 @@ class SizeRun {
         switch (subject.kind) {
             case Kind::plain:
                 return loop_of(views.frames().extent, subject.plain).visit(views, round);
-            case Kind::frame: {
-                effect::ShortSettings settings = effect::short_frame_named(subject.frame);
-                settings.history = subject.sequence;
-                return study_of(subject.hoisted).short_frame(views, settings, round);
-            }
             case Kind::depth_truth:
                 return depth_truth_of(views, round);
             case Kind::truth:

@@ -51,7 +51,6 @@ Subject subject_of(const std::vector<const Layer*>& layers, const Place& place) 
         if (!layer->kind) continue;
         subject.kind = *layer->kind;
         subject.plain = layer->plain;
-        subject.frame = layer->frame;
     }
     if (!preset.empty()) subject.settings = place.preset_of(preset);
     if (!method.empty() && method != subject.settings.method)

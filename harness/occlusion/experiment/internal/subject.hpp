@@ -22,7 +22,6 @@ struct Subject {
     bool held = false;
     std::vector<std::string> pictures;
     PlainLoop plain;
-    std::string frame;
 };
 
 // Of the experiment's, the case's and the candidate's layer. Throws std::invalid_argument for settings that
