@@ -217,7 +217,7 @@ TEST_P(OnEachDevice, SharesMemoryInAGroup) {
 
 TEST_P(OnEachDevice, OfTheLibraryIsRunAsItIs) {
     const Image wall = make_image<float>({8, 6}, [](glm::ivec2) { return 2.0F; });
-    const PassResult out = Pass(lab, "passes/normals_from_depth.comp")
+    const PassResult out = Pass(lab, "passes/study/normals_from_depth.comp")
                                .run({{"depth_image", wall},
                                      {"p00_p11", glm::vec2(1.5F, -2.0F)},
                                      {"size", glm::ivec2(8, 6)},

@@ -160,24 +160,15 @@ TEST_P(Invariants, ABarePlaneIsOpenInImagesOfAnySize) {
     Settings settings = plain(GetParam(), 1.0F);
     settings.least_radius = 0.0F;  // in the smallest a pixel is wider than the radius
     const scene::HalfSpace tilted{{0, 0, -5}, glm::normalize(glm::dvec3(0.4, -0.3, 1.0))};
-    const MethodInfo& method = method_named(GetParam());
-    for (const Resolution resolution : {Resolution::full, Resolution::half}) {
-        settings.resolution = resolution;
-        for (const gpu::Extent extent : {gpu::Extent{17, 9}, gpu::Extent{18, 10}, gpu::Extent{1, 1}}) {
-            for (const auto projection : {scene::Projection::perspective, scene::Projection::orthographic}) {
-                scene::GBuffer view = plane(extent, {.projection = projection}, tilted);
-                for (const bool normals : {true, false}) {
-                    if (!normals) view.normal.clear();
-                    const Frame frame = run(view, settings);
-                    for (const float occlusion : frame.occlusion)
-                        EXPECT_NEAR(double{occlusion}, on_a_plane(GetParam()), normals ? 1e-5 : 1e-4)
-                            << extent.width << 'x' << extent.height << (normals ? "" : " without normals")
-                            << (resolution == Resolution::half ? " at half the resolution" : "");
-                    const std::uint64_t asked =
-                        frame.work.pixels * samples_taken(method, 32, settings.own.steps);
-                    EXPECT_LE(frame.work.samples, asked);
-                    EXPECT_TRUE(frame.work.samples == asked || method.takes_fewer) << frame.work.samples;
-                }
+    for (const gpu::Extent extent : {gpu::Extent{17, 9}, gpu::Extent{18, 10}, gpu::Extent{1, 1}}) {
+        for (const auto projection : {scene::Projection::perspective, scene::Projection::orthographic}) {
+            scene::GBuffer view = plane(extent, {.projection = projection}, tilted);
+            for (const bool normals : {true, false}) {
+                if (!normals) view.normal.clear();
+                const Frame frame = run(view, settings);
+                for (const float occlusion : frame.occlusion)
+                    EXPECT_NEAR(double{occlusion}, on_a_plane(GetParam()), normals ? 1e-5 : 1e-4)
+                        << extent.width << 'x' << extent.height << (normals ? "" : " without normals");
             }
         }
     }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The filters that the setting `filter` chooses from. The pass filters several pixels at a time and reads
-// what they share once: beside the references, pixel by pixel, it is the same but for rounding. What these
-// functions do is shown in tests/glsl/filter_test.cpp. And the filters in the effect.
+// The filters that the setting `filter` chooses from: the pass beside the references, pixel by pixel. What
+// these functions do is shown in tests/glsl/filter_test.cpp. And the filters in the effect.
 #include <fmt/format.h>
 
 #include "backend/vulkan/commands.hpp"
@@ -43,18 +42,27 @@ Field rough_field(glm::ivec2 size) {
     return field;
 }
 
-// A pass along x and one along y, and how many pixels a group of either takes.
+// What the pass is given by name.
+struct Numbers {
+    float sigma_pixels = 1.0F;
+    float filter_depth = 1.0F;
+    float c_adaptive = 0.0F;
+    float filter_cap = 1e18F;
+};
+constexpr glm::vec2 p00_p11{1.0F, -1.0F};
+constexpr float weight_max = 100.0F;
+
+// A pass along x and one along y.
 struct FilterPair {
     gpu::ComputePipeline along_x;
     gpu::ComputePipeline along_y;
-    glm::uvec2 pixels_of_group;
 };
 
 // The filters of the references on a field whose occlusion is in `source`.
 struct References {
     const Field& field;
     const std::vector<double>& source;
-    const FilterParameters& parameters;
+    const Numbers& parameters;
     int half_width;
     bool orthographic;
 
@@ -64,7 +72,7 @@ struct References {
     [[nodiscard]] double occlusion(glm::ivec2 p) const { return source[index(p)]; }
     [[nodiscard]] double depth(glm::ivec2 p) const { return double{field.depth[index(p)]}; }
     [[nodiscard]] double convergence(glm::ivec2 p) const {
-        return reference::gloam_convergence(double{field.samples[index(p)]}, double{parameters.weight_max});
+        return reference::gloam_convergence(double{field.samples[index(p)]}, double{weight_max});
     }
 
     [[nodiscard]] double sao(glm::ivec2 pixel, glm::ivec2 axis) const {
@@ -74,7 +82,7 @@ struct References {
             const glm::ivec2 at = pixel + 2 * tap * axis;
             if (glm::clamp(at, glm::ivec2(0), field.size - 1) != at) continue;
             if (gloam_is_background(depth(pixel)) || gloam_is_background(depth(at))) continue;
-            const double apart = (depth(at) - depth(pixel)) / double{parameters.depth_scale};
+            const double apart = (depth(at) - depth(pixel)) / double{parameters.filter_depth};
             mean = reference::gloam_weighted_mean_add(mean, occlusion(at),
                                                       reference::gloam_sao_blur_weight(tap, apart, 1.0));
         }
@@ -82,9 +90,9 @@ struct References {
     }
 
     [[nodiscard]] double convergence_aware(glm::ivec2 pixel, glm::ivec2 axis) const {
-        const reference::GloamCamera camera{parameters.p00_p11, field.size, orthographic};
+        const reference::GloamCamera camera{p00_p11, field.size, orthographic};
         const double own = convergence(pixel);
-        const double most = own > 0.0 ? std::max(double{parameters.cap}, 1.0) * own : 1.0;
+        const double most = own > 0.0 ? std::max(double{parameters.filter_cap}, 1.0) * own : 1.0;
         const double sigma = reference::gloam_filter_sigma(orthographic ? 1.0 : depth(pixel), 1.0,
                                                            field.size.y, double{parameters.sigma_pixels});
         return reference::gloam_convergence_filter(
@@ -94,7 +102,7 @@ struct References {
     }
 
     [[nodiscard]] double at(Filter filter, glm::ivec2 pixel, glm::ivec2 axis) const {
-        const double scale = double{parameters.depth_scale};
+        const double scale = double{parameters.filter_depth};
         const auto occlusions = [&](glm::ivec2 p) { return occlusion(p); };
         const auto depths = [&](glm::ivec2 p) { return depth(p); };
         if (filter == Filter::sao) return sao(pixel, axis);
@@ -113,7 +121,7 @@ struct References {
 // Filter, taps on each side, whether the camera is orthographic.
 using Case = std::tuple<std::string, int, bool>;
 
-class FilterRows : public OnDevice<testing::TestWithParam<Case>> {
+class FilterPass : public OnDevice<testing::TestWithParam<Case>> {
   protected:
     // A frame of the case's settings.
     [[nodiscard]] static Moment moment() {
@@ -126,15 +134,17 @@ class FilterRows : public OnDevice<testing::TestWithParam<Case>> {
         return moment;
     }
 
-    [[nodiscard]] FilterPair rows() const {
-        return {pipeline_of(device_, passes_, filter_source(moment(), false)),
-                pipeline_of(device_, passes_, filter_source(moment(), true)),
-                {tile_side * filter_tiles, tile_side}};
+    [[nodiscard]] FilterPair pair() const {
+        const auto along = [this](bool y) {
+            Values values = values_of(moment());
+            values.set("along_y", y);
+            return pipeline_of(device_, passes_, filled(filter_source(moment().settings), values).first);
+        };
+        return {along(false), along(true)};
     }
 
     // The same by the references.
-    [[nodiscard]] static std::vector<double> by_reference(const Field& field, FilterParameters parameters) {
-        with_view(parameters, field);
+    [[nodiscard]] static std::vector<double> by_reference(const Field& field, const Numbers& parameters) {
         const auto& [filter, half_width, orthographic] = GetParam();
         std::vector<double> source(field.occlusion.begin(), field.occlusion.end());
         for (const glm::ivec2 axis : {glm::ivec2(1, 0), glm::ivec2(0, 1)}) {
@@ -150,16 +160,14 @@ class FilterRows : public OnDevice<testing::TestWithParam<Case>> {
 
     // The field's occlusion after the pass along x and then along y.
     [[nodiscard]] std::vector<float> filtered(const FilterPair& pair, const Field& field,
-                                              FilterParameters parameters) const {
+                                              const Numbers& parameters) const {
         const gpu::Extent extent{static_cast<std::uint32_t>(field.size.x),
                                  static_cast<std::uint32_t>(field.size.y)};
         using enum gpu::Format;
-        gpu::Image depth(device_, extent, r32f);
         gpu::Image source(device_, extent, rgba32f);
         gpu::Image half(device_, extent, r32f);
         gpu::Image normal(device_, extent, rgba32f);
         gpu::Image result(device_, extent, r32f);
-        depth.upload(field.depth);
         std::vector<float> texels;
         std::vector<float> normals;
         for (std::size_t i = 0; i < field.depth.size(); ++i) {
@@ -168,41 +176,39 @@ class FilterRows : public OnDevice<testing::TestWithParam<Case>> {
         }
         source.upload(texels);
         normal.upload(normals);
-        with_view(parameters, field);
-        const glm::uvec2 groups = (glm::uvec2(field.size) + pair.pixels_of_group - 1U) / pair.pixels_of_group;
-        const gpu::Buffer no_list(device_, 128);
+        Values values = values_of(moment());
+        values.set("p00_p11", p00_p11);
+        values.set("size", field.size);
+        values.set("weight_max", weight_max);
+        values.set("along_y", 0.0);
+        values.set("sigma_pixels", parameters.sigma_pixels);
+        values.set("filter_depth", parameters.filter_depth);
+        values.set("c_adaptive", parameters.c_adaptive);
+        values.set("filter_cap", parameters.filter_cap);
+        const std::vector<std::byte> bytes = filled(filter_source(moment().settings), values).second;
         gpu::Commands commands(device_);
         const auto run = [&](const gpu::ComputePipeline& pass, const gpu::Image& from, const gpu::Image& to) {
-            const std::vector<gpu::Resource> resources{depth, source, to, normal, no_list, from};
-            commands.dispatch(pass, resources, {groups.x, groups.y, 1},
-                              std::as_bytes(std::span(&parameters, 1)));
+            const std::vector<gpu::Resource> resources{source, to, normal, from};
+            commands.dispatch(pass, resources, groups_for(extent), bytes);
         };
         run(pair.along_x, result, half);
         run(pair.along_y, half, result);
         commands.submit();
         return result.download();
     }
-
-  private:
-    static void with_view(FilterParameters& parameters, const Field& field) {
-        parameters.p00_p11 = {1.0F, -1.0F};
-        parameters.size = field.size;
-        parameters.weight_max = 100.0F;
-    }
 };
 
-// Images smaller than a row, smaller than a window, and of tiles that are not whole; more than a group's
-// tiles.
-TEST_P(FilterRows, GiveWhatTheReferencesGiveForEachPixel) {
-    const FilterPair of_rows = rows();
-    FilterParameters parameters{.sigma_pixels = 0.25F * static_cast<float>(2 * std::get<1>(GetParam()) + 1),
-                                .depth_scale = 0.1F,
-                                .c_adaptive = 0.7F};
+// Images smaller than a window, and of groups that are not whole.
+TEST_P(FilterPass, GiveWhatTheReferencesGiveForEachPixel) {
+    const FilterPair passes = pair();
+    Numbers parameters{.sigma_pixels = 0.25F * static_cast<float>(2 * std::get<1>(GetParam()) + 1),
+                       .filter_depth = 0.1F,
+                       .c_adaptive = 0.7F};
     for (const glm::ivec2 size : {glm::ivec2(3, 7), glm::ivec2(21, 13), glm::ivec2(69, 34)}) {
         const Field field = rough_field(size);
         for (const float cap : {1e18F, 1.0F}) {
-            parameters.cap = cap;
-            const std::vector<float> result = filtered(of_rows, field, parameters);
+            parameters.filter_cap = cap;
+            const std::vector<float> result = filtered(passes, field, parameters);
             const std::vector<double> expected = by_reference(field, parameters);
             for (std::size_t i = 0; i < result.size(); ++i)
                 EXPECT_NEAR(double{result[i]}, expected[i], 3e-6) << i << " of " << size.x << ", cap " << cap;
@@ -216,15 +222,13 @@ std::string name_of(const testing::TestParamInfo<Case>& info) {
     return fmt::format("{}_{}{}", filter, half_width, orthographic ? "_orthographic" : "");
 }
 
-// No neighbours, rows of 8 pixels, of 4, and windows whose rows are not held; what all filters share, in one
-// of them.
-INSTANTIATE_TEST_SUITE_P(Every, FilterRows,
+INSTANTIATE_TEST_SUITE_P(Every, FilterPass,
                          testing::Combine(testing::Values("convergence", "geometry", "bilateral", "sao"),
                                           testing::Values(0, 2, 9), testing::Values(false)),
                          name_of);
-INSTANTIATE_TEST_SUITE_P(Convergence, FilterRows, testing::Values(Case{"convergence", 3, true}), name_of);
+INSTANTIATE_TEST_SUITE_P(Convergence, FilterPass, testing::Values(Case{"convergence", 3, true}), name_of);
 
-class SaoFilter : public FilterRows {};
+class SaoFilter : public FilterPass {};
 
 // Along a row at one depth: nine taps, every other pixel, with the paper's weights.
 TEST_P(SaoFilter, ReadsEveryOtherPixelFourTimes) {
@@ -234,7 +238,7 @@ TEST_P(SaoFilter, ReadsEveryOtherPixelFourTimes) {
                 .normal = std::vector(25, glm::vec3(0, 0, 1)),
                 .samples = std::vector(25, 50.0F)};
     field.occlusion[12] = 1.0F;
-    const std::vector<float> result = filtered(rows(), field, {.sigma_pixels = 1.5F, .depth_scale = 0.1F});
+    const std::vector<float> result = filtered(pair(), field, {.sigma_pixels = 1.5F, .filter_depth = 0.1F});
     const std::vector<double> g{0.153170, 0.144893, 0.122649, 0.092902, 0.062970};
     const double sum = g[0] + 2.0 * (1.2 + g[1] + g[2] + g[3] + g[4]);
     for (std::size_t x = 0; x < 25; ++x) {
@@ -270,19 +274,15 @@ TEST_P(FiltersInTheEffect, AreForDisplayOnly) {
     std::vector<scene::GBuffer> views;
     for (const int frame : {0, 1, 2})
         views.push_back(drawn("moving", {75, 41}, {.frame = frame, .motion = true}));
-    for (const auto precision : {HistoryPrecision::float32, HistoryPrecision::packed}) {
-        std::vector<Frame> last;
-        for (const char* filter : {GetParam().c_str(), "none"}) {
-            Settings chosen = with_radius(Settings{}, static_cast<float>(scene.ao_radius));
-            chosen.precision = precision;
-            chosen.table_size = 2048;
-            set(chosen, "filter", filter);
-            last.push_back(run(views, chosen).back());
-        }
-        expect_same_images(last[0], last[1], {&Frame::occlusion, &Frame::convergence});
-        EXPECT_EQ(last[1].filtered, last[1].occlusion);
-        EXPECT_NE(last[0].filtered, last[0].occlusion);
+    std::vector<Frame> last;
+    for (const char* filter : {GetParam().c_str(), "none"}) {
+        Settings chosen = with_radius(Settings{}, static_cast<float>(scene.ao_radius));
+        set(chosen, "filter", filter);
+        last.push_back(run(views, chosen).back());
     }
+    expect_same_images(last[0], last[1], {&Frame::occlusion, &Frame::convergence});
+    EXPECT_EQ(last[1].filtered, last[1].occlusion);
+    EXPECT_NE(last[0].filtered, last[0].occlusion);
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, FiltersInTheEffect,

@@ -74,7 +74,7 @@ class FurtherView : public OnDevice<testing::Test> {
 
     [[nodiscard]] static PassSource source_for(const Settings& settings, const scene::GBuffer& other) {
         const MethodInfo& method = method_named(settings.method);
-        return {.file = "further_view.comp",
+        return {.file = "study/further_view.comp",
                 .defines = {"METHOD(position, normal, camera, kernel, values) " + call_of(method)},
                 .replaced = {{file_of(methods().front()), file_of(method)}},
                 .constants = {{.id = 1, .bits = other.camera.orthographic() ? 1U : 0U},

@@ -126,12 +126,15 @@ class MotionVectors : public OnDevice<testing::Test> {
         gpu::Image& written = resources.image("previous_position", extent, gpu::Format::rgba32f);
         const View now{view.camera, extent, {}};
         const View before{previous.camera, extent, {}};
-        MotionParameters parameters = motion_parameters(now, before);
-        parameters.motion_unit = unit;
+        Moment moment;
+        moment.look(now, before);
+        Values values = values_of(moment);
+        values.set("motion_unit", unit);
+        Executor executor(device_, passes_);
         const PlannedPass pass =
-            single_pass("positions_from_motion", motion_source(now, before),
-                        {"depth", "motion", "previous_position"}, parameters, groups_for(extent));
-        Executor(device_, passes_).run(std::span(&pass, 1), resources, {});
+            executor.planned("positions_from_motion", {.file = "study/positions_from_motion.comp"},
+                             {"depth", "motion", "previous_position"}, values, groups_for(extent));
+        executor.run(std::span(&pass, 1), resources, {});
         return vectors_of(written.download());
     }
 };
@@ -181,8 +184,8 @@ TEST_F(MotionVectors, WithoutAVectorOnlyWhatTheCameraBroughtInIsKnown) {
 }
 
 // The plan has the pass before all that reads positions, and the engine's image in the place of theirs.
-TEST(MotionVectorsOfAPlan, TakeThePlaceOfPositions) {
-    const Plan plan = plan_of({}, {.motion_vectors = true});
+TEST_F(MotionVectors, TakeThePlaceOfPositionsInAPlan) {
+    const Plan plan = plan_of({}, {.motion_vectors = true}, passes_);
     const auto image = [&](const char* name) {
         return std::ranges::find(plan.images, name, &PlannedImage::name)->origin;
     };

@@ -4,6 +4,7 @@
 
 #include "effect/ambient_occlusion.hpp"
 #include "effect/internal/steps.hpp"
+#include "effect/internal/values.hpp"
 #include "effect/methods.hpp"
 #include "scene/draw.hpp"
 #include "scene/pass_library.hpp"
@@ -91,15 +92,6 @@ inline Settings many_slices(float radius) {
     return many;
 }
 
-// The settings with every skip on, or off.
-inline Settings with_skips(Settings settings, bool on = true) {
-    settings.skip_background = settings.skip_settled = settings.skip_filtered = on;
-    return settings;
-}
-inline Settings without_skips(const Settings& settings) {
-    return with_skips(settings, false);
-}
-
 // A test of passes on the device that tests run on, under validation: any message fails it.
 // Base: testing::Test, or testing::TestWithParam of something.
 // lavapipe compiles a pass anew for images whose width or height is a power of two: tests of all methods take
@@ -114,6 +106,14 @@ class OnDevice : public Base {
 
     gpu::Device& device_ = *test::SharedDevice::get();
     const scene::PassLibrary& passes_ = shared_->passes;
+
+    // A pass's source with its constants, and its push constants.
+    [[nodiscard]] std::pair<PassSource, std::vector<std::byte>> filled(PassSource source,
+                                                                       const Values& values) const {
+        const shader::ModuleInterface interface = shader::reflect(module_of(source, passes_));
+        source.constants = values.constants(interface, source.file);
+        return {source, values.push_constants(interface, source.file).bytes};
+    }
 
     // The same for all tests of a suite, so that pipelines are compiled once; for images of that size until
     // the next call with another. begin() leaves no trace of what it held before

@@ -86,14 +86,11 @@ TEST_P(Prepared, TheBandIsReadWithoutBeingShaded) {
     settings.guard_history = false;
     const Frame left_out = run(view, settings);
     EXPECT_EQ(left_out.occlusion, shaded.occlusion);
-    EXPECT_LT(left_out.work.samples, shaded.work.samples);
 }
 
 TEST_P(Prepared, ATimeForEachPassAndNoneForOtherMethods) {
     const scene::GBuffer view = drawn("corner", {33, 21});
     Settings settings = settings_for(GetParam(), 1.0F);
-    settings.skip_background = settings.skip_settled = settings.skip_filtered = false;
-    settings.sample_table = false;
     settings.remap_a = 0.0F;
     AmbientOcclusion effect(device_, passes_, view.extent);
     effect.begin(view, settings);

@@ -6,7 +6,6 @@
 #include "backend/vulkan/commands.hpp"
 #include "backend/vulkan/resources.hpp"
 #include "effect/internal/passes.hpp"
-#include "effect/internal/tiles.hpp"
 #include "effect/methods.hpp"
 #include "on_device.hpp"
 #include "reference/geometry_camera.hpp"
@@ -53,63 +52,44 @@ Settings with_taps(HistoryTaps taps) {
 }
 
 // The pass on images of that size.
-class MovingPass : public OnDevice<testing::Test> {
+class ReprojectionPass : public OnDevice<testing::Test> {
   protected:
-    struct Moved {
-        Texels history;
-        std::vector<std::uint32_t> displacements;  // codes
-    };
-
-    // previous: where the points of the pixels were; empty if that is not known.
-    [[nodiscard]] Moved run(const std::vector<float>& depths, const std::vector<glm::vec3>& previous,
-                            const Texels& before, const Moment& moment,
-                            const ReprojectionParameters& parameters) const {
+    [[nodiscard]] Texels run(const std::vector<float>& depths, const Texels& before,
+                             const Values& values) const {
         const gpu::Extent extent{static_cast<std::uint32_t>(size.x), static_cast<std::uint32_t>(size.y)};
         using enum gpu::Format;
         gpu::Image depth(device_, extent, r32f);
-        gpu::Image positions(device_, extent, rgba32f);
+        const gpu::Image positions(device_, extent, rgba32f);
         gpu::Image history(device_, extent, rgba32f);
         const gpu::Image after(device_, extent, rgba32f);
-        const gpu::Image displacement(device_, extent, r32ui);
-        const gpu::Buffer no_list(device_, 128);
         depth.upload(depths);
         std::vector<float> words;
         for (const Texel& t : before) words.insert(words.end(), {t.occlusion, t.weight, t.index, t.depth});
         history.upload(words);
-        std::vector<float> places;
-        for (const glm::vec3& p : previous) places.insert(places.end(), {p.x, p.y, p.z, 0.0F});
-        if (!places.empty()) positions.upload(places);
-        const gpu::ComputePipeline pass = pipeline_of(device_, passes_, reprojection_source(moment));
+        const auto [source, parameters] = filled({.file = "study/reproject.comp"}, values);
+        const gpu::ComputePipeline pass = pipeline_of(device_, passes_, source);
         gpu::Commands commands(device_);
-        commands.dispatch(pass,
-                          std::vector<gpu::Resource>{depth, positions, history, after, no_list, displacement},
-                          {2, 1, 1}, std::as_bytes(std::span(&parameters, 1)));
+        commands.dispatch(pass, std::vector<gpu::Resource>{depth, positions, history, after}, {2, 1, 1},
+                          parameters);
         commands.submit();
-        Moved moved;
+        Texels moved;
         const std::vector<float> got = after.download();
         for (std::size_t i = 0; i < got.size(); i += 4)
-            moved.history.push_back({got[i], got[i + 1], got[i + 2], got[i + 3]});
-        if (previous.empty()) return moved;
-        for (const float texel : displacement.download())
-            moved.displacements.push_back(std::bit_cast<std::uint32_t>(texel));
+            moved.push_back({got[i], got[i + 1], got[i + 2], got[i + 3]});
         return moved;
     }
-};
 
-class ReprojectionPass : public MovingPass {
-  protected:
     // The history of a wall that a parallel camera has moved along by `shift`.
     [[nodiscard]] Texels moved(const Texels& before, const Settings& settings, float tolerance = 0.1F) const {
         const glm::vec2 p00_p11(1.0F, -1.0F);
         const glm::vec2 step = 2.0F * shift / (glm::vec2(size) * p00_p11);  // view space
-        const Moment moment{.settings = settings};                          // its cameras are orthographic
-        return run(std::vector<float>(before.size(), depth_of_all), {}, before, moment,
-                   {.previous_from_current = glm::translate(glm::mat4(1.0F), {step.x, step.y, 0.0F}),
-                    .p00_p11 = p00_p11,
-                    .previous_p00_p11 = p00_p11,
-                    .size = size,
-                    .tolerance = tolerance})
-            .history;
+        Values values = values_of(Moment{.settings = settings});            // its cameras are orthographic
+        values.set("previous_from_current", glm::translate(glm::mat4(1.0F), {step.x, step.y, 0.0F}));
+        values.set("p00_p11", p00_p11);
+        values.set("previous_p00_p11", p00_p11);
+        values.set("size", size);
+        values.set("depth_tolerance", tolerance);
+        return run(std::vector<float>(before.size(), depth_of_all), before, values);
     }
 
     // The bilinear mean of a member at the place between (x, y) and its three neighbours.
@@ -187,77 +167,6 @@ TEST_F(ReprojectionPass, AFieldThatIsTheSameEverywhereStaysSo) {
     }
 }
 
-// What the pass keeps of the motion of objects.
-
-constexpr float unit = 1e-4F;
-constexpr glm::vec2 p00_p11(1.5F, -2.0F);
-
-float depth_at(std::size_t pixel) {
-    return 2.0F + 0.25F * static_cast<float>(pixel % 5);
-}
-
-class DisplacementPass : public MovingPass {
-  protected:
-    static constexpr std::size_t pixels = 16 * 8;
-
-    // Where the point of a pixel was, if it has moved by `displacement` besides the camera.
-    [[nodiscard]] glm::vec3 previous_of(std::size_t pixel, const glm::dvec3& displacement) const {
-        const glm::ivec2 at(static_cast<int>(pixel) % size.x, static_cast<int>(pixel) / size.x);
-        const reference::GloamCamera camera{p00_p11, size, false};
-        const glm::dvec3 now = reference::gloam_camera_position(at, double{depth_at(pixel)}, camera);
-        return moved_camera_ * glm::dvec4(now + displacement, 1.0);
-    }
-
-    // The codes that the pass keeps of points that were at `previous`.
-    [[nodiscard]] std::vector<std::uint32_t> kept(const std::vector<glm::vec3>& previous) const {
-        std::vector<float> depths;
-        for (std::size_t i = 0; i < pixels; ++i) depths.push_back(depth_at(i));
-        Moment moment{.has_positions = true};
-        moment.view.camera = moment.before.camera = scene::make_frame({}, 2.0);
-        return run(depths, previous, Texels(pixels), moment,
-                   {.previous_from_current = glm::mat4(moved_camera_),
-                    .p00_p11 = p00_p11,
-                    .previous_p00_p11 = p00_p11,
-                    .size = size,
-                    .tolerance = 0.1F,
-                    .displacement_unit = unit})
-            .displacements;
-    }
-
-    const glm::dmat4 moved_camera_ = glm::rotate(glm::translate(glm::dmat4(1.0), {0.3, -0.2, 0.5}), 0.4,
-                                                 glm::normalize(glm::dvec3(1.0, 2.0, -0.5)));
-};
-
-TEST_F(DisplacementPass, WhatOnlyTheCameraMovesHasNone) {
-    std::vector<glm::vec3> previous;
-    for (std::size_t i = 0; i < pixels; ++i) previous.push_back(previous_of(i, glm::dvec3(0.0)));
-    EXPECT_EQ(kept(previous), std::vector<std::uint32_t>(pixels, 0));
-}
-
-TEST_F(DisplacementPass, ItIsTheMotionOfThePointInThisView) {
-    std::vector<glm::dvec3> displacements;
-    std::vector<glm::vec3> previous;
-    for (std::size_t i = 0; i < pixels; ++i) {
-        const auto k = static_cast<double>(i);
-        displacements.emplace_back(0.001 * k, 0.3 - 0.004 * k, (i % 3 == 0) ? -2.0 : 0.02);
-        previous.push_back(previous_of(i, displacements[i]));
-    }
-    const std::vector<std::uint32_t> codes = kept(previous);
-    for (std::size_t i = 0; i < pixels; ++i) {
-        const glm::dvec3 found = reference::gloam_displacement_from_code(codes[i], double{unit});
-        const glm::dvec3 wanted = displacements[i];
-        const double largest = std::max({std::abs(wanted.x), std::abs(wanted.y), std::abs(wanted.z)});
-        const double rounding = std::max(0.5 * double{unit}, largest / 256.0) + 3e-6;
-        for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], wanted[c], rounding) << i << ", " << c;
-    }
-}
-
-TEST_F(DisplacementPass, WhatIsNotFiniteHasMovedFar) {
-    std::vector<glm::vec3> previous(pixels, glm::vec3(nan));
-    previous[1] = glm::vec3(infinity, 0.0F, -1.0F);
-    EXPECT_EQ(kept(previous), std::vector<std::uint32_t>(pixels, 0xFBFDFEFFU));
-}
-
 // What the samples' pass does to a history where surfaces have moved (TSSAO-9).
 
 constexpr gpu::Extent extent{24, 16};
@@ -272,7 +181,6 @@ bool is_right(std::size_t pixel) {
 Settings settings() {
     Settings all = with_radius(with_method({}, "hemisphere"), 1.0F);
     all.samples = all.samples_converged = 8;
-    all.sample_table = false;
     all.filter = Filter::none;
     return all;
 }
@@ -280,51 +188,50 @@ Settings settings() {
 // A wall whose right half stands further in front, with a history everywhere.
 class WatchingPass : public OnDevice<testing::Test> {
   protected:
-    // Weights of the history after a frame. displacement: of the pixel's point. still: the view has not
-    // changed.
+    // Weights of the history after a frame, whose camera stands still. displacement: of the pixel's point.
     template <class Displacement>
-    [[nodiscard]] std::vector<float> weights(const Displacement& displacement, bool still = false) const {
+    [[nodiscard]] std::vector<float> weights(const Displacement& displacement) const {
         using enum gpu::Format;
         const View view{scene::make_frame({}, 1.5), extent, {}};
-        OcclusionParameters parameters = occlusion_parameters(view, settings());
-        parameters.still = still ? 1 : 0;
-        Moment moment{.settings = settings(), .has_positions = true, .counting = Counting::each_group};
+        Moment moment{.settings = settings(), .has_positions = true};
         moment.view = view;
         gpu::Image depth(device_, extent, r32f);
         gpu::Image normal(device_, extent, rgba32f);
         gpu::Image before(device_, extent, rgba32f);
-        gpu::Image displacements(device_, extent, r32ui);
+        gpu::Image previous(device_, extent, rgba32f);
         const gpu::Image after(device_, extent, rgba32f);
         const gpu::Image shown(device_, extent, r32f);
         const gpu::Image nothing(device_, {1, 1}, rgba32f);
-        const gpu::Buffer states(device_, 6 * sizeof(TileState));
-        const gpu::Buffer lists(device_, 256);
         gpu::Buffer method(device_, sizeof(MethodValues));
         method.as<MethodValues>()[0] = settings().own;
         std::vector<float> depths;
         std::vector<float> normals;
         std::vector<float> history;
-        std::vector<float> codes;
+        std::vector<float> places;
+        const reference::GloamCamera camera{view.camera.p00_p11(), vector_of_size(extent), false};
         for (std::size_t i = 0; i < pixels; ++i) {
             depths.push_back(is_right(i) ? 4.7F : 5.0F);
             normals.insert(normals.end(), {0.0F, 0.0F, 1.0F, 0.0F});
             history.insert(history.end(), {0.25F, samples_before, samples_before, depths.back()});
-            codes.push_back(std::bit_cast<float>(reference::gloam_displacement_to_code(
-                displacement(i), double{parameters.displacement_unit})));
+            const glm::ivec2 pixel(i % extent.width, i / extent.width);
+            const glm::vec3 place =
+                reference::gloam_camera_position(pixel, double{depths.back()}, camera) + displacement(i);
+            places.insert(places.end(), {place.x, place.y, place.z, 0.0F});
         }
         depth.upload(depths);
         normal.upload(normals);
         before.upload(history);
-        displacements.upload(codes);
+        previous.upload(places);
         using enum gpu::BindingKind;
-        std::vector<gpu::BindingKind> kinds(12, storage_image);
-        for (const std::size_t buffer : {4, 6, 9}) kinds[buffer] = storage_buffer;
-        const gpu::ComputePipeline pass = pipeline_of(device_, passes_, occlusion_source(moment), kinds);
+        std::vector<gpu::BindingKind> kinds(9, storage_image);
+        kinds[5] = storage_buffer;
+        const auto [source, parameters] = filled(occlusion_source(moment), values_of(moment));
+        const gpu::ComputePipeline pass = pipeline_of(device_, passes_, source, kinds);
         gpu::Commands commands(device_);
         commands.dispatch(pass,
-                          std::vector<gpu::Resource>{depth, normal, before, after, states, displacements,
-                                                     method, nothing, nothing, lists, shown, nothing},
-                          groups_for(extent), std::as_bytes(std::span(&parameters, 1)));
+                          std::vector<gpu::Resource>{depth, normal, before, after, previous, method, nothing,
+                                                     nothing, shown},
+                          groups_for(extent), parameters);
         commands.submit();
         std::vector<float> found;
         const std::vector<float> texels = after.download();
@@ -348,7 +255,6 @@ TEST_F(WatchingPass, WhatIsNearSomethingThatMovedLosesSome) {
     const std::vector<float> found = weights(right_half);
     EXPECT_LT(found[left_of_the_step], 0.8F * all_kept[0]);
     EXPECT_EQ(found[8 * extent.width], all_kept[0]) << "further away than the radius";
-    EXPECT_EQ(weights(right_half, true), all_kept) << "of an earlier frame";
 }
 
 }  // namespace gloam::effect::reprojection_pass_test

@@ -3,7 +3,6 @@
 // averaged.
 #include "effect/errors.hpp"
 #include "on_device.hpp"
-#include "support/method_names.hpp"
 #include "surface_views.hpp"
 
 namespace gloam::effect::sample_settings_test {
@@ -24,9 +23,11 @@ class SampleSettings : public OnDevice<testing::Test> {
     scene::Scene scene_ = scene::make_scene("columns");
 };
 
+// Samples in the mean of a pixel with a surface.
 double per_pixel(const Frame& frame) {
-    return static_cast<double>(frame.work.samples) /
-           static_cast<double>(frame.work.pixels - frame.work.background);
+    const auto surfaces = std::ranges::count_if(frame.convergence, [](float c) { return c > 0.0F; });
+    return std::accumulate(frame.convergence.begin(), frame.convergence.end(), 0.0) /
+           static_cast<double>(surfaces) * double{Settings{}.weight_max};
 }
 
 TEST_F(SampleSettings, FewerAreTakenFarAway) {
@@ -43,18 +44,15 @@ TEST_F(SampleSettings, FewerAreTakenFarAway) {
     EXPECT_NEAR(per_pixel(frame_of(settings)), all * 9 / 32, 0.1);
 }
 
-// The counts, in the weight and in the reported work, are those of the samples taken: whole slices, rays,
-// pairs.
+// What the mean counts was taken: whole slices, rays, pairs.
 TEST_F(SampleSettings, WhatIsCountedWasTaken) {
     struct Asked {
         const char* method;
         std::uint32_t samples, steps;
         double taken;
-        unsigned filled = 3;  // frames after which the mean is full, of three times as many samples
     };
     for (const Asked& asked : {Asked{"hbao", 32, 6, 24},
                                {"hbao", 4, 6, 12},
-                               {"gtao", 32, 3, 30, 6},  // slices count by their weight
                                {"dual_resolution", 32, 6, 24},
                                {"separable", 30, 4, 28},
                                {"unreal", 32, 3, 30},
@@ -65,13 +63,7 @@ TEST_F(SampleSettings, WhatIsCountedWasTaken) {
         settings.samples = settings.samples_converged = asked.samples;
         settings.own.steps = asked.steps;
         settings.filter = Filter::none;
-        settings.weight_max = 3.0F * static_cast<float>(asked.taken);
-        EXPECT_EQ(per_pixel(frame_of(settings)), asked.taken) << asked.method << ' ' << asked.samples;
-        // When the mean is full, and not sooner, nothing more is taken.
-        settings.freeze = true;
-        EXPECT_EQ(per_pixel(frame_of(settings, 3)), asked.taken) << asked.method << ' ' << asked.samples;
-        EXPECT_EQ(per_pixel(frame_of(settings, asked.filled + 1)), 0.0)
-            << asked.method << ' ' << asked.samples;
+        EXPECT_NEAR(per_pixel(frame_of(settings)), asked.taken, 1e-4) << asked.method << ' ' << asked.samples;
     }
 }
 
@@ -160,9 +152,9 @@ TEST_F(SampleSettings, TheLargerHalfAxisOfTheRadiusCounts) {
         Settings settings = with_radius(plain(), static_cast<float>(high * view_height));
         settings.least_radius = 29.9F;
         const Frame whole = frame(settings);
-        EXPECT_EQ(whole.work.below_radius, 0U);
+        EXPECT_THAT(whole.convergence, Each(testing::Lt(1.0F)));
         settings.least_radius = 30.1F;
-        EXPECT_EQ(frame(settings).work.below_radius, whole.work.pixels);
+        EXPECT_THAT(frame(settings).convergence, Each(1.0F));
         settings.least_radius = 0.0F;
 
         settings.samples_radius = 60.0F;
@@ -190,11 +182,10 @@ TEST_F(SampleSettings, RejectedTapsDoNotCount) {
         const Frame all = frame_of(settings);
         settings.reject_taps = true;
         const Frame some = frame_of(settings);
-        EXPECT_LT(some.work.samples, all.work.samples * 99 / 100) << method;
-        EXPECT_GT(some.work.samples, all.work.samples / 2) << method;
-        EXPECT_LT(mean_of(some.convergence), mean_of(all.convergence)) << method;
+        EXPECT_LT(per_pixel(some), 0.99 * per_pixel(all)) << method;
+        EXPECT_GT(per_pixel(some), 0.5 * per_pixel(all)) << method;
         settings.own.range = 1e6F;
-        EXPECT_EQ(frame_of(settings).work.samples, all.work.samples) << method;
+        EXPECT_EQ(frame_of(settings).convergence, all.convergence) << method;
     }
 }
 
@@ -205,7 +196,7 @@ TEST_F(SampleSettings, RejectedStepsAreOpen) {
     settings.reject_taps = true;
     settings.own.range = 0.02F;
     const Frame some = frame_of(settings);
-    EXPECT_EQ(some.work.samples, all.work.samples);
+    EXPECT_EQ(some.convergence, all.convergence);
     EXPECT_LT(mean_of(some.occlusion), 0.9 * mean_of(all.occlusion));
 }
 
@@ -254,7 +245,7 @@ TEST_F(SampleSettings, SmoothingIsAnExponentialMean) {
     scene_ = scene::make_scene("corner");
     Settings settings = plain();
     settings.c_spatial = 2.0F;
-    ASSERT_EQ(per_pixel(frame_of(settings)), 32.0);
+    ASSERT_NEAR(per_pixel(frame_of(settings)), 32.0, 1e-4);
     const std::vector<float> first = frame_of(settings).occlusion;
     const std::vector<float> both = frame_of(settings, 2).occlusion;
     settings.smoothing = 0.25F;
@@ -267,106 +258,6 @@ TEST_F(SampleSettings, SmoothingIsAnExponentialMean) {
             most, std::abs(double{smoothed[i]} - (double{first[i]} + 0.25 * (second - double{first[i]}))));
     }
     EXPECT_LT(most, 1e-5);
-}
-
-// What samples share is computed once, on the device, and changes nothing: the same images to the bit.
-
-constexpr gpu::Extent odd{61, 35};
-
-template <class Base>
-class WithView : public OnDevice<Base> {
-  protected:
-    [[nodiscard]] scene::GBuffer view(int frame) const {
-        return this->drawn("moving", odd, {.frame = frame, .motion = true});
-    }
-
-    [[nodiscard]] static Settings settings_for(const std::string& method) {
-        const auto radius = static_cast<float>(scene::make_scene("moving").ao_radius);
-        // Passes over lists of tiles are other pipelines: skips_test.cpp has them, with the table.
-        return without_skips(with_radius(with_method(preset_named("tssao-paper").settings, method), radius));
-    }
-
-    // Some frames of a still view, then some of another: what is rotated and what is not.
-    [[nodiscard]] std::vector<Frame> run(AmbientOcclusion& effect, const Settings& settings) const {
-        std::vector<Frame> frames;
-        effect.begin(view(0), settings);
-        for (int i = 0; i < 3; ++i) frames.push_back(effect.next());
-        effect.advance(view(1));
-        for (int i = 0; i < 3; ++i) frames.push_back(effect.next(2));
-        return frames;
-    }
-
-    [[nodiscard]] std::vector<Frame> run(const Settings& settings) const {
-        return run(this->effect_for(odd), settings);
-    }
-};
-
-bool fills_table(const Frame& frame) {
-    return std::ranges::any_of(frame.times, [](const PassTime& t) { return t.pass == "sample_table"; });
-}
-
-void expect_same(const std::vector<Frame>& left, const std::vector<Frame>& right) {
-    expect_same_images(left, right, {&Frame::occlusion, &Frame::convergence});
-    for (std::size_t i = 0; i < left.size(); ++i)
-        EXPECT_EQ(left[i].work.samples, right[i].work.samples) << "frame " << i;
-}
-
-class SampleTableOf : public WithView<testing::TestWithParam<std::string>> {};
-
-TEST_P(SampleTableOf, ChangesNothing) {
-    Settings settings = settings_for(GetParam());
-    AmbientOcclusion& effect = effect_for(odd);
-    // The table of an earlier test does not serve: it has other points.
-    const bool in_a_disc = method_named(GetParam()).points == method_named("disc").points;
-    effect.begin(view(0), settings_for(in_a_disc ? "hemisphere" : "disc"));
-    (void)effect.next();
-    const std::vector<Frame> with = run(effect, settings);
-    EXPECT_TRUE(fills_table(with.front()));
-    settings.sample_table = false;
-    const std::vector<Frame> without = run(effect, settings);
-    EXPECT_TRUE(std::ranges::none_of(without, fills_table));
-    expect_same(with, without);
-}
-
-INSTANTIATE_TEST_SUITE_P(All, SampleTableOf,
-                         testing::ValuesIn(test::method_names([](const MethodInfo& method) {
-                             return !method.points.empty();
-                         })),
-                         test::parameter_name);
-
-class SampleTable : public WithView<testing::Test> {};
-
-TEST_F(SampleTable, SequenceStartsOver) {
-    Settings settings = settings_for("hemisphere");
-    settings.table_size = 40;
-    AmbientOcclusion effect(device_, passes_, odd);
-    const std::vector<Frame> with = run(effect, settings);
-    // 71 samples are all there are: 32 at first, and the rest in the frame after.
-    EXPECT_TRUE(fills_table(with[1]));
-    EXPECT_TRUE(fills_table(with[2]));
-    EXPECT_FALSE(fills_table(with[3]));
-    settings.sample_table = false;
-    expect_same(with, run(settings));
-}
-
-TEST_F(SampleTable, OutlivesAViewAndGrows) {
-    AmbientOcclusion effect(device_, passes_, odd);
-    Settings few = settings_for("hemisphere");
-    few.samples = few.samples_converged = 3;
-    (void)run(effect, few);
-    const std::vector<Frame> again = run(effect, few);
-    EXPECT_TRUE(std::ranges::none_of(again, fills_table));
-    const Settings many = settings_for("hemisphere");
-    expect_same(run(effect, many), run(many));
-    const Settings disc = settings_for("disc");
-    expect_same(run(effect, disc), run(disc));
-    expect_same(run(effect, many), run(many));
-}
-
-TEST_F(SampleTable, NoneForALongSequence) {
-    Settings settings = settings_for("hemisphere");
-    settings.table_size = 16'777'216;
-    EXPECT_TRUE(std::ranges::none_of(run(settings), fills_table));
 }
 
 }  // namespace gloam::effect::sample_settings_test

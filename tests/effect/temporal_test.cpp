@@ -289,30 +289,11 @@ TEST_F(Temporal, WhatJumpsLeavesItsOcclusionForAsLongAsTheMean) {
     EXPECT_LT(left_behind(72), 0.15);
 }
 
-TEST_F(Temporal, APackedHistoryStaysCloseToFloats) {
-    const scene::Scene scene = panned(floor_and_wall(false), 0.02);
-    Settings settings = paper();
-    settings.table_size = 2048;
-    const Frame full = run(scene, settings, 8);
-    settings.precision = HistoryPrecision::packed;
-    const Frame packed = run(scene, settings, 8);
-    const double error = errors_of(packed.occlusion, full.occlusion).rmse;
-    EXPECT_LT(error, 6e-4);
-    EXPECT_GT(error, 0.0) << "the same bits would be the same format";
-    EXPECT_LT(packed.memory_bytes, full.memory_bytes);
-    EXPECT_EQ(packed.work.samples, full.work.samples);
-}
-
 TEST_F(Temporal, OutOfOrderAndOutOfRangeAreErrors) {
     AmbientOcclusion effect(device_, passes_, extent);
     const scene::GBuffer first = view(floor_and_wall(false), 0);
     EXPECT_THROW(effect.advance(first), std::logic_error);
     Settings settings = paper();
-    settings.precision = HistoryPrecision::packed;
-    settings.weight_max = 4096.0F;
-    expect_error<std::invalid_argument>([&] { effect.begin(first, settings); },
-                                        {"weight_max 4096: expected at most 4095 with a history in packed"});
-    settings = paper();
     settings.depth_tolerance = 0.0F;
     expect_error<std::invalid_argument>([&] { effect.begin(first, settings); }, {"depth_tolerance"});
     effect.begin(first, paper());

@@ -10,7 +10,7 @@ namespace experiment_file_test {
 
 constexpr const char* whole = R"({
   "about": "a description", "sizes": ["64x36"], "frames": 4, "scored": 2, "rounds": 3, "rays": 64,
-  "preset": "fast", "set": {"samples": 8, "freeze": true, "filter": "none"},
+  "preset": "fast", "set": {"samples": 8, "history": true, "filter": "none"},
   "cases": [{"scene": "sky", "shown": [3, 1], "scored": 1, "target": 0.5, "candidates": ["run"]}],
   "candidates": [{"name": "run", "sequence": true}, {"name": "loop", "plain": "9x3+1"},
     {"name": "truth", "truth": true}],
@@ -31,7 +31,7 @@ void expect_refused(const std::string& text, const std::string& why) {
 TEST(ExperimentFile, ReadsAllParts) {
     const Experiment read = read_experiment("mine.json", whole);
     EXPECT_EQ(read.layer.preset, "fast");
-    EXPECT_EQ(read.layer.set.at(1), (std::pair<std::string, std::string>("freeze", "on")));
+    EXPECT_EQ(read.layer.set.at(1), (std::pair<std::string, std::string>("history", "on")));
     EXPECT_EQ(read.cases.at(0).name, "sky");
     EXPECT_EQ(read.cases.at(0).shown, (std::vector<int>{3, 1}));
     EXPECT_EQ(read.candidates.at(1).layer.kind, Kind::plain);

@@ -17,7 +17,6 @@ Record everything() {
     more.quality->converged = Converged{.similarity = 0.5, .own = effect::Errors{.rmse = 0.25}};
     more.point = PointQuality{.truth = 0.5, .occlusion = 0.4, .shown = 0.3};
     more.quality->bias = std::numeric_limits<double>::quiet_NaN();
-    more.work = {.pixels = 64, .samples = std::uint64_t{1} << 40U, .tiles_unfiltered = 7};
     record.add(more);
     return record;
 }
@@ -47,7 +46,6 @@ TEST(ExperimentRecord, ReadsWhatItWrote) {
     EXPECT_EQ(last.point->shown, 0.3);
     EXPECT_TRUE(std::isnan(last.quality->bias));
     EXPECT_EQ(last.quality->memory_bytes, 3'145'728U);
-    EXPECT_EQ(last.work.samples, std::uint64_t{1} << 40U);
     EXPECT_EQ(back.find(last), &last);
     Visit other = last;
     other.round = 2;

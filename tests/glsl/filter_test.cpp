@@ -210,24 +210,4 @@ TEST(EdgeAware, GeometryBlur) {
     for (const int x : {2, 3}) EXPECT_EQ(poisoned.blur({x, 2}), 0.25);
 }
 
-// Half the resolution and back: what holds of any depths. Through any three pixels in a row of a plane,
-// however steep.
-TEST(Upsample, PlanesContinue) {
-    for (const double slope : {0.0, 0.01, 0.3, 0.9}) {
-        const auto depth = [&](double x) { return 1.0 / (1.0 + slope * x); };  // perspective
-        EXPECT_TRUE(gloam_upsample_continues(depth(0), depth(-1), depth(1), false)) << slope;
-        EXPECT_TRUE(gloam_upsample_continues(1.0, 1.0 - slope, 1.0 + slope, true)) << slope;
-    }
-}
-
-TEST(Upsample, AConstantStays) {
-    numeric::Random random(7);
-    for (int i = 0; i < 200; ++i) {
-        const double value = random.unit();
-        dvec4 depths(0);
-        for (int k = 0; k < 4; ++k) depths[k] = random.uniform(0.99, i % 2 == 0 ? 1.01 : 3.0);
-        EXPECT_NEAR(gloam_upsample(1.0, depths, dvec4(value), i % 3 == 0), value, 1e-15);
-    }
-}
-
 }  // namespace gloam::reference::filter_test

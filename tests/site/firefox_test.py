@@ -17,7 +17,7 @@ class FirefoxTest(SiteCase):
 
     def occlusion(self, page):
         self.begin(page)
-        return self.shade(page, "readOcclusion")
+        return self.shade(page)
 
     def test_the_occlusion_is_that_of_chromium(self):
         """The bounds are twice those of effect_test.py, which compares Chromium with the program."""

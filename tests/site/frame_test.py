@@ -1,62 +1,70 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""frame_test.py GLOAM FRAME_CASES SOURCE: the passes of the frame as fragment shaders in headless Chromium give
-the occlusion that they give on Vulkan, for every preset, camera, encoding and size, and for poisoned images.
+"""frame_test.py GLOAM FRAME_CASES: the class of the package in headless Chromium gives the occlusion that the passes of
+the frame give on Vulkan, for every preset, camera, encoding and size, for poisoned images, and in sequences.
 
 Left with status 77 where there is no Chromium."""
-import json
+import re
 import subprocess
 import sys
-from pathlib import Path
 
 from site_case import GLOAM, BrowserCase, main
 
-SOURCE = Path(sys.argv[3])
-SHADERS = ("tools/site/shaders/whole_image.vert", *(f"glsl/passes/frame/{name}.frag"
-                                                   for name in ("prepare", "sweep", "filter", "join")))
-
-# Renders a case: the mean difference from Vulkan's occlusion, the share of pixels that differ by more than 5e-3 or are not
-# in [0, 1], and the contrast of what is wanted.
-RUN = """(({inputs, preset, depth, normal, want, size, ...view}) => {
+# Renders a case, with the projection of Vulkan or with that of OpenGL. Of the frame that differs most: the mean
+# difference from Vulkan's occlusion, and the share of pixels that differ by more than 5e-3. The contrast is that of the
+# last frame.
+RUN = """(({inputs, preset, size, radius, frames}, range) => {
     const gl = new OffscreenCanvas(1, 1).getContext("webgl2");
     const floats = (text) => new Float32Array(Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer);
-    const passes = new Passes(gl);
+    const occlusion = new AmbientOcclusion(gl, effect, {...inputs, range});
+    const ranged = (p) => range === "zero-to-one" ? p : p.map((x, i) => i % 4 === 2 ? 2 * x - p[i + 1] : x);
     const stored = (format, channels, texels) => {
-        const image = passes.image(format, ...size);
+        const image = occlusion.passes.image(format, size);
         gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, ...size, channels, gl.FLOAT, floats(texels));
         return image;
     };
-    const shown = new Frame(passes, texts, inputs).render(preset, {...view, size,
-        depth: stored("r32float", gl.RED, depth), normal: normal && stored("rgba32float", gl.RGBA, normal)});
-    const got = passes.read(shown, 1), wanted = floats(want);
+    occlusion.setPreset(preset, radius);
+    occlusion.setSize(...size);
+    let told = {mean: 0, apart: 0};
+    for (const {projection, view, depth, normal, want} of frames) {
+        occlusion.render({projection: ranged(projection), view, depth: stored("R32F", gl.RED, depth),
+            normal: normal ? stored("RGBA32F", gl.RGBA, normal) : null});
+        const [got, wanted] = [occlusion.readOcclusion(), floats(want)];
+        const far = got.reduce((sum, x, i) => sum + (Math.abs(x - wanted[i]) <= 5e-3 ? 0 : 1), 0) / got.length;
+        const mean = got.reduce((sum, x, i) => sum + x - wanted[i], 0) / got.length;
+        told = {mean: Math.max(told.mean, Math.abs(mean)), apart: Math.max(told.apart, far),
+            contrast: Math.max(...wanted) - Math.min(...wanted)};
+    }
     const error = gl.getError();
     gl.getExtension("WEBGL_lose_context").loseContext();
-    const apart = got.reduce((sum, x, i) => sum + (x >= 0 && x <= 1 && Math.abs(x - wanted[i]) <= 5e-3 ? 0 : 1), 0);
-    const mean = got.reduce((sum, x, i) => sum + x - wanted[i], 0) / got.length;
-    return {error, mean, apart: apart / got.length, contrast: Math.max(...wanted) - Math.min(...wanted)};
+    return {error, ...told};
 })"""
 
 
 class FrameTest(BrowserCase):
     def test_each_case_is_as_on_vulkan(self):
-        cases = self.folder / "cases.js"
-        subprocess.run([sys.argv[2], cases], check=True)
-        texts = {Path(file).stem: subprocess.run([GLOAM, "pack", "--version", "300es", SOURCE / file], check=True,
-                                                 capture_output=True, text=True).stdout for file in SHADERS}
+        subprocess.run([sys.argv[2], self.folder / "cases.js"], check=True)
+        subprocess.run([GLOAM, "pack", "--npm", self.folder / "gloam"], check=True)
+        text = re.sub(r"(?m)^export (\{.*)?", "", (self.folder / "gloam/index.js").read_text(encoding="utf-8"))
+        # llvmpipe cuts a depth to 16 bits, where the browser rounds it: one tap within rounding of a limit counts there
+        # and not here, in 3 % of the pixels.
+        cut = r"depth = uintBitsToFloat(floatBitsToUint(\1) & ~0x1FFFu);"
+        text, cuts = re.subn(r"depth = (sign_of\([^;]*);", cut, text)
+        self.assertEqual(1, cuts)
         page = self.folder / "frame.html"
-        scripts = [(SOURCE / "tools/site/effect" / name).read_text(encoding="utf-8") for name in ("passes.js", "frame.js")]
-        page.write_text("<!doctype html><script src='cases.js'></script><script>"
-                        + "\n".join([*scripts, f"const texts = {json.dumps(texts)};"]) + "</script>", encoding="utf-8")
+        page.write_text(f"<!doctype html><script src='cases.js'></script><script>{text}</script>", encoding="utf-8")
         self.browser.open(page)
         for i in range(self.browser.evaluate("cases.length")):
-            with self.subTest(self.browser.evaluate(f"cases[{i}].name")):
-                told = self.browser.evaluate(f"{RUN}(cases[{i}])")
-                self.assertEqual(0, told["error"])
-                # A tap within rounding of a limit counts on one driver and not on the other: up to 3.05 % of pixels.
-                self.assertLess(told["apart"], 0.035, told)
-                self.assertLess(abs(told["mean"]), 5e-4, told)
-                self.assertGreater(told["contrast"], 0.3, told)
+            name = self.browser.evaluate(f"cases[{i}].name")
+            for range_ in ("zero-to-one", "negative-one-to-one"):
+                with self.subTest(name, range=range_):
+                    told = self.browser.evaluate(f"{RUN}(cases[{i}], '{range_}')")
+                    self.assertEqual(0, told["error"])
+                    # A point that has not moved is within rounding of the border between two texels before.
+                    self.assertLess(told["apart"], 0.006 if "stands" in name else 0.001, told)
+                    self.assertLess(told["mean"], 2e-4 if "stands" in name else 5e-5, told)
+                    self.assertGreater(told["contrast"], 0.3, told)
 
 
 if __name__ == "__main__":
-    main(arguments=3)
+    main(arguments=2)

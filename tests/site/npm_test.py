@@ -39,16 +39,15 @@ class NpmTest(BrowserCase):
         self.assertEqual((0, frames), (got["error"], got["frames"]))
         self.assertEqual(0, got["sky"])
         self.assertLess(got["floor"], 0.02)
-        self.assertGreater(got["edge"], 0.3)
+        self.assertGreater(got["edge"], 0.2)  # half the pixels are swept, and normals of a crease may be made from depth
         self.assertLess(got["edge"], 0.75)
-        self.assertLess(got["depth"], 0.02)  # the middle of a pixel is not the point that it shows
 
     def test_the_package(self):
         package = json.loads((FOLDER / "gloam" / "package.json").read_text(encoding="utf-8"))
         self.assertEqual(("gloam", "module", "MIT"), (package["name"], package["type"], package["license"]))
         self.assertNotIn("dependencies", package)
         sizes = {file.name: file.stat().st_size for file in (FOLDER / "gloam").iterdir()}
-        self.assertLess(sizes["index.js"], 100_000)
+        self.assertLess(sizes["index.js"], 60_000)
         self.assertLess(sum(sizes.values()), 1_500_000)
         for entry in package["exports"].values():
             for name in entry.values():
@@ -91,6 +90,54 @@ class NpmTest(BrowserCase):
                 self.assertLess(got[name]["most"], most)
         self.assertGreater(got["other"]["mean"], 2 * got["moved"]["mean"])
 
+    def test_a_camera_off_its_centre_shows_its_part(self):
+        got = self.ask("""
+            const view = made();
+            view.setSize(320, 180, 1);
+            const whole = occlusion(frames(view, 40));
+            view.setSize(160, 90, 1);
+            view.camera.aspect = 16 / 9;
+            view.camera.setViewOffset(320, 180, 80, 0, 160, 90);
+            const part = occlusion(frames(view, 40));
+            closed(view);
+            return apart(part, part.map((_, i) => whole[(90 + Math.floor(i / 160)) * 320 + 80 + i % 160]));""")
+        self.assertLess(got["mean"], 0.01)
+        self.assertLess(got["most"], 0.02)
+
+    def test_what_moves_has_its_shadow_and_leaves_none(self):
+        """Against 64 frames of what stands still at the end: no more error than that of a frame without a history."""
+        got = self.ask("""
+            const view = made();
+            const box = view.scene.children[2];
+            const place = (i) => { box.position.x = 0.03 * i - 2.87; };
+            place(39);
+            const truth = occlusion(frames(view, 64));
+            view.occlusion.restart();
+            const moving = apart(truth, occlusion(frames(view, 40, place)));
+            view.occlusion.restart();
+            const single = apart(truth, occlusion(frames(view, 1)));
+            closed(view);
+            return {moving, single};""")
+        self.assertLess(got["moving"]["mean"], got["single"]["mean"])
+        self.assertLess(got["moving"]["most"], got["single"]["most"])
+
+    def test_what_is_seen_of_a_mesh_counts(self):
+        got = self.ask("return comparedPairs();")
+        for pair in got["all"]:
+            with self.subTest(pair["name"]):
+                if pair["name"] == "wireframe":
+                    self.assertLess(pair["apart"], 0.3 * got["solid"])
+                    self.assertGreater(pair["apart"], 0)
+                    continue
+                self.assertLess(pair["apart"], 1e-4)
+                if pair["name"] not in ("glass", "no depth"):
+                    self.assertGreater(pair["visible"], 0.2 * got["solid"])
+
+    def test_a_context_that_was_lost_goes_on(self):
+        got = self.ask("return lostAndRestored();")
+        self.assertEqual((0, 0), (got["mean"], got["error"]))
+        self.check_scene(got, 5)
+
     def test_depth_of_the_pass_before_gives_the_same(self):
         got = self.ask("""
             const view = made();
@@ -107,12 +154,12 @@ class NpmTest(BrowserCase):
         got = self.ask("""
             const view = made();
             const counts = [];
-            const samples = [];
+            const firsts = [];
             const then = (change) => {
                 change();
                 view.draw();
                 counts.push(view.occlusion.occlusion.frames);
-                samples.push(view.occlusion.occlusion.readHistory()[1]);
+                firsts.push(occlusion(view));
             };
             const {occlusion: pass} = view;
             then(() => {});
@@ -126,22 +173,12 @@ class NpmTest(BrowserCase):
             view.draw();
             const pixels = occlusion(view).length;
             closed(view);
-            return {counts, samples, pixels};""")
+            const [first, second, cut] = firsts;
+            return {counts, cut: apart(first, cut).mean, second: apart(first, second).mean, pixels};""")
         self.assertEqual([1, 2, 1, 1, 2, 1, 1], got["counts"])
-        self.assertEqual(got["samples"][0], got["samples"][2])
-        self.assertGreater(got["samples"][1], 1.3 * got["samples"][0])
+        self.assertLess(got["cut"], 1e-5)
+        self.assertGreater(got["second"], 0.002)
         self.assertEqual(97 * 55, got["pixels"])
-
-    def test_every_encoding_of_depth_and_normals_gives_the_same(self):
-        got = self.ask("""return encodings().map(([what, occlusion, known]) =>
-            ({what, ...apart(occlusion, known), largest: known.reduce((a, b) => Math.max(a, b))}));""")
-        self.assertEqual(14, len(got))
-        for one in got:
-            with self.subTest(one["what"]):
-                self.assertGreater(one["largest"], 0.2)
-                from_depth = one["what"].endswith("none")  # normals differ where surfaces meet
-                self.assertLess(one["most"], 0.001 if from_depth else 1e-5)
-                self.assertLess(one["mean"], 0.005 if from_depth else 1e-6)
 
     def test_what_cannot_be_is_refused(self):
         messages = self.ask("""
@@ -162,8 +199,7 @@ class NpmTest(BrowserCase):
                     plain.render({projection: identity, view: [NaN]}); },
                 () => plain.render({projection: identity, view: identity}),
                 () => { view.occlusion.source = "composer"; view.draw(); },
-                () => { view.occlusion.source = "scene"; view.camera.setViewOffset(320, 180, 80, 0, 160, 90);
-                    view.draw(); },
+                () => { view.occlusion.source = "scene"; view.occlusion.preset = "none"; view.draw(); },
                 () => made({logarithmicDepthBuffer: true}).draw(),
                 () => new view.occlusion.constructor(view.scene, view.camera, {output: "light"}),
                 () => { const depth = new view.occlusion.materials.hidden.constructor();
@@ -175,7 +211,7 @@ class NpmTest(BrowserCase):
                     'normals "tangent": expected', "no size or no preset", 'preset "none": expected fast, balanced',
                     "radius -1: expected", "size 0x5: expected whole numbers", "view: expected 16 finite numbers",
                     "depth: expected a texture", "whose target has a depthTexture",
-                    "off its centre, expected at most 1", "logarithmicDepthBuffer: expected",
+                    'preset "none": expected fast', "logarithmicDepthBuffer: expected",
                     'output "light": expected "shaded" or "visibility" or "ambient"',
                     "MeshNormalMaterial: expected a material that three.js lights"]
         for want, message in zip(expected, messages, strict=True):
@@ -190,15 +226,17 @@ class NpmTest(BrowserCase):
                 const bounced = shown(view);
                 view.occlusion.intensity = 0;
                 const plain = shown(view);
+                Object.assign(view.occlusion, {intensity: 1, enabled: false});
+                const disabled = apart(shown(view), plain).mean;
                 closed(view);
-                return {dark: apart(dark, plain).mean, bounced: apart(bounced, plain).mean,
+                return {disabled, dark: apart(dark, plain).mean, bounced: apart(bounced, plain).mean,
                     brighter: dark.filter((x, i) => x > plain[i]).length};
             });""")
-        self.assertEqual({"dark": 0, "bounced": 0, "brighter": 0}, got[0])
+        self.assertEqual({"disabled": 0, "dark": 0, "bounced": 0, "brighter": 0}, got[0])
         self.assertGreater(got[1]["dark"], 2)
         self.assertLess(got[1]["bounced"], 0.9 * got[1]["dark"])
         self.assertGreater(got[1]["bounced"], 0.3 * got[1]["dark"])
-        self.assertEqual(0, got[1]["brighter"])
+        self.assertEqual((0, 0), (got[1]["brighter"], got[1]["disabled"]))
 
     def test_only_what_is_asked_for_changes_the_picture(self):
         got = self.ask("""
@@ -224,7 +262,7 @@ if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as owner:
         FOLDER = Path(owner, "example")
         shutil.copytree(EXAMPLE, FOLDER, ignore=shutil.ignore_patterns("node_modules", "gloam", "bundle.js"))
-        for name in ("encodings.js", "page.js", "types.ts"):
+        for name in ("page.js", "types.ts"):
             shutil.copy(HERE / "npm" / name, FOLDER)
         subprocess.run([GLOAM, "pack", "--npm", FOLDER / "gloam"], check=True)
         try:

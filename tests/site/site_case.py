@@ -13,14 +13,14 @@ from browser import Browser, program
 GLOAM = sys.argv[1]
 SIZE = (192, 108)
 
-# Renders the first frames of the path in columns, and gives what `read` reads of the last one as base64.
+# Renders the first frames of the path in columns, and gives the occlusion of the last one as base64.
 SHADE = """(async () => {{
     gloam.live.state.failed = true;  // ends the page's own loop
     const picture = new gloam.Picture(new OffscreenCanvas(1, 1), {width}, {height});
     const scene = await gloam.scene("columns");
     picture.set(scene, "{preset}", scene.radius);
-    for (let i = 0; i < {frames}; ++i) picture.frame(gloam.cameraAt(scene, {moves} ? i : 0));
-    const bytes = new Uint8Array(picture.occlusion.{read}().buffer);
+    for (let i = 0; i < {frames}; ++i) picture.frame(gloam.cameraAt(scene, i));
+    const bytes = new Uint8Array(picture.occlusion.readOcclusion().buffer);
     picture.passes.gl.getExtension("WEBGL_lose_context").loseContext();
     return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
 }})()"""
@@ -63,18 +63,18 @@ class SiteCase(BrowserCase):
         subprocess.run([GLOAM, "site", cls.site, "--quiet", *cls.words()], check=True)
 
     def compare(self, got, want, bounds=1):
-        """The G-buffers are of a rasterizer and of rays, so pixels at edges may differ at all: means and percentiles are
-        compared."""
+        """The G-buffers are of a rasterizer and of rays, and drivers round a depth of 16 bits or cut it, so some pixels
+        may differ at all: means and percentiles are compared, of 8 bits."""
         self.assertEqual(len(want), len(got))
         self.assertGreater(max(want) - min(want), 0.5)
         errors = sorted(abs(a - b) for a, b in zip(got, want))
-        self.assertLess(sum(errors) / len(errors), 0.0015 * bounds)
+        self.assertLess(sum(errors) / len(errors), 0.002 * bounds)
         self.assertLess(errors[len(errors) // 2], 2e-5 * bounds)
-        self.assertLess(errors[len(errors) * 95 // 100], 0.003 * bounds)
+        self.assertLess(errors[len(errors) * 95 // 100], 1.5 / 255 * bounds)
 
-    def shade(self, page, read, preset="balanced", frames=4, size=SIZE, moves="true"):
+    def shade(self, page, preset="balanced", frames=4, size=SIZE):
         """What a page of the site makes of the first frames in columns."""
-        script = SHADE.format(width=size[0], height=size[1], preset=preset, frames=frames, moves=moves, read=read)
+        script = SHADE.format(width=size[0], height=size[1], preset=preset, frames=frames)
         return array.array("f", base64.b64decode(page.evaluate(script)))
 
 

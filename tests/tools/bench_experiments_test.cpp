@@ -40,7 +40,7 @@ TEST_F(BenchExperiments, PassesTimesEachPassOfEachState) {
     const json document = measured({"passes", "--size", "96x54", "--rounds", "1"});
     EXPECT_THAT(out_, HasSubstr("| fresh | nothing has converged: 5 x 5 taps | ambient_occlusion | "));
     EXPECT_THAT(document.at("versions"), HasSubstr("gloam"));
-    ASSERT_EQ(document.at("results").size(), 21U);
+    ASSERT_EQ(document.at("results").size(), 17U);
     std::set<std::string> shaded;
     bool reprojected = false;
     for (const json& pass : document.at("passes")) {
@@ -48,28 +48,8 @@ TEST_F(BenchExperiments, PassesTimesEachPassOfEachState) {
         if (pass.at("pass") == "ambient_occlusion") shaded.insert(pass.at("case"));
         reprojected |= pass.at("pass") == "reproject";
     }
-    EXPECT_EQ(shaded.size(), 21U);
+    EXPECT_EQ(shaded.size(), 17U);
     EXPECT_TRUE(reprojected) << "no state in which the view moves";
-}
-
-TEST_F(BenchExperiments, SkipsCountsWhatEachCaseLeavesOut) {
-    const json document = measured({"skips", "--size", "96x54", "--rounds", "1"});
-    EXPECT_THAT(out_, HasSubstr("| sky | mostly sky"));
-    for (const json& result : document.at("results")) EXPECT_GT(result.at("ms"), 0.0) << result;
-    EXPECT_GT(result_of(document, 0, "all").at("tiles_blank"), 0);
-    const json settled = result_of(document, 4, "all");
-    EXPECT_DOUBLE_EQ(double{settled.at("tiles_settled")} + double{settled.at("tiles_blank")}, 1.0);
-    EXPECT_EQ(result_of(document, 0, "none").at("tiles_blank"), 0.0);
-    for (std::size_t i = 5; i < 15; ++i) {
-        const json all = result_of(document, i, "all");
-        const double share = std::stod(all.at("what").get<std::string>()) / 100.0;
-        const double counted = all.at(all.at("case") == "settled" ? "tiles_settled" : "tiles_blank");
-        EXPECT_LE(counted, share + 0.02) << all;
-        // At this size many tiles hold an edge.
-        if (share >= 0.75) {
-            EXPECT_GT(counted, 0.0) << all;
-        }
-    }
 }
 
 const Arguments tiny{"--size", "48x27", "--frames", "3", "--scored", "2", "--rays", "32"};
@@ -188,7 +168,6 @@ TEST_F(BenchExperiments, SourcesRepeatsWhatIsPrinted) {
         EXPECT_NE(plain.at("rmse"), filtered.at("rmse"));
         EXPECT_EQ(plain.at("rmse"), plain.at("rmse_own_radius"));
     }
-    EXPECT_LT(result_of(document, 3, "no filter").at("samples"), 12.0);  // fewer where the radius is small
     for (std::size_t i = 4; i < 11; ++i) {
         const json found = result_of(document, i, "enough samples");
         EXPECT_LE(found.at("rmse_remapped"), found.at("rmse"));

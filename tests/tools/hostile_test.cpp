@@ -143,9 +143,6 @@ TEST_F(HostileFiles, ResultsAreNeitherCommandsNorPaths) {
         "target": 0, "candidate": "m", "group": "g", "round": 0, "samples_asked": 4,
         "quality": {"rmse": 0.1, "rmse_raw": 0.2, "rmse_depth": 0.1, "rmse_depth_raw": 0.2, "bias": 0,
           "similarity": 1, "samples": 4, "memory_bytes": 1},
-        "work": {"pixels": 1, "background": 0, "below_radius": 0, "converged": 0, "samples": 4,
-          "tiles": 1, "tiles_background": 0, "tiles_skipped": 0, "tiles_shaded": 1,
-          "tiles_filtered": 0, "tiles_blank": 0, "tiles_settled": 0, "tiles_unfiltered": 0},
         "readings": [{"passes": [{"pass": "p", "ms": 1}]}]}]})");
     const fs::path out = path("deep/er/out");
     const fs::path proof = path("proof");

@@ -56,7 +56,7 @@ TEST_F(Pack, OtherLanguages) {
     EXPECT_THAT(hlsl.out, StartsWith("// Packed by gloam "));
     EXPECT_THAT(hlsl.out, HasSubstr("float gloam_radical_inverse_base2(uint index)\n{"));
     const std::string metal =
-        output_of(gloam("pack {} --target msl", GLOAM_GLSL_DIR "/passes/reproject.comp"));
+        output_of(gloam("pack {} --target msl", GLOAM_GLSL_DIR "/passes/study/reproject.comp"));
     EXPECT_THAT(metal, HasSubstr("kernel void main0("));
     expect_could_not_run(gloam("pack {} --target cg", halton), "expected hlsl or msl");
     expect_could_not_run(gloam("pack {} --target hlsl --version 330", halton), "--version");
@@ -67,7 +67,7 @@ TEST_F(Pack, OtherLanguages) {
 
 // A whole shader, whose stage follows from its name.
 TEST_F(Pack, AShaderWithAMain) {
-    for (const char* name : {"reproject.comp", "tiles/select.comp"}) {
+    for (const char* name : {"study/reproject.comp", "study/remap.comp"}) {
         const std::string result = output_of(gloam("pack {}", std::string(GLOAM_GLSL_DIR "/passes/") + name));
         EXPECT_THAT(result, HasSubstr("void main()")) << name;
         EXPECT_THAT(result, Not(HasSubstr("#if"))) << name;
@@ -101,7 +101,7 @@ TEST_F(Pack, CountsLines) {
 TEST_F(Pack, BadInputIsNamed) {
     expect_could_not_run(gloam("pack"), "--effect");
     expect_could_not_run(gloam("pack --method disc"), "--effect");
-    expect_could_not_run(gloam("pack {} --version 300es", GLOAM_GLSL_DIR "/passes/reproject.comp"),
+    expect_could_not_run(gloam("pack {} --version 300es", GLOAM_GLSL_DIR "/passes/study/reproject.comp"),
                          "reproject.comp");
     expect_could_not_run(gloam("pack {} --npm {}", halton, path("npm").string()), "file excludes --npm");
     expect_could_not_run(gloam("pack --effect --npm {}", path("npm").string()), "--effect excludes --npm");
@@ -235,45 +235,19 @@ TEST_F(PackEffect, AnotherLanguageBesideGlsl) {
 // With whatever else there is in the passes.
 TEST_F(PackEffect, EveryOptionCompiles) {
     for (const std::vector<std::string>& options :
-         {std::vector<std::string>{"--tiles", "--preset", "balanced"},
-          {"--moving-objects", "--orthographic", "--reconstruct-normals"},
+         {std::vector<std::string>{"--moving-objects", "--orthographic", "--reconstruct-normals"},
           {"--method", "ssdo", "--set", "layers=3", "--set", "remap_b=2"},
-          {"--set", "remap_b=2", "--tiles", "--set", "precision=packed"},
-          {"--set", "resolution=half", "--moving-objects", "--preset", "tssao-paper", "--set", "layers=2",
-           "--depth", "buffer"},
-          {"--set", "resolution=half", "--orthographic", "--reconstruct-normals", "--preset", "balanced",
-           "--tiles"}}) {
+          {"--moving-objects", "--preset", "tssao-paper", "--set", "layers=2", "--depth", "buffer"}}) {
         pack(options);
         expect_compiles();
     }
-}
-
-// "balanced" holds its history packed: so say the shaders, the header and the tables.
-TEST_F(PackEffect, FormatsAreThoseOfThePreset) {
-    pack(words("--preset balanced"));
-    EXPECT_THAT(read_file(out() / "ambient_occlusion.comp"), HasSubstr("#define GLOAM_HISTORY rgba16ui\n"));
-    EXPECT_EQ(named(description()["images"], "history_after")["format"], "VK_FORMAT_R16G16B16A16_UINT");
-    EXPECT_THAT(read_file(out() / "gloam_effect.h"),
-                HasSubstr("{\"history_after\", VK_FORMAT_R16G16B16A16_UINT,"));
-    const json all = description();
-    for (const json& pass : all.at("passes")) {
-        for (const json& binding : pass.at("bindings")) {
-            if (!binding["resource"].get<std::string>().starts_with("history")) continue;
-            if (binding["writes"])
-                EXPECT_EQ(binding["format"], "rgba16ui") << pass["name"];
-            else
-                EXPECT_EQ(binding["type"], "VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER") << pass["name"];
-        }
-    }
-    pack(words("--preset tssao-paper"));
-    EXPECT_EQ(named(description()["images"], "history_after")["format"], "VK_FORMAT_R32G32B32A32_SFLOAT");
 }
 
 // Each binding is to a resource that is listed, each image is used, and what one pass writes and another
 // reads has a barrier.
 TEST_F(PackEffect, TheTablesAgree) {
     for (const char* method : {"hemisphere", "mssao", "separable"}) {
-        pack(words("--method {} --preset tssao-paper --tiles", method));
+        pack(words("--method {} --preset tssao-paper", method));
         const json all = description();
         std::set<std::string> resources;
         for (const char* kind : {"images", "buffers"})
@@ -310,11 +284,11 @@ TEST_F(PackEffect, PreparationComesWithTheMethod) {
 
 // tests/effect/opengl_passes_test.cpp compiles them with a driver.
 TEST_F(PackEffect, PassesInES) {
-    pack(words("--version 310es --tiles --preset tssao-paper"));
+    pack(words("--version 310es --moving-objects --preset tssao-paper"));
     const std::string shader = read_file(out() / "reproject.comp");
     EXPECT_THAT(shader, StartsWith("#version 310 es\n"));
     EXPECT_THAT(shader, HasSubstr("layout(binding = 0, std140) uniform Parameters {"));
-    EXPECT_THAT(shader, HasSubstr("const bool listed = true;"));
+    EXPECT_THAT(shader, HasSubstr("const bool moving_objects = true;"));
     EXPECT_THAT(shader, Not(HasSubstr("constant_id")));
     EXPECT_THAT(read_file(out() / "README.md"), HasSubstr("GLSL ES file"));
 }

@@ -53,7 +53,6 @@ TEST_F(RenderErrors, Settings) {
     expect_refused(words("corner --set guard=1"), "guard 1: expected 0 to 0.5");
     expect_refused(words("corner --set radius=1"), "--radius");
     expect_refused(words("corner --set method=disc"), "--method");
-    expect_refused(words("corner --set precision=packed --set weight_max=4096"), "at most 4095");
 }
 
 TEST_F(RenderErrors, PresetsOfAFile) {

@@ -114,8 +114,8 @@ TEST_F(List, SettingsWithDefaultAndRange) {
     for (const char* line :
          {"samples            k_1: for each pixel that has not converged, in each frame (balanced: 10 "
           "samples; ",
-          "skip_settled       off: tiles that would not change are shaded, to the same result (balanced: on; "
-          "on or off)"})
+          "guard_history      the band is sampled too: what moves in from it has a history (balanced: on; on "
+          "or off)"})
         EXPECT_THAT(result.out, HasSubstr(line));
     const auto settings = json::parse(gloam("list settings --json").out).at("settings");
     EXPECT_EQ(line_count(result.out), static_cast<int>(settings.size()));

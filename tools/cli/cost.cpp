@@ -158,17 +158,18 @@ double pixels_of_invocation(const effect::PlannedPass& pass, const shader::Spirv
 }
 
 // The plan of a preset. The frame takes depth and normals as most engines store them.
-effect::Plan plan_of_preset(const CostCommand& command) {
+effect::Plan plan_of_preset(const CostCommand& command, const scene::PassLibrary& library) {
     effect::Settings settings = preset_settings(command.preset);
     for (const std::string& assignment : command.set) apply(settings, assignment);
     effect::PlanOptions options{.first = true};
     if (settings.passes == effect::Passes::frame) options.encoding = {.depth_buffer = true, .unorm = true};
-    return effect::plan_of(settings, options);
+    return effect::plan_of(settings, options, library);
 }
 
 // Bytes of the images and buffers that a frame of a preset needs beside those of the engine.
 double memory_of_preset(const CostCommand& command) {
-    const effect::Plan plan = plan_of_preset(command);
+    const effect::Plan plan =
+        plan_of_preset(command, scene::PassLibrary(glsl_directory(), cache_directory()));
     double bytes = 0.0;
     for (const effect::PlannedImage& image : plan.images)
         for (std::uint32_t level = 0; level < image.levels; ++level)
@@ -180,8 +181,8 @@ double memory_of_preset(const CostCommand& command) {
 std::vector<CostRow> cost_of_preset(const CostCommand& command) {
     const gpu::Extent extent = effect::PlanOptions{}.view;
     const double view = 1.0 * extent.width * extent.height;
-    const effect::Plan plan = plan_of_preset(command);
     const scene::PassLibrary library(glsl_directory(), cache_directory());
+    const effect::Plan plan = plan_of_preset(command, library);
     std::vector<CostRow> rows;
     for (const effect::PlannedPass& pass : plan.passes) {
         if (pass.turn == effect::Turn::once) continue;

@@ -60,7 +60,7 @@ struct FrameReport {
     gpu::Extent extent;
     effect::Settings settings;
     std::vector<effect::PassTime> times;
-    effect::Work work;
+    double samples = 0.0;           // asked of a pixel with a surface, mean
     double mean_convergence = 0.0;  // over the pixels with geometry
     HistoryReport history;
     std::optional<double> flicker;  // of the filtered image, from the frame before

@@ -81,7 +81,6 @@ ordered_json history_json(const HistoryReport& history) {
 }
 
 ordered_json frame_json(const FrameReport& frame) {
-    const effect::Work& work = frame.work;
     ordered_json json{{"frame", frame.number},
                       {"width", frame.extent.width},
                       {"height", frame.extent.height},
@@ -89,23 +88,8 @@ ordered_json frame_json(const FrameReport& frame) {
                       {"radius", frame.settings.radius},
                       {"bias", frame.settings.bias},
                       {"times_ms", times_json(frame.times)},
-                      {"samples", work.samples},
-                      {"convergence", frame.mean_convergence},
-                      {"pixels", work.pixels},
-                      {"pixels_skipped",
-                       {{"background", work.background},
-                        {"radius_below_pixel", work.below_radius},
-                        {"filter_converged", work.converged}}},
-                      {"tiles", work.tiles},
-                      {"tiles_skipped",
-                       {{"background", work.tiles_background},
-                        {"nothing_to_sample", work.tiles_skipped - work.tiles_background}}},
-                      {"tiles_shaded", work.tiles_shaded},
-                      {"tiles_filtered", work.tiles_filtered},
-                      {"tiles_left_out",
-                       {{"background", work.tiles_blank},
-                        {"settled", work.tiles_settled},
-                        {"filtered_enough", work.tiles_unfiltered}}}};
+                      {"samples", frame.samples},
+                      {"convergence", frame.mean_convergence}};
     if (frame.scene_frame) json["scene_frame"] = *frame.scene_frame;
     if (frame.flicker) json["flicker"] = *frame.flicker;
     if (frame.truth) json["truth"] = truth_json(*frame.truth);
@@ -119,16 +103,12 @@ std::string errors_line(const char* what, const effect::Errors& e) {
 }
 
 std::string work_lines(const FrameReport& frame) {
-    const effect::Work& work = frame.work;
     std::string text;
     for (const effect::PassTime& time : frame.times)
         text += fmt::format("{}{} {:.2f} ms", text.empty() ? "" : ", ", time.pass, time.ms);
-    if (work.pixels == 0) return text + "\n";
-    return text + fmt::format(
-                      "\n{} of {} pixels sampled ({} background, {} of a radius below a pixel), {} samples, "
-                      "mean convergence {:.3f}\n",
-                      work.pixels - work.background - work.below_radius, work.pixels, work.background,
-                      work.below_radius, work.samples, frame.mean_convergence);
+    if (frame.samples == 0.0) return text + "\n";
+    return text + fmt::format("\n{:.1f} samples of a pixel, mean convergence {:.3f}\n", frame.samples,
+                              frame.mean_convergence);
 }
 
 }  // namespace

@@ -220,7 +220,7 @@ class Renderer {
                           .extent = frame.extent,
                           .settings = settings,
                           .times = frame.times,
-                          .work = frame.work,
+                          .samples = frame.samples,
                           .mean_convergence = mean_convergence(frame, view),
                           .history = history_of(frame, view),
                           .flicker = history_.flicker()};

@@ -41,11 +41,11 @@ class Bytes {
 // The folders of the shaders that the effect of the page is made from.
 struct ShaderFolders {
     std::filesystem::path library;  // with gloam/ and passes/
-    std::filesystem::path page;     // with occlusion.frag
+    std::filesystem::path page;     // with whole_image.vert
 };
 
-// What AmbientOcclusion needs (effect/ambient-occlusion.js), as JSON: gloam's own presets, their methods, and
-// the passes by name. Throws like shader::pack().
+// What AmbientOcclusion needs (effect/ambient-occlusion.js), as JSON: gloam's own presets, and the passes by
+// name. Throws like shader::pack().
 [[nodiscard]] std::string effect_json(const ShaderFolders& folders);
 
 // The passes that draw a scene of the page and show it (page/picture.js), by name, as JSON.

@@ -20,7 +20,6 @@
 // Returns occlusion in [0, 1], between the smallest and the largest of the pixels used; background, and occlusion
 // outside [0, 1] or NaN, have no weight. The pixel's own value (taken into [0, 1], 0 for NaN) where it is background.
 // Error: 6e-7.
-// No method or pass here calls it: it is ISSAO, eq 7; the pass filters whole rows.
 float gloam_bilateral_filter(ivec2 pixel, ivec2 half_width, ivec2 size, float sigma_d, float sigma_r) {
     float own = gloam_fetch_occlusion(pixel);
     float center = gloam_fetch_depth(pixel);

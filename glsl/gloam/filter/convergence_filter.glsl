@@ -30,7 +30,6 @@ vec3 gloam_fetch_position(ivec2 pixel);
 // into [0, 1], 0 for NaN) where the window has shrunk to nothing (no neighbour is read), at background, and where K <
 // 1e-8: nothing near has converged.
 // Error: 8e-7.
-// No method or pass here calls it: it is TSSAO, eqs 10 and 11; the pass filters whole rows.
 float gloam_convergence_filter(ivec2 pixel, ivec2 axis, ivec2 size, int half_width, float c_adaptive, float sigma) {
     vec2 own = gloam_fetch_occlusion_convergence(pixel);
     float reach = float(max(half_width, 0)) * gloam_shrink(own.y, c_adaptive);

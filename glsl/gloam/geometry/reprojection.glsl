@@ -74,7 +74,7 @@ vec4 gloam_previous_clip_moving(vec4 clip, mat4 inverse_projection, mat4 inverse
 // (both affine).
 // Returns the position in world units; the zero vector where it is not finite. Error: 4 ulp of the largest component,
 // or 1.2e-4 where sums cancel whose terms add up to no more than 200 units: 6e-7 of them.
-// No method or pass here calls it: it is TSSAO, the reprojection; the pass reads displacements.
+// No method or pass here calls it: it is TSSAO, the reprojection; the pass reads positions in view space.
 vec3 gloam_previous_world(vec3 world, mat4 inverse_model, mat4 previous_model) {
     vec4 previous = previous_model * (inverse_model * vec4(world, 1.0));
     return gloam_is_finite3(previous.xyz) ? previous.xyz : vec3(0.0);

@@ -4,10 +4,6 @@
 
 #include "gloam/sampling/radical_inverse.glsl"
 
-// The files of this folder compute the part of a sample that all pixels share; it depends on the sample's number alone.
-// A shader that has it in a table defines the include guard and the function before it includes the method
-// (passes/samples/table.glsl). A look-up then replaces the computation.
-
 // point of a sample: halton (POINTS-halton): `HALTON in bases 2, 3, 5` [TSSAO, eqs 13 and 14].
 // Point of the three-dimensional Halton sequence (HALTON), of which slices and rays are made.
 // index: number of the point, 1 for the first. Returns a point in [0, 1)^3. Error: at most 2 ulp.

@@ -55,9 +55,9 @@ bool gloam_probe_useful(vec3 offset, vec3 normal) {
 // else 0` [TSSAO, eq 9].
 // gloam_neighborhood_change for the surface points under samples, without a branch. What could not block the point in
 // either frame does not count. Lengths are subtracted here; that they lose digits does not matter within the reach.
-// now: a, from the point to the sample, world units. before: b, the same in the previous frame; the camera's own motion
-// changes no distance, so b may be a and the difference of both displacements. normal: n of the point, unit vector,
-// space of a. reach: r, how far what blocks may be, world units, >= 0.
+// now: a, from the point to the sample, world units. before: b, the same in the previous frame, in any space: the
+// camera's own motion changes no distance. normal: n of the point, unit vector, space of a. reach: r, how far what
+// blocks may be, world units, >= 0.
 // Returns the change in world units, >= 0; 0 for what does not count, and for NaN in a or n; the largest float where
 // the change is infinite or NaN. Lengths are below 1e18. Error: 1.5e-7 of the larger length.
 float gloam_probe_change(vec3 now, vec3 before, vec3 normal, float reach) {

@@ -30,16 +30,11 @@ GloamFrameTexel texel_at(ivec2 place) {
     return texels[place.y][place.x];
 }
 
-void show(ivec2 pixel, ivec2 place) {
-    vec4 sums = filtered(place);
-    float shown = sums.z / sums.w;
-    if (history) {
-        vec4 kept;
-        float moved = moved_around(ivec2(half_width));  // around the first pixel, for both
-        shown = accumulated(pixel, texel_at(place).depth, sums, moved, parameters.history, kept);
-        imageStore(history_image, pixel, kept);
-    }
-    imageStore(result_image, pixel, vec4(shown));
+void show(ivec2 first, int odd) {
+    ivec2 pixel = first + ivec2(odd, 0);
+    vec4 kept;
+    imageStore(result_image, pixel, vec4(shown(pixel, ivec2(half_width), odd, kept)));
+    if (history) imageStore(history_image, pixel, kept);
 }
 
 void main() {
@@ -54,6 +49,6 @@ void main() {
             texels[y + 1][x + 1] = gloam_frame_texel(four.y);
         }
     }
-    show(pixel, ivec2(half_width));
-    show(pixel + ivec2(1, 0), ivec2(half_width + 1, half_width));
+    show(pixel, 0);
+    show(pixel, 1);
 }

@@ -5,6 +5,7 @@ uniform highp usampler2D texel_image;  // nearest, clamped to the edge
 uniform highp sampler2D before_image;
 uniform highp sampler2D depth_before_image;
 layout(location = 0) out highp float occlusion;
+layout(location = 1) out highp vec4 kept;  // in sequences: the history
 
 #include "passes/frame/filter.glsl"
 
@@ -13,6 +14,7 @@ GloamFrameTexel texel_at(ivec2 place) {
 }
 
 void main() {
-    vec4 sums = filtered(ivec2(0));
-    occlusion = sums.z / sums.w;
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    int odd = pixel.x & 1;
+    occlusion = shown(pixel, ivec2(-odd, 0), odd, kept);
 }

@@ -34,14 +34,9 @@ GloamFrameTexel texel_at(ivec2 place) {
 
 void show(ivec2 first, ivec2 odd, float depth) {
     ivec2 pixel = first + odd;
-    vec4 sums = joined(odd, depth);
-    float shown = sums.z / sums.w;
-    if (history) {
-        vec4 kept;
-        shown = accumulated(pixel, depth, sums, moved_around(), parameters.history, kept);
-        imageStore(history_image, pixel, kept);
-    }
-    imageStore(result_image, pixel, vec4(shown));
+    vec4 kept;
+    imageStore(result_image, pixel, vec4(shown(pixel, odd, depth, kept)));
+    if (history) imageStore(history_image, pixel, kept);
 }
 
 void main() {

@@ -6,6 +6,7 @@ uniform highp sampler2D before_image;
 uniform highp sampler2D depth_before_image;
 uniform highp sampler2D depth_image;   // of prepare; likewise
 layout(location = 0) out highp float occlusion;
+layout(location = 1) out highp vec4 kept;  // in sequences: the history
 
 #include "passes/frame/join.glsl"
 
@@ -16,6 +17,5 @@ GloamFrameTexel texel_at(ivec2 place) {
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec4 sums = joined(pixel & 1, texelFetch(depth_image, pixel, 0).x);
-    occlusion = sums.z / sums.w;
+    occlusion = shown(pixel, pixel & 1, abs(texelFetch(depth_image, pixel, 0).x), kept);
 }

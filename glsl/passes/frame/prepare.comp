@@ -10,40 +10,18 @@
 //   6        level 0 of the frame before, in sequences; nearest texel, clamped to the edge
 layout(local_size_x = 16, local_size_y = 8) in;
 
-layout(constant_id = 1) const bool orthographic = false;  // both cameras; else perspective
-layout(constant_id = 8) const bool history = false;       // there was a frame before
-
 layout(binding = 0) uniform highp sampler2D stored_image;
 layout(binding = 1, r16f) uniform writeonly highp image2D level_0;
 layout(binding = 2, r16f) uniform writeonly highp image2D level_1;
 layout(binding = 3, r16f) uniform writeonly highp image2D level_2;
 layout(binding = 4, r16f) uniform writeonly highp image2D level_3;
 layout(binding = 5, r16f) uniform writeonly highp image2D level_4;
-
 layout(binding = 6) uniform highp sampler2D depth_before_image;
 
-layout(push_constant) uniform Parameters {
-    mat4x3 before;   // where a pixel's point was (gloam/temporal/frame_history.glsl)
-    vec2 numerator;  // of depth in radii (gloam/sampling/depth_levels.glsl)
-    vec2 divisor;
-    vec2 inverse_size;
-    float far;
-} parameters;
+#include "passes/frame/prepare.glsl"
 
-#include "gloam/sampling/depth_levels.glsl"
-#include "gloam/temporal/frame_history.glsl"
-
-float depth_of(float stored) {
-    return gloam_level_depth(stored, parameters.numerator, parameters.divisor, parameters.far);
-}
-
-// -1 where the frame before did not show the surface of a pixel, which stands for its block; else 1.
-float sign_of(ivec2 pixel, float depth) {
-    if (!history) return 1.0;
-    vec3 was = gloam_frame_before(vec2(pixel), depth, parameters.before[0], parameters.before[1], parameters.before[2],
-                                  parameters.before[3], orthographic);
-    vec4 before = abs(textureGather(depth_before_image, was.xy));
-    return gloam_frame_moved(was.z, before, 0.5 * GLOAM_FARTHEST_LEVEL_DEPTH, 0.01) ? -1.0 : 1.0;
+vec4 levels_before(vec2 at) {
+    return textureGather(depth_before_image, at);
 }
 
 void main() {

@@ -2,21 +2,26 @@
 #version 450
 // prepare.comp as a fragment shader: one draw for each level.
 uniform highp sampler2D stored_image;
+uniform highp sampler2D depth_before_image;
+uniform int level;  // that is drawn
 layout(location = 0) out highp float depth;
 
-#include "gloam/sampling/depth_levels.glsl"
-#include "passes/frame/parameters.glsl"
+#include "passes/frame/prepare.glsl"
 
-struct LevelParameters {
-    vec2 numerator;  // of depth in radii (gloam/sampling/depth_levels.glsl)
-    vec2 divisor;
-    float far;
-    int level;  // that is drawn
-};
-FRAME_PARAMETERS(LevelParameters)
+vec4 levels_before(vec2 at) {
+    vec2 first = at - 0.5 * parameters.inverse_size;
+    vec2 last = at + 0.5 * parameters.inverse_size;
+    return vec4(textureLod(depth_before_image, first, 0.0).x, textureLod(depth_before_image, last, 0.0).x,
+                textureLod(depth_before_image, vec2(first.x, last.y), 0.0).x,
+                textureLod(depth_before_image, vec2(last.x, first.y), 0.0).x);
+}
+
+float depth_at(ivec2 pixel) {
+    return depth_of(texelFetch(stored_image, min(pixel, textureSize(stored_image, 0) - 1), 0).x);
+}
 
 void main() {
-    ivec2 pixel = (ivec2(gl_FragCoord.xy) << parameters.level) + (1 << parameters.level >> 1);
-    float stored = texelFetch(stored_image, min(pixel, textureSize(stored_image, 0) - 1), 0).x;
-    depth = gloam_level_depth(stored, parameters.numerator, parameters.divisor, parameters.far);
+    ivec2 pixel = (ivec2(gl_FragCoord.xy) << level) + (1 << level >> 1);
+    ivec2 first = pixel & ~1;  // of its block
+    depth = sign_of(first, depth_at(first)) * depth_at(pixel);
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Filters that stop at edges, and an image of half the resolution: which pixels it stands for, and how its
-// result comes back to full size.
+// Filters that stop at edges, and which pixels an image of half the resolution stands for.
 #include <cmath>
 #include <limits>
 
@@ -118,77 +117,12 @@ void append_edge_aware(Entries& entries) {
     append_geometry_blur(entries);
 }
 
-void append_half(Entries& entries) {
+void append_filter_resolution(Entries& entries) {
     const Values size = integers(0, 1 << 30);
     add(entries, "HALF-size", &reference::gloam_half_size,
         {.domain = {either(vector(2, integers(0, 9)), vector(2, size))}});
     add(entries, "HALF-source", &reference::gloam_half_source,
         {.domain = {vector(2, integers(-(1 << 29), 1 << 29))}});
-    add(entries, "HALF-shift", &reference::gloam_half_shift,
-        {.domain = {either(signed_log_uniform(0.1, 10), signed_log_uniform(1e-12, 1e12)).and_special(),
-                    either(integers(-2, 9), log_integers(1 << 24))},
-         .budget = {.ulp = 3.5},
-         .codomain = {-5.000002e8, 5.000002e8}});
-    add(entries, "HALF-normal", &reference::gloam_half_normal,
-        {.domain = {unit_vector(3).and_special(),
-                    either(vector(2, signed_log_uniform(1e-5, 0.35)), vector(2, constant(0.0F)))},
-         .budget = {.absolute = 4e-7},
-         .codomain = {-1.000001, 1.000001}},
-        [](glm::dvec3 normal, glm::dvec2 shift) {
-            return moderate(1e-18, 1e18, normal) && moderate(0.0, 0.5, shift);
-        });
-}
-
-// Depths of a surface and of what is in front of it or behind.
-float any_depth(numeric::Random& random, float around) {
-    if (random.below(16) == 0) return random.below(2) == 0 ? INFINITY : 0.0F;
-    const double spread = random.below(2) == 0 ? 0.02 : 2.0;
-    return around * static_cast<float>(std::exp(random.uniform(-spread, spread)));
-}
-
-Values four_depths() {
-    return made_by<glm::vec4>([](numeric::Random& random) {
-        glm::vec4 all(0);
-        for (int i = 0; i < 4; ++i) all[i] = any_depth(random, 1.0F);
-        return all;
-    });
-}
-
-// Whether no two pixels are equally far from a depth within rounding.
-bool one_is_nearest(double depth, glm::dvec4 depths) {
-    for (int i = 0; i < 4; ++i) {
-        for (int k = 0; k < i; ++k) {
-            const double a = std::abs(depths[i] - depth);
-            const double b = std::abs(depths[k] - depth);
-            if (std::isfinite(a) && std::isfinite(b) && !(std::abs(a - b) > 1e-6 * (a + b))) return false;
-        }
-    }
-    return true;
-}
-
-void append_upsampling(Entries& entries) {
-    const Values depth = either(uniform(0.95, 1.05), log_uniform(0.1, 10)).and_special();
-    add(entries, "UPSAMPLE-continues", &reference::gloam_upsample_continues,
-        {.domain = {depth, depth, depth, booleans()}, .budget = {.backward_ulp = 2}});
-    add(entries, "UPSAMPLE-nearest", &reference::gloam_upsample_nearest,
-        {.domain = {uniform(0.9, 1.1), four_depths(), vector(4, uniform(0, 1))},
-         .budget = {.backward_ulp = 1},
-         .codomain = {0, 1}});
-    add(entries, "UPSAMPLE", &reference::gloam_upsample,
-        {.domain = {either(uniform(0.97, 1.03), log_uniform(0.1, 10)).and_special(), four_depths(),
-                    vector(4, uniform(0, 1).and_special()), booleans()},
-         .budget = {.absolute = 1.2e-7, .backward_ulp = 2},
-         .codomain = {0, 1}},
-        [](double depth, glm::dvec4 depths, glm::dvec4, bool orthographic) {
-            return one_is_nearest(depth, depths) ||
-                   reference::gloam_upsample_continues(depth, depths.x, depths.w, orthographic) ||
-                   reference::gloam_upsample_continues(depth, depths.y, depths.z, orthographic);
-        });
-}
-
-void append_filter_resolution(Entries& entries) {
-    append_half(entries);
-    append_upsampling(entries);
 }
 
 }  // namespace

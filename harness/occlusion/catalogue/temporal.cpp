@@ -113,46 +113,6 @@ void append_history(Entries& entries) {
          .codomain = {0, 1}});
 }
 
-Values coded_depths() {
-    return either(log_uniform(1e-3, 1e6), log_uniform(1e-12, 1e12))
-        .and_near({0x1p-126, 0x1p-31, 0x1p32, 0x1.fffffep127})
-        .and_special();
-}
-
-// Members of 16 bits, and some larger ones.
-Values members() {
-    return either(log_integers(65535), log_integers(4294967295)).and_near_integers({32768, 65535});
-}
-
-void append_packed_history(Entries& entries) {
-    add_exact(entries, "PACKED-round", &reference::gloam_round_half_up,
-              {either(uniform(0, 70000), log_uniform(1e-30, 8388608))});
-    add_exact(entries, "PACKED-depth", &reference::gloam_depth_to_code, {coded_depths()});
-    add_exact(entries, "PACKED-depth-of", &reference::gloam_depth_from_code, {members()});
-    const Values history =
-        vector({uniform(0, 1).and_near({0.0, 1.0}).and_special(),
-                either(uniform(0, 5000), log_uniform(1e-30, 1e30)).and_near({4095.0}).and_special(),
-                log_integers(4294967295).and_near_integers({65536, 16777216}), coded_depths()});
-    add_exact(entries, "PACKED-encode", &reference::gloam_history_encode, {history});
-    const Values packed = vector({members(), members(), members(), members()});
-    add_exact(entries, "PACKED-texel", &reference::gloam_packed_texel, {packed});
-    add_exact(entries, "PACKED-decode", &reference::gloam_history_decode, {packed});
-}
-
-void append_displacement(Entries& entries) {
-    const Values component = either(uniform(-8, 8), log_uniform(1e-30, 1e30)).and_special();
-    const Values unit = either(uniform(1e-4, 1e-3), log_uniform(1e-6, 1));
-    add(entries, "DISPLACED-code", &reference::gloam_displacement_to_code,
-        {.domain = {either(vector(3, component), vector(3, uniform(-0.05, 0.05))), unit},
-         .budget = {.backward_ulp = 4},
-         .codomain = {0, 4294967295.0}},
-        [](glm::dvec3 displacement, double) { return moderate(1e-30, 1e30, displacement); });
-    add(entries, "DISPLACED-of", &reference::gloam_displacement_from_code,
-        {.domain = {log_integers(4294967295).and_near_integers({134217727, 4227727103}), unit},
-         .budget = {.ulp = 1},
-         .codomain = {-0x1p40, 0x1p40}});
-}
-
 void append_disocclusion(Entries& entries) {
     const Values depth =
         either(uniform(1, 4), log_uniform(1e-3, 1e6)).and_near({0x1p-126, float_max}).and_special();
@@ -303,8 +263,6 @@ void append_temporal_smoothing(Entries& entries) {
 void append_temporal(Entries& entries) {
     append_accumulation(entries);
     append_history(entries);
-    append_packed_history(entries);
-    append_displacement(entries);
     append_validity(entries);
     append_reprojection(entries);
     append_temporal_smoothing(entries);

@@ -23,28 +23,8 @@ struct PassTime {
     double ms = 0.0;
 };
 
-// What a frame computed and what it skipped, counted on the device. A guard band counts where it is
-// sampled. Tiles are the passes' groups, 8 x 8 pixels. With Resolution::half pixels are those of the
-// half-size images.
-struct Work {
-    std::uint64_t pixels = 0;
-    std::uint64_t background = 0;    // pixels skipped: no geometry
-    std::uint64_t below_radius = 0;  // pixels skipped: projected radius below Settings::least_radius
-    std::uint64_t converged = 0;     // pixels that the filter did not change, without background
-    std::uint64_t samples = 0;       // samples that entered a mean
-    std::uint64_t tiles = 0;
-    std::uint64_t tiles_background = 0;  // tiles without any geometry
-    std::uint64_t tiles_skipped = 0;     // tiles without a pixel to sample, those without geometry included
-    std::uint64_t tiles_shaded = 0;      // tiles on which the occlusion pass ran
-    std::uint64_t tiles_filtered = 0;    // tiles on which the filter ran; 0 without a filter
-    std::uint64_t tiles_blank = 0;       // tiles skipped: all images already show background
-    std::uint64_t tiles_settled = 0;     // tiles skipped: nothing moves, and no pixel asks for a sample
-    std::uint64_t tiles_unfiltered = 0;  // tiles skipped by the filter: it would change no pixel
-};
-
 // One frame, rows from the top, without the view's guard band. Occlusion is 1 where blocked, 0 at the
-// background, always in [0, 1]. With Resolution::half, `filtered` is the result at the view's size. The other
-// images then hold what belongs to each pixel's block of 2 x 2; without a filter `occlusion` is `filtered`.
+// background, always in [0, 1].
 struct Frame {
     gpu::Extent extent;
     std::vector<float> occlusion;    // the accumulated estimate, remapped where the settings say so
@@ -53,7 +33,7 @@ struct Frame {
                                      // history and a filter
     std::vector<float> kept;         // samples that the pixel's history holds; 0: it has no history
     std::vector<PassTime> times;     // in the order in which the passes ran
-    Work work;
+    double samples = 0.0;  // asked of a pixel with a surface, mean: k_1, or k_2 where it has converged
     std::uint64_t memory_bytes = 0;  // of the images and buffers that the passes used
 };
 

@@ -14,6 +14,12 @@ namespace {
 
 using enum gpu::Format;
 
+// Push constants of composite.comp.
+struct Parameters {
+    glm::ivec2 size;
+    std::uint32_t multi_bounce;
+};
+
 void require(std::size_t found, std::size_t expected, const char* what) {
     if (found == expected) return;
     throw std::invalid_argument(fmt::format("composite: {} {}, expected {}", found, what, expected));
@@ -22,7 +28,7 @@ void require(std::size_t found, std::size_t expected, const char* what) {
 }  // namespace
 
 Composite::Composite(const gpu::Device& device, const scene::PassLibrary& passes)
-    : device_(&device), pipeline_(pipeline_of(device, passes, {.file = "composite.comp"})) {}
+    : device_(&device), pipeline_(pipeline_of(device, passes, {.file = "study/composite.comp"})) {}
 
 void Composite::watch(PassWatcher watcher) {
     watcher_ = std::move(watcher);
@@ -47,9 +53,9 @@ std::vector<glm::vec3> Composite::lit(gpu::Extent extent, const scene::SplitLigh
     shown.upload(values);
     gpu::Image color(*device_, albedo.empty() ? gpu::Extent{1, 1} : extent, rgba32f);
     if (!albedo.empty()) color.upload(texels_of(albedo));
-    const CompositeParameters parameters{{extent.width, extent.height}, flag(!albedo.empty())};
+    const Parameters parameters{vector_of_size(extent), flag(!albedo.empty())};
     const Step step{"composite", &pipeline_, {ambient, direct, shown, image, color}, bytes_of(parameters)};
-    (void)run(*device_, std::span(&step, 1), groups_for(extent), 1, {}, watcher_);
+    (void)run(*device_, std::span(&step, 1), groups_for(extent), 1, watcher_);
     return vectors_of(image.download());
 }
 

@@ -77,10 +77,10 @@ struct Directional::Impl {
                const scene::GBuffer& view, const Settings& settings, std::uint32_t interleave = 0) {
         std::vector<std::string> bound{"depth", "normal", "method", out};
         bound.insert(bound.end(), read.begin(), read.end());
-        const PlannedPass pass =
-            single_pass(name, directional_source(name, interleave), std::move(bound),
-                        directional_parameters({view.camera, view.extent, view.border}, settings),
-                        groups_for(view.extent));
+        Values values = values_of({view.camera, view.extent, view.border}, settings);
+        values.set("interleave", interleave);
+        const PlannedPass pass = executor.planned(name, {.file = "study/" + name + ".comp"}, std::move(bound),
+                                                  values, groups_for(view.extent));
         executor.run(std::span(&pass, 1), resources, watcher);
     }
 };

@@ -12,7 +12,6 @@
 #include "effect/internal/executor.hpp"
 #include "effect/internal/frame_images.hpp"
 #include "effect/internal/passes.hpp"
-#include "effect/internal/work.hpp"
 #include "scene/gbuffer.hpp"
 #include "shader/reflection.hpp"
 
@@ -151,14 +150,6 @@ void Resources::restart(const Plan& plan) {
     }
 }
 
-void Resources::refill(const Plan& plan) {
-    for (const PlannedBuffer& planned : plan.buffers) {
-        if (!planned.refilled) continue;
-        if (planned.contents.empty()) clear(buffer(planned.name));
-        fill(buffer(planned.name), planned.contents);
-    }
-}
-
 void Resources::exchange(std::span<const std::array<std::string, 2>> pairs) {
     for (const auto& names : pairs) {
         swap_named(images_, names);
@@ -194,6 +185,33 @@ gpu::Resource Resources::at(const std::string& name, const std::string& format) 
 Executor::Executor(const gpu::Device& device, scene::PassLibrary library)
     : device_(&device), library_(std::move(library)) {}
 
+const Executor::Module& Executor::module(const PassSource& source) {
+    PassSource without = source;
+    without.constants.clear();
+    const std::string key = key_of(without);
+    const auto known = modules_.find(key);
+    if (known != modules_.end()) return known->second;
+    shader::Spirv spirv = module_of(*device_, library_, without);
+    shader::ModuleInterface interface = shader::reflect(spirv);
+    return modules_.emplace(key, Module{std::move(spirv), std::move(interface)}).first->second;
+}
+
+const shader::ModuleInterface& Executor::interface_of(const PassSource& source) {
+    return module(source).interface;
+}
+
+PlannedPass Executor::planned(std::string name, PassSource source, std::vector<std::string> resources,
+                              const Values& values, std::array<std::uint32_t, 3> groups) {
+    const shader::ModuleInterface& interface = interface_of(source);
+    source.constants = values.constants(interface, source.file);
+    std::vector<std::byte> parameters = values.push_constants(interface, source.file).bytes;
+    return {.name = std::move(name),
+            .source = std::move(source),
+            .resources = std::move(resources),
+            .parameters = std::move(parameters),
+            .groups = groups};
+}
+
 const Executor::Compiled& Executor::compiled(const PlannedPass& pass, const Resources& resources) {
     std::string key = key_of(pass.source);
     const auto known = compiled_.find(key);
@@ -202,8 +220,7 @@ const Executor::Compiled& Executor::compiled(const PlannedPass& pass, const Reso
     for (const std::string& name : pass.resources)
         kinds.push_back(resources.has_buffer(name) ? gpu::BindingKind::storage_buffer
                                                    : gpu::BindingKind::storage_image);
-    const shader::Spirv spirv = module_of(*device_, library_, pass.source);
-    const shader::ModuleInterface interface = shader::reflect(spirv);
+    const auto& [spirv, interface] = module(pass.source);
     std::vector<std::string> formats(pass.resources.size(), "rgba32f");
     for (const shader::Binding& binding : interface.bindings) {
         if (binding.number >= formats.size()) continue;
@@ -230,10 +247,6 @@ std::vector<Step> Executor::steps(std::span<const PlannedPass> passes, const Res
                   .groups = pass.groups};
         for (std::size_t i = 0; i < pass.resources.size(); ++i)
             step.resources.push_back(resources.at(pass.resources[i], of_pass.formats[i]));
-        if (pass.list) {
-            step.indirect = &resources.buffer("tile_lists");
-            step.offset = *pass.list;
-        }
         steps.push_back(std::move(step));
     }
     return steps;
@@ -241,7 +254,7 @@ std::vector<Step> Executor::steps(std::span<const PlannedPass> passes, const Res
 
 void Executor::run(std::span<const PlannedPass> passes, const Resources& resources,
                    const PassWatcher& watcher) {
-    (void)effect::run(*device_, steps(passes, resources), {}, 1, {}, watcher);
+    (void)effect::run(*device_, steps(passes, resources), {}, 1, watcher);
 }
 
 namespace {
@@ -318,8 +331,8 @@ void take_linear(const scene::GBuffer& view, Resources& resources, Executor& exe
     if (!view.normal.empty()) return;
     (void)resources.image("normal", view.extent, gpu::Format::rgba32f);
     const PlannedPass pass =
-        single_pass("normals_from_depth", {.file = "normals_from_depth.comp"}, {"depth", "normal"},
-                    normal_parameters({view.camera, view.extent, view.border}), groups_for(view.extent));
+        executor.planned("normals_from_depth", {.file = "study/normals_from_depth.comp"}, {"depth", "normal"},
+                         values_of({view.camera, view.extent, view.border}, {}), groups_for(view.extent));
     executor.run(std::span(&pass, 1), resources, watcher);
 }
 

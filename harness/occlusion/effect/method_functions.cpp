@@ -14,7 +14,7 @@ std::string text_for(const MethodInfo& method, int layers, float farthest) {
         layers > 1 ? "" : "vec3 gloam_fetch_layers(ivec2 pixel) {\n    return vec3(0.0);\n}\n";
     return fmt::format(
         "#include \"{}\"\n"
-        "#include \"passes/method_values.glsl\"\n"
+        "#include \"passes/study/method_values.glsl\"\n"
         "{}"
         "struct GatherKernel {{\n    float radius;\n    float bias;\n    float angle;\n    uint first;\n    "
         "uint count;\n}};\n"

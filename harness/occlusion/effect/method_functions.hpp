@@ -16,10 +16,10 @@ namespace gloam::effect {
 // with
 //   vec2 method_gather(vec3 position, vec3 normal, GloamCamera camera, GatherKernel kernel, MethodValues
 //   values)
-// GatherKernel has the first five members of GloamKernel; MethodValues is that of passes/method_values.glsl.
-// The function returns (samples times occlusion, samples). If `layers` is more than 1, it reads the layers
-// behind the first by vec3 gloam_fetch_layers(ivec2). farthest: that member of GloamKernel, world units.
-// Throws std::runtime_error for a file that cannot be written.
+// GatherKernel has the first five members of GloamKernel; MethodValues is that of
+// passes/study/method_values.glsl. The function returns (samples times occlusion, samples). If `layers` is
+// more than 1, it reads the layers behind the first by vec3 gloam_fetch_layers(ivec2). farthest: that member
+// of GloamKernel, world units. Throws std::runtime_error for a file that cannot be written.
 class MethodFunctions {
   public:
     explicit MethodFunctions(int layers = 1, float farthest = std::numeric_limits<float>::infinity());

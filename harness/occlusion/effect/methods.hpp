@@ -15,7 +15,7 @@ namespace gloam::effect {
 // A pass that runs before ambient_occlusion.comp and writes a part of the prepared image.
 struct PreparationPass {
     std::string name;         // for its time; unique among the passes of the frame
-    std::string file;         // in glsl/passes/preparation
+    std::string file;         // in glsl/passes/study/preparation
     gpu::Extent invocations;  // in groups of 8 x 8
     int level = 0;            // passed to the shader as a constant
 };
@@ -134,7 +134,7 @@ struct MethodInfo {
 [[nodiscard]] bool reads(const MethodInfo& method, std::string_view setting);
 
 // GLSL call of the method's function, with the variables `position`, `normal`, `camera`, `kernel`, and
-// `values` of type MethodValues (passes/method_values.glsl).
+// `values` of type MethodValues (passes/study/method_values.glsl).
 [[nodiscard]] std::string call_of(const MethodInfo& method);
 
 [[nodiscard]] std::string to_string(Measure measure);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "effect/internal/frame.hpp"
 
-#include <algorithm>
-#include <span>
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "effect/methods.hpp"
@@ -10,238 +10,88 @@
 namespace gloam::effect {
 namespace {
 
-// of_view: the members that depend on the view or the frame.
-template <class Parameters, class... Members>
-Constants constants(const Parameters& all, Members Parameters::*... of_view) {
-    const auto bytes = std::as_bytes(std::span(&all, 1));
-    Constants result{{bytes.begin(), bytes.end()}, std::vector<bool>(sizeof all, false)};
-    [[maybe_unused]] const auto mark = [&](const auto& member) {
-        const auto first = std::as_bytes(std::span(&member, 1)).data() - bytes.data();
-        std::fill_n(result.of_view.begin() + first, sizeof member, true);
-    };
-    (mark(all.*of_view), ...);
-    return result;
-}
-
 // The source of a pass without definitions and constants.
-std::function<PassSource(const Moment&, List)> file(const char* name) {
-    return [name](const Moment&, List) { return PassSource{.file = name}; };
-}
-
-bool remaps_filtered(const Moment& moment) {
-    return moment.maps_images() && moment.filtered && !moment.half();
+std::function<PassSource(const Moment&)> file(const char* name) {
+    return [name](const Moment&) { return PassSource{.file = name}; };
 }
 
 std::vector<PassRow> rows_of_inputs() {
-    return {{.name = "sample_table",
-             .when = [](const Moment& m) { return m.tabulated.last >= m.tabulated.first; },
-             .source = [](const Moment& m,
-                          List) { return sample_table_source(method_named(m.settings.method).points); },
-             .resources = {"sample_table"},
-             .fill = [](const Moment& m) { return constants(m.tabulated); },
-             .cover = Cover::own,
-             .turn = Turn::once,
-             .groups = [](const Moment& m) -> std::array<std::uint32_t, 3> {
-                 const std::uint32_t samples = m.tabulated.last - m.tabulated.first + 1;
-                 return {(samples + sample_table_group - 1) / sample_table_group, 1, 1};
-             }},
-            {.name = "take_inputs",
+    return {{.name = "take_inputs",
              .when = [](const Moment& m) { return m.new_view && m.converted; },
-             .source = [](const Moment& m, List) { return input_source(m); },
-             .resources = {"stored_depth", "stored_normal", "full_depth", "full_normal"},
-             .fill =
-                 [](const Moment& m) {
-                     using P = InputParameters;
-                     return constants(input_parameters(m.given), &P::view_from_world, &P::p22_p32, &P::size);
-                 },
-             .cover = Cover::view},
+             .source = file("study/take_inputs.comp"),
+             .resources = {"stored_depth", "stored_normal", "depth", "normal"}},
             {.name = "normals_from_depth",
              .when = [](const Moment& m) { return m.new_view && !m.has_normals; },
-             .source = file("normals_from_depth.comp"),
-             .resources = {"full_depth", "full_normal"},
-             .fill =
-                 [](const Moment& m) {
-                     using P = NormalParameters;
-                     return constants(normal_parameters(m.given), &P::p00_p11, &P::size);
-                 },
-             .cover = Cover::view},
+             .source = file("study/normals_from_depth.comp"),
+             .resources = {"depth", "normal"}},
             {.name = "positions_from_motion",
              .when = [](const Moment& m) { return m.new_view && m.from_motion; },
-             .source = [](const Moment& m, List) { return motion_source(m.given, m.given_before); },
-             .resources = {"full_depth", "motion", "full_positions"},
-             .fill =
-                 [](const Moment& m) {
-                     using P = MotionParameters;
-                     return constants(motion_parameters(m.given, m.given_before), &P::previous_from_current,
-                                      &P::p00_p11, &P::previous_p00_p11, &P::size, &P::motion_unit);
-                 },
-             .cover = Cover::view},
-            {.name = "halve_inputs",
-             .when = [](const Moment& m) { return m.new_view && m.half(); },
-             .source = [](const Moment& m, List) { return halve_source(m); },
-             .resources = {"full_depth", "full_normal", "full_positions", "full_layers", "depth", "normal",
-                           "positions", "layers"},
-             .fill =
-                 [](const Moment& m) {
-                     using P = HalveParameters;
-                     const P all{m.given.camera.p00_p11(), m.given_before.camera.p00_p11(),
-                                 vector_of_size(m.given.extent)};
-                     return constants(all, &P::p00_p11, &P::previous_p00_p11, &P::size);
-                 },
-             .cover = Cover::halved}};
-}
-
-Constants select_constants(const Moment& m) {
-    using P = SelectParameters;
-    // An unshaded band and settled tiles are matters of the view where the settings allow them at all.
-    const auto band = m.settings.guard_history ? &P::size : &P::band;
-    const SelectParameters all = select_parameters(m);
-    return m.settings.skip_settled ? constants(all, &P::size, band, &P::settled)
-                                   : constants(all, &P::size, band);
-}
-
-std::vector<PassRow> rows_of_tiles() {
-    return {{.name = "select_tiles",
-             .when = [](const Moment& m) { return m.listed; },
-             .source = file("tiles/select.comp"),
-             .resources = {"depth", "tile_states_before", "tile_states_after", "tile_lists"},
-             .fill = select_constants,
-             .cover = Cover::tiles_of_tiles}};
+             .source = file("study/positions_from_motion.comp"),
+             .resources = {"depth", "motion", "positions"}}};
 }
 
 // The pass that takes the samples.
 PassRow row_of_samples() {
     return {.name = "ambient_occlusion",
             .when = [](const Moment&) { return 1; },
-            .source = [](const Moment& m, List tiles) { return occlusion_source(m, tiles); },
-            .resources = {"depth", "normal", "history", "history_after", "tile_states_after", "displacement",
-                          "method", "prepared", "layers", "tile_lists", "filtered", "sample_table"},
-            .fill =
-                [](const Moment& m) {
-                    using P = OcclusionParameters;
-                    P all = occlusion_parameters(m.view, m.settings);
-                    all.still = flag(!m.new_view);
-                    return constants(all, &P::p00_p11, &P::size, &P::border, &P::still);
-                },
-            .list = TileLists::shaded};
+            .source = occlusion_source,
+            .resources = {"depth", "normal", "history", "history_after", "positions", "method", "prepared",
+                          "layers", "filtered"}};
 }
 
 std::vector<PassRow> rows_of_samples() {
-    return {{.name = "reproject",
-             .when = [](const Moment& m) { return m.moves_history(); },
-             .source = [](const Moment& m, List) { return reprojection_source(m); },
-             .resources = {"depth", "positions", "history_before", "history_reprojected", "tile_lists",
-                           "displacement"},
-             .fill =
-                 [](const Moment& m) {
-                     using P = ReprojectionParameters;
-                     return constants(reprojection_parameters(m), &P::previous_from_current, &P::p00_p11,
-                                      &P::previous_p00_p11, &P::size);
-                 },
-             .list = TileLists::shaded,
-             .turn = Turn::moved},
-            {.name = "preparation",
-             .when = [](const Moment& m) { return m.preparation ? m.preparation->passes.size() : 0; },
-             .source = [](const Moment& m,
-                          List) { return preparation_source(m, m.preparation->passes[m.step].file); },
-             .resources = {"depth", "normal", "history", "prepared", "method", "layers", "prepared"},
-             .fill =
-                 [](const Moment& m) {
-                     using P = PreparationParameters;
-                     const int level = m.preparation->passes[m.step].level;
-                     return constants(preparation_parameters(m.view, m.settings, level), &P::p00_p11,
-                                      &P::size, &P::border);
-                 },
-             .cover = Cover::own,
-             .groups = [](const Moment& m) { return groups_for(m.preparation->passes[m.step].invocations); },
-             .own_name = [](const Moment& m) { return m.preparation->passes[m.step].name; }},
-            row_of_samples()};
+    return {
+        {.name = "reproject",
+         .when = [](const Moment& m) { return m.moves_history(); },
+         .source = file("study/reproject.comp"),
+         .resources = {"depth", "positions", "history_before", "history_reprojected"},
+         .turn = Turn::moved},
+        {.name = "preparation",
+         .when = [](const Moment& m) { return m.preparation ? m.preparation->passes.size() : 0; },
+         .source = [](const Moment& m) { return preparation_source(m, m.preparation->passes[m.step].file); },
+         .resources = {"depth", "normal", "history", "prepared", "method", "layers", "prepared"},
+         .groups = [](const Moment& m) { return groups_for(m.preparation->passes[m.step].invocations); },
+         .own_name = [](const Moment& m) { return m.preparation->passes[m.step].name; }},
+        row_of_samples()};
 }
 
 // A pass of the filter along one axis.
-PassRow row_of_filter(const char* name, TileLists list, const char* from, const char* to) {
+PassRow row_of_filter(const char* name, bool along_y, const char* from, const char* to) {
     return {.name = name,
             .when = [](const Moment& m) { return m.filtered; },
-            .source = [along_y = list == TileLists::filtered_y](
-                          const Moment& m, List tiles) { return filter_source(m, along_y, tiles); },
-            .resources = {"depth", "history_after", to, "normal", "tile_lists", from},
-            .fill =
-                [](const Moment& m) {
-                    using P = FilterParameters;
-                    return constants(filter_parameters(m.view, m.settings), &P::p00_p11, &P::size);
-                },
-            .cover = Cover::rows_of_tiles,
-            .list = list};
+            .source = [](const Moment& m) { return filter_source(m.settings); },
+            .resources = {"history_after", to, "normal", from},
+            .own = {{"along_y", along_y}}};
 }
 
 std::vector<PassRow> rows_of_filter() {
-    return {{.name = "select_filtered_tiles",
-             .when = [](const Moment& m) { return m.filtered && m.listed; },
-             .source = file("tiles/select_filtered.comp"),
-             .resources = {"tile_states_after", "tile_lists"},
-             .fill =
-                 [](const Moment& m) {
-                     using P = SelectFilteredParameters;
-                     return constants(P{vector_of_size(m.view.extent), glm::ivec2(filter_reach(m.settings))},
-                                      &P::size);
-                 },
-             .cover = Cover::tiles_of_tiles},
-            row_of_filter("filter_x", TileLists::filtered_x, "filtered", "half_filtered"),
-            row_of_filter("filter_y", TileLists::filtered_y, "half_filtered", "filtered")};
+    return {row_of_filter("filter_x", false, "filtered", "half_filtered"),
+            row_of_filter("filter_y", true, "half_filtered", "filtered")};
 }
 
 // A pass that remaps an image for display.
-PassRow row_of_remap(const char* name, TileLists list, Cover cover, bool of_history, const char* from,
-                     const char* to, std::function<bool(const Moment&)> when) {
+PassRow row_of_remap(const char* name, bool of_history, const char* from, const char* to,
+                     std::function<bool(const Moment&)> when) {
     return {.name = name,
             .when = std::move(when),
             .source =
-                [of_history](const Moment& m, List tiles) {
-                    return remap_source(m.settings, of_history && !shows_alone(m.settings), tiles);
+                [of_history](const Moment& m) {
+                    return remap_source(m.settings, of_history && !shows_alone(m.settings));
                 },
-            .resources = {"depth", from, to, "tile_lists"},
-            .fill =
-                [](const Moment& m) {
-                    const Settings& s = m.settings;
-                    const RemapParameters all{vector_of_size(m.view.extent), s.remap_a, s.remap_b, s.remap_c};
-                    return constants(all, &RemapParameters::size);
-                },
-            .cover = cover,
-            .list = list};
-}
-
-// A pass that brings an image to the size of the view.
-PassRow row_of_upsampling(bool filtered, const char* from, std::function<bool(const Moment&)> when) {
-    return {.name = "upsample",
-            .when = std::move(when),
-            .source = [filtered](const Moment& m, List) { return upsample_source(m, filtered); },
-            .resources = {"full_depth", "depth", from, "upsampled"},
-            .fill =
-                [](const Moment& m) {
-                    const Settings& s = m.settings;
-                    using P = UpsampleParameters;
-                    return constants(P{vector_of_size(m.given.extent), s.remap_a, s.remap_b, s.remap_c},
-                                     &P::size);
-                },
-            .cover = Cover::halved};
+            .resources = {"depth", from, to}};
 }
 
 // The pixels of a block share one pattern of samples (interleaved sampling): the first pass takes each
 // pixel's part, the second gathers those of the block.
 PassRow row_of_directions(const char* name, std::vector<const char*> images) {
-    std::vector<const char*> resources{"full_depth", "full_normal", "method"};
+    std::vector<const char*> resources{"depth", "normal", "method"};
     resources.insert(resources.end(), images.begin(), images.end());
-    return {.name = name,
-            .when = [](const Moment& m) { return m.bent_normals; },
-            .source = [name](const Moment&, List) { return directional_source(name, bent_interleave); },
-            .resources = std::move(resources),
-            .fill =
-                [](const Moment& m) {
-                    using P = DirectionalParameters;
-                    // world_from_view is for the passes of light: these do not read it.
-                    return constants(directional_parameters(m.given, m.settings), &P::p00_p11, &P::size);
-                },
-            .cover = Cover::view};
+    return {
+        .name = name,
+        .when = [](const Moment& m) { return m.bent_normals; },
+        .source = [name](const Moment&) { return PassSource{.file = fmt::format("study/{}.comp", name)}; },
+        .resources = std::move(resources),
+        .own = {{"interleave", 4}}};
 }
 
 std::vector<PassRow> rows_of_directions() {
@@ -251,15 +101,10 @@ std::vector<PassRow> rows_of_directions() {
 
 std::vector<PassRow> rows_of_results() {
     return {
-        row_of_remap("remap", TileLists::shaded, Cover::tiles, true, "occlusion", "mapped",
+        row_of_remap("remap", true, "occlusion", "mapped",
                      [](const Moment& m) { return m.maps_images() && (!m.filtered || m.shows_unfiltered); }),
-        row_of_remap("remap_filtered", TileLists::shaded, Cover::tiles, false, "filtered", "filtered_mapped",
-                     remaps_filtered),
-        // The tiles that only the filter changes.
-        row_of_remap("remap_filtered_tiles", TileLists::filtered_y, Cover::rows_of_tiles, false, "filtered",
-                     "filtered_mapped", [](const Moment& m) { return remaps_filtered(m) && m.listed; }),
-        row_of_upsampling(false, "occlusion", [](const Moment& m) { return m.half() && !m.filtered; }),
-        row_of_upsampling(true, "filtered", [](const Moment& m) { return m.half() && m.filtered; })};
+        row_of_remap("remap_filtered", false, "filtered", "filtered_mapped",
+                     [](const Moment& m) { return m.maps_images() && m.filtered; })};
 }
 
 }  // namespace
@@ -267,8 +112,8 @@ std::vector<PassRow> rows_of_results() {
 const std::vector<PassRow>& pass_table() {
     static const std::vector<PassRow> table = [] {
         std::vector<PassRow> all;
-        for (const auto& rows : {rows_of_inputs(), rows_of_tiles(), rows_of_samples(), rows_of_filter(),
-                                 rows_of_results(), rows_of_directions()})
+        for (const auto& rows :
+             {rows_of_inputs(), rows_of_samples(), rows_of_filter(), rows_of_results(), rows_of_directions()})
             all.insert(all.end(), rows.begin(), rows.end());
         return all;
     }();

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <stdexcept>
 #include <utility>
 
@@ -14,21 +13,11 @@
 namespace gloam::effect {
 namespace {
 
-constexpr std::uint32_t table_columns = 256;       // SAMPLE_TABLE_COLUMNS of samples/table.glsl
-constexpr std::uint32_t most_tabulated = 131'072;  // 2 MiB
-constexpr std::uint32_t listed_constant = 10;
-constexpr std::uint32_t list_constant = 11;
-
 // The pass's method in the place of the one that its source names.
 PassSource with_method_in(PassSource source, const MethodInfo& method) {
     source.defines.push_back("METHOD(position, normal, camera, kernel, values) " + call_of(method));
     source.replaced = {{file_of(methods().front()), file_of(method)}};
     return source;
-}
-
-std::string upper_case(std::string text) {
-    for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    return text;
 }
 
 std::string filter_include(Filter filter) {
@@ -38,18 +27,10 @@ std::string filter_include(Filter filter) {
     return "filters/" + std::get<std::string>(setting_named("filter").get(settings)) + ".glsl";
 }
 
-// Preprocessor definitions of a pass that reads or writes a history.
-std::vector<std::string> defines_for(HistoryPrecision precision) {
-    if (precision == HistoryPrecision::packed) return {"GLOAM_PACKED_HISTORY"};
-    return {};
-}
-
-// The same for a pass that also reads or writes the prepared image.
+// Preprocessor definitions of a pass that reads or writes the prepared image.
 std::vector<std::string> defines_for(const Moment& moment) {
-    std::vector<std::string> defines = defines_for(bound_precision(moment.settings));
-    if (moment.preparation && moment.preparation->format == gpu::Format::r32f)
-        defines.emplace_back("GLOAM_PREPARED r32f");
-    return defines;
+    if (moment.preparation && moment.preparation->format == gpu::Format::r32f) return {"GLOAM_PREPARED r32f"};
+    return {};
 }
 
 }  // namespace
@@ -59,91 +40,8 @@ void define_output(OutputFormat output, std::vector<std::string>& defines) {
         defines.emplace_back(output == OutputFormat::r8 ? "GLOAM_OUTPUT r8" : "GLOAM_OUTPUT r16f");
 }
 
-namespace {
-
-// The same for a pass that reads the occlusion, of a history or of one channel, and writes what is displayed.
-std::vector<std::string> defines_for(const Settings& settings, bool from_history) {
-    std::vector<std::string> defines =
-        from_history ? defines_for(settings.precision) : std::vector<std::string>{"GLOAM_SOURCE r32f"};
-    define_output(settings.output, defines);
-    return defines;
-}
-
-// Constants of a pass that runs over a list of tiles, or over the whole image.
-std::vector<gpu::SpecializationConstant> constants_of(List list) {
-    return {{.id = listed_constant, .bits = flag(list.has_value())},
-            {.id = list_constant, .bits = static_cast<std::uint32_t>(list.value_or(TileLists::shaded))}};
-}
-
-bool takes_fewer_samples(const Settings& settings) {
-    return settings.samples_distance > 0.0F || settings.samples_radius > 0.0F;
-}
-
-// Whether the loops over samples have a length that is a constant, and so few rounds that their code stays
-// small. Points that each sample computes itself have loops of their own.
-bool has_short_loops(const Settings& settings) {
-    constexpr std::uint32_t few = 96;
-    return settings.samples == settings.samples_converged && settings.samples <= few &&
-           !takes_fewer_samples(settings) && tabulates_samples(settings);
-}
-
-std::uint32_t half_side(std::uint32_t pixels) {
-    return (pixels + 1) / 2;
-}
-
-std::uint32_t half_band(std::uint32_t pixels) {
-    return pixels < 2 ? 0 : pixels / 2 - 1;
-}
-
-// Of the rays, as gloam_half_shift.
-glm::dvec2 shift_of(const View& view) {
-    const glm::dvec2 even(1 - vector_of_size(view.extent) % 2);
-    return even / (glm::dvec2(vector_of_size(view.extent)) * glm::dvec2(view.camera.p00_p11()));
-}
-
-// Preprocessor definition of a shader that reads or writes a table of the points with this name
-// (samples/table.glsl).
-std::string sample_point_of(std::string_view points) {
-    return fmt::format("SAMPLE_POINT gloam_{}_point", points);
-}
-
-}  // namespace
-
 gpu::Extent half_of(gpu::Extent extent) {
-    return {half_side(extent.width), half_side(extent.height)};
-}
-
-View working_view(const View& view, Resolution resolution) {
-    if (resolution == Resolution::full) return view;
-    View half = view;
-    half.extent = half_of(view.extent);
-    half.border = {half_band(view.border.left), half_band(view.border.top), half_band(view.border.right),
-                   half_band(view.border.bottom)};
-    const auto scale = [](std::uint32_t full, std::uint32_t pixels) {
-        return static_cast<float>(static_cast<double>(full) / (2.0 * pixels));
-    };
-    half.camera.proj_vk[0][0] *= scale(view.extent.width, half.extent.width);
-    half.camera.proj_vk[1][1] *= scale(view.extent.height, half.extent.height);
-    return half;
-}
-
-// gloam_half_view in the header of a packed effect does the same, to the bit (tests/examples/vulkan.cmake).
-glm::mat4 half_previous_from_current(const View& view, const View& previous) {
-    glm::dmat4 between(view.camera.previous_from_current.value_or(glm::mat4(1.0F)));
-    const glm::dvec2 shift = shift_of(view);
-    const glm::dvec2 previous_shift = shift_of(previous);
-    const bool orthographic = view.camera.orthographic();
-    glm::dvec4& changed = between[orthographic ? 3 : 2];
-    for (const int axis : {0, 1}) changed += (orthographic ? -shift[axis] : shift[axis]) * between[axis];
-    for (const int axis : {0, 1}) {
-        if (previous.camera.orthographic()) {
-            between[3][axis] += previous_shift[axis];
-        } else {
-            for (const int column : {0, 1, 2, 3})
-                between[column][axis] -= previous_shift[axis] * between[column][2];
-        }
-    }
-    return glm::mat4(between);
+    return {(extent.width + 1) / 2, (extent.height + 1) / 2};
 }
 
 std::optional<Preparation> preparation_of(const Settings& settings, gpu::Extent view) {
@@ -153,157 +51,30 @@ std::optional<Preparation> preparation_of(const Settings& settings, gpu::Extent 
 }
 
 void Moment::look(const View& now, const View& last) {
-    given = now;
-    given_before = last;
-    view = working_view(now, settings.resolution);
-    before = working_view(last, settings.resolution);
+    view = now;
+    before = last;
     preparation = preparation_of(settings, view.extent);
 }
 
-HistoryPrecision bound_precision(const Settings& settings) {
-    return shows_alone(settings) ? HistoryPrecision::float32 : settings.precision;
+PassSource occlusion_source(const Moment& moment) {
+    return with_method_in({.file = "study/ambient_occlusion.comp", .defines = defines_for(moment)},
+                          method_named(moment.settings.method));
 }
 
-std::int32_t filter_reach(const Settings& settings) {
-    // SAO's taps are two pixels apart.
-    return settings.filter == Filter::sao ? 2 * settings.filter_half_width : settings.filter_half_width;
+PassSource filter_source(const Settings& settings) {
+    return {.file = "study/spatial_filter.comp",
+            .replaced = {{filter_include(Filter::convergence), filter_include(settings.filter)}}};
 }
 
-PassSource input_source(const Moment& moment) {
-    const scene::Encoding encoding = moment.converted.value_or(scene::Encoding{});
-    return {.file = "take_inputs.comp",
-            .constants = {{.id = 0, .bits = flag(encoding.depth_buffer)},
-                          {.id = 1, .bits = flag(moment.given.camera.orthographic())},
-                          {.id = 2, .bits = flag(encoding.world)},
-                          {.id = 3, .bits = flag(encoding.octahedral)},
-                          {.id = 4, .bits = flag(encoding.unorm)},
-                          {.id = 5, .bits = flag(moment.has_normals)}}};
-}
-
-PassSource halve_source(const Moment& moment) {
-    return {.file = "halve_inputs.comp",
-            .constants = {{.id = 0, .bits = flag(moment.given.camera.orthographic())},
-                          {.id = 1, .bits = flag(moment.given_before.camera.orthographic())},
-                          {.id = 2, .bits = flag(moment.has_positions)},
-                          {.id = 3, .bits = flag(moment.settings.own.layers > 1)}}};
-}
-
-PassSource upsample_source(const Moment& moment, bool filtered) {
-    const Settings& settings = moment.settings;
-    return {.file = "upsample.comp",
-            .defines = defines_for(settings, !filtered && !shows_alone(settings)),
-            .constants = {{.id = 0, .bits = flag(maps(settings))},
-                          {.id = 1, .bits = flag(moment.given.camera.orthographic())}}};
-}
-
-PassSource occlusion_source(const Moment& moment, List list) {
-    const Settings& settings = moment.settings;
-    const MethodInfo& method = method_named(settings.method);
-    PassSource source =
-        with_method_in({.file = "ambient_occlusion.comp", .defines = defines_for(moment)}, method);
-    const bool tabulated = tabulates_samples(settings);
-    if (tabulated) {
-        source.defines.emplace_back("GLOAM_SAMPLE_TABLE 11");
-        source.defines.push_back(sample_point_of(method.points));
-        source.defines.push_back(fmt::format("GLOAM_SAMPLING_{}_POINT_GLSL", upper_case(method.points)));
-    }
-    source.constants = {{.id = 0, .bits = static_cast<std::uint32_t>(moment.counting)},
-                        {.id = 1, .bits = flag(moment.watches())},
-                        {.id = 2, .bits = static_cast<std::uint32_t>(settings.own.layers)},
-                        {.id = 3, .bits = flag(settings.reject_taps)},
-                        {.id = 4, .bits = flag(moment.listed && moment.filtered)},
-                        {.id = 5, .bits = settings.table_size},
-                        {.id = 6, .bits = flag(takes_fewer_samples(settings))},
-                        {.id = 7, .bits = flag(no_radius_cap > settings.radius_cap)},
-                        {.id = 8, .bits = flag(settings.smoothing > 0.0F)},
-                        {.id = 9, .bits = flag(moment.view.camera.orthographic())},
-                        {.id = 14, .bits = flag(settings.history)},
-                        {.id = 15, .bits = settings.samples},
-                        {.id = 16, .bits = settings.samples_converged},
-                        {.id = 17, .bits = settings.own.steps},
-                        {.id = 18, .bits = unit_of(method, settings.own.steps)},
-                        {.id = 19, .bits = flag(method.unit == SampleUnit::pair)},
-                        {.id = 20, .bits = flag(shows_alone(settings))},
-                        {.id = 21, .bits = flag(settings.rotation == Rotation::lattice)}};
-    std::ranges::copy(constants_of(list), std::back_inserter(source.constants));
-    source.unrolls = has_short_loops(settings);
+PassSource remap_source(const Settings& settings, bool from_history) {
+    PassSource source{.file = "study/remap.comp"};
+    if (!from_history) source.defines.emplace_back("GLOAM_SOURCE r32f");
+    define_output(settings.output, source.defines);
     return source;
-}
-
-PassSource reprojection_source(const Moment& moment) {
-    const Settings& settings = moment.settings;
-    return {.file = "reproject.comp",
-            .defines = defines_for(settings.precision),
-            .constants = {{.id = 0, .bits = flag(moment.has_positions)},
-                          {.id = 1, .bits = static_cast<std::uint32_t>(settings.taps)},
-                          {.id = 3, .bits = flag(moment.view.camera.orthographic())},
-                          {.id = 4, .bits = flag(moment.before.camera.orthographic())},
-                          {.id = 5, .bits = flag(moment.watches())},
-                          {.id = listed_constant, .bits = flag(moment.listed)}}};
-}
-
-PassSource filter_source(const Moment& moment, bool along_y, List list) {
-    const Settings& settings = moment.settings;
-    PassSource source{.file = "spatial_filter.comp",
-                      .defines = defines_for(settings.precision),
-                      .replaced = {{filter_include(Filter::convergence), filter_include(settings.filter)}},
-                      .constants = constants_of(list)};
-    source.defines.push_back(fmt::format("GLOAM_HALF_WIDTH {}", settings.filter_half_width));
-    source.constants.push_back({.id = 0, .bits = flag(along_y)});
-    source.constants.push_back({.id = 1, .bits = flag(moment.view.camera.orthographic())});
-    return source;
-}
-
-PassSource directional_source(const std::string& name, std::uint32_t interleave) {
-    PassSource source{.file = name + ".comp"};
-    if (interleave > 0) source.constants.push_back({.id = 0, .bits = interleave});
-    return source;
-}
-
-PassSource motion_source(const View& view, const View& before) {
-    return {.file = "positions_from_motion.comp",
-            .constants = {{.id = 0, .bits = flag(view.camera.orthographic())},
-                          {.id = 1, .bits = flag(before.camera.orthographic())}}};
-}
-
-PassSource remap_source(const Settings& settings, bool from_history, List list) {
-    return {.file = "remap.comp",
-            .defines = defines_for(settings, from_history),
-            .constants = constants_of(list)};
 }
 
 PassSource preparation_source(const Moment& moment, const std::string& file) {
-    const Settings& settings = moment.settings;
-    return {.file = "preparation/" + file,
-            .defines = defines_for(moment),
-            .constants = {{.id = 0, .bits = static_cast<std::uint32_t>(settings.own.layers)},
-                          {.id = 1, .bits = flag(settings.reject_taps)},
-                          {.id = 2, .bits = flag(settings.history)},
-                          {.id = 3, .bits = settings.samples},
-                          {.id = 4, .bits = settings.samples_converged},
-                          {.id = 5, .bits = settings.own.steps},
-                          {.id = 6, .bits = flag(settings.rotation == Rotation::lattice)}}};
-}
-
-PassSource sample_table_source(const std::string& samples) {
-    return {.file = "sample_table.comp",
-            .defines = {sample_point_of(samples)},
-            .replaced = {{"gloam/sampling/hemisphere_cosine_point.glsl",
-                          fmt::format("gloam/sampling/{}_point.glsl", samples)}}};
-}
-
-// A frame starts at an index below the size of the table, and continues past it if needed.
-std::uint32_t last_tabulated(const Settings& settings) {
-    return settings.table_size - 1 + std::max(settings.samples, settings.samples_converged);
-}
-
-gpu::Extent sample_table_extent(const Settings& settings) {
-    return {table_columns, last_tabulated(settings) / table_columns + 1};
-}
-
-bool tabulates_samples(const Settings& settings) {
-    return settings.sample_table && !method_named(settings.method).points.empty() &&
-           last_tabulated(settings) < most_tabulated;
+    return {.file = "study/preparation/" + file, .defines = defines_for(moment)};
 }
 
 std::array<std::uint32_t, 3> groups_for(gpu::Extent extent) {

@@ -40,45 +40,30 @@ Moment moment_of(const Settings& settings, const PlanOptions& options) {
     moment.from_motion = options.motion_vectors;
     moment.bent_normals = options.bent_normals;
     moment.filtered = filters(settings);
-    moment.has_tiles = moment.listed = options.tiles;
     if (options.first) {
-        moment.has_tiles = moment.shows_unfiltered = true;
+        moment.shows_unfiltered = true;
         moment.moved = false;
     }
-    if (options.tiles || options.first) moment.counting = Counting::each_group;
-    if (tabulates_samples(settings)) moment.tabulated = {1, last_tabulated(settings)};
     return moment;
 }
 
 // The planned image whose first channel is shown.
-struct ShownImage {
-    std::string name;
-    float unit = 1.0F;  // occlusion that a value of 1 stands for
-};
-
-ShownImage shown_image(const Settings& settings) {
+std::string shown_image(const Settings& settings) {
     const bool filtered = filters(settings);
-    if (settings.resolution == Resolution::half) return {"upsampled"};
-    if (remaps(settings)) return {filtered ? "filtered_mapped" : "mapped"};
-    if (filtered || shows_alone(settings)) return {"filtered"};
-    const bool packed = settings.precision == HistoryPrecision::packed;
-    return {"history_after", packed ? packed_occlusion_unit : 1.0F};
+    if (remaps(settings)) return filtered ? "filtered_mapped" : "mapped";
+    return filtered || shows_alone(settings) ? "filtered" : "history_after";
 }
 
 }  // namespace
 
-Plan plan_of(const Settings& settings, const PlanOptions& options) {
+Plan plan_of(const Settings& settings, const PlanOptions& options, const scene::PassLibrary& library) {
     validate(settings);
     if (settings.passes == Passes::frame) return frame_plan(settings, options);
     Moment moment = moment_of(settings, options);
     Plan plan = planned_resources(moment);
-    plan.passes = planned_passes(moment, plan);
-    moment.odd = true;
-    const std::vector<PlannedPass> odd = planned_passes(moment, plan);
-    for (std::size_t i = 0; i < odd.size(); ++i) plan.passes[i].odd_parameters = odd[i].parameters;
-    const ShownImage shown = shown_image(settings);
-    plan.result = shown.name;
-    plan.result_unit = shown.unit;
+    plan.passes = planned_passes(
+        moment, plan, [&](const PassSource& source) { return shader::reflect(module_of(source, library)); });
+    plan.result = shown_image(settings);
     return plan;
 }
 

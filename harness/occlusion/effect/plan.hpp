@@ -89,12 +89,8 @@ struct PlannedPass {
         1;  // 2: the pass reads half-size images, and `of_view` are those of the half-size view
 };
 
-// Format of the images that hold a history.
-[[nodiscard]] gpu::Format format_of(HistoryPrecision precision);
-
-// Names of the resources that are bound where the settings need no image or no buffer.
+// Name of the image that is bound where the settings need none.
 inline constexpr const char* nothing_image = "nothing";
-inline constexpr const char* nothing_buffer = "no_buffer";
 
 // The passes of a frame, in their order, with all resources that they need.
 struct Plan {
@@ -113,15 +109,16 @@ struct PlanOptions {
     bool moving_objects = false;  // the engine gives the previous positions of surface points
     bool motion_vectors = false;  // it gives motion vectors, from which these follow
     bool orthographic = false;
-    bool tiles = false;   // passes run over lists of tiles (docs/passes.md); otherwise over the whole image
-    bool first = false;   // the first frame of AmbientOcclusion on a GPU, whose groups count their work
-    bool normals = true;  // the engine has normals; otherwise they are reconstructed from depth
+    bool first = false;         // the first frame of AmbientOcclusion
+    bool normals = true;        // the engine has normals; otherwise they are reconstructed from depth
     bool bent_normals = false;  // an image of the mean open directions is written as well
     scene::Encoding encoding;   // of the engine's depth and normals
 };
 
-// The plan of a frame with these settings. Throws std::invalid_argument like validate().
-[[nodiscard]] Plan plan_of(const Settings& settings, const PlanOptions& options);
+// The plan of a frame with these settings. Throws std::invalid_argument like validate(), std::logic_error for
+// a constant of a pass that has no value.
+[[nodiscard]] Plan plan_of(const Settings& settings, const PlanOptions& options,
+                           const scene::PassLibrary& library);
 
 // The module of a pass. storage_inputs: as drivers that run on the CPU get it (scene::Inputs).
 [[nodiscard]] shader::Spirv module_of(const PassSource& source, const scene::PassLibrary& library,

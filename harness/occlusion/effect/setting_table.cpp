@@ -152,10 +152,9 @@ void add_samples(std::vector<Setting>& table) {
                            {.most = 1.0}));
     table.push_back(number("c_spatial", "", "convergence from which a pixel takes k_2; above 1: never",
                            &S::c_spatial, any_from_0));
-    table.push_back(number("table_size", "samples",
-                           "after which the sequence starts over; at most 65536 in packed", &S::table_size,
+    table.push_back(number("table_size", "samples", "after which the sequence starts over", &S::table_size,
                            whole(1, 1U << 24U)));
-    table.push_back(number("weight_max", "samples", "in the mean at most; 4095 in packed", &S::weight_max,
+    table.push_back(number("weight_max", "samples", "in the mean at most", &S::weight_max,
                            {.least = 1.0, .most = 8'388'608.0}));
     table.push_back(number("c_rot", "",
                            "kernels are rotated by pixel below this convergence; 0: never, above 1: always",
@@ -192,7 +191,6 @@ void add_history(std::vector<Setting>& table) {
     table.push_back(number("history_sharpness", "of the neighbours' weights",
                            "of the frame: the part that a long mean leaves out of a new frame",
                            &S::history_sharpness, {.most = 1.0}));
-    table.push_back(choice("precision", "of the history", &S::precision, {"float32", "packed"}));
 }
 
 Setting filter() {
@@ -206,7 +204,7 @@ void add_output(std::vector<Setting>& table) {
     using S = Settings;
     table.push_back(
         choice("output", "format of the displayed occlusion", &S::output, {"r32f", "r16f", "r8"}));
-    table.push_back(choice("resolution", "of the passes: the view's, or half of it and an upsample by depth",
+    table.push_back(choice("resolution", "of the frame's sweep: the view's, or half of it, joined by depth",
                            &S::resolution, {"full", "half"}));
     table.push_back(filter());
     table.push_back(number("filter_half_width", "taps",
@@ -228,18 +226,6 @@ void add_output(std::vector<Setting>& table) {
     table.push_back(number("guard", "of the frame", "guard band on each side", &S::guard, {.most = 0.5}));
     table.push_back(flag("guard_history", "the band is sampled too: what moves in from it has a history",
                          &S::guard_history));
-    table.push_back(
-        flag("freeze", "what has converged takes no more samples while nothing moves", &S::freeze));
-    table.push_back(flag("sample_table",
-                         "off: what samples share is computed for each anew, to the same result",
-                         &S::sample_table));
-    table.push_back(flag("skip_background", "off: background goes the long way, to the same result",
-                         &S::skip_background));
-    table.push_back(flag("skip_settled", "off: tiles that would not change are shaded, to the same result",
-                         &S::skip_settled));
-    table.push_back(flag("skip_filtered",
-                         "off: tiles that the filter leaves as they are pass it, to the same result",
-                         &S::skip_filtered));
 }
 
 SettingValue value_of(const Setting& setting, std::string_view text) {
@@ -320,12 +306,6 @@ void set(Settings& settings, std::string_view name, std::string_view text) {
     const SettingValue value = value_of(setting, text);
     check(setting, value);
     setting.put(settings, value);
-}
-
-std::string name_of(HistoryPrecision precision) {
-    Settings settings;
-    settings.precision = precision;
-    return std::get<std::string>(setting_named("precision").get(settings));
 }
 
 }  // namespace gloam::effect

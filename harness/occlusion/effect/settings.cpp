@@ -13,15 +13,6 @@
 namespace gloam::effect {
 namespace {
 
-// The largest value of a setting that a history can hold.
-struct Limit {
-    HistoryPrecision precision;
-    const char* setting;
-    double most;
-};
-constexpr std::array limits{Limit{HistoryPrecision::packed, "table_size", 65536.0},
-                            Limit{HistoryPrecision::packed, "weight_max", 4095.0}};
-
 constexpr std::array<std::string_view, 12> read_by_frame{"passes",
                                                          "method",
                                                          "radius",
@@ -51,7 +42,7 @@ void validate_frame(const Settings& settings) {
 
 bool reads(const Settings& settings, std::string_view setting) {
     if (settings.passes == Passes::frame) return std::ranges::count(read_by_frame, setting) > 0;
-    return setting != "history_range" && setting != "history_sharpness";
+    return setting != "history_range" && setting != "history_sharpness" && setting != "resolution";
 }
 
 std::uint32_t slices_of(const Settings& settings) {
@@ -98,14 +89,6 @@ void validate(const Settings& settings) {
     if (settings.own.layers > 1 && !reads(method_named(settings.method), "layers"))
         throw std::invalid_argument(fmt::format("layers {}: expected 1, because {} sees one layer of depth",
                                                 settings.own.layers, settings.method));
-    for (const Limit& limit : limits) {
-        if (limit.precision != settings.precision) continue;
-        const SettingValue value = setting_named(limit.setting).get(settings);
-        if (std::get<double>(value) <= limit.most) continue;
-        throw std::invalid_argument(fmt::format("{} {}: expected at most {} with a history in {}",
-                                                limit.setting, text_of(value), limit.most,
-                                                name_of(settings.precision)));
-    }
 }
 
 }  // namespace gloam::effect

@@ -33,11 +33,6 @@ enum class HistoryTaps {
     validated  // those of four that pass the depth test
 };
 
-enum class HistoryPrecision {
-    float32,  // 16 bytes a pixel
-    packed    // 8 bytes, 16 bits of fixed point each
-};
-
 // The filter that smooths the estimate for display.
 enum class Filter {
     none,
@@ -59,7 +54,7 @@ enum class Rotation {
 // The size of the images that the passes run over.
 enum class Resolution {
     full,  // the view's
-    half   // half of each side, rounded up; the result is brought to the view's size by depth
+    half   // half of each side, rounded up; join.comp brings the result to the view's size by depth
 };
 
 // The smallest projected radius worth sampling: below it all samples fall on the pixel itself.
@@ -74,7 +69,8 @@ constexpr std::uint32_t most_samples = 2'048;
 constexpr float no_radius_cap = 1e18F;
 
 // What single methods take beside what all of them take, in the layout of MethodValues in the passes' buffer
-// (passes/method_values.glsl). The descriptor of a method names those that it reads (MethodInfo::reads).
+// (passes/study/method_values.glsl). The descriptor of a method names those that it reads
+// (MethodInfo::reads).
 struct MethodValues {
     float range =
         2.0F;  // hemisphere: blockers further in front than this are other objects; world units, > 0
@@ -129,10 +125,9 @@ struct Settings {
     float change_tolerance = 0.005F;  // changes of distance up to this count as rounding, world units, > 0
     float weight_small = 48.0F;       // clamp: samples, >= 0
     float confidence_factor = 30.0F;  // confidence: S, per radius of change, >= 0
-    HistoryPrecision precision = HistoryPrecision::float32;
-    float history_range = 0.0F;      // of the frame: how far the mean may be from that of the last frames
-    float history_sharpness = 0.0F;  // of the frame: part of the neighbours' weights that a long mean leaves
-                                     // out of a new frame
+    float history_range = 0.0F;       // of the frame: how far the mean may be from that of the last frames
+    float history_sharpness = 0.0F;   // of the frame: part of the neighbours' weights that a long mean leaves
+                                      // out of a new frame
     Filter filter = Filter::convergence;
     float filter_cap = 1e18F;   // neighbours weigh at most this many times the pixel's own convergence; 1e18:
                                 // any number of times, as eq. 10 has it
@@ -146,16 +141,11 @@ struct Settings {
     float remap_b = 1.0F;        // 0 to 1e18
     float remap_c = 1.0F;        // 0 to 1e18
     OutputFormat output = OutputFormat::r32f;  // of the displayed occlusion
-    Resolution resolution = Resolution::full;  // half: pixels in other settings are those of half the size
+    Resolution resolution = Resolution::full;  // of the frame
     float least_radius =
         one_pixel;       // pixels: below this projected radius the occlusion is 0 without a sample; 0: never
     float guard = 0.0F;  // guard band of the view, part of the frame on each side, 0 to 0.5 (TSSAO-BORDER)
-    bool guard_history = true;    // the band is sampled too: surfaces that enter from it have a history
-    bool freeze = false;          // converged pixels take no more samples while nothing moves
-    bool sample_table = true;     // off: each pixel computes the shared part of its samples; same result
-    bool skip_background = true;  // off: background is processed like geometry; same result
-    bool skip_settled = true;     // off: tiles that would not change are shaded; same result
-    bool skip_filtered = true;    // off: tiles that the filter would not change are filtered; same result
+    bool guard_history = true;  // the band is sampled too: surfaces that enter from it have a history
 };
 
 // Whether these passes read the setting. All others have the value of Settings{}.
@@ -181,12 +171,8 @@ struct Settings {
 [[nodiscard]] Settings with_radius(Settings settings, float radius);
 
 // Throws std::invalid_argument that names the first setting outside its range in setting_table(), or that is
-// not that of Settings{} though the passes do not read it. A packed
-// history also limits table_size to 65536 and weight_max to 4095.
+// not that of Settings{} though the passes do not read it.
 void validate(const Settings& settings);
-
-// The name of a precision as the setting "precision" uses it.
-[[nodiscard]] std::string name_of(HistoryPrecision precision);
 
 // The value of a setting: a switch, a number, or one of several names.
 using SettingValue = std::variant<bool, double, std::string>;

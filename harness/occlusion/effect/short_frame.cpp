@@ -251,7 +251,7 @@ Frame ShortFrame::next(int repeat, const PassWatcher& watcher) {
     const Plan plan = short_plan(impl.settings, impl.taken, there);
     const std::vector<Step> steps = impl.executor.steps(plan.passes, impl.resources);
     Frame frame;
-    frame.times = run(*impl.device, steps, {}, repeat, {}, watcher);
+    frame.times = run(*impl.device, steps, {}, repeat, watcher);
     const View& view = impl.taken.view;
     const scene::GBuffer shape{.extent = view.extent, .border = view.border};
     frame.extent = scene::frame_of(shape);

@@ -2,13 +2,21 @@
 #include "effect/internal/steps.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 #include "backend/vulkan/commands.hpp"
-#include "effect/internal/work.hpp"
 
 namespace gloam::effect {
 namespace {
+
+// For an even number of values the mean of the middle two; NaN for no value.
+double median(std::vector<double> values) {
+    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+    std::ranges::sort(values);
+    const std::size_t upper = values.size() / 2;
+    return values.size() % 2 == 1 ? values[upper] : 0.5 * (values[upper - 1] + values[upper]);
+}
 
 // Bytes of each channel.
 std::uint64_t channel_bytes(gpu::Format format) {
@@ -23,19 +31,14 @@ std::uint64_t bytes_of(const gpu::Image& image) {
 }
 
 void record(gpu::Commands& commands, const Step& pass, const std::array<std::uint32_t, 3>& groups) {
-    if (pass.indirect == nullptr) {
-        commands.dispatch(*pass.pipeline, pass.resources, pass.groups[0] == 0 ? groups : pass.groups,
-                          pass.parameters);
-    } else {
-        commands.dispatch_indirect(*pass.pipeline, pass.resources, *pass.indirect, pass.offset,
-                                   pass.parameters);
-    }
+    commands.dispatch(*pass.pipeline, pass.resources, pass.groups[0] == 0 ? groups : pass.groups,
+                      pass.parameters);
 }
 
 void run_watched(const gpu::Device& device, const Step& pass, const std::array<std::uint32_t, 3>& groups,
                  const PassWatcher& watcher) {
     Step with_groups = pass;
-    if (pass.indirect == nullptr && pass.groups[0] == 0) with_groups.groups = groups;
+    if (pass.groups[0] == 0) with_groups.groups = groups;
     watcher(with_groups, false);
     gpu::Commands commands(device);
     record(commands, with_groups, groups);
@@ -74,12 +77,11 @@ void time_frames(const gpu::Device& device, std::span<const Step> passes,
 
 std::vector<PassTime> run(const gpu::Device& device, std::span<const Step> passes,
                           const std::array<std::uint32_t, 3>& groups, int repeat,
-                          const std::function<void()>& before_each, const PassWatcher& watcher) {
+                          const PassWatcher& watcher) {
     std::vector<std::vector<double>> times(passes.size());
     int batch = 1;
     for (int i = 0; i < repeat; i += batch) {
-        if (i == 1 && !before_each && !watcher) batch = frames_at_once(times);
-        if (before_each) before_each();
+        if (i == 1 && !watcher) batch = frames_at_once(times);
         if (watcher) {
             for (const Step& pass : passes) run_watched(device, pass, groups, watcher);
             continue;

@@ -133,7 +133,7 @@ class Judge {
     // before: the frame's predecessor; empty: there is none.
     void add(int number, const effect::Frame& frame, const std::vector<float>& before) {
         if (views_->frames().rays == 0) return;
-        taken_ += samples_of(frame.work);
+        taken_ += frame.samples;
         if (views_->is_scored(number)) score(number, frame, before);
     }
 
@@ -169,9 +169,7 @@ class Judge {
             sum_.depth += effect::errors_of(frame.filtered, truth.depth).rmse;
         }
         if (!before.empty() && truth.history) add_flicker(number, frame.filtered, before);
-        const std::uint64_t shaded = frame.work.pixels - frame.work.background;
-        sum_.samples +=
-            shaded == 0 ? 0.0 : static_cast<double>(frame.work.samples) / static_cast<double>(shaded);
+        sum_.samples += frame.samples;
         sum_.memory_bytes = std::max(sum_.memory_bytes, frame.memory_bytes);
         if (sum_.by_class)
             sum_.by_class->frames.push_back(
@@ -271,7 +269,7 @@ ConfigurationVisit ConfigurationStudy::single(BenchmarkViews& views, effect::Set
             views.view(views.first_scored() + frames.every * (round % views.frames().scores()), settings),
             settings);
         const effect::Frame frame = effect.next(frames.repeat);
-        return {.readings = {{frame.times}}, .work = frame.work};
+        return {.readings = {{frame.times}}};
     }
     Judge judge(views, settings);
     ConfigurationVisit visit;
@@ -279,7 +277,6 @@ ConfigurationVisit ConfigurationStudy::single(BenchmarkViews& views, effect::Set
         effect.begin(views.view(i, settings), settings);
         effect::Frame frame = effect.next();
         judge.add(i, frame, {});
-        visit.work = frame.work;
         visit.shown = std::move(frame);
     }
     visit.quality = judge.mean();
@@ -299,7 +296,6 @@ ConfigurationVisit ConfigurationStudy::held(BenchmarkViews& views, const effect:
         effect::Frame frame = effect.next();
         for (int again = 0; again < i; ++again) frame = effect.next();
         judge.add(i, frame, {});
-        visit.work = frame.work;
         visit.shown = std::move(frame);
     }
     visit.quality = judge.mean();
@@ -321,7 +317,6 @@ ConfigurationVisit ConfigurationStudy::temporal(BenchmarkViews& views, const eff
         }
         const bool scored = views.is_scored(i);
         effect::Frame frame = effect.next(scored ? views.frames().repeat : 1);
-        visit.work = frame.work;
         if (scored) visit.readings.push_back({frame.times});
         if (round == 0) judge.add(i, frame, before);
         before = frame.filtered;

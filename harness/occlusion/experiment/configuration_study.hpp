@@ -143,7 +143,6 @@ void add_bins(FrameQuality& quality, const std::vector<float>& image, const effe
 struct ConfigurationVisit {
     std::optional<FrameQuality> quality;  // in round 0, of views with a truth
     std::vector<FrameReading> readings;
-    effect::Work work;             // of the last frame
     effect::Frame shown;           // the last scored frame, in round 0
     std::vector<float> converged;  // of BenchmarkFrames::converged, in round 0
 };

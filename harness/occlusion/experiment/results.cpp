@@ -120,8 +120,6 @@ GLOAM_MEMBERS(effect::Errors, rmse, bias, percentile_99)
 GLOAM_MEMBERS(Converged, geometry, remapped, similarity, depth, own)
 GLOAM_MEMBERS(PointQuality, truth, occlusion, standard_error, shown)
 GLOAM_MEMBERS(effect::RemapBin, count, visibility, truth, square)
-GLOAM_MEMBERS(effect::Work, pixels, background, below_radius, converged, samples, tiles, tiles_background,
-              tiles_skipped, tiles_shaded, tiles_filtered, tiles_blank, tiles_settled, tiles_unfiltered)
 GLOAM_MEMBERS(effect::PassTime, pass, ms)
 GLOAM_MEMBERS(FrameReading, passes)
 
@@ -159,7 +157,6 @@ void members(Io& io, Visit& all) {
     io.member("quality", all.quality);
     io.member("point", all.point);
     io.member("rmse_own_radius", all.own_radius_error);
-    io.member("work", all.work);
     io.member("readings", all.readings);
 }
 

@@ -46,7 +46,6 @@ struct Visit {
     std::optional<FrameQuality> quality;     // nullopt: not judged
     std::optional<PointQuality> point;       // of a view in closed form
     std::vector<FrameReading> readings;      // in round 0 with Experiment::equal_readings alone
-    effect::Work work;                       // of the last frame
     std::optional<double> own_radius_error;  // the error against the truth for the scene's own radius
     int samples_asked = 0;
 };

@@ -207,7 +207,6 @@ class SizeRun {
         ConfigurationVisit found = visit(measured.subject, *measured.views, made.round);
         made.quality = found.quality;
         if (made.round > 0 || experiment_.equal_readings) made.readings = std::move(found.readings);
-        made.work = found.work;
         if (made.round > 0 || found.shown.filtered.empty()) return;
         show(made, found, measured);
         if (measured.subject.kind == Kind::depth_truth || measured.subject.kind == Kind::truth) return;

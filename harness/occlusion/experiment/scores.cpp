@@ -18,7 +18,6 @@ std::vector<float> Limit::of(const scene::GBuffer& view, const effect::Settings&
     many.c_spatial = 0.5F * static_cast<float>(limit_first) / weight_max;
     many.weight_max = weight_max;
     many.table_size = 1U << 24U;
-    many.precision = effect::HistoryPrecision::float32;
     many.c_rot = 0.0F;
     many.filter = effect::Filter::none;
     effect_.begin(view, many);
@@ -82,12 +81,6 @@ std::vector<ClassScore> scores_of(const effect::Frame& frame, const ScoredView& 
         }
     }
     return scores;
-}
-
-double samples_of(const effect::Work& work) {
-    const std::uint64_t left_out = work.background + work.below_radius;
-    return static_cast<double>(work.samples) /
-           static_cast<double>(std::max<std::uint64_t>(1, work.pixels - left_out));
 }
 
 }  // namespace gloam::experiment

@@ -91,7 +91,4 @@ struct ClassScores {
 [[nodiscard]] std::vector<ClassScore> scores_of(const effect::Frame& frame, const ScoredView& truth,
                                                 const ClassedView& view);
 
-// Samples of a frame that a pixel takes, mean over the pixels that need samples.
-[[nodiscard]] double samples_of(const effect::Work& work);
-
 }  // namespace gloam::experiment

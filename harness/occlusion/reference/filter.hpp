@@ -160,53 +160,6 @@ inline glm::ivec2 gloam_half_source(glm::ivec2 pixel) {
     return {pixel.x * 2, pixel.y * 2};
 }
 
-// The ray through the centre of the half-size pixel 0, without that through the centre of its source.
-inline double gloam_half_shift(double p, int size) {
-    if (size < 1 || !(abs(p) >= double{1e-9F} && abs(p) <= 1e9)) return 0.0;
-    const int half = size / 2 + size % 2;
-    const double half_p = p * size / (2.0 * half);  // covers 2 half pixels of the full image
-    const double of_half = (1.0 / half - 1.0) / half_p;
-    const double of_source = (1.0 / size - 1.0) / p;
-    return size % 2 == 0 ? of_half - of_source : 0.0;
-}
-
-// The transposed inverse of x' = x - shift z, applied to the normal.
-inline dvec3 gloam_half_normal(dvec3 normal, dvec2 shift) {
-    const dmat3 sheared{{1, 0, 0}, {0, 1, 0}, {-shift.x, -shift.y, 1}};
-    const dvec3 turned = transpose(glm::inverse(sheared)) * normal;
-    const double length = glm::length(turned);
-    return length > 0.0 && std::isfinite(length) ? turned / length : dvec3(0.0);
-}
-
-inline bool gloam_upsample_continues(double depth, double first, double second, bool orthographic) {
-    for (const double each : {depth, first, second})
-        if (gloam_is_background(each)) return false;
-    const double ratio =
-        orthographic ? (first + second) / 2.0 / depth : (1.0 / first + 1.0 / second) / 2.0 * depth;
-    return abs(ratio - 1.0) <= double{0.006F};
-}
-
-inline double gloam_upsample_nearest(double depth, dvec4 depths, dvec4 values) {
-    int nearest = -1;
-    for (int i = 0; i < 4; ++i) {
-        if (gloam_is_background(depths[i])) continue;
-        if (nearest < 0 || abs(depths[i] - depth) < abs(depths[nearest] - depth)) nearest = i;
-    }
-    return nearest < 0 ? 0.0 : values[nearest];
-}
-
-inline double gloam_upsample(double depth, dvec4 depths, dvec4 occlusions, bool orthographic) {
-    if (gloam_is_background(depth)) return 0.0;
-    double sum = 0.0;
-    int pairs = 0;
-    for (const auto& [a, b] : {std::pair{0, 3}, std::pair{1, 2}}) {
-        if (!gloam_upsample_continues(depth, depths[a], depths[b], orthographic)) continue;
-        sum += (occlusions[a] + occlusions[b]) / 2.0;
-        ++pairs;
-    }
-    return gloam_unit_interval(pairs > 0 ? sum / pairs : gloam_upsample_nearest(depth, depths, occlusions));
-}
-
 inline bool gloam_dual_resolution_disagrees(glm::ivec2 pixel, glm::ivec2 size, double tolerance,
                                             const Fetch<double>& fetch_occlusion) {
     double low = 1.0;

@@ -49,48 +49,6 @@ inline unsigned gloam_next_index(unsigned index, unsigned k, unsigned table_size
     return static_cast<unsigned>((std::uint64_t{index} + k) % size);
 }
 
-struct GloamPackedHistory {
-    unsigned occlusion;
-    unsigned weight;
-    unsigned index;
-    unsigned depth;
-    friend bool operator==(const GloamPackedHistory&, const GloamPackedHistory&) = default;
-};
-
-inline unsigned gloam_round_half_up(double x) {
-    return static_cast<unsigned>(std::floor(x + 0.5));
-}
-
-// 1024 (e + m) + 1 of the depth 2^(e - 31) (1 + m).
-inline unsigned gloam_depth_to_code(double depth) {
-    if (gloam_is_background(depth)) return 65535U;
-    const double d = std::clamp(depth, 0x1p-31, 0x1p32);
-    const int exponent = std::ilogb(d);
-    return gloam_round_half_up(1024.0 * (exponent + 31 + d / std::ldexp(1.0, exponent) - 1.0)) + 1U;
-}
-
-inline double gloam_depth_from_code(unsigned code) {
-    if (code == 0U) return 0.0;
-    if (code >= 65535U) return infinity;
-    const auto [exponent, mantissa] = std::div(static_cast<int>(code) - 1, 1024);
-    return std::ldexp(1.0 + mantissa / 1024.0, exponent - 31);
-}
-
-inline GloamPackedHistory gloam_history_encode(const GloamHistory& h) {
-    const GloamHistory s = gloam_history_sanitize(h);
-    return {gloam_round_half_up(0x1p15 * s.occlusion), gloam_round_half_up(16.0 * min(s.weight, 4095.0)),
-            s.index % 65536U, gloam_depth_to_code(s.depth)};
-}
-
-inline dvec4 gloam_packed_texel(const GloamPackedHistory& packed) {
-    return {(packed.occlusion % 65536U) / 0x1p15, (packed.weight % 65536U) / 16.0, packed.index % 65536U,
-            gloam_depth_from_code(packed.depth % 65536U)};
-}
-
-inline GloamHistory gloam_history_decode(const GloamPackedHistory& packed) {
-    return gloam_history_unpack(gloam_packed_texel(packed));
-}
-
 inline double gloam_history_weight(double history, double weight, double weight_max) {
     const bool usable =
         history > -float_min && history <= 1.0 && weight >= float_min && weight_max >= float_min;
@@ -205,29 +163,6 @@ inline GloamHistory gloam_reprojected_history(dvec2 uv, glm::ivec2 size, double 
     }
     return gloam_history_sanitize(
         {min(mean.occlusion / total, 1.0), mean.weight / total, mean.index, mean.depth});
-}
-
-// The smallest exponent e >= 0 with which every component rounds to at most 255 when divided by 2^e.
-inline unsigned gloam_displacement_to_code(const dvec3& displacement, double unit) {
-    const dvec3 units = displacement / unit;
-    const double sum = std::abs(units.x) + std::abs(units.y) + std::abs(units.z);
-    if (!(sum <= 255.0 * 0x1p31)) return 31U << 27U | 255U << 18U | 255U << 9U | 255U;
-    const double largest = std::max({std::abs(units.x), std::abs(units.y), std::abs(units.z)});
-    int exponent = 0;
-    while (std::ldexp(largest, -exponent) >= 255.5) ++exponent;
-    const auto bits = [&](double component) {  // the two's complement
-        return static_cast<unsigned>(static_cast<int>(std::round(std::ldexp(component, -exponent)))) % 512U;
-    };
-    return bits(units.x) | bits(units.y) << 9U | bits(units.z) << 18U |
-           static_cast<unsigned>(exponent) << 27U;
-}
-
-inline dvec3 gloam_displacement_from_code(unsigned code, double unit) {
-    const auto component = [&](unsigned first) {
-        const int bits = static_cast<int>(code >> first & 511U);
-        return static_cast<double>(bits >= 256 ? bits - 512 : bits);
-    };
-    return std::ldexp(unit, static_cast<int>(code >> 27U)) * dvec3(component(0), component(9), component(18));
 }
 
 inline dvec3 gloam_frame_before(dvec2 pixel, double depth, dvec3 m0, dvec3 m1, dvec3 m2, dvec3 m3,

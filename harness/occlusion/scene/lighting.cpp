@@ -244,7 +244,7 @@ SplitLight light_of(const GBuffer& view, const Scene* scene, const LightingOptio
 
 namespace {
 
-constexpr double same_surface = 0.006;  // of the depth; as GLOAM_UPSAMPLE_TOLERANCE
+constexpr double same_surface = 0.006;  // of the depth
 
 // The pixel of a view whose surface a sample shows. x, y: the sample's own pixel. point: what it shows, in
 // view space; depth: its depth, finite.

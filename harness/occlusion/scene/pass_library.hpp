@@ -11,8 +11,8 @@
 
 namespace gloam::scene {
 
-// How passes read images that they do not write (passes/input_image.glsl): as sampled images or as storage
-// images. by_device: as storage images on drivers that run on the CPU, which read these in less time.
+// How passes read images that they do not write (passes/study/input_image.glsl): as sampled images or as
+// storage images. by_device: as storage images on drivers that run on the CPU, which read these in less time.
 enum class Inputs { by_device, sampled, storage };
 
 // The passes of glsl/passes, compiled on demand.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "backend/vulkan/gpu_test.hpp"
 #include "shaders/chain_comp.h"
-#include "shaders/count_comp.h"
 #include "shaders/fill_comp.h"
 #include "shaders/outside_comp.h"
 #include "shaders/slow_comp.h"
@@ -129,30 +128,6 @@ TEST_F(ComputeTest, CommandsMayBeDroppedUnsubmitted) {
     commands.dispatch(fill, std::vector<Resource>{buffer}, {1, 1, 1}, bytes_of(std::array{1.0f, 1.0f}));
     commands = Commands(device());
     commands.submit();
-}
-
-// The counts are written in the same submission: fill.comp writes 64 values a group.
-TEST_F(ComputeTest, AnIndirectDispatchRunsAsManyGroupsAsTheShaderBeforeAsked) {
-    const ComputePipeline pipeline(
-        device(), {.spirv = fill_comp, .bindings = {BindingKind::storage_buffer}, .push_constant_bytes = 8});
-    const ComputePipeline count(device(),
-                                {.spirv = count_comp,
-                                 .bindings = {BindingKind::storage_buffer, BindingKind::storage_buffer},
-                                 .push_constant_bytes = 4});
-    Buffer values(device(), 5 * sizeof(float));
-    std::iota(values.as<float>().begin(), values.as<float>().end(), 0.0F);
-    for (const std::ptrdiff_t wanted : {0, 1, 3, 5}) {
-        Buffer groups(device(), 16);
-        Buffer filled(device(), 320 * sizeof(float));
-        std::ranges::fill(filled.as<float>(), 0.0F);
-        Commands commands(device());
-        commands.dispatch(count, std::vector<Resource>{values, groups}, {1, 1, 1},
-                          bytes_of(4.5F - static_cast<float>(wanted)));
-        commands.dispatch_indirect(pipeline, std::vector<Resource>{filled}, groups, 4,
-                                   bytes_of(std::array{1.0F, 0.0F}));
-        commands.submit();
-        EXPECT_EQ(std::ranges::count(filled.as<float>(), 1.0F), 64 * wanted);
-    }
 }
 
 class TimestampTest : public GpuTest {

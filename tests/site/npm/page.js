@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What npm_test.py asks of views of the example, bundled with it.
-import {OrthographicCamera, Vector3, WebGLRenderTarget, DepthTexture, FloatType, HalfFloatType} from "three";
+import {Bone, BoxGeometry, BufferAttribute, DataTexture, DepthTexture, DoubleSide, FloatType, HalfFloatType, Mesh,
+    MeshStandardMaterial, OrthographicCamera, Plane, PlaneGeometry, Skeleton, SkinnedMesh, Vector3, WebGLRenderTarget}
+    from "three";
 import {EffectComposer} from "three/addons/postprocessing/EffectComposer.js";
 import {AmbientOcclusion, effect} from "gloam";
-import {encodings} from "./encodings.js";
 import {View} from "./view.js";
 
 const size = [160, 90];
@@ -56,22 +57,11 @@ function shown(view, [width, height] = size) {
 
 const edge = [-3.5, 0.02, -1.99];
 const floor = [-1, 0, 1.8];
-const top = [-1.7, 1.6, -1.1];
-
-// Errors of the eye-linear depth at points of the scene, relative; they say whether depth is read as it was stored.
-function depthErrors(view) {
-    const history = view.occlusion.occlusion.readHistory();
-    return [floor, top, [3, 2, -2]].map((point) => {
-        const truth = -new Vector3(...point).applyMatrix4(view.camera.matrixWorldInverse).z;
-        return Math.abs(history[4 * pixelOf(view, point) + 3] / truth - 1);
-    });
-}
 
 function measured(view) {
     const values = occlusion(view);
     return {edge: values[pixelOf(view, edge)], floor: values[pixelOf(view, floor)], sky: values.at(-1),
-        depth: Math.max(...depthErrors(view)), frames: view.occlusion.occlusion.frames,
-        error: view.renderer.getContext().getError()};
+        frames: view.occlusion.occlusion.frames, error: view.renderer.getContext().getError()};
 }
 
 const halton = (index, base) => {
@@ -105,16 +95,97 @@ function withComposerDepth(view) {
     return view;
 }
 
-// The pass before the RenderPass, for the ambient light alone, and lights of one kind.
+// The pass before the RenderPass, for the ambient light alone, and lights of one kind. The materials had another pass
+// before, and are given to this one twice.
 function ambient(view, lights) {
     const [render, occlusion, output] = view.composer.passes;
     view.composer.passes = [occlusion, render, output];
     occlusion.output = "ambient";
+    const former = new occlusion.constructor(view.scene, view.camera);
     view.scene.traverse((object) => {
         if (object.isLight) object.visible = object.type === lights;
-        if (object.isMesh) occlusion.darken(object.material);
+        if (object.isMesh) for (const pass of [former, occlusion, occlusion]) pass.darken(object.material);
     });
     return view;
+}
+
+// An upright sheet in the scene, of this width, whose left edge is so far from -1.
+const sheet = (options = {}, width = 2, left = 0) => {
+    const mesh = new Mesh(new PlaneGeometry(width, 2), new MeshStandardMaterial({side: DoubleSide, ...options}));
+    mesh.position.set(left - 1 + width / 2, 1, 1);
+    return mesh;
+};
+
+const texels = (...values) => {
+    const texture = new DataTexture(new Uint8Array(values.flatMap((x) => [x, x, x, 255])), values.length, 1);
+    texture.needsUpdate = true;
+    return texture;
+};
+
+// A box, bent as a whole by its one bone or turned by itself.
+function bent(skinned) {
+    const geometry = new BoxGeometry(0.5, 2, 0.5);
+    const count = geometry.attributes.position.count;
+    geometry.setAttribute("skinIndex", new BufferAttribute(new Uint16Array(4 * count), 4));
+    geometry.setAttribute("skinWeight", new BufferAttribute(Float32Array.from({length: 4 * count},
+        (_, i) => i % 4 === 0 ? 1 : 0), 4));
+    const mesh = new (skinned ? SkinnedMesh : Mesh)(geometry, new MeshStandardMaterial());
+    const turned = skinned ? new Bone() : mesh;
+    if (skinned) {
+        mesh.add(turned);
+        mesh.bind(new Skeleton([turned]));
+    }
+    mesh.position.set(0, 1, 1);
+    turned.rotation.z = 0.7;
+    return mesh;
+}
+
+// Pairs of meshes whose surfaces are the same; null is none.
+const pairs = () => [["alphaTest", sheet({alphaTest: 0.5, alphaMap: texels(0, 255)}), sheet({}, 1, 1)],
+    ["alphaTest of colours", sheet({alphaTest: 0.5, map: texels(255, 255)}), sheet()],
+    ["clipping planes", sheet({clippingPlanes: [new Plane(new Vector3(1, 0, 0), 0)]}), sheet({}, 1, 1)],
+    ["displacement", sheet({displacementMap: texels(255), displacementScale: 0.5}), sheet().translateZ(0.5)],
+    ["skeleton", bent(true), bent(false)], ["glass", sheet({transparent: true, opacity: 0.3}), null],
+    ["no depth", sheet({depthWrite: false}), null], ["wireframe", sheet({wireframe: true}), null]];
+
+// How far the first frames of each pair are apart, and that of the first one from that without it.
+function comparedPairs() {
+    const view = made();
+    view.renderer.localClippingEnabled = true;
+    const first = (mesh) => {
+        if (mesh) view.scene.add(mesh);
+        view.occlusion.restart();
+        view.draw();
+        if (mesh) view.scene.remove(mesh);
+        return occlusion(view);
+    };
+    const [none, solid] = [first(null), first(sheet())];
+    const all = pairs().map(([name, one, other]) => {
+        const shown = first(one);
+        return {name, apart: apart(shown, first(other)).mean, visible: apart(shown, none).mean};
+    });
+    closed(view);
+    return {all, solid: apart(none, solid).mean};
+}
+
+// What a view shows before its context is lost, and after it was restored.
+async function lostAndRestored() {
+    const view = made();
+    const happens = (name) => new Promise((resolve) => {
+        view.renderer.domElement.addEventListener(`webglcontext${name}`, resolve, {once: true});
+    });
+    const before = occlusion(frames(view, 5));
+    const [lost, restored] = [happens("lost"), happens("restored")];
+    view.renderer.forceContextLoss();
+    await lost;
+    await new Promise((resolve) => { setTimeout(resolve, 0); });  // no context is restored within that event
+    view.draw();
+    view.renderer.forceContextRestore();
+    await restored;
+    const after = occlusion(frames(view, 5));
+    const got = {...apart(before, after), ...measured(view)};
+    closed(view);
+    return got;
 }
 
 // The message of the error that a call throws.
@@ -127,5 +198,5 @@ function refusal(call) {
     return null;
 }
 
-window.page = {AmbientOcclusion, ambient, apart, closed, effect, encodings, frames, jitter, made, measured,
-    occlusion, orthographic, refusal, shown, withComposerDepth};
+window.page = {AmbientOcclusion, ambient, apart, closed, comparedPairs, effect, frames, jitter,
+    lostAndRestored, made, measured, occlusion, orthographic, refusal, shown, withComposerDepth};

@@ -5,7 +5,7 @@ import {EffectComposer} from "three/addons/postprocessing/EffectComposer.js";
 import {AmbientOcclusion, effect, type Frame} from "gloam";
 import {AmbientOcclusionPass} from "gloam/three";
 
-export function renderWith(gl: WebGL2RenderingContext, frame: Frame): WebGLTexture {
+export function renderWith(gl: WebGL2RenderingContext, frame: Frame): WebGLTexture | null {
     const occlusion = new AmbientOcclusion(gl, effect, {depth: "buffer", range: "zero-to-one", normals: "view-unorm"});
     occlusion.setPreset("fast", 0.5);
     occlusion.setSize(640, 360);

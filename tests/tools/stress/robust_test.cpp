@@ -65,7 +65,7 @@ TEST(Poison, NoticesWhatIsBroken) {
                 "damage other than stated", poisoned_history},
           Fault{"gloam/temporal/history.glsl", "return gloam_history_empty(h.depth);\n    return",
                 "return h;\n    return", "not healed (a fresh start) after one frame", poisoned_history},
-          Fault{"passes/ambient_occlusion.comp", "float gloam_fetch_depth(ivec2 pixel) {\n",
+          Fault{"passes/study/ambient_occlusion.comp", "float gloam_fetch_depth(ivec2 pixel) {\n",
                 "float gloam_fetch_depth(ivec2 pixel) {\n    pixel += ivec2(5, 0);\n",
                 "pixels changed beyond the footprint", poisoned_passes}}) {
         const Installation broken;

@@ -72,8 +72,10 @@ void bind_nothing(PackedPass& pass, std::vector<effect::PlannedImage>& images) {
 
 PackedEffect packed_effect(const effect::Settings& settings, const effect::PlanOptions& options,
                            const scene::PassLibrary& library, shader::Language language) {
-    PackedEffect effect{
-        .language = language, .settings = settings, .options = options, .plan = plan_of(settings, options)};
+    PackedEffect effect{.language = language,
+                        .settings = settings,
+                        .options = options,
+                        .plan = plan_of(settings, options, library)};
     std::set<std::string> bound{effect.plan.result};
     for (const effect::PlannedPass& planned : effect.plan.passes) {
         effect.passes.push_back(packed_pass(planned, library, language));
@@ -95,7 +97,7 @@ const std::string& resource_at(const PackedPass& pass, const shader::Binding& bi
 }
 
 bool is_nothing(const std::string& resource) {
-    return resource.starts_with(effect::nothing_image) || resource == effect::nothing_buffer;
+    return resource.starts_with(effect::nothing_image);
 }
 
 bool is_of_view(const PackedPass& pass, const shader::LaidOut& member) {
@@ -148,7 +150,6 @@ void pack_effect(const EffectPackOptions& options) {
                                    .moving_objects = options.moving_objects,
                                    .motion_vectors = options.motion_vectors,
                                    .orthographic = options.orthographic,
-                                   .tiles = options.tiles,
                                    .normals = !options.reconstruct_normals,
                                    .bent_normals = options.bent_normals,
                                    .encoding = scene::encoding_named(options.depth, options.normals)};

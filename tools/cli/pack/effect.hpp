@@ -83,7 +83,6 @@ struct EffectPackOptions {
     bool orthographic = false;
     bool reconstruct_normals = false;
     bool bent_normals = false;
-    bool tiles = false;
     std::string depth = "linear";  // how the engine stores depth and normals: scene::encoding_named()
     std::string normals = "view";
     std::optional<shader::Target> target;  // a language for every pass, besides GLSL

@@ -248,8 +248,6 @@ void add_effect_options(CLI::App& command, PackOptions& options) {
              ->capture_default_str());
     only(command.add_flag("--bent-normals", of_effect.bent_normals,
                           "an image of the mean open directions is written as well"));
-    only(command.add_flag("--tiles", of_effect.tiles,
-                          "run over lists of tiles and skip unchanged tiles; else run over the whole image"));
 }
 
 // The package has its presets and methods all together, so no other option belongs to it.

@@ -57,54 +57,42 @@ class Passes {
         return {handle, uniforms};
     }
 
-    // A texture of this format, one of Passes.formats. Its nearest texel is read, clamped to the edge.
-    image(format, width, height, levels = 1) {
+    // A texture of a sized format, "R32F" for example. Its nearest texel is read, or of four the mean; both clamped to
+    // the edge.
+    image(format, [width, height], {levels = 1, linear = false} = {}) {
         const {gl} = this;
         const texture = gl.createTexture();
         gl.bindTexture(gl.TEXTURE_2D, texture);
-        gl.texStorage2D(gl.TEXTURE_2D, levels, gl[Passes.formats[format]], width, height);
-        gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, levels > 1 ? gl.NEAREST_MIPMAP_NEAREST : gl.NEAREST);
-        gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
-        for (const edge of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T])
-            gl.texParameteri(gl.TEXTURE_2D, edge, gl.CLAMP_TO_EDGE);
+        gl.texStorage2D(gl.TEXTURE_2D, levels, gl[format], width, height);
+        const filter = linear ? gl.LINEAR : gl.NEAREST;
+        for (const [name, value] of [[gl.TEXTURE_MIN_FILTER, levels > 1 ? gl.NEAREST_MIPMAP_NEAREST : filter],
+            [gl.TEXTURE_MAG_FILTER, filter], [gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE],
+            [gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE]]) gl.texParameteri(gl.TEXTURE_2D, name, value);
         return texture;
     }
 
-    static formats = {r16float: "R16F", r32float: "R32F", r32uint: "R32UI", rgba32float: "RGBA32F", rgba8unorm: "RGBA8"};
-
-    framebuffer(textures, level = 0) {
+    // What draws to all of these images, of this size.
+    target([width, height], images, level = 0) {
         const {gl} = this;
         const framebuffer = gl.createFramebuffer();
         gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
-        textures.forEach((texture, i) =>
-            gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0 + i, gl.TEXTURE_2D, texture, level));
-        gl.drawBuffers(textures.map((_, i) => gl.COLOR_ATTACHMENT0 + i));
-        return framebuffer;
+        images.forEach((image, i) =>
+            gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0 + i, gl.TEXTURE_2D, image, level));
+        gl.drawBuffers(images.map((_, i) => gl.COLOR_ATTACHMENT0 + i));
+        return {width, height, images, image: images[0], framebuffer};
     }
 
-    // Images of one size and what draws to all of them.
-    target(width, height, ...formats) {
-        const images = formats.map((format) => this.image(format, width, height));
-        return {width, height, formats, images, image: images[0], framebuffer: this.framebuffer(images)};
-    }
-
-    // One image with levels, as many as its size has but at most `most`: a target for each, the largest first.
-    levels(width, height, format, most) {
-        const count = Math.min(most, 1 + Math.floor(Math.log2(Math.max(width, height))));
-        const image = this.image(format, width, height, count);
-        return Array.from({length: count}, (_, level) => ({image, images: [image],
-            width: Math.max(width >> level, 1), height: Math.max(height >> level, 1),
-            framebuffer: this.framebuffer([image], level)}));
+    // A target for each level of one image, the largest first.
+    levels([width, height], format, most) {
+        const levels = Math.min(most, 1 + Math.floor(Math.log2(Math.max(width, height))));
+        const image = this.image(format, [width, height], {levels});
+        return Array.from({length: levels}, (_, level) =>
+            this.target([width, height].map((n) => Math.max(n >> level, 1)), [image], level));
     }
 
     deleteTarget({images, framebuffer}) {
         for (const image of images) this.gl.deleteTexture(image);
         this.gl.deleteFramebuffer(framebuffer);
-    }
-
-    clear(target) {
-        this.gl.bindFramebuffer(this.gl.FRAMEBUFFER, target.framebuffer);
-        this.gl.clearBufferfv(this.gl.COLOR, 0, [0, 0, 0, 0]);
     }
 
     // Sets what a pass relies on and an engine may have changed.
@@ -122,7 +110,7 @@ class Passes {
     }
 
     // Makes a program current and sets each of its uniforms, and each member of a uniform structure, to the value of
-    // its name. Numbers, arrays, and a texture for a sampler; null for a float is infinity.
+    // its name: a number, an array, a texture for a sampler.
     use({handle, uniforms}, values) {
         const {gl} = this;
         gl.useProgram(handle);
@@ -142,16 +130,13 @@ class Passes {
 
     setUniform(type, location, value) {
         const {gl} = this;
-        if (type === gl.FLOAT) gl.uniform1f(location, value ?? Infinity);
+        if (type === gl.FLOAT) gl.uniform1f(location, value);
         else if (type === gl.FLOAT_VEC2) gl.uniform2fv(location, value);
         else if (type === gl.FLOAT_VEC3) gl.uniform3fv(location, value);
-        else if (type === gl.FLOAT_MAT3) gl.uniformMatrix3fv(location, false, value);
         else if (type === gl.FLOAT_MAT3x4) gl.uniformMatrix3x4fv(location, false, value);
         else if (type === gl.FLOAT_MAT4x3) gl.uniformMatrix4x3fv(location, false, value);
         else if (type === gl.FLOAT_MAT4) gl.uniformMatrix4fv(location, false, value);
-        else if (type === gl.INT_VEC2) gl.uniform2iv(location, value);
-        else if (type === gl.UNSIGNED_INT) gl.uniform1ui(location, value);
-        else gl.uniform1i(location, Number(value));
+        else gl.uniform1i(location, value);
     }
 
     // Draws the whole of a target, or of a canvas with framebuffer null.
@@ -163,15 +148,6 @@ class Passes {
         gl.bindVertexArray(this.noVertices);
         gl.drawArrays(gl.TRIANGLES, 0, 3);
         gl.bindVertexArray(null);
-    }
-
-    // The first image of a target, floats of the first channels of each pixel, row 0 first.
-    read({framebuffer, width, height}, channels = 4) {
-        const {gl} = this;
-        const texels = new Float32Array(4 * width * height);
-        gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
-        gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, texels);
-        return channels === 4 ? texels : texels.filter((_, i) => i % 4 < channels);
     }
 
     // Deletes the programs.

@@ -1,39 +1,30 @@
 // SPDX-License-Identifier: MIT
 
-/** The value of a setting; null is infinity. */
-export type Setting = number | boolean | string | null;
-
-/** A method: its pass in GLSL ES 3.00. */
-export interface Method {
-    readonly name: string;
-    readonly description: string;
-    readonly text: string;
-}
-
 export interface Preset {
     readonly name: string;
     readonly description: string;
-    /** Name of its method. */
-    readonly method: string;
-    /** For a radius of 1. */
-    readonly settings: Readonly<Record<string, Setting>>;
+    /** Of each pixel that is swept; and the taps on each side of one. */
+    readonly slices: number;
+    readonly steps: number;
+    /** Every second pixel in both directions is swept. */
+    readonly half: boolean;
+    /** Of the filter at full size, pixels. */
+    readonly half_width: number;
+    /** How far a mean of frames may be from that of the last ones; and how much less of a new frame it filters. */
+    readonly range: number;
+    readonly sharpness: number;
 }
 
-/** The shaders in GLSL ES 3.00, the presets, and the methods that these use. */
+/** The presets, and the shaders in GLSL ES 3.00. */
 export interface Effect {
     /** The default preset. */
     readonly preset: string;
     readonly presets: readonly Preset[];
-    readonly methods: readonly Method[];
-    /** Names of the settings that are lengths and scale with the radius. */
-    readonly lengths: readonly string[];
     readonly whole_image: string;
-    readonly take_inputs: string;
-    readonly normals_from_depth: string;
-    readonly halve_inputs: string;
-    readonly reproject: string;
-    readonly spatial_filter: string;
-    readonly upsample: string;
+    readonly prepare: string;
+    readonly sweep: string;
+    readonly filter: string;
+    readonly join: string;
     /** `vec3 gloam_multi_bounce(float occlusion, vec3 albedo)`: factor of the ambient light, with what surfaces reflect. */
     readonly multi_bounce: string;
 }
@@ -55,20 +46,18 @@ export interface Inputs {
 export interface Frame {
     depth: WebGLTexture;
     normal?: WebGLTexture | null;
-    /** From view to clip space, 16 numbers, column by column. A jitter of up to a pixel is left out. */
+    /** From view to clip space, 16 numbers, column by column. It may be off its centre. */
     projection: ArrayLike<number>;
     /** From world to view space, likewise. */
     view: ArrayLike<number>;
 }
 
-/** The temporal effect for any engine of WebGL2. */
+/** The frame in sequences for any engine of WebGL2. */
 export class AmbientOcclusion {
     /** Throws an Error for other inputs, and where the context is not WebGL2 or cannot draw floats. */
     constructor(gl: WebGL2RenderingContext, effect: Effect, inputs?: Inputs);
     /** Frames since the history began. */
     readonly frames: number;
-    /** The settings in use; a change holds until a preset is set. */
-    readonly settings: Record<string, Setting>;
     /** radius: world units. Begins a new history. */
     setPreset(preset: string, radius: number): void;
     /** Pixels of the images that render() gets. Begins a new history. */
@@ -77,14 +66,12 @@ export class AmbientOcclusion {
     restart(): void;
     /**
      * Renders a frame. Returns a texture of the size of the view whose first channel is the occlusion: 0 open, 1
-     * blocked. It is valid until the next call; read it with texelFetch(), it may be a format without filtering.
+     * blocked, 8 bits; null where the context is lost. It is valid until the next call.
      * Leaves no program, vertex array or framebuffer bound, tests and blending off, and its viewport and textures.
      */
-    render(frame: Frame): WebGLTexture;
+    render(frame: Frame): WebGLTexture | null;
     /** Occlusion of the last frame, one float a pixel, row 0 first. Waits for the GPU. */
     readOcclusion(): Float32Array;
-    /** History of the last frame, four floats a pixel: occlusion, samples, samples of the sequence used, depth. */
-    readHistory(): Float32Array;
     /** Deletes what this object has made in the context. */
     dispose(): void;
 }

@@ -39,11 +39,11 @@ export class AmbientOcclusionPass extends Pass {
     restart(): void;
     /**
      * Lets the occlusion darken the ambient light alone of a material that three.js lights: for the output "ambient",
-     * with this pass before the RenderPass.
+     * with this pass before the RenderPass. Of several passes, a material reads the one that it was given to last.
      */
     darken(material: Material): void;
     setSize(width: number, height: number): void;
-    /** Throws an Error for a logarithmic depth buffer, and for a camera whose projection is off its centre. */
+    /** Throws an Error for a logarithmic depth buffer. Does nothing while the context is lost. */
     render(renderer: WebGLRenderer, writeBuffer: WebGLRenderTarget, readBuffer: WebGLRenderTarget): void;
     dispose(): void;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Ambient occlusion as a pass of three.js's EffectComposer.
 import {DepthTexture, DoubleSide, ExternalTexture, FloatType, HalfFloatType, MeshNormalMaterial, NearestFilter,
-    NoBlending, ShaderMaterial, WebGLRenderTarget} from "three";
+    NoBlending, ShaderMaterial, UniformsLib, UniformsUtils, WebGLRenderTarget} from "three";
 import {FullScreenQuad, Pass} from "three/addons/postprocessing/Pass.js";
 import {AmbientOcclusion, effect} from "./index.js";
 
@@ -33,25 +33,49 @@ float gloamShown = gloamIntensity * texelFetch(gloamOcclusion, ivec2(gl_FragCoor
 reflectedLight.indirectDiffuse *= gloamBounces ? gloam_multi_bounce(gloamShown, diffuseColor.rgb)
     : vec3(1.0 - gloamShown);`;
 
+// Materials that were given to darken(), and the pass whose occlusion they read.
+const darkened = new WeakMap();
+
+// Lets the shader of a MeshNormalMaterial leave out what alphaTest leaves out.
+function cutOut(shader) {
+    Object.assign(shader.uniforms, UniformsUtils.clone(UniformsLib.common));
+    const parts = ["map", "alphamap", "alphatest"];
+    for (const [place, ending] of [["#include <uv_pars_fragment>", "_pars_fragment"],
+        ["#include <logdepthbuf_fragment>", "_fragment"]])
+        shader.fragmentShader = shader.fragmentShader.replace(place,
+            [place, ...parts.map((part) => `#include <${part}${ending}>`)].join("\n"));
+}
+
 // Materials that draw normals in the place of a scene's own ones, and hide what has no surface.
 class NormalMaterials {
     constructor() {
         this.known = new Map();
         this.hidden = new MeshNormalMaterial({visible: false});
         this.replaced = [];
+        this.forget = ({target}) => {
+            this.known.get(target).dispose();
+            this.known.delete(target);
+            target.removeEventListener("dispose", this.forget);
+        };
     }
 
-    // That of one of the scene's materials: its side and its shading.
+    // That of one of the scene's materials.
     of(material) {
         if (material.transparent || material.depthWrite === false || !material.visible) return this.hidden;
-        const key = `${material.side} ${Boolean(material.flatShading)}`;
-        if (!this.known.has(key)) {
-            const {side, flatShading} = material;
-            this.known.set(key, new MeshNormalMaterial({side, flatShading: Boolean(flatShading),
-                blending: NoBlending}));
+        if (!this.known.has(material)) {
+            this.known.set(material, Object.assign(new MeshNormalMaterial({blending: NoBlending}),
+                {onBeforeCompile: cutOut}));
+            material.addEventListener("dispose", this.forget);
         }
-        return this.known.get(key);
+        const normals = this.known.get(material);
+        for (const name of NormalMaterials.shared) if (name in material) normals[name] = material[name];
+        for (const name of ["map", "alphaMap"]) normals[name] = material.alphaTest > 0 ? material[name] : null;
+        normals.version = material.version;
+        return normals;
     }
+
+    static shared = ["side", "flatShading", "wireframe", "opacity", "alphaTest", "clippingPlanes", "clipIntersection",
+        "displacementMap", "displacementScale", "displacementBias"];
 
     replace(scene) {
         scene.traverse((object) => {
@@ -69,7 +93,8 @@ class NormalMaterials {
     }
 
     dispose() {
-        for (const material of [...this.known.values(), this.hidden]) material.dispose();
+        for (const material of this.known.keys()) this.forget({target: material});
+        this.hidden.dispose();
     }
 }
 
@@ -85,8 +110,10 @@ export class AmbientOcclusionPass extends Pass {
         this.size = [1, 1];
         this.occlusion = null;
         this.materials = new NormalMaterials();
-        this.uniforms = {color: {value: null}, occlusion: {value: new ExternalTexture()}, intensity: {value: 1},
-            alone: {value: false}, bounces: {value: false}};
+        const pass = this;
+        this.uniforms = {color: {value: null}, occlusion: {value: new ExternalTexture()}, alone: {value: false},
+            intensity: {get value() { return pass.enabled && pass.occlusion ? pass.intensity : 0; }},
+            bounces: {get value() { return pass.bounces; }}};
         this.mix = new FullScreenQuad(new ShaderMaterial({vertexShader: mixVertices, fragmentShader: mixFragments,
             uniforms: this.uniforms, depthTest: false, depthWrite: false, blending: NoBlending, side: DoubleSide}));
     }
@@ -94,6 +121,9 @@ export class AmbientOcclusionPass extends Pass {
     // Lets the occlusion darken the ambient light alone of a material that three.js lights: for the output "ambient",
     // with this pass before the RenderPass.
     darken(material) {
+        const known = darkened.has(material);
+        darkened.set(material, this);
+        if (known) return;
         const compile = material.onBeforeCompile;
         const key = material.customProgramCacheKey;
         material.onBeforeCompile = (shader, renderer) => {
@@ -101,9 +131,10 @@ export class AmbientOcclusionPass extends Pass {
             const place = "#include <aomap_fragment>";
             if (!shader.fragmentShader.includes(place))
                 throw new Error(`${material.type}: expected a material that three.js lights`);
-            shader.uniforms.gloamOcclusion = this.uniforms.occlusion;
-            shader.uniforms.gloamIntensity = this.uniforms.intensity;
-            shader.uniforms.gloamBounces = this.uniforms.bounces;
+            for (const name of ["Occlusion", "Intensity", "Bounces"])
+                shader.uniforms[`gloam${name}`] = {get value() {
+                    return darkened.get(material).uniforms[name.toLowerCase()].value;
+                }};
             shader.fragmentShader = ambientUniforms + shader.fragmentShader.replace(place, place + ambientDarkened);
         };
         material.customProgramCacheKey = () => key.call(material) + " gloam";
@@ -120,6 +151,7 @@ export class AmbientOcclusionPass extends Pass {
     }
 
     render(renderer, writeBuffer, readBuffer) {
+        if (renderer.getContext().isContextLost()) return;
         const inputs = this.source === "scene" ? this.drawScene(renderer) : AmbientOcclusionPass.drawn(readBuffer);
         const raw = (texture) => renderer.properties.get(texture).__webglTexture;
         this.prepare(renderer);
@@ -134,8 +166,6 @@ export class AmbientOcclusionPass extends Pass {
         renderer.resetState();
         depth.setReversed(reversed);
         depth.setClear(1);
-        uniforms.intensity.value = this.intensity;
-        uniforms.bounces.value = this.bounces;
         this.needsSwap = this.output !== "ambient";
         if (!this.needsSwap) return;
         uniforms.color.value = readBuffer.texture;
@@ -181,11 +211,11 @@ export class AmbientOcclusionPass extends Pass {
             magFilter: NearestFilter, depthTexture: new DepthTexture(width, height, FloatType)});
         this.target.setSize(width, height);
         const {scene, materials} = this;
-        const {background} = scene;
+        const {background, overrideMaterial} = scene;
         const {autoClear} = renderer;
         const {autoUpdate} = renderer.shadowMap;
         try {
-            scene.background = null;
+            Object.assign(scene, {background: null, overrideMaterial: null});
             renderer.shadowMap.autoUpdate = false;
             renderer.autoClear = true;
             materials.replace(scene);
@@ -195,7 +225,7 @@ export class AmbientOcclusionPass extends Pass {
             materials.restore();
             Object.assign(renderer, {autoClear});
             renderer.shadowMap.autoUpdate = autoUpdate;
-            scene.background = background;
+            Object.assign(scene, {background, overrideMaterial});
         }
         return {depth: this.target.depthTexture, normal: this.target.texture};
     }

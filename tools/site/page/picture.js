@@ -16,7 +16,8 @@ gloam.Picture = class {
         const {gbuffer_vertices, gbuffer, show} = gloam.shaders;
         this.gbuffer = this.passes.program("gbuffer", gbuffer_vertices, gbuffer);
         this.shower = this.passes.program("show", gloam.effect.whole_image, show);
-        this.target = this.passes.target(width, height, "r32float", "rgba32float", "rgba8unorm");
+        this.target = this.passes.target([width, height], ["R32F", "RGBA32F", "RGBA8"].map((format) =>
+            this.passes.image(format, [width, height])));
         const depth = gl.createRenderbuffer();
         gl.bindRenderbuffer(gl.RENDERBUFFER, depth);
         gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT32F, width, height);

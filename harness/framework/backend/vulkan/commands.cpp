@@ -245,15 +245,6 @@ void Commands::dispatch(const ComputePipeline& pipeline, std::span<const Resourc
     device_barrier(commands);
 }
 
-void Commands::dispatch_indirect(const ComputePipeline& pipeline, std::span<const Resource> resources,
-                                 const Buffer& groups, std::size_t offset,
-                                 std::span<const std::byte> push_constants) {
-    impl_->bind(pipeline, resources, push_constants);
-    const auto& commands = impl_->recording();
-    commands.dispatchIndirect(*groups.impl().handles->buffer, offset);
-    device_barrier(commands);
-}
-
 std::size_t Commands::timestamp() {
     const auto& commands = impl_->recording();
     const std::size_t position = impl_->handles->timestamps.record(impl_->context, commands);

@@ -61,12 +61,6 @@ class Commands {
     void dispatch(const ComputePipeline& pipeline, std::span<const Resource> resources,
                   std::array<std::uint32_t, 3> groups, std::span<const std::byte> push_constants = {});
 
-    // The same with the numbers of groups in x, y and z from a buffer, read when the dispatch runs, after the
-    // writes of the commands before it. They are three uint at `offset` bytes.
-    void dispatch_indirect(const ComputePipeline& pipeline, std::span<const Resource> resources,
-                           const Buffer& groups, std::size_t offset,
-                           std::span<const std::byte> push_constants = {});
-
     // Records the device's clock after all work so far. Returns the index of the reading in times_ms().
     std::size_t timestamp();
 

@@ -10,10 +10,12 @@
 
 #include "backend/vulkan/resources.hpp"
 #include "effect/internal/steps.hpp"
+#include "effect/internal/values.hpp"
 #include "effect/plan.hpp"
 #include "effect/settings.hpp"
 #include "scene/gbuffer.hpp"
 #include "scene/pass_library.hpp"
+#include "shader/reflection.hpp"
 
 namespace gloam::effect {
 
@@ -29,10 +31,6 @@ class Resources {
 
     // Fills what a first frame expects: zeros in the images of the history, contents in all buffers.
     void restart(const Plan& plan);
-
-    // Fills the buffers that are refilled before each frame. Behind a buffer's contents nothing is read that
-    // the frame has not written.
-    void refill(const Plan& plan);
 
     // Swaps the images or buffers of each pair.
     void exchange(std::span<const std::array<std::string, 2>> pairs);
@@ -82,10 +80,23 @@ class Executor {
     // object live. Throws std::runtime_error when a shader does not compile.
     [[nodiscard]] std::vector<Step> steps(std::span<const PlannedPass> passes, const Resources& resources);
 
+    // A pass of a plan of its own, its constants by their names.
+    [[nodiscard]] PlannedPass planned(std::string name, PassSource source, std::vector<std::string> resources,
+                                      const Values& values, std::array<std::uint32_t, 3> groups);
+
+    // Of the module of a source, which is compiled once.
+    [[nodiscard]] const shader::ModuleInterface& interface_of(const PassSource& source);
+
     // Runs passes once. Throws like steps() and gpu::Commands::submit().
     void run(std::span<const PlannedPass> passes, const Resources& resources, const PassWatcher& watcher);
 
   private:
+    struct Module {
+        shader::Spirv spirv;
+        shader::ModuleInterface interface;
+    };
+    [[nodiscard]] const Module& module(const PassSource& source);
+
     struct Compiled {
         gpu::ComputePipeline pipeline;
         std::vector<std::string> formats;  // of the image of each binding
@@ -94,7 +105,8 @@ class Executor {
 
     const gpu::Device* device_;
     scene::PassLibrary library_;
-    std::map<std::string, Compiled> compiled_;  // by all that the source says
+    std::map<std::string, Module> modules_;     // by all that the source says but constants
+    std::map<std::string, Compiled> compiled_;  // by all that it says
 };
 
 // What frames need of a view, and how they get it. The functions named require... throw

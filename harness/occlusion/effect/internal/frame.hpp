@@ -5,10 +5,12 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "effect/internal/passes.hpp"
 #include "effect/plan.hpp"
+#include "shader/reflection.hpp"
 
 namespace gloam::effect {
 
@@ -18,10 +20,13 @@ namespace gloam::effect {
 [[nodiscard]] Plan planned_resources(const Moment& moment);
 
 // The passes of one frame, in their order: pass_table() evaluated. resources: those that exist; a pass gets
-// nothing_image or nothing_buffer in the place of others. The table names what a resource is to the frame:
+// nothing_image in the place of others. The table names what a resource is to the frame:
 // `depth`, for example, is the depth that the passes read, and `history` the one that the samples enter. Both
-// sets of parameters are those of this frame.
-[[nodiscard]] std::vector<PlannedPass> planned_passes(const Moment& moment, const Plan& resources);
+// sets of parameters are those of this frame. interface_of: of the module of a source; its push constants and
+// specialization constants are set by their names. Throws std::logic_error for a name without a value.
+using InterfaceOf = std::function<shader::ModuleInterface(const PassSource&)>;
+[[nodiscard]] std::vector<PlannedPass> planned_passes(const Moment& moment, const Plan& resources,
+                                                      const InterfaceOf& interface_of);
 
 // Adds the macro by which a last pass writes another format than r32f.
 void define_output(OutputFormat output, std::vector<std::string>& defines);
@@ -29,31 +34,13 @@ void define_output(OutputFormat output, std::vector<std::string>& defines);
 // A view in the place of the engine's.
 [[nodiscard]] View view_of(const PlanOptions& options);
 
-// Push constants, and which of them are the view's.
-struct Constants {
-    std::vector<std::byte> bytes;
-    std::vector<bool> of_view;  // for each byte
-};
-
-// What the groups of a pass cover.
-enum class Cover {
-    tiles,           // one tile: 8 x 8 pixels of the images that the passes read
-    rows_of_tiles,   // a row of filter_tiles tiles
-    tiles_of_tiles,  // 8 x 8 tiles
-    view,            // 8 x 8 pixels of the engine's view
-    halved,          // 8 x 8 pixels of the half-size images; the constants are those of the engine's view
-    own              // PassRow::groups
-};
-
 // A pass. Resources are named by what they are to the frame: see planned_passes().
 struct PassRow {
     const char* name;
     std::function<std::size_t(const Moment&)> when;  // how many times it runs; Moment::step counts them
-    std::function<PassSource(const Moment&, List)> source;
-    std::vector<const char*> resources;  // at binding 0, 1, ...
-    std::function<Constants(const Moment&)> fill;
-    Cover cover = Cover::tiles;
-    List list = {};  // on which it runs in frames with lists
+    std::function<PassSource(const Moment&)> source;
+    std::vector<const char*> resources;                    // at binding 0, 1, ...
+    std::vector<std::pair<const char*, double>> own = {};  // values of this pass alone, by name
     Turn turn = Turn::always;
     std::function<std::array<std::uint32_t, 3>(const Moment&)> groups = {};
     std::function<std::string(const Moment&)> own_name = {};  // in the place of `name`

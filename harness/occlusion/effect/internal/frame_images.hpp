@@ -21,18 +21,12 @@ namespace gloam::effect {
 // Format of the images that hold what is displayed.
 [[nodiscard]] gpu::Format format_of(OutputFormat output);
 
-// Occlusion that the integer 1 of a packed history stands for, as in GloamPackedHistory.
-constexpr float packed_occlusion_unit = 1.0F / 32768.0F;
-
 // A history image, by channel.
 struct HistoryTexels {
     std::vector<float> occlusion;
     std::vector<float> samples;  // accumulated
 };
 [[nodiscard]] HistoryTexels history_in(const gpu::Image& image);
-
-// Each pixel's value of a half-size image at the pixels of an image of this size: that of its block of 2 x 2.
-[[nodiscard]] std::vector<float> expanded(const std::vector<float>& half, gpu::Extent extent);
 
 // The texels (x, y, z, 0) of an image of four channels, and back.
 using scene::vectors_of;

@@ -3,24 +3,21 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "effect/internal/constants.hpp"
-#include "effect/internal/tiles.hpp"
 #include "effect/methods.hpp"
 #include "effect/plan.hpp"
 #include "effect/settings.hpp"
 #include "scene/camera.hpp"
 #include "scene/gbuffer.hpp"
 
-// The shaders of the passes and their push constants.
+// The shaders of the passes.
 namespace gloam::effect {
 
 constexpr std::uint32_t tile_side = 8;
-constexpr std::uint32_t filter_tiles = 8;         // tiles of one group of the filter, as in tiles/list.glsl
-constexpr std::uint32_t sample_table_group = 64;  // samples of one group of sample_table.comp
 
 // A size and a choice as shaders take them.
 [[nodiscard]] inline glm::ivec2 vector_of_size(gpu::Extent extent) {
@@ -40,26 +37,11 @@ struct View {
 // Size of the half-size image: half of each side, rounded up.
 [[nodiscard]] gpu::Extent half_of(gpu::Extent extent);
 
-// The view whose images the passes read: `view`, or at half the resolution its half-size view. Its camera has
-// another projection where a side is odd. Its band is at least one pixel smaller than half of the band,
-// because pixels at the edge of the frame are interpolated from it.
-[[nodiscard]] View working_view(const View& view, Resolution resolution);
-
-// The camera of the half-size image is in the middle of it, half a pixel of the view away from where its
-// pixels are. Its view space is sheared by that (perspective) or shifted (orthographic). This is the motion
-// `previous_from_current` of the views between these spaces.
-[[nodiscard]] glm::mat4 half_previous_from_current(const View& view, const View& previous);
-
-// How passes count the work of their tiles (tiles/tally.glsl).
-enum class Counting : std::uint32_t { none, each_invocation, each_group };
-
 // One frame: the settings, the view, and everything else that decides what the frame runs.
 struct Moment {
     Settings settings;
-    View given;         // the engine's view
-    View given_before;  // the engine's view of the frame before; the same one where there is none
-    View view;          // these two at the size of the images that the passes read
-    View before;
+    View view;                               // the engine's
+    View before;                             // of the frame before; the same one where there is none
     std::optional<Preparation> preparation;  // of the method
     // How the engine stores depth and normals. None: as passes read them.
     std::optional<scene::Encoding> converted;
@@ -69,21 +51,13 @@ struct Moment {
     bool bent_normals = false;      // the frame writes the mean open directions, too
     bool new_view = true;           // the view was not that of the frame before
     bool moved = true;              // the history, if there is one, belongs to another view
-    bool settled = false;           // both images of the history show this view
-    bool odd = false;               // the two images of the history are swapped
     bool filtered = true;           // the filter runs
     bool shows_unfiltered = false;  // the unfiltered occlusion is remapped, too
-    bool has_tiles = false;         // the buffers of tiles exist
-    bool listed = false;            // passes run over lists of tiles
-    Counting counting = Counting::none;
-    // Samples that the frame adds to the table. None if the last is less than the first.
-    SampleTableParameters tabulated{1, 0};
-    std::uint32_t step = 0;  // of a pass that runs several times
+    std::uint32_t step = 0;         // of a pass that runs several times
 
     // Sets the view and the one before it, and what depends on their size.
     void look(const View& now, const View& last);
 
-    [[nodiscard]] bool half() const { return settings.resolution == Resolution::half; }
     // Whether the history is moved to the view.
     [[nodiscard]] bool moves_history() const { return moved && settings.history; }
     [[nodiscard]] bool knows_motion() const { return moves_history() && has_positions; }
@@ -91,64 +65,18 @@ struct Moment {
     [[nodiscard]] bool watches() const {
         return knows_motion() && settings.invalidation != Invalidation::none;
     }
-    // Whether images for remapped results exist. At half the resolution the pass that upsamples remaps as
-    // well, but only what is displayed.
-    [[nodiscard]] bool maps_images() const {
-        return remaps(settings) && (!half() || (shows_unfiltered && filtered));
-    }
-    // Guard band on each side of the view that is not shaded.
-    [[nodiscard]] gpu::Extent unshaded_band() const {
-        return settings.guard_history ? gpu::Extent{} : view.border.each_side();
-    }
+    // Whether images for remapped results exist.
+    [[nodiscard]] bool maps_images() const { return remaps(settings); }
 };
 
-// Precision of the history that is bound: of an image in its place where there is none.
-[[nodiscard]] HistoryPrecision bound_precision(const Settings& settings);
-
-// Largest number of pixels that the settings' filter reads to each side.
-[[nodiscard]] std::int32_t filter_reach(const Settings& settings);
-
-// The push constants.
-[[nodiscard]] NormalParameters normal_parameters(const View& view);
-[[nodiscard]] InputParameters input_parameters(const View& view);
-[[nodiscard]] DirectionalParameters directional_parameters(const View& view, const Settings& settings);
-// Motion vectors in pixels.
-[[nodiscard]] MotionParameters motion_parameters(const View& view, const View& before);
-[[nodiscard]] OcclusionParameters occlusion_parameters(const View& view, const Settings& settings);
-[[nodiscard]] ReprojectionParameters reprojection_parameters(const Moment& moment);
-[[nodiscard]] FilterParameters filter_parameters(const View& view, const Settings& settings);
-[[nodiscard]] PreparationParameters preparation_parameters(const View& view, const Settings& settings,
-                                                           int level);
-[[nodiscard]] SelectParameters select_parameters(const Moment& moment);
-
-// The shaders, with their definitions and constants. list: of the tiles on which the pass runs; none: the
-// whole image.
-using List = std::optional<TileLists>;
-[[nodiscard]] PassSource input_source(const Moment& moment);
-[[nodiscard]] PassSource halve_source(const Moment& moment);
-[[nodiscard]] PassSource upsample_source(const Moment& moment, bool filtered);
-[[nodiscard]] PassSource occlusion_source(const Moment& moment, List list = {});
-[[nodiscard]] PassSource reprojection_source(const Moment& moment);
+// The shaders, with their definitions.
+[[nodiscard]] PassSource occlusion_source(const Moment& moment);
 // Throws std::invalid_argument for Filter::none.
-[[nodiscard]] PassSource filter_source(const Moment& moment, bool along_y, List list = {});
+[[nodiscard]] PassSource filter_source(const Settings& settings);
 // from_history: it reads the history; otherwise an image of one channel.
-// A pass that includes directional/points.glsl. interleave: side of the blocks whose pixels share a pattern
-// of samples; 0 where the pass does not use it.
-[[nodiscard]] PassSource directional_source(const std::string& name, std::uint32_t interleave);
-inline constexpr std::uint32_t bent_interleave = 4;  // in a frame's plan
-[[nodiscard]] PassSource motion_source(const View& view, const View& before);
-[[nodiscard]] PassSource remap_source(const Settings& settings, bool from_history, List list = {});
-// file: in glsl/passes/preparation.
+[[nodiscard]] PassSource remap_source(const Settings& settings, bool from_history);
+// file: in glsl/passes/study/preparation.
 [[nodiscard]] PassSource preparation_source(const Moment& moment, const std::string& file);
-// samples: name of the points in the table, a file of glsl/passes/samples.
-[[nodiscard]] PassSource sample_table_source(const std::string& samples);
-
-// The last sample that a table for these settings holds, and the size of its image.
-[[nodiscard]] std::uint32_t last_tabulated(const Settings& settings);
-[[nodiscard]] gpu::Extent sample_table_extent(const Settings& settings);
-
-// Whether the settings' frames read a table. False for a sequence of more than 131,072 samples.
-[[nodiscard]] bool tabulates_samples(const Settings& settings);
 
 // Groups of 8 x 8 invocations that cover an image.
 [[nodiscard]] std::array<std::uint32_t, 3> groups_for(gpu::Extent extent);

@@ -32,8 +32,6 @@ struct Step {
     std::vector<gpu::Resource> resources;
     std::span<const std::byte> parameters;
     std::array<std::uint32_t, 3> groups{};  // 0: as many as the image takes
-    const gpu::Buffer* indirect = nullptr;  // buffer from which the device reads the groups instead
-    std::size_t offset = 0;                 // bytes
 };
 
 template <class Parameters>
@@ -41,12 +39,10 @@ std::span<const std::byte> bytes_of(const Parameters& parameters) {
     return std::as_bytes(std::span(&parameters, 1));
 }
 
-// Runs the passes in order, `repeat` times, and calls `before_each` before each time. A pass without groups
-// of its own gets `groups`. Returns the median time of each pass, NaN with a watcher. Throws like
-// gpu::Commands::submit().
+// Runs the passes in order, `repeat` times. A pass without groups of its own gets `groups`. Returns the
+// median time of each pass, NaN with a watcher. Throws like gpu::Commands::submit().
 [[nodiscard]] std::vector<PassTime> run(const gpu::Device& device, std::span<const Step> passes,
                                         const std::array<std::uint32_t, 3>& groups, int repeat,
-                                        const std::function<void()>& before_each = {},
                                         const PassWatcher& watcher = {});
 
 // Bytes of all images and buffers that the passes use, each counted once.

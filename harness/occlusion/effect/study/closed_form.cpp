@@ -18,7 +18,6 @@ Settings accumulated(Settings settings, std::uint32_t samples) {
     settings.samples_converged = samples;
     settings.weight_max = most_weight;
     settings.table_size = 1U << 24U;
-    settings.precision = HistoryPrecision::float32;
     settings.c_rot = 0.0F;
     settings.filter = Filter::none;
     settings.remap_a = 0.0F;

@@ -23,12 +23,12 @@ gpu::ComputePipeline slices_pipeline(const gpu::Device& device, const scene::Pas
             fmt::format("{} slices of {} steps: expected 1 or more", taps.slices, taps.steps));
     require_timestamps(device.info());
     return pipeline_of(device, passes,
-                       {.file = "comparison/plain_slices.comp",
+                       {.file = "study/comparison/plain_slices.comp",
                         .constants = {{.id = 0, .bits = taps.slices}, {.id = 1, .bits = taps.steps}}});
 }
 
 gpu::ComputePipeline blur_pipeline(const gpu::Device& device, const scene::PassLibrary& passes) {
-    return pipeline_of(device, passes, {.file = "comparison/plain_blur.comp"});
+    return pipeline_of(device, passes, {.file = "study/comparison/plain_blur.comp"});
 }
 
 void require(bool holds, const char* found, const char* expected) {

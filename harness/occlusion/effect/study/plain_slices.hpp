@@ -30,7 +30,7 @@ struct PlainFrame {
 };
 
 // Ground-truth ambient occlusion as one plain loop over slices, and a plain blur: what an engine without this
-// library has. Methods are compared with it (glsl/passes/comparison).
+// library has. Methods are compared with it (glsl/passes/study/comparison).
 class PlainSlices {
   public:
     // `blurs`: times that the blur is applied. The device must outlive this object. Throws

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+#version 450
+// Ambient occlusion of one frame, blended into the history (TSSAO-2 to -6, -12 to -14, BUF, ROT): one invocation a
+// pixel. The history is that of the same pixel: move it first (reproject.comp) where the view has changed. Where
+// objects move, the samples tell as well whether the neighbourhood of the pixel has changed, and the history then
+// counts less (TSSAO-9, -SI).
+//
+// Define METHOD, and change the include, for another method than the one below.
+// Define GLOAM_PREPARED as r32f for a method whose prepared image has one channel (separable, sao_chain), else it is
+// rgba32f. Dispatch ceil(size / 8) groups. Descriptor set 0:
+//   0  r32f     eye-linear depth, world units; background 0 or not finite
+//   1  rgba32f  view-space normal facing the eye in xyz
+//   2  rgba32f  history before: (occlusion, samples accumulated, samples of the sequence used, depth); zeros for none;
+//               read when keeps_history is set
+//   3  rgba32f  history, written unless shows_alone is set: after, likewise; background (0, 0, 0, infinity)
+//   4  rgba32f  xyz: where each surface point was, in the view space of the previous frame; read when
+//               watches_objects is set
+//   5  buffer   a MethodValues
+//   6  prepared what the method's preparation passes have written (preparation/pass.glsl); read by methods that have
+//               some
+//   7  rgba32f  depth layers 1 to 3 behind binding 0 in xyz: eye-linear, negative where seen from behind, 0 or not
+//               finite where there is none; read when layers is more than 1
+//   8  r32f     occlusion: written when shows_alone is set
+#include "passes/study/input_image.glsl"
+#ifndef GLOAM_PREPARED
+#define GLOAM_PREPARED rgba32f
+#endif
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(constant_id = 1) const bool watches_objects = false;  // watch the neighbourhood through binding 4
+layout(constant_id = 2) const int layers = 1;               // of depth that the samples see, 1 to 4
+// leave out taps further in front than MethodValues::range (CS-REJ)
+layout(constant_id = 3) const bool reject_taps = false;
+layout(constant_id = 5) const uint table_size = 65536u;     // samples after which the sequence starts over
+layout(constant_id = 6) const bool fewer_samples = true;    // read samples_distance, samples_radius and samples_least
+layout(constant_id = 7) const bool caps_radius = true;      // read radius_cap
+layout(constant_id = 8) const bool smooths = true;          // read smoothing
+layout(constant_id = 9) const bool orthographic = false;    // the camera; else perspective
+layout(constant_id = 14) const bool keeps_history = true;   // else each frame stands by itself
+layout(constant_id = 20) const bool shows_alone = false;    // neither history nor filter: only binding 8 is written
+layout(constant_id = 21) const bool on_lattice = false;    // kernels are rotated on a lattice; else by a hash
+// Numbers that loops end by: compilers unroll those whose length they know.
+layout(constant_id = 15) const uint samples_asked = 32u;      // k_1, for each pixel that has not converged
+layout(constant_id = 16) const uint samples_converged = 16u;  // k_2, for each pixel that has
+layout(constant_id = 17) const uint method_steps = 4u;        // in the place of MethodValues::steps
+layout(constant_id = 18) const uint samples_unit = 1u;  // samples are taken in whole units of so many, at least one
+layout(constant_id = 19) const bool rounds_up = false;        // to the next whole unit; else down
+
+layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
+layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT normal_image;
+layout(binding = 2 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT history_before;
+layout(binding = 3, rgba32f) uniform writeonly highp image2D history_after;
+layout(binding = 4 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT previous_position_image;
+
+layout(push_constant) uniform Parameters {
+    vec2 p00_p11;          // elements [0][0] and [1][1] of the projection, y down
+    ivec2 size;            // of the images, pixels, with the guard band
+    ivec2 border;          // guard band on each side, pixels (TSSAO-BORDER): samples read it; 0 for none
+    float radius;          // of influence, world units
+    float bias;            // world units
+    float c_spatial;       // convergence from which a pixel takes k_2; above 1 never
+    float weight_max;      // w_max: samples in the mean, at most
+    float c_rot;           // kernels are rotated below this convergence; 0 never
+    float least_radius;    // pixels: where the projected radius is smaller, occlusion is 0 without a sample; 0 never
+    uint shade_border;     // 1: the band has occlusion as well, a history for what moves in; 0: it is left out
+    uint invalidation;     // where a neighbourhood changed: 0 nothing, 1 at most weight_small samples count, 2 by
+                           // confidence
+    float change_tolerance;  // change of a distance that is taken for rounding, world units
+    float weight_small;    // invalidation 1: samples
+    float confidence_factor;  // invalidation 2: S, per radius of change
+    float samples_distance;  // of the far plane, world units: fewer samples the further away (CS-N); 0: as many
+                             // everywhere
+    float samples_radius;    // pixels: fewer samples where the projected radius is smaller (ISSAO-LOD); 0: as many
+                             // everywhere
+    uint samples_least;    // of those, at least
+    float radius_cap;      // pixels: the projected radius is at most that large (Gears of War 2)
+    float smoothing;       // part of a frame in an exponential mean (CS-G); 0: the mean of TSSAO-5
+    float bias_depth;      // the bias is at least this share of the depth
+} parameters;
+
+#include "gloam/geometry/borders.glsl"
+#include "gloam/geometry/camera.glsl"
+#include "gloam/occlusion/gather_kernel.glsl"
+#include "gloam/temporal/blend.glsl"
+#include "gloam/temporal/convergence.glsl"
+#include "gloam/temporal/history.glsl"
+#include "gloam/temporal/neighborhood.glsl"
+#include "gloam/temporal/smoothing.glsl"
+#include "gloam/sampling/whole_samples.glsl"
+#include "method_values.glsl"
+#include "invalidation.glsl"
+
+layout(binding = 7 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT layer_image;
+layout(binding = 5, std430) readonly buffer MethodSettings { MethodValues method_values; };
+layout(binding = 6 GLOAM_FORMAT(GLOAM_PREPARED)) uniform GLOAM_INPUT prepared_image;
+layout(binding = 8, r32f) uniform writeonly highp image2D shown_image;
+
+// The method, any file of that folder, and its call; values: a MethodValues.
+#include "gloam/methods/hemisphere.glsl"
+#ifndef METHOD
+#define METHOD(position, normal, camera, kernel, values) \
+    gloam_hemisphere(position, normal, camera, kernel, GloamHemisphere(values.range, values.layers))
+#endif
+
+// The point being shaded, where it was, and what the samples have shown of its neighbourhood so far.
+struct Neighborhood {
+    vec3 position;
+    vec3 previous;  // in the view space of the previous frame
+    vec3 normal;
+    float reach;   // how far what blocks a sample may be, world units
+    float change;  // largest, world units
+};
+Neighborhood neighborhood;
+
+GloamCamera this_camera() {
+    return GloamCamera(parameters.p00_p11, parameters.size, orthographic);
+}
+
+#include "pixel_samples.glsl"
+
+// Takes the surface point under a sample as a probe (TSSAO-9). The ray is divided as gloam_footprint_ray divides, so
+// that compilers share it.
+void probe(ivec2 pixel, float depth) {
+    vec2 ray = (vec2(2 * pixel + 1) - vec2(parameters.size)) / vec2(parameters.size) / parameters.p00_p11;
+    vec3 now = vec3(orthographic ? ray : ray * depth, -depth) - neighborhood.position;
+    vec3 before = GLOAM_FETCH(previous_position_image, pixel).xyz - neighborhood.previous;
+    float change = gloam_probe_change(now, before, neighborhood.normal, neighborhood.reach);
+    float largest = max(neighborhood.change, change);  // outside of the choice, so that it is no branch
+    neighborhood.change = gloam_tap_sees(depth) ? largest : neighborhood.change;
+}
+
+// Read by the samples, which thereby are the probes.
+float gloam_fetch_depth(ivec2 pixel) {
+    float depth = GLOAM_FETCH(depth_image, pixel).x;
+    if (watches_objects) probe(pixel, depth);
+    return depth;
+}
+
+// Read by the samples where they see more layers than the first.
+vec3 gloam_fetch_layers(ivec2 pixel) {
+    return GLOAM_FETCH(layer_image, pixel).xyz;
+}
+
+// Read by methods that prepare something.
+vec4 gloam_fetch_prepared(ivec2 pixel) {
+    return GLOAM_FETCH(prepared_image, pixel);
+}
+
+// Read by the methods that look at the surface under a sample.
+vec3 gloam_fetch_normal(ivec2 pixel) {
+    return GLOAM_FETCH(normal_image, pixel).xyz;
+}
+
+// Weight that the history keeps after what the probes have seen (TSSAO-SI). seen: the largest change, world units.
+float weight_after_change(float weight, float seen) {
+    if (!watches_objects) return weight;
+    return invalidated_weight(weight, seen, parameters.radius, parameters.invalidation, parameters.change_tolerance,
+                              parameters.weight_small, parameters.confidence_factor);
+}
+
+// A sample is as far as the radius from the point, and what blocks it up to `range` in front of the sample.
+Neighborhood neighborhood_of(ivec2 pixel, vec3 position, vec3 normal, float radius) {
+    vec3 previous = GLOAM_FETCH(previous_position_image, pixel).xyz;
+    return Neighborhood(position, previous, normal, radius + method_values.range, 0.0);
+}
+
+// What the method says of a pixel by `samples` samples.
+GloamEstimate estimated(ivec2 pixel, float depth, GloamHistory before, uint samples) {
+    GloamCamera camera = this_camera();
+    GloamKernel kernel = kernel_of(pixel, depth, before, samples);
+    vec3 position = gloam_camera_position(pixel, depth, camera);
+    vec3 normal = GLOAM_FETCH(normal_image, pixel).xyz;
+    if (watches_objects) neighborhood = neighborhood_of(pixel, position, normal, kernel.radius);
+    MethodValues values = method_values;
+    values.steps = method_steps;
+    values.layers = layers;
+    return METHOD(position, normal, camera, kernel, values);
+}
+
+// The whole units of the method that `samples` stands for.
+uint whole_samples(uint samples) {
+    return gloam_whole_samples(rounds_up ? samples + samples_unit - 1u : samples, samples_unit);
+}
+
+// How many samples a pixel takes: whole units of the method. A constant where k_1 is k_2, so that
+// loops are unrolled.
+uint samples_for(GloamHistory before, float depth) {
+    uint samples = samples_at(before, depth);
+    if (fewer_samples && samples == 0u) return 0u;
+    return whole_samples(samples);
+}
+
+GloamHistory sampled(ivec2 pixel, float depth) {
+    GloamHistory before = gloam_history_empty(depth);
+    if (keeps_history) before = gloam_history_unpack(GLOAM_FETCH(history_before, pixel));
+    uint samples = samples_for(before, depth);
+    GloamEstimate fresh = GloamEstimate(0.0, 0.0, 1.0);
+    float change = 0.0;  // of a pixel that takes no sample nothing is known
+    if (samples > 0u) {
+        fresh = estimated(pixel, depth, before, samples);
+        change = neighborhood.change;
+    }
+    float weight = weight_after_change(before.weight, change);
+    vec2 blended =
+        gloam_blend(before.occlusion, weight, fresh.occlusion, fresh.samples * fresh.weight, parameters.weight_max);
+    if (smooths && parameters.smoothing > 0.0 && fresh.samples > 0.0) {
+        blended.x = gloam_temporal_smooth(before.occlusion, weight > 0.0, fresh.occlusion, parameters.smoothing);
+    }
+    return GloamHistory(blended.x, blended.y, gloam_next_index(before.index, samples, table_size), depth);
+}
+
+bool left_out(ivec2 pixel) {
+    if (parameters.shade_border != 0u) return false;
+    ivec2 inner = pixel - parameters.border;
+    return inner != gloam_clamp_to_edge(inner, parameters.size - 2 * parameters.border);
+}
+
+GloamHistory shade(ivec2 pixel) {
+    float depth = GLOAM_FETCH(depth_image, pixel).x;
+    if (left_out(pixel) || gloam_is_background(depth)) return gloam_history_empty(depth);
+    vec2 reach = reach_at(depth);
+    // Known for certain: converged.
+    if (max(reach.x, reach.y) < parameters.least_radius) return GloamHistory(0.0, parameters.weight_max, 0u, depth);
+    return sampled(pixel, depth);
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
+    GloamHistory after = shade(pixel);
+    if (shows_alone) {
+        imageStore(shown_image, pixel, vec4(gloam_history_sanitize(after).occlusion));
+    } else {
+        imageStore(history_after, pixel, gloam_history_pack(after));
+    }
+}

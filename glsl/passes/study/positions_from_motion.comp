@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#version 450
+// Where surface points were in the frame before, from motion vectors. A motion vector says where a point was
+// in the image; how far it was from the eye follows from the camera, as if the point itself stood still. One invocation
+// a pixel.
+//
+// Dispatch ceil(size / 8) groups. Descriptor set 0:
+//   0  r32f     eye-linear depth of this frame, world units; background 0 or not finite
+//   1           motion vectors in xy, in units of motion_unit; any format. Not finite: the point was not in the image
+//   2  rgba32f  written: xyz: where each surface point was, in the view space of the previous frame; 0 where that is
+//               unknown, and at the background
+#include "passes/study/input_image.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(constant_id = 0) const bool orthographic = false;           // this frame's camera; else perspective
+layout(constant_id = 1) const bool previous_orthographic = false;  // the previous frame's
+
+layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
+layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT motion_image;
+layout(binding = 2, rgba32f) uniform writeonly highp image2D previous_position_image;
+
+layout(push_constant) uniform Parameters {
+    mat4 previous_from_current;  // view space of this frame to that of the previous one
+    vec2 p00_p11;                // elements [0][0] and [1][1] of this frame's projection, y down
+    vec2 previous_p00_p11;       // of the previous frame's
+    ivec2 size;                  // of the images, pixels
+    vec2 motion_unit;            // pixels: by how many, x right and y down, a point has moved that has a vector of 1
+} parameters;
+
+#include "gloam/geometry/camera.glsl"
+#include "gloam/geometry/pixel_center.glsl"
+
+// Where a point of an image lies in view space, at a depth.
+// place: pixels from the top left corner; the centre of the first pixel is at 1/2.
+vec3 position_at(vec2 place, float depth, vec2 p00_p11, bool is_orthographic) {
+    vec2 ray = (2.0 * place / vec2(parameters.size) - 1.0) / p00_p11;
+    return vec3(is_orthographic ? ray : ray * depth, -depth);
+}
+
+vec3 earlier(ivec2 pixel, float depth) {
+    vec3 here = gloam_camera_position(pixel, depth, GloamCamera(parameters.p00_p11, parameters.size, orthographic));
+    vec3 still = (parameters.previous_from_current * vec4(here, 1.0)).xyz;
+    if (!previous_orthographic && !(still.z < 0.0)) return vec3(0.0);  // behind the eye
+    vec2 motion = parameters.motion_unit * GLOAM_FETCH(motion_image, pixel).xy;
+    if (abs(motion.x) < 1e9 && abs(motion.y) < 1e9)
+        return position_at(vec2(pixel) + 0.5 - motion, -still.z, parameters.previous_p00_p11, previous_orthographic);
+    // The camera alone may have carried the point in from outside. Otherwise its earlier position is unknown.
+    GloamCamera camera = GloamCamera(parameters.previous_p00_p11, parameters.size, previous_orthographic);
+    return gloam_inside_unit(gloam_camera_uv(still, camera)) ? vec3(0.0) : still;
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
+    float depth = GLOAM_FETCH(depth_image, pixel).x;
+    vec3 position = gloam_is_background(depth) ? vec3(0.0) : earlier(pixel, depth);
+    imageStore(previous_position_image, pixel, vec4(position, 0.0));
+}

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#version 450
+// Brings the history of the previous frame to the pixels of this one (TSSAO-RP, -7, -8, BUF): one invocation a pixel.
+// What was hidden, outside the image or another surface has no history.
+//
+// Dispatch ceil(size / 8) groups. Descriptor set 0:
+//   0  r32f     eye-linear depth of this frame, world units; background 0 or not finite
+//   1  rgba32f  xyz: where each surface point was, in the view space of the previous frame; read when moving_objects is
+//               set
+//   2  rgba32f  history of the previous frame: (occlusion, samples accumulated, samples of the sequence used, depth)
+//   3  rgba32f  written: the same for this frame's pixels, with the depth the point had in the previous camera; (0, 0,
+//               0, depth) for none
+#include "passes/study/input_image.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(constant_id = 0) const bool moving_objects = false;  // binding 1 holds the positions; else only the camera moved
+// 0: nearest texel, 1: bilinear, valid where the nearest is, 2: bilinear over the valid ones
+layout(constant_id = 1) const uint taps = 2u;
+layout(constant_id = 3) const bool orthographic = false;           // this frame's camera; else perspective
+layout(constant_id = 4) const bool previous_orthographic = false;  // the previous frame's
+
+layout(binding = 0 GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT depth_image;
+layout(binding = 1 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT previous_position_image;
+layout(binding = 2 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT previous_history;
+layout(binding = 3, rgba32f) uniform writeonly highp image2D history;
+
+layout(push_constant) uniform Parameters {
+    mat4 previous_from_current;  // view space of this frame to that of the previous one; a rigid motion
+    vec2 p00_p11;                // elements [0][0] and [1][1] of this frame's projection, y down
+    vec2 previous_p00_p11;       // of the previous frame's
+    ivec2 size;                  // of all images, pixels
+    float depth_tolerance;       // of the depth test, relative; infinity: no test
+} parameters;
+
+#include "gloam/geometry/camera.glsl"
+#include "gloam/temporal/reprojected_history.glsl"
+
+const uint NEAREST = 0u;
+const uint BILINEAR = 1u;
+
+vec4 gloam_fetch_history(ivec2 pixel) {
+    return GLOAM_FETCH(previous_history, pixel);
+}
+
+// Where a surface point was, in the view space of the previous frame.
+vec3 previous_position(ivec2 pixel, float depth) {
+    if (moving_objects) return GLOAM_FETCH(previous_position_image, pixel).xyz;
+    GloamCamera camera = GloamCamera(parameters.p00_p11, parameters.size, orthographic);
+    return (parameters.previous_from_current * vec4(gloam_camera_position(pixel, depth, camera), 1.0)).xyz;
+}
+
+GloamHistory history_at(vec2 uv, float expected_depth) {
+    if (taps == NEAREST || taps == BILINEAR) {
+        vec2 center = gloam_pixel_center(uv, parameters.size);
+        GloamHistory nearest =
+            gloam_reprojected_history(center, parameters.size, expected_depth, parameters.depth_tolerance);
+        if (taps == NEAREST || !(nearest.weight > 0.0)) return nearest;
+    }
+    float tolerance = taps == BILINEAR ? gloam_background_depth() : parameters.depth_tolerance;
+    return gloam_reprojected_history(uv, parameters.size, expected_depth, tolerance);
+}
+
+GloamHistory reprojected(ivec2 pixel) {
+    float depth = GLOAM_FETCH(depth_image, pixel).x;
+    if (gloam_is_background(depth)) return gloam_history_empty(depth);
+    vec3 previous = previous_position(pixel, depth);
+    GloamCamera camera = GloamCamera(parameters.previous_p00_p11, parameters.size, previous_orthographic);
+    vec2 uv = gloam_camera_uv(previous, camera);
+    bool seen = !gloam_is_background(-previous.z) && gloam_inside_unit(uv);
+    return seen ? history_at(uv, -previous.z) : gloam_history_empty(depth);
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (pixel.x >= parameters.size.x || pixel.y >= parameters.size.y) return;
+    imageStore(history, pixel, gloam_history_pack(reprojected(pixel)));
+}
