@@ -31,10 +31,8 @@
 #include <math.h>
 #include <string.h>
 
-typedef struct {
-    int half;               /* the sweep takes every second pixel in both directions */
-    float range, sharpness; /* of the history */
-} gloam_preset;
+/* half: the sweep takes every second pixel in both directions. range, sharpness: of the history. */
+typedef struct { int half; float range, sharpness; } gloam_preset;
 typedef struct { /* another one begins a sequence */
     gloam_preset preset;
     int size[2];      /* of the view, pixels */
