@@ -11,7 +11,6 @@
 #include <GLES3/gl3.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -23,7 +22,7 @@
 #include <string>
 #include <vector>
 
-#include "../vulkan/files.hpp"
+#include "../gbuffers.hpp"
 
 namespace {
 
@@ -158,9 +157,9 @@ std::vector<std::uint8_t> wall_on_floor(GLuint program) {
 
 // The occlusion of a frame; images have their rows from the top, and so has the result.
 std::vector<float> of_frame(GLuint program, const std::string& frame, float radius) {
-    const Picture depth = read_pfm(frame + "_depth.pfm");
-    const Picture normal = read_pfm(frame + "_normal.pfm");
-    const std::vector<std::uint32_t> projection = read_view(frame + ".json").at("p00_p11");
+    const Picture depth = read_pfm(frame + "_depth.pfm", 1);
+    const Picture normal = read_pfm(frame + "_normal.pfm", 3);
+    const std::vector<float> projection = numbers_of(read_file(frame + ".json"), "proj_vk");
     const Size size{static_cast<GLsizei>(depth.width), static_cast<GLsizei>(depth.height)};
     texture(size, GL_RGBA32F, GL_RGBA, GL_FLOAT, nullptr);
     texture(size, GL_R32F, GL_RED, GL_FLOAT, depth.values.data());
@@ -170,14 +169,14 @@ std::vector<float> of_frame(GLuint program, const std::string& frame, float radi
     GL(UNIFORM1I, Uniform1i)(uniform(program, "engine_depth"), 0);
     GL(UNIFORM1I, Uniform1i)(uniform(program, "engine_normal"), 1);
     GL(UNIFORM2F, Uniform2f)
-    (uniform(program, "p00_p11"), std::bit_cast<float>(projection[0]), std::bit_cast<float>(projection[1]));
+    (uniform(program, "p00_p11"), projection.at(0), projection.at(5));
     GL(UNIFORM1F, Uniform1f)(uniform(program, "radius"), radius);
     return drawn<float>(size, GL_FLOAT);
 }
 
 // Drivers round differently, and a tap within rounding of a pixel's border falls to either side.
 void compare(const std::vector<float>& occlusion, const std::string& file) {
-    const std::vector<float> rendered = read_pfm(file).values;
+    const std::vector<float> rendered = read_pfm(file, 1).values;
     require(occlusion.size() == rendered.size(), "the images differ in size");
     double sum = 0.0;
     float greatest = 0.0F;

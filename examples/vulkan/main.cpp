@@ -1,321 +1,248 @@
 // SPDX-License-Identifier: MIT
-// Ambient occlusion of a sequence of G-buffers, by the passes that `gloam pack --effect` wrote: packed_effect
-// GBUFFERS OUT. gloam_effect.h says what there is to make, to bind and to run; nothing here knows a pass or a
-// method by its name.
-#include <gloam_effect.h>
+// vulkan_frame GBUFFERS OUT RADIUS linear|buffer: the ambient occlusion of a sequence, by the passes that
+// `gloam pack
+// --effect` wrote. An engine has what stands above `struct Images`.
+#include <gloam_frame.h>
 
-#include <algorithm>
-#include <bit>
-#include <cmath>
-#include <cstdio>
-#include <cstring>
-#include <exception>
+#include <array>
 #include <optional>
-#include <stdexcept>
+#include <vulkan/vulkan_raii.hpp>
 
-#include "device.hpp"
-#include "files.hpp"
+#include "gbuffers.hpp"
 
-namespace {
+constexpr auto general = vk::ImageLayout::eGeneral;
+constexpr vk::ImageSubresourceRange all_levels(vk::ImageAspectFlagBits::eColor, 0, VK_REMAINING_MIP_LEVELS, 0,
+                                               1);
 
-namespace fs = std::filesystem;
+using Commands = vk::raii::CommandBuffer;
 
-// What the bindings mean in this frame, by the numbers of gloam_effect.h.
-struct Resources {
-    const std::vector<const Image*>& images;
-    const std::vector<Buffer*>& buffers;
+struct Device {
+    Device() {
+        const float priority = 1.0F;
+        const vk::DeviceQueueCreateInfo queues({}, 0, 1, &priority);
+        vk::PhysicalDeviceFeatures features;
+        features.shaderStorageImageExtendedFormats = VK_TRUE;
+        const char* const extension = VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME;
+        device = {physical, vk::DeviceCreateInfo({}, queues, {}, extension, &features)};
+        vk::SamplerCreateInfo sampler;
+        sampler.setMaxLod(VK_LOD_CLAMP_NONE);
+        sampler.addressModeU = sampler.addressModeV = vk::SamplerAddressMode::eClampToEdge;
+        nearest = {device, sampler};
+        linear = {device, sampler.setMagFilter(vk::Filter::eLinear)};
+    }
+
+    vk::raii::DeviceMemory memory(const vk::MemoryRequirements& needs, vk::MemoryPropertyFlags wanted) const {
+        const vk::PhysicalDeviceMemoryProperties all = physical.getMemoryProperties();
+        std::uint32_t i = 0;
+        while ((needs.memoryTypeBits >> i & 1U) == 0 || (all.memoryTypes[i].propertyFlags & wanted) != wanted)
+            ++i;
+        return {device, vk::MemoryAllocateInfo(needs.size, i)};
+    }
+
+    // Records, submits and waits.
+    template <class Record>
+    void run(const Record& record) const {
+        const vk::raii::CommandPool pool(device, {vk::CommandPoolCreateFlagBits::eTransient, 0});
+        const vk::raii::CommandBuffers buffers(device, {*pool, vk::CommandBufferLevel::ePrimary, 1});
+        buffers[0].begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+        record(buffers[0]);
+        buffers[0].end();
+        const vk::raii::Queue queue(device, 0, 0);
+        queue.submit(vk::SubmitInfo({}, {}, *buffers[0]));
+        queue.waitIdle();
+    }
+
+    vk::raii::Context context;
+    vk::ApplicationInfo application{"vulkan_frame", 1, "", 0, VK_API_VERSION_1_2};
+    vk::raii::Instance instance{context, vk::InstanceCreateInfo({}, &application)};
+    vk::raii::PhysicalDevice physical{vk::raii::PhysicalDevices(instance).at(0)};
+    vk::raii::Device device{nullptr};
+    vk::raii::Sampler nearest{nullptr}, linear{nullptr};
 };
 
-// The first channel of a texel, as it is.
-float first_channel(const std::byte* texel, VkFormat format) {
-    if (format == VK_FORMAT_R32_SFLOAT || format == VK_FORMAT_R32G32B32A32_SFLOAT) {
-        float value = 0.0F;
-        std::memcpy(&value, texel, sizeof value);
-        return value;
+void barrier(const Commands& commands, vk::ArrayProxy<const vk::ImageMemoryBarrier> images = nullptr) {
+    const auto all = vk::PipelineStageFlagBits::eAllCommands;
+    const vk::MemoryBarrier memory(vk::AccessFlagBits::eMemoryWrite,
+                                   vk::AccessFlagBits::eMemoryRead | vk::AccessFlagBits::eMemoryWrite);
+    commands.pipelineBarrier(all, all, {}, memory, nullptr, images);
+}
+
+// In the layout general, filled with zeros. divisor: of the size, rounded up.
+struct Image {
+    Image(const Device& d, vk::Format format, const int size[2], std::uint32_t levels = 1, int divisor = 1)
+        : extent((size[0] + divisor - 1) / divisor, (size[1] + divisor - 1) / divisor, 1),
+          handle(d.device,
+                 vk::ImageCreateInfo({}, vk::ImageType::e2D, format, extent, levels, 1)
+                     .setUsage(vk::ImageUsageFlagBits::eStorage | vk::ImageUsageFlagBits::eSampled |
+                               vk::ImageUsageFlagBits::eTransferSrc | vk::ImageUsageFlagBits::eTransferDst)),
+          memory(d.memory(handle.getMemoryRequirements(), {})) {
+        handle.bindMemory(*memory, 0);
+        for (std::uint32_t view = 0; view <= levels; ++view) {
+            const vk::ImageSubresourceRange level(vk::ImageAspectFlagBits::eColor, view - 1, 1, 0, 1);
+            views.emplace_back(d.device, vk::ImageViewCreateInfo({}, *handle, vk::ImageViewType::e2D, format,
+                                                                 {}, view == 0 ? all_levels : level));
+        }
+        d.run([&](const Commands& commands) {
+            barrier(commands, vk::ImageMemoryBarrier({}, vk::AccessFlagBits::eMemoryWrite, {}, general, 0, 0,
+                                                     *handle, all_levels));
+            commands.clearColorImage(*handle, general, vk::ClearColorValue{}, all_levels);
+        });
     }
-    if (format == VK_FORMAT_R8_UNORM) return static_cast<float>(static_cast<unsigned char>(*texel)) / 255.0F;
-    std::uint16_t bits = 0;
-    std::memcpy(&bits, texel, sizeof bits);
-    if (format == VK_FORMAT_R16G16B16A16_UINT) return static_cast<float>(bits);
-    // A half of [0, 1]: no sign, no infinity.
-    const int exponent = bits >> 10;
-    const auto mantissa = static_cast<float>((bits & 0x3FFU) + (exponent > 0 ? 0x400U : 0U));
-    return std::ldexp(mantissa, std::max(exponent, 1) - 25);
+    vk::ImageView all() const { return *views[0]; }
+    vk::ImageView level(int number) const { return *views[number + 1]; }
+    vk::Extent3D extent;
+    vk::raii::Image handle;
+    vk::raii::DeviceMemory memory;
+    std::vector<vk::raii::ImageView> views;
+};
+
+// Copies values into an image, or those of an image.
+template <class Values>
+void copy(const Device& d, Values& values, const Image& image, bool to_image) {
+    const std::size_t bytes = values.size() * sizeof values[0];
+    const auto usage = vk::BufferUsageFlagBits::eTransferSrc | vk::BufferUsageFlagBits::eTransferDst;
+    const vk::raii::Buffer buffer(d.device, {{}, bytes, usage});
+    const auto seen = vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent;
+    const vk::raii::DeviceMemory memory = d.memory(buffer.getMemoryRequirements(), seen);
+    buffer.bindMemory(*memory, 0);
+    void* mapped = memory.mapMemory(0, VK_WHOLE_SIZE);
+    if (to_image) std::memcpy(mapped, values.data(), bytes);
+    d.run([&](const Commands& commands) {
+        const vk::BufferImageCopy all(0, 0, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, 1}, {}, image.extent);
+        if (to_image) commands.copyBufferToImage(*buffer, *image.handle, general, all);
+        if (!to_image) commands.copyImageToBuffer(*image.handle, general, *buffer, all);
+    });
+    if constexpr (!std::is_const_v<Values>)
+        if (!to_image) std::memcpy(values.data(), mapped, bytes);
 }
 
-std::vector<std::uint32_t> identity() {
-    std::vector<std::uint32_t> words(16);
-    for (std::size_t i = 0; i < 4; ++i) words[5 * i] = std::bit_cast<std::uint32_t>(1.0F);
-    return words;
-}
-
-// The constants of the half-size view, for passes whose divisor is 2.
-View half_view(const View& view) {
-    View half = view;
-#ifdef GLOAM_HALF_RESOLUTION
-    gloam_view_constants constants;
-    const std::pair<const char*, void*> members[] = {
-        {"size", constants.size},
-        {"border", constants.border},
-        {"p00_p11", constants.p00_p11},
-        {"previous_p00_p11", constants.previous_p00_p11},
-        {"previous_from_current", constants.previous_from_current}};
-    for (const auto& [name, member] : members)
-        std::memcpy(member, view.at(name).data(), 4 * view.at(name).size());
-    constants = gloam_half_view(&constants);
-    for (const auto& [name, member] : members)
-        std::memcpy(half.at(name).data(), member, 4 * half.at(name).size());
-#endif
-    return half;
-}
-
-class Pass {
-  public:
-    Pass(const Device& device, const gloam_pass_info& info)
-        : info_(info),
-          bindings_(info.bindings, info.bindings + info.binding_count),
-          set_layout_(make_set_layout(device)),
-          layout_(make_layout(device)),
-          pipeline_(make_pipeline(device)) {}
-
-    const gloam_pass_info& info() const { return info_; }
-
-    // Returns what has to live until the commands have run.
-    vk::raii::DescriptorSet record(const vk::raii::CommandBuffer& commands, const Device& device,
-                                   const vk::raii::DescriptorPool& pool, const Resources& resources,
-                                   Extent extent, const View& view, bool odd) const {
-        vk::raii::DescriptorSet set = written_set(device, pool, resources);
-        commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline_);
-        commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout_, 0, *set, nullptr);
-        const std::vector<std::uint32_t> words = push_constants(view, odd);
-        if (!words.empty())
-            commands.pushConstants<std::uint32_t>(*layout_, vk::ShaderStageFlagBits::eCompute, 0, words);
-        const auto groups = [&](std::uint32_t side, int axis) {
-            return (side + info_.pixels[axis] - 1) / info_.pixels[axis];
-        };
-        if (info_.list_buffer >= 0)
-            commands.dispatchIndirect(*resources.buffers[info_.list_buffer]->handle, info_.list_offset);
-        else if (info_.pixels[0] == 0)
-            commands.dispatch(info_.groups[0], info_.groups[1], info_.groups[2]);
-        else
-            commands.dispatch(groups(extent.width, 0), groups(extent.height, 1), 1);
-        barrier(commands);
-        return set;
-    }
-
-  private:
-    vk::raii::DescriptorSetLayout make_set_layout(const Device& device) const {
+// kinds: of its bindings: i, an image that is written; n or l, one whose nearest texel is read, or linearly.
+// width, height: what a group makes.
+struct Pass {
+    Pass(const Device& device, const char* name, std::string_view kinds, std::uint32_t bytes, int width,
+         int height)
+        : d(device), kinds(kinds), bytes(bytes), width(width), height(height) {
         std::vector<vk::DescriptorSetLayoutBinding> bindings;
-        for (const gloam_binding& b : bindings_)
-            bindings.emplace_back(b.number, vk::DescriptorType(b.type), 1, vk::ShaderStageFlagBits::eCompute);
-        return {device.get(), vk::DescriptorSetLayoutCreateInfo({}, bindings)};
-    }
-    vk::raii::PipelineLayout make_layout(const Device& device) const {
-        const vk::PushConstantRange range(vk::ShaderStageFlagBits::eCompute, 0, info_.preset_bytes);
-        vk::PipelineLayoutCreateInfo create({}, *set_layout_);
-        if (info_.preset_bytes > 0) create.setPushConstantRanges(range);
-        return {device.get(), create};
-    }
-    vk::raii::Pipeline make_pipeline(const Device& device) const {
-        const auto words = read_words(fs::path(MODULES) / (std::string(info_.name) + ".spv"));
-        const vk::raii::ShaderModule module(device.get(), vk::ShaderModuleCreateInfo({}, words));
+        for (std::uint32_t i = 0; i < kinds.size(); ++i)
+            bindings.emplace_back(i, type(i), 1, vk::ShaderStageFlagBits::eCompute);
+        set = {d.device, {vk::DescriptorSetLayoutCreateFlagBits::ePushDescriptorKHR, bindings}};
+        const vk::PushConstantRange range(vk::ShaderStageFlagBits::eCompute, 0, bytes);
+        layout = {d.device, vk::PipelineLayoutCreateInfo({}, *set, range)};
+        const std::string code = read_file(std::string(MODULES) + "/" + name + ".spv");
+        const vk::raii::ShaderModule module(
+            d.device,
+            vk::ShaderModuleCreateInfo({}, code.size(), reinterpret_cast<const std::uint32_t*>(code.data())));
         const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main");
-        return {device.get(), nullptr, vk::ComputePipelineCreateInfo({}, stage, *layout_)};
+        pipeline = {d.device, nullptr, vk::ComputePipelineCreateInfo({}, stage, *layout)};
     }
-    vk::raii::DescriptorSet written_set(const Device& device, const vk::raii::DescriptorPool& pool,
-                                        const Resources& resources) const {
-        vk::raii::DescriptorSets sets(device.get(), {*pool, *set_layout_});
-        for (const gloam_binding& b : bindings_) {
-            vk::WriteDescriptorSet write(*sets.front(), b.number, 0, 1, vk::DescriptorType(b.type));
-            vk::DescriptorImageInfo image(*device.sampler(), {}, general);
-            vk::DescriptorBufferInfo buffer({}, 0, VK_WHOLE_SIZE);
-            if (b.image >= 0) image.imageView = *resources.images[b.image]->view;
-            if (b.buffer >= 0) buffer.buffer = *resources.buffers[b.buffer]->handle;
-            b.image >= 0 ? write.setPImageInfo(&image) : write.setPBufferInfo(&buffer);
-            device.get().updateDescriptorSets(write, nullptr);
-        }
-        return std::move(sets.front());
+    vk::DescriptorType type(std::size_t binding) const {
+        return kinds[binding] == 'i' ? vk::DescriptorType::eStorageImage
+                                     : vk::DescriptorType::eCombinedImageSampler;
     }
-    // The preset's, and in their places the view's.
-    std::vector<std::uint32_t> push_constants(const View& view, bool odd) const {
-        std::vector<std::uint32_t> words(info_.preset_bytes / 4);
-        if (!words.empty())
-            std::memcpy(words.data(), odd ? info_.odd_preset : info_.preset, info_.preset_bytes);
-        for (std::uint32_t i = 0; i < info_.member_count; ++i) {
-            const gloam_member& member = info_.members[i];
-            if (member.of_view == 0) continue;
-            const auto value = view.find(member.name);
-            if (value == view.end() || 4 * value->second.size() != member.bytes)
-                throw std::runtime_error(std::string("no value for the push constant ") + member.name);
-            std::ranges::copy(value->second, words.begin() + member.offset / 4);
-        }
-        return words;
+    void record(const Commands& commands, const std::vector<vk::ImageView>& views, const void* parameters,
+                const vk::Extent3D& made) const {
+        barrier(commands);
+        std::vector<vk::DescriptorImageInfo> images;
+        for (std::size_t i = 0; i < views.size(); ++i)
+            images.emplace_back(kinds[i] == 'l' ? *d.linear : *d.nearest, views[i], general);
+        std::vector<vk::WriteDescriptorSet> writes;
+        for (std::uint32_t i = 0; i < views.size(); ++i)
+            writes.emplace_back(vk::DescriptorSet{}, i, 0, 1, type(i), &images[i]);
+        commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline);
+        commands.pushDescriptorSetKHR(vk::PipelineBindPoint::eCompute, *layout, 0, writes);
+        commands.pushConstants<char>(*layout, vk::ShaderStageFlagBits::eCompute, 0,
+                                     {bytes, static_cast<const char*>(parameters)});
+        commands.dispatch((made.width + width - 1) / width, (made.height + height - 1) / height, 1);
     }
-
-    gloam_pass_info info_;
-    std::vector<gloam_binding> bindings_;
-    vk::raii::DescriptorSetLayout set_layout_;
-    vk::raii::PipelineLayout layout_;
-    vk::raii::Pipeline pipeline_;
+    const Device& d;
+    std::string_view kinds;
+    std::uint32_t bytes;
+    int width, height;
+    vk::raii::DescriptorSetLayout set{nullptr};
+    vk::raii::PipelineLayout layout{nullptr};
+    vk::raii::Pipeline pipeline{nullptr};
 };
 
-// The effect for views of one size.
-class Effect {
-  public:
-    Effect(const Device& device, Extent extent) : device_(device), extent_(extent) {
-        images_.reserve(GLOAM_IMAGES);
-        for (const gloam_image_info& info : gloam_images) images_.emplace_back(device, info, extent);
-        for (const Image& image : images_) bound_images_.push_back(&image);
-        const std::size_t tiles = std::size_t{(extent.width + GLOAM_TILE - 1) / GLOAM_TILE} *
-                                  ((extent.height + GLOAM_TILE - 1) / GLOAM_TILE);
-        buffers_.reserve(GLOAM_BUFFERS);
-        for (const gloam_buffer_info& info : gloam_buffers)
-            buffers_.emplace_back(
-                device, info.bytes + tiles * info.bytes_a_tile,
-                vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eIndirectBuffer);
-        for (Buffer& buffer : buffers_) bound_buffers_.push_back(&buffer);
-        for (const gloam_pass_info& info : gloam_passes) passes_.emplace_back(device, info);
-        run(true, {});
-    }
+// What stands in gloam_frame.h, for views of one size.
+struct Images {
+    Images(const Device& d, const gloam_settings& settings)
+        : depth(d, vk::Format::eR32Sfloat, settings.size),
+          normal(d, vk::Format::eR32G32B32A32Sfloat, settings.size),
+          levels(d, vk::Format::eR16Sfloat, settings.size, 5),
+          levels_before(d, vk::Format::eR16Sfloat, settings.size, 5),
+          texels(d, vk::Format::eR32Uint, settings.size, 1, settings.preset.half ? 2 : 1),
+          history(d, vk::Format::eA2B10G10R10UnormPack32, settings.size),
+          history_before(d, vk::Format::eA2B10G10R10UnormPack32, settings.size),
+          shown(d, vk::Format::eR8Unorm, settings.size) {}
 
-    // Nothing is known of the frame before.
-    void cut() {
-        device_.run([&](const vk::raii::CommandBuffer& commands) {
-            for (int i = 0; i < GLOAM_IMAGES; ++i)
-                if (gloam_images[i].origin == GLOAM_KEPT)
-                    commands.clearColorImage(*bound_images_[i]->handle, general, vk::ClearColorValue{},
-                                             whole);
-        });
-        for (int i = 0; i < GLOAM_BUFFERS; ++i) fill(i);
-    }
-
-    // Occlusion of a frame, from the engine's images.
-    Picture frame(const std::map<int, Picture>& given, const View& view) {
-        for (const auto& [image, picture] : given) upload(*bound_images_[image], picture);
-        for (int i = 0; i < GLOAM_BUFFERS; ++i)
-            if (gloam_buffers[i].refilled != 0) fill(i);
-        run(false, view);
-        Picture result = download(*bound_images_[GLOAM_RESULT], gloam_images[GLOAM_RESULT].format);
-        for (const auto& [a, b] : gloam_exchanged_images)
-            if (a >= 0) std::swap(bound_images_[a], bound_images_[b]);
-        for (const auto& [a, b] : gloam_exchanged_buffers)
-            if (a >= 0) std::swap(bound_buffers_[a], bound_buffers_[b]);
-        odd_ = !odd_;
-        return result;
-    }
-
-  private:
-    void fill(int buffer) {
-        bound_buffers_[buffer]->fill(gloam_buffers[buffer].contents, gloam_buffers[buffer].contents_bytes);
-    }
-
-    // Those that run once, or those of a frame.
-    void run(bool once, const View& view) const {
-        const std::vector<vk::DescriptorPoolSize> sizes{
-            {vk::DescriptorType::eStorageImage, 16 * GLOAM_PASSES},
-            {vk::DescriptorType::eCombinedImageSampler, 16 * GLOAM_PASSES},
-            {vk::DescriptorType::eStorageBuffer, 16 * GLOAM_PASSES}};
-        const vk::raii::DescriptorPool pool(
-            device_.get(), {vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, GLOAM_PASSES, sizes});
-        std::vector<vk::raii::DescriptorSet> sets;  // until they have run
-        const View of_half = once ? View{} : half_view(view);
-        device_.run([&](const vk::raii::CommandBuffer& commands) {
-            for (const Pass& pass : passes_)
-                if ((pass.info().turn == GLOAM_ONCE) == once)
-                    sets.push_back(pass.record(commands, device_, pool, {bound_images_, bound_buffers_},
-                                               extent_, pass.info().divisor == 2 ? of_half : view, odd_));
-        });
-    }
-
-    // Images have one channel or four.
-    void upload(const Image& image, const Picture& picture) const {
-        const std::size_t pixels = std::size_t{picture.width} * picture.height;
-        if (picture.width != image.extent.width || picture.height != image.extent.height)
-            throw std::runtime_error("the images of a frame differ in size");
-        const std::size_t channels = picture.channels == 1 ? 1 : 4;
-        Buffer staging(device_, 4 * channels * pixels, vk::BufferUsageFlagBits::eTransferSrc);
-        for (std::size_t i = 0; i < pixels; ++i)
-            std::memcpy(staging.data + 4 * channels * i, &picture.values[picture.channels * i],
-                        4 * picture.channels);
-        device_.run([&](const vk::raii::CommandBuffer& commands) {
-            commands.copyBufferToImage(*staging.handle, *image.handle, general, image.all_of_it());
-            barrier(commands);
-        });
-    }
-
-    Picture download(const Image& image, VkFormat format) const {
-        const std::size_t pixels = std::size_t{image.extent.width} * image.extent.height;
-        const std::size_t texel = format == VK_FORMAT_R32_SFLOAT            ? 4
-                                  : format == VK_FORMAT_R32G32B32A32_SFLOAT ? 16
-                                  : format == VK_FORMAT_R16_SFLOAT          ? 2
-                                  : format == VK_FORMAT_R8_UNORM            ? 1
-                                                                            : 8;
-        const Buffer staging(device_, texel * pixels, vk::BufferUsageFlagBits::eTransferDst);
-        device_.run([&](const vk::raii::CommandBuffer& commands) {
-            commands.copyImageToBuffer(*image.handle, general, *staging.handle, image.all_of_it());
-            barrier(commands);
-        });
-        Picture picture{image.extent.width, image.extent.height, 1, std::vector<float>(pixels)};
-        for (std::size_t i = 0; i < pixels; ++i)
-            picture.values[i] = first_channel(staging.data + texel * i, format) * gloam_result_unit;
-        return picture;
-    }
-
-    const Device& device_;
-    Extent extent_;
-    std::vector<Image> images_;
-    std::vector<Buffer> buffers_;
-    std::vector<const Image*> bound_images_;  // those that are exchanged change places
-    std::vector<Buffer*> bound_buffers_;
-    std::vector<Pass> passes_;
-    bool odd_ = false;
+    Image depth, normal, levels, levels_before, texels, history, history_before, shown;
 };
 
-// What the engine has, from the files of a frame.
-std::map<int, Picture> engine_images(const std::string& prefix) {
-    std::map<int, Picture> images;
-    for (int i = 0; i < GLOAM_IMAGES; ++i)
-        if (gloam_images[i].origin == GLOAM_ENGINE)
-            images[i] = read_pfm(prefix + "_" + gloam_images[i].name + ".pfm");
-    return images;
+// Prepare, sweep, and filter or join.
+std::array<Pass, 3> passes_of(const Device& d, bool half) {
+    return {Pass(d, "prepare", "niiiiin", sizeof(gloam_prepare), 32, 16),
+            Pass(d, "sweep", "nni", sizeof(gloam_sweep), 16, 8),
+            half ? Pass(d, "join", "nnilni", sizeof(gloam_last), 32, 16)
+                 : Pass(d, "filter", "nilni", offsetof(gloam_last, inverse_size), 32, 8)};
 }
 
-void shade(const fs::path& gbuffers, const fs::path& out) {
+void record(const Commands& commands, const std::array<Pass, 3>& passes, Images& of,
+            const gloam_frame& frame) {
+    std::vector<vk::ImageView> prepared{of.depth.all()};
+    for (int i = 0; i < 5; ++i) prepared.push_back(of.levels.level(i));
+    prepared.push_back(of.levels_before.all());
+    passes[0].record(commands, prepared, &frame.prepare, of.depth.extent);
+    passes[1].record(commands, {of.levels.all(), of.normal.all(), of.texels.all()}, &frame.sweep,
+                     of.texels.extent);
+    std::vector<vk::ImageView> shown{of.texels.all(), of.shown.all(), of.history_before.all(),
+                                     of.levels_before.all(), of.history.all()};
+    if (frame.settings.preset.half) shown.insert(shown.begin() + 1, of.levels.all());
+    passes[2].record(commands, shown, &frame.last, of.shown.extent);
+    barrier(commands);  // before the engine reads `shown`
+    std::swap(of.levels, of.levels_before);
+    std::swap(of.history, of.history_before);
+}
+
+void run(const std::string& gbuffers, const std::string& out, float radius, bool of_buffer) {
     const Device device;
-    std::optional<Effect> effect;
-    View before;
-    fs::create_directories(out);
+    const gloam_preset preset = PRESET;
+    const std::array<Pass, 3> passes = passes_of(device, preset.half != 0);
+    std::optional<Images> images;
+    gloam_frame frame{};
     for (int number = 0;; ++number) {
-        char name[16];
-        std::snprintf(name, sizeof name, "f%04d", number);
-        if (!fs::exists(gbuffers / (std::string(name) + ".json"))) break;
-        const std::map<int, Picture> images = engine_images((gbuffers / name).string());
-        const Picture& any = images.begin()->second;
-        View view = read_view(gbuffers / (std::string(name) + ".json"));
-        view["size"] = {any.width, any.height};
-        const bool follows =
-            effect && view.contains("previous_from_current") && before["size"] == view["size"];
-        if (!effect || before["size"] != view["size"]) effect.emplace(device, Extent{any.width, any.height});
-        if (!follows) {
-            effect->cut();
-            view["previous_from_current"] = identity();
-        }
-        view["previous_p00_p11"] = follows ? before["p00_p11"] : view["p00_p11"];
-        write_pfm(out / (std::string(name) + "_ao.pfm"), effect->frame(images, view));
-        before = view;
+        const std::string name = frame_name(number);
+        if (!std::filesystem::exists(gbuffers + name + ".json")) return;
+        const Picture depth = read_pfm(gbuffers + name + "_depth.pfm", 1);
+        const Picture normal = read_pfm(gbuffers + name + "_normal.pfm", 4);
+        const std::string json = read_file(gbuffers + name + ".json");
+        const std::vector<float> motion = numbers_of(json, "previous_from_current");
+        // Another preset, radius or size begins a sequence, and so does NULL; gloam_cut() asks for it.
+        const gloam_settings settings{preset, {depth.width, depth.height}, radius, of_buffer};
+        gloam_camera camera{};
+        std::ranges::copy(numbers_of(json, "proj_vk"), camera.projection);
+        std::ranges::copy(numbers_of(json, "view"), camera.view);
+        gloam_next(&frame, settings, camera, motion.empty() ? nullptr : motion.data());
+        if (!images || images->depth.extent != vk::Extent3D(depth.width, depth.height, 1))
+            images.emplace(device, settings);
+        copy(device, depth.values, images->depth, true);
+        copy(device, normal.values, images->normal, true);
+        device.run([&](const Commands& commands) { record(commands, passes, *images, frame); });
+        std::vector<unsigned char> shown(depth.values.size());
+        copy(device, shown, images->shown, false);
+        Picture picture{depth.width, depth.height, 1, {}};
+        for (const unsigned char value : shown) picture.values.push_back(static_cast<float>(value) / 255.0F);
+        write_pfm(out + name + "_ao.pfm", picture);
     }
-    if (!effect) throw std::runtime_error(gbuffers.string() + ": holds no f0000.json");
 }
-
-}  // namespace
 
 int main(int count, char** arguments) {
     try {
-        if (count != 3) throw std::runtime_error("usage: packed_effect GBUFFERS OUT");
-        shade(arguments[1], arguments[2]);
+        if (count != 5) throw std::runtime_error("usage: vulkan_frame GBUFFERS OUT RADIUS linear|buffer");
+        run(std::string(arguments[1]) + "/", std::string(arguments[2]) + "/", std::stof(arguments[3]),
+            std::string(arguments[4]) == "buffer");
         return 0;
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "packed_effect: %s\n", error.what());
+        std::fprintf(stderr, "vulkan_frame: %s\n", error.what());
         return 2;
     }
 }

@@ -13,9 +13,9 @@ namespace fs = std::filesystem;
 
 const std::vector<fs::path> roots{GLOAM_GLSL_DIR};
 
-constexpr shader::Language languages[] = {shader::Language::vulkan450, shader::Language::gl330,
-                                          shader::Language::es300, shader::Language::es310,
-                                          shader::Language::es320};
+constexpr shader::Language languages[] = {shader::Language::vulkan450, shader::Language::gl430,
+                                          shader::Language::gl330,     shader::Language::es300,
+                                          shader::Language::es310,     shader::Language::es320};
 
 class EveryInclude : public testing::TestWithParam<std::string> {};
 

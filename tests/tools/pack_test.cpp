@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "shader/pack.hpp"
 #include "base/version.hpp"
 #include "tools/gloam.hpp"
 
@@ -10,11 +11,12 @@ class Pack : public InFolder {};
 
 TEST_F(Pack, OneSelfContainedTextInEachVersion) {
     for (const auto& [version, first_line] :
-         {std::pair("450", "#version 450"), std::pair("330", "#version 330"),
-          std::pair("300es", "#version 300 es"), std::pair("310es", "#version 310 es")}) {
+         {std::pair("450", "#version 450"), std::pair("430", "#version 430"),
+          std::pair("330", "#version 330"), std::pair("300es", "#version 300 es"),
+          std::pair("310es", "#version 310 es")}) {
         const std::string result = output_of(gloam("pack {} --version {}", halton, version));
         EXPECT_THAT(result, StartsWith(first_line));
-        EXPECT_EQ(result.find("\n// Packed by gloam " + base::version() + ".\n"), result.find('\n'));
+        EXPECT_EQ(result.find("\n// Packed by gloam " + base::version() + " for "), result.find('\n'));
         EXPECT_THAT(result, HasSubstr("float gloam_radical_inverse_base2(uint index)"));
         EXPECT_THAT(result, Not(HasSubstr("#include")));
     }
@@ -100,7 +102,7 @@ TEST_F(Pack, CountsLines) {
 
 TEST_F(Pack, BadInputIsNamed) {
     expect_could_not_run(gloam("pack"), "--effect");
-    expect_could_not_run(gloam("pack --method disc"), "--effect");
+    expect_could_not_run(gloam("pack --preset fast"), "--effect");
     expect_could_not_run(gloam("pack {} --version 300es", GLOAM_GLSL_DIR "/passes/study/reproject.comp"),
                          "reproject.comp");
     expect_could_not_run(gloam("pack {} --npm {}", halton, path("npm").string()), "file excludes --npm");
@@ -116,6 +118,17 @@ TEST_F(Pack, BadInputIsNamed) {
 TEST_F(Pack, TextThatDoesNotCompileNamesFileAndLine) {
     const fs::path own = write("own.glsl", "float own() {\n    return no_such_variable;\n}\n");
     expect_could_not_run(gloam("pack {}", own), "no_such_variable");
+}
+
+// Uniforms outside blocks are OpenGL's.
+TEST_F(Pack, ATextForOpenGlIsNotForVulkan) {
+    const fs::path own =
+        write("own.glsl", "uniform float a, b;\nuniform float c;\nfloat own() { return a; }\n");
+    const CommandResult result = gloam("pack {}", own);
+    expect_could_not_run(result, "own.glsl:1: ");
+    EXPECT_THAT(result.err, HasSubstr("--version 430"));
+    EXPECT_EQ(line_count(result.err), 1);
+    expect_success(gloam("pack {} --version 430", own));
 }
 
 TEST_F(Pack, AnErrorNamesTheFileAndItsLine) {
@@ -164,160 +177,114 @@ TEST_F(Pack, IncludesThatDoubleAreStopped) {
 
 class PackEffect : public InFolder {
   protected:
-    void pack(std::vector<std::string> options) {
-        fs::remove_all(out());
-        options.insert(options.begin(), {"pack", "--effect", "--out", out().string()});
+    void pack(const std::string& preset, std::vector<std::string> options) {
+        options.insert(options.begin(),
+                       {"pack", "--effect", "--preset", preset, "--out", path(preset).string()});
         expect_success(run_command(options));
     }
 
-    [[nodiscard]] fs::path out() const { return path("effect"); }
-    [[nodiscard]] json description() const { return json::parse(read_file(out() / "effect.json")); }
-
-    // Every pass by glslangValidator, the header as C and as C++.
-    void expect_compiles() const {
-        for (const auto& entry : fs::directory_iterator(out())) {
-            const std::string file = entry.path().string();
-            if (entry.path().extension() == ".comp") {
-                const CommandResult result =
-                    run_program("/usr/bin/glslangValidator",
-                                words("-V --target-env vulkan1.2 {} -o {}", file, path("module.spv")));
-                EXPECT_EQ(result.status, 0) << file << "\n" << result.out;
-                EXPECT_THAT(read_file(entry.path()), Not(HasSubstr("#include")));
-            } else if (entry.path().extension() == ".h") {
-                for (const std::vector<std::string>& language :
-                     {std::vector<std::string>{"-xc", "-std=c11"}, {"-xc++", "-std=c++20"}}) {
-                    std::vector<std::string> arguments = language;
-                    arguments.insert(arguments.end(),
-                                     {"-Wall", "-Wextra", "-Werror", "-Wno-unused", "-fsyntax-only", file});
-                    const CommandResult result = run_program("/usr/bin/c++", arguments);
-                    EXPECT_EQ(result.status, 0) << result.err;
-                }
-            }
-        }
+    // What a compiler says of a C file, as C99 and as C++.
+    [[nodiscard]] std::string compiled(const std::string& text) {
+        const std::string file = write("engine.c", text).string();
+        std::string errors;
+        for (const char* language : {"-xc -std=c99", "-xc++ -std=c++20"})
+            errors +=
+                run_program("/usr/bin/c++",
+                            words("-Wall -Wextra -Wpedantic -Werror -fsyntax-only {} {}", language, file))
+                    .err;
+        return errors;
     }
 };
 
-json named(const json& list, const std::string& name) {
-    for (const json& each : list)
-        if (each["name"] == name) return each;
-    ADD_FAILURE() << "no " << name;
-    return {};
-}
+constexpr const char* own_presets[] = {"fast", "balanced", "quality", "reference"};
 
-// One of each kind: with and without a table of samples, with and without preparation.
-TEST_F(PackEffect, EveryKindOfMethodIsWholeAndCompiles) {
-    for (const char* method : {"hemisphere", "gtao", "dual_resolution", "mssao", "sao_chain", "separable"}) {
-        SCOPED_TRACE(method);
-        pack(words("--method {} --preset tssao-paper --size 640x360", method));
-        expect_compiles();
-    }
-}
+struct Api {
+    const char* version;
+    const char* name;
+    const char* glslang;  // options
+};
+constexpr Api apis[] = {{"450", "Vulkan", "-V --target-env vulkan1.2 -o module.spv"},
+                        {"430", "OpenGL 4.3", ""},
+                        {"330", "OpenGL 3.3", ""},
+                        {"300es", "OpenGL ES 3.0 and WebGL2", ""}};
 
-// The passes in another language stand beside those in GLSL.
-TEST_F(PackEffect, AnotherLanguageBesideGlsl) {
-    for (const auto& [target, suffix, first] :
-         {std::tuple("hlsl", ".hlsl", "cbuffer Parameters : register(b0"),
-          std::tuple("msl", ".metal", "kernel void main0(")}) {
-        SCOPED_TRACE(target);
-        pack(words("--target {}", target));
-        for (const json& pass : description()["passes"]) {
-            const std::string name = pass["name"];
-            EXPECT_TRUE(fs::exists(out() / (name + ".comp"))) << name;
-            EXPECT_THAT(read_file(out() / (name + suffix)),
-                        HasSubstr(name == "ambient_occlusion" ? first : "main"))
-                << name;
-        }
-        const std::string last = description()["passes"].back()["name"];
-        EXPECT_THAT(read_file(out() / "README.md"), HasSubstr("as `" + last + suffix + "`"));
-    }
-}
-
-// With whatever else there is in the passes.
-TEST_F(PackEffect, EveryOptionCompiles) {
-    for (const std::vector<std::string>& options :
-         {std::vector<std::string>{"--moving-objects", "--orthographic", "--reconstruct-normals"},
-          {"--method", "ssdo", "--set", "layers=3", "--set", "remap_b=2"},
-          {"--moving-objects", "--preset", "tssao-paper", "--set", "layers=2", "--depth", "buffer"}}) {
-        pack(options);
-        expect_compiles();
-    }
-}
-
-// Each binding is to a resource that is listed, each image is used, and what one pass writes and another
-// reads has a barrier.
-TEST_F(PackEffect, TheTablesAgree) {
-    for (const char* method : {"hemisphere", "mssao", "separable"}) {
-        pack(words("--method {} --preset tssao-paper", method));
-        const json all = description();
-        std::set<std::string> resources;
-        for (const char* kind : {"images", "buffers"})
-            for (const json& each : all[kind]) EXPECT_TRUE(resources.insert(each["name"]).second);
-        std::set<std::string> bound{all["result"]["image"]};
-        std::set<std::string> written;
-        for (const json& pass : all["passes"]) {
-            std::set<std::string> guarded;
-            for (const json& barrier : pass["barriers"]) guarded.insert(barrier["resource"]);
-            for (const json& binding : pass["bindings"]) {
-                const std::string name = binding["resource"];
-                bound.insert(name);
-                EXPECT_TRUE(!written.contains(name) || guarded.contains(name)) << pass["name"] << " " << name;
+TEST_F(PackEffect, EachPresetIsShortAndCompilesForEachApi) {
+    for (const char* preset : own_presets) {
+        for (const Api& api : apis) {
+            SCOPED_TRACE(std::string(preset) + " " + api.version);
+            pack(preset, words("--version {}", api.version));
+            std::vector<std::string> texts;
+            for (const auto& entry : fs::directory_iterator(path(preset))) {
+                if (entry.path().extension() == ".h") continue;
+                texts.push_back(read_file(entry.path()));
+                const CommandResult result = run_program("/usr/bin/glslangValidator",
+                                                         words("{} {}", api.glslang, entry.path().string()));
+                EXPECT_EQ(result.status, 0) << result.out;
+                EXPECT_THAT(texts.back(), HasSubstr("\n// Packed by gloam " + base::version() + " for " +
+                                                    api.name + ".\n"));
+                EXPECT_THAT(texts.back(), Not(HasSubstr("#include")));
             }
-            for (const json& binding : pass["bindings"]) {
-                const std::string name = binding["resource"];
-                if (binding["writes"] && !name.starts_with("nothing") && pass["turn"] != "once")
-                    written.insert(name);
-            }
+            EXPECT_EQ(texts.size(), 3U);
+            EXPECT_LE(shader::code_lines(texts), 480U);
+            fs::remove_all(path(preset));
         }
-        EXPECT_EQ(bound, resources) << method;
     }
 }
 
-// mssao cannot do without its preparation passes: they are there, in their order, before the samples.
-TEST_F(PackEffect, PreparationComesWithTheMethod) {
-    pack(words("--method mssao"));
-    const std::string page = read_file(out() / "README.md");
-    EXPECT_LT(page.find("`surface_1.comp`"), page.find("`occlusion_4.comp`"));
-    EXPECT_LT(page.find("`occlusion_1.comp`"), page.find("`ambient_occlusion.comp`"));
-    EXPECT_TRUE(fs::exists(out() / "occlusion_1.comp"));
-    EXPECT_FALSE(named(description()["images"], "prepared").is_null());
+// All presets' headers in one program, and twice.
+TEST_F(PackEffect, TheHeaderIsCAndShort) {
+    std::string text;
+    for (const char* preset : own_presets) {
+        pack(preset, {});
+        const std::string header = read_file(path(preset) / "gloam_frame.h");
+        EXPECT_LE(shader::code_lines(header), 120U);
+        for (int i = 0; i < 2; ++i) text += "#include \"" + std::string(preset) + "/gloam_frame.h\"\n";
+    }
+    text +=
+        "gloam_frame next(gloam_settings settings, gloam_camera camera) {\n"
+        "    gloam_frame frame;\n"
+        "    memset(&frame, 0, sizeof frame);\n"
+        "    settings.preset = settings.size[0] > 640 ? gloam_fast : gloam_quality;\n"
+        "    gloam_next(&frame, settings, camera, NULL);\n"
+        "    gloam_cut(&frame);\n"
+        "    return frame;\n}\n";
+    EXPECT_EQ(compiled(text), "");
+    fs::copy_file(path("fast") / "gloam_frame.h", path("quality") / "gloam_fast.h");
+    pack("fast", words("--set history_range=0.5"));
+    EXPECT_EQ(compiled(text), "");
+    EXPECT_THAT(compiled("#include \"fast/gloam_frame.h\"\n#include \"quality/gloam_fast.h\"\n" + text),
+                HasSubstr("gloam_fast"));
 }
 
-// tests/effect/opengl_passes_test.cpp compiles them with a driver.
-TEST_F(PackEffect, PassesInES) {
-    pack(words("--version 310es --moving-objects --preset tssao-paper"));
-    const std::string shader = read_file(out() / "reproject.comp");
-    EXPECT_THAT(shader, StartsWith("#version 310 es\n"));
-    EXPECT_THAT(shader, HasSubstr("layout(binding = 0, std140) uniform Parameters {"));
-    EXPECT_THAT(shader, HasSubstr("const bool moving_objects = true;"));
-    EXPECT_THAT(shader, Not(HasSubstr("constant_id")));
-    EXPECT_THAT(read_file(out() / "README.md"), HasSubstr("GLSL ES file"));
-}
-
-TEST_F(PackEffect, SettingsStandAtTheHead) {
-    pack(words("--preset study-crytek-quality --radius 0.25 --set weight_max=77"));
-    const std::string page = read_file(out() / "README.md");
-    EXPECT_LT(page.find("| samples | 200 |"), page.find("## Order of calls"));
-    EXPECT_THAT(page, HasSubstr("| weight_max | 77 |"));
-    EXPECT_THAT(read_file(out() / "gloam_effect.h"), HasSubstr("    0.25f,  /* radius */\n"));
-    const std::string shader = read_file(out() / "ambient_occlusion.comp");
-    EXPECT_THAT(shader, HasSubstr("const bool keeps_history = false;"));
-    // What holds a history comes first, since the types of the bindings are made of it.
-    EXPECT_LT(shader.find("uniform Parameters"), shader.find("GloamEstimate gloam_crytek("));
-    EXPECT_LT(shader.find("uniform Parameters"), shader.find("vec3 gloam_view_position_perspective("));
+// Each is in the texts or in the preset.
+TEST_F(PackEffect, OptionsAreConstants) {
+    pack("fast", words("--version 430 --orthographic --normals world-octahedral-unorm --set steps=9"));
+    const std::string sweep = read_file(path("fast") / "sweep.comp");
+    for (const char* constant : {"orthographic = true", "world_normals = true", "octahedral_normals = true",
+                                 "unorm_normals = true", "steps = 9", "history = true", "stride = 2"})
+        EXPECT_THAT(sweep, HasSubstr(constant));
+    EXPECT_THAT(read_file(path("fast") / "join.comp"), HasSubstr("#define GLOAM_OUTPUT r8\n"));
+    pack("quality", words("--normals none --set history=off --set history_range=0.5 --set output=r16f"));
+    EXPECT_THAT(read_file(path("quality") / "sweep.comp"),
+                AllOf(HasSubstr("normals_from_depth = true"), HasSubstr("history = false")));
+    EXPECT_THAT(read_file(path("quality") / "filter.comp"), HasSubstr("#define GLOAM_OUTPUT r16f\n"));
+    EXPECT_THAT(read_file(path("quality") / "gloam_frame.h"), HasSubstr("gloam_quality = {0, 0.5f, 1.0f};"));
 }
 
 TEST_F(PackEffect, BadInputLeavesNothing) {
+    const std::string folder = path("effect").string();
     const auto refused = [&](std::vector<std::string> options, const std::string& named) {
         options.insert(options.begin(), {"pack", "--effect"});
         expect_could_not_run(run_command(options), named);
-        EXPECT_FALSE(fs::exists(out()));
+        EXPECT_FALSE(fs::exists(folder));
     };
-    const std::string folder = out().string();
     refused({}, "--out");
     refused(words("--out {} --preset magic", folder), "magic");
-    refused(words("--out {} --method magic", folder), "magic");
-    refused(words("--out {} --size 0x3", folder), "--size 0x3");
-    refused(words("--out {} --version 330", folder), "--version 330");
+    refused(words("--out {} --preset tssao-paper", folder), "gloam pack gloam/methods/hemisphere.glsl");
+    refused(words("--out {} --normals magic", folder), "magic");
+    refused(words("--out {} --version 310es", folder), "300es");
+    refused(words("--out {} --version 110", folder), "--version 110");
+    refused(words("--out {} --target hlsl", folder), "--target");
     refused(words("--out {} --set samples=0", folder), "samples");
     refused(words("--out /dev/null/effect"), "/dev/null");
 }

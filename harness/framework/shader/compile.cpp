@@ -227,6 +227,7 @@ struct Entry {
 
 constexpr std::array entries{
     Entry{Language::vulkan450, "450", "450", false, Stage::compute, internal::Client::vulkan},
+    Entry{Language::gl430, "430", "430 core", false, Stage::compute, internal::Client::none},
     Entry{Language::gl330, "330", "330 core", false, Stage::fragment, internal::Client::none},
     Entry{Language::es300, "300es", "300 es", true, Stage::fragment, internal::Client::none},
     Entry{Language::es310, "310es", "310 es", true, Stage::compute, internal::Client::none},
@@ -237,7 +238,7 @@ const Entry& entry_of(Language language) {
     for (const Entry& entry : entries)
         if (entry.language == language) return entry;
     throw std::invalid_argument("language " + std::to_string(static_cast<int>(language)) +
-                                ": not one of 450, 330, 300es, 310es, 320es");
+                                ": not one of 450, 430, 330, 300es, 310es, 320es");
 }
 
 // The pieces keep their own line numbers; the last may end without a newline, in a comment.

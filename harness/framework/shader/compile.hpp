@@ -178,9 +178,9 @@ using Spirv = std::vector<std::uint32_t>;
 [[nodiscard]] std::string compiler_version();
 
 // The GLSL versions that the library promises to compile as.
-enum class Language { vulkan450, gl330, es300, es310, es320 };
+enum class Language { vulkan450, gl430, gl330, es300, es310, es320 };
 
-// "450", "330", "300es", "310es", "320es"; nullopt for other text.
+// "450", "430", "330", "300es", "310es", "320es"; nullopt for other text.
 [[nodiscard]] std::optional<Language> language_from(std::string_view name);
 [[nodiscard]] std::string to_string(Language language);
 

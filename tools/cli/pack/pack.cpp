@@ -46,8 +46,9 @@ std::string of_files(const fs::path& glsl, const std::vector<std::string>& files
 // The pass of a method's frame with its usual settings that takes the samples.
 std::string sampling_pass(const fs::path& glsl, const std::string& method) {
     const effect::Settings settings = effect::with_method(effect::Settings{}, method);
-    for (const PackedPass& pass : packed_effect(settings, {}, scene::PassLibrary(glsl)).passes)
-        if (pass.plan.name == "ambient_occlusion") return pass.text;
+    const scene::PassLibrary library(glsl);
+    for (const effect::PlannedPass& pass : plan_of(settings, {}, library).passes)
+        if (pass.name == "ambient_occlusion") return text_of(pass, library);
     throw std::logic_error("a frame without the pass ambient_occlusion");
 }
 
@@ -61,7 +62,7 @@ std::string line_table(const fs::path& glsl, const std::vector<std::string>& fil
         "method alone\n"
         "(`gloam pack gloam/methods/FILE.glsl --function gloam_NAME`). Pass: the one that blends it into a "
         "history\n"
-        "(`ambient_occlusion.comp` of `gloam pack --effect --method NAME`). Together: each function once. "
+        "(`ambient_occlusion.comp`). Together: each function once. "
         "This page is written by `gloam pack --lines`.\n\n"
         "| method | function | pass |\n| --- | --- | --- |\n";
     std::vector<std::string> functions;
@@ -136,6 +137,18 @@ std::optional<shader::Stage> stage_of(const std::vector<fs::path>& files) {
     return std::nullopt;
 }
 
+// Throws like shader::pack(), in one line for what Vulkan alone refuses: uniforms outside blocks.
+std::string packed_text(const std::vector<fs::path>& files, const shader::PackRequest& request,
+                        const std::vector<fs::path>& roots) {
+    try {
+        return shader::pack(files, request, roots);
+    } catch (const shader::CompileError& error) {
+        const std::string what = error.what();
+        if (what.find("non-opaque uniforms") == std::string::npos) throw;
+        throw std::invalid_argument(what.substr(0, what.find('\n')) + "; for OpenGL take --version 430");
+    }
+}
+
 // A GLSL text in the language of --target; the name of its first file names it.
 std::string in_language(const std::string& text, const fs::path& file, std::optional<shader::Target> target,
                         std::optional<shader::Stage> stage) {
@@ -161,7 +174,7 @@ void pack_files(const PackOptions& options) {
     const auto language = shader::language_from(options.version);
     if (!language) {
         throw std::invalid_argument("unknown GLSL version \"" + options.version +
-                                    "\": expected 450, 330, 300es, 310es or 320es");
+                                    "\": expected 450, 430, 330, 300es, 310es or 320es");
     }
     const std::optional<shader::Target> target = target_of(options);
     std::vector<fs::path> roots{glsl_directory()};
@@ -173,7 +186,8 @@ void pack_files(const PackOptions& options) {
     const shader::PackRequest request{
         .language = *language, .functions = functions, .stage = stage_of(files)};
     const std::string text =
-        with_version(in_language(shader::pack(files, request, roots), files.front(), target, request.stage));
+        with_version(in_language(packed_text(files, request, roots), files.front(), target, request.stage),
+                     target ? "" : api_of(*language));
     if (options.out.empty()) {
         fmt::print("{}", isatty(STDOUT_FILENO) != 0 ? base::for_terminal(text) : text);
     } else {
@@ -196,7 +210,7 @@ void run_pack(PackOptions& options) {
     if (!options.npm.empty()) return pack_npm(options);
     if (options.effect) {
         options.of_effect.out = options.out;
-        options.of_effect.target = target_of(options);
+        if (!options.target.empty()) throw std::invalid_argument("--effect takes no --target");
         options.of_effect.version = options.version;
         return pack_effect(options.of_effect);
     }
@@ -213,41 +227,23 @@ void add_effect_options(CLI::App& command, PackOptions& options) {
     EffectPackOptions& of_effect = options.of_effect;
     CLI::Option* effect = command.add_flag(
         "--effect", options.effect,
-        "all passes of the effect, with their layouts and the order of calls, into the folder --out");
+        "the passes of the effect, and a C header of what they are given, into the folder --out");
     const auto only = [effect](CLI::Option* option) { option->needs(effect); };
-    only(command.add_option("--preset", of_effect.preset, "gloam list presets")->capture_default_str());
-    only(command.add_option("--method", of_effect.method, "gloam list methods (default: the preset's)"));
-    only(command.add_option("--radius", of_effect.radius, "world units")->capture_default_str());
+    only(command
+             .add_option("--preset", of_effect.preset,
+                         "fast, balanced, quality or reference: gloam list presets")
+             ->capture_default_str());
     only(command
              .add_option("--set", of_effect.set,
-                         "NAME=VALUE: any setting (gloam list settings); may be repeated")
+                         "NAME=VALUE: a setting (gloam list settings); may be repeated")
              ->allow_extra_args(false));
-    only(command
-             .add_option("--size", of_effect.size,
-                         "WIDTHxHEIGHT of the view: images that are laid out for it alone get its size")
-             ->capture_default_str());
-    CLI::Option* moving = command.add_flag(
-        "--moving-objects", of_effect.moving_objects,
-        "objects move: an image says where their points were, in view space; else only the camera moves");
-    only(moving);
-    only(command
-             .add_flag("--motion-vectors", of_effect.motion_vectors,
-                       "objects move: an image has motion vectors, from which a pass makes these positions")
-             ->excludes(moving));
     only(command.add_flag("--orthographic", of_effect.orthographic,
                           "the camera is orthographic; else perspective"));
-    only(command.add_flag("--reconstruct-normals", of_effect.reconstruct_normals,
-                          "from depth; else the engine has normals"));
-    only(command
-             .add_option("--depth", of_effect.depth,
-                         "the engine's: linear, or buffer: depth-buffer values of any projection")
-             ->capture_default_str());
     only(command
              .add_option("--normals", of_effect.normals,
-                         "the engine's: view or world space, and behind it -octahedral, -unorm or both")
+                         "the engine's: view or world space, and behind it -octahedral, -unorm or both; "
+                         "none: from depth")
              ->capture_default_str());
-    only(command.add_flag("--bent-normals", of_effect.bent_normals,
-                          "an image of the mean open directions is written as well"));
 }
 
 // The package has its presets and methods all together, so no other option belongs to it.
@@ -275,12 +271,11 @@ void add_pack(CLI::App& app) {
                      "may be repeated")
         ->allow_extra_args(false);
     add_include_option(*command, options->includes);
-    command->add_option("--version", options->version, "450, 330, 300es, 310es or 320es")
+    command
+        ->add_option("--version", options->version, "450 (Vulkan), 430 (OpenGL), 330, 300es, 310es or 320es")
         ->capture_default_str();
-    command->add_option(
-        "--target", options->target,
-        "hlsl or msl: translated to HLSL of shader model 6.0 or to Metal's language; with --effect "
-        "GLSL is written as well");
+    command->add_option("--target", options->target,
+                        "hlsl or msl: translated to HLSL of shader model 6.0 or to Metal's language");
     command->add_option("--out", options->out,
                         "file to write (standard output when not given); with --effect the folder");
     command->add_flag(

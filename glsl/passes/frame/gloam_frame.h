@@ -1,0 +1,162 @@
+/* SPDX-License-Identifier: MIT
+ * Ambient occlusion in three passes: what an engine makes for them, and what it gives them each frame. C99 and C++.
+ *
+ * image        format          size                   written by       read by
+ * depth        the engine's    view                   the engine       prepare; sweep for normals from depth (nearest)
+ * normal       the engine's    view                   the engine       sweep (nearest)
+ * levels[2]    R16F            view, 5 levels         prepare          sweep and join; prepare, filter and join of the
+ *                                                                      next frame (nearest texel, nearest level)
+ * texels       R32UI           view, or, with half,   sweep            filter or join (nearest)
+ *                              half, rounded up
+ * history[2]   RGB10_A2        view                   filter or join   the same of the next frame (linear)
+ * shown        R8              view                   filter or join   the engine: 1 where blocked, 0 where open
+ *
+ * pass         bindings of set 0, in their order                              a group makes
+ * prepare      depth, levels (0, 1, 2, 3, 4), levels before                   32 x 16 pixels of the view
+ * sweep        levels, normal (depth for normals from depth), texels          16 x 8 texels
+ * filter       texels, shown, history before, levels before, history          32 x 8 pixels of the view
+ * or, with half,
+ * join         texels, levels, shown, history before, levels before, history  32 x 16 pixels of the view
+ *
+ * "before" is that of the last frame: the two of levels and of history change places. Images begin with zeros; samplers
+ * clamp to the edge. A cut needs no image cleared.
+ * Vulkan: structures are push constants, images are in layout GENERAL, and before each pass there is a memory barrier
+ * from COMPUTE_SHADER, SHADER_WRITE to COMPUTE_SHADER, SHADER_READ | SHADER_WRITE. The device needs the feature
+ * shaderStorageImageExtendedFormats. Specialization constants: 1 orthographic; 2, 3, 4 normals in world space,
+ * octahedral, from 0 to 1; 5 slices; 6 steps; 8 frames follow one another; 9 normals from depth.
+ * OpenGL: structures are the uniform block 0, and behind each compute pass there is a
+ * glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT). */
+#ifndef GLOAM_FRAME_H
+#define GLOAM_FRAME_H
+#include <math.h>
+#include <string.h>
+
+/* half: the sweep takes every second pixel in both directions. range, sharpness: of the history. */
+typedef struct { int half; float range, sharpness; } gloam_preset;
+typedef struct { /* another one begins a sequence */
+    gloam_preset preset;
+    int size[2];      /* of the view, pixels */
+    float radius;     /* of influence, world units */
+    int depth_buffer; /* depth is that of the projection, 0 to 1; otherwise eye-linear, world units */
+} gloam_settings;
+typedef struct { /* 16 numbers are column by column */
+    float projection[16]; /* to clip space with z from 0 to 1; row 0 of images is at y = -1 of it */
+    float view[16];       /* from world space */
+} gloam_camera;
+
+/* What the passes are given. depth: numerator and divisor. */
+typedef struct { float before[4][4], depth[4], inverse_size[2], far_value; } gloam_prepare;
+typedef struct {
+    float view_from_world[3][4], inverse_span[2], first[2], span[2], ray_span[2], first_ray[2], reach[2], depth[4];
+    float noise[2], far_value;
+} gloam_sweep;
+typedef struct { /* of join; of filter without inverse_size, 104 bytes */
+    float before[4][4], most, range, narrowing, sharpness, dither, unused[3], inverse_texels[2], inverse_size[2];
+} gloam_last;
+
+typedef struct { /* begins with zeros */
+    gloam_settings settings;
+    gloam_camera now, before;
+    float previous_from_current[16]; /* view space of this frame to that of the frame before */
+    int frames, still;               /* frames before this one in the sequence; the camera is that of the last one */
+    gloam_prepare prepare;
+    gloam_sweep sweep;
+    gloam_last last;
+} gloam_frame;
+
+/* How pixels look into the view, lengths in radii: (column, row, 1, 1 / depth) to view space over depth; orthographic
+ * (column, row, 1, depth) to view space. The lift is added to depth where the near plane is not in front of the eye. */
+typedef struct {
+    double step[2], first[2], lift;
+    int flat;
+} gloam_lens;
+static inline gloam_lens gloam_lens_of(const gloam_settings* settings, const float* p) {
+    gloam_lens lens = {{0, 0}, {0, 0}, 0, p[11] == 0};
+    const double near_plane = lens.flat ? (p[14] - (p[10] > 0 ? 1.0 : 0.0)) / p[10] : 1;
+    for (int i = 0; i < 2; ++i) {
+        const double scale = p[5 * i] * (lens.flat ? (double)settings->radius : 1);
+        lens.step[i] = 2 / (settings->size[i] * scale);
+        lens.first[i] = ((lens.flat ? -p[12 + i] : p[8 + i]) - 1.0) / scale + 0.5 * lens.step[i];
+    }
+    if (settings->depth_buffer && near_plane <= 0) lens.lift = 1 - near_plane / settings->radius;
+    return lens;
+}
+
+/* Columns that take a pixel as above to (u, v, depth) of its point in the frame before, over depth. */
+static inline void gloam_fill_before(const gloam_frame* frame, const gloam_lens* now, float before[4][4]) {
+    const gloam_lens then = gloam_lens_of(&frame->settings, frame->before.projection);
+    const double flat = now->flat, deep = 1 - flat;
+    const double look[4][4] = {{now->step[0], 0, 0, 0}, {0, now->step[1], 0, 0},
+                               {now->first[0], now->first[1], now->lift - deep, flat}, {0, 0, -flat, deep}};
+    for (int column = 0; column < 4; ++column) {
+        double to[3] = {0, 0, 0};
+        for (int i = 0; i < 12; ++i)
+            to[i % 3] += frame->previous_from_current[i / 3 * 4 + i % 3] * look[column][i / 3] /
+                         (i < 9 ? 1 : (double)frame->settings.radius);
+        const double one = now->flat ? look[column][3] : -to[2];
+        for (int i = 0; i < 2; ++i)
+            before[column][i] =
+                (float)(((to[i] - then.first[i] * one) / then.step[i] + 0.5 * one) / frame->settings.size[i]);
+        before[column][2] = (float)(now->flat ? then.lift * one - to[2] : one);
+        before[column][3] = 0;
+    }
+}
+
+static inline float gloam_part(double value) { return (float)(value - floor(value)); }
+
+/* The parameters, from what stands above them. */
+static inline void gloam_fill(gloam_frame* frame) {
+    const gloam_settings* settings = &frame->settings;
+    const float* p = frame->now.projection;
+    const gloam_lens lens = gloam_lens_of(settings, p);
+    const double radius = settings->radius, scale = lens.flat ? p[10] * radius : radius;
+    const int buffer = settings->depth_buffer, deep = buffer && !lens.flat;
+    const float depth[4] = {buffer ? (float)(p[14] / scale + lens.lift) : 0,
+                            deep ? 0 : (float)(buffer ? -1 / scale : 1 / radius), deep ? p[10] : 1, deep ? 1.0f : 0};
+    const float far_value = !buffer ? INFINITY : (lens.flat ? p[10] : p[14]) > 0 ? 0.0f : 1.0f; /* 0: reversed */
+    gloam_fill_before(frame, &lens, frame->prepare.before);
+    memcpy(frame->last.before, frame->prepare.before, sizeof frame->last.before);
+    memcpy(frame->prepare.depth, depth, sizeof depth);
+    memcpy(frame->sweep.depth, depth, sizeof depth);
+    memcpy(frame->sweep.view_from_world, frame->now.view, sizeof frame->sweep.view_from_world);
+    frame->prepare.far_value = frame->sweep.far_value = far_value;
+    for (int i = 0; i < 2; ++i) {
+        const int size = settings->size[i], texels = settings->preset.half ? (size + 1) / 2 : size;
+        const double span = size > 1 ? size - 1 : 1;
+        frame->prepare.inverse_size[i] = frame->last.inverse_size[i] = 1.0f / (float)size;
+        frame->last.inverse_texels[i] = 1.0f / (float)texels;
+        frame->sweep.inverse_span[i] = (float)(1 / span);
+        frame->sweep.first[i] = 0.5f / (float)size;
+        frame->sweep.span[i] = (float)(span / size);
+        frame->sweep.ray_span[i] = (float)(lens.step[i] * span);
+        frame->sweep.first_ray[i] = (float)lens.first[i];
+        frame->sweep.reach[i] = (float)(1 / lens.step[i]);
+        frame->sweep.noise[i] = gloam_part(frame->frames * (i == 0 ? 0.6180340 : 0.7548777));
+    }
+    frame->last.most = frame->frames == 0 ? 0 : (frame->still ? 63.0f : 7.0f) / 1023.0f;
+    frame->last.range = frame->still ? 1 : settings->preset.range;
+    frame->last.narrowing = frame->last.range - 0.01f;
+    frame->last.sharpness = frame->still ? 0 : settings->preset.sharpness;
+    frame->last.dither = gloam_part(frame->frames * 0.4142136);
+}
+
+/* The next frame begins a sequence. */
+static inline void gloam_cut(gloam_frame* frame) { memset(&frame->settings, 0, sizeof frame->settings); }
+
+/* The next frame. previous_from_current: the view matrix of the last frame times the inverse of this one's, multiplied
+ * in double, without a jitter; NULL begins a sequence where the camera moves. */
+static inline void gloam_next(gloam_frame* frame, gloam_settings settings, gloam_camera camera,
+                              const float* previous_from_current) {
+    const int same = memcmp(&settings, &frame->settings, sizeof settings) == 0;
+    const int alike = previous_from_current && (camera.projection[11] == 0) == (frame->now.projection[11] == 0);
+    frame->still = same && memcmp(&camera, &frame->now, sizeof camera) == 0;
+    const int follows = same && (frame->still || alike);
+    frame->frames = follows ? frame->frames + 1 : 0;
+    frame->settings = settings;
+    frame->before = follows ? frame->now : camera;
+    frame->now = camera;
+    for (int i = 0; i < 16; ++i)
+        frame->previous_from_current[i] = follows && !frame->still ? previous_from_current[i] : i % 5 == 0;
+    gloam_fill(frame);
+}
+#endif
