@@ -45,13 +45,17 @@ GloamFrameTexel gloam_frame_texel(uint code) {
                            code >> 24u & 1u);
 }
 
-// weight of a neighbour by its depth (FRAME-near): `clamp(1.25 - |d - d0| / (t d0), 0, 1)` [gloam].
-// depth: d, of the neighbour, > 0. own: d0, > 0. scale: 1 / (t d0), t the relative difference that counts as another
-// surface.
-// Returns a weight in [0, 1]: 1 up to a quarter of that difference, 0 from five quarters. Error: 2e-7, where depths do
-// not differ by rounding alone.
-float gloam_near(float depth, float own, float scale) {
-    return clamp(1.25 - abs(depth - own) * scale, 0.0, 1.0);
+// weights of two neighbours on opposite sides by their depths (FRAME-near): `max(clamp(1.25 - |d1 + d2 - 2 d0| /
+// (t d0), 0, 1), a - |di - d0| / (r d0))` [gloam].
+// Together they count by the bend of the surface between them, so that its slant costs nothing and grooves and edges
+// are kept; alone, where something else is on the other side, less, by their own depths.
+// depths: (d1, d2), > 0. own: d0, > 0. scale: 1 / (t d0), t the relative bend that counts as an edge, and 1 / (r d0).
+// alone: a, weight of one without the other, in [0, 1].
+// Returns weights in [0, 1]. Error: 2e-7.
+vec2 gloam_near_pair(vec2 depths, float own, vec2 scale, float alone) {
+    vec2 apart = depths - own;
+    float together = clamp(1.25 - abs(apart.x + apart.y) * scale.x, 0.0, 1.0);
+    return alone > 0.0 ? max(vec2(together), alone - abs(apart) * scale.y) : vec2(together);
 }
 
 #endif

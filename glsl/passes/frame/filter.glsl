@@ -10,8 +10,9 @@
 
 layout(constant_id = 0) const int half_width = 1;  // 1: 3 x 3 pixels; 2: 5 x 5
 
-const float inverse_tolerance = 1.0 / 0.011;  // of the relative difference of depth that counts as another surface
-const float falloff = 0.18;                   // weights of 5 x 5 fall by 2^-(0.18 r^2)
+// 1 over the relative bend of depth that counts as an edge, and over the difference that counts as another surface.
+const vec2 inverse_tolerance = 1.0 / vec2(0.0025, 0.15);
+const float falloff = 0.18;  // weights of 5 x 5 fall by 2^-(0.18 r^2)
 
 struct FilterParameters {
     HistoryParameters history;
@@ -22,21 +23,25 @@ FRAME_PARAMETERS(FilterParameters)
 // The texel at a place among those that an invocation reads.
 GloamFrameTexel texel_at(ivec2 place);
 
-// Sums of the pixel at a place: of its own occlusion and weight, and of all.
+// Sums of the pixel at a place: of its own occlusion and weight, and of all. Texels count in pairs around it.
 vec4 filtered(ivec2 middle) {
     GloamFrameTexel own = texel_at(middle);
-    float scale = inverse_tolerance / own.depth;
-    vec2 sum = vec2(0.0, 1e-4);
-    for (int y = -half_width; y <= half_width; ++y) {
+    vec2 mine = own.weight * vec2(own.occlusion, 1.0);
+    vec2 sum = mine + vec2(0.0, 1e-4);
+    vec2 scale = inverse_tolerance / own.depth;
+    for (int y = 0; y <= half_width; ++y) {
         for (int x = -half_width; x <= half_width; ++x) {
-            GloamFrameTexel texel = texel_at(middle + ivec2(x, y));
-            vec2 offset = vec2(x, y);
-            float near = offset == vec2(0.0) ? 1.0 : gloam_near(texel.depth, own.depth, scale);
-            float spatial = half_width == 1 ? 1.0 : exp2(-falloff * dot(offset, offset));
-            sum += spatial * texel.weight * near * vec2(texel.occlusion, 1.0);
+            if (y == 0 && x <= 0) continue;
+            GloamFrameTexel fore = texel_at(middle + ivec2(x, y));
+            GloamFrameTexel back = texel_at(middle - ivec2(x, y));
+            float alone = max(abs(x), y) == 2 ? 0.0 : 0.2;  // a far one counts in its pair
+            vec2 near = gloam_near_pair(vec2(fore.depth, back.depth), own.depth, scale, alone);
+            float spatial = half_width == 1 ? 1.0 : exp2(-falloff * float(x * x + y * y));
+            vec2 weights = spatial * near * vec2(fore.weight, back.weight);
+            sum += vec2(dot(weights, vec2(fore.occlusion, back.occlusion)), weights.x + weights.y);
         }
     }
-    return vec4(own.weight * vec2(own.occlusion, 1.0), sum) * vec2(1.0 / 255.0, 1.0).xyxy;
+    return vec4(mine, sum) * vec2(1.0 / 255.0, 1.0).xyxy;
 }
 
 // Share of the texels around two pixels side by side whose taps met what moved: 1 from a half on. first: place of the

@@ -8,7 +8,8 @@
 #include "passes/frame/history.glsl"
 #include "passes/frame/parameters.glsl"
 
-const float inverse_tolerance = 1.0 / 0.02;  // of the relative difference of depth that counts as another surface
+// 1 over the relative bend of depth that counts as an edge, and over the difference that counts as another surface.
+const vec2 inverse_tolerance = 1.0 / vec2(0.0075, 0.075);
 
 struct JoinParameters {
     HistoryParameters history;
@@ -20,19 +21,23 @@ FRAME_PARAMETERS(JoinParameters)
 // The texel at a place, counted from that of the pixel's block.
 GloamFrameTexel texel_at(ivec2 place);
 
-// Sums of a pixel: of the occlusion and weight of the nearest texels, and of all. odd: 0 for the first pixel of its
-// block, else 1, in x and in y. depth: its own.
+// Sums of a pixel: of the occlusion and weight of the nearest texels, and of all, which count in pairs around it.
+// odd: 0 for the first pixel of its block, else 1, in x and in y. depth: its own.
 vec4 joined(ivec2 odd, float depth) {
-    float scale = inverse_tolerance / depth;
+    vec2 scale = inverse_tolerance / depth;
     vec2 inner = vec2(0.0);
     vec2 sum = vec2(0.0, 1e-4);
-    for (int y = -1; y <= 2; ++y) {
+    for (int y = 0; y <= 2; ++y) {
         for (int x = -1; x <= 2; ++x) {
+            ivec2 other = odd - ivec2(x, y);
             vec2 tent = max(2.0 - abs(vec2(x, y) - 0.5 * vec2(odd)), 0.0);
-            if (tent.x * tent.y == 0.0) continue;
-            GloamFrameTexel texel = texel_at(ivec2(x, y));
-            float weight = tent.x * tent.y * texel.weight * gloam_near(texel.depth, depth, scale);
-            vec2 part = weight * vec2(texel.occlusion, 1.0);
+            if (tent.x * tent.y == 0.0 || 4 * y + x < 4 * other.y + other.x) continue;
+            GloamFrameTexel fore = texel_at(ivec2(x, y));
+            GloamFrameTexel back = texel_at(other);
+            vec2 near = gloam_near_pair(vec2(fore.depth, back.depth), depth, scale, 0.4);
+            float spatial = tent.x * tent.y * (other == ivec2(x, y) ? 0.5 : 1.0);  // the pixel's own texel is both
+            vec2 weights = spatial * near * vec2(fore.weight, back.weight);
+            vec2 part = vec2(dot(weights, vec2(fore.occlusion, back.occlusion)), weights.x + weights.y);
             sum += part;
             if (min(tent.x, tent.y) >= 1.5) inner += part;
         }

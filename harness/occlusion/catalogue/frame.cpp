@@ -173,8 +173,10 @@ void append_texels(Entries& entries) {
              }),
          .codomain = {0, 65504}});
     const Values near = uniform(0.9, 1.1).only_as_drawn();
-    add(entries, "FRAME-near", &reference::gloam_near,
-        {.domain = {near, near, either(uniform(0, 60), log_uniform(1e-3, 1e4)).only_as_drawn()},
+    const Values scale = either(uniform(0, 60), log_uniform(1e-3, 1e4));
+    add(entries, "FRAME-near", &reference::gloam_near_pair,
+        {.domain = {vector(2, near).only_as_drawn(), near, vector(2, scale).only_as_drawn(),
+                    uniform(0, 1).and_value(0.0F).only_as_drawn()},
          .budget = {.absolute = 2e-7},
          .codomain = {0, 1}});
 }

@@ -233,8 +233,10 @@ inline GloamFrameTexel gloam_frame_texel(unsigned code) {
             static_cast<double>(code / 16777216U), code / 16777216U % 2U};
 }
 
-inline double gloam_near(double depth, double own, double scale) {
-    return clamp(1.25 - abs(depth - own) * scale, 0.0, 1.0);
+inline dvec2 gloam_near_pair(dvec2 depths, double own, dvec2 scale, double alone) {
+    const double bend = 2.0 * abs((depths.x + depths.y) / 2.0 - own);
+    const double together = clamp(1.25 - bend * scale.x, 0.0, 1.0);
+    return max(dvec2(together), alone - abs(own - depths) * scale.y);
 }
 
 }  // namespace gloam::reference
