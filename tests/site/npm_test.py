@@ -24,6 +24,7 @@ class NpmTest(BrowserCase):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
+        cls.browser.timeout = 150
         cls.browser.look(800, 600)
         cls.browser.open(FOLDER / "test.html")
 
@@ -69,16 +70,16 @@ class NpmTest(BrowserCase):
         """Of a jitter, the projection is moved by up to half a pixel, for antialiasing."""
         got = self.ask("""
             const view = made();
-            const still = occlusion(frames(view, 40));
+            const still = occlusion(frames(view, 24));
             const after = (count, before) => {
                 view.occlusion.restart();
                 return apart(still, occlusion(frames(view, count, before)));
             };
-            const moved = after(40, (i) => { view.look(0.001 * (39 - i)); });
-            const jittered = after(40, (i) => { jitter(view, i); });
+            const moved = after(24, (i) => { view.look(0.001 * (23 - i)); });
+            const jittered = after(24, (i) => { jitter(view, i); });
             view.camera.clearViewOffset();
-            const zoomed = after(40, (i) => {
-                view.camera.fov = 40 + 0.2 * (39 - i);
+            const zoomed = after(24, (i) => {
+                view.camera.fov = 40 + 0.2 * (23 - i);
                 view.camera.updateProjectionMatrix();
             });
             const other = after(1, () => { view.look(0.06); });
@@ -94,11 +95,11 @@ class NpmTest(BrowserCase):
         got = self.ask("""
             const view = made();
             view.setSize(320, 180, 1);
-            const whole = occlusion(frames(view, 40));
+            const whole = occlusion(frames(view, 24));
             view.setSize(160, 90, 1);
             view.camera.aspect = 16 / 9;
             view.camera.setViewOffset(320, 180, 80, 0, 160, 90);
-            const part = occlusion(frames(view, 40));
+            const part = occlusion(frames(view, 24));
             closed(view);
             return apart(part, part.map((_, i) => whole[(90 + Math.floor(i / 160)) * 320 + 80 + i % 160]));""")
         self.assertLess(got["mean"], 0.01)
@@ -109,11 +110,11 @@ class NpmTest(BrowserCase):
         got = self.ask("""
             const view = made();
             const box = view.scene.children[2];
-            const place = (i) => { box.position.x = 0.03 * i - 2.87; };
-            place(39);
+            const place = (i) => { box.position.x = 0.03 * i - 2.39; };
+            place(23);
             const truth = occlusion(frames(view, 64));
             view.occlusion.restart();
-            const moving = apart(truth, occlusion(frames(view, 40, place)));
+            const moving = apart(truth, occlusion(frames(view, 24, place)));
             view.occlusion.restart();
             const single = apart(truth, occlusion(frames(view, 1)));
             closed(view);
