@@ -155,7 +155,7 @@ double on_a_plane(const std::string& method) {
     return with_method(Settings{}, method).remap_a > 0.0F ? 0.5 : 0.0;
 }
 
-// With normals and without, and with as many samples as were asked for.
+// With normals and without.
 TEST_P(Invariants, ABarePlaneIsOpenInImagesOfAnySize) {
     Settings settings = plain(GetParam(), 1.0F);
     settings.least_radius = 0.0F;  // in the smallest a pixel is wider than the radius
