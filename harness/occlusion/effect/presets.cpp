@@ -44,7 +44,7 @@ std::vector<Preset> own_presets() {
         {"balanced", "half the resolution, 2 slices of 8 steps to each side: the default",
          half_size(frame_of(2, 8, 0.08F, 0.9F))},
         {"quality", "1 slice of 7 steps to each side, a filter of 5 x 5",
-         widely_filtered(frame_of(1, 7, 0.05F, 1.0F))},
+         widely_filtered(frame_of(1, 7, 0.05F, 0.5F))},
         {"reference", "2 slices of 9 steps to each side: for the least error", frame_of(2, 9, 0.03F, 1.0F)}};
 }
 
