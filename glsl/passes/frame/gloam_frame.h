@@ -114,8 +114,9 @@ static inline void gloam_fill(gloam_frame* frame) {
     const float depth[4] = {buffer ? (float)(p[14] / scale + lens.lift) : 0,
                             deep ? 0 : (float)(buffer ? -1 / scale : 1 / radius), deep ? p[10] : 1, deep ? 1.0f : 0};
     const float far_value = !buffer ? INFINITY : (lens.flat ? p[10] : p[14]) > 0 ? 0.0f : 1.0f; /* 0: reversed */
-    gloam_fill_before(frame, &lens, frame->prepare.before);
-    memcpy(frame->last.before, frame->prepare.before, sizeof frame->last.before);
+    float moved[4][4] = {{0}, {0}, {0, 0, -1, 0}, {0}}; /* a depth below 0: all has moved, whatever the images hold */
+    gloam_fill_before(frame, &lens, frame->last.before);
+    memcpy(frame->prepare.before, frame->frames > 0 ? frame->last.before : moved, sizeof moved);
     memcpy(frame->prepare.depth, depth, sizeof depth);
     memcpy(frame->sweep.depth, depth, sizeof depth);
     memcpy(frame->sweep.view_from_world, frame->now.view, sizeof frame->sweep.view_from_world);
