@@ -71,7 +71,7 @@ class OnOpenGl {
             if (pass.turn != Turn::moved) run(pass);
         const std::vector<float> texels = images_.at(plan_.result).read();
         std::vector<float> occlusion;
-        for (std::size_t i = 0; i < texels.size(); i += 4) occlusion.push_back(texels[i] * plan_.result_unit);
+        for (std::size_t i = 0; i < texels.size(); i += 4) occlusion.push_back(texels[i]);
         return occlusion;
     }
 

@@ -185,7 +185,6 @@ std::vector<CostRow> cost_of_preset(const CostCommand& command) {
     const effect::Plan plan = plan_of_preset(command, library);
     std::vector<CostRow> rows;
     for (const effect::PlannedPass& pass : plan.passes) {
-        if (pass.turn == effect::Turn::once) continue;
         const shader::Spirv module = effect::module_of(pass.source, library);
         cost::CostOptions of_pass = command.options;
         of_pass.constants = pass.source.constants;

@@ -80,14 +80,10 @@ void add_images(const Moment& m, const std::vector<ImageRow>& rows, Plan& plan) 
 // Images whose size is not that of the view.
 void add_fixed_images(const Moment& m, Plan& plan) {
     if (m.preparation) {
-        PlannedImage image{.name = "prepared",
-                           .meaning = "what the method's preparation passes write",
-                           .format = m.preparation->format,
-                           .extent = m.preparation->image,
-                           .divisor = 0};
-        if (image.extent == m.view.extent) image.divisor = 1;
-        if (image.extent == half_of(m.view.extent)) image.divisor = 2;
-        plan.images.push_back(std::move(image));
+        plan.images.push_back({.name = "prepared",
+                               .meaning = "what the method's preparation passes write",
+                               .format = m.preparation->format,
+                               .extent = m.preparation->image});
     }
 }
 
@@ -126,8 +122,7 @@ class Evaluation {
                          .source = std::move(source),
                          .turn = row.turn,
                          .resources = {},
-                         .parameters = filled.bytes,
-                         .odd_parameters = std::move(filled.bytes),
+                         .parameters = std::move(filled.bytes),
                          .of_view = std::move(filled.of_view)};
         for (const char* resource : row.resources) pass.resources.push_back(present(named(resource)));
         set_groups(row, pass);

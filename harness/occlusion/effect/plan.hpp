@@ -37,15 +37,13 @@ struct PlannedImage {
     enum class Origin {
         engine,   // written before the passes, each frame
         history,  // kept from frame to frame; zeros where there is none
-        once,     // written by passes with Turn::once
         frame     // written by the passes, each frame
     };
     std::string name;
     std::string meaning;
     gpu::Format format = gpu::Format::rgba32f;
     Origin origin = Origin::frame;
-    gpu::Extent extent;         // for the view of the plan
-    std::uint32_t divisor = 1;  // of the view's sides, rounded up; 0: fixed, or for this view alone
+    gpu::Extent extent;  // for the view of the plan
     std::uint32_t levels = 1;
 };
 
@@ -61,14 +59,11 @@ struct PlannedBuffer {
     std::string name;
     std::string meaning;
     std::size_t bytes = 0;            // for the view of the plan
-    std::size_t bytes_a_tile = 0;     // part of `bytes` for each tile: Plan::tile x Plan::tile pixels
     std::vector<std::byte> contents;  // at its beginning; the rest is zero
-    bool refilled = false;            // before each frame; otherwise once, before the first
 };
 
 // When a pass runs.
 enum class Turn {
-    once,   // before the first frame
     moved,  // in frames with another view than the last frame
     always
 };
@@ -78,15 +73,10 @@ struct PlannedPass {
     PassSource source;
     Turn turn = Turn::always;
     std::vector<std::string> resources;  // at binding 0, 1, ...: names of images and buffers, or IMAGE/LEVEL
-    // Push constants of the even and of the odd frames; the pairs of `exchanged` are swapped between them.
-    std::vector<std::byte> parameters;
-    std::vector<std::byte> odd_parameters;
+    std::vector<std::byte> parameters;   // push constants
     std::vector<bool> of_view;  // for each byte: it depends on the view; otherwise on the settings alone
     std::array<std::uint32_t, 2> pixels{};  // pixels of the view for each group, along x and y
     std::array<std::uint32_t, 3> groups{};  // for the view of the plan; for every view if `pixels` is 0
-    std::optional<std::size_t> list;  // instead: indirect dispatch, byte offset in the buffer tile_lists
-    std::uint32_t divisor =
-        1;  // 2: the pass reads half-size images, and `of_view` are those of the half-size view
 };
 
 // Name of the image that is bound where the settings need none.
@@ -99,9 +89,7 @@ struct Plan {
     std::vector<PlannedPass> passes;
     // Pairs of images that are swapped after each frame.
     std::vector<std::array<std::string, 2>> exchanged;
-    std::uint32_t tile = 8;    // pixels of the view along each side of a tile
-    std::string result;        // image whose first channel is the occlusion
-    float result_unit = 1.0F;  // occlusion that a value of 1 in it stands for
+    std::string result;  // image whose first channel is the occlusion
 };
 
 struct PlanOptions {
