@@ -202,12 +202,12 @@ constexpr const char* own_presets[] = {"fast", "balanced", "quality", "reference
 struct Api {
     const char* version;
     const char* name;
-    const char* glslang;  // options
+    const char* glslang;  // options for SPIR-V; none: the text is only read
 };
 constexpr Api apis[] = {{"450", "Vulkan", "-V --target-env vulkan1.2 -o /dev/null"},
-                        {"430", "OpenGL 4.3", ""},
-                        {"330", "OpenGL 3.3", ""},
-                        {"300es", "OpenGL ES 3.0 and WebGL2", ""}};
+                        {"430", "OpenGL 4.3", nullptr},
+                        {"330", "OpenGL 3.3", nullptr},
+                        {"300es", "OpenGL ES 3.0 and WebGL2", nullptr}};
 
 TEST_F(PackEffect, EachPresetIsShortAndCompilesForEachApi) {
     for (const char* preset : own_presets) {
@@ -218,7 +218,8 @@ TEST_F(PackEffect, EachPresetIsShortAndCompilesForEachApi) {
             for (const auto& entry : fs::directory_iterator(path(preset))) {
                 if (entry.path().extension() == ".h") continue;
                 texts.push_back(read_file(entry.path()));
-                std::vector<std::string> options = words(api.glslang);
+                std::vector<std::string> options;
+                if (api.glslang != nullptr) options = words(api.glslang);
                 options.push_back(entry.path().string());
                 const CommandResult result = run_program("/usr/bin/glslangValidator", options);
                 EXPECT_EQ(result.status, 0) << result.out;
