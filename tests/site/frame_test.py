@@ -61,8 +61,9 @@ class FrameTest(BrowserCase):
                     told = self.browser.evaluate(f"{RUN}(cases[{i}], '{range_}')")
                     self.assertEqual(0, told["error"])
                     # A point that has not moved is within rounding of the border between two texels before.
-                    self.assertLess(told["apart"], 0.006 if "stands" in name else 0.001, told)
-                    self.assertLess(told["mean"], 2e-4 if "stands" in name else 5e-5, told)
+                    # The filter's tolerance is five times what a depth of 16 bits is rounded by.
+                    self.assertLess(told["apart"], 0.006 if "stands" in name else 0.003, told)
+                    self.assertLess(told["mean"], 2e-4 if "stands" in name else 1e-4, told)
                     self.assertGreater(told["contrast"], 0.3, told)
 
 

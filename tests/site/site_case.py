@@ -64,13 +64,14 @@ class SiteCase(BrowserCase):
 
     def compare(self, got, want, bounds=1):
         """The G-buffers are of a rasterizer and of rays, and drivers round a depth of 16 bits or cut it, so some pixels
-        may differ at all: means and percentiles are compared, of 8 bits."""
+        may differ at all: means and percentiles are compared, of 8 bits. The filter's tolerance is near to that
+        rounding."""
         self.assertEqual(len(want), len(got))
         self.assertGreater(max(want) - min(want), 0.5)
         errors = sorted(abs(a - b) for a, b in zip(got, want))
         self.assertLess(sum(errors) / len(errors), 0.002 * bounds)
         self.assertLess(errors[len(errors) // 2], 2e-5 * bounds)
-        self.assertLess(errors[len(errors) * 95 // 100], 1.5 / 255 * bounds)
+        self.assertLess(errors[len(errors) * 95 // 100], 2.5 / 255 * bounds)
 
     def shade(self, page, preset="balanced", frames=4, size=SIZE):
         """What a page of the site makes of the first frames in columns."""
