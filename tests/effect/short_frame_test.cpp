@@ -145,9 +145,9 @@ TEST_P(ShortFrames, PoisonedDepthStaysInRange) {
 // A setting that it does not read, or a value that it does not take.
 TEST_P(ShortFrames, WhatTheyDoNotTakeIsRefused) {
     const std::pair<const char*, const char*> refused[] = {
-        {"method", "gtao"},    {"bias", "0.5"},      {"filter", "none"},         {"samples", "13"},
-        {"samples", "1"},      {"taps", "bilinear"}, {"filter_half_width", "0"}, {"filter_half_width", "3"},
-        {"history_range", "2"}};
+        {"method", "gtao"},         {"bias", "0.5"},       {"filter", "none"},
+        {"samples", "0"},           {"taps", "bilinear"},  {"filter_half_width", "0"},
+        {"filter_half_width", "3"}, {"history_range", "2"}};
     for (const auto& [name, value] : refused) {
         Settings settings = preset_named(GetParam()).settings;
         EXPECT_THAT(

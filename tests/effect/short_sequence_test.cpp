@@ -4,6 +4,7 @@
 
 #include "effect/errors.hpp"
 #include "on_device.hpp"
+#include "scene/truth.hpp"
 #include "support/method_names.hpp"
 #include "surface_views.hpp"
 
@@ -69,13 +70,16 @@ TEST_P(ShortSequences, AJumpKeepsNothing) {
     EXPECT_LT(errors_of(sequence(views), single(after)).rmse, 0.002);
 }
 
-// What stands still converges to what as many slices in one frame give, against many more of them.
+// What stands still converges to what as many slices in one frame give: its error against traced rays is
+// theirs.
 TEST_P(ShortSequences, AStillViewConverges) {
     const scene::GBuffer& view = drawn("columns", small);
     Settings many = settings(false);
     many.samples *= std::min(64U, most_samples / many.samples);
     const std::vector<float> wanted = run(view, many).filtered;
-    const Truth limit = truth_from(view, run(view, many_slices(radius)).filtered);
+    const scene::TruthSettings traced{.rays = {.radius = double{radius}, .rays = 256}};
+    const Truth limit =
+        truth_from(view, scene::trace_geometry(scene::make_scene("columns"), 0, view, traced).occlusion);
     const std::vector<float> shown = sequence(std::vector<scene::GBuffer>(64, view));
     EXPECT_LT(errors_of(shown, limit).rmse, 1.02 * errors_of(wanted, limit).rmse);
     EXPECT_LT(errors_of(shown, wanted).rmse, 0.2 * errors_of(single(view), wanted).rmse);

@@ -119,12 +119,12 @@ TEST_F(BenchExperiments, TimesWithoutErrors) {
 }
 
 TEST_F(BenchExperiments, FrontShowsPresetsBesideThePlainLoopAtEachSize) {
-    const json document = measured({"front", "--size", "48x27", "64x36", "--frames", "3", "--scored", "2",
-                                    "--rays", "32", "--view", "room", "knot", "moving", "plan", "--sequence",
-                                    "fast", "balanced,samples=16"});
-    for (const char* text : {"48 x 27", "64 x 36", "| plain loop, 9 x 3 |", "| scene | 2 |",
-                             "| plain loop, 1 x 2 and a blur |", "| plain loop, 3 x 3 and 2 blurs |",
-                             "| quality, single |", "| balanced,samples=16, sequence |"})
+    const json document =
+        measured({"front", "--size", "48x27", "64x36", "--frames", "3", "--scored", "2", "--rays", "32",
+                  "--view", "room", "knot", "moving", "plan", "--sequence", "fast", "balanced,samples=16"});
+    for (const char* text :
+         {"48 x 27", "64 x 36", "| plain loop, 9 x 3 |", "| scene | 2 |", "| plain loop, 1 x 2 and a blur |",
+          "| plain loop, 3 x 3 and 2 blurs |", "| quality, single |", "| balanced,samples=16, sequence |"})
         EXPECT_THAT(out_, HasSubstr(text));
     // Two sizes and two cases: moving is of the other half, plan is orthographic.
     ASSERT_EQ(document.at("results").size(), 2U * 2U * 6U);

@@ -34,7 +34,7 @@ class RenderSequence : public Rendering {
 };
 
 TEST_F(RenderSequence, AMovingSceneIsFollowed) {
-    expect_success(render("out", "moving --frame 20 --frames 4"));
+    expect_success(render("out", "moving --frame 20 --frames 4 --preset tssao-paper"));
     const json frames = report("out").at("frames");
     ASSERT_EQ(frames.size(), 4U);
     for (std::size_t i = 0; i < 4; ++i) {
@@ -45,18 +45,18 @@ TEST_F(RenderSequence, AMovingSceneIsFollowed) {
         EXPECT_EQ(kept > 0.95, i > 0) << kept;
         EXPECT_EQ(frames[i].at("times_ms").contains("reproject"), i > 0);
     }
-    EXPECT_GT(frames[3].at("history").at("samples"), 27.0);  // of 30 before it
+    EXPECT_GT(frames[3].at("history").at("samples"), 85.0);  // of 96 before it
 }
 
 TEST_F(RenderSequence, StillHoldsOneFrame) {
-    expect_success(render("out", "moving --frame 20 --frames 3 --still"));
+    expect_success(render("out", "moving --frame 20 --frames 3 --still --preset tssao-paper"));
     const json last = report("out").at("frames").at(2);
     EXPECT_EQ(last.at("scene_frame"), 20);
     EXPECT_EQ(last.at("history").at("kept"), 1.0);
     EXPECT_FALSE(last.at("times_ms").contains("reproject"));
     expect_success(render("mesh", "corner --method hemisphere --frames 3"));  // nothing moves in it
     EXPECT_EQ(report("mesh").at("frames").at(2).at("scene_frame"), 0);
-    EXPECT_EQ(report("mesh").at("frames").at(2).at("history").at("samples"), 20.0);
+    EXPECT_EQ(report("mesh").at("frames").at(2).at("history").at("samples"), 64.0);
 }
 
 TEST_F(RenderSequence, WrittenAndReadBackItIsTheSame) {
@@ -79,7 +79,7 @@ TEST_F(RenderSequence, WrittenAndReadBackItIsTheSame) {
 // pixel, leaves its place.
 TEST_F(RenderSequence, AViewportOfACameraOffCentreIsThatPartOfThePicture) {
     const std::string folder = sequence();
-    expect_success(render("whole", "--gbuffer {} --radius 0.2", folder));
+    expect_success(render("whole", "--gbuffer {} --radius 0.2 --preset tssao-paper", folder));
     for (const auto& [frame, jitter] :
          {std::pair{"f0000", 0.0}, {"f0001", 0.4}, {"f0002", -0.5}, {"f0003", 0.3}}) {
         change_json(frame, [pixels = jitter](json& description) {
@@ -89,7 +89,8 @@ TEST_F(RenderSequence, AViewportOfACameraOffCentreIsThatPartOfThePicture) {
             projection[8] = -1.0 + 2.0 * pixels / 32.0;
         });
     }
-    expect_success(render("part", "--gbuffer {} --radius 0.2 --truth --truth-rays 32", folder));
+    expect_success(
+        render("part", "--gbuffer {} --radius 0.2 --preset tssao-paper --truth --truth-rays 32", folder));
     EXPECT_EQ(cuts("part"), cuts("whole"));
     const std::vector<float> whole = picture("whole", "f0003_ao.pfm");
     const std::vector<float> part = picture("part", "f0003_ao.pfm");
@@ -154,10 +155,14 @@ TEST_F(RenderSequence, SettingsByName) {
     const json settings = json::parse(output_of(gloam("list settings --json"))).at("settings");
     expect_success(render("plain", "corner --radius 1"));
     const json used = report("plain").at("settings");
-    ASSERT_EQ(used.size(), settings.size());
+    EXPECT_GT(used.size(), 10U);  // those that the frame reads
     for (const json& setting : settings) {
         for (const char* key : {"description", "unit", "expected"}) EXPECT_TRUE(setting.at(key).is_string());
-        EXPECT_EQ(used.at(setting.at("name")), setting.at("default")) << setting;
+        const json name = setting.at("name");
+        EXPECT_EQ(used.contains(name), setting.at("default_of") == "balanced") << setting;
+        if (used.contains(name)) {
+            EXPECT_EQ(used.at(name), setting.at("default")) << setting;
+        }
     }
     expect_success(render("out",
                           "corner --method hemisphere --set samples=7 --set taps=nearest --set filter=off "

@@ -112,16 +112,16 @@ TEST_F(List, SettingsWithDefaultAndRange) {
     const CommandResult result = gloam("list settings");
     expect_success(result);
     for (const char* line :
-         {"samples            k_1: for each pixel that has not converged, in each frame (balanced: 10 "
+         {"samples            k_1: for each pixel that has not converged, in each frame (balanced: 32 "
           "samples; ",
-          "guard_history      the band is sampled too: what moves in from it has a history (balanced: on; on "
-          "or off)"})
+          "guard_history      the band is sampled too: what moves in from it has a history (tssao-paper: "
+          "on; on or off)"})
         EXPECT_THAT(result.out, HasSubstr(line));
     const auto settings = json::parse(gloam("list settings --json").out).at("settings");
     EXPECT_EQ(line_count(result.out), static_cast<int>(settings.size()));
     const CommandResult one = gloam("list settings samples");
     EXPECT_THAT(one.out, HasSubstr("name: samples\n"));
-    EXPECT_THAT(one.out, HasSubstr("default: 10\n"));
+    EXPECT_THAT(one.out, HasSubstr("default: 32\n"));
 }
 
 TEST_F(List, AMethodSaysWhatItMeasures) {

@@ -43,12 +43,11 @@ float gloam_frame_sharp(vec2 own, vec2 all, float part) {
 // r), w = 1 / (n + 1)` [gloam; TSSAO, eq 5].
 // mean: m', of n frames. fast: f'. weight: w. fresh: C, of this frame. filtered: F, the same with less noise. range: r,
 // how far the mean may be from the fast one, which follows what changes.
-// Returns (m, f), with a weight of 1 exactly (C, F); trusts the caller to have all in [0, 1]. Error: 4e-7.
+// Returns (m, f); trusts the caller to have all in [0, 1]. Error: 4e-7.
 vec2 gloam_frame_blend(float mean, float fast, float weight, float fresh, float filtered, float range) {
-    float keep = 1.0 - weight;
-    float quick = filtered + min(keep, 0.3) * (fast - filtered);
+    float quick = fast + max(weight, 0.7) * (filtered - fast);
     float kept = clamp(mean, quick - range, quick + range);
-    return vec2(fresh + keep * (kept - fresh), quick);
+    return vec2(kept + weight * (fresh - kept), quick);
 }
 
 #endif

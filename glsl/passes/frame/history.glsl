@@ -25,8 +25,9 @@ const float frames_unit = 1.0 / 1023.0;      // of the number of frames in its c
 const float most_moved = 7.0 * frames_unit;  // frames before this one in the mean where a tap met what moved
 const float depth_tolerance = 0.015;         // relative, to be the same surface
 
-// Occlusion of a pixel with its history, if there is one, in [0, 1], and the texel for the next frame. sums: of the occlusion and the
-// weight of the pixel itself, and of all that the filter reads. moved: the share of these that met what moved.
+// Occlusion of a pixel with its history, if there is one, in [0, 1], and the texel for the next frame. sums: of the
+// occlusion and the weight of the pixel itself, and of all that the filter reads. moved: the share of these that met
+// what moved.
 float accumulated(ivec2 pixel, float depth, vec4 sums, float moved, HistoryParameters given, out vec4 kept) {
     kept = vec4(0.0);
     if (!history) return sums.z / sums.w;

@@ -30,9 +30,6 @@ void validate_frame(const Settings& settings) {
     if (settings.method != "sweep")
         throw std::invalid_argument(
             fmt::format("method {}: expected sweep, the frame's, or passes=study", settings.method));
-    if (slices_of(settings) * 2 * settings.own.steps != settings.samples || settings.samples == 0)
-        throw std::invalid_argument(fmt::format("samples {}: expected a multiple of 2 x {} steps, a slice",
-                                                settings.samples, settings.own.steps));
     if (settings.filter_half_width < 1 || settings.filter_half_width > 2)
         throw std::invalid_argument(
             fmt::format("filter_half_width {}: expected 1 or 2 in the frame", settings.filter_half_width));
@@ -46,7 +43,7 @@ bool reads(const Settings& settings, std::string_view setting) {
 }
 
 std::uint32_t slices_of(const Settings& settings) {
-    return settings.samples / (2 * settings.own.steps);
+    return std::max(settings.samples / (2 * settings.own.steps), 1U);
 }
 
 Settings with_radius(Settings settings, float radius) {

@@ -151,7 +151,8 @@ struct Settings {
 // Whether these passes read the setting. All others have the value of Settings{}.
 [[nodiscard]] bool reads(const Settings& settings, std::string_view setting);
 
-// Slices of a pixel of the frame; `steps` taps to both sides of each.
+// Slices of a pixel of the frame, `steps` taps to both sides of each: as many as `samples` has whole, at
+// least one.
 [[nodiscard]] std::uint32_t slices_of(const Settings& settings);
 
 // Whether a filter is applied to the estimate.
