@@ -127,7 +127,9 @@ TEST_F(Layouts, NumbersAreThoseOfTheirNames) {
     for (const std::size_t i : {0, 5, 10, 15})
         EXPECT_EQ(word("previous_from_current", i), std::bit_cast<std::uint32_t>(1.0F)) << i;
     for (const gpu::SpecializationConstant& constant : values.constants(pass, ""))
-        if (constant.id == 1) EXPECT_EQ(constant.bits, 1U) << "taps";
+        if (constant.id == 1) {
+            EXPECT_EQ(constant.bits, 1U) << "taps";
+        }
     values.set("depth_tolerance", glm::vec2(1.0F));
     EXPECT_THROW((void)values.push_constants(pass, ""), std::logic_error);
     EXPECT_THROW((void)Values().constants(pass, ""), std::logic_error);
