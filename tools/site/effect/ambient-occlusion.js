@@ -97,7 +97,7 @@ class AmbientOcclusion {
             last: [0, 1].map(() => passes.target(size, [shown, passes.image("RGB10_A2", size, {linear: true})]))};
     }
 
-    // As harness/occlusion/effect/short_frame.cpp (history_parameters) has them.
+    // As glsl/passes/frame/gloam_frame.h (gloam_fill) has them.
     historyValues(now) {
         const {before, frames, preset} = this;
         const still = before !== null && ["view", "step", "first"].every((name) =>
