@@ -68,6 +68,7 @@ void for_each_index(std::size_t count, unsigned threads, const std::function<voi
         }
     }
     if (queue.failure) std::rethrow_exception(queue.failure);
+    if (progress) progress(1.0);  // the other threads may have taken every item
 }
 
 }  // namespace gloam::base
