@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // What an engine has already: here the files of docs/gbuffer-format.md.
+#include <gloam_frame.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -65,4 +68,43 @@ inline void write_pfm(const std::filesystem::path& file, const Picture& picture)
 inline std::string frame_name(int number) {
     const std::string digits = std::to_string(number);
     return "f" + std::string(4 - digits.size(), '0') + digits;
+}
+
+// arguments: GBUFFERS OUT RADIUS linear|buffer. Says each frame of the sequence how it is seen, and writes
+// the occlusion, in 1/255, that draw(frame, depth, normal) returns.
+template <class Draw>
+void each_frame(char** arguments, const Draw& draw) {
+    const std::string gbuffers = std::string(arguments[0]) + "/", out = std::string(arguments[1]) + "/";
+    gloam_frame frame{};
+    for (int number = 0; std::filesystem::exists(gbuffers + frame_name(number) + ".json"); ++number) {
+        const std::string name = frame_name(number), json = read_file(gbuffers + name + ".json");
+        const Picture depth = read_pfm(gbuffers + name + "_depth.pfm", 1);
+        const Picture normal = read_pfm(gbuffers + name + "_normal.pfm", 4);
+        const std::vector<float> motion = numbers_of(json, "previous_from_current");
+        // Another preset, radius or size begins a sequence, and so does NULL; gloam_cut() asks for it.
+        const gloam_settings settings{PRESET,
+                                      {depth.width, depth.height},
+                                      std::stof(arguments[2]),
+                                      arguments[3] == std::string("buffer")};
+        gloam_camera camera{};
+        std::ranges::copy(numbers_of(json, "proj_vk"), camera.projection);
+        std::ranges::copy(numbers_of(json, "view"), camera.view);
+        gloam_next(&frame, settings, camera, motion.empty() ? nullptr : motion.data());
+        Picture picture{depth.width, depth.height, 1, std::vector<float>(depth.values.size())};
+        const std::vector<unsigned char> shown = draw(frame, depth, normal);
+        for (std::size_t i = 0; i < depth.values.size(); ++i)
+            picture.values[i] = static_cast<float>(shown[i]) / 255.0F;
+        write_pfm(out + name + "_ao.pfm", picture);
+    }
+}
+
+inline int run_example(int count, char** arguments, void (*run)(char**)) {
+    try {
+        if (count != 5) throw std::runtime_error("expected GBUFFERS OUT RADIUS linear|buffer");
+        run(arguments + 1);
+        return 0;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s: %s\n", arguments[0], error.what());
+        return 2;
+    }
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // vulkan_frame GBUFFERS OUT RADIUS linear|buffer: the ambient occlusion of a sequence, by the passes that
-// `gloam pack
-// --effect` wrote. An engine has what stands above `struct Images`.
+// `gloam pack --effect` wrote. An engine has what stands above `struct Images`.
 #include <gloam_frame.h>
 
 #include <array>
@@ -203,46 +202,22 @@ void record(const Commands& commands, const std::array<Pass, 3>& passes, Images&
     std::swap(of.history, of.history_before);
 }
 
-void run(const std::string& gbuffers, const std::string& out, float radius, bool of_buffer) {
+void run(char** arguments) {
     const Device device;
-    const gloam_preset preset = PRESET;
-    const std::array<Pass, 3> passes = passes_of(device, preset.half != 0);
+    const std::array<Pass, 3> passes = passes_of(device, PRESET.half != 0);
     std::optional<Images> images;
-    gloam_frame frame{};
-    for (int number = 0;; ++number) {
-        const std::string name = frame_name(number);
-        if (!std::filesystem::exists(gbuffers + name + ".json")) return;
-        const Picture depth = read_pfm(gbuffers + name + "_depth.pfm", 1);
-        const Picture normal = read_pfm(gbuffers + name + "_normal.pfm", 4);
-        const std::string json = read_file(gbuffers + name + ".json");
-        const std::vector<float> motion = numbers_of(json, "previous_from_current");
-        // Another preset, radius or size begins a sequence, and so does NULL; gloam_cut() asks for it.
-        const gloam_settings settings{preset, {depth.width, depth.height}, radius, of_buffer};
-        gloam_camera camera{};
-        std::ranges::copy(numbers_of(json, "proj_vk"), camera.projection);
-        std::ranges::copy(numbers_of(json, "view"), camera.view);
-        gloam_next(&frame, settings, camera, motion.empty() ? nullptr : motion.data());
+    each_frame(arguments, [&](const gloam_frame& frame, const Picture& depth, const Picture& normal) {
         if (!images || images->depth.extent != vk::Extent3D(depth.width, depth.height, 1))
-            images.emplace(device, settings);
+            images.emplace(device, frame.settings);
         copy(device, depth.values, images->depth, true);
         copy(device, normal.values, images->normal, true);
         device.run([&](const Commands& commands) { record(commands, passes, *images, frame); });
         std::vector<unsigned char> shown(depth.values.size());
         copy(device, shown, images->shown, false);
-        Picture picture{depth.width, depth.height, 1, {}};
-        for (const unsigned char value : shown) picture.values.push_back(static_cast<float>(value) / 255.0F);
-        write_pfm(out + name + "_ao.pfm", picture);
-    }
+        return shown;
+    });
 }
 
 int main(int count, char** arguments) {
-    try {
-        if (count != 5) throw std::runtime_error("usage: vulkan_frame GBUFFERS OUT RADIUS linear|buffer");
-        run(std::string(arguments[1]) + "/", std::string(arguments[2]) + "/", std::stof(arguments[3]),
-            std::string(arguments[4]) == "buffer");
-        return 0;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "vulkan_frame: %s\n", error.what());
-        return 2;
-    }
+    return run_example(count, arguments, run);
 }

@@ -9,8 +9,7 @@ one of them does not do what the page says. A block's first line says what it is
     ```sh WHY       commands that another test runs, or that would take too long here; WHY is one of WHY_NOT_RUN
     ```text         what the commands above printed: every line, in its order; "..." stands for any lines
     ```python       statements, run with the module of the build folder, if it has one
-    ```glsl NAME    a file that tests/check/snippets.py makes of the block; engine.glsl: lines of a fixture beside it;
-                    NAME.frag: lines of examples/fragment/NAME.frag, which is drawn by the tests
+    ```glsl NAME    a file that tests/check/snippets.py makes of the block; engine.glsl: lines of a fixture beside it
     ```cpp          a test, in docs/testing.md, by tests/check/snippets.py
     ```cpp consumer    lines of the test in examples/own_function
     ```cmake consumer  lines of its CMakeLists.txt; others may stand between them
@@ -20,7 +19,6 @@ Also: every source that an equation cites by author and year is in docs/glossary
 import json
 import os
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -93,10 +91,8 @@ class Guide:
             if any((self.module / "gloam").glob("_gloam*")):
                 self.run(text, ("/usr/bin/python3",))
         elif kind == "glsl":
-            folder = {"engine.glsl": "tests/check/fixtures/guide", "method.frag": "examples/fragment"}.get(argument)
-            if folder:
-                self.expect_in(f"{folder}/{argument}", text)
-                shutil.copy(self.root / folder / argument, self.folder)  # for the commands after it
+            if argument == "engine.glsl":
+                self.expect_in(f"tests/check/fixtures/guide/{argument}", text)
             else:
                 (self.folder / argument).write_text(text, encoding="utf-8")
         elif kind == "cpp" and argument:

@@ -17,4 +17,5 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     int odd = pixel.x & 1;
     occlusion = shown(pixel, ivec2(-odd, 0), odd, kept);
+    kept = (floor(kept / frames_unit + 0.5) + 0.25) * frames_unit;  // OpenGL may cut what it stores, not round
 }

@@ -24,8 +24,11 @@
  * from COMPUTE_SHADER, SHADER_WRITE to COMPUTE_SHADER, SHADER_READ | SHADER_WRITE. The device needs the feature
  * shaderStorageImageExtendedFormats. Specialization constants: 1 orthographic; 2, 3, 4 normals in world space,
  * octahedral, from 0 to 1; 5 slices; 6 steps; 8 frames follow one another; 9 normals from depth.
- * OpenGL: structures are the uniform block 0, and behind each compute pass there is a
- * glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT). */
+ * OpenGL: structures are the uniform block 0 (Parameters), in a buffer of 128 bytes, and behind each compute pass there
+ * is a glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT).
+ * As fragment shaders (330, 300es) a pass draws a triangle over all that it writes, prepare one for each `level`. Their
+ * samplers: depth is stored_image; normal, normal_image; levels, depth_image; levels before, depth_before_image;
+ * texels, texel_image; history before, before_image. */
 #ifndef GLOAM_FRAME_H
 #define GLOAM_FRAME_H
 #include <math.h>

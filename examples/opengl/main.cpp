@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+// opengl_frame GBUFFERS OUT RADIUS linear|buffer: the ambient occlusion of a sequence, by the fragment
+// shaders that `gloam pack --effect --version 330` wrote, or 300es. An engine has what stands above `struct
+// Images`.
+#define GL_GLEXT_PROTOTYPES
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <GL/gl.h>
+#include <gloam_frame.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <optional>
+
+#include "gbuffers.hpp"
+
+// A context of OpenGL 3.3 or OpenGL ES 3.0, without a window.
+void make_context(bool es) {
+    EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    eglInitialize(display, nullptr, nullptr);
+    eglBindAPI(es ? EGL_OPENGL_ES_API : EGL_OPENGL_API);
+    const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, es ? 0 : 3, EGL_NONE};
+    EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, version);
+    if (context == EGL_NO_CONTEXT || !eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context))
+        throw std::runtime_error("EGL makes no context of that version");
+}
+
+// Clamped to the edge, filled with zeros. divisor: of the size, rounded up.
+struct Texture {
+    Texture(GLint format, GLenum channels, GLenum type, const int size[2], int levels = 1, int divisor = 1)
+        : width((size[0] + divisor - 1) / divisor), height((size[1] + divisor - 1) / divisor) {
+        glGenTextures(1, &name);
+        glBindTexture(GL_TEXTURE_2D, name);
+        const std::vector<char> zeros(std::size_t(16) * width * height);
+        for (int level = 0; level < levels; ++level)
+            glTexImage2D(GL_TEXTURE_2D, level, format, std::max(width >> level, 1),
+                         std::max(height >> level, 1), 0, channels, type, zeros.data());
+        const GLint nearest = levels > 1 ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST;
+        const GLint filter = format == GL_RGB10_A2 ? GL_LINEAR : GL_NEAREST;
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, levels - 1);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter == GL_LINEAR ? filter : nearest);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
+        for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+            glTexParameteri(GL_TEXTURE_2D, side, GL_CLAMP_TO_EDGE);
+    }
+    Texture(const Texture&) = delete;
+    ~Texture() { glDeleteTextures(1, &name); }
+    int width, height;
+    GLuint name = 0;
+};
+
+void copy(const Picture& picture, const Texture& texture, GLenum channels) {
+    glBindTexture(GL_TEXTURE_2D, texture.name);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, picture.width, picture.height, channels, GL_FLOAT,
+                    picture.values.data());
+}
+
+std::string text_of(const char* pass) {
+    return read_file(std::string(EFFECT "/") + pass + ".frag");
+}
+
+void attach(GLuint program, GLenum stage, const std::string& text) {
+    const GLuint shader = glCreateShader(stage);
+    const char* const source = text.c_str();
+    glShaderSource(shader, 1, &source, nullptr);
+    glCompileShader(shader);
+    char log[4096] = "";
+    glGetShaderInfoLog(shader, sizeof log, nullptr, log);
+    if (*log != 0) std::fprintf(stderr, "%s\n", log);
+    glAttachShader(program, shader);
+    glDeleteShader(shader);
+}
+
+// Draws a triangle over what it is given to write.
+struct Pass {
+    explicit Pass(const std::string& text) {
+        attach(program, GL_VERTEX_SHADER, text.substr(0, text.find('\n')) + R"(
+            void main() { gl_Position = vec4(ivec2(gl_VertexID & 1, gl_VertexID >> 1) * 4 - 1, 0, 1); })");
+        attach(program, GL_FRAGMENT_SHADER, text);
+        glLinkProgram(program);
+        GLint links = 0;
+        glGetProgramiv(program, GL_LINK_STATUS, &links);
+        if (links == 0) throw std::runtime_error("a pass does not link");
+        glUniformBlockBinding(program, glGetUniformBlockIndex(program, "Parameters"), 0);
+    }
+    // read: the textures of samplers by their names.
+    template <class Parameters>
+    void draw(const Parameters& parameters,
+              std::initializer_list<std::pair<const char*, const Texture&>> read,
+              std::initializer_list<const Texture*> written, int level = 0) const {
+        glUseProgram(program);
+        glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof parameters, &parameters);
+        glUniform1i(glGetUniformLocation(program, "level"), level);
+        GLint unit = 0;
+        for (const auto& [sampler, texture] : read) {
+            glActiveTexture(GL_TEXTURE0 + unit);
+            glBindTexture(GL_TEXTURE_2D, texture.name);
+            glUniform1i(glGetUniformLocation(program, sampler), unit++);
+        }
+        constexpr GLenum places[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+        for (const GLenum& place : places) {
+            const std::size_t i = &place - places;
+            const GLuint name = i < written.size() ? written.begin()[i]->name : 0;
+            glFramebufferTexture2D(GL_FRAMEBUFFER, place, GL_TEXTURE_2D, name, level);
+        }
+        glDrawBuffers(GLsizei(written.size()), places);
+        const Texture& all = **written.begin();
+        glViewport(0, 0, std::max(all.width >> level, 1), std::max(all.height >> level, 1));
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+    }
+    GLuint program = glCreateProgram();
+};
+
+// What stands in gloam_frame.h, for views of one size.
+struct Images {
+    explicit Images(const gloam_settings& settings)
+        : depth(GL_R32F, GL_RED, GL_FLOAT, settings.size),
+          normal(GL_RGBA32F, GL_RGBA, GL_FLOAT, settings.size),
+          levels(GL_R16F, GL_RED, GL_FLOAT, settings.size, 5),
+          levels_before(GL_R16F, GL_RED, GL_FLOAT, settings.size, 5),
+          texels(GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, settings.size, 1, settings.preset.half ? 2 : 1),
+          history(GL_RGB10_A2, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV, settings.size),
+          history_before(GL_RGB10_A2, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV, settings.size),
+          shown(GL_R8, GL_RED, GL_UNSIGNED_BYTE, settings.size) {}
+    Texture depth, normal, levels, levels_before, texels, history, history_before, shown;
+};
+
+// Prepare, sweep, and filter or join.
+struct Passes {
+    Passes() {
+        GLuint name = 0;
+        glGenBuffers(1, &name);
+        glBindBufferBase(GL_UNIFORM_BUFFER, 0, name);
+        glBufferData(GL_UNIFORM_BUFFER, 128, nullptr, GL_STREAM_DRAW);
+        glGenFramebuffers(1, &name);
+        glBindFramebuffer(GL_FRAMEBUFFER, name);
+        glGenVertexArrays(1, &name);
+        glBindVertexArray(name);
+    }
+    void draw(const gloam_frame& frame, Images& of) const {
+        for (int level = 0; level < 5; ++level)
+            prepare.draw(frame.prepare,
+                         {{"stored_image", of.depth}, {"depth_before_image", of.levels_before}}, {&of.levels},
+                         level);
+        sweep.draw(frame.sweep, {{"depth_image", of.levels}, {"normal_image", of.normal}}, {&of.texels});
+        last.draw(frame.last,
+                  {{"texel_image", of.texels},
+                   {"depth_image", of.levels},
+                   {"depth_before_image", of.levels_before},
+                   {"before_image", of.history_before}},
+                  {&of.shown, &of.history});
+        std::swap(of.levels.name, of.levels_before.name);
+        std::swap(of.history.name, of.history_before.name);
+    }
+    Pass prepare{text_of("prepare")}, sweep{text_of("sweep")}, last{text_of(PRESET.half ? "join" : "filter")};
+};
+
+void run(char** arguments) {
+    make_context(text_of("sweep").starts_with("#version 300 es"));
+    const Passes passes;
+    std::optional<Images> images;
+    each_frame(arguments, [&](const gloam_frame& frame, const Picture& depth, const Picture& normal) {
+        if (!images || images->depth.width != depth.width || images->depth.height != depth.height)
+            images.emplace(frame.settings);
+        copy(depth, images->depth, GL_RED);
+        copy(normal, images->normal, GL_RGBA);
+        passes.draw(frame, *images);
+        std::vector<unsigned char> shown(4 * depth.values.size());  // of the framebuffer: R8 as RGBA
+        glReadPixels(0, 0, depth.width, depth.height, GL_RGBA, GL_UNSIGNED_BYTE, shown.data());
+        if (glGetError() != GL_NO_ERROR) throw std::runtime_error("OpenGL reports an error");
+        for (std::size_t i = 0; i < depth.values.size(); ++i) shown[i] = shown[4 * i];
+        return shown;
+    });
+}
+
+int main(int count, char** arguments) {
+    return run_example(count, arguments, run);
+}
