@@ -2,7 +2,6 @@
 // The guard band: surfaces near the frame's edge have their neighbours and their history, and the rest does
 // not change.
 #include "effect/errors.hpp"
-#include "effect/internal/frame_images.hpp"
 #include "effect/methods.hpp"
 #include "on_device.hpp"
 #include "scene/truth.hpp"

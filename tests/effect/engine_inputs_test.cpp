@@ -3,7 +3,6 @@
 // that of what it made. Output formats: the error that they add.
 #include "backend/vulkan/commands.hpp"
 #include "effect/errors.hpp"
-#include "effect/internal/frame_images.hpp"
 #include "effect/methods.hpp"
 #include "on_device.hpp"
 #include "shader/reflection.hpp"

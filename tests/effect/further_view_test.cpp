@@ -2,7 +2,6 @@
 // The pass that samples surface points again in the depth buffer of another camera.
 #include "effect/errors.hpp"
 #include "effect/internal/executor.hpp"
-#include "effect/internal/frame_images.hpp"
 #include "effect/internal/passes.hpp"
 #include "on_device.hpp"
 #include "scene/mesh.hpp"
@@ -67,7 +66,7 @@ class FurtherView : public OnDevice<testing::Test> {
                            .radius = settings.radius,
                            .bias = settings.bias},
                 groups_for(extent));
-            executor.run(std::span(&pass, 1), resources, {});
+            executor.run(pass, resources, {});
         }
         return result.download();
     }

@@ -3,7 +3,6 @@
 // DLSS, FSR.
 #include "effect/errors.hpp"
 #include "effect/internal/executor.hpp"
-#include "effect/internal/frame_images.hpp"
 #include "effect/internal/passes.hpp"
 #include "effect/methods.hpp"
 #include "effect/plan.hpp"
@@ -131,10 +130,8 @@ class MotionVectors : public OnDevice<testing::Test> {
         Values values = values_of(moment);
         values.set("motion_unit", unit);
         Executor executor(device_, passes_);
-        const PlannedPass pass =
-            executor.planned("positions_from_motion", {.file = "study/positions_from_motion.comp"},
-                             {"depth", "motion", "previous_position"}, values, groups_for(extent));
-        executor.run(std::span(&pass, 1), resources, {});
+        executor.run("positions_from_motion", {.file = "study/positions_from_motion.comp"},
+                     {"depth", "motion", "previous_position"}, values, groups_for(extent), resources, {});
         return vectors_of(written.download());
     }
 };

@@ -112,7 +112,7 @@ class OnDevice : public Base {
                                                                        const Values& values) const {
         const shader::ModuleInterface interface = shader::reflect(module_of(source, passes_));
         source.constants = values.constants(interface, source.file);
-        return {source, values.push_constants(interface, source.file).bytes};
+        return {source, values.push_constants(interface, source.file)};
     }
 
     // The same for all tests of a suite, so that pipelines are compiled once; for images of that size until

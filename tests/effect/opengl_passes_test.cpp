@@ -5,7 +5,7 @@
 #include "backend/gl/opened.hpp"
 #include "backend/gl/program.hpp"
 #include "effect/errors.hpp"
-#include "effect/internal/short_frame.hpp"
+#include "effect/internal/frame.hpp"
 #include "effect/plan.hpp"
 #include "numeric/numbers.hpp"
 #include "on_device.hpp"
@@ -67,8 +67,7 @@ class OnOpenGl {
     }
 
     [[nodiscard]] std::vector<float> run() {
-        for (const PlannedPass& pass : plan_.passes)
-            if (pass.turn != Turn::moved) run(pass);
+        for (const PlannedPass& pass : plan_.passes) run(pass);
         const std::vector<float> texels = images_.at(plan_.result).read();
         std::vector<float> occlusion;
         for (std::size_t i = 0; i < texels.size(); i += 4) occlusion.push_back(texels[i]);
@@ -101,7 +100,7 @@ class OnOpenGl {
                                .levels = {},
                                .storage = {},
                                .uniforms = {},
-                               .groups = groups_of(pass)};
+                               .groups = pass.groups};
         for (std::uint32_t binding = 0; binding < pass.resources.size(); ++binding) {
             const ImageName name = image_name_of(pass.resources[binding]);
             if (const auto image = images_.find(name.image); image != images_.end())
@@ -126,12 +125,6 @@ class OnOpenGl {
         for (const shader::LaidOut& member : interface.push_constants.value().members)
             if (member.name == "p00_p11") std::memcpy(bytes.data() + member.offset, &camera, sizeof camera);
         return bytes;
-    }
-
-    [[nodiscard]] std::array<std::uint32_t, 3> groups_of(const PlannedPass& pass) const {
-        if (pass.pixels[0] == 0) return pass.groups;
-        return {(view_.extent.width + pass.pixels[0] - 1) / pass.pixels[0],
-                (view_.extent.height + pass.pixels[1] - 1) / pass.pixels[1], 1};
     }
 
     const gl::Device& device_;
@@ -171,7 +164,7 @@ TEST_P(OpenGlPasses, GiveThePictureOfVulkan) {
     const gpu::Extent extent{49, 35};
     const scene::GBuffer view = drawn("room", extent, {});
     Settings settings = with_method(preset_named("tssao-paper").settings, GetParam());
-    const Plan plan = plan_of(settings, {.view = extent}, passes_);
+    const Plan plan = plan_of(settings, {.view = extent, .first = true}, passes_);
     const std::vector<float> want = run(view, settings).filtered;
     const auto [least, most] = std::ranges::minmax(want);
     EXPECT_GT(most - least, 0.01F);
@@ -189,9 +182,9 @@ TEST_P(OpenGlPasses, GiveThePictureOfVulkan) {
 INSTANTIATE_TEST_SUITE_P(All, OpenGlPasses, testing::ValuesIn(passes_of_methods()), test::parameter_name);
 
 // Of an odd size, poisoned.
-class OpenGlShortFrames : public OnDevice<testing::TestWithParam<std::string>> {};
+class OpenGlFrames : public OnDevice<testing::TestWithParam<std::string>> {};
 
-TEST_P(OpenGlShortFrames, GiveThePictureOfVulkan) {
+TEST_P(OpenGlFrames, GiveThePictureOfVulkan) {
     std::optional<gl::Device> device;
     if (const std::string why = why_not_opened(device, device_names[0]); !why.empty()) GTEST_SKIP() << why;
     for (const bool from_depth : {false, true}) {
@@ -212,7 +205,7 @@ TEST_P(OpenGlShortFrames, GiveThePictureOfVulkan) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, OpenGlShortFrames, testing::ValuesIn(own_presets()), test::parameter_name);
+INSTANTIATE_TEST_SUITE_P(All, OpenGlFrames, testing::ValuesIn(own_presets()), test::parameter_name);
 
 // The passes of the effect as one text each in GLSL ES 3.10: Mesa's compiler takes them.
 

@@ -47,25 +47,6 @@ TEST_F(PlanTest, IsWhatAFrameRuns) {
     }
 }
 
-TEST_F(PlanTest, ImagesHaveTheSizeThatTheMethodPrepares) {
-    for (const char* method : {"mssao", "dual_resolution", "sao_chain", "separable"}) {
-        for (const gpu::Extent extent : {gpu::Extent{640, 360}, gpu::Extent{33, 17}, gpu::Extent{1, 1}}) {
-            const Settings settings = with_method({}, method);
-            const Preparation preparation = preparation_of(settings, extent).value();
-            const Plan plan = plan_of(settings, {.view = extent}, passes_);
-            std::size_t next = 0;
-            for (const PlannedPass& pass : plan.passes) {
-                if (next == preparation.passes.size() || pass.name != preparation.passes[next].name) continue;
-                const gpu::Extent needed = preparation.passes[next++].invocations;
-                const auto [x, y] = pass.pixels;
-                EXPECT_GE((extent.width + x - 1) / x * 8, needed.width) << pass.name;
-                EXPECT_GE((extent.height + y - 1) / y * 8, needed.height) << pass.name;
-            }
-            EXPECT_EQ(next, preparation.passes.size());
-        }
-    }
-}
-
 TEST_F(PlanTest, RefusesWhatSettingsRefuse) {
     Settings settings;
     settings.samples = 0;
@@ -96,26 +77,13 @@ class Layouts : public OnDevice<testing::Test> {
     }
 };
 
-// Of the push constants the view's are what an engine must give, all others are the settings'.
-TEST_F(Layouts, TellWhatIsTheViews) {
-    for (const PlannedPass& pass : plan_of({}, {}, passes_).passes) {
-        if (pass.name != "ambient_occlusion") continue;
-        const shader::BlockLayout block = interface_of(pass.source).push_constants.value();
-        ASSERT_EQ(pass.of_view.size(), block.size);
-        for (const LaidOut& member : block.members)
-            EXPECT_EQ(pass.of_view[member.offset],
-                      member.name == "p00_p11" || member.name == "size" || member.name == "border")
-                << member.name;
-    }
-}
-
 TEST_F(Layouts, NumbersAreThoseOfTheirNames) {
     const shader::ModuleInterface pass = interface_of({.file = "study/reproject.comp"});
     Settings settings;
     settings.depth_tolerance = 0.125F;
     settings.taps = HistoryTaps::bilinear;
     Values values = values_of({scene::make_frame({}, 1.0), {7, 5}, {}}, settings);
-    const std::vector<std::byte> bytes = values.push_constants(pass, "").bytes;
+    const std::vector<std::byte> bytes = values.push_constants(pass, "");
     const auto word = [&](const char* name, std::size_t place) {
         const auto at = std::ranges::find(pass.push_constants->members, name, &LaidOut::name)->offset;
         std::uint32_t bits = 0;

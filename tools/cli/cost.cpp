@@ -153,7 +153,6 @@ double bytes_per_pixel(const effect::Plan& plan, const effect::PlannedPass& pass
 double pixels_of_invocation(const effect::PlannedPass& pass, const shader::Spirv& module, double view) {
     const auto [x, y, z] = shader::reflect(module).local_size;
     const double invocations = 1.0 * x * y * z;
-    if (pass.pixels[0] > 0) return 1.0 * pass.pixels[0] * pass.pixels[1] / invocations;
     return view / (invocations * pass.groups[0] * pass.groups[1] * pass.groups[2]);
 }
 

@@ -5,7 +5,6 @@
 
 #include <stdexcept>
 
-#include "effect/internal/frame_images.hpp"
 #include "effect/internal/passes.hpp"
 #include "effect/internal/steps.hpp"
 
@@ -54,8 +53,12 @@ std::vector<glm::vec3> Composite::lit(gpu::Extent extent, const scene::SplitLigh
     gpu::Image color(*device_, albedo.empty() ? gpu::Extent{1, 1} : extent, rgba32f);
     if (!albedo.empty()) color.upload(texels_of(albedo));
     const Parameters parameters{vector_of_size(extent), flag(!albedo.empty())};
-    const Step step{"composite", &pipeline_, {ambient, direct, shown, image, color}, bytes_of(parameters)};
-    (void)run(*device_, std::span(&step, 1), groups_for(extent), 1, watcher_);
+    const Step step{"composite",
+                    &pipeline_,
+                    {ambient, direct, shown, image, color},
+                    bytes_of(parameters),
+                    groups_for(extent)};
+    (void)run(*device_, std::span(&step, 1), 1, watcher_);
     return vectors_of(image.download());
 }
 

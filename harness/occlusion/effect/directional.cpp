@@ -4,12 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <span>
 #include <stdexcept>
 #include <utility>
 
 #include "effect/internal/executor.hpp"
-#include "effect/internal/frame_images.hpp"
 #include "effect/internal/passes.hpp"
 #include "scene/gbuffer.hpp"
 
@@ -79,9 +77,8 @@ struct Directional::Impl {
         bound.insert(bound.end(), read.begin(), read.end());
         Values values = values_of({view.camera, view.extent, view.border}, settings);
         values.set("interleave", interleave);
-        const PlannedPass pass = executor.planned(name, {.file = "study/" + name + ".comp"}, std::move(bound),
-                                                  values, groups_for(view.extent));
-        executor.run(std::span(&pass, 1), resources, watcher);
+        executor.run(name, {.file = "study/" + name + ".comp"}, std::move(bound), values,
+                     groups_for(view.extent), resources, watcher);
     }
 };
 

@@ -10,7 +10,6 @@
 
 #include "backend/vulkan/commands.hpp"
 #include "effect/internal/executor.hpp"
-#include "effect/internal/frame_images.hpp"
 #include "effect/internal/passes.hpp"
 #include "scene/gbuffer.hpp"
 #include "shader/reflection.hpp"
@@ -18,6 +17,10 @@
 namespace gloam::effect {
 
 namespace {
+
+std::size_t pixels_of(gpu::Extent extent) {
+    return std::size_t{extent.width} * extent.height;
+}
 
 // The resource with this name.
 template <class Map>
@@ -55,7 +58,8 @@ std::string key_of(const PassSource& source) {
 }
 
 bool reads_storage_images(const gpu::Device& device, scene::Inputs inputs) {
-    return inputs == scene::Inputs::storage || (inputs == scene::Inputs::by_device && runs_on_cpu(device));
+    return inputs == scene::Inputs::storage ||
+           (inputs == scene::Inputs::by_device && device.info().type == "cpu");
 }
 
 gpu::BindingKind kind_of(shader::BindingType type) {
@@ -92,10 +96,6 @@ shader::Spirv module_of(const PassSource& source, const scene::PassLibrary& libr
     std::vector<std::string> defines = source.defines;
     if (storage_inputs) defines.emplace_back("GLOAM_STORAGE_INPUTS");
     return optimized.compile(source.file, defines, source.replaced);
-}
-
-bool runs_on_cpu(const gpu::Device& device) {
-    return device.info().type == "cpu";
 }
 
 gpu::ComputePipeline pipeline_of(const gpu::Device& device, const scene::PassLibrary& library,
@@ -200,11 +200,12 @@ const shader::ModuleInterface& Executor::interface_of(const PassSource& source) 
     return module(source).interface;
 }
 
-PlannedPass Executor::planned(std::string name, PassSource source, std::vector<std::string> resources,
-                              const Values& values, std::array<std::uint32_t, 3> groups) {
-    const shader::ModuleInterface& interface = interface_of(source);
+PlannedPass planned_pass(std::string name, PassSource source, std::vector<std::string> resources,
+                         const Values& values, const InterfaceOf& interface_of,
+                         std::array<std::uint32_t, 3> groups) {
+    const shader::ModuleInterface interface = interface_of(source);
     source.constants = values.constants(interface, source.file);
-    std::vector<std::byte> parameters = values.push_constants(interface, source.file).bytes;
+    std::vector<std::byte> parameters = values.push_constants(interface, source.file);
     return {.name = std::move(name),
             .source = std::move(source),
             .resources = std::move(resources),
@@ -252,9 +253,17 @@ std::vector<Step> Executor::steps(std::span<const PlannedPass> passes, const Res
     return steps;
 }
 
-void Executor::run(std::span<const PlannedPass> passes, const Resources& resources,
+void Executor::run(const PlannedPass& pass, const Resources& resources, const PassWatcher& watcher) {
+    (void)effect::run(*device_, steps(std::span(&pass, 1), resources), 1, watcher);
+}
+
+void Executor::run(std::string name, PassSource source, std::vector<std::string> bound, const Values& values,
+                   std::array<std::uint32_t, 3> groups, const Resources& resources,
                    const PassWatcher& watcher) {
-    (void)effect::run(*device_, steps(passes, resources), {}, 1, watcher);
+    run(planned_pass(
+            std::move(name), std::move(source), std::move(bound), values,
+            [this](const PassSource& one) { return interface_of(one); }, groups),
+        resources, watcher);
 }
 
 namespace {
@@ -309,11 +318,11 @@ void require_sizes(const scene::GBuffer& view, gpu::Extent extent) {
     require_size("stored normals", view.stored->normal.size(), view.normal.empty() ? gpu::Extent{} : extent);
 }
 
-void upload(const scene::GBuffer& view, gpu::Extent extent, bool stores, Resources& resources) {
+void upload(const scene::GBuffer& view, bool stores, Resources& resources) {
     using enum gpu::Format;
     const bool stored = stores && view.stored;
     const auto image = [&](const char* name, gpu::Format format) -> gpu::Image& {
-        return resources.image(name, extent, format);
+        return resources.image(name, view.extent, format);
     };
     const std::vector<glm::vec3>& normals = stored ? view.stored->normal : view.normal;
     image("depth", r32f).upload(stored ? view.stored->depth : view.depth);
@@ -327,13 +336,12 @@ void take_linear(const scene::GBuffer& view, Resources& resources, Executor& exe
                  const PassWatcher& watcher) {
     require_centred(view);
     require_sizes(view, view.extent);
-    upload(view, view.extent, false, resources);
+    upload(view, false, resources);
     if (!view.normal.empty()) return;
     (void)resources.image("normal", view.extent, gpu::Format::rgba32f);
-    const PlannedPass pass =
-        executor.planned("normals_from_depth", {.file = "study/normals_from_depth.comp"}, {"depth", "normal"},
-                         values_of({view.camera, view.extent, view.border}, {}), groups_for(view.extent));
-    executor.run(std::span(&pass, 1), resources, watcher);
+    executor.run("normals_from_depth", {.file = "study/normals_from_depth.comp"}, {"depth", "normal"},
+                 values_of({view.camera, view.extent, view.border}, {}), groups_for(view.extent), resources,
+                 watcher);
 }
 
 }  // namespace gloam::effect

@@ -1,188 +1,265 @@
 // SPDX-License-Identifier: MIT
 #include "effect/internal/frame.hpp"
 
-#include <algorithm>
-#include <span>
-#include <string_view>
-#include <utility>
+#include <passes/frame/gloam_frame.h>
 
-#include "effect/internal/frame_images.hpp"
-#include "effect/internal/values.hpp"
+#include <algorithm>
+#include <cstddef>
+
+#include "effect/internal/executor.hpp"
+#include "effect/internal/passes.hpp"
+#include "effect/internal/study_frame.hpp"
 
 namespace gloam::effect {
 namespace {
 
-using Origin = PlannedImage::Origin;
+using enum gpu::Format;
 
-struct ImageRow {
-    const char* name;
-    bool exists;
-    gpu::Format format;
-    Origin origin;
-    const char* meaning;
+constexpr std::uint32_t depth_levels = 5;
+
+// What a frame takes of the engine.
+struct Taken {
+    View view;
+    float radius = 1.0F;
+    scene::Encoding encoding{};
+    bool normals = true;  // there are some
 };
 
-std::vector<ImageRow> images_of_inputs(const Moment& m) {
-    using enum gpu::Format;
-    const char* linear = "eye-linear depth, world units; background 0 or not finite";
-    const char* normals = "view-space unit normals that face the eye, in xyz";
-    const bool converts = m.converted.has_value();
-    const bool layers = m.settings.own.layers > 1;
-    return {
-        {"depth", true, r32f, Origin::engine,
-         converts ? "depth as the engine stores it, any format that is sampled" : linear},
-        {"normal", m.has_normals || !converts, rgba32f, m.has_normals ? Origin::engine : Origin::frame,
-         converts ? "normals as the engine stores them, any format" : normals},
-        {"linear_depth", converts, r32f, Origin::frame, linear},
-        {"view_normal", converts, rgba32f, Origin::frame, normals},
-        {"motion", m.from_motion, rgba32f, Origin::engine,
-         "motion vectors in xy, any format: by how much each point has moved in the image since the frame "
-         "before"},
-        {"previous_position", m.has_positions, rgba32f, m.from_motion ? Origin::frame : Origin::engine,
-         "where each surface point was, in the view space of the frame before, in xyz"},
-        {"layers", layers, rgba32f, Origin::engine, "depth layers 1 to 3 behind the first in xyz"}};
-}
-
-std::vector<ImageRow> images_of_results(const Moment& m) {
-    using enum gpu::Format;
-    const Settings& settings = m.settings;
-    const gpu::Format output = format_of(settings.output);
-    const bool alone = shows_alone(settings);
-    const bool filtered = filters(settings);
-    return {{"filtered", alone, r32f, Origin::frame, "the occlusion"},
-            {"history_before", !alone, rgba32f, Origin::history, "the history of the frame before"},
-            {"history_reprojected", settings.history, rgba32f, Origin::frame,
-             "the same at the pixels of this frame"},
-            {"history_after", !alone, rgba32f, Origin::frame, "the history of this frame"},
-            {"half_filtered", filtered, r32f, Origin::frame, "the occlusion filtered along x"},
-            {"filtered", filtered, r32f, Origin::frame, "and along y"},
-            {"mapped", m.maps_images(), output, Origin::frame, "what is shown of the occlusion"},
-            {"filtered_mapped", m.maps_images() && filtered, output, Origin::frame,
-             "what is shown of the filtered occlusion"},
-            {"bent_parts", m.bent_normals, rgba32f, Origin::frame,
-             "each pixel's part of the open directions, not normalized"},
-            {"bent_normal", m.bent_normals, rgba32f, Origin::frame,
-             "the mean open direction, a unit vector in view space, in xyz; half the angle of its cone in w, "
-             "radians"}};
-}
-
-void add_images(const Moment& m, const std::vector<ImageRow>& rows, Plan& plan) {
-    for (const ImageRow& row : rows) {
-        if (!row.exists) continue;
-        plan.images.push_back({.name = row.name,
-                               .meaning = row.meaning,
-                               .format = row.format,
-                               .origin = row.origin,
-                               .extent = m.view.extent});
-    }
-}
-
-// Images whose size is not that of the view.
-void add_fixed_images(const Moment& m, Plan& plan) {
-    if (m.preparation) {
-        plan.images.push_back({.name = "prepared",
-                               .meaning = "what the method's preparation passes write",
-                               .format = m.preparation->format,
-                               .extent = m.preparation->image});
-    }
-}
-
-void add_buffers(const Moment& m, Plan& plan) {
-    const auto own = std::as_bytes(std::span(&m.settings.own, 1));
-    plan.buffers.push_back({.name = "method",
-                            .meaning = "the method's settings",
-                            .bytes = sizeof(MethodValues),
-                            .contents = {own.begin(), own.end()}});
-}
-
-// The table for one frame.
-class Evaluation {
-  public:
-    Evaluation(const Moment& moment, const Plan& resources, const InterfaceOf& interface_of)
-        : moment_(moment), resources_(resources), interface_of_(interface_of) {}
-
-    std::vector<PlannedPass> run() {
-        std::vector<PlannedPass> passes;
-        for (const PassRow& row : pass_table()) {
-            const std::size_t times = row.when(moment_);
-            for (moment_.step = 0; moment_.step < times; ++moment_.step) passes.push_back(pass(row));
-        }
-        return passes;
-    }
-
-  private:
-    [[nodiscard]] PlannedPass pass(const PassRow& row) const {
-        PassSource source = row.source(moment_);
-        Values values = values_of(moment_);
-        for (const auto& [name, number] : row.own) values.set(name, number);
-        const shader::ModuleInterface interface = interface_of_(source);
-        source.constants = values.constants(interface, source.file);
-        PushConstants filled = values.push_constants(interface, source.file);
-        PlannedPass pass{.name = row.own_name ? row.own_name(moment_) : row.name,
-                         .source = std::move(source),
-                         .turn = row.turn,
-                         .resources = {},
-                         .parameters = std::move(filled.bytes),
-                         .of_view = std::move(filled.of_view)};
-        for (const char* resource : row.resources) pass.resources.push_back(present(named(resource)));
-        set_groups(row, pass);
-        return pass;
-    }
-
-    void set_groups(const PassRow& row, PlannedPass& pass) const {
-        pass.pixels = row.groups ? pixels_of_preparation() : std::array{tile_side, tile_side};
-        pass.groups = row.groups ? row.groups(moment_) : groups_for(moment_.view.extent);
-    }
-
-    // A group of 8 x 8 texels of half the resolution covers 16 x 16 pixels of the view, and so on.
-    [[nodiscard]] std::array<std::uint32_t, 2> pixels_of_preparation() const {
-        const std::uint32_t width = moment_.preparation->passes[moment_.step].invocations.width;
-        std::uint32_t scale = 1;
-        while (width * scale + scale <= moment_.view.extent.width) scale *= 2;
-        const std::uint32_t side = tile_side * scale;
-        return {side, side};
-    }
-
-    // The resource that the table names.
-    [[nodiscard]] std::string named(std::string_view name) const {
-        if (name == "stored_depth") return "depth";
-        if (name == "stored_normal") return "normal";
-        if (name == "depth" && moment_.converted) return "linear_depth";
-        if (name == "normal" && moment_.converted) return "view_normal";
-        if (name == "positions") return "previous_position";
-        if (name == "history") return moment_.moves_history() ? "history_reprojected" : "history_before";
-        if (name == "occlusion") return shows_alone(moment_.settings) ? "filtered" : "history_after";
-        return std::string(name);
-    }
-
-    [[nodiscard]] std::string present(std::string name) const {
-        const auto among = [&](const auto& all) {
-            return std::ranges::any_of(all, [&](const auto& one) { return one.name == name; });
-        };
-        if (among(resources_.images) || among(resources_.buffers)) return name;
-        return nothing_image;
-    }
-
-    Moment moment_;
-    const Plan& resources_;
-    const InterfaceOf& interface_of_;
+// And of the frame before.
+struct Before {
+    Taken taken;
+    int frames = 0;      // of the sequence, before this one
+    bool known = false;  // it has a history
+    bool still = false;  // from the same camera
 };
 
-}  // namespace
+bool is_half(const Settings& settings) {
+    return settings.resolution == Resolution::half;
+}
 
-Plan planned_resources(const Moment& moment) {
+// Of half of each side, rounded up.
+gpu::Extent swept_of(const Settings& settings, gpu::Extent view) {
+    return is_half(settings) ? gpu::Extent{(view.width + 1) / 2, (view.height + 1) / 2} : view;
+}
+
+void copy(const glm::mat4& matrix, float* numbers) {
+    std::copy_n(&matrix[0][0], 16, numbers);
+}
+
+gloam_camera camera_of(const View& view) {
+    gloam_camera camera{};
+    copy(view.camera.proj_vk, camera.projection);
+    copy(view.camera.view, camera.view);
+    return camera;
+}
+
+// With what the passes are given.
+gloam_frame filled(const Settings& settings, const Taken& taken, const Before& before) {
+    const View& view = taken.view;
+    const gpu::Extent extent = view.extent;
+    const gloam_preset preset{is_half(settings), settings.history_range, settings.history_sharpness};
+    gloam_frame frame{.settings = {.preset = preset,
+                                   .size = {static_cast<int>(extent.width), static_cast<int>(extent.height)},
+                                   .radius = taken.radius,
+                                   .depth_buffer = taken.encoding.depth_buffer},
+                      .now = camera_of(view),
+                      .before = camera_of(before.taken.view),
+                      .frames = before.frames,
+                      .still = before.still};
+    const bool moves = before.known && !before.still;
+    copy(moves ? view.camera.previous_from_current.value_or(glm::mat4(1.0F)) : glm::mat4(1.0F),
+         frame.previous_from_current);
+    gloam_fill(&frame);
+    return frame;
+}
+
+// Groups of 16 x 8 invocations, which make `x` x `y` pixels each.
+std::array<std::uint32_t, 3> groups_of(gpu::Extent extent, std::uint32_t x, std::uint32_t y) {
+    return {(extent.width + 16 * x - 1) / (16 * x), (extent.height + 8 * y - 1) / (8 * y), 1};
+}
+
+gpu::SpecializationConstant history_constant(const Settings& settings) {
+    return {.id = 8, .bits = flag(settings.history)};
+}
+
+PlannedPass first_pass(const Settings& settings, const View& view, const gloam_prepare& parameters) {
+    const PassSource source{
+        .file = "frame/prepare.comp",
+        .constants = {{.id = 1, .bits = flag(view.camera.orthographic())}, history_constant(settings)}};
+    return single_pass("prepare", source,
+                       {"depth", "levels/0", "levels/1", "levels/2", "levels/3", "levels/4",
+                        settings.history ? "levels_before" : nothing_image},
+                       parameters, groups_of(view.extent, 2, 2));
+}
+
+PlannedPass last_pass(const Settings& settings, const View& view, const gloam_last& parameters) {
+    PassSource source{
+        .file = is_half(settings) ? "frame/join.comp" : "frame/filter.comp",
+        .constants = {{.id = 1, .bits = flag(view.camera.orthographic())}, history_constant(settings)},
+        .unrolls = true};
+    define_output(settings.output, source.defines);
+    std::vector<std::string> resources{"texels", "shown"};
+    if (is_half(settings)) resources.insert(resources.begin() + 1, "levels");
+    for (const char* name : {"history_before/linear", "levels_before", "history"})
+        resources.emplace_back(settings.history ? name : nothing_image);
+    if (is_half(settings))
+        return single_pass("join", source, std::move(resources), parameters, groups_of(view.extent, 2, 2));
+    source.constants.push_back({.id = 0, .bits = static_cast<std::uint32_t>(settings.filter_half_width)});
+    PlannedPass filter =
+        single_pass("filter", source, std::move(resources), parameters, groups_of(view.extent, 2, 1));
+    filter.parameters.resize(offsetof(gloam_last, inverse_size));
+    return filter;
+}
+
+std::vector<PlannedPass> passes_of(const Settings& settings, const Taken& taken, const Before& before) {
+    const View& view = taken.view;
+    const gloam_frame frame = filled(settings, taken, before);
+    const PassSource sweep{.file = "frame/sweep.comp",
+                           .constants = {{.id = 1, .bits = flag(view.camera.orthographic())},
+                                         {.id = 2, .bits = flag(taken.encoding.world)},
+                                         {.id = 3, .bits = flag(taken.encoding.octahedral)},
+                                         {.id = 4, .bits = flag(taken.encoding.unorm)},
+                                         {.id = 5, .bits = slices_of(settings)},
+                                         {.id = 6, .bits = settings.own.steps},
+                                         {.id = 7, .bits = is_half(settings) ? 2U : 1U},
+                                         history_constant(settings),
+                                         {.id = 9, .bits = flag(!taken.normals)}},
+                           .unrolls = slices_of(settings) < 4};
+    return {first_pass(settings, view, frame.prepare),
+            single_pass("sweep", sweep, {"levels", taken.normals ? "normal" : "depth", "texels"}, frame.sweep,
+                        groups_of(swept_of(settings, view.extent), 1, 1)),
+            last_pass(settings, view, frame.last)};
+}
+
+void add_history(gpu::Extent extent, Plan& plan) {
+    using Origin = PlannedImage::Origin;
+    plan.images.push_back({.name = "levels_before",
+                           .meaning = "levels of the frame before",
+                           .format = r16f,
+                           .origin = Origin::history,
+                           .extent = extent,
+                           .levels = depth_levels});
+    plan.images.push_back({.name = "history_before",
+                           .meaning = "the history of the frame before",
+                           .format = rgb10_a2,
+                           .origin = Origin::history,
+                           .extent = extent});
+    plan.images.push_back(
+        {.name = "history", .meaning = "the history of this frame", .format = rgb10_a2, .extent = extent});
+    plan.exchanged = {{"levels_before", "levels"}, {"history_before", "history"}};
+}
+
+Plan plan_for(const Settings& settings, const Taken& taken, const Before& before) {
+    const View& view = taken.view;
     Plan plan;
-    add_images(moment, images_of_inputs(moment), plan);
-    add_images(moment, images_of_results(moment), plan);
-    add_fixed_images(moment, plan);
-    add_buffers(moment, plan);
-    if (!shows_alone(moment.settings)) plan.exchanged.push_back({"history_before", "history_after"});
+    plan.images = {{.name = "depth",
+                    .meaning = "depth as the engine stores it",
+                    .format = r32f,
+                    .origin = PlannedImage::Origin::engine,
+                    .extent = view.extent},
+                   {.name = "normal",
+                    .meaning = "normals as the engine stores them",
+                    .format = rgba32f,
+                    .origin = PlannedImage::Origin::engine,
+                    .extent = view.extent},
+                   {.name = "levels",
+                    .meaning = "eye-linear depth in radii",
+                    .format = r16f,
+                    .extent = view.extent,
+                    .levels = depth_levels},
+                   {.name = "texels",
+                    .meaning = "what the sweep finds (gloam/filter/frame_texel.glsl)",
+                    .format = r32ui,
+                    .extent = swept_of(settings, view.extent)},
+                   {.name = "shown",
+                    .meaning = "the occlusion",
+                    .format = format_of(settings.output),
+                    .extent = view.extent}};
+    if (settings.history) add_history(view.extent, plan);
+    if (!taken.normals)
+        std::erase_if(plan.images, [](const PlannedImage& image) { return image.name == "normal"; });
+    plan.passes = passes_of(settings, taken, before);
+    plan.result = "shown";
     return plan;
 }
 
-std::vector<PlannedPass> planned_passes(const Moment& moment, const Plan& resources,
-                                        const InterfaceOf& interface_of) {
-    return Evaluation(moment, resources, interface_of).run();
+Taken taken_of(const scene::GBuffer& view, float radius) {
+    return {{view.camera, view.extent, view.border},
+            radius,
+            view.stored ? view.stored->encoding : scene::Encoding{},
+            !view.normal.empty()};
+}
+
+class ThreePasses : public FramePasses {
+  public:
+    ThreePasses(const gpu::Device& device, const scene::PassLibrary& passes)
+        : device_(&device), executor_(device, passes), resources_(device) {}
+
+    void take(const scene::GBuffer& view, const Settings& settings, bool follows) override {
+        before_.known = before_.known && follows;
+        settings_ = settings;
+        taken_ = taken_of(view, settings.radius);
+        resources_.provide(frame_plan(settings, view));
+        upload(view, true, resources_);
+    }
+
+    [[nodiscard]] Frame next(int repeat, const PassWatcher& watcher) override {
+        const Before there = settings_.history ? before_of_view() : Before{.taken = taken_};
+        const Plan plan = plan_for(settings_, taken_, there);
+        const std::vector<Step> steps = executor_.steps(plan.passes, resources_);
+        Frame frame;
+        frame.times = run(*device_, steps, repeat, watcher);
+        frame.filtered = frame.occlusion = resources_.image("shown").download();
+        crop({.extent = taken_.view.extent, .border = taken_.view.border}, frame);
+        frame.memory_bytes = memory_of(steps);
+        resources_.exchange(plan.exchanged);
+        before_ = {.taken = taken_, .frames = there.frames + 1, .known = settings_.history};
+        return frame;
+    }
+
+  private:
+    [[nodiscard]] Before before_of_view() const;
+
+    const gpu::Device* device_;
+    Executor executor_;
+    Resources resources_;
+    Settings settings_;
+    Taken taken_;
+    Before before_;  // what the next frame has before it
+};
+
+// What this view has before it.
+Before ThreePasses::before_of_view() const {
+    const View& view = taken_.view;
+    const scene::CameraFrame& camera = view.camera;
+    const View& given = before_.taken.view;
+    const scene::CameraFrame& last = given.camera;
+    const scene::GBuffer now{.extent = view.extent, .camera = camera, .border = view.border};
+    const scene::GBuffer then{.extent = given.extent, .camera = last, .border = given.border};
+    Before found = before_;
+    found.still = camera.view == last.view && camera.proj_vk == last.proj_vk && now.extent == then.extent;
+    const bool follows = found.still || (cut_between(then, now).empty() && camera.previous_from_current);
+    found.known = before_.known && follows && camera.orthographic() == last.orthographic();
+    return found.known ? found : Before{.taken = taken_};
+}
+
+}  // namespace
+
+Plan frame_plan(const Settings& settings, const PlanOptions& options) {
+    const Taken taken{view_of(options), 1.0F, options.encoding, options.normals};
+    Plan plan = plan_for(settings, taken, {.taken = taken, .known = true});
+    for (PlannedImage& image : plan.images)
+        if (image.name == "normal" && options.encoding.unorm) image.format = rgba8;
+    return plan;
+}
+
+Plan frame_plan(const Settings& settings, const scene::GBuffer& view) {
+    const Taken taken = taken_of(view, settings.radius);
+    return plan_for(settings, taken, {.taken = taken});
+}
+
+std::unique_ptr<FramePasses> frame_passes(const gpu::Device& device, const scene::PassLibrary& passes) {
+    return std::make_unique<ThreePasses>(device, passes);
 }
 
 }  // namespace gloam::effect

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "effect/internal/frame.hpp"
+#include "effect/internal/study_frame.hpp"
 
 #include <fmt/format.h>
 
@@ -44,12 +44,12 @@ std::vector<PassRow> rows_of_samples() {
         {.name = "reproject",
          .when = [](const Moment& m) { return m.moves_history(); },
          .source = file("study/reproject.comp"),
-         .resources = {"depth", "positions", "history_before", "history_reprojected"},
-         .turn = Turn::moved},
+         .resources = {"depth", "positions", "history_before", "history_reprojected"}},
         {.name = "preparation",
          .when = [](const Moment& m) { return m.preparation ? m.preparation->passes.size() : 0; },
          .source = [](const Moment& m) { return preparation_source(m, m.preparation->passes[m.step].file); },
          .resources = {"depth", "normal", "history", "prepared", "method", "layers", "prepared"},
+         .own = {{"level", [](const Moment& m) { return m.preparation->passes[m.step].level; }}},
          .groups = [](const Moment& m) { return groups_for(m.preparation->passes[m.step].invocations); },
          .own_name = [](const Moment& m) { return m.preparation->passes[m.step].name; }},
         row_of_samples()};
@@ -58,10 +58,10 @@ std::vector<PassRow> rows_of_samples() {
 // A pass of the filter along one axis.
 PassRow row_of_filter(const char* name, bool along_y, const char* from, const char* to) {
     return {.name = name,
-            .when = [](const Moment& m) { return m.filtered; },
+            .when = [](const Moment& m) { return filters(m.settings); },
             .source = [](const Moment& m) { return filter_source(m.settings); },
             .resources = {"history_after", to, "normal", from},
-            .own = {{"along_y", along_y}}};
+            .own = {{"along_y", [along_y](const Moment&) { return along_y; }}}};
 }
 
 std::vector<PassRow> rows_of_filter() {
@@ -91,7 +91,7 @@ PassRow row_of_directions(const char* name, std::vector<const char*> images) {
         .when = [](const Moment& m) { return m.bent_normals; },
         .source = [name](const Moment&) { return PassSource{.file = fmt::format("study/{}.comp", name)}; },
         .resources = std::move(resources),
-        .own = {{"interleave", 4}}};
+        .own = {{"interleave", [](const Moment&) { return 4; }}}};
 }
 
 std::vector<PassRow> rows_of_directions() {
@@ -100,11 +100,12 @@ std::vector<PassRow> rows_of_directions() {
 }
 
 std::vector<PassRow> rows_of_results() {
-    return {
-        row_of_remap("remap", true, "occlusion", "mapped",
-                     [](const Moment& m) { return m.maps_images() && (!m.filtered || m.shows_unfiltered); }),
-        row_of_remap("remap_filtered", false, "filtered", "filtered_mapped",
-                     [](const Moment& m) { return m.maps_images() && m.filtered; })};
+    return {row_of_remap("remap", true, "occlusion", "mapped",
+                         [](const Moment& m) {
+                             return remaps(m.settings) && (!filters(m.settings) || m.shows_unfiltered);
+                         }),
+            row_of_remap("remap_filtered", false, "filtered", "filtered_mapped",
+                         [](const Moment& m) { return remaps(m.settings) && filters(m.settings); })};
 }
 
 }  // namespace

@@ -40,8 +40,9 @@ void define_output(OutputFormat output, std::vector<std::string>& defines) {
         defines.emplace_back(output == OutputFormat::r8 ? "GLOAM_OUTPUT r8" : "GLOAM_OUTPUT r16f");
 }
 
-gpu::Extent half_of(gpu::Extent extent) {
-    return {(extent.width + 1) / 2, (extent.height + 1) / 2};
+gpu::Format format_of(OutputFormat output) {
+    if (output == OutputFormat::r32f) return gpu::Format::r32f;
+    return output == OutputFormat::r8 ? gpu::Format::r8 : gpu::Format::r16f;
 }
 
 std::optional<Preparation> preparation_of(const Settings& settings, gpu::Extent view) {
@@ -78,7 +79,7 @@ PassSource preparation_source(const Moment& moment, const std::string& file) {
 }
 
 std::array<std::uint32_t, 3> groups_for(gpu::Extent extent) {
-    const auto groups = [](std::uint32_t side) { return (side + tile_side - 1) / tile_side; };
+    const auto groups = [](std::uint32_t side) { return (side + 7) / 8; };
     return {groups(extent.width), groups(extent.height), 1};
 }
 

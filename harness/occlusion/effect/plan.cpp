@@ -3,8 +3,7 @@
 
 #include "base/number.hpp"
 #include "effect/internal/frame.hpp"
-#include "effect/internal/frame_images.hpp"
-#include "effect/internal/short_frame.hpp"
+#include "effect/internal/study_frame.hpp"
 
 namespace gloam::effect {
 
@@ -39,7 +38,6 @@ Moment moment_of(const Settings& settings, const PlanOptions& options) {
     moment.has_positions = options.moving_objects || options.motion_vectors;
     moment.from_motion = options.motion_vectors;
     moment.bent_normals = options.bent_normals;
-    moment.filtered = filters(settings);
     if (options.first) {
         moment.shows_unfiltered = true;
         moment.moved = false;

@@ -62,21 +62,12 @@ struct PlannedBuffer {
     std::vector<std::byte> contents;  // at its beginning; the rest is zero
 };
 
-// When a pass runs.
-enum class Turn {
-    moved,  // in frames with another view than the last frame
-    always
-};
-
 struct PlannedPass {
     std::string name;  // as in Frame::times
     PassSource source;
-    Turn turn = Turn::always;
     std::vector<std::string> resources;  // at binding 0, 1, ...: names of images and buffers, or IMAGE/LEVEL
     std::vector<std::byte> parameters;   // push constants
-    std::vector<bool> of_view;  // for each byte: it depends on the view; otherwise on the settings alone
-    std::array<std::uint32_t, 2> pixels{};  // pixels of the view for each group, along x and y
-    std::array<std::uint32_t, 3> groups{};  // for the view of the plan; for every view if `pixels` is 0
+    std::array<std::uint32_t, 3> groups{};  // for the view of the plan
 };
 
 // Name of the image that is bound where the settings need none.

@@ -30,20 +30,16 @@ std::uint64_t bytes_of(const gpu::Image& image) {
     return std::uint64_t{image.extent().width} * image.extent().height * texel;
 }
 
-void record(gpu::Commands& commands, const Step& pass, const std::array<std::uint32_t, 3>& groups) {
-    commands.dispatch(*pass.pipeline, pass.resources, pass.groups[0] == 0 ? groups : pass.groups,
-                      pass.parameters);
+void record(gpu::Commands& commands, const Step& pass) {
+    commands.dispatch(*pass.pipeline, pass.resources, pass.groups, pass.parameters);
 }
 
-void run_watched(const gpu::Device& device, const Step& pass, const std::array<std::uint32_t, 3>& groups,
-                 const PassWatcher& watcher) {
-    Step with_groups = pass;
-    if (pass.groups[0] == 0) with_groups.groups = groups;
-    watcher(with_groups, false);
+void run_watched(const gpu::Device& device, const Step& pass, const PassWatcher& watcher) {
+    watcher(pass, false);
     gpu::Commands commands(device);
-    record(commands, with_groups, groups);
+    record(commands, pass);
     commands.submit();
-    watcher(with_groups, true);
+    watcher(pass, true);
 }
 
 // A GPU that waits between short frames lowers its clock, and each of their passes counts its start: so many
@@ -55,14 +51,13 @@ int frames_at_once(const std::vector<std::vector<double>>& times) {
 }
 
 // Appends the time of each pass in each of so many frames, which are submitted at once.
-void time_frames(const gpu::Device& device, std::span<const Step> passes,
-                 const std::array<std::uint32_t, 3>& groups, int frames,
+void time_frames(const gpu::Device& device, std::span<const Step> passes, int frames,
                  std::vector<std::vector<double>>& times) {
     gpu::Commands commands(device);
     for (int frame = 0; frame < frames; ++frame) {
         commands.timestamp();
         for (const Step& pass : passes) {
-            record(commands, pass, groups);
+            record(commands, pass);
             commands.timestamp();
         }
     }
@@ -75,22 +70,34 @@ void time_frames(const gpu::Device& device, std::span<const Step> passes,
 
 }  // namespace
 
-std::vector<PassTime> run(const gpu::Device& device, std::span<const Step> passes,
-                          const std::array<std::uint32_t, 3>& groups, int repeat,
+std::vector<PassTime> run(const gpu::Device& device, std::span<const Step> passes, int repeat,
                           const PassWatcher& watcher) {
     std::vector<std::vector<double>> times(passes.size());
     int batch = 1;
     for (int i = 0; i < repeat; i += batch) {
         if (i == 1 && !watcher) batch = frames_at_once(times);
         if (watcher) {
-            for (const Step& pass : passes) run_watched(device, pass, groups, watcher);
+            for (const Step& pass : passes) run_watched(device, pass, watcher);
             continue;
         }
-        time_frames(device, passes, groups, std::min(batch, repeat - i), times);
+        time_frames(device, passes, std::min(batch, repeat - i), times);
     }
     std::vector<PassTime> medians;
     for (std::size_t p = 0; p < passes.size(); ++p) medians.push_back({passes[p].name, median(times[p])});
     return medians;
+}
+
+std::vector<float> channel(std::span<const float> texels, std::size_t which) {
+    std::vector<float> values(texels.size() / 4);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = texels[4 * i + which];
+    return values;
+}
+
+std::vector<float> texels_of(std::span<const glm::vec3> vectors) {
+    std::vector<float> texels;
+    texels.reserve(4 * vectors.size());
+    for (const glm::vec3& v : vectors) texels.insert(texels.end(), {v.x, v.y, v.z, 0.0F});
+    return texels;
 }
 
 std::uint64_t memory_of(std::span<const Step> passes) {

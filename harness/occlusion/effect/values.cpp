@@ -52,69 +52,63 @@ void add_settings(const Settings& s, Values& all) {
 void add_view(const Moment& m, Values& all) {
     const scene::CameraFrame& camera = m.view.camera;
     const scene::Encoding encoding = m.converted.value_or(scene::Encoding{});
-    all.set("border", vector_of_size(m.view.border.each_side()), true);
+    all.set("border", vector_of_size(m.view.border.each_side()));
     all.set("depth_buffer", encoding.depth_buffer);
     all.set("has_normals", m.has_normals);
-    all.set("motion_unit", glm::vec2(1.0F), true);  // motion vectors in pixels
+    all.set("motion_unit", glm::vec2(1.0F));  // motion vectors in pixels
     all.set("moving_objects", m.has_positions);
     all.set("octahedral_normals", encoding.octahedral);
     all.set("orthographic", camera.orthographic());
-    all.set("p00_p11", camera.p00_p11(), true);
-    all.set("p22_p32", glm::vec2(camera.proj_vk[2][2], camera.proj_vk[3][2]), true);
-    all.set("previous_from_current", camera.previous_from_current.value_or(glm::mat4(1.0F)), true);
+    all.set("p00_p11", camera.p00_p11());
+    all.set("p22_p32", glm::vec2(camera.proj_vk[2][2], camera.proj_vk[3][2]));
+    all.set("previous_from_current", camera.previous_from_current.value_or(glm::mat4(1.0F)));
     all.set("previous_orthographic", m.before.camera.orthographic());
-    all.set("previous_p00_p11", m.before.camera.p00_p11(), true);
-    all.set("size", vector_of_size(m.view.extent), true);
+    all.set("previous_p00_p11", m.before.camera.p00_p11());
+    all.set("size", vector_of_size(m.view.extent));
     all.set("unorm_normals", encoding.unorm);
-    all.set("view_from_world", glm::mat3x4(glm::mat3(camera.view)), true);
+    all.set("view_from_world", glm::mat3x4(glm::mat3(camera.view)));
     all.set("watches_objects", m.watches());
-    all.set("world_from_view", glm::mat3x4(glm::transpose(glm::mat3(camera.view))), true);
+    all.set("world_from_view", glm::mat3x4(glm::transpose(glm::mat3(camera.view))));
     all.set("world_normals", encoding.world);
-    const bool prepares = m.preparation && m.step < m.preparation->passes.size();
-    all.set("level", prepares ? m.preparation->passes[m.step].level : 0);
 }
 
 }  // namespace
 
-void Values::set(const std::string& name, std::vector<double> numbers, bool of_view) {
-    values_.insert_or_assign(name, Value{std::move(numbers), of_view});
+void Values::set(const std::string& name, std::vector<double> numbers) {
+    values_.insert_or_assign(name, std::move(numbers));
 }
 
-const Values::Value& Values::at(const std::string& name, std::size_t count, const std::string& file) const {
+const std::vector<double>& Values::at(const std::string& name, std::size_t count,
+                                      const std::string& file) const {
     const auto found = values_.find(name);
     if (found == values_.end()) throw std::logic_error(fmt::format("{}: no value of {}", file, name));
-    if (found->second.numbers.size() != count)
-        throw std::logic_error(fmt::format("{}: {} has {} elements, its value {}", file, name, count,
-                                           found->second.numbers.size()));
+    if (found->second.size() != count)
+        throw std::logic_error(
+            fmt::format("{}: {} has {} elements, its value {}", file, name, count, found->second.size()));
     return found->second;
 }
 
-PushConstants Values::push_constants(const shader::ModuleInterface& interface,
-                                     const std::string& file) const {
-    PushConstants all;
-    if (!interface.push_constants) return all;
-    all.bytes.resize(interface.push_constants->size);
-    all.of_view.resize(all.bytes.size(), false);
+std::vector<std::byte> Values::push_constants(const shader::ModuleInterface& interface,
+                                              const std::string& file) const {
+    std::vector<std::byte> bytes;
+    if (!interface.push_constants) return bytes;
+    bytes.resize(interface.push_constants->size);
     for (const shader::LaidOut& member : interface.push_constants->members) {
-        const Value& value = at(member.name, std::size_t{member.rows} * member.columns, file);
-        for (std::size_t i = 0; i < value.numbers.size(); ++i) {
+        const std::vector<double>& numbers = at(member.name, std::size_t{member.rows} * member.columns, file);
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
             const std::size_t column = i / member.rows * (member.size / member.columns);
-            const std::uint32_t bits = bits_of(value.numbers[i], member.type);
-            const std::size_t at = member.offset + column + sizeof bits * (i % member.rows);
-            std::memcpy(&all.bytes[at], &bits, sizeof bits);
+            const std::uint32_t bits = bits_of(numbers[i], member.type);
+            std::memcpy(&bytes[member.offset + column + sizeof bits * (i % member.rows)], &bits, sizeof bits);
         }
-        const auto first = all.of_view.begin() + static_cast<std::ptrdiff_t>(member.offset);
-        std::fill_n(first, member.size, value.of_view);
     }
-    return all;
+    return bytes;
 }
 
 std::vector<gpu::SpecializationConstant> Values::constants(const shader::ModuleInterface& interface,
                                                            const std::string& file) const {
     std::vector<gpu::SpecializationConstant> all;
     for (const shader::SpecializationConstant& constant : interface.constants)
-        all.push_back(
-            {.id = constant.id, .bits = bits_of(at(constant.name, 1, file).numbers[0], constant.type)});
+        all.push_back({.id = constant.id, .bits = bits_of(at(constant.name, 1, file)[0], constant.type)});
     return all;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <map>
 #include <span>
 #include <string>
@@ -58,7 +59,15 @@ class Resources {
     std::map<std::string, gpu::Image> nothing_;  // by format
 };
 
-// A pass of a plan of its own: not of a frame of the effect.
+// The interface of the module of a source.
+using InterfaceOf = std::function<shader::ModuleInterface(const PassSource&)>;
+
+// A pass whose constants, of both kinds, have the values of their names.
+[[nodiscard]] PlannedPass planned_pass(std::string name, PassSource source,
+                                       std::vector<std::string> resources, const Values& values,
+                                       const InterfaceOf& interface_of, std::array<std::uint32_t, 3> groups);
+
+// A pass with a struct of push constants.
 template <class Parameters>
 [[nodiscard]] PlannedPass single_pass(std::string name, PassSource source, std::vector<std::string> resources,
                                       const Parameters& parameters, std::array<std::uint32_t, 3> groups) {
@@ -80,15 +89,13 @@ class Executor {
     // object live. Throws std::runtime_error when a shader does not compile.
     [[nodiscard]] std::vector<Step> steps(std::span<const PlannedPass> passes, const Resources& resources);
 
-    // A pass of a plan of its own, its constants by their names.
-    [[nodiscard]] PlannedPass planned(std::string name, PassSource source, std::vector<std::string> resources,
-                                      const Values& values, std::array<std::uint32_t, 3> groups);
-
     // Of the module of a source, which is compiled once.
     [[nodiscard]] const shader::ModuleInterface& interface_of(const PassSource& source);
 
-    // Runs passes once. Throws like steps() and gpu::Commands::submit().
-    void run(std::span<const PlannedPass> passes, const Resources& resources, const PassWatcher& watcher);
+    // Runs a pass once. Throws like steps() and gpu::Commands::submit().
+    void run(const PlannedPass& pass, const Resources& resources, const PassWatcher& watcher);
+    void run(std::string name, PassSource source, std::vector<std::string> bound, const Values& values,
+             std::array<std::uint32_t, 3> groups, const Resources& resources, const PassWatcher& watcher);
 
   private:
     struct Module {
@@ -126,8 +133,8 @@ void require_sizes(const scene::GBuffer& view, gpu::Extent extent);
 
 // Uploads a view to the images depth, normal, previous_position and layers, those that it has. Missing images
 // are made. stores: depth and normals as the engine stores them, if it does; otherwise linear depth and
-// normals of view space. extent: of the view.
-void upload(const scene::GBuffer& view, gpu::Extent extent, bool stores, Resources& resources);
+// normals of view space.
+void upload(const scene::GBuffer& view, bool stores, Resources& resources);
 
 // Uploads linear depth and normals of view space. Missing normals are reconstructed from depth.
 void take_linear(const scene::GBuffer& view, Resources& resources, Executor& executor,

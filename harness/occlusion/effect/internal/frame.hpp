@@ -1,52 +1,41 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <functional>
-#include <string>
-#include <utility>
-#include <vector>
+#include <memory>
 
-#include "effect/internal/passes.hpp"
+#include "effect/ambient_occlusion.hpp"
 #include "effect/plan.hpp"
-#include "shader/reflection.hpp"
 
 namespace gloam::effect {
 
-// The one description of a frame: a table of its passes, and what they read and write.
+// The passes of one kind of frame (Settings::passes), with their images and their history.
+class FramePasses {
+  public:
+    virtual ~FramePasses() = default;
 
-// A plan without passes: the images and buffers of all frames with these settings and views of this size.
-[[nodiscard]] Plan planned_resources(const Moment& moment);
+    // Takes a view, as its engine stores it. follows: the view continues the last one, whose history it has
+    // if its camera knows the one before; otherwise a sequence begins. Throws std::invalid_argument for what
+    // the passes do not take.
+    virtual void take(const scene::GBuffer& view, const Settings& settings, bool follows) = 0;
 
-// The passes of one frame, in their order: pass_table() evaluated. resources: those that exist; a pass gets
-// nothing_image in the place of others. The table names what a resource is to the frame:
-// `depth`, for example, is the depth that the passes read, and `history` the one that the samples enter. Both
-// sets of parameters are those of this frame. interface_of: of the module of a source; its push constants and
-// specialization constants are set by their names. Throws std::logic_error for a name without a value.
-using InterfaceOf = std::function<shader::ModuleInterface(const PassSource&)>;
-[[nodiscard]] std::vector<PlannedPass> planned_passes(const Moment& moment, const Plan& resources,
-                                                      const InterfaceOf& interface_of);
-
-// Adds the macro by which a last pass writes another format than r32f.
-void define_output(OutputFormat output, std::vector<std::string>& defines);
-
-// A view in the place of the engine's.
-[[nodiscard]] View view_of(const PlanOptions& options);
-
-// A pass. Resources are named by what they are to the frame: see planned_passes().
-struct PassRow {
-    const char* name;
-    std::function<std::size_t(const Moment&)> when;  // how many times it runs; Moment::step counts them
-    std::function<PassSource(const Moment&)> source;
-    std::vector<const char*> resources;                    // at binding 0, 1, ...
-    std::vector<std::pair<const char*, double>> own = {};  // values of this pass alone, by name
-    Turn turn = Turn::always;
-    std::function<std::array<std::uint32_t, 3>(const Moment&)> groups = {};
-    std::function<std::string(const Moment&)> own_name = {};  // in the place of `name`
+    // A frame of the last view, as AmbientOcclusion::next() has it.
+    [[nodiscard]] virtual Frame next(int repeat, const PassWatcher& watcher) = 0;
 };
 
-// The passes of a frame in their order.
-[[nodiscard]] const std::vector<PassRow>& pass_table();
+// The device must outlive the passes. Study: TSSAO as printed, for images of that size at first. Frame: the
+// three short passes for engines.
+[[nodiscard]] std::unique_ptr<FramePasses> study_passes(const gpu::Device& device,
+                                                        const scene::PassLibrary& passes, gpu::Extent extent);
+[[nodiscard]] std::unique_ptr<FramePasses> frame_passes(const gpu::Device& device,
+                                                        const scene::PassLibrary& passes);
+
+// The plan of a frame of those three, for a radius of 1.
+[[nodiscard]] Plan frame_plan(const Settings& settings, const PlanOptions& options);
+
+// The plan of a frame of this view, as its engine stores it, that follows none.
+[[nodiscard]] Plan frame_plan(const Settings& settings, const scene::GBuffer& view);
+
+// The images of a frame without the view's guard band.
+void crop(const scene::GBuffer& shape, Frame& frame);
 
 }  // namespace gloam::effect

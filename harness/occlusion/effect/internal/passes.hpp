@@ -17,8 +17,6 @@
 // The shaders of the passes.
 namespace gloam::effect {
 
-constexpr std::uint32_t tile_side = 8;
-
 // A size and a choice as shaders take them.
 [[nodiscard]] inline glm::ivec2 vector_of_size(gpu::Extent extent) {
     return {static_cast<int>(extent.width), static_cast<int>(extent.height)};
@@ -34,9 +32,6 @@ struct View {
     scene::Border border;
 };
 
-// Size of the half-size image: half of each side, rounded up.
-[[nodiscard]] gpu::Extent half_of(gpu::Extent extent);
-
 // One frame: the settings, the view, and everything else that decides what the frame runs.
 struct Moment {
     Settings settings;
@@ -51,7 +46,6 @@ struct Moment {
     bool bent_normals = false;      // the frame writes the mean open directions, too
     bool new_view = true;           // the view was not that of the frame before
     bool moved = true;              // the history, if there is one, belongs to another view
-    bool filtered = true;           // the filter runs
     bool shows_unfiltered = false;  // the unfiltered occlusion is remapped, too
     std::uint32_t step = 0;         // of a pass that runs several times
 
@@ -60,13 +54,10 @@ struct Moment {
 
     // Whether the history is moved to the view.
     [[nodiscard]] bool moves_history() const { return moved && settings.history; }
-    [[nodiscard]] bool knows_motion() const { return moves_history() && has_positions; }
     // Whether the samples watch for objects that move.
     [[nodiscard]] bool watches() const {
-        return knows_motion() && settings.invalidation != Invalidation::none;
+        return moves_history() && has_positions && settings.invalidation != Invalidation::none;
     }
-    // Whether images for remapped results exist.
-    [[nodiscard]] bool maps_images() const { return remaps(settings); }
 };
 
 // The shaders, with their definitions.
@@ -77,6 +68,10 @@ struct Moment {
 [[nodiscard]] PassSource remap_source(const Settings& settings, bool from_history);
 // file: in glsl/passes/study/preparation.
 [[nodiscard]] PassSource preparation_source(const Moment& moment, const std::string& file);
+
+// The format of the image that the last pass writes, and the macro for another than r32f.
+[[nodiscard]] gpu::Format format_of(OutputFormat output);
+void define_output(OutputFormat output, std::vector<std::string>& defines);
 
 // Groups of 8 x 8 invocations that cover an image.
 [[nodiscard]] std::array<std::uint32_t, 3> groups_for(gpu::Extent extent);

@@ -15,9 +15,6 @@
 
 namespace gloam::effect {
 
-// Whether the device is a driver on the CPU.
-[[nodiscard]] bool runs_on_cpu(const gpu::Device& device);
-
 // Compiles a pass to a pipeline with the bindings and the push constants of its module. Images that it only
 // reads are sampled or storage images, as the library says. kinds: of bindings that its shader declares and
 // does not use, by number; empty where it uses all.
@@ -31,7 +28,7 @@ struct Step {
     const gpu::ComputePipeline* pipeline = nullptr;
     std::vector<gpu::Resource> resources;
     std::span<const std::byte> parameters;
-    std::array<std::uint32_t, 3> groups{};  // 0: as many as the image takes
+    std::array<std::uint32_t, 3> groups{};
 };
 
 template <class Parameters>
@@ -39,11 +36,17 @@ std::span<const std::byte> bytes_of(const Parameters& parameters) {
     return std::as_bytes(std::span(&parameters, 1));
 }
 
-// Runs the passes in order, `repeat` times. A pass without groups of its own gets `groups`. Returns the
-// median time of each pass, NaN with a watcher. Throws like gpu::Commands::submit().
-[[nodiscard]] std::vector<PassTime> run(const gpu::Device& device, std::span<const Step> passes,
-                                        const std::array<std::uint32_t, 3>& groups, int repeat,
+// Runs the passes in order, `repeat` times. Returns the median time of each pass, NaN with a watcher. Throws
+// like gpu::Commands::submit().
+[[nodiscard]] std::vector<PassTime> run(const gpu::Device& device, std::span<const Step> passes, int repeat,
                                         const PassWatcher& watcher = {});
+
+// One channel of an image of four: element `which` of each texel.
+[[nodiscard]] std::vector<float> channel(std::span<const float> texels, std::size_t which);
+
+// The texels (x, y, z, 0) of an image of four channels, and back.
+using scene::vectors_of;
+[[nodiscard]] std::vector<float> texels_of(std::span<const glm::vec3> vectors);
 
 // Bytes of all images and buffers that the passes use, each counted once.
 [[nodiscard]] std::uint64_t memory_of(std::span<const Step> passes);

@@ -5,7 +5,6 @@
 
 #include <stdexcept>
 
-#include "effect/internal/frame_images.hpp"
 #include "effect/internal/passes.hpp"
 #include "effect/internal/steps.hpp"
 
@@ -69,14 +68,15 @@ void PlainSlices::take(const scene::GBuffer& view, float radius) {
 }
 
 PlainFrame PlainSlices::next(int repeat) {
+    const auto groups = groups_for(depth_.extent());
     std::vector<Step> steps{
-        {"plain_slices", &slices_, {depth_, normal_, occlusion_}, bytes_of(slice_parameters_)}};
+        {"plain_slices", &slices_, {depth_, normal_, occlusion_}, bytes_of(slice_parameters_), groups}};
     const gpu::Image* last = &occlusion_;
     for (const gpu::Image& blurred : blurred_) {
-        steps.push_back({"plain_blur", &blur_, {depth_, *last, blurred}, bytes_of(blur_parameters_)});
+        steps.push_back({"plain_blur", &blur_, {depth_, *last, blurred}, bytes_of(blur_parameters_), groups});
         last = &blurred;
     }
-    const std::vector<PassTime> times = run(*device_, steps, groups_for(depth_.extent()), repeat);
+    const std::vector<PassTime> times = run(*device_, steps, repeat);
     PlainFrame frame{
         .occlusion = occlusion_.download(), .blurred = last->download(), .slices_ms = times.at(0).ms};
     for (std::size_t i = 1; i < times.size(); ++i) frame.blur_ms += times[i].ms;

@@ -6,11 +6,11 @@
 #include "support/poison.hpp"
 #include "surface_views.hpp"
 
-namespace gloam::effect::short_frame_test {
+namespace gloam::effect::frame_test {
 
 constexpr gpu::Extent odd{83, 45};
 
-class ShortFrames : public OnDevice<testing::TestWithParam<std::string>> {
+class Frames : public OnDevice<testing::TestWithParam<std::string>> {
   protected:
     [[nodiscard]] Frame frame(const scene::GBuffer& view, double radius) const {
         Settings exact = preset_named(GetParam()).settings;
@@ -22,7 +22,7 @@ class ShortFrames : public OnDevice<testing::TestWithParam<std::string>> {
 };
 
 // The mean of a noisy frame is that of the same method with many slices, and follows the radius.
-TEST_P(ShortFrames, EstimateWhatTheSweepEstimates) {
+TEST_P(Frames, EstimateWhatTheSweepEstimates) {
     const scene::GBuffer& view = drawn("columns", {192, 108});
     for (const double radius : {1.0, 0.4}) {
         const Truth limit = truth_from(view, run(view, many_slices(static_cast<float>(radius))).filtered);
@@ -33,7 +33,7 @@ TEST_P(ShortFrames, EstimateWhatTheSweepEstimates) {
 }
 
 // A bare plane is open, at any tilt and to the image's edge, up to the rounding of depth to 16 bits.
-TEST_P(ShortFrames, APlaneIsOpen) {
+TEST_P(Frames, APlaneIsOpen) {
     for (const bool orthographic : {false, true})
         for (const glm::dvec3 normal : {glm::dvec3(0, 0, 1), {0.6, 0.3, 1}, {-0.4, 0.9, 1}}) {
             scene::GBuffer view = plane(odd, orthographic, normal);
@@ -94,7 +94,7 @@ scene::Scene seen_by(const Engine& engine) {
 
 // What is stored differs in rounding alone from what is eye-linear, and background is background. Normals
 // from depth are those of the surface but at its silhouettes.
-TEST_P(ShortFrames, TakeWhatEnginesStore) {
+TEST_P(Frames, TakeWhatEnginesStore) {
     for (const Engine& engine : engines) {
         scene::GBuffer view = drawn(seen_by(engine), odd);
         view.depth[5] = std::numeric_limits<float>::infinity();
@@ -113,7 +113,7 @@ TEST_P(ShortFrames, TakeWhatEnginesStore) {
 }
 
 // An image whose axis is not in its middle shows that part of the larger image.
-TEST_P(ShortFrames, AnOffCentreViewIsAPartOfACentredOne) {
+TEST_P(Frames, AnOffCentreViewIsAPartOfACentredOne) {
     for (const Engine& engine : engines) {
         scene::GBuffer view = drawn(seen_by(engine), {96, 64});
         const std::vector<float> whole = frame(view, 0.25).filtered;
@@ -130,7 +130,7 @@ TEST_P(ShortFrames, AnOffCentreViewIsAPartOfACentredOne) {
     }
 }
 
-TEST_P(ShortFrames, PoisonedDepthStaysInRange) {
+TEST_P(Frames, PoisonedDepthStaysInRange) {
     scene::GBuffer view = drawn("columns", odd);
     test::poison(view);
     const std::vector<float> shown = frame(view, 1.0).filtered;
@@ -143,7 +143,7 @@ TEST_P(ShortFrames, PoisonedDepthStaysInRange) {
 }
 
 // A setting that it does not read, or a value that it does not take.
-TEST_P(ShortFrames, WhatTheyDoNotTakeIsRefused) {
+TEST_P(Frames, WhatTheyDoNotTakeIsRefused) {
     const std::pair<const char*, const char*> refused[] = {
         {"method", "gtao"},         {"bias", "0.5"},       {"filter", "none"},
         {"samples", "0"},           {"taps", "bilinear"},  {"filter_half_width", "0"},
@@ -159,6 +159,6 @@ TEST_P(ShortFrames, WhatTheyDoNotTakeIsRefused) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Names, ShortFrames, testing::ValuesIn(own_presets()), test::parameter_name);
+INSTANTIATE_TEST_SUITE_P(Names, Frames, testing::ValuesIn(own_presets()), test::parameter_name);
 
-}  // namespace gloam::effect::short_frame_test
+}  // namespace gloam::effect::frame_test

@@ -8,12 +8,12 @@
 #include "support/method_names.hpp"
 #include "surface_views.hpp"
 
-namespace gloam::effect::short_sequence_test {
+namespace gloam::effect::sequence_test {
 
 constexpr gpu::Extent small{96, 54};
 constexpr float radius = 1.0F;
 
-class ShortSequences : public OnDevice<testing::TestWithParam<std::string>> {
+class Sequences : public OnDevice<testing::TestWithParam<std::string>> {
   protected:
     [[nodiscard]] static Settings settings(bool history, float of_radius = radius) {
         Settings exact = with_radius(preset_named(GetParam()).settings, of_radius);
@@ -36,7 +36,7 @@ class ShortSequences : public OnDevice<testing::TestWithParam<std::string>> {
 };
 
 // Where nothing is known of a frame before, it is a single frame.
-TEST_P(ShortSequences, BeginAnewWhereTheHistoryEnds) {
+TEST_P(Sequences, BeginAnewWhereTheHistoryEnds) {
     const std::vector<scene::GBuffer> views = moving(3);
     scene::GBuffer cut = views[2];
     cut.camera.previous_from_current.reset();
@@ -63,7 +63,7 @@ TEST_P(ShortSequences, BeginAnewWhereTheHistoryEnds) {
 }
 
 // A camera that jumps: the engine still names the camera that stood where the last one did not.
-TEST_P(ShortSequences, AJumpKeepsNothing) {
+TEST_P(Sequences, AJumpKeepsNothing) {
     std::vector<scene::GBuffer> views = moving(8);
     const scene::GBuffer after = views[7];
     views.assign({views[0], views[1], views[2], after});
@@ -72,7 +72,7 @@ TEST_P(ShortSequences, AJumpKeepsNothing) {
 
 // What stands still converges to what as many slices in one frame give: its error against traced rays is
 // theirs.
-TEST_P(ShortSequences, AStillViewConverges) {
+TEST_P(Sequences, AStillViewConverges) {
     const scene::GBuffer& view = drawn("columns", small);
     Settings many = settings(false);
     many.samples *= std::min(64U, most_samples / many.samples);
@@ -86,7 +86,7 @@ TEST_P(ShortSequences, AStillViewConverges) {
 }
 
 // A history follows a camera that moves, and lowers the noise where it moves slowly.
-TEST_P(ShortSequences, AMovingViewIsFollowed) {
+TEST_P(Sequences, AMovingViewIsFollowed) {
     std::vector<scene::GBuffer> views = moving(9);
     const auto limit_of = [&](const scene::GBuffer& view) {
         return truth_from(view, sequence(std::vector<scene::GBuffer>(32, view)));
@@ -107,7 +107,7 @@ TEST_P(ShortSequences, AMovingViewIsFollowed) {
 }
 
 // A box before a wall that stands, seen by a camera that stands: what comes and goes is shown at once.
-TEST_P(ShortSequences, WhatEntersIsSeenAtOnce) {
+TEST_P(Sequences, WhatEntersIsSeenAtOnce) {
     const scene::GBuffer empty = wall(small, 3.0F);
     const scene::GBuffer entered = wall_of(small, [](std::uint32_t x, std::uint32_t y) {
         return x > 30 && x < 60 && y > 15 && y < 40 ? 2.6F : 3.0F;
@@ -121,7 +121,7 @@ TEST_P(ShortSequences, WhatEntersIsSeenAtOnce) {
 }
 
 // No bits in an engine's images leave the range, or spoil the frames after.
-TEST_P(ShortSequences, PoisonDoesNotStay) {
+TEST_P(Sequences, PoisonDoesNotStay) {
     const scene::GBuffer& clean = drawn("columns", small);
     scene::GBuffer poisoned = clean;
     const float poison[] = {NAN, INFINITY, -INFINITY, 0.0F, -1.0F, 1e30F};
@@ -134,6 +134,6 @@ TEST_P(ShortSequences, PoisonDoesNotStay) {
     EXPECT_LT(errors_of(sequence(views), sequence(std::vector<scene::GBuffer>(10, clean))).rmse, 0.03);
 }
 
-INSTANTIATE_TEST_SUITE_P(Names, ShortSequences, testing::ValuesIn(own_presets()), test::parameter_name);
+INSTANTIATE_TEST_SUITE_P(Names, Sequences, testing::ValuesIn(own_presets()), test::parameter_name);
 
-}  // namespace gloam::effect::short_sequence_test
+}  // namespace gloam::effect::sequence_test

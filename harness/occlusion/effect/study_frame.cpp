@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+#include "effect/internal/study_frame.hpp"
+
+#include <algorithm>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "effect/internal/executor.hpp"
+#include "effect/internal/frame.hpp"
+
+namespace gloam::effect {
+namespace {
+
+using Origin = PlannedImage::Origin;
+
+struct ImageRow {
+    const char* name;
+    bool exists;
+    gpu::Format format;
+    Origin origin;
+    const char* meaning;
+};
+
+std::vector<ImageRow> images_of_inputs(const Moment& m) {
+    using enum gpu::Format;
+    const char* linear = "eye-linear depth, world units; background 0 or not finite";
+    const char* normals = "view-space unit normals that face the eye, in xyz";
+    const bool converts = m.converted.has_value();
+    const bool layers = m.settings.own.layers > 1;
+    return {
+        {"depth", true, r32f, Origin::engine,
+         converts ? "depth as the engine stores it, any format that is sampled" : linear},
+        {"normal", m.has_normals || !converts, rgba32f, m.has_normals ? Origin::engine : Origin::frame,
+         converts ? "normals as the engine stores them, any format" : normals},
+        {"linear_depth", converts, r32f, Origin::frame, linear},
+        {"view_normal", converts, rgba32f, Origin::frame, normals},
+        {"motion", m.from_motion, rgba32f, Origin::engine,
+         "motion vectors in xy, any format: by how much each point has moved in the image since the frame "
+         "before"},
+        {"previous_position", m.has_positions, rgba32f, m.from_motion ? Origin::frame : Origin::engine,
+         "where each surface point was, in the view space of the frame before, in xyz"},
+        {"layers", layers, rgba32f, Origin::engine, "depth layers 1 to 3 behind the first in xyz"}};
+}
+
+std::vector<ImageRow> images_of_results(const Moment& m) {
+    using enum gpu::Format;
+    const Settings& settings = m.settings;
+    const gpu::Format output = format_of(settings.output);
+    const bool alone = shows_alone(settings);
+    const bool filtered = filters(settings);
+    return {{"filtered", alone, r32f, Origin::frame, "the occlusion"},
+            {"history_before", !alone, rgba32f, Origin::history, "the history of the frame before"},
+            {"history_reprojected", settings.history, rgba32f, Origin::frame,
+             "the same at the pixels of this frame"},
+            {"history_after", !alone, rgba32f, Origin::frame, "the history of this frame"},
+            {"half_filtered", filtered, r32f, Origin::frame, "the occlusion filtered along x"},
+            {"filtered", filtered, r32f, Origin::frame, "and along y"},
+            {"mapped", remaps(settings), output, Origin::frame, "what is shown of the occlusion"},
+            {"filtered_mapped", remaps(settings) && filtered, output, Origin::frame,
+             "what is shown of the filtered occlusion"},
+            {"bent_parts", m.bent_normals, rgba32f, Origin::frame,
+             "each pixel's part of the open directions, not normalized"},
+            {"bent_normal", m.bent_normals, rgba32f, Origin::frame,
+             "the mean open direction, a unit vector in view space, in xyz; half the angle of its cone in w, "
+             "radians"}};
+}
+
+void add_images(const Moment& m, const std::vector<ImageRow>& rows, Plan& plan) {
+    for (const ImageRow& row : rows) {
+        if (!row.exists) continue;
+        plan.images.push_back({.name = row.name,
+                               .meaning = row.meaning,
+                               .format = row.format,
+                               .origin = row.origin,
+                               .extent = m.view.extent});
+    }
+}
+
+// Images whose size is not that of the view.
+void add_fixed_images(const Moment& m, Plan& plan) {
+    if (m.preparation) {
+        plan.images.push_back({.name = "prepared",
+                               .meaning = "what the method's preparation passes write",
+                               .format = m.preparation->format,
+                               .extent = m.preparation->image});
+    }
+}
+
+void add_buffers(const Moment& m, Plan& plan) {
+    const auto own = std::as_bytes(std::span(&m.settings.own, 1));
+    plan.buffers.push_back({.name = "method",
+                            .meaning = "the method's settings",
+                            .bytes = sizeof(MethodValues),
+                            .contents = {own.begin(), own.end()}});
+}
+
+// The table for one frame.
+class Evaluation {
+  public:
+    Evaluation(const Moment& moment, const Plan& resources, const InterfaceOf& interface_of)
+        : moment_(moment), values_(values_of(moment)), resources_(resources), interface_of_(interface_of) {}
+
+    std::vector<PlannedPass> run() {
+        std::vector<PlannedPass> passes;
+        for (const PassRow& row : pass_table()) {
+            const std::size_t times = row.when(moment_);
+            for (moment_.step = 0; moment_.step < times; ++moment_.step) passes.push_back(pass(row));
+        }
+        return passes;
+    }
+
+  private:
+    [[nodiscard]] PlannedPass pass(const PassRow& row) {
+        for (const auto& [name, number] : row.own) values_.set(name, number(moment_));
+        std::vector<std::string> resources;
+        for (const char* resource : row.resources) resources.push_back(present(named(resource)));
+        return planned_pass(row.own_name ? row.own_name(moment_) : row.name, row.source(moment_),
+                            std::move(resources), values_, interface_of_,
+                            row.groups ? row.groups(moment_) : groups_for(moment_.view.extent));
+    }
+
+    // The resource that the table names.
+    [[nodiscard]] std::string named(std::string_view name) const {
+        if (name == "stored_depth") return "depth";
+        if (name == "stored_normal") return "normal";
+        if (name == "depth" && moment_.converted) return "linear_depth";
+        if (name == "normal" && moment_.converted) return "view_normal";
+        if (name == "positions") return "previous_position";
+        if (name == "history") return moment_.moves_history() ? "history_reprojected" : "history_before";
+        if (name == "occlusion") return shows_alone(moment_.settings) ? "filtered" : "history_after";
+        return std::string(name);
+    }
+
+    [[nodiscard]] std::string present(std::string name) const {
+        const auto among = [&](const auto& all) {
+            return std::ranges::any_of(all, [&](const auto& one) { return one.name == name; });
+        };
+        if (among(resources_.images) || among(resources_.buffers)) return name;
+        return nothing_image;
+    }
+
+    Moment moment_;
+    Values values_;  // of all passes, and those of the last pass alone
+    const Plan& resources_;
+    const InterfaceOf& interface_of_;
+};
+
+// The state of the study's frame: the last view, images and histories, and what the next frame runs.
+class StudyPasses : public FramePasses {
+  public:
+    StudyPasses(const gpu::Device& device, const scene::PassLibrary& passes, gpu::Extent size)
+        : device_(&device), executor_(device, passes), resources_(device) {
+        moment_.shows_unfiltered = true;
+        look({.camera = {}, .extent = size, .border = {}}, false);
+    }
+
+    void take(const scene::GBuffer& view, const Settings& settings, bool follows) override;
+    [[nodiscard]] Frame next(int repeat, const PassWatcher& watcher) override;
+
+  private:
+    // Sets the view of the next frames, and makes what their passes need.
+    void look(const View& view, bool follows) {
+        moment_.look(view, follows ? View(moment_.view) : view);
+        plan_ = planned_resources(moment_);
+        resources_.provide(plan_);
+        follows_ = follows;
+        frames_ = 0;
+    }
+    [[nodiscard]] Frame collect() const;
+
+    const gpu::Device* device_;
+    Executor executor_;
+    Resources resources_;
+    Moment moment_;           // the next frame, or the last one
+    Plan plan_;               // its images and buffers; passes after the first frame
+    bool follows_ = false;    // the view: it has the history of the one before
+    std::size_t frames_ = 0;  // of the view, so far
+};
+
+void StudyPasses::take(const scene::GBuffer& view, const Settings& settings, bool follows) {
+    require_layers(view, settings);
+    require_centred(view);
+    follows = follows && view.extent == moment_.view.extent && view.camera.previous_from_current;
+    moment_.settings = settings;
+    moment_.converted = view.stored ? std::optional(view.stored->encoding) : std::nullopt;
+    moment_.has_normals = !view.normal.empty();
+    moment_.has_positions = !view.previous_position.empty();
+    look({view.camera, view.extent, view.border}, follows);
+    upload(view, true, resources_);
+    if (!follows) resources_.restart(plan_);
+}
+
+// Mean over the pixels with a surface; k_1 where nothing tells which they are.
+double samples_asked(const Frame& frame, const Settings& settings) {
+    const auto whole = [&](std::uint32_t samples) {
+        return static_cast<double>(samples_taken(method_named(settings.method), samples, settings.own.steps));
+    };
+    double sum = 0.0;
+    double surfaces = 0.0;
+    for (std::size_t i = 0; i < frame.kept.size(); ++i) {
+        if (!(frame.convergence[i] > 0.0F)) continue;
+        const bool converged = frame.kept[i] / settings.weight_max >= settings.c_spatial;
+        sum += whole(converged ? settings.samples_converged : settings.samples);
+        surfaces += 1.0;
+    }
+    return surfaces > 0.0 ? sum / surfaces : whole(settings.samples);
+}
+
+Frame StudyPasses::collect() const {
+    const Settings& settings = moment_.settings;
+    const bool mapped = remaps(settings);
+    Frame frame;
+    if (shows_alone(settings)) {
+        frame.occlusion = resources_.image(mapped ? "mapped" : "filtered").download();
+        frame.convergence = frame.kept = std::vector<float>(frame.occlusion.size(), 0.0F);
+    } else {
+        const char* before = moment_.moves_history() ? "history_reprojected" : "history_before";
+        const std::vector<float> history = resources_.image("history_after").download();
+        frame.occlusion = mapped ? resources_.image("mapped").download() : channel(history, 0);
+        frame.convergence = channel(history, 1);
+        frame.kept = channel(resources_.image(before).download(), 1);
+    }
+    const char* filtered = mapped ? "filtered_mapped" : "filtered";
+    frame.filtered = filters(settings) ? resources_.image(filtered).download() : frame.occlusion;
+    for (float& value : frame.convergence) value = std::min(value / settings.weight_max, 1.0F);
+    crop({.extent = moment_.view.extent, .border = moment_.view.border}, frame);
+    frame.samples = samples_asked(frame, settings);
+    return frame;
+}
+
+Frame StudyPasses::next(int repeat, const PassWatcher& watcher) {
+    moment_.new_view = frames_ == 0;
+    moment_.moved = follows_ && frames_ == 0;
+    plan_.passes = planned_passes(
+        moment_, plan_, [this](const PassSource& source) { return executor_.interface_of(source); });
+    // Each run reads the same history and writes the same images, so a repeated run changes nothing.
+    const std::vector<Step> steps = executor_.steps(plan_.passes, resources_);
+    std::vector<PassTime> times = run(*device_, steps, repeat, watcher);
+    Frame frame = collect();
+    frame.memory_bytes = memory_of(steps);
+    frame.times = std::move(times);
+    ++frames_;
+    resources_.exchange(plan_.exchanged);
+    return frame;
+}
+
+}  // namespace
+
+Plan planned_resources(const Moment& moment) {
+    Plan plan;
+    add_images(moment, images_of_inputs(moment), plan);
+    add_images(moment, images_of_results(moment), plan);
+    add_fixed_images(moment, plan);
+    add_buffers(moment, plan);
+    if (!shows_alone(moment.settings)) plan.exchanged.push_back({"history_before", "history_after"});
+    return plan;
+}
+
+std::vector<PlannedPass> planned_passes(const Moment& moment, const Plan& resources,
+                                        const InterfaceOf& interface_of) {
+    return Evaluation(moment, resources, interface_of).run();
+}
+
+std::unique_ptr<FramePasses> study_passes(const gpu::Device& device, const scene::PassLibrary& passes,
+                                          gpu::Extent extent) {
+    return std::make_unique<StudyPasses>(device, passes, extent);
+}
+
+}  // namespace gloam::effect
