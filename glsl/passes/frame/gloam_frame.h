@@ -59,7 +59,7 @@ typedef struct { /* of join; of filter without inverse_size, 104 bytes */
 
 typedef struct { /* begins with zeros */
     gloam_settings settings;
-    gloam_camera now, before;
+    gloam_camera now, before;        /* without a jitter, which moves no history */
     float previous_from_current[16]; /* view space of this frame to that of the frame before */
     int frames, still;               /* frames before this one in the sequence; the camera is that of the last one */
     gloam_prepare prepare;
@@ -69,10 +69,7 @@ typedef struct { /* begins with zeros */
 
 /* How pixels look into the view, lengths in radii: (column, row, 1, 1 / depth) to view space over depth; orthographic
  * (column, row, 1, depth) to view space. The lift is added to depth where the near plane is not in front of the eye. */
-typedef struct {
-    double step[2], first[2], lift;
-    int flat;
-} gloam_lens;
+typedef struct { double step[2], first[2], lift; int flat; } gloam_lens;
 static inline gloam_lens gloam_lens_of(const gloam_settings* settings, const float* p) {
     gloam_lens lens = {{0, 0}, {0, 0}, 0, p[11] == 0};
     const double near_plane = lens.flat ? (p[14] - (p[10] > 0 ? 1.0 : 0.0)) / p[10] : 1;
@@ -86,31 +83,30 @@ static inline gloam_lens gloam_lens_of(const gloam_settings* settings, const flo
 }
 
 /* Columns that take a pixel as above to (u, v, depth) of its point in the frame before, over depth. */
-static inline void gloam_fill_before(const gloam_frame* frame, const gloam_lens* now, float before[4][4]) {
+static inline void gloam_fill_before(const gloam_frame* frame, float before[4][4]) {
+    const gloam_lens now = gloam_lens_of(&frame->settings, frame->now.projection);
     const gloam_lens then = gloam_lens_of(&frame->settings, frame->before.projection);
-    const double flat = now->flat, deep = 1 - flat;
-    const double look[4][4] = {{now->step[0], 0, 0, 0}, {0, now->step[1], 0, 0},
-                               {now->first[0], now->first[1], now->lift - deep, flat}, {0, 0, -flat, deep}};
+    const double flat = now.flat, deep = 1 - flat;
+    const double look[4][4] = {{now.step[0], 0, 0, 0}, {0, now.step[1], 0, 0},
+                               {now.first[0], now.first[1], now.lift - deep, flat}, {0, 0, -flat, deep}};
     for (int column = 0; column < 4; ++column) {
         double to[3] = {0, 0, 0};
         for (int i = 0; i < 12; ++i)
             to[i % 3] += frame->previous_from_current[i / 3 * 4 + i % 3] * look[column][i / 3] /
                          (i < 9 ? 1 : (double)frame->settings.radius);
-        const double one = now->flat ? look[column][3] : -to[2];
+        const double one = now.flat ? look[column][3] : -to[2];
         for (int i = 0; i < 2; ++i)
             before[column][i] =
                 (float)(((to[i] - then.first[i] * one) / then.step[i] + 0.5 * one) / frame->settings.size[i]);
-        before[column][2] = (float)(now->flat ? then.lift * one - to[2] : one);
-        before[column][3] = 0;
+        before[column][2] = (float)(now.flat ? then.lift * one - to[2] : one);
     }
 }
 
 static inline float gloam_part(double value) { return (float)(value - floor(value)); }
 
-/* The parameters, from what stands above them. */
-static inline void gloam_fill(gloam_frame* frame) {
+/* The parameters, from what stands above them. p: the projection with its jitter. */
+static inline void gloam_fill(gloam_frame* frame, const float* p) {
     const gloam_settings* settings = &frame->settings;
-    const float* p = frame->now.projection;
     const gloam_lens lens = gloam_lens_of(settings, p);
     const double radius = settings->radius, scale = lens.flat ? p[10] * radius : radius;
     const int buffer = settings->depth_buffer, deep = buffer && !lens.flat;
@@ -118,7 +114,7 @@ static inline void gloam_fill(gloam_frame* frame) {
                             deep ? 0 : (float)(buffer ? -1 / scale : 1 / radius), deep ? p[10] : 1, deep ? 1.0f : 0};
     const float far_value = !buffer ? INFINITY : (lens.flat ? p[10] : p[14]) > 0 ? 0.0f : 1.0f; /* 0: reversed */
     float moved[4][4] = {{0}, {0}, {0, 0, -1, 0}, {0}}; /* a depth below 0: all has moved, whatever the images hold */
-    gloam_fill_before(frame, &lens, frame->last.before);
+    gloam_fill_before(frame, frame->last.before);
     memcpy(frame->prepare.before, frame->frames > 0 ? frame->last.before : moved, sizeof moved);
     memcpy(frame->prepare.depth, depth, sizeof depth);
     memcpy(frame->sweep.depth, depth, sizeof depth);
@@ -147,20 +143,25 @@ static inline void gloam_fill(gloam_frame* frame) {
 /* The next frame begins a sequence. */
 static inline void gloam_cut(gloam_frame* frame) { memset(&frame->settings, 0, sizeof frame->settings); }
 
-/* The next frame. previous_from_current: the view matrix of the last frame times the inverse of this one's, multiplied
- * in double, without a jitter; NULL begins a sequence where the camera moves. */
+/* The next frame. A projection that is aside of the last one's by up to a pixel has a jitter, for antialiasing.
+ * previous_from_current: the view matrix of the last frame times the inverse of this one's, multiplied in double,
+ * without a jitter; NULL begins a sequence where the camera moves. */
 static inline void gloam_next(gloam_frame* frame, gloam_settings settings, gloam_camera camera,
                               const float* previous_from_current) {
-    const int same = memcmp(&settings, &frame->settings, sizeof settings) == 0;
-    const int alike = previous_from_current && (camera.projection[11] == 0) == (frame->now.projection[11] == 0);
-    frame->still = same && memcmp(&camera, &frame->now, sizeof camera) == 0;
-    const int follows = same && (frame->still || alike);
+    const int flat = camera.projection[11] == 0, alike = flat == (frame->now.projection[11] == 0);
+    const int same = alike && memcmp(&settings, &frame->settings, sizeof settings) == 0;
+    gloam_camera held = camera;
+    for (int i = flat ? 12 : 8, k = 0; same && k < 2; ++i, ++k)
+        if (fabsf(camera.projection[i] - frame->now.projection[i]) * (float)settings.size[k] <= 2)
+            held.projection[i] = frame->now.projection[i];
+    frame->still = same && memcmp(&held, &frame->now, sizeof held) == 0;
+    const int follows = same && (frame->still || previous_from_current);
     frame->frames = follows ? frame->frames + 1 : 0;
     frame->settings = settings;
-    frame->before = follows ? frame->now : camera;
-    frame->now = camera;
+    frame->before = follows ? frame->now : held;
+    frame->now = held;
     for (int i = 0; i < 16; ++i)
         frame->previous_from_current[i] = follows && !frame->still ? previous_from_current[i] : i % 5 == 0;
-    gloam_fill(frame);
+    gloam_fill(frame, camera.projection);
 }
 #endif

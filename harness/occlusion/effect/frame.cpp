@@ -25,14 +25,6 @@ struct Taken {
     bool normals = true;  // there are some
 };
 
-// And of the frame before.
-struct Before {
-    Taken taken;
-    int frames = 0;      // of the sequence, before this one
-    bool known = false;  // it has a history
-    bool still = false;  // from the same camera
-};
-
 bool is_half(const Settings& settings) {
     return settings.resolution == Resolution::half;
 }
@@ -53,23 +45,18 @@ gloam_camera camera_of(const View& view) {
     return camera;
 }
 
-// With what the passes are given.
-gloam_frame filled(const Settings& settings, const Taken& taken, const Before& before) {
-    const View& view = taken.view;
-    const gpu::Extent extent = view.extent;
-    const gloam_preset preset{is_half(settings), settings.history_range, settings.history_sharpness};
-    gloam_frame frame{.settings = {.preset = preset,
-                                   .size = {static_cast<int>(extent.width), static_cast<int>(extent.height)},
-                                   .radius = taken.radius,
-                                   .depth_buffer = taken.encoding.depth_buffer},
-                      .now = camera_of(view),
-                      .before = camera_of(before.taken.view),
-                      .frames = before.frames,
-                      .still = before.still};
-    const bool moves = before.known && !before.still;
-    copy(moves ? view.camera.previous_from_current.value_or(glm::mat4(1.0F)) : glm::mat4(1.0F),
-         frame.previous_from_current);
-    gloam_fill(&frame);
+gloam_settings settings_of(const Settings& settings, const Taken& taken) {
+    const gpu::Extent extent = taken.view.extent;
+    return {.preset = {is_half(settings), settings.history_range, settings.history_sharpness},
+            .size = {static_cast<int>(extent.width), static_cast<int>(extent.height)},
+            .radius = taken.radius,
+            .depth_buffer = taken.encoding.depth_buffer};
+}
+
+// The first frame of a sequence.
+gloam_frame first_of(const Settings& settings, const Taken& taken) {
+    gloam_frame frame{};
+    gloam_next(&frame, settings_of(settings, taken), camera_of(taken.view), nullptr);
     return frame;
 }
 
@@ -111,9 +98,8 @@ PlannedPass last_pass(const Settings& settings, const View& view, const gloam_la
     return filter;
 }
 
-std::vector<PlannedPass> passes_of(const Settings& settings, const Taken& taken, const Before& before) {
+std::vector<PlannedPass> passes_of(const Settings& settings, const Taken& taken, const gloam_frame& frame) {
     const View& view = taken.view;
-    const gloam_frame frame = filled(settings, taken, before);
     const PassSource sweep{.file = "frame/sweep.comp",
                            .constants = {{.id = 1, .bits = flag(view.camera.orthographic())},
                                          {.id = 2, .bits = flag(taken.encoding.world)},
@@ -149,7 +135,7 @@ void add_history(gpu::Extent extent, Plan& plan) {
     plan.exchanged = {{"levels_before", "levels"}, {"history_before", "history"}};
 }
 
-Plan plan_for(const Settings& settings, const Taken& taken, const Before& before) {
+Plan plan_for(const Settings& settings, const Taken& taken, const gloam_frame& frame) {
     const View& view = taken.view;
     Plan plan;
     plan.images = {{.name = "depth",
@@ -178,7 +164,7 @@ Plan plan_for(const Settings& settings, const Taken& taken, const Before& before
     if (settings.history) add_history(view.extent, plan);
     if (!taken.normals)
         std::erase_if(plan.images, [](const PlannedImage& image) { return image.name == "normal"; });
-    plan.passes = passes_of(settings, taken, before);
+    plan.passes = passes_of(settings, taken, frame);
     plan.result = "shown";
     return plan;
 }
@@ -190,13 +176,17 @@ Taken taken_of(const scene::GBuffer& view, float radius) {
             !view.normal.empty()};
 }
 
+scene::GBuffer shape_of(const View& view) {
+    return {.extent = view.extent, .camera = view.camera, .border = view.border};
+}
+
 class ThreePasses : public FramePasses {
   public:
     ThreePasses(const gpu::Device& device, const scene::PassLibrary& passes)
         : device_(&device), executor_(device, passes), resources_(device) {}
 
     void take(const scene::GBuffer& view, const Settings& settings, bool follows) override {
-        before_.known = before_.known && follows;
+        if (!follows) gloam_cut(&frame_);
         settings_ = settings;
         taken_ = taken_of(view, settings.radius);
         resources_.provide(frame_plan(settings, view));
@@ -204,50 +194,43 @@ class ThreePasses : public FramePasses {
     }
 
     [[nodiscard]] Frame next(int repeat, const PassWatcher& watcher) override {
-        const Before there = settings_.history ? before_of_view() : Before{.taken = taken_};
-        const Plan plan = plan_for(settings_, taken_, there);
+        advance();
+        const Plan plan = plan_for(settings_, taken_, frame_);
         const std::vector<Step> steps = executor_.steps(plan.passes, resources_);
         Frame frame;
         frame.times = run(*device_, steps, repeat, watcher);
         frame.filtered = frame.occlusion = resources_.image("shown").download();
-        crop({.extent = taken_.view.extent, .border = taken_.view.border}, frame);
+        crop(shape_of(taken_.view), frame);
         frame.memory_bytes = memory_of(steps);
         resources_.exchange(plan.exchanged);
-        before_ = {.taken = taken_, .frames = there.frames + 1, .known = settings_.history};
+        last_ = taken_.view;
         return frame;
     }
 
   private:
-    [[nodiscard]] Before before_of_view() const;
+    // To the numbers of the next frame.
+    void advance() {
+        const std::optional<glm::mat4>& moved = taken_.view.camera.previous_from_current;
+        const bool follows = moved && cut_between(shape_of(last_), shape_of(taken_.view)).empty();
+        if (!settings_.history) gloam_cut(&frame_);
+        gloam_next(&frame_, settings_of(settings_, taken_), camera_of(taken_.view),
+                   follows ? &(*moved)[0][0] : nullptr);
+    }
 
     const gpu::Device* device_;
     Executor executor_;
     Resources resources_;
     Settings settings_;
     Taken taken_;
-    Before before_;  // what the next frame has before it
+    View last_;            // of the frame before
+    gloam_frame frame_{};  // of the last frame, until advance()
 };
-
-// What this view has before it.
-Before ThreePasses::before_of_view() const {
-    const View& view = taken_.view;
-    const scene::CameraFrame& camera = view.camera;
-    const View& given = before_.taken.view;
-    const scene::CameraFrame& last = given.camera;
-    const scene::GBuffer now{.extent = view.extent, .camera = camera, .border = view.border};
-    const scene::GBuffer then{.extent = given.extent, .camera = last, .border = given.border};
-    Before found = before_;
-    found.still = camera.view == last.view && camera.proj_vk == last.proj_vk && now.extent == then.extent;
-    const bool follows = found.still || (cut_between(then, now).empty() && camera.previous_from_current);
-    found.known = before_.known && follows && camera.orthographic() == last.orthographic();
-    return found.known ? found : Before{.taken = taken_};
-}
 
 }  // namespace
 
 Plan frame_plan(const Settings& settings, const PlanOptions& options) {
     const Taken taken{view_of(options), 1.0F, options.encoding, options.normals};
-    Plan plan = plan_for(settings, taken, {.taken = taken, .known = true});
+    Plan plan = plan_for(settings, taken, first_of(settings, taken));
     for (PlannedImage& image : plan.images)
         if (image.name == "normal" && options.encoding.unorm) image.format = rgba8;
     return plan;
@@ -255,7 +238,7 @@ Plan frame_plan(const Settings& settings, const PlanOptions& options) {
 
 Plan frame_plan(const Settings& settings, const scene::GBuffer& view) {
     const Taken taken = taken_of(view, settings.radius);
-    return plan_for(settings, taken, {.taken = taken});
+    return plan_for(settings, taken, first_of(settings, taken));
 }
 
 std::unique_ptr<FramePasses> frame_passes(const gpu::Device& device, const scene::PassLibrary& passes) {
