@@ -26,7 +26,7 @@ GloamFrameTexel texel_at(ivec2 place);
 // Sums of the pixel at a place: of its own occlusion and weight, and of all. Texels count in pairs around it.
 vec4 filtered(ivec2 middle) {
     GloamFrameTexel own = texel_at(middle);
-    vec2 mine = own.weight * vec2(own.occlusion, 1.0);
+    vec2 mine = sums_of(own);
     vec2 sum = mine + vec2(0.0, 1e-4);
     vec2 scale = inverse_tolerance / own.depth;
     for (int y = 0; y <= half_width; ++y) {
@@ -37,8 +37,7 @@ vec4 filtered(ivec2 middle) {
             float alone = max(abs(x), y) == 2 ? 0.0 : 0.2;  // a far one counts in its pair
             vec2 near = gloam_near_pair(vec2(fore.depth, back.depth), own.depth, scale, alone);
             float spatial = half_width == 1 ? 1.0 : exp2(-falloff * float(x * x + y * y));
-            vec2 weights = spatial * near * vec2(fore.weight, back.weight);
-            sum += vec2(dot(weights, vec2(fore.occlusion, back.occlusion)), weights.x + weights.y);
+            sum += spatial * (near.x * sums_of(fore) + near.y * sums_of(back));
         }
     }
     return vec4(mine, sum) * vec2(1.0 / 255.0, 1.0).xyxy;

@@ -25,6 +25,11 @@ const float frames_unit = 1.0 / 1023.0;      // of the number of frames in its c
 const float most_moved = 7.0 * frames_unit;  // frames before this one in the mean where a tap met what moved
 const float depth_tolerance = 0.015;         // relative, to be the same surface
 
+// What a texel adds to sums: its weighted occlusion, and its weight.
+vec2 sums_of(GloamFrameTexel texel) {
+    return texel.weight * vec2(texel.occlusion, 1.0);
+}
+
 // Occlusion of a pixel with its history, if there is one, in [0, 1], and the texel for the next frame. sums: of the
 // occlusion and the weight of the pixel itself, and of all that the filter reads. moved: the share of these that met
 // what moved.

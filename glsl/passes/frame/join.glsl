@@ -26,7 +26,7 @@ GloamFrameTexel texel_at(ivec2 place);
 vec4 joined(ivec2 odd, float depth) {
     vec2 scale = inverse_tolerance / depth;
     vec2 inner = vec2(0.0);
-    vec2 sum = vec2(0.0, 1e-4);
+    vec2 outer = vec2(0.0, 1e-4);
     for (int y = 0; y <= 2; ++y) {
         for (int x = -1; x <= 2; ++x) {
             ivec2 other = odd - ivec2(x, y);
@@ -36,13 +36,17 @@ vec4 joined(ivec2 odd, float depth) {
             GloamFrameTexel back = texel_at(other);
             vec2 near = gloam_near_pair(vec2(fore.depth, back.depth), depth, scale, 0.4);
             float spatial = tent.x * tent.y * (other == ivec2(x, y) ? 0.5 : 1.0);  // the pixel's own texel is both
-            vec2 weights = spatial * near * vec2(fore.weight, back.weight);
-            vec2 part = vec2(dot(weights, vec2(fore.occlusion, back.occlusion)), weights.x + weights.y);
-            sum += part;
-            if (min(tent.x, tent.y) >= 1.5) inner += part;
+            near *= spatial;
+            if (min(tent.x, tent.y) >= 1.5) {
+                inner += near.x * sums_of(fore);
+                inner += near.y * sums_of(back);
+            } else {
+                outer += near.x * sums_of(fore);
+                outer += near.y * sums_of(back);
+            }
         }
     }
-    return vec4(inner, sum) * vec2(1.0 / 255.0, 1.0).xyxy;
+    return vec4(inner, inner + outer) * vec2(1.0 / 255.0, 1.0).xyxy;
 }
 
 // Share of the texels around a block whose taps met what moved: 1 from a quarter on.
