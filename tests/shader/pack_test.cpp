@@ -333,6 +333,9 @@ TEST(Pack, RefusesWhatCannotBeOneText) {
 }
 
 TEST(Pack, CountsLinesOfCode) {
+    EXPECT_EQ(code_of("#version 300 es\n\n  // one\nfloat f() { /* of\n two */ return a\n/ b; }  // end"),
+              "#version 300 es\nfloat f() {\nreturn a\n/ b; }\n");
+    EXPECT_EQ(code_of("#define A 1 + \\\n    2\nint x; /* open\nint y;"), "#define A 1 +     2\nint x;\n");
     EXPECT_EQ(code_lines(""), 0U);
     EXPECT_EQ(code_lines("// one\n\nfloat f() {  // two\n    /* three */\n}\n"), 2U);
 }

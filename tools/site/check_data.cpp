@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "shader/pack.hpp"
+
 namespace gloam::site {
 namespace {
 
@@ -94,7 +96,7 @@ std::string check_json(const catalogue::Description& description, const check::Q
                             {"row", prepared.row_words},
                             {"targets", prepared.targets},
                             {"unsupported", prepared.unsupported},
-                            {"kernel", condensed(prepared.kernel)},
+                            {"kernel", shader::code_of(prepared.kernel)},
                             {"scenarios", std::move(scenarios)}};
     return json.dump(-1, ' ', true, ordered_json::error_handler_t::replace);
 }

@@ -19,7 +19,7 @@ using shader::Stage;
 // constants of Vulkan.
 std::string file_text(const fs::path& file, const ShaderFolders& folders) {
     const Stage stage = file.extension() == ".vert" ? Stage::vertex : Stage::fragment;
-    return condensed(
+    return shader::code_of(
         shader::pack({file}, {.language = shader::Language::es300, .stage = stage}, {folders.library}));
 }
 
@@ -35,7 +35,8 @@ std::string function_text(const std::string& file, const std::string& function,
                           const ShaderFolders& folders) {
     const shader::PackRequest request{
         .language = shader::Language::es300, .functions = {function}, .stage = Stage::fragment};
-    std::istringstream lines(condensed(shader::pack({folders.library / file}, request, {folders.library})));
+    std::istringstream lines(
+        shader::code_of(shader::pack({folders.library / file}, request, {folders.library})));
     std::string text;
     for (std::string line; std::getline(lines, line);)
         if (!line.starts_with("#version") && !line.starts_with("precision ")) text += line + "\n";

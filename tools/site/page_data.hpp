@@ -65,8 +65,4 @@ struct ShaderFolders {
                                        const std::filesystem::path& library, std::string_view failures,
                                        const std::string& caption);
 
-// A GLSL text without its comments, indents and blank lines. Other lines stay lines of their own. Where it
-// defines no macro, it is also without #undef lines.
-[[nodiscard]] std::string condensed(std::string_view text);
-
 }  // namespace gloam::site

@@ -152,10 +152,19 @@ std::string pack(const std::vector<std::filesystem::path>& files, const PackRequ
     return pack(sources, request, roots);
 }
 
+std::string code_of(std::string_view text) {
+    std::string all;
+    for (const internal::Line& line : internal::split_lines(text)) {
+        if (internal::is_blank(line)) continue;
+        const std::size_t first = line.code.find_first_not_of(" \t");
+        all += line.code.substr(first, line.code.find_last_not_of(" \t\r\n") + 1 - first) + "\n";
+    }
+    std::erase(all, '\0');
+    return all;
+}
+
 std::size_t code_lines(std::string_view text) {
-    const std::vector<internal::Line> lines = internal::split_lines(text);
-    return static_cast<std::size_t>(
-        std::ranges::count_if(lines, [](const internal::Line& line) { return !internal::is_blank(line); }));
+    return static_cast<std::size_t>(std::ranges::count(code_of(text), '\n'));
 }
 
 std::size_t code_lines(const std::vector<std::string>& packed) {

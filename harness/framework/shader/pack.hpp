@@ -40,7 +40,8 @@ struct PackRequest {
 [[nodiscard]] std::string pack(const std::vector<Source>& sources, const PackRequest& request,
                                const std::vector<std::filesystem::path>& roots);
 
-// Number of lines with more than blanks and comments.
+// A text without comments, indents and blank lines; and the number of its lines.
+[[nodiscard]] std::string code_of(std::string_view text);
 [[nodiscard]] std::size_t code_lines(std::string_view text);
 // Such lines of several texts that pack() wrote. A function, structure, constant or macro counts once, in
 // however many texts it stands.
