@@ -19,14 +19,9 @@ inline Settings many(float radius = 1.0F) {
 }
 
 // A wall parallel to the image, orthographic. Its left part may stand nearer.
-inline scene::GBuffer step(float left, float right, double view_height = 8.0) {
-    constexpr gpu::Extent extent{48, 32};
-    scene::GBuffer view{
-        .extent = extent, .depth = {}, .normal = std::vector(std::size_t{48} * 32, glm::vec3(0, 0, 1))};
-    for (std::size_t i = 0; i < view.normal.size(); ++i) view.depth.push_back(i % 48 < 24 ? left : right);
-    view.camera =
-        scene::make_frame({.projection = scene::Projection::orthographic, .view_height = view_height}, 1.5);
-    return view;
+inline scene::GBuffer step(float left, float right, double height = 8.0) {
+    return view_of({48, 32}, {.projection = scene::Projection::orthographic, .view_height = height},
+                   [=](glm::dvec2 at) { return double{at.x < 0.0 ? left : right}; });
 }
 
 // The step hides the left half of the hemisphere from the points beside it; it is higher than the radius.

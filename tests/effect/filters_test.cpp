@@ -3,7 +3,6 @@
 // these functions do is shown in tests/glsl/filter_test.cpp. And the filters in the effect.
 #include <fmt/format.h>
 
-#include "backend/vulkan/commands.hpp"
 #include "effect/errors.hpp"
 #include "effect/internal/passes.hpp"
 #include "effect/settings.hpp"
@@ -51,12 +50,6 @@ struct Numbers {
 };
 constexpr glm::vec2 p00_p11{1.0F, -1.0F};
 constexpr float weight_max = 100.0F;
-
-// A pass along x and one along y.
-struct FilterPair {
-    gpu::ComputePipeline along_x;
-    gpu::ComputePipeline along_y;
-};
 
 // The filters of the references on a field whose occlusion is in `source`.
 struct References {
@@ -134,15 +127,6 @@ class FilterPass : public OnDevice<testing::TestWithParam<Case>> {
         return moment;
     }
 
-    [[nodiscard]] FilterPair pair() const {
-        const auto along = [this](bool y) {
-            Values values = values_of(moment());
-            values.set("along_y", y);
-            return pipeline_of(device_, passes_, filled(filter_source(moment().settings), values).first);
-        };
-        return {along(false), along(true)};
-    }
-
     // The same by the references.
     [[nodiscard]] static std::vector<double> by_reference(const Field& field, const Numbers& parameters) {
         const auto& [filter, half_width, orthographic] = GetParam();
@@ -159,48 +143,40 @@ class FilterPass : public OnDevice<testing::TestWithParam<Case>> {
     }
 
     // The field's occlusion after the pass along x and then along y.
-    [[nodiscard]] std::vector<float> filtered(const FilterPair& pair, const Field& field,
-                                              const Numbers& parameters) const {
+    [[nodiscard]] std::vector<float> filtered(const Field& field, const Numbers& parameters) {
         const gpu::Extent extent{static_cast<std::uint32_t>(field.size.x),
                                  static_cast<std::uint32_t>(field.size.y)};
         using enum gpu::Format;
-        gpu::Image source(device_, extent, rgba32f);
-        gpu::Image half(device_, extent, r32f);
-        gpu::Image normal(device_, extent, rgba32f);
-        gpu::Image result(device_, extent, r32f);
         std::vector<float> texels;
-        std::vector<float> normals;
-        for (std::size_t i = 0; i < field.depth.size(); ++i) {
+        for (std::size_t i = 0; i < field.depth.size(); ++i)
             texels.insert(texels.end(), {field.occlusion[i], field.samples[i], 7.0F, field.depth[i]});
-            normals.insert(normals.end(), {field.normal[i].x, field.normal[i].y, field.normal[i].z, 0.0F});
-        }
-        source.upload(texels);
-        normal.upload(normals);
+        resources_.image("history", extent, rgba32f).upload(texels);
+        resources_.image("normal", extent, rgba32f).upload(texels_of(field.normal));
+        (void)resources_.image("half", extent, r32f);
+        (void)resources_.image("result", extent, r32f);
         Values values = values_of(moment());
         values.set("p00_p11", p00_p11);
         values.set("size", field.size);
         values.set("weight_max", weight_max);
-        values.set("along_y", 0.0);
         values.set("sigma_pixels", parameters.sigma_pixels);
         values.set("filter_depth", parameters.filter_depth);
         values.set("c_adaptive", parameters.c_adaptive);
         values.set("filter_cap", parameters.filter_cap);
-        const std::vector<std::byte> bytes = filled(filter_source(moment().settings), values).second;
-        gpu::Commands commands(device_);
-        const auto run = [&](const gpu::ComputePipeline& pass, const gpu::Image& from, const gpu::Image& to) {
-            const std::vector<gpu::Resource> resources{source, to, normal, from};
-            commands.dispatch(pass, resources, groups_for(extent), bytes);
-        };
-        run(pair.along_x, result, half);
-        run(pair.along_y, half, result);
-        commands.submit();
-        return result.download();
+        for (const bool y : {false, true}) {
+            values.set("along_y", y);
+            executor_.run("filter", filter_source(moment().settings),
+                          {"history", y ? "result" : "half", "normal", y ? "half" : "result"}, values,
+                          groups_for(extent), resources_, {});
+        }
+        return resources_.image("result").download();
     }
+
+    Executor executor_{device_, passes_};
+    Resources resources_{device_};
 };
 
 // Images smaller than a window, and of groups that are not whole.
 TEST_P(FilterPass, GiveWhatTheReferencesGiveForEachPixel) {
-    const FilterPair passes = pair();
     Numbers parameters{.sigma_pixels = 0.25F * static_cast<float>(2 * std::get<1>(GetParam()) + 1),
                        .filter_depth = 0.1F,
                        .c_adaptive = 0.7F};
@@ -208,7 +184,7 @@ TEST_P(FilterPass, GiveWhatTheReferencesGiveForEachPixel) {
         const Field field = rough_field(size);
         for (const float cap : {1e18F, 1.0F}) {
             parameters.filter_cap = cap;
-            const std::vector<float> result = filtered(passes, field, parameters);
+            const std::vector<float> result = filtered(field, parameters);
             const std::vector<double> expected = by_reference(field, parameters);
             for (std::size_t i = 0; i < result.size(); ++i)
                 EXPECT_NEAR(double{result[i]}, expected[i], 3e-6) << i << " of " << size.x << ", cap " << cap;
@@ -238,7 +214,7 @@ TEST_P(SaoFilter, ReadsEveryOtherPixelFourTimes) {
                 .normal = std::vector(25, glm::vec3(0, 0, 1)),
                 .samples = std::vector(25, 50.0F)};
     field.occlusion[12] = 1.0F;
-    const std::vector<float> result = filtered(pair(), field, {.sigma_pixels = 1.5F, .filter_depth = 0.1F});
+    const std::vector<float> result = filtered(field, {.sigma_pixels = 1.5F, .filter_depth = 0.1F});
     const std::vector<double> g{0.153170, 0.144893, 0.122649, 0.092902, 0.062970};
     const double sum = g[0] + 2.0 * (1.2 + g[1] + g[2] + g[3] + g[4]);
     for (std::size_t x = 0; x < 25; ++x) {

@@ -2,7 +2,6 @@
 // The frame of three short passes: as right as the presets, on every camera, size and encoding.
 #include "effect/errors.hpp"
 #include "on_device.hpp"
-#include "support/method_names.hpp"
 #include "support/poison.hpp"
 #include "surface_views.hpp"
 
@@ -10,10 +9,10 @@ namespace gloam::effect::frame_test {
 
 constexpr gpu::Extent odd{83, 45};
 
-class Frames : public OnDevice<testing::TestWithParam<std::string>> {
+class Frames : public OnDevice<testing::TestWithParam<Preset>> {
   protected:
     [[nodiscard]] Frame frame(const scene::GBuffer& view, double radius) const {
-        Settings exact = preset_named(GetParam()).settings;
+        Settings exact = GetParam().settings;
         exact.radius = static_cast<float>(radius);
         exact.output = OutputFormat::r32f;
         exact.history = false;
@@ -142,23 +141,6 @@ TEST_P(Frames, PoisonedDepthStaysInRange) {
     }
 }
 
-// A setting that it does not read, or a value that it does not take.
-TEST_P(Frames, WhatTheyDoNotTakeIsRefused) {
-    const std::pair<const char*, const char*> refused[] = {
-        {"method", "gtao"},         {"bias", "0.5"},       {"filter", "none"},
-        {"samples", "0"},           {"taps", "bilinear"},  {"filter_half_width", "0"},
-        {"filter_half_width", "3"}, {"history_range", "2"}};
-    for (const auto& [name, value] : refused) {
-        Settings settings = preset_named(GetParam()).settings;
-        EXPECT_THAT(
-            [&] {
-                set(settings, name, value);
-                validate(settings);
-            },
-            testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr(name)));
-    }
-}
-
-INSTANTIATE_TEST_SUITE_P(Names, Frames, testing::ValuesIn(own_presets()), test::parameter_name);
+INSTANTIATE_TEST_SUITE_P(Names, Frames, testing::ValuesIn(own_presets()), preset_name);
 
 }  // namespace gloam::effect::frame_test

@@ -8,19 +8,13 @@
 #include "effect/directional.hpp"
 #include "interpreter/machine.hpp"
 #include "on_device.hpp"
-#include "shader/spirv.hpp"
+#include "shader/reflection.hpp"
 #include "support/method_names.hpp"
 #include "surface_views.hpp"
 
 namespace gloam::effect::interpreted_passes_test {
 
 using interpreter::Word;
-
-constexpr std::uint32_t op_execution_mode = 16;
-constexpr std::uint32_t op_execution_mode_id = 331;
-constexpr std::uint32_t op_constant = 43;
-constexpr std::uint32_t mode_local_size = 17;
-constexpr std::uint32_t mode_local_size_id = 38;
 
 // The contents of one binding: the words of a buffer, or four words of each texel.
 struct Bound {
@@ -53,22 +47,6 @@ Bound read(const gpu::Resource& resource) {
     return bound;
 }
 
-// Of the entry point, from its literals or its constants.
-std::array<std::uint32_t, 3> group_size_of(const shader::Spirv& module) {
-    std::map<std::uint32_t, std::uint32_t> constants;
-    std::array<std::uint32_t, 3> literal{1, 1, 1};
-    std::array<std::uint32_t, 3> ids{};
-    for (const shader::Instruction& i : shader::instructions(module)) {
-        if (i.opcode == op_constant && i.words.size() == 4) constants[i.word(2)] = i.word(3);
-        if (i.opcode == op_execution_mode && i.word(2) == mode_local_size)
-            literal = {i.word(3), i.word(4), i.word(5)};
-        if (i.opcode == op_execution_mode_id && i.word(2) == mode_local_size_id)
-            ids = {i.word(3), i.word(4), i.word(5)};
-    }
-    if (ids[0] == 0) return literal;
-    return {constants.at(ids[0]), constants.at(ids[1]), constants.at(ids[2])};
-}
-
 // One pass, run by the interpreter on what its bindings hold.
 class InterpretedPass {
   public:
@@ -77,7 +55,7 @@ class InterpretedPass {
           module_(gpu::program_of(*pass.pipeline).spirv),
           program_(module_, constants_of(pass)),
           machine_(program_),
-          group_size_(group_size_of(module_)) {
+          group_size_(shader::reflect(module_).local_size) {
         parameters_.resize(pass.parameters.size() / sizeof(Word));
         std::ranges::copy(pass.parameters, std::as_writable_bytes(std::span(parameters_)).begin());
         machine_.bind_push_constants(parameters_);

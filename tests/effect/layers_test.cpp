@@ -78,9 +78,4 @@ TEST_F(Layers, MoreThanTheViewHasAreRefused) {
     EXPECT_THROW(effect.begin(uneven, {}), std::invalid_argument);
 }
 
-TEST_F(Layers, AMethodThatSeesOneRefusesMore) {
-    expect_error<std::invalid_argument>([] { validate(settings_of_layers("gtao", 2, 1.0)); },
-                                        {"layers 2", "gtao sees one layer"});
-}
-
 }  // namespace gloam::effect::layers_test

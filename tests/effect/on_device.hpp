@@ -3,13 +3,13 @@
 #pragma once
 
 #include "effect/ambient_occlusion.hpp"
-#include "effect/internal/steps.hpp"
-#include "effect/internal/values.hpp"
+#include "effect/internal/executor.hpp"
 #include "effect/methods.hpp"
 #include "scene/draw.hpp"
 #include "scene/pass_library.hpp"
 #include "scene/scene.hpp"
 #include "support/shared_device.hpp"
+#include "surface_views.hpp"
 
 namespace gloam::effect {
 
@@ -73,12 +73,14 @@ inline const gpu::Image& image_of(const Step& pass, std::size_t binding) {
     return std::get<std::reference_wrapper<const gpu::Image>>(pass.resources.at(binding)).get();
 }
 
-// Names of gloam's own presets: the frame.
-inline std::vector<std::string> own_presets() {
-    std::vector<std::string> own;
-    for (const Preset& preset : presets())
-        if (!preset.published) own.push_back(preset.name);
+// Gloam's own presets: the frame.
+inline std::vector<Preset> own_presets() {
+    std::vector<Preset> own = presets();
+    std::erase_if(own, &Preset::published);
     return own;
+}
+inline std::string preset_name(const testing::TestParamInfo<Preset>& info) {
+    return info.param.name;
 }
 
 // The study's sweep, one frame of many slices: what the frame estimates, without its noise.
@@ -107,14 +109,6 @@ class OnDevice : public Base {
     gpu::Device& device_ = *test::SharedDevice::get();
     const scene::PassLibrary& passes_ = shared_->passes;
 
-    // A pass's source with its constants, and its push constants.
-    [[nodiscard]] std::pair<PassSource, std::vector<std::byte>> filled(PassSource source,
-                                                                       const Values& values) const {
-        const shader::ModuleInterface interface = shader::reflect(module_of(source, passes_));
-        source.constants = values.constants(interface, source.file);
-        return {source, values.push_constants(interface, source.file)};
-    }
-
     // The same for all tests of a suite, so that pipelines are compiled once; for images of that size until
     // the next call with another. begin() leaves no trace of what it held before
     // (tests/experiment/configuration_study_test.cpp).
@@ -122,8 +116,8 @@ class OnDevice : public Base {
         if (!shared_->effect) shared_->effect.emplace(device_, passes_, extent);
         AmbientOcclusion& effect = *shared_->effect;
         if (shared_->extent && *shared_->extent != extent) {
-            effect.begin(blank(*shared_->extent), {});
-            effect.advance(blank(extent));
+            effect.begin(wall(*shared_->extent, 1.0F), {});
+            effect.advance(wall(extent, 1.0F));
         }
         shared_->extent = extent;
         return effect;
@@ -166,14 +160,6 @@ class OnDevice : public Base {
     }
 
   private:
-    [[nodiscard]] static scene::GBuffer blank(gpu::Extent extent) {
-        scene::GBuffer view{.extent = extent};
-        view.depth.assign(std::size_t{extent.width} * extent.height, 1.0F);
-        view.camera =
-            scene::make_frame({}, static_cast<double>(extent.width) / static_cast<double>(extent.height));
-        return view;
-    }
-
     // What is drawn: scene, extent and options.
     using Drawing = std::tuple<std::string, std::uint32_t, std::uint32_t, int, bool, bool, bool, int, double>;
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The passes of a frame as compute shaders of OpenGL 4.5 and OpenGL ES 3.1: the picture is that of Vulkan.
-#include <regex>
-
 #include "backend/gl/opened.hpp"
 #include "backend/gl/program.hpp"
 #include "effect/errors.hpp"
@@ -9,24 +7,11 @@
 #include "effect/plan.hpp"
 #include "numeric/numbers.hpp"
 #include "on_device.hpp"
-#include "shader/compile.hpp"
 #include "shader/reflection.hpp"
 #include "support/method_names.hpp"
 #include "support/poison.hpp"
 
 namespace gloam::effect::opengl_passes_test {
-
-constexpr std::uint32_t push_constants = 15;  // a binding that no pass has
-
-// The text of a pass for Vulkan in the words of OpenGL: it has no push constants and no specialization
-// constants.
-std::string for_opengl(std::string text) {
-    text = std::regex_replace(text, std::regex("#ifdef VULKAN"), "#if 1");
-    text = std::regex_replace(
-        text, std::regex(R"(layout\(push_constant\) uniform)"),
-        "layout(std430, binding = " + std::to_string(push_constants) + ") readonly buffer");
-    return std::regex_replace(text, std::regex(R"(layout\(constant_id = \d+\) const)"), "const");
-}
 
 std::vector<gl::Word> words_of(std::span<const std::byte> bytes) {
     std::vector<gl::Word> words((bytes.size() + sizeof(gl::Word) - 1) / sizeof(gl::Word));
@@ -87,14 +72,11 @@ class OnOpenGl {
     void run(const PlannedPass& pass) {
         std::map<std::uint32_t, std::uint32_t> constants;
         for (const auto& constant : pass.source.constants) constants[constant.id] = constant.bits;
-        const auto text = [&](shader::Language language) {
-            return passes_.text(pass.source.file, pass.source.defines, pass.source.replaced, constants,
-                                language);
-        };
-        const std::string vulkan = text(shader::Language::vulkan450);
         const gl::Program program(
             device_, gl::Program::Stage::compute,
-            {.name = pass.source.file, .text = es_ ? text(shader::Language::es310) : for_opengl(vulkan)});
+            {.name = pass.source.file,
+             .text = passes_.text(pass.source.file, pass.source.defines, pass.source.replaced, constants,
+                                  es_ ? shader::Language::es310 : shader::Language::gl430)});
         gl::ImageDispatch work{.program = program,
                                .images = {},
                                .levels = {},
@@ -110,17 +92,15 @@ class OnOpenGl {
                 work.storage.emplace(binding, buffer->second);
         }
         gl::Buffer parameters(device_, pass.parameters.size() / sizeof(gl::Word) + 1);
-        parameters.write(0, words_of(with_camera(pass, vulkan)));
-        if (es_) work.uniforms.emplace(0, parameters);
-        if (!es_) work.storage.emplace(push_constants, parameters);
+        parameters.write(0, words_of(with_camera(pass)));
+        work.uniforms.emplace(0, parameters);
         gl::dispatch(device_, work);
     }
 
     // The plan knows the view's size, not its camera.
-    [[nodiscard]] std::vector<std::byte> with_camera(const PlannedPass& pass, const std::string& text) const {
+    [[nodiscard]] std::vector<std::byte> with_camera(const PlannedPass& pass) const {
         std::vector<std::byte> bytes = pass.parameters;
-        const shader::ModuleInterface interface =
-            shader::reflect(shader::compile({.name = pass.source.file, .text = text}, {}));
+        const shader::ModuleInterface interface = shader::reflect(module_of(pass.source, passes_));
         const glm::vec2 camera = view_.camera.p00_p11();
         for (const shader::LaidOut& member : interface.push_constants.value().members)
             if (member.name == "p00_p11") std::memcpy(bytes.data() + member.offset, &camera, sizeof camera);
@@ -128,7 +108,7 @@ class OnOpenGl {
     }
 
     const gl::Device& device_;
-    bool es_;  // its text is that of `gloam pack --version 310es`
+    bool es_;
     const Plan& plan_;
     const scene::GBuffer& view_;
     const scene::PassLibrary& passes_;
@@ -182,7 +162,7 @@ TEST_P(OpenGlPasses, GiveThePictureOfVulkan) {
 INSTANTIATE_TEST_SUITE_P(All, OpenGlPasses, testing::ValuesIn(passes_of_methods()), test::parameter_name);
 
 // Of an odd size, poisoned.
-class OpenGlFrames : public OnDevice<testing::TestWithParam<std::string>> {};
+class OpenGlFrames : public OnDevice<testing::TestWithParam<Preset>> {};
 
 TEST_P(OpenGlFrames, GiveThePictureOfVulkan) {
     std::optional<gl::Device> device;
@@ -191,7 +171,7 @@ TEST_P(OpenGlFrames, GiveThePictureOfVulkan) {
         scene::GBuffer view = drawn("columns", {83, 45});
         test::poison(view);
         if (from_depth) view.normal.clear();
-        Settings settings = preset_named(GetParam()).settings;
+        Settings settings = GetParam().settings;
         settings.output = OutputFormat::r32f;
         settings.history = false;
         const Plan plan = frame_plan(settings, view);
@@ -205,7 +185,7 @@ TEST_P(OpenGlFrames, GiveThePictureOfVulkan) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, OpenGlFrames, testing::ValuesIn(own_presets()), test::parameter_name);
+INSTANTIATE_TEST_SUITE_P(All, OpenGlFrames, testing::ValuesIn(own_presets()), preset_name);
 
 // The passes of the effect as one text each in GLSL ES 3.10: Mesa's compiler takes them.
 

@@ -13,12 +13,6 @@ namespace gloam::effect::plain_slices_test {
 
 constexpr gpu::Extent extent{96, 54};
 
-// A wall at depth 1; `floor` is the depth of the pixels that `is_pit` names.
-template <class Pit>
-scene::GBuffer wall_with(gpu::Extent size, const Pit& is_pit, float floor) {
-    return wall_of(size, [&](std::uint32_t x, std::uint32_t y) { return is_pit(x, y) ? floor : 1.0F; });
-}
-
 // Of `gtao`, without history and filter, for a radius of 1.
 Settings single_frame(SliceTaps taps) {
     Settings settings = slices(method_named("gtao"), taps.slices, taps.steps);
@@ -81,32 +75,6 @@ TEST_F(PlainSlicesTest, BlursAsOftenAsAsked) {
     EXPECT_EQ(frames[0].blurred, frames[0].occlusion);
     const Truth limit = truth_from(view, plain(view, scene.ao_radius, {.slices = 24, .steps = 12}).occlusion);
     EXPECT_LT(errors_of(frames[2].blurred, limit).rmse, errors_of(frames[1].blurred, limit).rmse);
-}
-
-// The blur takes only pixels that are about as deep.
-TEST_F(PlainSlicesTest, TheBlurLeavesLonePixels) {
-    const auto lone = [](std::uint32_t x, std::uint32_t y) { return x % 4 == 1 && y % 4 == 1; };
-    const scene::GBuffer view = wall_with(extent, lone, 2.0F);
-    const PlainFrame frame = plain(view, 3.0, {.slices = 1, .steps = 2});
-    std::size_t shaded = 0;
-    for (std::size_t i = 0; i < view.depth.size(); ++i) {
-        if (view.depth[i] != 2.0F) continue;
-        EXPECT_EQ(frame.blurred[i], frame.occlusion[i]) << i;
-        shaded += frame.occlusion[i] > 0.0F ? 1 : 0;
-    }
-    EXPECT_GT(shaded, 0U);
-}
-
-// The radius is measured in heights of pixels. These are four times as high as wide.
-TEST_F(PlainSlicesTest, ARadiusOfLessThanAPixelSeesNothing) {
-    scene::GBuffer view = wall_with(extent, [](std::uint32_t x, std::uint32_t) { return x % 2 == 1; }, 1.01F);
-    view.camera.proj_vk[0][0] *= 4.0F;
-    const double pixel = 2.0 / (std::abs(double{view.camera.proj_vk[1][1]}) * extent.height);
-    const auto largest = [&](double radius) {
-        return std::ranges::max(plain(view, radius, {.slices = 4, .steps = 4}).occlusion);
-    };
-    EXPECT_EQ(largest(0.99 * pixel), 0.0F);
-    EXPECT_GT(largest(1.5 * pixel), 0.0F);
 }
 
 TEST_F(PlainSlicesTest, WhatItDoesNotTakeIsRefused) {

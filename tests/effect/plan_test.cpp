@@ -2,13 +2,10 @@
 // The plan is what the effect does: the same passes in the same order, over images of the same size.
 #include "effect/plan.hpp"
 
-#include <nlohmann/json.hpp>  // repeats a macro for each argument
+#include <fmt/format.h>
 
-#include "effect/internal/passes.hpp"
-#include "effect/internal/values.hpp"
 #include "effect/methods.hpp"
 #include "on_device.hpp"
-#include "support/laid_out.hpp"
 
 namespace gloam::effect::plan_test {
 
@@ -52,15 +49,6 @@ TEST_F(PlanTest, RefusesWhatSettingsRefuse) {
     settings.samples = 0;
     EXPECT_THROW((void)plan_of(settings, {}, passes_), std::invalid_argument);
 }
-
-// The lines of all members of a struct, in their order.
-#define LINE_OF_MEMBER(name) MEMBER(Struct, name),
-#define LINES_OF(Type, ...)                                                          \
-    ([] {                                                                            \
-        using Struct = Type;                                                         \
-        return std::vector<std::string>{                                             \
-            NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(LINE_OF_MEMBER, __VA_ARGS__))}; \
-    }())
 
 // What C++ and shaders share is found by its name.
 class Layouts : public OnDevice<testing::Test> {
@@ -107,9 +95,22 @@ TEST_F(Layouts, Buffers) {
     const std::vector<LaidOut> method = buffer_of(occlusion_source({}), "MethodSettings");
     ASSERT_EQ(method.size(), 1U);
     EXPECT_EQ(method[0].size, sizeof(MethodValues));
-    EXPECT_EQ(lines_of(method[0].members),
-              LINES_OF(MethodValues, range, epsilon, intensity, thickness, angle_bias, mip_distance, steps,
-                       disagreement, feature_thickness, layers));
+    std::vector<std::string> members;
+    for (const LaidOut& member : method[0].members)
+        members.push_back(fmt::format("{} {} at {}", member.type, member.name, member.offset));
+    std::vector<std::string> ours;
+#define CHOICE(...)
+#define FLAG(...)
+#define METHOD(...)
+#define NUMBER(...)
+#define OWN(type, name, ...)                                                   \
+    ours.push_back(fmt::format("{} {} at {}",                                  \
+                               std::is_same_v<type, float>           ? "float" \
+                               : std::is_same_v<type, std::uint32_t> ? "uint"  \
+                                                                     : "int",  \
+                               #name, offsetof(MethodValues, name)));
+#include "effect/setting_list.inc"
+    EXPECT_EQ(members, ours);
 }
 
 // Engines have sampled images, and OpenGL ES 3.1 lets no pass read an image of four channels that it writes.

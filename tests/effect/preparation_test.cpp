@@ -22,23 +22,15 @@ Settings settings_for(const std::string& method, float radius) {
 
 class Prepared : public OnDevice<testing::TestWithParam<std::string>> {};
 
-// The frame after `frames` of them, by passes that are already there.
-Frame follow(AmbientOcclusion& effect, const scene::GBuffer& view, const Settings& settings, int frames) {
-    effect.begin(view, settings);
-    for (int i = 1; i < frames; ++i) (void)effect.next();
-    return effect.next();
-}
-
 TEST_P(Prepared, NothingIsFoundWhereThereIsNothing) {
     const Settings settings = settings_for(GetParam(), 0.5F);
     for (const gpu::Extent extent : {gpu::Extent{1, 1}, gpu::Extent{3, 1}, gpu::Extent{17, 9}}) {
-        AmbientOcclusion& effect = effect_for(extent);
         for (const float depth : {infinity, 0.0F, -1.0F, nan}) {
             scene::GBuffer view = view_of(extent, false, [](glm::dvec2) { return 3.0; });
             view.depth.back() = depth;  // a surface before nothing
-            EXPECT_THAT(follow(effect, view, settings, 2).occlusion, Each(0.0F));
+            EXPECT_THAT(run(view, settings, 2).occlusion, Each(0.0F));
             view.depth.assign(view.depth.size(), depth);
-            EXPECT_THAT(follow(effect, view, settings, 2).occlusion, Each(0.0F));
+            EXPECT_THAT(run(view, settings, 2).occlusion, Each(0.0F));
         }
     }
 }
@@ -86,28 +78,6 @@ TEST_P(Prepared, TheBandIsReadWithoutBeingShaded) {
     settings.guard_history = false;
     const Frame left_out = run(view, settings);
     EXPECT_EQ(left_out.occlusion, shaded.occlusion);
-}
-
-TEST_P(Prepared, ATimeForEachPassAndNoneForOtherMethods) {
-    const scene::GBuffer view = drawn("corner", {33, 21});
-    Settings settings = settings_for(GetParam(), 1.0F);
-    settings.remap_a = 0.0F;
-    AmbientOcclusion effect(device_, passes_, view.extent);
-    effect.begin(view, settings);
-    std::vector<std::string> names;
-    for (const PassTime& time : effect.next().times) names.push_back(time.pass);
-    EXPECT_EQ(std::set(names.begin(), names.end()).size(), names.size());
-    std::vector<std::string> expected;
-    const Preparation preparation = preparation_of(settings, view.extent).value();
-    for (const PreparationPass& pass : preparation.passes) expected.push_back(pass.name);
-    expected.insert(expected.end(), {"ambient_occlusion", "filter_x", "filter_y"});
-    EXPECT_EQ(names, expected);
-
-    settings.method = "hemisphere";
-    effect.begin(view, settings);
-    const Frame other = effect.next();
-    EXPECT_EQ(other.times.size(), 3U);
-    EXPECT_EQ(other.occlusion, run(view, settings).occlusion);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Prepared, testing::ValuesIn(prepared_methods()),

@@ -3,8 +3,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/vec3.hpp>
 
-#include "backend/vulkan/commands.hpp"
-#include "backend/vulkan/resources.hpp"
 #include "effect/internal/passes.hpp"
 #include "effect/methods.hpp"
 #include "on_device.hpp"
@@ -54,31 +52,6 @@ Settings with_taps(HistoryTaps taps) {
 // The pass on images of that size.
 class ReprojectionPass : public OnDevice<testing::Test> {
   protected:
-    [[nodiscard]] Texels run(const std::vector<float>& depths, const Texels& before,
-                             const Values& values) const {
-        const gpu::Extent extent{static_cast<std::uint32_t>(size.x), static_cast<std::uint32_t>(size.y)};
-        using enum gpu::Format;
-        gpu::Image depth(device_, extent, r32f);
-        const gpu::Image positions(device_, extent, rgba32f);
-        gpu::Image history(device_, extent, rgba32f);
-        const gpu::Image after(device_, extent, rgba32f);
-        depth.upload(depths);
-        std::vector<float> words;
-        for (const Texel& t : before) words.insert(words.end(), {t.occlusion, t.weight, t.index, t.depth});
-        history.upload(words);
-        const auto [source, parameters] = filled({.file = "study/reproject.comp"}, values);
-        const gpu::ComputePipeline pass = pipeline_of(device_, passes_, source);
-        gpu::Commands commands(device_);
-        commands.dispatch(pass, std::vector<gpu::Resource>{depth, positions, history, after}, {2, 1, 1},
-                          parameters);
-        commands.submit();
-        Texels moved;
-        const std::vector<float> got = after.download();
-        for (std::size_t i = 0; i < got.size(); i += 4)
-            moved.push_back({got[i], got[i + 1], got[i + 2], got[i + 3]});
-        return moved;
-    }
-
     // The history of a wall that a parallel camera has moved along by `shift`.
     [[nodiscard]] Texels moved(const Texels& before, const Settings& settings, float tolerance = 0.1F) const {
         const glm::vec2 p00_p11(1.0F, -1.0F);
@@ -89,7 +62,22 @@ class ReprojectionPass : public OnDevice<testing::Test> {
         values.set("previous_p00_p11", p00_p11);
         values.set("size", size);
         values.set("depth_tolerance", tolerance);
-        return run(std::vector<float>(before.size(), depth_of_all), before, values);
+        const gpu::Extent extent{static_cast<std::uint32_t>(size.x), static_cast<std::uint32_t>(size.y)};
+        using enum gpu::Format;
+        Resources resources(device_);
+        resources.image("depth", extent, r32f).upload(std::vector<float>(before.size(), depth_of_all));
+        std::vector<float> words;
+        for (const Texel& t : before) words.insert(words.end(), {t.occlusion, t.weight, t.index, t.depth});
+        resources.image("before", extent, rgba32f).upload(words);
+        const gpu::Image& after = resources.image("after", extent, rgba32f);
+        Executor(device_, passes_)
+            .run("reproject", {.file = "study/reproject.comp"}, {"depth", nothing_image, "before", "after"},
+                 values, groups_for(extent), resources, {});
+        Texels moved;
+        const std::vector<float> got = after.download();
+        for (std::size_t i = 0; i < got.size(); i += 4)
+            moved.push_back({got[i], got[i + 1], got[i + 2], got[i + 3]});
+        return moved;
     }
 
     // The bilinear mean of a member at the place between (x, y) and its three neighbours.
@@ -195,48 +183,31 @@ class WatchingPass : public OnDevice<testing::Test> {
         const View view{scene::make_frame({}, 1.5), extent, {}};
         Moment moment{.settings = settings(), .has_positions = true};
         moment.view = view;
-        gpu::Image depth(device_, extent, r32f);
-        gpu::Image normal(device_, extent, rgba32f);
-        gpu::Image before(device_, extent, rgba32f);
-        gpu::Image previous(device_, extent, rgba32f);
-        const gpu::Image after(device_, extent, rgba32f);
-        const gpu::Image shown(device_, extent, r32f);
-        const gpu::Image nothing(device_, {1, 1}, rgba32f);
-        gpu::Buffer method(device_, sizeof(MethodValues));
-        method.as<MethodValues>()[0] = settings().own;
         std::vector<float> depths;
-        std::vector<float> normals;
         std::vector<float> history;
-        std::vector<float> places;
+        std::vector<glm::vec3> places;
         const reference::GloamCamera camera{view.camera.p00_p11(), vector_of_size(extent), false};
         for (std::size_t i = 0; i < pixels; ++i) {
             depths.push_back(is_right(i) ? 4.7F : 5.0F);
-            normals.insert(normals.end(), {0.0F, 0.0F, 1.0F, 0.0F});
             history.insert(history.end(), {0.25F, samples_before, samples_before, depths.back()});
             const glm::ivec2 pixel(i % extent.width, i / extent.width);
-            const glm::vec3 place =
-                reference::gloam_camera_position(pixel, double{depths.back()}, camera) + displacement(i);
-            places.insert(places.end(), {place.x, place.y, place.z, 0.0F});
+            places.emplace_back(reference::gloam_camera_position(pixel, double{depths.back()}, camera) +
+                                displacement(i));
         }
-        depth.upload(depths);
-        normal.upload(normals);
-        before.upload(history);
-        previous.upload(places);
-        using enum gpu::BindingKind;
-        std::vector<gpu::BindingKind> kinds(9, storage_image);
-        kinds[5] = storage_buffer;
-        const auto [source, parameters] = filled(occlusion_source(moment), values_of(moment));
-        const gpu::ComputePipeline pass = pipeline_of(device_, passes_, source, kinds);
-        gpu::Commands commands(device_);
-        commands.dispatch(pass,
-                          std::vector<gpu::Resource>{depth, normal, before, after, previous, method, nothing,
-                                                     nothing, shown},
-                          groups_for(extent), parameters);
-        commands.submit();
-        std::vector<float> found;
-        const std::vector<float> texels = after.download();
-        for (std::size_t i = 0; i < pixels; ++i) found.push_back(texels[4 * i + 1]);
-        return found;
+        Resources resources(device_);
+        resources.image("depth", extent, r32f).upload(depths);
+        resources.image("normal", extent, rgba32f)
+            .upload(texels_of(std::vector(pixels, glm::vec3(0.0F, 0.0F, 1.0F))));
+        resources.image("before", extent, rgba32f).upload(history);
+        resources.image("places", extent, rgba32f).upload(texels_of(places));
+        resources.buffer("method", sizeof(MethodValues)).as<MethodValues>()[0] = settings().own;
+        const gpu::Image& after = resources.image("after", extent, rgba32f);
+        Executor(device_, passes_)
+            .run("ambient_occlusion", occlusion_source(moment),
+                 {"depth", "normal", "before", "after", "places", "method", nothing_image, nothing_image,
+                  nothing_image},
+                 values_of(moment), groups_for(extent), resources, {});
+        return channel(after.download(), 1);
     }
 };
 

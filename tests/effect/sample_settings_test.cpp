@@ -200,7 +200,6 @@ TEST_F(SampleSettings, RejectedStepsAreOpen) {
     EXPECT_LT(mean_of(some.occlusion), 0.9 * mean_of(all.occlusion));
 }
 
-// The mean of two frames with the same number of samples, (a + b) / 2, determines the second one.
 // The slices of neighbouring pixels are spread evenly over all directions and jitters.
 TEST_F(SampleSettings, OnALatticeAFilterLeavesLessNoise) {
     const scene::GBuffer view = groove({96, 64});
@@ -241,6 +240,7 @@ TEST_F(SampleSettings, PreparedDirectionsAreRotatedAlike) {
     EXPECT_NE(hash.second, lattice.second);
 }
 
+// The mean of two frames with the same number of samples, (a + b) / 2, determines the second one.
 TEST_F(SampleSettings, SmoothingIsAnExponentialMean) {
     scene_ = scene::make_scene("corner");
     Settings settings = plain();

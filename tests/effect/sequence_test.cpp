@@ -5,7 +5,6 @@
 #include "effect/errors.hpp"
 #include "on_device.hpp"
 #include "scene/truth.hpp"
-#include "support/method_names.hpp"
 #include "surface_views.hpp"
 
 namespace gloam::effect::sequence_test {
@@ -13,10 +12,10 @@ namespace gloam::effect::sequence_test {
 constexpr gpu::Extent small{96, 54};
 constexpr float radius = 1.0F;
 
-class Sequences : public OnDevice<testing::TestWithParam<std::string>> {
+class Sequences : public OnDevice<testing::TestWithParam<Preset>> {
   protected:
     [[nodiscard]] static Settings settings(bool history, float of_radius = radius) {
-        Settings exact = with_radius(preset_named(GetParam()).settings, of_radius);
+        Settings exact = with_radius(GetParam().settings, of_radius);
         exact.output = OutputFormat::r32f;
         exact.history = history;
         return exact;
@@ -109,9 +108,9 @@ TEST_P(Sequences, AMovingViewIsFollowed) {
 // A box before a wall that stands, seen by a camera that stands: what comes and goes is shown at once.
 TEST_P(Sequences, WhatEntersIsSeenAtOnce) {
     const scene::GBuffer empty = wall(small, 3.0F);
-    const scene::GBuffer entered = wall_of(small, [](std::uint32_t x, std::uint32_t y) {
-        return x > 30 && x < 60 && y > 15 && y < 40 ? 2.6F : 3.0F;
-    });
+    scene::GBuffer entered = empty;
+    for (std::size_t y = 16; y < 40; ++y)
+        for (std::size_t x = 31; x < 60; ++x) entered.depth[small.width * y + x] = 2.6F;
     std::vector<scene::GBuffer> views(40, empty);
     views.insert(views.end(), 2, entered);
     EXPECT_LT(errors_of(sequence(views), single(entered)).rmse, 0.06);
@@ -134,6 +133,6 @@ TEST_P(Sequences, PoisonDoesNotStay) {
     EXPECT_LT(errors_of(sequence(views), sequence(std::vector<scene::GBuffer>(10, clean))).rmse, 0.03);
 }
 
-INSTANTIATE_TEST_SUITE_P(Names, Sequences, testing::ValuesIn(own_presets()), test::parameter_name);
+INSTANTIATE_TEST_SUITE_P(Names, Sequences, testing::ValuesIn(own_presets()), preset_name);
 
 }  // namespace gloam::effect::sequence_test

@@ -12,15 +12,12 @@ namespace gloam::effect {
 
 inline constexpr double view_height = 2.0;
 
-// A view of a surface whose depth under a ray (orthographic: at a place of the image plane) is given; y up.
-// Its normals face the eye. pixel_aspect: width of a pixel, in its height.
-inline scene::GBuffer view_of(gpu::Extent extent, bool orthographic,
+// A view by that camera of a surface whose depth under a ray (orthographic: at a place of the image plane) is
+// given; y up. Its normals face the eye. pixel_aspect: width of a pixel, in its height.
+inline scene::GBuffer view_of(gpu::Extent extent, const scene::Camera& camera,
                               const std::function<double(glm::dvec2)>& depth, double pixel_aspect = 1.0) {
     scene::GBuffer view{.extent = extent};
-    const double aspect = pixel_aspect * static_cast<double>(extent.width) / extent.height;
-    scene::Camera camera{.view_height = view_height};
-    if (orthographic) camera.projection = scene::Projection::orthographic;
-    view.camera = scene::make_frame(camera, aspect);
+    view.camera = scene::make_frame(camera, pixel_aspect * static_cast<double>(extent.width) / extent.height);
     for (unsigned y = 0; y < extent.height; ++y) {
         for (unsigned x = 0; x < extent.width; ++x) {
             const glm::dvec2 ndc(2.0 * (x + 0.5) / extent.width - 1.0, 2.0 * (y + 0.5) / extent.height - 1.0);
@@ -30,29 +27,27 @@ inline scene::GBuffer view_of(gpu::Extent extent, bool orthographic,
     view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
     return view;
 }
-
-// A wall in perspective whose depth is given for each pixel.
-template <class Depth>
-scene::GBuffer wall_of(gpu::Extent extent, const Depth& depth) {
-    scene::GBuffer view{.extent = extent};
-    view.camera =
-        scene::make_frame({}, static_cast<double>(extent.width) / static_cast<double>(extent.height));
-    for (std::uint32_t y = 0; y < extent.height; ++y)
-        for (std::uint32_t x = 0; x < extent.width; ++x) view.depth.push_back(depth(x, y));
-    view.normal.assign(view.depth.size(), glm::vec3(0, 0, 1));
-    return view;
+inline scene::GBuffer view_of(gpu::Extent extent, bool orthographic,
+                              const std::function<double(glm::dvec2)>& depth, double pixel_aspect = 1.0) {
+    scene::Camera camera{.view_height = view_height};
+    if (orthographic) camera.projection = scene::Projection::orthographic;
+    return view_of(extent, camera, depth, pixel_aspect);
 }
+
+// A wall in perspective.
 inline scene::GBuffer wall(gpu::Extent extent, float depth) {
-    return wall_of(extent, [=](std::uint32_t, std::uint32_t) { return depth; });
+    return view_of(extent, false, [=](glm::dvec2) { return double{depth}; });
 }
 
-// The plane through (0, 0, -5).
+// A plane through a point, before the background.
 inline scene::GBuffer plane(gpu::Extent extent, bool orthographic, glm::dvec3 normal,
-                            double pixel_aspect = 1.0) {
+                            double pixel_aspect = 1.0, glm::dvec3 point = {0, 0, -5}) {
     const glm::dvec3 n = glm::normalize(normal);
     const auto depth = [&](glm::dvec2 at) {
         const double along = n.x * at.x + n.y * at.y;
-        return orthographic ? 5.0 + along / n.z : 5.0 * n.z / (n.z - along);
+        const double at_depth =
+            orthographic ? (along - glm::dot(n, point)) / n.z : glm::dot(n, point) / (along - n.z);
+        return at_depth > 0.0 ? at_depth : double{infinity};
     };
     scene::GBuffer view = view_of(extent, orthographic, depth, pixel_aspect);
     view.normal.assign(view.depth.size(), glm::vec3(n));

@@ -19,18 +19,12 @@ class Temporal : public OnDevice<testing::Test> {
         return drawn(scene, extent, {.frame = frame, .motion = motion});
     }
 
-    // The last of `frames` frames; each result is passed on.
-    Frame run(const scene::Scene& scene, const Settings& settings, int frames,
-              const std::function<void(int, const Frame&)>& seen = {}) const {
-        AmbientOcclusion& effect = effect_for(extent);
-        Frame frame;
-        for (int i = 0; i < frames; ++i) {
-            const scene::GBuffer now = view(scene, i);
-            i == 0 ? effect.begin(now, settings) : effect.advance(now);
-            frame = effect.next();
-            if (seen) seen(i, frame);
-        }
-        return frame;
+    // The first frames of a scene.
+    [[nodiscard]] std::vector<Frame> sequence(const scene::Scene& scene, const Settings& settings,
+                                              int frames) const {
+        std::vector<scene::GBuffer> views;
+        for (int i = 0; i < frames; ++i) views.push_back(view(scene, i));
+        return run(views, settings);
     }
 
     // Many samples of that view alone.
@@ -38,28 +32,23 @@ class Temporal : public OnDevice<testing::Test> {
                                                const Settings& settings) const {
         Settings many = settings;
         many.samples = many.samples_converged = 1024;
-        AmbientOcclusion& effect = effect_for(extent);
-        effect.begin(view(scene, frame), many);
-        return effect.next().occlusion;
+        return run(view(scene, frame), many).occlusion;
     }
 };
 
 TEST_F(Temporal, ACameraThatStandsStillLosesAndBlursNothing) {
     const scene::Scene scene = floor_and_wall(false);
     const Settings settings = paper();
-    AmbientOcclusion still(device_, passes_, extent);
-    still.begin(view(scene, 0), settings);
-    Frame expected;
-    for (int i = 0; i < 6; ++i) expected = still.next();
-    const Frame moved = run(scene, settings, 6);
-    expect_same_images(moved, expected, {&Frame::occlusion, &Frame::convergence});
+    const Frame expected = run(view(scene, 0), settings, 6);
+    expect_same_images(sequence(scene, settings, 6).back(), expected,
+                       {&Frame::occlusion, &Frame::convergence});
 }
 
 TEST_F(Temporal, HistoryFollowsAPanningCamera) {
     const scene::Scene scene = panned(floor_and_wall(false), 0.02);
     const Settings settings = paper();
-    const Frame moving = run(scene, settings, 8);
-    const Frame alone = OnDevice::run(view(scene, 7), settings);
+    const Frame moving = sequence(scene, settings, 8).back();
+    const Frame alone = run(view(scene, 7), settings);
     const std::vector<float> truth = converged(scene, 7, settings);
     const double with_history = errors_of(moving.occlusion, truth).rmse;
     const double without = errors_of(alone.occlusion, truth).rmse;
@@ -69,47 +58,36 @@ TEST_F(Temporal, HistoryFollowsAPanningCamera) {
 
 TEST_F(Temporal, WhatComesIntoViewStartsAfresh) {
     const scene::Scene scene = panned(floor_and_wall(false), 0.1);
-    run(scene, paper(), 3, [](int i, const Frame& frame) {
-        const float* last_row = frame.kept.data() + extent.width * (extent.height - 1);
-        EXPECT_EQ(frame.kept[extent.width - 1], 0.0F) << "frame " << i << ": the right edge is new";
+    const std::vector<Frame> frames = sequence(scene, paper(), 3);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const float* last_row = frames[i].kept.data() + extent.width * (extent.height - 1);
+        EXPECT_EQ(frames[i].kept[extent.width - 1], 0.0F) << "frame " << i << ": the right edge is new";
         EXPECT_EQ(last_row[extent.width / 2] > 0.0F, i > 0) << "frame " << i;
-    });
+    }
 }
 
 TEST_F(Temporal, DisoccludedPixelsHaveNoHistory) {
     const scene::Scene scene = floor_and_wall(true, 0.15);
-    AmbientOcclusion effect(device_, passes_, extent);
-    scene::GBuffer before = view(scene, 0);
-    effect.begin(before, paper());
-    (void)effect.next();
+    const std::vector<Frame> frames = sequence(scene, paper(), 4);
     for (int i = 1; i < 4; ++i) {
+        const scene::GBuffer before = view(scene, i - 1);
         const scene::GBuffer now = drawn(scene, extent, {.frame = i, .motion = true, .ids = true});
-        effect.advance(now);
-        const Frame frame = effect.next();
         std::size_t uncovered = 0;
         for (std::size_t p = 0; p < now.depth.size(); ++p) {
             // The background came out from behind the box, which was nearer by far more than the tolerance.
             const bool freed = now.object[p] == 0 && before.depth[p] < 0.9F * now.depth[p];
             if (!freed) continue;
             ++uncovered;
-            EXPECT_EQ(frame.kept[p], 0.0F) << "pixel " << p;
+            EXPECT_EQ(frames[static_cast<std::size_t>(i)].kept[p], 0.0F) << "pixel " << p;
         }
         EXPECT_GT(uncovered, 10U);
-        before = now;
     }
 }
 
 TEST_F(Temporal, HistoryMovesWithAnObject) {
     const scene::Scene scene = floor_and_wall(true, 0.04);
-    AmbientOcclusion effect(device_, passes_, extent);
-    effect.begin(view(scene, 0), paper());
-    Frame frame = effect.next();
-    scene::GBuffer now;
-    for (int i = 1; i < 5; ++i) {
-        now = drawn(scene, extent, {.frame = i, .motion = true, .ids = true});
-        effect.advance(now);
-        frame = effect.next();
-    }
+    const Frame frame = sequence(scene, paper(), 5).back();
+    const scene::GBuffer now = drawn(scene, extent, {.frame = 4, .motion = true, .ids = true});
     std::size_t on_box = 0;
     std::size_t kept = 0;
     for (std::size_t p = 0; p < now.depth.size(); ++p) {
@@ -143,7 +121,7 @@ TEST_F(Temporal, AZoomKeepsTheHistoryWhereItWasInView) {
         camera.fovy_rad = 0.9 - 0.05 * frame;
         return camera;
     };
-    const Frame frame = run(scene, paper(), 4);
+    const Frame frame = sequence(scene, paper(), 4).back();
     EXPECT_GT(mean_of(frame.convergence), 0.9 * 4 * 32 / 500.0) << "the projection of each frame is its own";
 }
 
@@ -153,10 +131,9 @@ TEST_F(Temporal, ProbesRemoveTheTrailOfAMovingObject) {
     const auto error_near_box = [&](Invalidation invalidation) {
         settings.invalidation = invalidation;
         constexpr int frames = 10;
-        const Frame frame = run(scene, settings, frames);
+        const Frame frame = sequence(scene, settings, frames).back();
         const std::vector<float> truth = converged(scene, frames - 1, settings);
         // Static pixels where the box has just been, or comes near.
-        const scene::GBuffer now = view(scene, frames - 1);
         double sum = 0.0;
         std::size_t count = 0;
         for (std::size_t p = 0; p < truth.size(); ++p) {
@@ -273,7 +250,7 @@ TEST_F(Temporal, WhatJumpsLeavesItsOcclusionForAsLongAsTheMean) {
     const std::vector<float> before = converged(scene, jump - 1, settings);
     const std::vector<float> after = converged(scene, jump, settings);
     const auto left_behind = [&](int frames) {
-        const Frame frame = run(scene, settings, jump + frames);
+        const Frame frame = sequence(scene, settings, jump + frames).back();
         double left = 0.0;
         double all = 0.0;
         for (std::size_t p = 0; p < after.size(); ++p) {
@@ -293,9 +270,6 @@ TEST_F(Temporal, OutOfOrderAndOutOfRangeAreErrors) {
     AmbientOcclusion effect(device_, passes_, extent);
     const scene::GBuffer first = view(floor_and_wall(false), 0);
     EXPECT_THROW(effect.advance(first), std::logic_error);
-    Settings settings = paper();
-    settings.depth_tolerance = 0.0F;
-    expect_error<std::invalid_argument>([&] { effect.begin(first, settings); }, {"depth_tolerance"});
     effect.begin(first, paper());
     scene::GBuffer wrong = first;
     wrong.camera.previous_from_current = glm::mat4(1.0F);

@@ -111,7 +111,7 @@ nlohmann::ordered_json preset_json(const Named& named) {
                                 {"time", preset.time}};
     json["settings"] = json_of(preset.settings);
     for (const effect::Setting& setting : effect::setting_table())
-        if (reads(preset.settings, setting.name))
+        if (reads(preset.settings, setting))
             json["origins"][setting.name] = effect::origin_of(preset, setting.name);
     return json;
 }

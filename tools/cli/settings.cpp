@@ -47,13 +47,13 @@ ordered_json json_of(const effect::Setting& setting) {
 
 effect::Preset default_preset_of(const effect::Setting& setting) {
     effect::Preset preset = effect::preset_named(effect::default_preset);
-    return reads(preset.settings, setting.name) ? preset : effect::preset_named("tssao-paper");
+    return reads(preset.settings, setting) ? preset : effect::preset_named("tssao-paper");
 }
 
 ordered_json json_of(const effect::Settings& settings) {
     ordered_json json = ordered_json::object();
     for (const effect::Setting& setting : effect::setting_table())
-        if (reads(settings, setting.name)) json[setting.name] = json_of(setting.get(settings));
+        if (reads(settings, setting)) json[setting.name] = json_of(setting.get(settings));
     return json;
 }
 

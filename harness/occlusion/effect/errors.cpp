@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "effect/errors.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "effect/internal/require_same_size.hpp"
@@ -130,13 +125,10 @@ Metrics metrics_of(std::span<const float> occlusion, std::span<const float> trut
 }
 
 Truth masked(std::span<const float> truth, const Mask& mask) {
-    if (mask.size() != truth.size())
-        throw std::invalid_argument("mask of " + std::to_string(mask.size()) + " pixels, truth of " +
-                                    std::to_string(truth.size()));
+    internal::require_same_size("mask", mask.size(), truth.size());
     Truth result(truth.begin(), truth.end());
-    for (std::size_t i = 0; i < result.size(); ++i) {
-        if (mask[i] == 0) result[i] = std::numeric_limits<float>::quiet_NaN();
-    }
+    for (std::size_t i = 0; i < result.size(); ++i)
+        if (mask[i] == 0) result[i] = unknown;
     return result;
 }
 

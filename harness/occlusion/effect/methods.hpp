@@ -59,8 +59,7 @@ inline constexpr const char* default_preset = "balanced";
 // own presets the symbol that TSSAO has for the setting; empty without one.
 [[nodiscard]] std::string origin_of(const Preset& preset, const std::string& setting);
 
-// The preset with this name. Throws std::invalid_argument that lists the names, or gives the new name of an
-// old one.
+// The preset with this name. Throws std::invalid_argument that lists the names.
 [[nodiscard]] Preset preset_named(std::string_view name);
 
 // What a method's results estimate, before the remap.

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // gloam's own presets, and the names of all.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
@@ -94,40 +92,6 @@ constexpr Measured measured[] = {{"fast", 0.0539, 1.00},
                                  {"unreal-quality", 0.1497, 7.68},
                                  {"loos-sloan-area", 0.1200, 4.53}};
 
-// Presets that were renamed or, if another took less time with less error, removed: the old name, and the one
-// to use instead.
-constexpr std::pair<std::string_view, std::string_view> replaced[] = {
-    {"paper", "tssao-paper"},
-    {"moving", "balanced"},
-    {"sweep-half", "fast"},
-    {"sweep-performance", "fast"},
-    {"sweep-balanced", "balanced"},
-    {"sweep-quality", "quality"},
-    {"bitmask-performance", "balanced"},
-    {"bitmask-quality", "quality"},
-    {"crytek-performance", "study-crytek-performance"},
-    {"crytek-quality", "study-crytek-quality"},
-    {"filion-performance", "study-filion-performance"},
-    {"filion-quality", "study-filion-quality"},
-    {"hbao-performance", "study-hbao-performance"},
-    {"hbao-quality", "study-hbao-quality"},
-    {"alchemy-performance", "study-alchemy-performance"},
-    {"alchemy-quality", "study-alchemy-quality"},
-    {"angle-performance", "study-angle-performance"},
-    {"angle-quality", "study-angle-quality"},
-    {"volumetric-performance", "study-volumetric-performance"},
-    {"volumetric-quality", "study-volumetric-quality"},
-    {"volumetric-two", "study-volumetric-performance"},
-    {"volumetric-spiral", "toy-story-3"},
-    {"volumetric-area", "loos-sloan-area"},
-    {"gtao-performance", "xegtao-low"},
-    {"gtao-quality", "xegtao-ultra"},
-    {"gtao-plain", "xegtao-ultra"},
-    {"sao-performance", "sao-paper"},
-    {"sao-quality", "sao-code"},
-    {"poisson-performance", "sourimant-least"},
-    {"poisson-quality", "sourimant-most"}};
-
 std::vector<Preset> measured_presets() {
     std::vector<Preset> all = own_presets();
     for (Preset& preset : all) preset.published = false;
@@ -165,11 +129,6 @@ std::string origin_of(const Preset& preset, const std::string& setting) {
 }
 
 Preset preset_named(std::string_view name) {
-    const auto* old =
-        std::ranges::find(replaced, name, &std::pair<std::string_view, std::string_view>::first);
-    if (old != std::end(replaced))
-        throw std::invalid_argument(
-            fmt::format("unknown preset \"{}\": use \"{}\" instead", name, old->second));
     return named(presets(), name, "preset");
 }
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
-#include <string>
+
+#include "effect/internal/require_same_size.hpp"
 
 namespace gloam::effect {
 namespace {
@@ -106,9 +106,7 @@ double Remap::operator()(double visibility) const {
 }
 
 void add_to_bins(std::span<RemapBin> bins, std::span<const float> occlusion, std::span<const float> truth) {
-    if (occlusion.size() != truth.size())
-        throw std::invalid_argument("remap: " + std::to_string(occlusion.size()) + " pixels, truth of " +
-                                    std::to_string(truth.size()));
+    internal::require_same_size("truth", truth.size(), occlusion.size());
     const std::size_t count = bins.size();
     for (std::size_t i = 0; i < truth.size(); ++i) {
         if (!std::isfinite(truth[i])) continue;

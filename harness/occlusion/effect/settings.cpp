@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 #include <string>
 
@@ -12,19 +11,6 @@
 
 namespace gloam::effect {
 namespace {
-
-constexpr std::array<std::string_view, 12> read_by_frame{"passes",
-                                                         "method",
-                                                         "radius",
-                                                         "samples",
-                                                         "steps",
-                                                         "history",
-                                                         "history_range",
-                                                         "history_sharpness",
-                                                         "output",
-                                                         "resolution",
-                                                         "filter_half_width",
-                                                         "guard"};
 
 void validate_frame(const Settings& settings) {
     if (settings.method != "sweep")
@@ -37,9 +23,9 @@ void validate_frame(const Settings& settings) {
 
 }  // namespace
 
-bool reads(const Settings& settings, std::string_view setting) {
-    if (settings.passes == Passes::frame) return std::ranges::count(read_by_frame, setting) > 0;
-    return setting != "history_range" && setting != "history_sharpness" && setting != "resolution";
+bool reads(const Settings& settings, const Setting& setting) {
+    return setting.read_by == (settings.passes == Passes::frame ? ReadBy::frame : ReadBy::study) ||
+           setting.read_by == ReadBy::both;
 }
 
 std::uint32_t slices_of(const Settings& settings) {
@@ -51,7 +37,7 @@ Settings with_radius(Settings settings, float radius) {
     const double scale = double{radius / settings.radius};
     for (const Setting& setting : setting_table()) {
         if (setting.unit != "world units" || setting.name == "radius") continue;
-        if (!reads(settings, setting.name)) continue;
+        if (!reads(settings, setting)) continue;
         setting.put(settings, std::get<double>(setting.get(settings)) * scale);
     }
     settings.radius = radius;
@@ -77,7 +63,7 @@ bool remaps(const Settings& settings) {
 void validate(const Settings& settings) {
     for (const Setting& setting : setting_table()) {
         check(setting, setting.get(settings));
-        if (!reads(settings, setting.name) && setting.get(settings) != setting.get(Settings{}))
+        if (!reads(settings, setting) && setting.get(settings) != setting.get(Settings{}))
             throw std::invalid_argument(
                 fmt::format("{} {}: the passes of this preset do not read it; expected {}", setting.name,
                             text_of(setting.get(settings)), text_of(setting.get(Settings{}))));
