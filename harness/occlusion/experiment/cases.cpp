@@ -27,7 +27,7 @@ std::vector<Case> views_of(const CaseQuery& query) {
     for (const scene::ViewInfo& info : scene::all_views())
         if ((info.kind == "motion") == (query.all == "motion"))
             cases.push_back(
-                {.name = info.name, .kind = info.kind, .half = std::string(scene::name_of(*info.half)), .scene = info.name, .view = true});
+                {.name = info.name, .kind = info.kind, .half = info.half, .scene = info.name, .view = true});
     return cases;
 }
 
