@@ -130,22 +130,15 @@ TEST_P(Invariants, HowDepthIsStoredMakesNoDifference) {
 
 // A plane through a point, before the background.
 scene::GBuffer plane(gpu::Extent extent, const scene::Camera& camera, const scene::HalfSpace& plane) {
-    scene::AnalyticScene scene;
-    scene.add_plane(plane);
     scene::GBuffer view{.extent = extent};
     view.camera =
         scene::make_frame(camera, static_cast<double>(extent.width) / static_cast<double>(extent.height));
-    const glm::dvec2 scale(view.camera.p00_p11());
-    const glm::dvec2 size(extent.width, extent.height);
-    for (std::uint32_t y = 0; y < extent.height; ++y) {
-        for (std::uint32_t x = 0; x < extent.width; ++x) {
-            const glm::dvec2 place = ((2.0 * glm::dvec2(x, y) + 1.0) / size - 1.0) / scale;
-            const auto hit = camera.projection == scene::Projection::orthographic
-                                 ? scene.first_hit({place, 0.0}, {0, 0, -1})
-                                 : scene.first_hit({0, 0, 0}, {place, -1.0});
-            view.depth.push_back(hit ? static_cast<float>(hit->distance) : infinity);
-            view.normal.emplace_back(hit ? glm::vec3(plane.normal) : glm::vec3(0.0F));
-        }
+    const scene::PixelPositions positions(view);
+    for (std::size_t i = 0; i < std::size_t{extent.width} * extent.height; ++i) {
+        const auto [origin, direction] = positions.ray(i);
+        const auto hit = scene::first_hit({scene::plane_of(plane)}, origin, direction);
+        view.depth.push_back(hit ? static_cast<float>(hit->distance) : infinity);
+        view.normal.emplace_back(hit ? glm::vec3(plane.normal) : glm::vec3(0.0F));
     }
     return view;
 }
