@@ -285,7 +285,9 @@ class InputImages : public OnDevice<testing::TestWithParam<Variant>> {
     }
 
     [[nodiscard]] std::vector<Frame> results(scene::Inputs inputs) const {
-        AmbientOcclusion effect(device_, passes_.reading(inputs), extent);
+        scene::PassLibrary passes = passes_;
+        passes.inputs = inputs;
+        AmbientOcclusion effect(device_, passes, extent);
         std::vector<Frame> all;
         effect.watch([&](const Step& pass, bool after) {
             if (!after) expect_bindings_of_module(pass, inputs);
