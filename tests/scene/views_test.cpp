@@ -59,7 +59,6 @@ TEST(Views, AreMadeTheSameTwiceAndMove) {
         if (!scene) continue;
         SCOPED_TRACE(view.name);
         const Scene again = *made(view);
-        validate(*scene);
         EXPECT_EQ(scene->name, view.name);
         EXPECT_FALSE(view.description.empty());
         EXPECT_GT(scene->ao_radius, 0.0);

@@ -40,10 +40,6 @@ struct Scene {
 // std::invalid_argument for an invalid camera.
 [[nodiscard]] Mesh view_space_mesh(const Scene& scene, int frame);
 
-// Throws std::invalid_argument with the scene's name if there are no triangles, an index is out of range, a
-// vertex is not finite, or an object has no transform.
-void validate(const Scene& scene);
-
 struct ViewInfo {
     std::string name;
     std::string kind;  // "interior", "hall", "foliage", "machine", "terrain", "mesh", "scene" or "motion"
