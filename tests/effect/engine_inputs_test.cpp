@@ -271,7 +271,9 @@ class InputImages : public OnDevice<testing::TestWithParam<Variant>> {
     }
 
     [[nodiscard]] std::vector<Frame> results(scene::Inputs inputs) const {
-        AmbientOcclusion effect(device_, passes_.reading(inputs), extent);
+        scene::PassLibrary passes = passes_;
+        passes.inputs = inputs;
+        AmbientOcclusion effect(device_, passes, extent);
         std::vector<Frame> all;
         effect.watch([&](const Step& pass, bool) {
             const auto& kinds = gpu::program_of(*pass.pipeline).bindings;

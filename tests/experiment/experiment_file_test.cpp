@@ -121,7 +121,6 @@ TEST(ExperimentFile, EveryFaultIsNamedWithItsPlace) {
     expect_refused(with("\"sequence\": true}", "\"sequence\": true}, {\"methods\": []}, {\"methods\": []}"),
                    "candidates[2]: expected one query alone");
     expect_refused(with("\"scored\": 1", "\"every\": 0"), "cases[0].every: expected a whole number from 1");
-    expect_refused(with("\"scored\": 1", "\"pixels\": 64"), "cases[0].pixels: expected an odd number");
 }
 
 TEST(ExperimentFile, NamesThatPartsReferToExistOnce) {

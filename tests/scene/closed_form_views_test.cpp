@@ -27,7 +27,7 @@ double traced(const ClosedFormView& view) {
         const glm::dvec3 direction =
             std::sqrt(squared) * (std::cos(angle) * tangent + std::sin(angle) * bitangent) +
             std::sqrt(1.0 - squared) * view.normal;
-        const auto hit = view.scene.first_hit(view.point + 1e-7 * view.normal, direction);
+        const auto hit = first_hit(view.scene, view.point + 1e-7 * view.normal, direction);
         if (hit) sum += std::max(1.0 - hit->distance, 0.0);
     }
     return sum / (size * size);
@@ -42,7 +42,7 @@ TEST(ClosedFormViews, TheirScenesHaveTheOcclusionThatTheySay) {
 bool hides_space(const ClosedFormView& view) {
     const bool orthographic = view.camera.projection == Projection::orthographic;
     const auto blocked = [&](const glm::dvec3& from, const glm::dvec3& to) {
-        const auto hit = view.scene.first_hit(from, to - from);
+        const auto hit = first_hit(view.scene, from, to - from);
         return hit && hit->distance < 1.0;
     };
     constexpr int size = 48;

@@ -6,74 +6,52 @@
 // Buffers of an engine that contradict each other, or what was said of them, are refused by one sentence.
 namespace gloam::scene::test::contradictions_test {
 
-using Change = std::function<void(StoredInputs&)>;
+using Names = std::pair<const char*, const char*>;  // of the encodings of depth and normals
+using Normal = std::function<glm::vec3(glm::vec3)>;
+constexpr Names plain{"linear", "view"};
 
 // What an engine stores of the corner, and how that is read.
 struct Row {
     const char* what;
     const char* expected;
-    std::pair<const char*, const char*> stored{"linear", "view"};  // depth, normals
-    std::pair<const char*, const char*> read{"linear", "view"};
-    Change change = [](StoredInputs&) {};
+    Names stored = plain;
+    Names read = plain;
+    Normal change = [](glm::vec3 n) { return n; };
+    float scale = 1.0F;     // of the depth
+    std::size_t every = 1;  // of the pixels is changed
 };
-
-Change each_normal(const std::function<glm::vec3(glm::vec3)>& change) {
-    return [change](StoredInputs& stored) {
-        for (glm::vec3& normal : stored.normal) normal = change(normal);
-    };
-}
 
 const std::vector<Row> rows{
     {"as stored", ""},
     {"a depth buffer, as stored", "", {"buffer", "view"}, {"buffer", "view"}},
-    {"world normals, as stored",
-     "",
-     {"linear", "world-octahedral-unorm"},
-     {"linear", "world-octahedral-unorm"}},
+    {"world normals", "", {"linear", "world-octahedral-unorm"}, {"linear", "world-octahedral-unorm"}},
     {"unorm, as stored", "", {"buffer", "view-unorm"}, {"buffer", "view-unorm"}},
-    {"eye-linear depth read as a buffer", "from 0 to 1", {"linear", "view"}, {"buffer", "view"}},
+    {"eye-linear depth read as a buffer", "from 0 to 1", plain, {"buffer", "view"}},
     {"a depth buffer read as eye-linear", "--depth", {"buffer", "view"}},
     {"numbers of 0 to 1 read as they are", "another length", {"linear", "view-unorm"}},
-    {"normals read as numbers of 0 to 1", "another length", {"linear", "view"}, {"linear", "view-unorm"}},
+    {"normals read as numbers of 0 to 1", "another length", plain, {"linear", "view-unorm"}},
     {"octahedral normals read as vectors", "another length", {"linear", "view-octahedral"}},
-    {"vectors read as octahedral normals", "30 degrees", {"linear", "view"}, {"linear", "view-octahedral"}},
-    {"normals away from the eye", "face away", {}, {}, each_normal([](glm::vec3 n) { return -n; })},
-    {"normals of 0", "another length", {}, {}, each_normal([](glm::vec3) { return glm::vec3(0); })},
-    {"normals that are not numbers", "another length", {}, {}, each_normal([](glm::vec3) {
-         return glm::vec3(nan);
-     })},
-    {"normals of another length", "another length", {}, {}, each_normal([](glm::vec3 n) {
-         return 255.0F * n;
-     })},
-    {"the axes of another view space", "normals", {}, {}, each_normal([](glm::vec3 n) {
-         return glm::vec3(n.z, n.x, n.y);
-     })},
-    {"depth in centimetres",
-     "planes",
-     {},
-     {},
-     [](StoredInputs& s) {
-         for (float& d : s.depth) d *= 1e5F;
-     }},
-    {"one wrong pixel in ten",
-     "",
-     {},
-     {},
-     [](StoredInputs& s) {
-         for (std::size_t i = 0; i < s.normal.size(); i += 10) s.normal[i] = glm::vec3(0);
-     }},
+    {"vectors read as octahedral normals", "30 degrees", plain, {"linear", "view-octahedral"}},
+    {"normals away from the eye", "face away", plain, plain, [](glm::vec3 n) { return -n; }},
+    {"normals of 0", "another length", plain, plain, [](glm::vec3) { return glm::vec3(0); }},
+    {"normals that are not numbers", "another length", plain, plain,
+     [](glm::vec3) { return glm::vec3(nan); }},
+    {"normals of another length", "another length", plain, plain, [](glm::vec3 n) { return 255.0F * n; }},
+    {"another view space", "normals", plain, plain, [](glm::vec3 n) { return glm::vec3(n.z, n.x, n.y); }},
+    {.what = "depth in centimetres", .expected = "planes", .scale = 1e5F},
+    {"one wrong pixel in ten", "", plain, plain, [](glm::vec3) { return glm::vec3(0); }, 1.0F, 10},
 };
 
 TEST(Contradictions, OfEncodingsAndBuffersAreNamed) {
-    const auto named = [](const std::pair<const char*, const char*>& names) {
-        return names.first == nullptr ? Encoding{} : encoding_named(names.first, names.second);
-    };
+    const auto named = [](const Names& names) { return encoding_named(names.first, names.second); };
     for (const Row& row : rows) {
         GBuffer written = floor_and_wall();
-        StoredInputs stored = stored_inputs(written, named(row.stored));
-        row.change(stored);
+        const StoredInputs stored = stored_inputs(written, named(row.stored));
         written.depth = stored.depth;
+        for (float& depth : written.depth) depth *= row.scale;
         written.normal = stored.normal;
+        for (std::size_t i = 0; i < written.normal.size(); i += row.every)
+            written.normal[i] = row.change(stored.normal[i]);
         const TemporaryDirectory folder;
         write_frame(folder, 0, written);
         std::string text;

@@ -209,57 +209,12 @@ TEST(Draw, WhatIsAskedForChangesNothingElse) {
     EXPECT_EQ(full.color.back(), default_color);
 }
 
-TEST(Draw, EachLayerLiesBehindTheOneBefore) {
-    for (const char* name : {"room", "knot", "grass", "sky"}) {
-        const GBuffer view = draw(make_scene(name), {96, 64}, {.layers = 4});
-        std::size_t further = 0;
-        for (std::size_t i = 0; i < view.depth.size(); ++i) {
-            float before = view.depth[i];
-            for (const std::vector<float>& layer : view.layers) {
-                const float depth = std::abs(layer[i]);
-                ASSERT_TRUE(depth > before || layer[i] == infinity) << name << ' ' << i;
-                further += std::isfinite(depth) ? 1 : 0;
-                before = depth;
-            }
-        }
-        EXPECT_GT(further, view.depth.size() / 50) << name;
-    }
-}
-
 // What coincides is one surface.
 TEST(Draw, NoSurfaceIsALayerTwice) {
     const Scene once = boxes({});
     Scene twice = once;
     append(twice.mesh, once.mesh);
     EXPECT_EQ(draw(twice, {48, 32}, {.layers = 4}).layers, draw(once, {48, 32}, {.layers = 4}).layers);
-}
-
-TEST(Draw, WhatCannotBe) {
-    Scene scene = make_scene("moving");
-    using Extent = gpu::Extent;
-    const auto refused = [&](Extent extent, const DrawOptions& options,
-                             std::initializer_list<std::string> parts) {
-        expect_error<std::invalid_argument>([&] { (void)draw(scene, extent, options); }, parts);
-    };
-    for (const Extent extent : {Extent{0, 5}, Extent{5, 0}, Extent{0, 0}})
-        refused(extent, {}, {std::to_string(extent.width) + "x" + std::to_string(extent.height)});
-    refused({4, 4}, {.frame = -1}, {"frame -1", "moving"});
-    for (const int layers : {-1, 0, 5})
-        refused({4, 4}, {.layers = layers}, {std::to_string(layers), "expected 1 to 4"});
-    refused({4, 4}, {.guard = 0.6}, {"guard 0.6"});
-    const Scene good = scene;
-    scene.objects[1].mesh.indices[0] = 1'000'000;
-    refused({4, 4}, {}, {"moving, object 2", "index 1000000"});
-    scene.objects[1].transform = nullptr;
-    refused({4, 4}, {}, {"object 2", "transform"});
-    scene = good;
-    scene.mesh.indices.push_back(0);
-    refused({4, 4}, {}, {"moving", "indices", "three for each triangle"});
-    scene = good;
-    scene.mesh.normals.pop_back();
-    refused({4, 4}, {}, {"moving", "normals for"});
-    scene = {.name = "void"};
-    refused({4, 4}, {}, {"void", "no triangles"});
 }
 
 }  // namespace gloam::scene::test::draw_test

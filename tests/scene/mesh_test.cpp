@@ -228,6 +228,7 @@ TEST(MeshScene, RefusesWhatCannotBe) {
         expect_error<std::invalid_argument>([&] { (void)mesh_scene(mesh, "dot", view); }, {what});
     };
     refused({.positions = {3, {1, 1, 1}}, .normals = {3, {0, 1, 0}}, .indices = {0, 1, 2}}, {}, "dot");
+    refused(placed(box, 1e37, {0, 0, 0}), {}, "larger than 1e36");
     refused(box, {.elevation_deg = 90.0}, "elevation");
     refused(box, {.elevation_deg = std::nan("")}, "elevation");
     refused(box, {.azimuth_deg = INFINITY}, "azimuth");

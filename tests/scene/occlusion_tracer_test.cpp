@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The ray tracer against meshes whose occlusion is known, at the points where it is.
-#include <fmt/format.h>
-
 #include "scene/internal/tracer.hpp"
 #include "scene/support.hpp"
 
@@ -11,127 +9,109 @@ constexpr double everywhere = std::numeric_limits<double>::infinity();
 constexpr double far_away = 1e4;  // where what should be infinite ends
 constexpr double pi = std::numbers::pi;
 
-struct KnownPoint {
-    Receiver receiver;
-    double occlusion = 0.0;
-};
-
-struct KnownScene {
+// A scene, its points, and the occlusion there.
+struct Known {
     std::string name;
     Mesh mesh;
+    std::function<std::pair<Receiver, double>(int)> point;
     int points = 40;
-    std::function<KnownPoint(int)> point;
     RaySettings settings{.radius = everywhere, .falloff = Falloff::step, .rays = 1024};
 };
 
-// A point on the ground y = 0.
-Receiver on_ground(double x, double z) {
-    return {.position = {x, 0, z}, .normal = {0, 1, 0}, .facet = {0, 1, 0}, .clearance = 1e-7};
+// A point on the ground y = 0, or above it.
+Receiver on_ground(double x, double z, double y = 0.0) {
+    return {.position = {x, y, z}, .normal = {0, 1, 0}, .facet = {0, 1, 0}, .clearance = 1e-7};
 }
 
 Mesh ground(double extent) {
     return make_parallelogram({-extent, 0, -extent}, {0, 0, 2 * extent}, {2 * extent, 0, 0}, 2 * extent);
 }
 
+double by(Falloff falloff, double linear, double quadratic, double step) {
+    return std::array{linear, quadratic, step}[static_cast<std::size_t>(falloff)];
+}
+
 // An infinite ceiling at q radii. Uniformly: the mean of 1 - q / z over the heights z of directions from q to
 // 1.
-KnownScene ceiling(Falloff falloff, double q, Weighting weighting = Weighting::cosine) {
-    double occlusion = 1.0 - q * q;
-    if (falloff == Falloff::linear) occlusion = (1.0 - q) * (1.0 - q);
-    if (falloff == Falloff::quadratic) occlusion += 2.0 * q * q * std::log(q);
-    if (weighting == Weighting::uniform) occlusion = 1.0 - q + q * std::log(q);
+Known ceiling(Falloff falloff, double q, Weighting weighting = Weighting::cosine) {
+    const double uniform = 1.0 - q + q * std::log(q);
+    const double cosine =
+        by(falloff, (1.0 - q) * (1.0 - q), 1.0 - q * q + 2.0 * q * q * std::log(q), 1.0 - q * q);
+    const double occlusion = weighting == Weighting::cosine ? cosine : uniform;
     Mesh mesh = ground(30.0);
     append(mesh, make_parallelogram({-30, q * 2.0, -30}, {60, 0, 0}, {0, 0, 60}, 60.0));
-    return {.name = fmt::format("ceiling, {}", static_cast<int>(falloff)),
+    return {.name = "ceiling",
             .mesh = mesh,
-            .point = [=](int i) -> KnownPoint { return {on_ground(0.13 * i, 0.07 * i), occlusion}; },
+            .point = [=](int i) { return std::pair(on_ground(0.13 * i, 0.07 * i), occlusion); },
             .settings = {.radius = 2.0, .falloff = falloff, .rays = 1024, .weighting = weighting}};
 }
 
 // An infinite wall; points at 0.02 to 1.1 radii from it.
-KnownScene wall(Falloff falloff) {
-    const auto occlusion = [=](double c) {
-        if (c >= 1.0) return 0.0;
-        const double s = std::sqrt(1.0 - c * c);
-        const double angle = std::acos(c);
+Known wall(Falloff falloff) {
+    const auto point = [=](int i) {
+        const double c = 0.02 * (i + 1);
+        const double s = std::sqrt(std::max(1.0 - c * c, 0.0));
+        const double angle = std::acos(std::min(c, 1.0));
         const double step = angle - c * s;
-        if (falloff == Falloff::step) return step / pi;
-        if (falloff == Falloff::linear) return 2.0 / pi * (0.5 * step - c * (std::acosh(1.0 / c) - s));
-        return 2.0 / pi * ((0.5 + c * c) * angle - 1.5 * c * s);
+        const double occlusion = by(falloff, step - 2.0 * c * (std::acosh(std::max(1.0 / c, 1.0)) - s),
+                                    (1.0 + 2.0 * c * c) * angle - 3.0 * c * s, step);
+        return std::pair(on_ground(1.5 * c, 0.05 * i), c < 1.0 ? occlusion / pi : 0.0);
     };
     Mesh mesh = ground(30.0);
     append(mesh, make_parallelogram({0, 0, -30}, {0, 30, 0}, {0, 0, 60}, 60.0));
-    return {.name = fmt::format("wall, {}", static_cast<int>(falloff)),
+    return {.name = "wall",
             .mesh = mesh,
+            .point = point,
             .points = 55,
-            .point = [=](int i) -> KnownPoint {
-                const double c = 0.02 * (i + 1);
-                return {on_ground(1.5 * c, 0.05 * i), occlusion(c)};
-            },
             .settings = {.radius = 1.5, .falloff = falloff, .rays = 1024}};
 }
 
 // A point within a closed sphere of x radii across, on its wall; a little within, for the mesh is inscribed
 // in the sphere.
-KnownScene enclosed(Falloff falloff, double x) {
-    double occlusion = x <= 1.0 ? 1.0 : 1.0 / (x * x);
-    if (falloff == Falloff::linear) occlusion = x <= 1.0 ? 1.0 - 2.0 * x / 3.0 : 1.0 / (3.0 * x * x);
-    if (falloff == Falloff::quadratic) occlusion = x <= 1.0 ? 1.0 - 0.5 * x * x : 0.5 / (x * x);
-    return {.name = fmt::format("in a sphere, {}", static_cast<int>(falloff)),
+Known enclosed(Falloff falloff, double x) {
+    const double occlusion = x <= 1.0 ? by(falloff, 1.0 - 2.0 * x / 3.0, 1.0 - 0.5 * x * x, 1.0)
+                                      : by(falloff, 1.0 / (3.0 * x * x), 0.5 / (x * x), 1.0 / (x * x));
+    const auto point = [=](int i) {
+        const double angle = 0.1 + 0.15 * i;
+        const glm::dvec3 in{std::cos(angle) * 0.6, 0.8, std::sin(angle) * 0.6};
+        return std::pair(Receiver{.position = -0.5 * x * 0.99994 * in, .normal = in, .facet = in}, occlusion);
+    };
+    return {.name = "in a sphere",
             .mesh = make_sphere({0, 0, 0}, 0.5 * x, 256, 512),
-            .point = [=](int i) -> KnownPoint {
-                const double angle = 0.1 + 0.15 * i;
-                const glm::dvec3 inwards{std::cos(angle) * 0.6, 0.8, std::sin(angle) * 0.6};
-                return {{.position = -0.5 * x * 0.99994 * inwards, .normal = inwards, .facet = inwards},
-                        occlusion};
-            },
+            .point = point,
             .settings = {.radius = 1.0, .falloff = falloff, .rays = 1024}};
 }
 
 // A plane that rises at the angle from the line x = 0, and one on the other side too when `both`. Uniformly:
 // directions up to the angle, of pi in each plane across the line. Points just above the line: to a plane
 // without end every height is the same.
-KnownScene groove(double angle, bool both, Weighting weighting = Weighting::cosine) {
+Known groove(double angle, bool both, Weighting weighting) {
     const glm::dvec3 along{0, 0, 2 * far_away};
     const glm::dvec3 rise{far_away * std::cos(angle), far_away * std::sin(angle), 0};
     Mesh mesh = make_parallelogram({0, 0, -far_away}, along, rise, 2 * far_away);
     if (both) append(mesh, make_parallelogram({0, 0, -far_away}, {-rise.x, rise.y, 0}, along, 2 * far_away));
     const double one = weighting == Weighting::cosine ? 0.5 * (1.0 - std::cos(angle)) : angle / pi;
-    return {
-        .name = both ? "groove" : "groove, one side",
-        .mesh = mesh,
-        .point = [=](int i) -> KnownPoint {
-            Receiver receiver = on_ground(0.0, 0.1 * i);
-            receiver.position.y = 0.01;
-            return {receiver, (both ? 2.0 : 1.0) * one};
-        },
-        .settings = {.radius = everywhere, .falloff = Falloff::step, .rays = 1024, .weighting = weighting}};
+    Known scene{.name = "groove", .mesh = mesh, .point = [=](int i) {
+                    return std::pair(on_ground(0.0, 0.1 * i, 0.01), both ? 2.0 * one : one);
+                }};
+    scene.settings.weighting = weighting;
+    return scene;
 }
 
-// A long wall of height 1, and a sphere of radius 0.5 whose centre is 1.2 above a plane, where all of it is
-// above the horizon; no falloff.
-std::vector<KnownScene> wall_and_sphere() {
-    Mesh sphere = ground(50.0);
+std::vector<Known> known_scenes() {
+    Mesh sphere = ground(50.0);  // of radius 0.5, all of it above the horizon
     append(sphere, make_sphere({0, 1.2, 0}, 0.5, 256, 512));
-    return {{.name = "wall of finite height",
-             .mesh = make_parallelogram({0, 0, -far_away}, {0, 1, 0}, {0, 0, 2 * far_away}, 2 * far_away),
-             .point = [](int i) -> KnownPoint {
-                 const double a = 0.1 * (i + 1);
-                 return {on_ground(a, 0.3), 0.5 * (1.0 - 1.0 / std::sqrt(1.0 + 1.0 / (a * a)))};
-             }},
-            {.name = "sphere over plane", .mesh = sphere, .points = 50, .point = [](int i) -> KnownPoint {
-                 const double distance = std::hypot(0.05 * i, 1.2);
-                 return {on_ground(0.05 * i, 0.0), 0.25 * 1.2 / (distance * distance * distance)};
-             }}};
-}
-
-std::vector<KnownScene> known_scenes() {
-    std::vector<KnownScene> scenes = wall_and_sphere();
-    scenes.push_back({.name = "plane",
-                      .mesh = ground(100.0),
-                      .points = 20,
-                      .point = [](int i) -> KnownPoint { return {on_ground(0.37 * i, -0.21 * i), 0.0}; },
-                      .settings = {.radius = 1.0, .rays = 1024}});
+    std::vector<Known> scenes{
+        {"plane", ground(100.0), [](int i) { return std::pair(on_ground(0.37 * i, -0.21 * i), 0.0); }},
+        {"sphere over plane", sphere,
+         [](int i) {
+             return std::pair(on_ground(0.05 * i, 0.0), 0.3 / std::pow(std::hypot(0.05 * i, 1.2), 3));
+         }},
+        {"wall of height 1",
+         make_parallelogram({0, 0, -far_away}, {0, 1, 0}, {0, 0, 2 * far_away}, 2 * far_away), [](int i) {
+             const double a = 0.1 * (i + 1);
+             return std::pair(on_ground(a, 0.3), 0.5 * (1.0 - a / std::hypot(a, 1.0)));
+         }}};
     for (const auto& [angle, both] : {std::pair{0.4, true}, {1.1, false}, {0.8, true}})
         for (const Weighting weighting : {Weighting::cosine, Weighting::uniform})
             scenes.push_back(groove(angle, both, weighting));
@@ -150,8 +130,8 @@ constexpr double modelling = 1e-4;
 // Each point within six standard errors, the mean over a scene's points within three of its own.
 TEST(OcclusionTracer, AgreesWithEveryClosedForm) {
     Tally tally;
-    for (const KnownScene& scene : known_scenes()) {
-        SCOPED_TRACE(scene.name);
+    for (const Known& scene : known_scenes()) {
+        SCOPED_TRACE(scene.name + ", " + std::to_string(static_cast<int>(scene.settings.falloff)));
         const OcclusionTracer tracer(scene.mesh, scene.settings);
         double sum = 0.0;
         double variance = 0.0;
@@ -207,13 +187,13 @@ TEST(OcclusionTracer, FacetsOfASmoothShapeDoNotShadeThemselves) {
 
 // The standard error over 16 times as many rays falls by more than the 4 of independent ones.
 TEST(OcclusionTracer, ConvergesFasterThanIndependentRays) {
-    KnownScene scene = wall(Falloff::linear);
+    Known scene = wall(Falloff::linear);
     const auto mean_error = [&](int rays) {
         scene.settings.rays = rays;
         const OcclusionTracer tracer(scene.mesh, scene.settings);
         double sum = 0.0;
         for (int i = 0; i < scene.points; i += 2)
-            sum += tracer.occlusion(scene.point(i).receiver, static_cast<std::uint64_t>(i)).standard_error;
+            sum += tracer.occlusion(scene.point(i).first, static_cast<std::uint64_t>(i)).standard_error;
         return sum;
     };
     EXPECT_GT(mean_error(256) / mean_error(4096), 6.0);
@@ -236,12 +216,12 @@ TEST(OcclusionTracer, SettingsThatAreNotPossible) {
 // Any 2^k first points have one in each cell of every grid of 2^k equal cells, scrambled in any way; the
 // marks of a (0, 2)-sequence in base 2.
 TEST(SobolPoints, KeepTheirStrataWhenScrambled) {
-    const SobolPoints points(256);
+    const std::vector<glm::uvec2> points = sobol_points(256);
     for (const std::uint64_t seed : {0ULL, 1ULL, 0x123456789abcdefULL, ~0ULL}) {
         for (int columns = 1; columns <= 256; columns *= 2) {
             std::vector<int> cells(256, 0);
-            for (std::size_t i = 0; i < points.size(); ++i) {
-                const glm::dvec2 p = points.scrambled(i, mixed(seed));
+            for (const glm::uvec2& point : points) {
+                const glm::dvec2 p = scrambled(point, mixed(seed));
                 const int x = static_cast<int>(p.x * columns);
                 const int y = static_cast<int>(p.y * (256 / columns));
                 ++cells[static_cast<std::size_t>(y * columns + x)];

@@ -131,26 +131,6 @@ TEST(TruthTest, TellsHowFarItIs) {
     EXPECT_GT(told.front(), 0.0);
 }
 
-TEST(TruthTest, OfWhatCannotBeTraced) {
-    Scene scene = make_scene("corner");
-    GBuffer view = shot(scene, {8, 8});
-    const auto refused = [&](double radius, int rays, std::initializer_list<std::string> parts) {
-        expect_error<std::invalid_argument>(
-            [&] { (void)trace_geometry(scene, 0, view, settings(radius, rays)); }, parts);
-    };
-    refused(0.5, 0, {"0 rays", "32"});
-    refused(-1.0, 64, {"radius"});
-    scene.mesh.positions[3].y = nan;
-    refused(0.5, 64, {"corner", "vertex 3", "finite"});
-    scene = {.name = "void"};
-    refused(0.5, 64, {"void", "no triangles"});
-    scene = make_scene("corner");
-    view.normal.clear();
-    refused(0.5, 64, {"no normals"});
-    view.depth.pop_back();
-    refused(0.5, 64, {"63 depths", "8 x 8"});
-}
-
 // The truth of the scene "moving" in a folder of its own.
 class KeptTruth : public InFolder {
   protected:

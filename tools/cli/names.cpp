@@ -64,8 +64,7 @@ std::vector<Named> scene_names() {
 std::vector<Named> view_names() {
     std::vector<Named> names;
     for (const scene::ViewInfo& view : scene::all_views())
-        names.push_back({view.name, fmt::format("{} ({} half; {})", view.description,
-                                                scene::name_of(*view.half), view.kind)});
+        names.push_back({view.name, fmt::format("{} ({} half; {})", view.description, view.half, view.kind)});
     return names;
 }
 

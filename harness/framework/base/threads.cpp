@@ -54,6 +54,7 @@ void for_each_index(std::size_t count, unsigned threads, const std::function<voi
                     const std::function<void(double)>& progress) {
     Queue queue{.count = count, .work = work};
     const std::size_t wanted = threads > 0 ? threads : processors();
+    double told = 0.0;
     {
         std::vector<std::jthread> others;
         for (std::size_t i = 1; i < std::min(wanted, count); ++i) {
@@ -64,11 +65,12 @@ void for_each_index(std::size_t count, unsigned threads, const std::function<voi
         }
         while (queue.step()) {
             const auto begun = static_cast<double>(std::min<std::size_t>(queue.next, count));
-            if (progress) progress(begun / static_cast<double>(count));
+            told = begun / static_cast<double>(count);
+            if (progress) progress(told);
         }
     }
     if (queue.failure) std::rethrow_exception(queue.failure);
-    if (progress) progress(1.0);  // the other threads may have taken every item
+    if (progress && told < 1.0) progress(1.0);  // the other threads may have taken every item
 }
 
 }  // namespace gloam::base

@@ -70,7 +70,7 @@ gpu::BindingKind kind_of(shader::BindingType type) {
 
 shader::Spirv module_of(const gpu::Device& device, const scene::PassLibrary& library,
                         const PassSource& source) {
-    return module_of(source, library, reads_storage_images(device, library.inputs()));
+    return module_of(source, library, reads_storage_images(device, library.inputs));
 }
 
 // kinds: of the bindings that the module lacks.

@@ -14,81 +14,20 @@
 #include "effect/methods.hpp"
 #include "effect/settings.hpp"
 #include "experiment/table.hpp"
-#include "scene/mesh.hpp"
 #include "scene/scene.hpp"
 
 namespace gloam::experiment {
 namespace {
 
-constexpr double roughness = 0.01;  // of the depth
 constexpr std::uint32_t most_taps = 64;
-
-// A pseudorandom number in [-1, 1).
-double noise(std::uint32_t x, std::uint32_t y) {
-    std::uint32_t bits = x * 0x9E3779B1U ^ y * 0x85EBCA77U;
-    bits = (bits ^ bits >> 15U) * 0x2C1B3C6DU;
-    bits = (bits ^ bits >> 12U) * 0x297A2D39U;
-    return static_cast<double>(bits >> 8U) / 8388608.0 - 1.0;
-}
-
-// Roughens the columns from this share of the width on.
-void roughen(scene::GBuffer& view, double from) {
-    const auto first = static_cast<std::uint32_t>(std::lround(from * view.extent.width));
-    for (std::uint32_t y = 0; y < view.extent.height; ++y) {
-        for (std::uint32_t x = first; x < view.extent.width; ++x)
-            view.depth[std::size_t{y} * view.extent.width + x] *=
-                static_cast<float>(1.0 + roughness * noise(x, y));
-    }
-}
-
-// Removes all geometry from the columns up to this share of the width.
-void clear(scene::GBuffer& view, double until) {
-    const auto end = static_cast<std::uint32_t>(std::lround(until * view.extent.width));
-    for (std::uint32_t y = 0; y < view.extent.height; ++y) {
-        for (std::uint32_t x = 0; x < end; ++x) {
-            const std::size_t pixel = std::size_t{y} * view.extent.width + x;
-            view.depth[pixel] = std::numeric_limits<float>::infinity();
-            view.normal[pixel] = {};
-        }
-    }
-}
-
-// A bare floor that fills the view of a walking camera.
-scene::Scene floor_scene() {
-    scene::Scene scene{.name = "floor",
-                       .mesh = scene::make_parallelogram({-40, 0, -60}, {0, 0, 70}, {80, 0, 0}, 1.0)};
-    scene.camera = {.eye = {0, 1.7, 0}, .target = {0, 0, -3.0}, .fovy_rad = 0.9, .near = 0.1, .far = 200.0};
-    scene.camera_path = [start = scene.camera](int frame) {
-        scene::Camera camera = start;
-        camera.eye.z -= 0.02 * frame;
-        camera.target.z -= 0.02 * frame;
-        return camera;
-    };
-    return scene;
-}
-
-// Its truth is not that of the scene.
-bool is_changed(const Case& one) {
-    return one.rough_from || one.empty_until > 0.0;
-}
-
-// The changes of a view that a case asks for. A view that stands still has not moved since the one before.
-void edit(const Case& one, scene::GBuffer& view, int number) {
-    if (one.rough_from) roughen(view, *one.rough_from);
-    if (number == 0 || !one.filled_later) clear(view, one.empty_until);
-    if (one.still && number > 0) view.camera.previous_from_current = glm::mat4(1.0F);
-}
 
 // Views with moving objects are judged by class of pixel, so they have no part in the means over all others.
 std::vector<Case> views_of(const CaseQuery& query) {
     std::vector<Case> cases;
     for (const scene::ViewInfo& info : scene::all_views())
         if ((info.kind == "motion") == (query.all == "motion"))
-            cases.push_back({.name = info.name,
-                             .kind = info.kind,
-                             .half = std::string(scene::name_of(*info.half)),
-                             .scene = info.name,
-                             .view = true});
+            cases.push_back(
+                {.name = info.name, .kind = info.kind, .half = info.half, .scene = info.name, .view = true});
     return cases;
 }
 
@@ -261,7 +200,7 @@ scene::ClosedFormView closed_form_of(const Case& one) {
 
 scene::Scene scene_of(const Case& one, const std::filesystem::path& meshes) {
     if (one.view) return scene::make_view(one.scene, meshes);
-    return one.scene == "floor" ? floor_scene() : scene::make_scene(one.scene);
+    return scene::make_scene(one.scene);
 }
 
 BenchmarkFrames frames_of(const Experiment& experiment, const Case& one, gpu::Extent extent) {
@@ -269,7 +208,7 @@ BenchmarkFrames frames_of(const Experiment& experiment, const Case& one, gpu::Ex
                            .frames = experiment.frames,
                            .scored = one.scored.value_or(experiment.scored),
                            .every = one.every.value_or(experiment.every),
-                           .rays = is_changed(one) ? 0 : experiment.rays,
+                           .rays = experiment.rays,
                            .depth_truth = false,
                            .depth_thickness = experiment.depth_thickness,
                            .repeat = experiment.repeat,
@@ -277,8 +216,6 @@ BenchmarkFrames frames_of(const Experiment& experiment, const Case& one, gpu::Ex
                            .still = one.still,
                            .shown = one.shown};
     if (!one.shown.empty()) frames.frames = std::accumulate(one.shown.begin(), one.shown.end(), 0);
-    if (is_changed(one) || one.still)
-        frames.edit = [one](scene::GBuffer& view, int number) { edit(one, view, number); };
     return frames;
 }
 

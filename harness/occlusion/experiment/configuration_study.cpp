@@ -115,7 +115,7 @@ std::vector<scene::GBuffer>& BenchmarkViews::views_with(double guard, int layers
                                      .ids = !scene_.objects.empty(),
                                      .layers = layers,
                                      .guard = guard}));
-        if (frames_.edit) frames_.edit(views.back(), i);
+        if (frames_.still && i > 0) views.back().camera.previous_from_current = glm::mat4(1.0F);
     }
     return views;
 }

@@ -37,7 +37,7 @@ struct BenchmarkFrames {
     int repeat = 1;                               // runs of a timed frame, whose median time counts
     std::optional<bool>
         motion{};            // views know how surfaces moved, not only the camera; nullopt: if objects do
-    bool still = false;      // every view is the first frame's
+    bool still = false;      // every view is the first frame's, and has not moved since the one before
     bool remap = false;      // the best remap of the last frame is looked for
     bool bins = false;       // FrameQuality::bins are filled
     bool by_class = false;   // errors of each class of pixels in each scored frame
@@ -45,7 +45,6 @@ struct BenchmarkFrames {
     bool converged = false;  // single frames: what more samples would give
     std::optional<effect::Settings> limit{};  // whose limit is a reference as well
     std::vector<int> shown{};  // for how many frames each view is shown, in all `frames`; empty: for one each
-    std::function<void(scene::GBuffer& view, int number)> edit{};  // changes a view; then no truth is traced
 
     [[nodiscard]] int scores() const { return 1 + (scored - 1) / every; }  // how many frames count
 };

@@ -64,18 +64,14 @@ struct Case {
     std::string kind{};  // rows of tables are chosen and grouped by it
     std::string half{};  // of a view: "tuning" or "unseen"
     std::string scene{};
-    bool view = false;         // `scene` is a view of scene/scene.hpp; otherwise a built-in scene or "floor"
-    std::vector<int> shown{};  // for how many frames each view is shown; empty: the experiment's frames
+    bool view = false;            // `scene` is a view of scene/scene.hpp; otherwise a built-in scene
+    std::vector<int> shown{};     // for how many frames each view is shown; empty: the experiment's frames
     std::optional<int> scored{};  // the last ones of these, instead of the experiment's
     std::optional<int> every{};   // instead of the experiment's
     bool closed_form = false;     // `scene` is a view of scene/analytic_scene.hpp
-    int pixels = 257;             // of a side of its image, odd
     // Views hold the motion of surfaces, not of the camera alone. nullopt: where objects move.
     std::optional<bool> motion{};
     bool still = false;                     // all views are the first frame's
-    std::optional<double> rough_from{};     // share of the width from which on the depth is roughened
-    double empty_until = 0.0;               // share of the width up to which there is nothing
-    bool filled_later = false;              // that share is empty in the first view alone
     double target = 0.0;                    // for tables; 0: none
     std::vector<std::string> candidates{};  // names of those that are measured; empty: all
     Layer layer{};

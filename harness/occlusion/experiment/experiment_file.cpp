@@ -74,13 +74,8 @@ Case case_from(const JsonReader& value) {
     members.read("shown", made.shown, 1, most_frames);
     members.read("scored", made.scored, 1, most_frames);
     members.read("every", made.every, 1, most_frames);
-    members.read("pixels", made.pixels, 33, 1025);
-    if (made.pixels % 2 == 0) members.find("pixels")->expected("an odd number");
     members.read("motion", made.motion);
     members.read("still", made.still);
-    members.read("rough_from", made.rough_from, 0.0, 1.0);
-    members.read("empty_until", made.empty_until, 0.0, 1.0);
-    members.read("filled_later", made.filled_later);
     members.read("target", made.target, 0.0, 1e9);
     members.read("candidates", made.candidates);
     read_layer(members, made.layer);

@@ -45,7 +45,7 @@ struct Visited {
 struct Shared {
     using Side = std::uint32_t;
     std::map<std::string, std::shared_ptr<BenchmarkViews>> views;
-    std::map<Side, std::unique_ptr<effect::ClosedFormStudy>> closed_forms;
+    std::unique_ptr<effect::ClosedFormStudy> closed_form;
     std::map<bool, std::unique_ptr<ConfigurationStudy>> studies;  // by Subject::hoisted
     std::map<std::tuple<Side, Side, std::uint32_t, std::uint32_t, int>, std::unique_ptr<PlainRun>> loops;
 };
@@ -138,10 +138,9 @@ class SizeRun {
         frames.places = places_;
         frames.converged = converged_;
         const std::string key =
-            fmt::format("{} {} {} {} {} {} {} {} {} {} {} {}", one.scene, one.view,
+            fmt::format("{} {} {} {} {} {} {} {} {}", one.scene, one.view,
                         one.motion ? static_cast<int>(*one.motion) : -1, fmt::join(one.shown, "+"),
-                        frames.scored, frames.every, one.still, one.rough_from.value_or(-1.0),
-                        one.empty_until, one.filled_later, radius, limit_ ? label_of(one) : "");
+                        frames.scored, frames.every, one.still, radius, limit_ ? label_of(one) : "");
         std::shared_ptr<BenchmarkViews>& views = shared_.views[key];
         if (views) return views;
         scene::Scene scene = scene_of(one, place_.meshes);
@@ -249,9 +248,9 @@ class SizeRun {
         if (subject.kind == Kind::truth)
             return PointQuality{.truth = view.occlusion, .occlusion = view.occlusion};
         if (subject.kind != Kind::effect) return std::nullopt;
-        const auto pixels = static_cast<std::uint32_t>(one.pixels);
         const effect::Settings& settings = subject.settings;
-        std::unique_ptr<effect::ClosedFormStudy>& study = shared_.closed_forms[pixels];
+        constexpr std::uint32_t pixels = 257;  // of a side of its image
+        std::unique_ptr<effect::ClosedFormStudy>& study = shared_.closed_form;
         if (!study) study = std::make_unique<effect::ClosedFormStudy>(place_.device, place_.passes, pixels);
         const effect::Estimate measured =
             study->measure(view, settings, {.pixels = pixels, .frames = experiment_.frames});

@@ -22,8 +22,7 @@ namespace gloam::experiment {
 // The view of a case in closed form. Throws std::invalid_argument that lists the names.
 [[nodiscard]] scene::ClosedFormView closed_form_of(const Case& one);
 
-// The frames of a case at a size of the experiment, without the truth of the depth buffer. Changed views have
-// no truth.
+// The frames of a case at a size of the experiment, without the truth of the depth buffer.
 [[nodiscard]] BenchmarkFrames frames_of(const Experiment& experiment, const Case& one, gpu::Extent extent);
 
 // A picture that a candidate asks for.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
@@ -19,34 +18,30 @@ struct HalfSpace {
     glm::dvec3 normal{0, 0, 1};
 };
 
+// A surface of second order, or a plane, visible from both sides: the points p, seen from `center`, inside
+// all limits with
+//   along (p . axis)^2 + round p . p + level (p . axis) = square
+struct Quadric {
+    glm::dvec3 center{0, 0, 0};
+    glm::dvec3 axis{0, 0, 1};  // unit
+    double along = 0.0;
+    double round = 0.0;
+    double level = 0.0;
+    double square = 0.0;
+    std::vector<HalfSpace> limits{};
+};
+[[nodiscard]] Quadric plane_of(const HalfSpace& plane, std::vector<HalfSpace> limits = {});
+
 // The intersection of a ray with a surface.
 struct SurfaceHit {
     double distance = 0.0;  // in units of the ray's direction
     glm::dvec3 normal{0};   // unit, against the ray
 };
 
-// Surfaces in closed form, intersected by rays in double, without mesh or raster. Any space, any unit.
-class AnalyticScene {
-  public:
-    // Adds the part of a plane inside all of `limits`; without limits the whole plane. The normal is unit.
-    void add_plane(const HalfSpace& plane, std::vector<HalfSpace> limits = {});
-
-    // Adds a sphere, visible from inside and outside. radius > 0.
-    void add_sphere(const glm::dvec3& center, double radius);
-
-    // Adds a funnel: the points that the apex sees at a constant elevation above the plane through it. axis:
-    // unit, the plane's normal and the middle of the opening. elevation: radians, above 0 and below pi / 2.
-    void add_cone(const glm::dvec3& apex, const glm::dvec3& axis, double elevation);
-
-    // The nearest hit at a distance above 0; nullopt if there is none. `direction` may have any length except
-    // 0.
-    [[nodiscard]] std::optional<SurfaceHit> first_hit(const glm::dvec3& origin,
-                                                      const glm::dvec3& direction) const;
-
-  private:
-    using Surface = std::function<std::optional<SurfaceHit>(const glm::dvec3&, const glm::dvec3&)>;
-    std::vector<Surface> surfaces_;
-};
+// The nearest hit at a distance above 0, in double; nullopt if there is none. `direction` may have any length
+// except 0.
+[[nodiscard]] std::optional<SurfaceHit> first_hit(const std::vector<Quadric>& scene, const glm::dvec3& origin,
+                                                  const glm::dvec3& direction);
 
 // A view with a closed form of the occlusion at the point in the middle of its image. Lengths are in units of
 // the radius of influence.
@@ -57,9 +52,9 @@ class AnalyticScene {
 // depth buffer cannot know all that blocks.
 struct ClosedFormView {
     std::string name;
-    AnalyticScene scene;  // in view space
-    Camera camera;        // at the origin, looking down -z; the image is square
-    glm::dvec3 point{0};  // on the optical axis, view space
+    std::vector<Quadric> scene;  // in view space
+    Camera camera;               // at the origin, looking down -z; the image is square
+    glm::dvec3 point{0};         // on the optical axis, view space
     glm::dvec3 normal{0, 0, 1};
     double occlusion = 0.0;  // at the point: TSSAO-1, cosine-weighted, linear falloff
     bool flat = true;        // the surface around the point is a plane

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/draw.hpp"
 
-#include <fmt/format.h>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "base/threads.hpp"
 #include "scene/internal/tracer.hpp"
@@ -150,14 +148,6 @@ class Shot {
 }  // namespace
 
 GBuffer draw(const Scene& scene, gpu::Extent extent, const DrawOptions& options) {
-    validate(scene);
-    const auto refuse = [](const std::string& what) { throw std::invalid_argument(what); };
-    if (extent.width == 0 || extent.height == 0)
-        refuse(fmt::format("a view of {}x{} pixels", extent.width, extent.height));
-    if (options.frame < 0)
-        refuse(fmt::format("frame {} of scene {}: expected 0 or more", options.frame, scene.name));
-    if (options.layers < 1 || options.layers > 1 + most_further_layers)
-        refuse(fmt::format("layers {}: expected 1 to {}", options.layers, 1 + most_further_layers));
     return Shot(scene, extent, options).take();
 }
 

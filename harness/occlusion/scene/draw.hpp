@@ -23,8 +23,7 @@ struct DrawOptions {
 // The rays of further layers start behind the surface before; a surface that is behind the layer before by
 // less than 2^-20 of its depth belongs to it. From frame 1 on the camera holds the previous frame's view.
 // With a guard the view is larger than `extent`; GBuffer::border is the difference on each side. Throws
-// std::invalid_argument for a size of 0, a negative frame, layers or a guard out of range, and a scene that
-// validate() rejects.
+// std::invalid_argument for a guard out of range.
 [[nodiscard]] GBuffer draw(const Scene& scene, gpu::Extent extent, const DrawOptions& options = {});
 
 }  // namespace gloam::scene

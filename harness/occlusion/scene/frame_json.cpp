@@ -160,17 +160,17 @@ FrameDescription parse(const std::string& text) {
     if (!root.is_object() || !is_given(root, "camera"))
         throw std::runtime_error("expected an object with \"camera\" in it");
     const gpu::Extent image{side(root, "width"), side(root, "height")};
-    FrameDescription frame{.around = around_viewport(root, image)};
-    frame.extent = frame_of({.extent = image, .border = frame.around});
-    frame.camera = camera_of(root["camera"]);
-    frame.off_centre = off_centre_of(frame.camera.proj_vk, frame.extent);
-    frame.border = border_of(root, frame.extent);
+    const Border around = around_viewport(root, image);
+    GBuffer view{.extent = frame_of({.extent = image, .border = around}),
+                 .camera = camera_of(root["camera"])};
+    const glm::dvec2 off_centre = off_centre_of(view.camera.proj_vk, view.extent);
+    view.border = border_of(root, view.extent);
     if (is_given(root, "ao_radius")) {
-        frame.ao_radius = number(root, "ao_radius");
-        if (!(*frame.ao_radius > 0.0))
+        view.ao_radius = number(root, "ao_radius");
+        if (!(*view.ao_radius > 0.0))
             fail_to_read("ao_radius", ": expected a length > 0" + found(root["ao_radius"]));
     }
-    return frame;
+    return {view, around, off_centre};
 }
 
 json to_json(const glm::dmat4& matrix) {

@@ -59,15 +59,6 @@ void for_each_image(GBuffer& view, const Visit& visit) {
 
 }  // namespace
 
-void require_images(const GBuffer& view, const char* who) {
-    const std::size_t pixels = std::size_t{view.extent.width} * view.extent.height;
-    const auto fits = [&](const auto& image) { return image.empty() || image.size() == pixels; };
-    if (view.depth.size() == pixels && fits(view.normal) && fits(view.color)) return;
-    throw std::invalid_argument(fmt::format("{}: {} depths, {} normals and {} colours for {} x {} pixels",
-                                            who, view.depth.size(), view.normal.size(), view.color.size(),
-                                            view.extent.width, view.extent.height));
-}
-
 gpu::Extent guard_border(gpu::Extent frame, double guard) {
     if (!(guard >= 0.0 && guard <= 0.5))
         throw std::invalid_argument(fmt::format("guard {:g}: expected 0 to 0.5", guard));

@@ -77,10 +77,6 @@ struct GBuffer {
     std::vector<std::uint32_t> object;         // 0: static, k: the k-th moving object; background 0
 };
 
-// Throws std::invalid_argument that begins with `who` unless depth has an element for each pixel, and normals
-// and colours have one too, or none.
-void require_images(const GBuffer& view, const char* who);
-
 // A guard band (TSSAO-BORDER): the view is rendered larger, so that surfaces near the frame's edge have
 // neighbours, and the result is cropped. The band is a whole number of pixels on each side, and the larger
 // projection follows from these pixels. The frame's pixels therefore have the same view rays as without a

@@ -9,13 +9,12 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "backend/vulkan/resources.hpp"
 #include "base/process.hpp"
+#include "scene/internal/bytes.hpp"
 
 namespace gloam::scene {
 namespace {
@@ -71,13 +70,6 @@ base::FloatImage read(const std::string& file, int channels) {
     return image;
 }
 
-std::string bytes_of(const base::FloatImage& image) {
-    const gpu::Extent extent{image.width, image.height};
-    std::string bytes(reinterpret_cast<const char*>(&extent), sizeof extent);
-    bytes.append(reinterpret_cast<const char*>(image.texels.data()), image.texels.size() * sizeof(float));
-    return bytes;
-}
-
 }  // namespace
 
 base::FloatImage read_exr(const std::filesystem::path& file, int channels) {
@@ -85,21 +77,22 @@ base::FloatImage read_exr(const std::filesystem::path& file, int channels) {
     const base::ProcessLimits limits{.memory_bytes = std::uint64_t{8} << 30,
                                      .cpu = std::chrono::seconds(60),
                                      .patience = std::chrono::minutes(10)};
-    gpu::Extent extent;
-    std::string bytes;
+    const auto work = [&] {
+        const base::FloatImage image = read(file.string(), channels);
+        return bytes_of(std::vector{image.width, image.height}, image.texels);
+    };
     try {
-        bytes = base::run_apart([&] { return bytes_of(read(file.string(), channels)); }, limits);
+        std::vector<std::uint32_t> size;
+        base::FloatImage image{.channels = channels};
+        read_bytes(base::run_apart(work, limits), size, image.texels);
+        image.width = size.at(0);
+        image.height = size.at(1);
+        return image;
     } catch (const base::LimitError& error) {
         throw std::runtime_error(file.string() + ": cannot be read: its reader " + error.what());
     } catch (const std::exception& error) {
         throw std::runtime_error(file.string() + ": " + error.what());
     }
-    std::memcpy(&extent, bytes.data(), sizeof extent);
-    base::FloatImage image{
-        .width = extent.width, .height = extent.height, .channels = channels, .texels = {}};
-    image.texels.resize((bytes.size() - sizeof extent) / sizeof(float));
-    std::memcpy(image.texels.data(), bytes.data() + sizeof extent, image.texels.size() * sizeof(float));
-    return image;
 }
 
 }  // namespace gloam::scene

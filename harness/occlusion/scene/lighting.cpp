@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scene/lighting.hpp"
 
-#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,72 +14,54 @@
 namespace gloam::scene {
 namespace {
 
-// Determines which neighbouring pixels belong to one surface.
-class Connections {
-  public:
-    Connections(const GBuffer& view, double thickness) : view_(view), thickness_(thickness) {}
+// The depth at a place of the image; 0 outside.
+float depth_at(const GBuffer& view, const glm::ivec2& at) {
+    const glm::ivec2 size(view.extent.width, view.extent.height);
+    if (at.x < 0 || at.y < 0 || at.x >= size.x || at.y >= size.y) return 0.0F;
+    return view.depth[static_cast<std::size_t>(at.y) * view.extent.width + static_cast<std::size_t>(at.x)];
+}
 
-    // Between two neighbouring pixels, (x, y) and (x + dx, y + dy).
-    [[nodiscard]] bool connected(long x, long y, long dx, long dy) const {
-        const float a = at(x, y);
-        const float b = at(x + dx, y + dy);
-        if (!is_surface(a) || !is_surface(b)) return false;
-        if (std::isinf(thickness_) || std::abs(double{a} - double{b}) <= thickness_) return true;
-        return continues(at(x - dx, y - dy), a, b) || continues(at(x + 2 * dx, y + 2 * dy), b, a);
-    }
-
-    // Whether all four pixels of a block are connected. (x, y): its first pixel.
-    [[nodiscard]] bool block(long x, long y) const {
-        return connected(x, y, 1, 0) && connected(x, y, 0, 1) && connected(x, y + 1, 1, 0) &&
-               connected(x + 1, y, 0, 1);
-    }
-
-  private:
-    [[nodiscard]] float at(long x, long y) const {
-        const long width = view_.extent.width;
-        if (x < 0 || y < 0 || x >= width || y >= long{view_.extent.height}) return 0.0F;
-        return view_.depth[static_cast<std::size_t>(y * width + x)];
-    }
-
-    // Whether the slope from `first` to `second`, one pixel apart, continues to `third` within the thickness.
-    [[nodiscard]] bool continues(float first, float second, float third) const {
+// Whether two neighbouring pixels belong to one surface: their depths differ by at most the thickness, or the
+// slope between them continues one of the pixels beyond.
+bool connected(const GBuffer& view, double thickness, const glm::ivec2& at, const glm::ivec2& step) {
+    const float a = depth_at(view, at);
+    const float b = depth_at(view, at + step);
+    const auto continues = [&](float first, float second, float third) {
         if (!is_surface(first)) return false;
-        if (view_.camera.orthographic()) return std::abs(2.0 * second - first - third) <= thickness_;
+        if (view.camera.orthographic()) return std::abs(2.0 * second - first - third) <= thickness;
         const double expected = 2.0 / second - 1.0 / first;
-        return std::abs(expected - 1.0 / third) * third * third <= thickness_;
-    }
-
-    const GBuffer& view_;
-    double thickness_;
-};
+        return std::abs(expected - 1.0 / third) * third * third <= thickness;
+    };
+    if (!is_surface(a) || !is_surface(b)) return false;
+    return std::isinf(thickness) || std::abs(double{a} - double{b}) <= thickness ||
+           continues(depth_at(view, at - step), a, b) || continues(depth_at(view, at + 2 * step), b, a);
+}
 
 // Along an axis, the difference of positions to the neighbour that is nearer in depth, with the sign of the
 // positive direction; 0 without a neighbour.
-glm::dvec3 slope_at(const GBuffer& view, const PixelPositions& positions, long x, long y, bool vertical) {
-    const auto width = static_cast<long>(view.extent.width);
-    const long index = y * width + x;
-    const long place = vertical ? y : x;
-    const long last = static_cast<long>(vertical ? view.extent.height : view.extent.width) - 1;
-    const double depth = view.depth[static_cast<std::size_t>(index)];
-    const glm::dvec3 here = positions.at(static_cast<std::size_t>(index), depth);
+glm::dvec3 slope_at(const GBuffer& view, const PixelPositions& positions, std::size_t pixel, int axis) {
+    const auto width = static_cast<int>(view.extent.width);
+    const glm::ivec2 at(static_cast<int>(pixel) % width, static_cast<int>(pixel) / width);
+    const double depth = view.depth[pixel];
     glm::dvec3 best(0.0);
     double least = std::numeric_limits<double>::infinity();
-    for (const long side : {-1L, 1L}) {
-        if (place + side < 0 || place + side > last) continue;
-        const auto other = static_cast<std::size_t>(index + side * (vertical ? width : 1));
-        if (!is_surface(view.depth[other])) continue;
-        const double jump = std::abs(view.depth[other] - depth);
-        if (!(jump < least)) continue;
+    for (const int side : {-1, 1}) {
+        glm::ivec2 beside = at;
+        beside[axis] += side;
+        const float other = depth_at(view, beside);
+        const double jump = std::abs(other - depth);
+        if (!is_surface(other) || !(jump < least)) continue;
         least = jump;
-        best = static_cast<double>(side) * (positions.at(other, view.depth[other]) - here);
+        best = static_cast<double>(side) *
+               (positions.at(static_cast<std::size_t>(beside.y * width + beside.x), other) -
+                positions.at(pixel, depth));
     }
     return best;
 }
 
-glm::vec3 normal_at(const GBuffer& view, const PixelPositions& positions, long x, long y) {
-    const glm::dvec3 right = slope_at(view, positions, x, y, false);
-    const glm::dvec3 down = slope_at(view, positions, x, y, true);
-    const glm::dvec3 area = glm::cross(down, right);
+glm::vec3 normal_at(const GBuffer& view, const PixelPositions& positions, std::size_t pixel) {
+    const glm::dvec3 area =
+        glm::cross(slope_at(view, positions, pixel, 1), slope_at(view, positions, pixel, 0));
     if (glm::length(area) > 0.0) return {glm::normalize(area)};
     return {0, 0, 1};  // a surface of a single pixel: facing the viewer
 }
@@ -88,29 +69,29 @@ glm::vec3 normal_at(const GBuffer& view, const PixelPositions& positions, long x
 }  // namespace
 
 Mesh depth_field(const GBuffer& view, double thickness) {
-    require_images(view, "depth field");
-    if (!(thickness > 0.0))
-        throw std::invalid_argument(fmt::format("depth field: thickness {}, expected > 0", thickness));
     if (std::ranges::none_of(view.depth, is_surface))
         throw std::invalid_argument("depth field: no geometry in the view");
     const PixelPositions positions(view);
-    const auto width = static_cast<long>(view.extent.width);
     Mesh mesh;
     for (std::size_t pixel = 0; pixel < view.depth.size(); ++pixel) {
-        const auto x = static_cast<long>(pixel) % width;
-        const auto y = static_cast<long>(pixel) / width;
         const bool surface = is_surface(view.depth[pixel]);
         mesh.positions.emplace_back(surface ? positions.at(pixel, double{view.depth[pixel]}) : glm::dvec3(0));
         mesh.normals.push_back(!surface              ? glm::vec3(0)
-                               : view.normal.empty() ? normal_at(view, positions, x, y)
+                               : view.normal.empty() ? normal_at(view, positions, pixel)
                                                      : view.normal[pixel]);
     }
-    const Connections connections(view, thickness);
-    for (long y = 0; y + 1 < static_cast<long>(view.extent.height); ++y) {
-        for (long x = 0; x + 1 < width; ++x) {
-            if (!connections.block(x, y)) continue;
-            const auto corner = static_cast<std::uint32_t>(y * width + x);
-            const auto below = static_cast<std::uint32_t>(corner + width);
+    const std::uint32_t width = view.extent.width;
+    const glm::ivec2 right(1, 0);
+    const glm::ivec2 down(0, 1);
+    for (std::uint32_t y = 0; y + 1 < view.extent.height; ++y) {
+        for (std::uint32_t x = 0; x + 1 < width; ++x) {
+            const glm::ivec2 at(x, y);
+            if (!connected(view, thickness, at, right) || !connected(view, thickness, at, down) ||
+                !connected(view, thickness, at + down, right) ||
+                !connected(view, thickness, at + right, down))
+                continue;
+            const std::uint32_t corner = y * width + x;
+            const std::uint32_t below = corner + width;
             mesh.indices.insert(mesh.indices.end(),
                                 {corner, below, corner + 1, corner + 1, below, below + 1});
         }
@@ -227,7 +208,6 @@ class Lighting {
 }  // namespace
 
 SplitLight light_of(const GBuffer& view, const Scene* scene, const LightingOptions& options) {
-    require_images(view, "lighting");
     const std::size_t pixels = view.depth.size();
     SplitLight light{.ambient = std::vector<glm::vec3>(pixels, glm::vec3(0)),
                      .direct = std::vector<glm::vec3>(pixels, glm::vec3(0))};

@@ -29,8 +29,7 @@ struct LightingOptions {
 
 // The light of a view without its guard band: diffuse surfaces with GBuffer::color, or default_color.
 // `scene`: the scene that casts shadows, in the frame that the view shows; nullptr: no shadows, light of the
-// sun. Missing normals are reconstructed from depth. Bit-identical for any number of threads. Throws
-// std::invalid_argument for images of another size.
+// sun. Missing normals are reconstructed from depth. Bit-identical for any number of threads.
 [[nodiscard]] SplitLight light_of(const GBuffer& view, const Scene* scene,
                                   const LightingOptions& options = {});
 
@@ -57,8 +56,7 @@ struct PictureLight {
 
 // The light of a view without its guard band, at the samples of `fine`: the same view with `samples` times as
 // many pixels on each side. A sample shows its own pixel, unless it is off the plane of that pixel's surface
-// by more than 0.6 % of its depth; then that of the 3 x 3 pixels around it whose plane is nearest. Throws
-// like light_of().
+// by more than 0.6 % of its depth; then that of the 3 x 3 pixels around it whose plane is nearest.
 [[nodiscard]] PictureLight picture_light(const GBuffer& view, const GBuffer& fine, int samples,
                                          const Scene* scene, const LightingOptions& options = {});
 
@@ -70,8 +68,8 @@ struct PictureLight {
 // ends at a larger jump, unless the jump continues a slope (1 / depth is linear over a plane).
 //
 // normals: one for each pixel. They are the view's own; if it has none, they follow from the surface, from
-// the nearer neighbour on each axis. Background 0. Throws std::invalid_argument for images of another size, a
-// view without geometry, and a thickness that is not > 0.
+// the nearer neighbour on each axis. Background 0. Throws std::invalid_argument for a view without
+// geometry.
 [[nodiscard]] Mesh depth_field(const GBuffer& view,
                                double thickness = std::numeric_limits<double>::infinity());
 

@@ -8,20 +8,18 @@
 #include <array>
 #include <assimp/Importer.hpp>
 #include <cmath>
-#include <cstring>
 #include <map>
 #include <span>
 #include <stdexcept>
 
 #include "base/process.hpp"
 #include "base/text.hpp"
+#include "scene/internal/bytes.hpp"
 
 namespace gloam::scene {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::string_view magic = "gloam mesh 1\n";
 
 // Limits of memory and time for a file: a constant part, and a part that grows with its size.
 base::ProcessLimits limits_for(const fs::path& file) {
@@ -33,46 +31,17 @@ base::ProcessLimits limits_for(const fs::path& file) {
     return {.memory_bytes = memory + memory_for_byte * bytes, .cpu = cpu, .patience = 20 * cpu};
 }
 
-std::string mesh_bytes(const Mesh& mesh) {
-    const std::array<std::uint64_t, 2> counts{mesh.positions.size(), mesh.indices.size()};
-    std::string bytes(magic);
-    const auto add = [&](const auto& values) {
-        bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof values[0]);
-    };
-    add(counts);
-    add(mesh.positions);
-    add(mesh.normals);
-    add(mesh.indices);
-    return bytes;
-}
-
 }  // namespace
 
-Mesh mesh_from_bytes(std::string_view bytes) {
-    if (!bytes.starts_with(magic)) throw std::runtime_error("no mesh");
-    bytes.remove_prefix(magic.size());
-    const auto take = [&](auto& values, std::uint64_t count) {
-        if (count > bytes.size() / sizeof values[0]) throw std::runtime_error("a mesh that is cut short");
-        if constexpr (requires { values.resize(count); }) values.resize(count);
-        if (count > 0) std::memcpy(static_cast<void*>(values.data()), bytes.data(), count * sizeof values[0]);
-        bytes.remove_prefix(count * sizeof values[0]);
-    };
-    std::array<std::uint64_t, 2> counts{};
-    Mesh mesh;
-    take(counts, counts.size());
-    take(mesh.positions, counts[0]);
-    take(mesh.normals, counts[0]);
-    take(mesh.indices, counts[1]);
-    bool good = bytes.empty() && mesh.indices.size() % 3 == 0;
-    for (const std::uint32_t index : mesh.indices) good = good && index < mesh.positions.size();
-    if (!good) throw std::runtime_error("a mesh that does not fit together");
-    return mesh;
-}
-
 Mesh read_mesh(const fs::path& file) {
+    const auto read = [&] {
+        const Mesh mesh = load_mesh(file);
+        return bytes_of(mesh.positions, mesh.normals, mesh.indices);
+    };
     try {
-        return mesh_from_bytes(
-            base::run_apart([&] { return mesh_bytes(load_mesh(file)); }, limits_for(file)));
+        Mesh mesh;
+        read_bytes(base::run_apart(read, limits_for(file)), mesh.positions, mesh.normals, mesh.indices);
+        return mesh;
     } catch (const base::LimitError& error) {
         throw std::runtime_error(
             fmt::format("mesh {}: cannot be read: its reader {}", file.string(), error.what()));

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/trigonometric.hpp>
 #include <numbers>
@@ -89,15 +88,13 @@ void place_camera(Scene& scene, const MeshView& view, const glm::dvec3& middle, 
 }  // namespace
 
 std::optional<glm::dvec3> axis_named(std::string_view name) {
-    constexpr std::array names{"x", "y", "z"};
     const double sign = name.starts_with('-') ? -1.0 : 1.0;
     if (sign < 0.0) name.remove_prefix(1);
-    for (int axis = 0; axis < 3; ++axis) {
-        glm::dvec3 direction(0.0);
-        direction[axis] = sign;
-        if (name == names[static_cast<std::size_t>(axis)]) return direction;
-    }
-    return std::nullopt;
+    const std::size_t axis = std::string_view("xyz").find(name);
+    if (name.size() != 1 || axis == std::string_view::npos) return std::nullopt;
+    glm::dvec3 direction(0.0);
+    direction[static_cast<int>(axis)] = sign;
+    return direction;
 }
 
 Mesh standing(Mesh mesh, const glm::dvec3& up, std::optional<double> height) {
@@ -117,6 +114,7 @@ Scene mesh_scene(Mesh mesh, std::string name, const MeshView& view) {
     const Bounds bounds = bounds_of(scene.mesh);
     const glm::dvec3 size = bounds.high - bounds.low;
     const double radius = 0.5 * glm::length(size);
+    if (!(radius < 1e36)) throw std::invalid_argument("mesh " + scene.name + ": larger than 1e36 units");
     place_camera(scene, view, {0, 0.5 * size.y, 0}, radius);
     if (view.ground)
         append(scene.mesh, colored(make_parallelogram({-60 * radius, 0, 60 * radius}, {120 * radius, 0, 0},

@@ -17,9 +17,6 @@ namespace gloam::scene {
 // the reason if the process fails.
 [[nodiscard]] Mesh read_mesh(const std::filesystem::path& file);
 
-// A mesh of the bytes that this process sends. Throws std::runtime_error for bytes that are not a mesh.
-[[nodiscard]] Mesh mesh_from_bytes(std::string_view bytes);
-
 // Placement and view of a mesh. Positions are in the units of its file; the middle of its base is the origin,
 // up is +y, and the front faces +z.
 struct MeshView {

@@ -65,17 +65,17 @@ double unit_open(std::uint32_t bits) {
 
 }  // namespace
 
-SobolPoints::SobolPoints(std::size_t count) {
-    reversed_.reserve(count);
-    for (std::uint32_t i = 0; i < count; ++i) reversed_.push_back({i, reversed(sobol_second(i))});
+std::vector<glm::uvec2> sobol_points(std::size_t count) {
+    std::vector<glm::uvec2> points;
+    for (std::uint32_t i = 0; i < count; ++i) points.emplace_back(i, reversed(sobol_second(i)));
+    return points;
 }
 
-glm::dvec2 SobolPoints::scrambled(std::size_t index, std::uint64_t seed) const {
-    const Bits bits = reversed_[index];
+glm::dvec2 scrambled(const glm::uvec2& point, std::uint64_t seed) {
     const auto first = static_cast<std::uint32_t>(seed);
     const auto second = static_cast<std::uint32_t>(seed >> 32);
-    return {unit_open(reversed(laine_karras(bits.x, first))),
-            unit_open(reversed(laine_karras(bits.y, second)))};
+    return {unit_open(reversed(laine_karras(point.x, first))),
+            unit_open(reversed(laine_karras(point.y, second)))};
 }
 
 namespace {
@@ -122,8 +122,8 @@ double OcclusionTracer::part_mean(const Receiver& receiver, std::uint64_t seed) 
     const auto [right, up] = tangents(receiver.normal);
     const glm::dmat3 frame(right, up, receiver.normal);
     double sum = 0.0;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-        glm::dvec3 direction = frame * direction_of(points_.scrambled(i, seed), settings_.weighting);
+    for (const glm::uvec2& point : points_) {
+        glm::dvec3 direction = frame * direction_of(scrambled(point, seed), settings_.weighting);
         const double beneath = glm::dot(direction, receiver.facet);
         if (beneath < 0.0) direction -= 2.0 * beneath * receiver.facet;
         const auto hit =
@@ -134,7 +134,7 @@ double OcclusionTracer::part_mean(const Receiver& receiver, std::uint64_t seed) 
 }
 
 OcclusionTracer::OcclusionTracer(const Mesh& mesh, const RaySettings& settings)
-    : settings_(settings), points_(points_in_part(settings)), scene_(mesh) {}
+    : settings_(settings), points_(sobol_points(points_in_part(settings))), scene_(mesh) {}
 
 std::size_t OcclusionTracer::rays() const {
     return parts * points_.size();

@@ -18,31 +18,26 @@ enum class Inputs { by_device, sampled, storage };
 // The passes of glsl/passes, compiled on demand.
 class PassLibrary {
   public:
-    // glsl: the folder that contains gloam/ and passes/. cache: folder for compiled passes; empty: no cache.
-    // optimization: of every pass.
-    explicit PassLibrary(std::filesystem::path glsl, const std::filesystem::path& cache = {},
-                         shader::Optimization optimization = shader::Optimization::hoisting);
-
-    // The same passes with another optimization.
-    [[nodiscard]] PassLibrary with(shader::Optimization optimization) const;
-
-    // The same passes; where loop invariants are hoisted, drivers are asked to unroll the loops as well.
-    [[nodiscard]] PassLibrary unrolled() const;
-
-    // The same passes, which read their inputs like this where pipelines are made of them.
-    [[nodiscard]] PassLibrary reading(Inputs inputs) const;
-    [[nodiscard]] Inputs inputs() const { return inputs_; }
-
     // An #include of a pass, as written, and its replacement.
     struct Replacement {
         std::string include;
         std::string instead;
     };
 
-    // Compiles the pass passes/NAME; its suffix (.comp, .vert, .frag) determines the stage. `defines` are
-    // defined before the first line. Throws std::runtime_error for a missing file, std::invalid_argument for
-    // a replacement of a file that the pass does not include, shader::CompileError for a pass that does not
-    // compile.
+    // glsl: the folder that contains gloam/ and passes/. cache: folder for compiled passes; empty: no cache.
+    explicit PassLibrary(std::filesystem::path glsl, const std::filesystem::path& cache = {});
+
+    Inputs inputs = Inputs::by_device;  // where pipelines are made of the passes
+
+    // The same passes with another optimization than shader::Optimization::hoisting.
+    [[nodiscard]] PassLibrary with(shader::Optimization optimization) const;
+
+    // The same passes; where loop invariants are hoisted, drivers are asked to unroll the loops as well.
+    [[nodiscard]] PassLibrary unrolled() const;
+
+    // Compiles the pass passes/NAME, whose suffix determines the stage. `defines` are defined before the
+    // first line. Throws std::runtime_error for a missing file, std::invalid_argument for a replacement of a
+    // file that the pass does not include, shader::CompileError for a pass that does not compile.
     [[nodiscard]] shader::Spirv compile(const std::string& name, const std::vector<std::string>& defines = {},
                                         const std::vector<Replacement>& replacements = {}) const;
 
@@ -54,13 +49,12 @@ class PassLibrary {
                                    shader::Language language = shader::Language::vulkan450) const;
 
   private:
-    [[nodiscard]] shader::Source source(const std::string& name, const std::vector<std::string>& defines,
+    [[nodiscard]] shader::Source source(const std::string& name,
                                         const std::vector<Replacement>& replacements) const;
 
     std::filesystem::path glsl_;
     shader::SpirvCache cache_;
-    shader::Optimization optimization_;
-    Inputs inputs_ = Inputs::by_device;
+    shader::Optimization optimization_ = shader::Optimization::hoisting;
 };
 
 }  // namespace gloam::scene

@@ -38,7 +38,7 @@ std::vector<float> read_image(const fs::path& stem, const FrameDescription& fram
     const fs::path& file = has_pfm ? pfm : exr;
     base::FloatImage image = has_pfm ? base::read_pfm(pfm) : read_exr(exr, channels);
     const gpu::Extent found{image.width, image.height};
-    const gpu::Extent extent = with_border(frame.extent, frame.around);
+    const gpu::Extent extent = with_border(frame.view.extent, frame.around);
     if (found != extent || image.channels != channels) {
         fail_with_frame(
             file, "is " + size_text(found, image.channels) + ", expected " + size_text(extent, channels));
@@ -163,15 +163,12 @@ GBuffer read_gbuffer(const fs::path& directory, int frame, const Encoding& encod
         return read_image(stem.string() + name, description, channels);
     };
     const auto vectors = [&](const char* name) { return vectors_of(numbers(name, 3), 3); };
-    GBuffer gbuffer{.extent = description.extent,
-                    .depth = numbers("_depth"),
-                    .normal = vectors("_normal"),
-                    .motion = vectors("_motion"),
-                    .previous_depth = numbers("_previous_depth"),
-                    .color = vectors("_color"),
-                    .camera = description.camera,
-                    .ao_radius = description.ao_radius,
-                    .border = description.border};
+    GBuffer gbuffer = description.view;
+    gbuffer.depth = numbers("_depth");
+    gbuffer.normal = vectors("_normal");
+    gbuffer.motion = vectors("_motion");
+    gbuffer.previous_depth = numbers("_previous_depth");
+    gbuffer.color = vectors("_color");
     for (const int axis : {0, 1})
         gbuffer.off_centre[axis] = whole_off_centre(description.off_centre[axis], off_centre[axis]);
     gbuffer.layers = read_layers(stem, description);

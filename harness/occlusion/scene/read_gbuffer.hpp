@@ -44,10 +44,7 @@ namespace gloam::scene {
 
 // The content of fNNNN.json.
 struct FrameDescription {
-    gpu::Extent extent;  // of the viewport
-    CameraFrame camera;
-    std::optional<double> ao_radius;
-    Border border;
+    GBuffer view;              // the viewport, without images
     Border around;             // the viewport in the images
     glm::dvec2 off_centre{0};  // as that of GBuffer, not rounded
 };

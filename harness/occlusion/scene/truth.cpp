@@ -2,18 +2,18 @@
 #include "scene/truth.hpp"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
-#include <cstring>
 #include <functional>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "base/cached_file.hpp"
 #include "base/threads.hpp"
+#include "scene/internal/bytes.hpp"
 #include "scene/internal/tracer.hpp"
 #include "scene/lighting.hpp"
 
@@ -105,27 +105,21 @@ base::Fingerprint hash_of(char kind, const GBuffer& view, const TruthSettings& s
     return hash;
 }
 
-// Three counts and two images.
-using Counts = std::array<std::uint64_t, 3>;
-
-template <class T>
-void append(std::string& bytes, std::span<const T> values) {
-    bytes.append(reinterpret_cast<const char*>(values.data()), values.size_bytes());
-}
-
+// The truth in the cache; nothing where it is not there, or not whole.
 std::optional<TracedTruth> read(const fs::path& path, const base::Hash& key, std::size_t pixels) {
-    const std::optional<std::string> bytes = base::read_cached(path, key);
-    Counts counts{};
-    std::vector<float> values(2 * pixels);
-    if (!bytes || bytes->size() != sizeof counts + values.size() * sizeof(float)) return std::nullopt;
-    std::memcpy(counts.data(), bytes->data(), sizeof counts);
-    std::memcpy(values.data(), bytes->data() + sizeof counts, values.size() * sizeof(float));
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(pixels);
-    return TracedTruth{.occlusion = {values.begin(), middle},
-                       .standard_error = {middle, values.end()},
-                       .rays = counts[0],
-                       .pixels = counts[1],
-                       .unmatched = counts[2]};
+    TracedTruth truth;
+    std::vector<std::uint64_t> counts;
+    try {
+        read_bytes(base::read_cached(path, key).value_or(""), counts, truth.occlusion, truth.standard_error);
+    } catch (const std::runtime_error&) {
+        return std::nullopt;
+    }
+    if (counts.size() != 3 || truth.occlusion.size() != pixels || truth.standard_error.size() != pixels)
+        return std::nullopt;
+    truth.rays = counts[0];
+    truth.pixels = counts[1];
+    truth.unmatched = counts[2];
+    return truth;
 }
 
 template <class Trace>
@@ -134,12 +128,8 @@ TracedTruth kept(const fs::path& folder, const base::Hash& hash, std::size_t pix
     const fs::path path = folder / (base::to_hex(hash) + ".truth");
     if (auto truth = read(path, hash, pixels)) return *std::move(truth);
     TracedTruth truth = trace();
-    const Counts counts{truth.rays, truth.pixels, truth.unmatched};
-    std::string bytes;
-    append(bytes, std::span<const std::uint64_t>(counts));
-    append(bytes, std::span<const float>(truth.occlusion));
-    append(bytes, std::span<const float>(truth.standard_error));
-    base::write_cached(path, hash, bytes);  // the cache is optional
+    const std::vector counts{truth.rays, truth.pixels, truth.unmatched};
+    base::write_cached(path, hash, bytes_of(counts, truth.occlusion, truth.standard_error));  // optional
     return truth;
 }
 
@@ -147,9 +137,6 @@ TracedTruth kept(const fs::path& folder, const base::Hash& hash, std::size_t pix
 
 TracedTruth trace_geometry(const Scene& scene, int frame, const GBuffer& view,
                            const TruthSettings& settings) {
-    validate(scene);
-    require_images(view, "truth");
-    if (view.normal.empty()) throw std::invalid_argument("truth: no normals");
     const Mesh mesh = view_space_mesh(scene, frame);
     base::Fingerprint hash = hash_of('G', view, settings);
     hash.add_all(mesh.positions);

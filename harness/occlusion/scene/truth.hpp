@@ -65,7 +65,7 @@ struct TracedTruth {
 // hemisphere, because every estimator gets these. The geometry determines the exact position: the point is
 // moved along the view ray onto the triangle within a thousandth of its distance. A triangle that faces away
 // from the normal has its own. If there is none, the point stays as it is. Throws std::invalid_argument for
-// settings out of range, a scene that validate() rejects and images of another size.
+// settings out of range.
 [[nodiscard]] TracedTruth trace_geometry(const Scene& scene, int frame, const GBuffer& view,
                                          const TruthSettings& settings);
 

@@ -84,8 +84,8 @@ int run_experiment(const ExperimentOptions& options) {
     std::vector<gpu::Extent> sizes;
     for (const std::string& size : what.sizes) sizes.push_back(judged_size(size));
     gpu::Device device = open_device(options.device, options.validation);
-    const scene::PassLibrary passes =
-        scene::PassLibrary(glsl_directory(), cache_directory()).reading(inputs_named(options.inputs));
+    scene::PassLibrary passes(glsl_directory(), cache_directory());
+    passes.inputs = inputs_named(options.inputs);
     experiment::Place place{.device = device,
                             .passes = passes,
                             .truth_cache = truth_cache_directory(),

@@ -37,7 +37,7 @@ struct RaySurface {
 // Triangles for ray tracing; the only user of Embree. Every triangle blocks on both sides. Thread-safe.
 class RayScene {
   public:
-    // The triangles of a mesh with triangles, of a scene that validate() accepts; its normals are not used.
+    // The triangles of a mesh with triangles; its normals are not used.
     // Throws std::runtime_error if Embree fails.
     explicit RayScene(const Mesh& mesh);
 
@@ -72,25 +72,14 @@ class RayScene {
     return x ^ (x >> 31);
 }
 
-// The first points of the two-dimensional Sobol' sequence, with a new scrambling for each use.
-class SobolPoints {
-  public:
-    explicit SobolPoints(std::size_t count);
+// The first points of the two-dimensional Sobol' sequence: the 32 bits of their coordinates, least
+// significant first.
+[[nodiscard]] std::vector<glm::uvec2> sobol_points(std::size_t count);
 
-    [[nodiscard]] std::size_t size() const { return reversed_.size(); }
-
-    // Point `index` in (0, 1)^2 with the scrambling `seed`. Scramblings of different seeds are independent,
-    // each point is uniform, and the points of one seed keep the strata of the sequence: nested uniform
-    // scrambling (Owen), with the hash of Laine and Karras.
-    [[nodiscard]] glm::dvec2 scrambled(std::size_t index, std::uint64_t seed) const;
-
-  private:
-    struct Bits {
-        std::uint32_t x;
-        std::uint32_t y;
-    };
-    std::vector<Bits> reversed_;  // the coordinates' 32 bits, least significant first
-};
+// Such a point in (0, 1)^2 with the scrambling `seed`. Scramblings of different seeds are independent, each
+// point is uniform, and the points of one seed keep the strata of the sequence: nested uniform scrambling
+// (Owen), with the hash of Laine and Karras.
+[[nodiscard]] glm::dvec2 scrambled(const glm::uvec2& point, std::uint64_t seed);
 
 // A point whose occlusion is estimated.
 struct Receiver {
@@ -137,7 +126,7 @@ class OcclusionTracer {
     [[nodiscard]] double part_mean(const Receiver& receiver, std::uint64_t seed) const;
 
     RaySettings settings_;
-    SobolPoints points_;
+    std::vector<glm::uvec2> points_;  // of sobol_points()
     RayScene scene_;
 };
 

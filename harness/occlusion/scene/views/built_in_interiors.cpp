@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "numeric/random.hpp"
 #include "scene/views/generators.hpp"
 
 namespace gloam::scene::views {
@@ -67,7 +66,7 @@ void add_foreground(Parts& hall) {
 
 }  // namespace
 
-Scene make_columns() {
+Scene make_columns(const Row& /*row*/) {
     Parts hall{.cell = 2.0};
     const glm::dvec3 across{2.0 * half_width, 0, 0};
     const glm::dvec3 up{0, hall_height, 0};
@@ -86,7 +85,7 @@ Scene make_columns() {
         add_column(hall, column_x, z);
     }
     add_foreground(hall);
-    return {.mesh = std::move(hall.mesh), .ao_radius = 0.5, .lamp = glm::dvec3(-1.8, 4.6, -2.5)};
+    return {.mesh = std::move(hall.mesh), .lamp = glm::dvec3(-1.8, 4.6, -2.5)};
 }
 
 namespace {
@@ -160,18 +159,18 @@ void add_table(Parts& room) {
 
 }  // namespace
 
-Scene make_room() {
+Scene make_room(const Row& /*row*/) {
     Parts room;
     room.add(inside_out(make_box({-side, 0, -end}, {side, height, end}, room.cell)));
     add_trim(room);
     add_window(room);
     add_shelf(room);
     add_table(room);
-    return {.mesh = std::move(room.mesh), .ao_radius = 0.3, .lamp = glm::dvec3(-0.6, 2.1, 0.3)};
+    return {.mesh = std::move(room.mesh), .lamp = glm::dvec3(-0.6, 2.1, 0.3)};
 }
 
 // A floor and two walls.
-Scene make_corner() {
+Scene make_corner(const Row& /*row*/) {
     constexpr double cell = 1.0;
     const glm::dvec3 x{12, 0, 0};
     const glm::dvec3 y{0, 12, 0};
@@ -179,7 +178,7 @@ Scene make_corner() {
     Mesh mesh = colored(make_parallelogram({0, 0, 0}, z, x, cell), {0.8F, 0.8F, 0.8F});
     append(mesh, colored(make_parallelogram({0, 0, 0}, x, y, cell), {0.15F, 0.7F, 0.15F}));
     append(mesh, colored(make_parallelogram({0, 0, 0}, y, z, cell), {0.8F, 0.1F, 0.1F}));
-    return {.mesh = std::move(mesh), .ao_radius = 1.0, .lamp = glm::dvec3(2.2, 3.4, 3.0)};
+    return {.mesh = std::move(mesh), .lamp = glm::dvec3(2.2, 3.4, 3.0)};
 }
 
 }  // namespace gloam::scene::views

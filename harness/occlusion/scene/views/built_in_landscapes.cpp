@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "numeric/random.hpp"
 #include "scene/views/generators.hpp"
 
 namespace gloam::scene::views {
 namespace {
 
 // 128 km away. Static objects consist of exact multiples of 1/128.
-constexpr glm::dvec3 there = far_place;
+constexpr glm::dvec3 there{98304.0, 512.0, -81920.0};  // floats are 1/128 apart
 
 Parts make_terrace() {
     Parts terrace{.cell = 16.0};
@@ -26,8 +25,8 @@ Parts make_terrace() {
 
 }  // namespace
 
-Scene make_far() {
-    Scene scene{.mesh = make_terrace().mesh, .ao_radius = 0.4};
+Scene make_far(const Row& /*row*/) {
+    Scene scene{.mesh = make_terrace().mesh};
     // Round objects have an object space of their own, so that their shape stays exact.
     scene.objects.push_back({make_sphere({0, 0, 0}, 0.5, 48, 96),
                              [](int) { return rigid_motion(there + glm::dvec3(-0.4, 0.5, -0.5)); }});
@@ -77,9 +76,9 @@ Mesh make_blade(const glm::dvec3& foot, double heading, const Shape& shape) {
 
 }  // namespace
 
-Scene make_grass() {
+Scene make_grass(const Row& /*row*/) {
     numeric::Random random(1);
-    Scene scene{.mesh = make_parallelogram({-20, 0, -36}, {0, 0, 40}, {40, 0, 0}, 1.0), .ao_radius = 0.15};
+    Scene scene{.mesh = make_parallelogram({-20, 0, -36}, {0, 0, 40}, {40, 0, 0}, 1.0)};
     const auto anywhere = [&] {
         const double x = random.uniform(-0.5 * extent, 0.5 * extent);
         const double z = random.uniform(-extent, 0.0);
@@ -109,7 +108,7 @@ Scene make_grass() {
 namespace {
 
 // Metres. The panel hangs on a pilaster of the hall, around z = -5.
-constexpr double face = relief_face;
+constexpr double face = -6.7;  // x of the wall
 constexpr double middle = -5.0;
 constexpr double low = 1.2;
 constexpr double high = 2.0;
@@ -150,8 +149,8 @@ void add_flower(Parts& panel) {
 }  // namespace
 
 // The same world and radius as the hall, at arm's length from a wall.
-Scene make_relief() {
-    Scene scene = make_columns();
+Scene make_relief(const Row& row) {
+    Scene scene = make_columns(row);
     Parts panel{.cell = 0.5, .mesh = std::move(scene.mesh)};
     add_frame_bars(panel);
     add_ridges(panel);
@@ -161,7 +160,7 @@ Scene make_relief() {
     return scene;
 }
 
-Scene make_sky() {
+Scene make_sky(const Row& /*row*/) {
     Parts parts{.mesh = make_parallelogram({-150, 0, -300}, {0, 0, 310}, {300, 0, 0}, 5.0)};
     for (int i = 0; i < 8; ++i) {  // masts with two arms
         constexpr double x = -2.0;
@@ -177,7 +176,7 @@ Scene make_sky() {
     for (const double x : {-2.85, -1.15}) wire(x, 6.35);
     for (const double x : {-2.55, -1.45}) wire(x, 5.65);
     parts.box({4, 0, -40}, {9, 2.6, -34});  // a hut
-    Scene scene{.mesh = std::move(parts.mesh), .ao_radius = 0.6};
+    Scene scene{.mesh = std::move(parts.mesh)};
     // A circling kite: its history meets the sky, which has none.
     scene.objects.push_back({make_box({-0.4, -0.03, -0.3}, {0.4, 0.03, 0.3}, 1.0), [](int frame) {
                                  const double t = 0.03 * frame;
@@ -188,13 +187,13 @@ Scene make_sky() {
 }
 
 // A floor, a wall with pilasters, steps in front of it.
-Scene make_moving() {
+Scene make_moving(const Row& /*row*/) {
     Parts parts{.mesh = make_parallelogram({-8, 0, -3}, {0, 0, 10}, {16, 0, 0}, 1.0)};
     parts.add(make_parallelogram({-8, 0, -3}, {16, 0, 0}, {0, 6, 0}, 1.0));
     for (int i = -3; i <= 3; ++i) parts.box({i - 0.15, 0, -3}, {i + 0.15, 6, -2.75});
     parts.box({-8, 0, -2.75}, {8, 0.25, -2.25});
     parts.box({-8, 0, -2.25}, {8, 0.125, -1.75});
-    Scene scene{.mesh = std::move(parts.mesh), .ao_radius = 0.4};
+    Scene scene{.mesh = std::move(parts.mesh)};
     // A ball rolls from side to side without slipping; a box turns while it slides the opposite way.
     constexpr double ball = 0.35;
     scene.objects.push_back({make_sphere({0, 0, 0}, ball, 48, 96), [](int frame) {
@@ -233,11 +232,11 @@ Mesh make_trefoil() {
 
 }  // namespace
 
-Scene make_knot() {
+Scene make_knot(const Row& /*row*/) {
     constexpr double scale = 0.17;
     Mesh knot = make_trefoil();
     knot = placed(std::move(knot), scale, {0, -scale * bounds_of(knot).low.y, 0});
-    Scene scene{.mesh = std::move(knot), .ao_radius = 0.25};
+    Scene scene{.mesh = std::move(knot)};
     append(scene.mesh, make_parallelogram({-6, 0, -0.45}, {0, 0, 6.45}, {12, 0, 0}, 0.5));  // the ground
     append(scene.mesh, make_parallelogram({-6, 0, -0.45}, {12, 0, 0}, {0, 6, 0}, 0.5));     // the wall
     return scene;

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
+#include <functional>
+#include <nlohmann/json.hpp>
 #include <numbers>
-#include <string>
 
+#include "numeric/random.hpp"
 #include "scene/mesh.hpp"
 #include "scene/scene.hpp"
 
-// What the views and built-in scenes show, made by code: bit-identical for the same parameters. World units
-// are metres. What is made here has no name and no camera yet.
+// What the views and built-in scenes show, made by code: bit-identical for the same row of the table of views
+// (view_table.cpp), whose members are in metres. What is made here has no name, radius and camera yet.
 namespace gloam::scene::views {
+
+using Row = nlohmann::json;
 
 inline constexpr double full_turn = 2.0 * std::numbers::pi;  // radians
 
@@ -39,120 +42,43 @@ struct Parts {
     return {{c, 0, -s}, {0, 1, 0}, {s, 0, c}};
 }
 
-// A room with shelves of books along the back wall, furniture at random, and a table with small things at the
-// origin.
-struct Interior {
-    std::uint64_t seed = 1;
-    double half_width = 2.5;
-    double half_depth = 2.5;
-    double fullness = 0.6;  // share of the places that hold a piece
-    bool roofed = true;     // false: a floor and the back wall alone, as for a view from above
-    double radius = 0.3;    // Scene::ao_radius
-};
-[[nodiscard]] Scene made(const Interior& interior);
+// The row's random numbers.
+[[nodiscard]] inline numeric::Random random_of(const Row& row) {
+    return numeric::Random(row.at("seed").get<std::uint64_t>());
+}
 
-// A hall from z = 2 along -z, with niches, two rows of pillars, beams, stairs with railings, and balls.
-struct Hall {
-    std::uint64_t seed = 1;
-    double half_width = 4.0;
-    double length = 14.0;
-    double height = 4.5;
-    double pillars = 2.2;  // x of the two rows
-    double radius = 0.5;
-};
-[[nodiscard]] Scene made(const Hall& hall);
+// A room with shelves of books along the back wall, furniture at random (fullness: share of the places that
+// hold a piece), and a table with small things at the origin. Without `roofed` a floor and the back wall
+// alone, as for a view from above.
+[[nodiscard]] Scene make_interior(const Row& row);
 
-// Trees, bushes and grass of flat leaves on a plane, around the origin.
-struct Foliage {
-    std::uint64_t seed = 1;
-    double half = 3.0;  // of the side of the square that is planted
-    int trees = 0;
-    double trunk = 1.6;  // height
-    int bushes = 0;
-    int leaves = 400;  // of a bush; a tree has as many
-    double leaf = 0.12;
-    int blades = 0;
-    double blade = 0.2;
-    double radius = 0.2;
-};
-[[nodiscard]] Scene made(const Foliage& foliage);
+// A hall from z = 2 along -z, with niches, two rows of pillars (at x = +-pillars), beams, stairs with
+// railings, and balls.
+[[nodiscard]] Scene make_hall(const Row& row);
+
+// Trees, bushes and grass of flat leaves on a plane, around the origin. half_side: of the square that is
+// planted. leaves: of a bush; a tree has as many.
+[[nodiscard]] Scene make_foliage(const Row& row);
 
 // Housings with fins and bolts, gears and pipes before a wall, perhaps a grating on the floor.
-struct Machine {
-    std::uint64_t seed = 1;
-    int parts = 5;
-    int pipes = 6;
-    bool grating = false;
-    double radius = 0.25;
-};
-[[nodiscard]] Scene made(const Machine& machine);
+[[nodiscard]] Scene make_machine(const Row& row);
 
-// Hills or ridges with stones.
-struct Terrain {
-    std::uint64_t seed = 1;
-    double half = 40.0;  // of the side of the square
-    double size = 12.0;  // of the largest hills
-    double relief = 3.0;
-    bool ridged = false;
-    int stones = 0;
-    double stone = 0.6;  // radius
-    double radius = 1.5;
-};
-[[nodiscard]] Scene made(const Terrain& terrain);
-[[nodiscard]] double height_at(const Terrain& terrain, double x, double z);
+// Hills or ridges with stones: half_side: of their square. size: of the largest hills.
+[[nodiscard]] Scene make_terrain(const Row& row);
+[[nodiscard]] std::function<double(double x, double z)> height_of(const Row& terrain);
 
 // Rows of houses along streets, from z = 0 along -z.
-struct Town {
-    std::uint64_t seed = 1;
-    int blocks = 8;  // in each direction
-    double tallest = 18.0;
-    double radius = 3.0;
-};
-[[nodiscard]] Scene made(const Town& town);
+[[nodiscard]] Scene make_town(const Row& row);
 
-// How a mesh file is shown: copies in rows on a plane, each turned further.
-struct Display {
-    std::string file;        // in the folder of meshes
-    glm::dvec3 up{0, 1, 0};  // of the file
-    int copies = 1;          // in a row
-    int rows = 1;
-    double spacing = 1.2;  // in heights of the mesh
-    double radius = 0.2;
-};
 // The built-in scenes.
-constexpr glm::dvec3 far_place{98304.0, 512.0, -81920.0};  // of make_far(): floats are 1/128 apart there
-constexpr double relief_face = -6.7;                       // of make_relief(), x of the wall
-[[nodiscard]] Scene make_columns();
-[[nodiscard]] Scene make_corner();
-[[nodiscard]] Scene make_far();
-[[nodiscard]] Scene make_grass();
-[[nodiscard]] Scene make_knot();
-[[nodiscard]] Scene make_moving();
-[[nodiscard]] Scene make_relief();
-[[nodiscard]] Scene make_room();
-[[nodiscard]] Scene make_sky();
-
-// How a camera moves by `step` in each frame: with its target, looking at the same target, or around its
-// target by step.x degrees about the vertical axis. Or it sways: eye and target by step and aim, times the
-// sine of rate radians a frame. Or it swings around the vertical axis and back, or stands still.
-enum class Way { gliding, passing, circling, swaying, swinging, still };
-
-struct Lens {
-    double fovy_rad = 0.9;
-    double near = 0.05;
-    double far = 200.0;
-    double view_height = 0.0;  // > 0: orthographic, world units from bottom to top
-};
-
-// Where a view's camera starts, and its way.
-struct Stand {
-    glm::dvec3 eye{0};
-    glm::dvec3 target{0};
-    Way way = Way::gliding;
-    glm::dvec3 step{0};
-    Lens lens{};
-    glm::dvec3 rate{0};
-    glm::dvec3 aim{0};
-};
+[[nodiscard]] Scene make_columns(const Row& row);
+[[nodiscard]] Scene make_corner(const Row& row);
+[[nodiscard]] Scene make_far(const Row& row);
+[[nodiscard]] Scene make_grass(const Row& row);
+[[nodiscard]] Scene make_knot(const Row& row);
+[[nodiscard]] Scene make_moving(const Row& row);
+[[nodiscard]] Scene make_relief(const Row& row);
+[[nodiscard]] Scene make_room(const Row& row);
+[[nodiscard]] Scene make_sky(const Row& row);
 
 }  // namespace gloam::scene::views

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "numeric/random.hpp"
 #include "scene/views/generators.hpp"
 
 namespace gloam::scene::views {
@@ -111,12 +110,13 @@ void add_clutter(Parts& room, numeric::Random& random, const glm::dvec3& low, co
 
 }  // namespace
 
-Scene made(const Interior& interior) {
-    numeric::Random random(interior.seed);
-    const double w = interior.half_width;
-    const double d = interior.half_depth;
+Scene make_interior(const Row& row) {
+    numeric::Random random = random_of(row);
+    const double w = row.value("half_width", 2.5);
+    const double d = row.value("half_depth", 2.5);
+    const bool roofed = row.value("roofed", true);
     Parts room;
-    if (interior.roofed) {
+    if (roofed) {
         room.add(inside_out(make_box({-w, 0, -d}, {w, 2.6, d}, room.cell)));
     } else {
         room.box({-w, -0.1, -d}, {w, 0, d});
@@ -126,7 +126,7 @@ Scene made(const Interior& interior) {
         room.add(placed(make_shelf(random, 1.1, random.uniform(1.3, 2.1)).mesh, 1.0, {x, 0, -d + 0.21}));
     for (double x = -w + 0.7; x < w - 0.5; x += 1.3) {
         for (double z = -d + 1.1; z < d - 0.5; z += 1.3) {
-            if (random.unit() > interior.fullness) continue;
+            if (random.unit() > row.value("fullness", 0.6)) continue;
             const double turn = random.uniform(0.0, full_turn);
             const double dx = random.uniform(-0.15, 0.15);
             room.add(turned(make_furniture(random).mesh, upright_turn(turn), {x + dx, 0, z}));
@@ -134,8 +134,8 @@ Scene made(const Interior& interior) {
     }
     room.add(make_table(1.4, 0.8, 0.74).mesh);
     add_clutter(room, random, {-0.6, 0.74, -0.3}, {0.6, 0.74, 0.3});
-    Scene scene{.mesh = std::move(room.mesh), .ao_radius = interior.radius};
-    if (interior.roofed) scene.lamp = glm::dvec3(0.3, 2.2, 0.4);
+    Scene scene{.mesh = std::move(room.mesh)};
+    if (roofed) scene.lamp = glm::dvec3(0.3, 2.2, 0.4);
     return scene;
 }
 
@@ -174,28 +174,29 @@ void add_niches(Parts& hall, double side, double length, double height) {
 
 }  // namespace
 
-Scene made(const Hall& hall) {
-    const double w = hall.half_width;
+Scene make_hall(const Row& row) {
+    const double w = row.value("half_width", 4.0);
+    const double length = row.value("length", 14.0);
+    const double height = row.value("height", 4.5);
+    const double pillars = row.value("pillars", 2.2);
     Parts parts{.cell = 2.0};
-    parts.add(inside_out(make_box({-w, 0, -hall.length}, {w, hall.height, 2.0}, parts.cell)));
-    for (const double side : {-w, w}) add_niches(parts, side, hall.length, hall.height);
-    for (double z = -hall.length + 1.2; z < 1.0; z += 2.4) {
-        parts.box({-w, hall.height - 0.4, z - 0.2}, {w, hall.height, z + 0.2});
-        for (const double x : {-hall.pillars, hall.pillars}) add_pillar(parts, {x, 0, z}, hall.height - 0.4);
+    parts.add(inside_out(make_box({-w, 0, -length}, {w, height, 2.0}, parts.cell)));
+    for (const double side : {-w, w}) add_niches(parts, side, length, height);
+    for (double z = -length + 1.2; z < 1.0; z += 2.4) {
+        parts.box({-w, height - 0.4, z - 0.2}, {w, height, z + 0.2});
+        for (const double x : {-pillars, pillars}) add_pillar(parts, {x, 0, z}, height - 0.4);
     }
-    add_stairs(parts, {0, 0, -0.5 * hall.length}, 1.6, 9);
+    add_stairs(parts, {0, 0, -0.5 * length}, 1.6, 9);
     for (const double x : {-0.85, 0.85})
-        add_railing(parts, {x, 0.1, -0.5 * hall.length}, {x, 1.6, -0.5 * hall.length - 2.7}, 10);
-    numeric::Random random(hall.seed);
+        add_railing(parts, {x, 0.1, -0.5 * length}, {x, 1.6, -0.5 * length - 2.7}, 10);
+    numeric::Random random = random_of(row);
     for (int i = 0; i < 12; ++i) {
         const double radius = random.uniform(0.1, 0.35);
         const double x = random.uniform(-w + 0.9, w - 0.9);
-        const double z = random.uniform(-hall.length + 1.0, -0.5);
+        const double z = random.uniform(-length + 1.0, -0.5);
         parts.sphere({x, radius, z}, radius, 24, 48);
     }
-    return {.mesh = std::move(parts.mesh),
-            .ao_radius = hall.radius,
-            .lamp = glm::dvec3(0.2, hall.height - 0.8, -1.5)};
+    return {.mesh = std::move(parts.mesh), .lamp = glm::dvec3(0.2, height - 0.8, -1.5)};
 }
 
 namespace {
@@ -253,12 +254,14 @@ glm::dvec3 scattered(numeric::Random& random, double x, double y, double z) {
 
 }  // namespace
 
-Scene made(const Machine& machine) {
-    numeric::Random random(machine.seed);
+Scene make_machine(const Row& row) {
+    numeric::Random random = random_of(row);
+    const int count = row.value("parts", 5);
+    const int pipes = row.value("pipes", 6);
     Parts parts{.cell = 0.5, .mesh = make_parallelogram({-20, 0, -20}, {0, 0, 40}, {40, 0, 0}, 1.0)};
     parts.add(make_box({-6, 0, -2.2}, {6, 5, -2.0}, 1.0));
-    for (int i = 0; i < machine.parts; ++i) {
-        const double x = -2.4 + 4.8 * (i + 0.5) / machine.parts;
+    for (int i = 0; i < count; ++i) {
+        const double x = -2.4 + 4.8 * (i + 0.5) / count;
         const double tall = random.uniform(0.5, 1.3);
         add_housing(parts, random, {x - 0.35, 0, -1.2},
                     {random.uniform(0.5, 0.75), tall, random.uniform(0.5, 0.9)});
@@ -266,15 +269,15 @@ Scene made(const Machine& machine) {
         add_gear(parts, scattered(random, x, 0.5 + tall, -1.5), radius,
                  10 + static_cast<int>(random.below(8)));
     }
-    for (int i = 0; i < machine.pipes; ++i) {
-        const double y = 0.3 + 2.0 * (i + 0.5) / machine.pipes;
+    for (int i = 0; i < pipes; ++i) {
+        const double y = 0.3 + 2.0 * (i + 0.5) / pipes;
         const double z = random.uniform(-1.9, -0.4);
         const double turn = random.uniform(-1.5, 1.5);
         add_pipe(parts, {{-4, y, z}, {turn, y, z}, {turn, y, z + 0.6}, {turn, 0, z + 0.6}},
                  random.uniform(0.04, 0.1));
     }
-    if (machine.grating) add_grating(parts.mesh);
-    return {.mesh = std::move(parts.mesh), .ao_radius = machine.radius};
+    if (row.value("grating", false)) add_grating(parts.mesh);
+    return {.mesh = std::move(parts.mesh)};
 }
 
 }  // namespace gloam::scene::views

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
-#include <numbers>
 
-#include "numeric/random.hpp"
-#include "scene/mesh.hpp"
 #include "scene/views/generators.hpp"
 
 namespace gloam::scene::views {
@@ -46,8 +43,8 @@ void add_crown(Parts& parts, numeric::Random& random, const glm::dvec3& center, 
     }
 }
 
-void add_tree(Parts& parts, numeric::Random& random, const glm::dvec3& foot, const Foliage& foliage) {
-    const double height = random.uniform(0.8, 1.2) * foliage.trunk;
+void add_tree(Parts& parts, numeric::Random& random, const glm::dvec3& foot, int leaves, double leaf) {
+    const double height = random.uniform(0.8, 1.2) * 1.6;
     const glm::dvec3 top = foot + glm::dvec3(0.05 * height, height, 0.03 * height);
     parts.rod(foot, top, 0.06 * height, 12);
     for (int i = 0; i < 6; ++i) {
@@ -55,41 +52,36 @@ void add_tree(Parts& parts, numeric::Random& random, const glm::dvec3& foot, con
         const glm::dvec3 aside = any_direction(random) * glm::dvec3(1, 0.3, 1);
         const glm::dvec3 to = from + height * (0.25 * aside + glm::dvec3(0, 0.2, 0));
         parts.rod(from, to, 0.015 * height, 8);
-        add_crown(parts, random, to, 0.25 * height, foliage.leaves / 8, foliage.leaf);
+        add_crown(parts, random, to, 0.25 * height, leaves / 8, leaf);
     }
-    add_crown(parts, random, top + glm::dvec3(0, 0.15 * height, 0), 0.35 * height, foliage.leaves / 4,
-              foliage.leaf);
-}
-
-// Blades of grass over the square of half the side `half` around the origin.
-void add_meadow(Parts& parts, numeric::Random& random, double half, const Foliage& foliage) {
-    for (int i = 0; i < foliage.blades; ++i) {
-        const glm::dvec3 foot{random.uniform(-half, half), 0, random.uniform(-half, half)};
-        const double around = random.uniform(0.0, full_turn);
-        const glm::dvec3 up = glm::normalize(glm::dvec3(0.4 * std::cos(around), 1.0, 0.4 * std::sin(around)));
-        parts.add(
-            make_leaf(random, foot, up, random.uniform(0.6, 1.4) * foliage.blade, 0.08 * foliage.blade));
-    }
+    add_crown(parts, random, top + glm::dvec3(0, 0.15 * height, 0), 0.35 * height, leaves / 4, leaf);
 }
 
 }  // namespace
 
-Scene made(const Foliage& foliage) {
-    numeric::Random random(foliage.seed);
+Scene make_foliage(const Row& row) {
+    numeric::Random random = random_of(row);
+    const double half = row.value("half_side", 3.0);
+    const int leaves = row.value("leaves", 400);
+    const double leaf = row.value("leaf", 0.12);
+    const double blade = row.value("blade", 0.2);
     Parts parts{.mesh = make_parallelogram({-30, 0, -30}, {0, 0, 60}, {60, 0, 0}, 2.0)};
-    for (int i = 0; i < foliage.trees; ++i) {
-        const double x = random.uniform(-foliage.half, foliage.half);
-        const double z = random.uniform(-foliage.half, foliage.half);
-        add_tree(parts, random, {x, 0, z}, foliage);
-    }
-    for (int i = 0; i < foliage.bushes; ++i) {
+    const auto anywhere = [&](double y = 0.0) {
+        const double x = random.uniform(-half, half);
+        return glm::dvec3(x, y, random.uniform(-half, half));
+    };
+    for (int i = 0; i < row.value("trees", 0); ++i) add_tree(parts, random, anywhere(), leaves, leaf);
+    for (int i = 0; i < row.value("bushes", 0); ++i) {
         const double radius = random.uniform(0.25, 0.45);
-        const double x = random.uniform(-foliage.half, foliage.half);
-        const double z = random.uniform(-foliage.half, foliage.half);
-        add_crown(parts, random, {x, 0.8 * radius, z}, radius, foliage.leaves, foliage.leaf);
+        add_crown(parts, random, anywhere(0.8 * radius), radius, leaves, leaf);
     }
-    add_meadow(parts, random, foliage.half, foliage);
-    return {.mesh = std::move(parts.mesh), .ao_radius = foliage.radius};
+    for (int i = 0; i < row.value("blades", 0); ++i) {
+        const glm::dvec3 foot = anywhere();
+        const double around = random.uniform(0.0, full_turn);
+        const glm::dvec3 up = glm::normalize(glm::dvec3(0.4 * std::cos(around), 1.0, 0.4 * std::sin(around)));
+        parts.add(make_leaf(random, foot, up, random.uniform(0.6, 1.4) * blade, 0.08 * blade));
+    }
+    return {.mesh = std::move(parts.mesh)};
 }
 
 namespace {
@@ -166,36 +158,42 @@ Mesh make_height_field(double half, int cells, const std::function<double(double
 
 }  // namespace
 
-double height_at(const Terrain& terrain, double x, double z) {
-    double height = fractal_noise(x / terrain.size, z / terrain.size, 6, terrain.seed);
-    if (terrain.ridged) height = 1.0 - 2.0 * std::abs(height);
-    return terrain.relief * height;
+std::function<double(double x, double z)> height_of(const Row& terrain) {
+    const double size = terrain.value("size", 12.0);
+    const double relief = terrain.value("relief", 3.0);
+    const bool ridged = terrain.value("ridged", false);
+    const std::uint64_t seed = terrain["seed"];
+    return [=](double x, double z) {
+        const double height = fractal_noise(x / size, z / size, 6, seed);
+        return relief * (ridged ? 1.0 - 2.0 * std::abs(height) : height);
+    };
 }
 
-Scene made(const Terrain& terrain) {
-    Scene scene{.mesh = make_height_field(terrain.half, 220,
-                                          [&](double x, double z) { return height_at(terrain, x, z); })};
-    numeric::Random random(terrain.seed);
-    for (int i = 0; i < terrain.stones; ++i) {
-        const double x = random.uniform(-0.6 * terrain.half, 0.6 * terrain.half);
-        const double z = random.uniform(-0.6 * terrain.half, 0.6 * terrain.half);
-        const double radius = terrain.stone * random.uniform(0.4, 1.2);
-        append(scene.mesh, make_stone({x, height_at(terrain, x, z) + 0.3 * radius, z}, radius,
-                                      terrain.seed + static_cast<std::uint64_t>(i)));
+Scene make_terrain(const Row& row) {
+    const double half = row.value("half_side", 40.0);
+    const auto height = height_of(row);
+    Scene scene{.mesh = make_height_field(half, 220, height)};
+    numeric::Random random = random_of(row);
+    for (int i = 0; i < row.value("stones", 0); ++i) {
+        const double x = random.uniform(-0.6 * half, 0.6 * half);
+        const double z = random.uniform(-0.6 * half, 0.6 * half);
+        const double radius = row.value("stone", 0.6) * random.uniform(0.4, 1.2);
+        append(scene.mesh, make_stone({x, height(x, z) + 0.3 * radius, z}, radius,
+                                      row["seed"].get<std::uint64_t>() + static_cast<std::uint64_t>(i)));
     }
-    scene.ao_radius = terrain.radius;
     return scene;
 }
 
 // Blocks of houses in a grid of streets, with roofs, parapets and chimneys.
-Scene made(const Town& town) {
-    numeric::Random random(town.seed);
+Scene make_town(const Row& row) {
+    numeric::Random random = random_of(row);
+    constexpr int blocks = 8;  // in each direction
     Parts parts{.cell = 4.0, .mesh = make_parallelogram({-400, 0, -400}, {0, 0, 800}, {800, 0, 0}, 10.0)};
-    for (int row = 0; row < town.blocks; ++row) {
-        for (int column = 0; column < town.blocks; ++column) {
-            const double x = 16.0 * (column - 0.5 * town.blocks);
-            const double z = -16.0 * row;
-            const double tall = random.uniform(5.0, town.tallest);
+    for (int line = 0; line < blocks; ++line) {
+        for (int column = 0; column < blocks; ++column) {
+            const double x = 16.0 * (column - 0.5 * blocks);
+            const double z = -16.0 * line;
+            const double tall = random.uniform(5.0, 18.0);
             const double wide = random.uniform(8.0, 12.0);
             parts.box({x, 0, z - wide}, {x + wide, tall, z});
             parts.box({x - 0.3, tall, z - wide - 0.3}, {x + wide + 0.3, tall + 0.5, z + 0.3});
@@ -205,7 +203,7 @@ Scene made(const Town& town) {
             parts.box({x + chimney, tall, z - 3.0}, {x + chimney + 1.2, tall + 3.0, z - 1.8});
         }
     }
-    return {.mesh = std::move(parts.mesh), .ao_radius = town.radius};
+    return {.mesh = std::move(parts.mesh)};
 }
 
 }  // namespace gloam::scene::views
