@@ -208,7 +208,7 @@ class BrokenKernelTest : public testing::Test {
             "void main() {{ uint i = gl_GlobalInvocationID.x; if (i >= count) return; {} }}\n",
             body);
         shader::Spirv spirv = shader::compile({.name = "broken kernel", .text = text}, {});
-        return lab.core({.spirv = std::move(spirv), .input_words = 1, .output_words = 1}, "broken");
+        return lab.core({{.spirv = std::move(spirv), .input_words = 1, .output_words = 1, .name = "broken"}});
     }
 
     static KernelCore::Result run(const KernelCore& core) {

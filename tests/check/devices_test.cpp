@@ -278,8 +278,8 @@ TEST_P(OpenGlDevice, RunsTextsOfChangedModules) {
     GLOAM_LAB_OR_SKIP(plain);
     const Lab lab = changed();
     const Function<unsigned(unsigned)> reversed(lab, "opengl.glsl", "reversed_bits");
-    EXPECT_NE(reversed.core().module().glsl,
-              Function<unsigned(unsigned)>(*plain, "opengl.glsl", "reversed_bits").core().module().glsl);
+    EXPECT_NE(reversed.core().module().text,
+              Function<unsigned(unsigned)>(*plain, "opengl.glsl", "reversed_bits").core().module().text);
     EXPECT_EQ(reversed(0xf0U), 0x0f000000U);
 }
 

@@ -60,7 +60,7 @@ TEST(OwnSamplers, AreGlobalsAndParameters) {
     const auto samplers = [](const char* name) {
         std::vector<std::string> texts;
         for (const ImagePrototype& one : function_of(file, name).images)
-            texts.push_back(one.sampler->type + " " + one.name);
+            texts.push_back(one.sampler + " " + one.name);
         return texts;
     };
     EXPECT_THAT(samplers("sampled"), ElementsAre("sampler2D tex"));

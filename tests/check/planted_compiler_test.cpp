@@ -27,16 +27,9 @@ class FaultyDriver : public backend::Backend {
     [[nodiscard]] const backend::DeviceInfo& info() const override { return right_->info(); }
     [[nodiscard]] std::unique_ptr<backend::Kernel> make_kernel(
         const backend::KernelProgram& program) const override {
-        const shader::Spirv changed = fault_.plant(program.spirv);
-        return right_->make_kernel({.spirv = changed,
-                                    .constants = program.constants,
-                                    .text = program.text,
-                                    .input_words = program.input_words,
-                                    .output_words = program.output_words,
-                                    .fixed_inputs = program.fixed_inputs,
-                                    .stores = program.stores,
-                                    .sampled = program.sampled,
-                                    .name = program.name});
+        backend::KernelProgram changed = program;
+        changed.spirv = fault_.plant(program.spirv);
+        return right_->make_kernel(changed);
     }
 
   private:
@@ -132,12 +125,12 @@ TEST(PlantedCompiler, EachFaultIsFound) {
             module.before = module.spirv;
             module.rounds_to_even = true;
             module.spirv = fault.plant(module.spirv);
-            return KernelCore(*exact, std::move(module), "it");
+            return KernelCore(*exact, std::move(module));
         });
         if (!fault.in_a_driver) continue;
         const FaultyDriver faulty(test::SharedDevice::get(), fault);
         look(fault, "in a driver",
-             [&](KernelModule module) { return KernelCore(faulty, std::move(module), "it"); });
+             [&](KernelModule module) { return KernelCore(faulty, std::move(module)); });
     }
 }
 

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "backend/gl/device.hpp"
-#include "check/internal/trial.hpp"
+#include "check/internal/session.hpp"
 #include "check/prepared_check.hpp"
 #include "check/run.hpp"
 #include "support/entries.hpp"
@@ -86,13 +86,13 @@ Verdicts verdicts_on(const Lab& lab, const KernelCore& kernel, const Question& q
     const Verdict verdict = verdict_of(lab.options().variant, question);
     Verdicts verdicts(empty_answer(question, verdict));
     internal::for_each_scenario(question, inputs, [&](const ImageScenario& scenario, std::size_t share) {
-        const internal::Trial trial(lab, question, kernel, scenario, 1, verdict);
+        const internal::Session session(lab, question, kernel, scenario, 1, verdict);
         auto evaluated =
-            trial.run(question.domain.draw(share, trial.input_seed(), scenario.size), verdicts.right);
+            session.run(question.domain.draw(share, session.input_seed(), scenario.size), verdicts.right);
         verdicts.add(evaluated.result.outputs, [&](const std::vector<Word>& outputs, Answer& answer) {
             auto as_given = evaluated;
             as_given.result.outputs = outputs;
-            trial.judge(as_given, answer);
+            session.judge(as_given, answer);
         });
     });
     return verdicts;

@@ -72,7 +72,7 @@ TEST_P(CatalogueTest, IsTheDevicesWhereThereIsOneResult) {
             scenario.make ? scenario.make(scenario.size, random) : check::ImageSet{};
         const check::Domain::Inputs inputs = c.domain.draw(512 / scenarios.size(), 1, scenario.size);
         const check::KernelCore::Result device = kernel.run(inputs.words, inputs.count(), images);
-        const auto words = image_words(kernel.module().images, images, c.function);
+        const auto words = image_words(kernel.module().prototypes, images, c.function);
         InterpretedKernel<float> ours(program, kernel.module(), words);
         for (std::size_t i = 0; i < inputs.count(); ++i) {
             ours.run(inputs.row(i));
@@ -173,7 +173,7 @@ TEST_P(RandomModule, MeansTheSameWhenItIsOptimised) {
 std::vector<Word> outputs_of(const Subject& subject, check::KernelModule module, const shader::Spirv& spirv) {
     module.spirv = spirv;
     const check::Domain::Inputs inputs = subject.question.domain.draw(inputs_of_each, 1);
-    return subject.lab.core(std::move(module), "it").run(inputs.words, inputs.count()).outputs;
+    return subject.lab.core(std::move(module)).run(inputs.words, inputs.count()).outputs;
 }
 
 // Each change of its own, and all of a seed together, in modules with variables and in those without.

@@ -142,24 +142,28 @@ struct KernelFaults {
 // Words behind the outputs, which no kernel may change.
 inline constexpr std::size_t guard_words = 64;
 
-// A kernel before a device compiles it. What it refers to is read by Backend::make_kernel() only.
+// An image of a kernel: a storage buffer, unless it is one of the next two.
+struct KernelImage {
+    bool stores = false;       // whether the kernel stores to it
+    bool sampled = false;      // a sampler reads it
+    std::string layered = {};  // the format of a storage image with a layer for each input
+};
+
+// A kernel before a device compiles it.
 struct KernelProgram {
-    const std::vector<Word>& spirv;
-    std::span<const Constant> constants;
-    const std::string& text;  // the same kernel in the language of DeviceInfo::glsl
+    std::vector<Word> spirv;
+    std::vector<Constant> constants = {};
+    std::string text = {};  // the same kernel in the language of DeviceInfo::glsl
     std::size_t input_words = 0;
     std::size_t output_words = 0;
-    std::size_t fixed_inputs = 0;    // inputs that are constants of the module; 0: they come from memory
-    std::vector<bool> stores = {};   // for each image, whether the kernel stores to it
-    std::vector<bool> sampled = {};  // for each image, whether a sampler reads it, and not a storage buffer
-    // For each image, the format of a storage image with a layer for each input, which holds nothing at
-    // first; empty: it is none. layer_size: the sides of all.
-    std::vector<std::string> layered = {};
-    std::array<std::uint32_t, 2> layer_size{};
-    const std::string& name;  // for messages
+    std::size_t fixed_inputs = 0;  // inputs that are constants of the module; 0: they come from memory
+    std::vector<KernelImage> images = {};
+    std::array<std::uint32_t, 2> layer_size{};  // the sides of all images with layers, which begin empty
+    std::string name = {};                      // for messages
     Team team = {};
-    std::span<const Word> vertex_spirv = {};  // of a quad: the shader before it, of the
-                                              // corners (-1, -1), (1, -1), (-1, 1)
+    std::vector<Word> vertex_spirv =
+        {};  // of a quad: the shader before it, of the corners (-1, -1), (1, -1),
+             // (-1, 1)
 
     // Words of an input or of an output row, whichever are more.
     [[nodiscard]] std::size_t widest() const { return std::max(input_words, output_words + 1); }

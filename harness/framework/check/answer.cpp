@@ -37,31 +37,11 @@ bool is_worse(const Sample& sample, const std::optional<Sample>& worst) {
 }  // namespace
 
 std::string_view name_of(Reason reason) {
-    switch (reason) {
-        case Reason::crash:
-            return "crash";
-        case Reason::hang:
-            return "hang";
-        case Reason::device_lost:
-            return "device lost";
-        case Reason::out_of_memory:
-            return "out of memory";
-        case Reason::error:
-            return "error";
-        case Reason::fault:
-            return "fault";
-        case Reason::race:
-            return "race";
-        case Reason::divergent:
-            return "divergent barrier";
-        case Reason::unsupported:
-            return "unsupported";
-        case Reason::unchanged:
-            return "unchanged";
-        case Reason::none:
-            break;
-    }
-    return "";
+    static constexpr std::array<std::string_view, std::size(all_reasons)> names{
+        "",         "crash", "hang", "device lost",       "out of memory",
+        "error",    "fault", "race", "divergent barrier", "unsupported",
+        "unchanged"};
+    return names.at(static_cast<std::size_t>(reason));
 }
 
 std::string_view name_of(Outcome outcome) {

@@ -2,6 +2,7 @@
 #include "check/audit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -11,29 +12,16 @@
 #include "check/internal/audit_motion.hpp"
 #include "check/internal/audit_search.hpp"
 #include "check/internal/rewrites.hpp"
-#include "check/internal/trial.hpp"
+#include "check/internal/session.hpp"
 #include "check/run.hpp"
 #include "numeric/numbers.hpp"
 
 namespace gloam::check {
 
 std::string name_of(Concern concern) {
-    switch (concern) {
-        case Concern::fault:
-            return "fault";
-        case Concern::not_finite:
-            return "not finite";
-        case Concern::undefined:
-            return "undefined";
-        case Concern::unspecified:
-            return "unspecified";
-        case Concern::parting:
-            return "two ways";
-        case Concern::digits:
-            return "loses digits";
-        default:
-            return "drivers differ";
-    }
+    static constexpr std::array names{"fault",    "not finite",   "undefined",     "unspecified",
+                                      "two ways", "loses digits", "drivers differ"};
+    return names.at(static_cast<std::size_t>(concern));
 }
 
 bool Audit::is_broken() const {

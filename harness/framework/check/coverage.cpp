@@ -11,7 +11,7 @@
 
 #include "base/text.hpp"
 #include "check/explain.hpp"
-#include "check/internal/trial.hpp"
+#include "check/internal/session.hpp"
 #include "check/interpreted_kernel.hpp"
 #include "check/run.hpp"
 #include "shader/include.hpp"
@@ -90,7 +90,7 @@ class Measurement {
   private:
     void run(const ImageScenario& scenario, std::size_t share, std::uint64_t steps) {
         const ImageSet images = internal::images_of(scenario, options_.seed);
-        const auto words = image_words(module_.images, images, question_.function);
+        const auto words = image_words(module_.prototypes, images, question_.function);
         InterpretedKernel<float> kernel(program_, module_, words);
         const Domain::Inputs inputs =
             domain_.draw(share, internal::input_seed_of(question_, scenario, options_.seed), scenario.size);

@@ -240,12 +240,8 @@ KernelModule lined_module(const shader::CompileOptions& options, const KernelSou
     shader::CompileOptions with_lines = options;
     with_lines.lines = true;
     with_lines.stage = stage_of(source.team);
-    const Signature signature{.result = source.function.result, .parameters = source.function.parameters};
-    return {.spirv = cache.compile({.name = kernel_name, .text = kernel_code(source)}, with_lines),
-            .input_words = signature.input_words(),
-            .output_words = signature.output_words(),
-            .images = source.images,
-            .team = source.team};
+    return kernel_module(source,
+                         cache.compile({.name = kernel_name, .text = kernel_code(source)}, with_lines));
 }
 
 KernelModule lined_module(const Lab& lab, const KernelSource& source) {
@@ -288,7 +284,7 @@ Explanation explain(const shader::CompileOptions& options, const KernelSource& s
                                                 shader::to_glsl(source.function), module.input_words,
                                                 input.size()));
     const interpreter::Program program(module.spirv);
-    const std::vector<std::vector<Word>> words = image_words(module.images, images, source.function.name);
+    const std::vector<std::vector<Word>> words = image_words(module.prototypes, images, source.function.name);
     InterpretedKernel<Explained> kernel(program, module, words);
     Explanation all = explain(kernel, input);
     all.scalars = Signature{.result = source.function.result, .parameters = source.function.parameters}

@@ -54,7 +54,7 @@ const Image& find_image(const ImageSet& images, const ImagePrototype& prototype,
                                                 prototype.name, shader::to_glsl(image.element),
                                                 shader::to_glsl(prototype.element)));
     }
-    if (image.sampling.has_value() != prototype.sampler.has_value())
+    if (image.sampling.has_value() != prototype.sampled)
         throw std::invalid_argument(fmt::format("{}: the image of {} is {}for a sampler", kernel,
                                                 prototype.name, image.sampling ? "" : "not "));
     if (image.size.x < 1 || image.size.y < 1 || image.words.size() != words_in(image)) {
@@ -66,7 +66,7 @@ const Image& find_image(const ImageSet& images, const ImagePrototype& prototype,
 }
 
 std::vector<Word> words_of(const Image& image, const ImagePrototype& prototype) {
-    if (prototype.sampler) return internal::sampled_words(image, prototype.sampler->type);
+    if (prototype.sampled) return internal::sampled_words(image, prototype.sampler);
     std::vector<Word> words{static_cast<Word>(image.size.x), static_cast<Word>(image.size.y),
                             image.border == Border::clamp ? 1U : 0U};
     words.insert(words.end(), image.words.begin(), image.words.end());
@@ -79,8 +79,8 @@ std::vector<std::vector<Word>> image_words(const std::vector<ImagePrototype>& pr
                                            const ImageSet& images, const std::string& kernel) {
     std::vector<std::vector<Word>> all;
     for (const ImagePrototype& prototype : prototypes)
-        all.push_back(prototype.layers ? std::vector<Word>{}
-                                       : words_of(find_image(images, prototype, kernel), prototype));
+        all.push_back(prototype.layered.empty() ? words_of(find_image(images, prototype, kernel), prototype)
+                                                : std::vector<Word>{});
     return all;
 }
 

@@ -64,9 +64,9 @@ class InterpretedKernel {
         machine_.bind_push_constants(push_);
         for (std::size_t i = 0; i < images.size(); ++i) {
             const auto binding = KernelBinding::first_image + static_cast<unsigned>(i);
-            if (module.images[i].layers) {
-                bind_layers(binding, module.images[i].layers->format);
-            } else if (module.images[i].sampler) {
+            if (!module.images[i].layered.empty()) {
+                bind_layers(binding, module.images[i].layered);
+            } else if (module.images[i].sampled) {
                 machine_.bind(0, binding, interpreter::sampled_view_of(images[i], module.samplers));
             } else {
                 machine_.bind(0, binding, images[i]);

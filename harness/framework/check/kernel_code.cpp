@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <set>
 #include <string_view>
 
@@ -17,6 +18,18 @@ std::string kernel_code(const KernelSource& source) {
 
 shader::Stage stage_of(const backend::Team& team) {
     return team.kind == backend::Team::Kind::quad ? shader::Stage::fragment : shader::Stage::compute;
+}
+
+KernelModule kernel_module(const KernelSource& source, shader::Spirv spirv) {
+    const Signature signature{.result = source.function.result, .parameters = source.function.parameters};
+    return {{.spirv = std::move(spirv),
+             .input_words = signature.input_words(),
+             .output_words = signature.output_words(),
+             .images = {source.images.begin(), source.images.end()},
+             .layer_size = image_sides,
+             .name = source.function.name,
+             .team = source.team},
+            source.images};
 }
 
 shader::Source quad_vertices() {
@@ -60,7 +73,42 @@ void scalar_paths(const Type& type, const std::string& variable,
     }
 }
 
+// How a scalar becomes its word, and a word its scalar; those of uint are equal.
+struct Conversion {
+    Scalar scalar;
+    const char* to_word;
+    const char* to_scalar;
+};
+constexpr std::array conversions{
+    Conversion{Scalar::float16_, "floatBitsToUint(float({}))", "float16_t(uintBitsToFloat({}))"},
+    Conversion{Scalar::float_, "floatBitsToUint({})", "uintBitsToFloat({})"},
+    Conversion{Scalar::int_, "uint({})", "int({})"},
+    Conversion{Scalar::bool_, "({} ? 1u : 0u)", "({} != 0u)"}};
+
+std::string converted(Scalar scalar, const char* Conversion::* how, const std::string& text) {
+    const auto found = std::ranges::find(conversions, scalar, &Conversion::scalar);
+    return found == conversions.end() ? text : fmt::format(fmt::runtime((*found).*how), text);
+}
+
 }  // namespace
+
+std::string word_of_scalar(Scalar scalar, const std::string& value) {
+    return converted(scalar, &Conversion::to_word, value);
+}
+
+std::string scalar_of_word(Scalar scalar, const std::string& word) {
+    return converted(scalar, &Conversion::to_scalar, word);
+}
+
+std::string number_extensions(const KernelSource& source) {
+    std::vector<Scalar> scalars = scalars_of(source.function.result);
+    for (const shader::Parameter& parameter : source.function.parameters)
+        append_scalars(parameter.type, scalars);
+    for (const ImagePrototype& image : source.images) append_scalars(image.element, scalars);
+    return std::ranges::find(scalars, Scalar::float16_) == scalars.end()
+               ? ""
+               : "#extension GL_EXT_shader_explicit_arithmetic_types_float16 : require\n";
+}
 
 std::size_t append_read(std::string& code, const Type& type, const std::string& variable,
                         const InputText& input, std::size_t offset) {
@@ -134,13 +182,11 @@ std::string group_layout(const KernelSource& source) {
 }
 
 std::string image_interface(const ImagePrototype& image, std::size_t index) {
-    if (image.layers)
-        return fmt::format("#define {} {}\n", image.layers->macro, KernelBinding::first_image + index);
-    if (image.sampler && image.sampler->variable.empty())
-        return fmt::format("#define {} {}\n", image.sampler->macro, KernelBinding::first_image + index);
-    if (image.sampler)
+    if (!image.macro.empty())
+        return fmt::format("#define {} {}\n", image.macro, KernelBinding::first_image + index);
+    if (image.sampled)
         return fmt::format("layout(binding = {}) uniform highp {} {};\n", KernelBinding::first_image + index,
-                           image.sampler->type, image.sampler->variable);
+                           image.sampler, image.variable);
     return fmt::format(
         "layout(std430, binding = {}) {}buffer GloamKernelImage{} {{ uint gloam_kernel_image{}[]; "
         "}};\n",

@@ -15,28 +15,18 @@
 
 namespace gloam::check {
 
-// A prototype or a sampler with a synthetic image behind it, or an image of the function itself.
-struct ImagePrototype {
+// A prototype or a sampler with a synthetic image behind it, or an image of the function itself. A prototype
+// that stores is void name(ivec2 pixel, T value), another one T name(ivec2 pixel).
+struct ImagePrototype : backend::KernelImage {
     std::string name;
     shader::Type element;
-    bool stores = false;  // void name(ivec2 pixel, T value), else T name(ivec2 pixel)
-    // Of a sampler, which stands for no prototype.
-    struct Sampler {
-        std::string type;  // shader::is_sampler_type()
-        // The kernel's variable for a parameter. Empty: the file has one, whose binding is `macro`.
-        std::string variable;
-        std::string macro;
-    };
-    std::optional<Sampler> sampler = {};
-    // Of an image that the function loads or stores, a layer for each input: scratch memory that the kernel
-    // fills.
-    struct Layers {
-        std::string format;
-        std::string macro;
-    };
-    std::optional<Layers> layers = {};
+    std::string sampler = {};  // shader::is_sampler_type() of what is sampled, which stands for no prototype
+    // The kernel's variable for a parameter of that type. Empty: the file has one, whose binding is `macro`,
+    // as that of an image that the function loads or stores: scratch memory that the kernel fills.
+    std::string variable = {};
+    std::string macro = {};
 
-    [[nodiscard]] bool is_prototype() const { return !sampler && !layers; }
+    [[nodiscard]] bool is_prototype() const { return !sampled && layered.empty(); }
 };
 
 // What a compute shader is generated from.
@@ -68,24 +58,18 @@ inline constexpr std::size_t image_header_words = 3;
 // The text of a shader that calls the function once for each input; of a team, once in each invocation.
 [[nodiscard]] std::string kernel_code(const KernelSource& source);
 
-// A compiled kernel, as it is passed to a driver or the interpreter.
-struct KernelModule {
-    shader::Spirv spirv;  // follows the interface of kernel_code()
+// A compiled kernel, as it is passed to a driver or the interpreter. Its `spirv` follows the interface of
+// kernel_code().
+struct KernelModule : backend::KernelProgram {
+    std::vector<ImagePrototype> prototypes = {};  // of `images`
     // The module before the steps of a compiler, whose rules hold for the results. Empty: there were none.
     shader::Spirv before = {};
-    std::vector<backend::Constant> constants;
-    std::size_t input_words = 0;
-    std::size_t output_words = 0;
-    std::vector<ImagePrototype> images;
-    std::size_t fixed_inputs = 0;  // inputs that are constants in it; 0: they come from memory
-    std::string glsl;              // the same kernel as text, for a device with DeviceInfo::glsl; else empty
-    bool rounds_to_even = false;   // what runs it rounds each correctly rounded result so
-    bool judged_by_rules = true;   // off where the version of GLSL has no precision rules to ask
+    bool rounds_to_even = false;              // what runs it rounds each correctly rounded result so
+    bool judged_by_rules = true;              // off where the version of GLSL has no precision rules to ask
     backend::SamplerPrecision samplers = {};  // of the device that runs it, as the next
     std::uint32_t subgroup_size = 1;
-    backend::Team team = {};
-    shader::Spirv vertices = {};  // of a quad: quad_vertices()
 };
+[[nodiscard]] KernelModule kernel_module(const KernelSource& source, shader::Spirv spirv);
 
 // The modules that evaluated a run's inputs, one after another. A single module evaluated all inputs;
 // otherwise each evaluated its fixed_inputs.

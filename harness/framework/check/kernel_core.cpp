@@ -24,26 +24,6 @@ Word new_canary() {
     return entropy();
 }
 
-std::unique_ptr<const backend::Kernel> made(const backend::Backend& device, const KernelModule& module,
-                                            const std::string& name) {
-    backend::KernelProgram program{.spirv = module.spirv,
-                                   .constants = module.constants,
-                                   .text = module.glsl,
-                                   .input_words = module.input_words,
-                                   .output_words = module.output_words,
-                                   .fixed_inputs = module.fixed_inputs,
-                                   .layer_size = image_sides,
-                                   .name = name,
-                                   .team = module.team,
-                                   .vertex_spirv = module.vertices};
-    for (const ImagePrototype& image : module.images) {
-        program.stores.push_back(image.stores);
-        program.sampled.push_back(image.sampler.has_value());
-        program.layered.push_back(image.layers ? image.layers->format : std::string());
-    }
-    return device.make_kernel(program);
-}
-
 // Some of a run's inputs.
 struct Part {
     std::size_t first;  // position of its first input in the whole run
@@ -79,7 +59,7 @@ void add_faults(const Part& part, const KernelFaults& faults, const KernelModule
         all->count += faults.count;
         return;
     }
-    const ImagePrototype& image = module.images.at(faults.image);
+    const ImagePrototype& image = module.prototypes.at(faults.image);
     all = ImageFault{.image = image.name,
                      .pixel = {static_cast<int>(faults.x), static_cast<int>(faults.y)},
                      .size = images.at(image.name).size,
@@ -102,23 +82,22 @@ std::string to_text(const ImageFault& fault) {
                        fault.pixel.x, fault.pixel.y, fault.size.x, fault.size.y, fault.count, fault.input);
 }
 
-KernelCore::KernelCore(const backend::Backend& device, KernelModule module, std::string name)
+KernelCore::KernelCore(const backend::Backend& device, KernelModule module)
     : module_(std::make_shared<const KernelModule>(std::move(module))),
-      kernel_(made(device, *module_, name)),
-      name_(std::move(name)) {}
+      kernel_(device.make_kernel(*module_)) {}
 
 KernelCore::Result KernelCore::run(std::span<const Word> inputs, std::size_t count,
                                    const ImageSet& images) const {
     const std::size_t in = module_->input_words;
     const std::size_t out = module_->output_words;
     if (inputs.size() != count * in) {
-        throw std::invalid_argument(fmt::format("{}: {} inputs of {} words need {} words, got {}", name_,
-                                                count, in, count * in, inputs.size()));
+        throw std::invalid_argument(fmt::format("{}: {} inputs of {} words need {} words, got {}",
+                                                module_->name, count, in, count * in, inputs.size()));
     }
     Result result;
     if (module_->judged_by_rules) result.modules = {module_};
     result.outputs.reserve(count * out);
-    std::vector<std::vector<Word>> words = image_words(module_->images, images, name_);
+    std::vector<std::vector<Word>> words = image_words(module_->prototypes, images, module_->name);
     for (Part part{.first = 0, .count = 0}; part.first < count; part.first += part.count) {
         part.count = std::min(kernel_->most_inputs(), count - part.first);
         backend::KernelMemory memory{.inputs = inputs.subspan(part.first * in, part.count * in),
@@ -127,11 +106,11 @@ KernelCore::Result KernelCore::run(std::span<const Word> inputs, std::size_t cou
         memory.outputs.resize(memory.outputs.size() + backend::guard_words, guard_pattern);
         const Word canary = new_canary();
         kernel_->run(part.count, canary, memory);
-        add_outputs(part, canary, out, memory.outputs, name_, result.outputs);
+        add_outputs(part, canary, out, memory.outputs, module_->name, result.outputs);
         add_faults(part, memory.faults, *module_, images, result.fault);
     }
     for (std::size_t i = 0; i < words.size(); ++i) {
-        const ImagePrototype& image = module_->images[i];
+        const ImagePrototype& image = module_->prototypes[i];
         if (image.stores) result.stored.emplace(image.name, stored(images.at(image.name), words[i]));
     }
     return result;
@@ -147,38 +126,20 @@ interpreter::Program decoded(const backend::KernelProgram& program) {
     }
 }
 
-// All that the interpreter asks of images: whether a sampler reads them, and the format of layers.
-std::vector<ImagePrototype> images_of(const backend::KernelProgram& program) {
-    std::vector<ImagePrototype> images(program.sampled.size());
-    for (std::size_t i = 0; i < images.size(); ++i)
-        if (program.sampled[i])
-            images[i].sampler.emplace();
-        else if (!program.layered[i].empty())
-            images[i].layers = {.format = program.layered[i], .macro = {}};
-    return images;
-}
-
 class InterpreterKernel : public backend::Kernel {
   public:
     static constexpr std::uint32_t subgroup_size = 4;
 
     explicit InterpreterKernel(const backend::KernelProgram& program)
-        : program_(decoded(program)),
-          module_{.spirv = {},
-                  .input_words = program.input_words,
-                  .output_words = program.output_words,
-                  .images = images_of(program),
-                  .fixed_inputs = program.fixed_inputs,
-                  .subgroup_size = subgroup_size,
-                  .team = program.team},
-          stores_(program.stores),
-          name_(program.name) {}
+        : program_(decoded(program)), module_{program} {
+        module_.subgroup_size = subgroup_size;
+    }
 
     [[nodiscard]] std::size_t most_inputs() const override { return std::numeric_limits<std::size_t>::max(); }
 
     void run(std::size_t count, Word canary, backend::KernelMemory& memory) const override {
         // One share where there are stores: each input sees those of the inputs before it.
-        const bool stores = std::ranges::find(stores_, true) != stores_.end();
+        const bool stores = std::ranges::any_of(module_.images, &backend::KernelImage::stores);
         const auto shares = base::shares_of(count, stores ? 1 : base::processors());
         std::vector<KernelFaults> faults(shares.size());
         base::for_each_index(shares.size(), 0,
@@ -201,12 +162,15 @@ class InterpreterKernel : public backend::Kernel {
             memory.outputs[i * row + row - 1] ^=
                 static_cast<Word>(invocation) ^ canary ^ static_cast<Word>(i);
             // Without prototypes an optimised module has no fault buffer.
-            if (std::ranges::none_of(module_.images, &ImagePrototype::is_prototype)) continue;
+            const auto is_prototype = [](const backend::KernelImage& image) {
+                return !image.sampled && image.layered.empty();
+            };
+            if (std::ranges::none_of(module_.images, is_prototype)) continue;
             KernelFaults fault = kernel.faults();
             fault.input = static_cast<Word>(i);
             add(fault, faults);
             for (std::size_t image = 0; image < images.size(); ++image)
-                if (stores_[image]) kernel.read_image(image, images[image]);
+                if (module_.images[image].stores) kernel.read_image(image, images[image]);
         }
     }
 
@@ -216,7 +180,7 @@ class InterpreterKernel : public backend::Kernel {
             kernel.run(inputs.empty() ? inputs : inputs.subspan(i * module_.input_words, module_.input_words),
                        invocation);
         } catch (const interpreter::Error& error) {
-            const std::string message = fmt::format("{}: input {}: {}", name_, i, error.what());
+            const std::string message = fmt::format("{}: input {}: {}", module_.name, i, error.what());
             if (error.is_of_group()) throw interpreter::Error(error.kind(), message);
             if (error.is_of_input()) throw backend::UndefinedResult(message);
             throw backend::Fault(message);
@@ -231,8 +195,6 @@ class InterpreterKernel : public backend::Kernel {
 
     interpreter::Program program_;
     KernelModule module_;
-    std::vector<bool> stores_;
-    std::string name_;
 };
 
 class Interpreter : public backend::Backend {

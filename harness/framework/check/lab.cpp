@@ -88,9 +88,9 @@ std::optional<ImagePrototype> image_prototype(const shader::Function& function) 
     const bool by_pixel =
         !p.empty() && p[0].type == type_of<glm::ivec2>() && p[0].direction == shader::Direction::in;
     const bool is_void = function.result.scalar == shader::Scalar::void_;
-    if (by_pixel && p.size() == 1 && !is_void) return ImagePrototype{function.name, function.result, false};
+    if (by_pixel && p.size() == 1 && !is_void) return ImagePrototype{{}, function.name, function.result};
     if (by_pixel && p.size() == 2 && is_void && p[1].direction == shader::Direction::in) {
-        return ImagePrototype{function.name, p[1].type, true};
+        return ImagePrototype{{.stores = true}, function.name, p[1].type};
     }
     return std::nullopt;
 }
@@ -104,9 +104,9 @@ shader::Type texel_type(const std::string& sampler) {
 
 // A translator gives separate samplers other names: "_image_sampler".
 bool is_of(const std::string& resource, const ImagePrototype& image) {
-    if (image.layers) return resource == image.name;
-    if (!image.sampler) return false;
-    const std::string& name = image.sampler->variable.empty() ? image.name : image.sampler->variable;
+    if (!image.layered.empty()) return resource == image.name;
+    if (!image.sampled) return false;
+    const std::string& name = image.variable.empty() ? image.name : image.variable;
     return resource == name || resource == "_" + name + "_sampler";
 }
 
@@ -115,26 +115,18 @@ bool is_of(const std::string& resource, const ImagePrototype& image) {
 std::vector<ImagePrototype> images_of(const shader::Excerpt& excerpt, const shader::Function& function) {
     std::vector<ImagePrototype> images;
     for (std::size_t i = 0; i < excerpt.bound.size(); ++i) {
-        const shader::BoundVariable& one = excerpt.bound[i];
+        const auto& [name, type, format, written] = excerpt.bound[i];
         const std::string macro = shader::binding_macro(i);
-        if (!one.format.empty()) {
-            images.push_back({.name = one.name,
-                              .element = pixels_of(one.format),
-                              .layers = ImagePrototype::Layers{.format = one.format, .macro = macro}});
-            continue;
-        }
-        images.push_back(
-            {.name = one.name,
-             .element = texel_type(one.type),
-             .sampler = ImagePrototype::Sampler{.type = one.type, .variable = {}, .macro = macro}});
+        if (format.empty())
+            images.push_back({{.sampled = true}, name, texel_type(type), type, {}, macro});
+        else
+            images.push_back({{.layered = format}, name, pixels_of(format), {}, {}, macro});
     }
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
-        const shader::Parameter& p = function.parameters[i];
-        if (p.type.scalar != shader::Scalar::sampler) continue;
-        images.push_back({.name = p.name,
-                          .element = texel_type(p.type.name),
-                          .sampler = ImagePrototype::Sampler{
-                              .type = p.type.name, .variable = internal::argument_name(i), .macro = {}}});
+        const auto& [type, name] = std::tie(function.parameters[i].type, function.parameters[i].name);
+        if (type.scalar == shader::Scalar::sampler)
+            images.push_back(
+                {{.sampled = true}, name, texel_type(type.name), type.name, internal::argument_name(i)});
     }
     return images;
 }
@@ -168,12 +160,12 @@ std::optional<shader::Language> Lab::language() const {
     return shader::language_from(info().glsl);
 }
 
-KernelCore Lab::core(KernelModule module, const std::string& name) const {
+KernelCore Lab::core(KernelModule module) const {
     module.samplers = info().samplers;
     module.subgroup_size = std::max(info().subgroup_size, 1U);
     // Of a compiler that is judged, both modules run on the interpreter.
     module.rounds_to_even = !module.before.empty() && info().name == interpreter_name;
-    return {*device_, std::move(module), name};
+    return {*device_, std::move(module)};
 }
 
 shader::CompileOptions Lab::compile_options() const {
@@ -232,33 +224,25 @@ KernelSource Lab::source(const std::string& file, const std::string& function,
                     named.empty() ? "none" : fmt::format("{}", fmt::join(named, ", "))));
 }
 
-std::string Lab::code(const std::string& file, const std::string& function,
-                      const Signature& signature) const {
-    return kernel_code(source(file, function, signature));
-}
-
 KernelCore Lab::kernel(const std::string& file, const std::string& function,
                        const Signature& signature) const {
     const KernelSource made_of = source(file, function, signature);
     const shader::Source text{.name = "kernel of " + function, .text = kernel_code(made_of)};
-    KernelModule module{.spirv = compile_kernel(text, made_of.images, stage_of(made_of.team)),
-                        .input_words = signature.input_words(),
-                        .output_words = signature.output_words(),
-                        .images = made_of.images,
-                        .team = made_of.team};
+    KernelModule module =
+        kernel_module(made_of, compile_kernel(text, made_of.images, stage_of(made_of.team)));
     if (made_of.team.kind == backend::Team::Kind::quad)
-        module.vertices = compile(quad_vertices(), {.stage = shader::Stage::vertex});
+        module.vertex_spirv = compile(quad_vertices(), {.stage = shader::Stage::vertex});
     if (const auto text_language = language()) {
         if (shader::has_float16(module.spirv))
             throw backend::Unsupported(function + ": needs float16_t, which OpenGL has no standard type for");
-        module.glsl = internal::gl_kernel_code(*text_language, made_of, options_.include_roots);
+        module.text = internal::gl_kernel_code(*text_language, made_of, options_.include_roots);
         module.judged_by_rules = internal::has_precision_rules(*text_language) &&
                                  !internal::calls_undefined_precision(module.spirv);
     }
     take_steps(module, text);
     if (const auto text_language = language(); text_language && !options_.variant.steps.empty())
-        module.glsl = shader::opengl_text(module.spirv, *text_language, gl::kernel_run_binding);
-    return core(std::move(module), function);
+        module.text = shader::opengl_text(module.spirv, *text_language, gl::kernel_run_binding);
+    return core(std::move(module));
 }
 
 void Lab::take_steps(KernelModule& module, const shader::Source& text) const {
@@ -365,14 +349,13 @@ KernelCore ConstantKernel::module_of(std::span<const Word> inputs, std::size_t c
                                                   literals ? "literals" : "specialization constants"),
                               .text = literals ? literal_kernel_code(source_, inputs, count)
                                                : specialized_kernel_code(source_, count)};
-    KernelModule module{.spirv = lab_->compile_kernel(text, source_.images),
-                        .output_words = output_words_,
-                        .images = source_.images,
-                        .fixed_inputs = count};
+    KernelModule module = kernel_module(source_, lab_->compile_kernel(text, source_.images));
+    module.input_words = 0;
+    module.fixed_inputs = count;
     for (std::size_t word = 0; !literals && word < inputs.size(); ++word)
         module.constants.push_back({.id = static_cast<std::uint32_t>(word), .bits = inputs[word]});
     lab_->take_steps(module, text);
-    return lab_->core(std::move(module), source_.function.name);
+    return lab_->core(std::move(module));
 }
 
 }  // namespace gloam::check

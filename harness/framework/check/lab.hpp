@@ -36,8 +36,8 @@ struct ImageFault {
 // A compiled kernel without its C++ types: words in, words out.
 class KernelCore {
   public:
-    // `name`: for messages only. The device must outlive the kernel. Throws like Backend::make_kernel().
-    KernelCore(const backend::Backend& device, KernelModule module, std::string name);
+    // The device must outlive the kernel. Throws like Backend::make_kernel().
+    KernelCore(const backend::Backend& device, KernelModule module);
 
     struct Result {
         std::vector<Word> outputs;  // count x output_words
@@ -58,8 +58,7 @@ class KernelCore {
 
   private:
     std::shared_ptr<const KernelModule> module_;
-    std::unique_ptr<const backend::Kernel> kernel_;
-    std::string name_;
+    std::shared_ptr<const backend::Kernel> kernel_;
 };
 
 // The device name of the interpreter: correctly rounded, and available on every machine.
@@ -130,10 +129,6 @@ class Lab {
                                                const std::vector<ImagePrototype>& images,
                                                shader::Stage stage = shader::Stage::compute) const;
 
-    // The generated shader of a function's kernel, in stage_of() its team.
-    [[nodiscard]] std::string code(const std::string& file, const std::string& function,
-                                   const Signature& signature) const;
-
     // Throws std::runtime_error with the validation messages since the last call, if there are any.
     void require_silent_validation() const;
 
@@ -149,7 +144,7 @@ class Lab {
     void take_steps(KernelModule& module, const shader::Source& text) const;
 
     // A kernel for this module on this lab's device.
-    [[nodiscard]] KernelCore core(KernelModule module, const std::string& name) const;
+    [[nodiscard]] KernelCore core(KernelModule module) const;
 
     [[nodiscard]] const backend::DeviceInfo& info() const { return device_->info(); }
     // Its device, for other labs to share.

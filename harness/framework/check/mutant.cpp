@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <regex>
 
@@ -18,18 +19,9 @@
 namespace gloam::check {
 
 std::string name_of(Difference difference) {
-    switch (difference) {
-        case Difference::none:
-            return "same on every input tried";
-        case Difference::unpromised:
-            return "differs only where nothing is promised";
-        case Difference::budget:
-            return "differs within the budget";
-        case Difference::real:
-            return "differs";
-        default:
-            return "not compared";
-    }
+    static constexpr std::array names{"same on every input tried", "differs only where nothing is promised",
+                                      "differs within the budget", "differs", "not compared"};
+    return names.at(static_cast<std::size_t>(difference));
 }
 
 namespace {

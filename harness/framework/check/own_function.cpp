@@ -276,8 +276,8 @@ Image random_texels(const ImagePrototype& prototype, glm::ivec2 size, Image::Sam
                     numeric::Random& random) {
     constexpr unsigned layers = 3;
     using backend::SampledShape;
-    const SampledShape shape = backend::shape_of_sampler(prototype.sampler->type);
-    const bool is_depth = backend::texel_of_sampler(prototype.sampler->type) == backend::SampledTexel::depth;
+    const SampledShape shape = backend::shape_of_sampler(prototype.sampler);
+    const bool is_depth = backend::texel_of_sampler(prototype.sampler) == backend::SampledTexel::depth;
     const bool is_cube = backend::is_cube(shape);
     if (shape == SampledShape::three || shape == SampledShape::layers) sampling.depth = layers;
     if (is_cube) sampling.depth = backend::cube_faces * (shape == SampledShape::cube ? 1 : layers);
@@ -304,7 +304,7 @@ ImageScenario random_scenario(const std::vector<ImagePrototype>& images, const s
     const auto make = [images, sampling](glm::ivec2 pixels, numeric::Random& random) {
         ImageSet set;
         for (const ImagePrototype& image : images)
-            set.emplace(image.name, image.sampler ? random_texels(image, pixels, sampling, random)
+            set.emplace(image.name, image.sampled ? random_texels(image, pixels, sampling, random)
                                                   : random_image(image, pixels, random));
         return set;
     };
@@ -315,11 +315,12 @@ ImageScenario random_scenario(const std::vector<ImagePrototype>& images, const s
 
 std::vector<ImageScenario> random_scenarios(const std::vector<ImagePrototype>& all) {
     std::vector<ImagePrototype> images;  // that have a content
-    std::ranges::copy_if(all, std::back_inserter(images), [](const auto& image) { return !image.layers; });
+    std::ranges::copy_if(all, std::back_inserter(images),
+                         [](const auto& image) { return image.layered.empty(); });
     using backend::Compare;
     using backend::Wrap;
     if (images.empty()) return {};
-    if (std::ranges::none_of(images, [](const auto& image) { return image.sampler.has_value(); }))
+    if (std::ranges::none_of(images, &ImagePrototype::sampled))
         return {random_scenario(images, "5 x 4, random", {5, 4}, {})};
     return {random_scenario(images, "5 x 4, random, linear, repeat", {5, 4}, {.linear = true}),
             random_scenario(images, "4 x 4, random, linear, edge, 3 levels", {4, 4},

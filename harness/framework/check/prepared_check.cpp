@@ -8,7 +8,7 @@
 #include "backend/gl/kernel.hpp"
 #include "check/internal/budget_judge.hpp"
 #include "check/internal/kernel_text.hpp"
-#include "check/internal/trial.hpp"
+#include "check/internal/session.hpp"
 #include "numeric/numbers.hpp"
 
 namespace gloam::check {
@@ -16,77 +16,36 @@ namespace {
 
 using shader::Scalar;
 
-// The floats that the budget allows around a result.
-struct Reach {
-    double low;
-    double high;
-};
-
 double least_float_from(double x) {
     const auto nearest = static_cast<float>(x);
     return static_cast<double>(nearest) < x ? numeric::step(nearest, 1) : nearest;
 }
 
-// What the budget allows of each output, and whether it is an interval.
-class Allowed {
-  public:
-    Allowed(const Question& question, const internal::Scalars& scalars) : question_(question) {
-        for (const std::size_t words : scalars.output_values) values_.push_back(words);
-        scalars_ = scalars.outputs;
-    }
+// Beside these values other floats are allowed, too: numeric::ulp_error().
+bool is_plain(double want) {
+    return std::abs(want) >= 0x1p-126 && std::abs(want) <= 0x1.fffffep127;
+}
 
-    // Whether the outputs that `want` allows are among those that `other` allows.
-    [[nodiscard]] bool covered(const std::vector<double>& want, const std::vector<double>& other) const {
-        std::size_t first = 0;
-        for (const std::size_t words : values_) {
-            const double unit = unit_of(want, first, words);
-            const double other_unit = unit_of(other, first, words);
-            for (std::size_t i = first; i < first + words; ++i)
-                if (!covered(i, want[i], unit, other[i], other_unit)) return false;
-            first += words;
-        }
-        return true;
+// Whether the outputs that the budget allows around `want` are among those around `other`.
+bool allows_no_more(const Question& question, const std::vector<double>& want,
+                    const std::vector<double>& other) {
+    const std::vector<Scalar> scalars = question.signature.output_scalars();
+    const std::vector<numeric::Bounds> a = internal::allowed_around(question, want);
+    const std::vector<numeric::Bounds> b = internal::allowed_around(question, other);
+    for (std::size_t i = 0; i < want.size(); ++i) {
+        if (want[i] == other[i] && a[i] == b[i]) continue;
+        if (scalars[i] != Scalar::float_ || !is_plain(want[i]) || !is_plain(other[i]) ||
+            least_float_from(a[i].low) < least_float_from(b[i].low) ||
+            least_float_from(-a[i].high) < least_float_from(-b[i].high))
+            return false;
     }
-
-  private:
-    [[nodiscard]] bool covered(std::size_t i, double want, double unit, double other,
-                               double other_unit) const {
-        if (want == other && unit == other_unit) return true;
-        if (scalars_[i] != Scalar::float_ || !is_plain(want) || !is_plain(other)) return false;
-        const Reach a = reach(want, unit);
-        const Reach b = reach(other, other_unit);
-        return a.low >= b.low && a.high <= b.high;
-    }
-
-    // Beside these values other floats are allowed, too: numeric::ulp_error().
-    [[nodiscard]] static bool is_plain(double want) {
-        return std::abs(want) >= 0x1p-126 && std::abs(want) <= 0x1.fffffep127;
-    }
-
-    [[nodiscard]] Reach reach(double want, double unit) const {
-        const double ulp = unit > 0.0 ? unit : numeric::ulp_size(want);
-        const double most = std::max(question_.budget.absolute, question_.budget.ulp * ulp);
-        return {least_float_from(want - most), -least_float_from(-(want + most))};
-    }
-
-    [[nodiscard]] double unit_of(const std::vector<double>& want, std::size_t first,
-                                 std::size_t words) const {
-        double unit = 0.0;
-        for (std::size_t i = first; i < first + words; ++i)
-            if (question_.budget.of_largest_component && std::isfinite(want[i]))
-                unit = std::max(unit, numeric::ulp_size(want[i]));
-        return unit;
-    }
-
-    const Question& question_;
-    std::vector<std::size_t> values_;
-    std::vector<Scalar> scalars_;
-};
+    return true;
+}
 
 class Preparation {
   public:
     Preparation(const Question& question, const ImageSet& images)
-        : question_(question), images_(images), scalars_(question.signature), allowed_(question, scalars_) {}
+        : question_(question), images_(images), scalars_(question.signature) {}
 
     [[nodiscard]] Expectation expect(std::span<const Word> inputs, bool branch) const {
         Sample sample{.inputs = {inputs.begin(), inputs.end()}};
@@ -113,7 +72,8 @@ class Preparation {
         std::vector<double> want;
         question_.reference(images_, moved, want);
         const auto is_covered = [&](const std::vector<double>& other) {
-            return expectation.criterion == Criterion::edge ? want == other : allowed_.covered(want, other);
+            return expectation.criterion == Criterion::edge ? want == other
+                                                            : allows_no_more(question_, want, other);
         };
         if (std::ranges::none_of(expectation.wants, is_covered)) expectation.wants.push_back(std::move(want));
         return false;
@@ -122,7 +82,6 @@ class Preparation {
     const Question& question_;
     const ImageSet& images_;
     internal::Scalars scalars_;
-    Allowed allowed_;
 };
 
 PreparedScenario prepare_scenario(const Question& question, const Domain& domain, const KernelSource& source,

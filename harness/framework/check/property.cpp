@@ -7,60 +7,34 @@
 #include "check/reproduction.hpp"
 
 namespace gloam::check {
-namespace {
-
-// Runs a property on inputs of a function.
-class Property {
-  public:
-    Property(const KernelCore& core, const HoldsFor& holds) : core_(core), holds_(holds) {}
-
-    struct Failure {
-        std::vector<Word> input;
-        std::vector<Word> outputs;
-    };
-
-    // The first input for which it does not hold. `words`: one input after another.
-    [[nodiscard]] std::optional<Failure> first_failure(std::span<const Word> words, std::size_t count) const {
-        if (count == 0) return std::nullopt;
-        const KernelCore::Result result = core_.run(words, count);
-        for (std::size_t i = 0; i < count; ++i) {
-            const auto input = words.subspan(i * core_.input_words(), core_.input_words());
-            const auto outputs =
-                std::span(result.outputs).subspan(i * core_.output_words(), core_.output_words());
-            if (!holds_(input, outputs))
-                return Failure{{input.begin(), input.end()}, {outputs.begin(), outputs.end()}};
-        }
-        return std::nullopt;
-    }
-
-    [[nodiscard]] std::optional<Failure> simpler(const Question& question, const Failure& failure) const {
-        std::vector<Word> words;
-        const auto candidates = simpler_inputs(question, failure.input);
-        for (const std::vector<Word>& candidate : candidates)
-            words.insert(words.end(), candidate.begin(), candidate.end());
-        return first_failure(words, candidates.size());
-    }
-
-  private:
-    const KernelCore& core_;
-    const HoldsFor& holds_;
-};
-
-}  // namespace
 
 PropertyResult check_property(const KernelCore& core, const Question& question, const HoldsFor& holds,
                               const RunOptions& options) {
-    const Property property(core, holds);
-    const Domain::Inputs inputs = question.domain.draw(options.inputs, options.seed);
-    PropertyResult result{.inputs = inputs.count(), .words = {}, .story = {}};
-    std::optional<Property::Failure> failure = property.first_failure(inputs.words, inputs.count());
-    if (!failure) return result;
-    while (const auto simpler = property.simpler(question, *failure)) failure = simpler;
-    result.words = failure->input;
+    const std::size_t width = core.output_words();
+    const auto first_failing = [&](std::span<const std::vector<Word>> inputs) -> std::optional<Sample> {
+        std::vector<Word> words;
+        for (const std::vector<Word>& input : inputs) words.insert(words.end(), input.begin(), input.end());
+        const KernelCore::Result result = core.run(words, inputs.size());
+        for (std::size_t i = 0; i < inputs.size(); ++i) {
+            const auto outputs = std::span(result.outputs).subspan(i * width, width);
+            if (!holds(inputs[i], outputs))
+                return Sample{.inputs = inputs[i], .got = {outputs.begin(), outputs.end()}};
+        }
+        return std::nullopt;
+    };
+    const Domain::Inputs drawn = question.domain.draw(options.inputs, options.seed);
+    std::vector<std::vector<Word>> inputs;
+    for (std::size_t i = 0; i < drawn.count(); ++i)
+        inputs.emplace_back(drawn.row(i).begin(), drawn.row(i).end());
+    PropertyResult result{.inputs = inputs.size(), .words = {}, .story = {}};
+    const std::optional<Sample> failing = first_failing(inputs);
+    if (!failing) return result;
+    const Sample simplest = shrink(question, *failing, first_failing);
+    result.words = simplest.inputs;
     result.story =
         fmt::format("{} ({}): the property does not hold for {}, where the result is {}\n", question.function,
-                    question.file, describe_inputs(question.signature, failure->input),
-                    describe_outputs(question.signature, failure->outputs));
+                    question.file, describe_inputs(question.signature, simplest.inputs),
+                    describe_outputs(question.signature, simplest.got));
     return result;
 }
 

@@ -10,7 +10,7 @@
 #include "check/internal/budget_judge.hpp"
 #include "check/internal/interpretation.hpp"
 #include "check/internal/kernel_text.hpp"
-#include "check/internal/trial.hpp"
+#include "check/internal/session.hpp"
 #include "check/interpreted_kernel.hpp"
 #include "check/kernel_code.hpp"
 #include "numeric/numbers.hpp"
@@ -34,45 +34,27 @@ ImageScenario scenario_of(const Question& question, const std::string& name) {
     return *found;
 }
 
-// A question that is ready to run with the images of one scenario, as run() does it.
-class Stage {
-  public:
-    Stage(const Lab& lab, const Question& question, ImageScenario scenario, const RunOptions& options)
-        : lab_(lab),
-          question_(question),
-          scenario_(std::move(scenario)),
-          kernel_(lab.kernel(question.file, question.function, question.signature)),
-          trial_(lab, question, kernel_, scenario_, options.seed,
-                 verdict_of(lab.options().variant, question)),
-          options_(trial_.judge_options()) {
-        if (lab.options().variant.constants == Constants::none) return;
-        constants_.emplace(lab, question.file, question.function, question.signature);
-        options_.nan = options_.nan && constants_->preserves_nan();
-    }
+internal::Session session_of(const Lab& lab, const Question& question, const RunOptions& options,
+                             const std::string& scenario) {
+    return {lab,
+            question,
+            lab.kernel(question.file, question.function, question.signature),
+            scenario_of(question, scenario),
+            options.seed,
+            verdict_of(lab.options().variant, question)};
+}
 
-    [[nodiscard]] const JudgeOptions& judge_options() const { return options_; }
-    [[nodiscard]] const ImageSet& images() const { return trial_.images(); }
-    [[nodiscard]] std::size_t at_once() const { return constants_ ? ConstantKernel::most_inputs : 1U << 20U; }
-    [[nodiscard]] KernelCore::Result run(std::span<const Word> inputs, std::size_t count) const {
-        return constants_ ? constants_->run(inputs, count, images()) : kernel_.run(inputs, count, images());
-    }
-    // Runs with the inputs in memory, in every variant.
-    [[nodiscard]] KernelCore::Result run_kernel(const Domain::Inputs& inputs) const {
-        return kernel_.run(inputs.words, inputs.count(), images());
-    }
-    [[nodiscard]] Domain::Inputs draw(std::size_t count) const {
-        return internal::domain_of(lab_, question_).draw(count, trial_.input_seed(), scenario_.size);
-    }
-
-  private:
-    const Lab& lab_;
-    const Question& question_;
-    ImageScenario scenario_;
-    KernelCore kernel_;
-    internal::Trial trial_;
-    JudgeOptions options_;
-    std::optional<ConstantKernel> constants_;
-};
+// The inputs of a check and what they give, in memory in every variant.
+internal::Session::Evaluated evaluated(const Lab& lab, const Question& question, const RunOptions& options,
+                                       const ImageScenario& scenario) {
+    const KernelCore kernel = lab.kernel(question.file, question.function, question.signature);
+    Domain::Inputs inputs =
+        internal::domain_of(lab, question)
+            .draw(options.inputs, internal::input_seed_of(question, scenario, options.seed), scenario.size);
+    KernelCore::Result result =
+        kernel.run(inputs.words, inputs.count(), internal::images_of(scenario, options.seed));
+    return {std::move(inputs), std::move(result)};
+}
 
 // The generated shader for one input. If the variant makes inputs literals, the input is in the text.
 std::string code_of(KernelSource source, Constants constants, const std::vector<Word>& inputs) {
@@ -104,7 +86,7 @@ Reproduction without_verdict(const Lab& lab, const Question& question, const std
                               .text = code_of(source, constants, inputs)};
     shader::CompileOptions in_stage = lab.compile_options();
     in_stage.stage = stage_of(source.team);
-    KernelModule module{.spirv = lab.compile(text, in_stage), .team = source.team};
+    KernelModule module = kernel_module(source, lab.compile(text, in_stage));
     try {
         lab.take_steps(module, text);
     } catch (const shader::StepError&) {  // the module before them is what there is
@@ -144,9 +126,7 @@ Lab with_steps(const Lab& lab, const std::vector<std::string>& steps) {
 bool cannot_run(const Lab& lab, const Question& question, const RunOptions& options,
                 const ImageScenario& scenario, const std::vector<std::string>& steps) {
     try {
-        const Lab other = with_steps(lab, steps);
-        const Stage stage(other, question, scenario, options);
-        static_cast<void>(stage.run_kernel(stage.draw(options.inputs)));
+        static_cast<void>(evaluated(with_steps(lab, steps), question, options, scenario));
     } catch (const backend::Fault&) {
         return true;
     } catch (const shader::StepError&) {
@@ -163,13 +143,9 @@ bool fails_after(const Lab& lab, const Question& question, const RunOptions& opt
                  const std::vector<std::string>& steps) {
     try {
         const Lab other = with_steps(lab, steps);
-        const Stage stage(other, question, scenario_of(question, failing.scenario), options);
-        JudgeOptions judging = stage.judge_options();
-        const KernelCore::Result result = stage.run(failing.inputs, 1);
-        judging.modules = result.modules;
-        const Domain::Inputs inputs{
-            .words = failing.inputs, .branch = {false}, .width = failing.inputs.size()};
-        return judge(question, judging, inputs, result.outputs, stage.images()).outside() > 0;
+        return session_of(other, question, options, failing.scenario)
+            .first_failing(std::span(&failing.inputs, 1))
+            .has_value();
     } catch (const shader::StepError&) {
         return false;
     } catch (const shader::Unchanged&) {
@@ -181,23 +157,18 @@ bool fails_after(const Lab& lab, const Question& question, const RunOptions& opt
 
 Reproduction reproduce_with(const Lab& lab, const Question& question, const RunOptions& options,
                             const Sample& failing) {
-    const Stage stage(lab, question, scenario_of(question, failing.scenario), options);
-    const ShrinkScope scope{.question = question,
-                            .options = stage.judge_options(),
-                            .images = stage.images(),
-                            .evaluate = [&stage](std::span<const Word> inputs,
-                                                 std::size_t count) { return stage.run(inputs, count); },
-                            .at_once = stage.at_once()};
-    Sample smallest = shrink(scope, failing);
-    Reproduction all = without_verdict(lab, question, failing.scenario, stage.images(), smallest.inputs);
-    all.outcomes = allowed_outcomes(question, stage.images(), smallest);
+    const internal::Session session = session_of(lab, question, options, failing.scenario);
+    Sample smallest =
+        shrink(question, failing, [&](const auto& inputs) { return session.first_failing(inputs); });
+    Reproduction all = without_verdict(lab, question, failing.scenario, session.images(), smallest.inputs);
+    all.outcomes = allowed_outcomes(question, session.images(), smallest);
     if (!smallest.forbidden) smallest.permitted = all.outcomes.front();
     add_opengl(lab, lab.source(question.file, question.function, question.signature), all);
     all.failure = smallest;
     try {
         all.rules = rules_of(explain(lab.compile_options(),
                                      lab.source(question.file, question.function, question.signature),
-                                     smallest.inputs, stage.images()));
+                                     smallest.inputs, session.images()));
     } catch (const std::exception&) {  // a shader that the interpreter cannot run has a report still
     }
     return all;
@@ -229,64 +200,30 @@ Reproduction reproduce(const Lab& lab, const Question& question, const RunOption
 
 Reproduction reproduce_fault(const Lab& lab, const Question& question, const RunOptions& options) {
     for (const ImageScenario& scenario : question.scenarios) {
-        const Stage stage(lab, question, scenario, options);
-        const Domain::Inputs inputs = stage.draw(options.inputs);
-        const KernelCore::Result result = stage.run_kernel(inputs);
+        const auto [inputs, result] = evaluated(lab, question, options, scenario);
         if (!result.fault) continue;
         const std::span<const Word> row = inputs.row(result.fault->input);
-        return without_verdict(lab, question, scenario.name, stage.images(), {row.begin(), row.end()});
+        return without_verdict(lab, question, scenario.name, internal::images_of(scenario, options.seed),
+                               {row.begin(), row.end()});
     }
     throw std::invalid_argument(fmt::format("{}: no access falls outside an image", question.function));
 }
-
-namespace {
-
-using numeric::Bounds;
-
-// The budget around one result of the reference, where `unit` is the size of an ULP.
-Bounds around(double want, double unit, const Budget& budget) {
-    if (std::isnan(want)) return Bounds::only_nan();
-    if (!std::isfinite(want)) return Bounds::point(want);
-    const double reach = std::max(budget.absolute, budget.ulp * unit);
-    return {want - reach, want + reach, false};
-}
-
-std::vector<Bounds> around(const Question& question, const std::vector<double>& want) {
-    const std::vector<Scalar> scalars = question.signature.output_scalars();
-    std::vector<Bounds> bounds;
-    for (const std::size_t words : question.signature.output_values()) {
-        const std::size_t first = bounds.size();
-        double largest = 0.0;
-        for (std::size_t i = first; i < first + words; ++i) {
-            if (std::isfinite(want[i])) largest = std::max(largest, std::abs(want[i]));
-        }
-        for (std::size_t i = first; i < first + words; ++i) {
-            if (!shader::is_float(scalars[i])) {
-                bounds.push_back(Bounds::point(want[i]));
-                continue;
-            }
-            const double at = question.budget.of_largest_component ? largest : want[i];
-            bounds.push_back(around(want[i], format_of(scalars[i]).ulp(at), question.budget));
-        }
-    }
-    return bounds;
-}
-
-}  // namespace
 
 std::vector<Sample::Outcome> allowed_outcomes(const Question& question, const ImageSet& images,
                                               const Sample& sample) {
     if (sample.forbidden) return sample.permitted_outcomes();
     const std::vector<Scalar> scalars = question.signature.output_scalars();
+    using numeric::Bounds;
     const Bounds codomain{question.codomain.low, question.codomain.high, false};
     std::vector<Bounds> bounds(scalars.size(), codomain);
     // Elsewhere only the codomain is promised.
     if (question.promised && !question.promised(sample.inputs)) return {bounds};
-    bounds = around(question, sample.want);
+    bounds = internal::allowed_around(question, sample.want);
     std::vector<double> want;
     const auto add = [&](const std::vector<Word>& inputs) {
         question.reference(images, inputs, want);
-        std::ranges::transform(bounds, around(question, want), bounds.begin(), numeric::hull);
+        std::ranges::transform(bounds, internal::allowed_around(question, want), bounds.begin(),
+                               numeric::hull);
         return false;
     };
     internal::visit_covered_inputs(question.budget, question.signature.input_scalars(), sample.inputs, add);

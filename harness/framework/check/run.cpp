@@ -8,7 +8,7 @@
 
 #include "check/explain.hpp"
 #include "check/internal/moves.hpp"
-#include "check/internal/trial.hpp"
+#include "check/internal/session.hpp"
 #include "check/interpreted_kernel.hpp"
 #include "interpreter/program.hpp"
 
@@ -62,20 +62,14 @@ Answer judged(const Lab& lab, const Question& question, const RunOptions& option
     internal::for_each_scenario(
         question, inputs_of_run(question, options.inputs),
         [&](const ImageScenario& scenario, std::size_t share) {
-            const internal::Trial trial(lab, question, kernel, scenario, options.seed, verdict);
-            const std::uint64_t inputs_seed = trial.input_seed();
+            const internal::Session session(lab, question, kernel, scenario, options.seed, verdict);
+            const std::uint64_t seed = session.input_seed();
             const Domain::Inputs drawn =
-                constants ? few_inputs(domain, constants_of_each(question.scenarios.size()), inputs_seed,
-                                       scenario.size)
-                          : domain.draw(share, inputs_seed, scenario.size);
-            Domain::Inputs inputs = trial.without_long_runs(drawn, answer);
-            if (inputs.count() == 0) return;
-            if (constants) {
-                const ConstantKernel folded(lab, question.file, question.function, question.signature);
-                trial.compare_constants(std::move(inputs), folded, answer);
-            } else {
-                trial.judge(trial.run(std::move(inputs), answer), answer);
-            }
+                constants
+                    ? few_inputs(domain, constants_of_each(question.scenarios.size()), seed, scenario.size)
+                    : domain.draw(share, seed, scenario.size);
+            Domain::Inputs inputs = session.without_long_runs(drawn, answer);
+            if (inputs.count() > 0) session.judge(session.run(std::move(inputs), answer), answer);
         });
     if (options.coverage) answer.coverage = measure_coverage(lab, question, options);
     internal::tell_story(lab, question, options.seed, answer);
@@ -90,7 +84,7 @@ void throw_with_lines(const Lab& lab, const Question& question, std::uint64_t se
     const interpreter::Program program(module.spirv);
     const ImageScenario scenario = question.scenarios.empty() ? ImageScenario{} : question.scenarios.front();
     const ImageSet images = internal::images_of(scenario, seed);
-    const std::vector<std::vector<Word>> words = image_words(module.images, images, question.function);
+    const std::vector<std::vector<Word>> words = image_words(module.prototypes, images, question.function);
     InterpretedKernel<double> kernel(program, module, words);
     const Domain::Inputs inputs = question.domain.draw(most_inputs, seed, scenario.size);
     for (std::size_t i = 0; i < inputs.count(); ++i) {
@@ -126,68 +120,44 @@ namespace {
 constexpr std::size_t drawn_part = 4;     // one of this many inputs is drawn at random
 constexpr std::size_t generation = 1024;  // inputs of one dispatch
 
-struct Candidate {
-    std::vector<Word> words;  // as drawn, before adjustment
-    double score = 0.0;
-};
-
-class Climb {
-  public:
-    Climb(const Question& question, const internal::Trial& trial, SearchResult& found)
-        : domain_(question.domain), trial_(trial), found_(found) {}
-
-    void run(internal::Moves moves, std::size_t inputs) {
-        std::vector<Candidate> candidates;
-        const Domain::Inputs& drawn = moves.drawn();
-        for (std::size_t i = 0; i < drawn.count(); ++i)
-            candidates.push_back({{drawn.row(i).begin(), drawn.row(i).end()}});
-        evaluate(std::move(candidates));
-        found_.drawn_fraction = std::max(found_.drawn_fraction, pool_.empty() ? 0.0 : pool_.front().score);
-        for (std::size_t done = drawn.count(); done < inputs; done += generation) {
-            std::vector<Candidate> next(std::min(generation, inputs - done));
-            for (Candidate& candidate : next) candidate.words = moves.from_pool(pool_);
-            evaluate(std::move(next));
-        }
+// Runs a generation, and sets its scores.
+void evaluate(const internal::Session& session, const Domain& domain, Answer& answer,
+              std::vector<internal::Moves::Candidate>& candidates) {
+    Domain::Inputs inputs;
+    inputs.branch.assign(candidates.size(), false);
+    for (const auto& candidate : candidates) {
+        inputs.width = candidate.words.size();
+        inputs.words.insert(inputs.words.end(), candidate.words.begin(), candidate.words.end());
+        domain.adjust(std::span(inputs.words).last(inputs.width));
     }
-
-  private:
-    void evaluate(std::vector<Candidate> candidates) {
-        Domain::Inputs inputs;
-        inputs.branch.assign(candidates.size(), false);
-        for (const Candidate& candidate : candidates) {
-            inputs.width = candidate.words.size();
-            inputs.words.insert(inputs.words.end(), candidate.words.begin(), candidate.words.end());
-            domain_.adjust(std::span(inputs.words).last(inputs.width));
-        }
-        std::vector<double> fractions(candidates.size());
-        trial_.judge(trial_.run(std::move(inputs), found_.answer), found_.answer, fractions);
-        for (std::size_t i = 0; i < candidates.size(); ++i) {
-            candidates[i].score = fractions[i];
-            if (fractions[i] > 0.0) pool_.push_back(std::move(candidates[i]));
-        }
-        internal::Moves::keep_the_worst(pool_);
-    }
-
-    const Domain& domain_;
-    const internal::Trial& trial_;
-    SearchResult& found_;
-    std::vector<Candidate> pool_;
-};
+    std::vector<double> fractions(candidates.size());
+    session.judge(session.run(std::move(inputs), answer), answer, fractions);
+    for (std::size_t i = 0; i < candidates.size(); ++i) candidates[i].score = fractions[i];
+}
 
 }  // namespace
 
 SearchResult search(const Lab& lab, const Question& question, const SearchOptions& options) {
+    using internal::Moves;
     const KernelCore kernel = lab.kernel(question.file, question.function, question.signature);
     const Verdict verdict = options.verdict.value_or(verdict_of(lab.options().variant, question));
     SearchResult found{.answer = empty_answer(question, verdict)};
     found.answer.variant = lab.options().variant.name;
     internal::for_each_scenario(
         question, options.inputs, [&](const ImageScenario& scenario, std::size_t share) {
-            const internal::Trial trial(lab, question, kernel, scenario, options.seed, verdict);
+            const internal::Session session(lab, question, kernel, scenario, options.seed, verdict);
             if (question.domain.parameters().empty() || share == 0) return;
             const std::size_t drawn = std::max<std::size_t>(share / drawn_part, 1);
-            Climb(question, trial, found)
-                .run({question, drawn, scenario.size, trial.input_seed(), options.seed}, share);
+            Moves moves(question, drawn, scenario.size, session.input_seed(), options.seed);
+            std::vector<Moves::Candidate> pool;
+            const auto run = [&](std::vector<Moves::Candidate>& some) {
+                evaluate(session, question.domain, found.answer, some);
+            };
+            std::vector<Moves::Candidate> first = moves.drawn_candidates();
+            run(first);
+            Moves::add(std::move(first), pool);
+            if (!pool.empty()) found.drawn_fraction = std::max(found.drawn_fraction, pool.front().score);
+            moves.climb(pool, share - drawn, generation, run, [] { return true; });
         });
     internal::tell_story(lab, question, options.seed, found.answer);
     return found;

@@ -80,51 +80,6 @@ void add_integer_candidates(Word word, Scalar scalar, std::set<Word>& candidates
     if (magnitude > 0) add(magnitude - 1U);
 }
 
-class Shrinker {
-  public:
-    explicit Shrinker(const ShrinkScope& scope)
-        : scope_(scope), scalars_(scope.question.signature.input_scalars()) {}
-
-    Sample run(const Sample& failing) {
-        std::optional<Sample> best = first_failing(std::vector<Words>{failing.inputs});
-        if (!best) throw std::invalid_argument("shrink: the input does not fail: there is nothing to shrink");
-        while (const auto simpler = first_failing(simpler_inputs(scope_.question, best->inputs)))
-            best = simpler;
-        best->scenario = failing.scenario;
-        best->index = failing.index;
-        return *best;
-    }
-
-  private:
-    // The first input that fails, if any.
-    [[nodiscard]] std::optional<Sample> first_failing(const std::vector<Words>& inputs) const {
-        for (std::size_t first = 0; first < inputs.size(); first += scope_.at_once) {
-            const std::size_t count = std::min(scope_.at_once, inputs.size() - first);
-            if (const auto found = first_failing(std::span(inputs).subspan(first, count))) return found;
-        }
-        return std::nullopt;
-    }
-
-    [[nodiscard]] std::optional<Sample> first_failing(std::span<const Words> inputs) const {
-        Domain::Inputs batch;
-        batch.width = scalars_.size();
-        batch.branch.assign(inputs.size(), false);
-        for (const Words& words : inputs) batch.words.insert(batch.words.end(), words.begin(), words.end());
-        const KernelCore::Result result = scope_.evaluate(batch.words, inputs.size());
-        JudgeOptions options = scope_.options;
-        options.modules = result.modules;
-        const Answer answer = judge(scope_.question, options, batch, result.outputs, scope_.images);
-        std::optional<Sample> first;
-        for (const auto& sample : answer.first_outside) {
-            if (sample && (!first || sample->index < first->index)) first = sample;
-        }
-        return first;
-    }
-
-    const ShrinkScope& scope_;
-    std::vector<Scalar> scalars_;
-};
-
 }  // namespace
 
 std::size_t complexity(std::span<const Word> input, const std::vector<Scalar>& scalars) {
@@ -162,8 +117,13 @@ std::vector<Words> simpler_inputs(const Question& question, const Words& input) 
     return simpler;
 }
 
-Sample shrink(const ShrinkScope& scope, const Sample& failing) {
-    return Shrinker(scope).run(failing);
+Sample shrink(const Question& question, const Sample& failing, const FirstFailing& first_failing) {
+    std::optional<Sample> best = first_failing(std::vector<Words>{failing.inputs});
+    if (!best) throw std::invalid_argument("shrink: the input does not fail: there is nothing to shrink");
+    while (const auto simpler = first_failing(simpler_inputs(question, best->inputs))) best = simpler;
+    best->scenario = failing.scenario;
+    best->index = failing.index;
+    return *best;
 }
 
 namespace {

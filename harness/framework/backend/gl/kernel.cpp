@@ -13,7 +13,7 @@ namespace {
 Program program_of(const Device& device, const backend::KernelProgram& kernel) {
     const DeviceInfo& info = device.info();
     const bool compute = has_compute(info.id.version);
-    const std::size_t buffers = backend::KernelBinding::first_image + kernel.stores.size();
+    const std::size_t buffers = backend::KernelBinding::first_image + kernel.images.size();
     if (compute && buffers > info.max_storage_blocks) {
         throw std::invalid_argument(fmt::format("{}: needs {} storage buffers, {} has {}", kernel.name,
                                                 buffers, info.name, info.max_storage_blocks));
@@ -34,8 +34,7 @@ class ComputeKernel : public backend::Kernel {
     ComputeKernel(const Device& device, const backend::KernelProgram& program)
         : device_(device),
           program_(program_of(device, program)),
-          stores_(program.stores),
-          sampled_(program.sampled),
+          images_(program.images),
           widest_(program.widest()) {}
 
     // What fits into one row of work groups and one buffer.
@@ -59,8 +58,8 @@ class ComputeKernel : public backend::Kernel {
         std::vector<SampledTexture> textures;
         for (std::size_t i = 0; i < memory.images.size(); ++i) {
             const std::span<const Word> words = memory.images[i];
-            images.push_back(filled(device_, sampled_[i] ? words.first(1) : words));
-            if (!sampled_[i]) continue;
+            images.push_back(filled(device_, images_[i].sampled ? words.first(1) : words));
+            if (!images_[i].sampled) continue;
             textures.emplace_back(device_, words);
             textures.back().bind(static_cast<std::uint32_t>(backend::KernelBinding::first_image + i));
         }
@@ -75,15 +74,14 @@ class ComputeKernel : public backend::Kernel {
         memory.outputs = outputs.read();
         const std::vector<Word> fault = faults.read();
         memory.faults = {fault[0], fault[1], fault[2], fault[3], fault[4]};
-        for (std::size_t i = 0; i < stores_.size(); ++i)
-            if (stores_[i]) memory.images[i] = images[i].read();
+        for (std::size_t i = 0; i < images_.size(); ++i)
+            if (images_[i].stores) memory.images[i] = images[i].read();
     }
 
   private:
     const Device& device_;
     Program program_;
-    std::vector<bool> stores_;
-    std::vector<bool> sampled_;
+    std::vector<backend::KernelImage> images_;
     std::size_t widest_;
 };
 
@@ -94,7 +92,7 @@ class FragmentKernel : public backend::Kernel {
           program_(program_of(device, program)),
           input_words_(program.input_words),
           output_words_(program.output_words),
-          row_(kernel_row(program.output_words, program.stores.size())) {}
+          row_(kernel_row(program.output_words, program.images.size())) {}
 
     // What fits into one texture and one target.
     [[nodiscard]] std::size_t most_inputs() const override {

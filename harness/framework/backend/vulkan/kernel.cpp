@@ -17,10 +17,10 @@ using backend::Word;
 
 std::vector<BindingKind> bindings_of(const backend::KernelProgram& program) {
     std::vector<BindingKind> bindings(backend::KernelBinding::first_image, BindingKind::storage_buffer);
-    for (std::size_t i = 0; i < program.sampled.size(); ++i)
-        bindings.push_back(program.sampled[i]            ? BindingKind::sampled_image
-                           : !program.layered[i].empty() ? BindingKind::storage_image
-                                                         : BindingKind::storage_buffer);
+    for (const backend::KernelImage& image : program.images)
+        bindings.push_back(image.sampled            ? BindingKind::sampled_image
+                           : !image.layered.empty() ? BindingKind::storage_image
+                                                    : BindingKind::storage_buffer);
     return bindings;
 }
 
@@ -64,9 +64,7 @@ class VulkanKernel : public backend::Kernel {
     VulkanKernel(const Device& device, const backend::KernelProgram& program)
         : device_(device),
           pipeline_(pipeline_of(device, program)),
-          stores_(program.stores),
-          sampled_(program.sampled),
-          layered_(program.layered),
+          images_(program.images),
           layer_size_(program.layer_size),
           widest_(program.widest()),
           team_(program.team) {}
@@ -75,7 +73,7 @@ class VulkanKernel : public backend::Kernel {
         const std::size_t by_memory =
             device_.info().max_buffer_bytes / sizeof(Word) / widest_ - backend::guard_words;
         const bool layered =
-            std::ranges::any_of(layered_, [](const auto& format) { return !format.empty(); });
+            std::ranges::any_of(images_, [](const auto& image) { return !image.layered.empty(); });
         if (layered)
             return std::min<std::size_t>(by_memory,
                                          device_.impl().physical.properties.limits.maxImageArrayLayers);
@@ -95,10 +93,10 @@ class VulkanKernel : public backend::Kernel {
             buffers.push_back(uploaded(device_, words));
         std::vector<SampledImage> images;
         std::deque<LayeredImage> layers;
-        for (std::size_t i = 0; i < sampled_.size(); ++i) {
+        for (std::size_t i = 0; i < images_.size(); ++i) {
             const std::span<const Word> words = memory.images[i];
-            if (sampled_[i]) images.emplace_back(device_, words);
-            buffers.push_back(uploaded(device_, sampled_[i] ? words.first(1) : words));
+            if (images_[i].sampled) images.emplace_back(device_, words);
+            buffers.push_back(uploaded(device_, images_[i].sampled ? words.first(1) : words));
         }
 
         const std::size_t inputs = team_.kind == backend::Team::Kind::alone ? backend::kernel_group_size : 1;
@@ -110,11 +108,11 @@ class VulkanKernel : public backend::Kernel {
                                      .row_length = static_cast<Word>(columns * inputs),
                                      .canary = canary};
         std::vector<Resource> resources(buffers.begin(), buffers.end());
-        for (std::size_t i = 0, next = 0; i < sampled_.size(); ++i)
-            if (sampled_[i]) resources[backend::KernelBinding::first_image + i] = std::cref(images[next++]);
-        for (std::size_t i = 0; i < layered_.size(); ++i) {
-            if (layered_[i].empty()) continue;
-            layers.emplace_back(device_, LayeredImage::Layers{.format = layered_[i],
+        for (std::size_t i = 0, next = 0; i < images_.size(); ++i) {
+            if (images_[i].sampled)
+                resources[backend::KernelBinding::first_image + i] = std::cref(images[next++]);
+            if (images_[i].layered.empty()) continue;
+            layers.emplace_back(device_, LayeredImage::Layers{.format = images_[i].layered,
                                                               .width = layer_size_[0],
                                                               .height = layer_size_[1],
                                                               .count = static_cast<std::uint32_t>(count)});
@@ -125,8 +123,9 @@ class VulkanKernel : public backend::Kernel {
         download(buffers[backend::KernelBinding::outputs], memory.outputs);
         download(buffers[backend::KernelBinding::faults], faults);
         memory.faults = std::bit_cast<backend::KernelFaults>(faults);
-        for (std::size_t i = 0; i < stores_.size(); ++i)
-            if (stores_[i]) download(buffers[backend::KernelBinding::first_image + i], memory.images[i]);
+        for (std::size_t i = 0; i < images_.size(); ++i)
+            if (images_[i].stores)
+                download(buffers[backend::KernelBinding::first_image + i], memory.images[i]);
     }
 
     void submit(Word columns, Word rows, const backend::KernelRun& run,
@@ -154,9 +153,7 @@ class VulkanKernel : public backend::Kernel {
 
     const Device& device_;
     Pipeline pipeline_;
-    std::vector<bool> stores_;
-    std::vector<bool> sampled_;
-    std::vector<std::string> layered_;
+    std::vector<backend::KernelImage> images_;
     std::array<std::uint32_t, 2> layer_size_;
     std::size_t widest_;
     backend::Team team_;

@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "check/internal/audit_search.hpp"
-#include "check/internal/trial.hpp"
+#include "check/internal/session.hpp"
 #include "interpreter/program.hpp"
 #include "numeric/numbers.hpp"
 #include "numeric/paths.hpp"

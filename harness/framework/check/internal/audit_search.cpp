@@ -14,10 +14,7 @@ constexpr std::size_t most_examples = 128;
 constexpr std::size_t most_traced = 64;
 constexpr std::size_t generation = 64;  // inputs of one round of a climb
 
-struct Candidate {
-    std::vector<Word> words;
-    double score = 0.0;
-};
+using Candidate = Moves::Candidate;
 
 // The same domain without fixed values.
 Domain without_special(const Domain& domain) {
@@ -117,19 +114,15 @@ class Search {
     }
 
     void climb(Moves& moves, bool digits, std::size_t inputs, double share) {
-        std::vector<Candidate>& pool = digits ? digits_ : drivers_;
-        for (std::size_t done = 0; done < inputs && has_steps(share);) {
-            std::vector<Candidate> next;
-            for (std::size_t i = 0; i < generation && done < inputs; ++i, ++done) {
-                Candidate candidate{moves.from_pool(pool)};
+        const auto run_all = [&](std::vector<Candidate>& candidates) {
+            for (Candidate& candidate : candidates) {
                 const Reading reading = run(candidate.words, false, false);
-                if (!reading.fault.empty()) continue;
-                candidate.score = (digits ? runs_.loss_of(reading) : runs_.width_of(reading)).relative;
-                if (candidate.score > 0.0) next.push_back(std::move(candidate));
+                if (reading.fault.empty())
+                    candidate.score = (digits ? runs_.loss_of(reading) : runs_.width_of(reading)).relative;
             }
-            std::ranges::move(next, std::back_inserter(pool));
-            Moves::keep_the_worst(pool);
-        }
+        };
+        moves.climb(digits ? digits_ : drivers_, inputs, generation, run_all,
+                    [&] { return has_steps(share); });
     }
 
     // `drawn`: before adjustment. `draws`: it does not come from a climb.

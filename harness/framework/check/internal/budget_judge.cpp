@@ -2,9 +2,11 @@
 #include "check/internal/budget_judge.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
+#include "numeric/interval.hpp"
 #include "numeric/numbers.hpp"
 
 namespace gloam::check::internal {
@@ -13,21 +15,9 @@ namespace {
 using shader::Scalar;
 
 InputClass class_of(double value, const numeric::FloatFormat& format) {
-    switch (numeric::classify(value, format)) {
-        case numeric::FloatClass::zero:
-            return InputClass::zero;
-        case numeric::FloatClass::subnormal:
-            return InputClass::subnormal;
-        case numeric::FloatClass::huge:
-            return InputClass::huge;
-        case numeric::FloatClass::infinite:
-            return InputClass::infinite;
-        case numeric::FloatClass::nan:
-            return InputClass::nan;
-        case numeric::FloatClass::ordinary:
-            break;
-    }
-    return InputClass::ordinary;
+    using enum InputClass;
+    constexpr std::array classes{ordinary, zero, subnormal, huge, infinite, nan};  // as FloatClass has them
+    return classes.at(static_cast<std::size_t>(numeric::classify(value, format)));
 }
 
 }  // namespace
@@ -114,6 +104,28 @@ bool visit_moved(const std::vector<Scalar>& scalars, std::span<const Word> input
 }
 
 }  // namespace
+
+std::vector<numeric::Bounds> allowed_around(const Question& question, const std::vector<double>& want) {
+    using numeric::Bounds;
+    const Budget& budget = question.budget;
+    const std::vector<Scalar> scalars = question.signature.output_scalars();
+    std::vector<Bounds> bounds;
+    for (const std::size_t words : question.signature.output_values()) {
+        const std::size_t first = bounds.size();
+        double largest = 0.0;
+        for (std::size_t i = first; i < first + words; ++i)
+            if (std::isfinite(want[i])) largest = std::max(largest, std::abs(want[i]));
+        for (std::size_t i = first; i < first + words; ++i) {
+            const double unit = format_of(scalars[i]).ulp(budget.of_largest_component ? largest : want[i]);
+            const double reach = std::max(budget.absolute, budget.ulp * unit);
+            const bool near = shader::is_float(scalars[i]) && std::isfinite(want[i]);
+            bounds.push_back(std::isnan(want[i]) ? Bounds::only_nan()
+                             : near              ? Bounds{want[i] - reach, want[i] + reach, false}
+                                                 : Bounds::point(want[i]));
+        }
+    }
+    return bounds;
+}
 
 bool visit_covered_inputs(const Budget& budget, const std::vector<Scalar>& scalars,
                           std::span<const Word> inputs, const InputVisitor& visit) {

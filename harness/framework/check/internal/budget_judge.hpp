@@ -42,6 +42,10 @@ struct Scalars {
     std::size_t result_words;  // of the outputs; those of out parameters follow
 };
 
+// What the budget allows of each output around these exact results.
+[[nodiscard]] std::vector<numeric::Bounds> allowed_around(const Question& question,
+                                                          const std::vector<double>& want);
+
 // Returns true to end the visit.
 using InputVisitor = std::function<bool(const std::vector<Word>& inputs)>;
 

@@ -85,10 +85,10 @@ std::string fragment_end(std::size_t output_words, std::size_t images, std::size
 
 void require_bindable(shader::Language language, const KernelSource& source) {
     for (const ImagePrototype& image : source.images) {
-        if (image.layers)
+        if (!image.layered.empty())
             throw backend::Unsupported(fmt::format("{}: uses the image {}, which needs a Vulkan device",
                                                    source.function.name, image.name));
-        if (image.sampler && !has_compute(language))
+        if (image.sampled && !has_compute(language))
             throw backend::Unsupported(fmt::format(
                 "{}: reads the sampler {}, which needs a Vulkan device, OpenGL 4.3 or OpenGL ES 3.1",
                 source.function.name, image.name));

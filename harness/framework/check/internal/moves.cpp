@@ -34,6 +34,49 @@ Moves::Moves(const Question& question, std::size_t drawn, glm::ivec2 image_size,
       slots_(slots_of(question)),
       drawn_(question.domain.draw_unadjusted(drawn, input_seed, image_size)) {}
 
+std::vector<Moves::Candidate> Moves::drawn_candidates() const {
+    std::vector<Candidate> all;
+    for (std::size_t i = 0; i < drawn_.count(); ++i)
+        all.push_back({{drawn_.row(i).begin(), drawn_.row(i).end()}});
+    return all;
+}
+
+void Moves::add(std::vector<Candidate> candidates, std::vector<Candidate>& pool) {
+    for (Candidate& candidate : candidates)
+        if (candidate.score > 0.0) pool.push_back(std::move(candidate));
+    keep_the_worst(pool);
+}
+
+void Moves::keep_the_worst(std::vector<Candidate>& pool) {
+    constexpr std::size_t most = 48;
+    std::ranges::stable_sort(pool, std::greater<>(), &Candidate::score);
+    const auto same = std::ranges::unique(pool, [](const Candidate& a, const Candidate& b) {
+        return a.score == b.score && a.words == b.words;
+    });
+    pool.erase(same.begin(), same.end());
+    if (pool.size() > most) pool.resize(most);
+}
+
+void Moves::climb(std::vector<Candidate>& pool, std::size_t inputs, std::size_t generation,
+                  const std::function<void(std::vector<Candidate>&)>& run,
+                  const std::function<bool()>& goes_on) {
+    for (std::size_t done = 0; done < inputs && goes_on(); done += generation) {
+        std::vector<Candidate> next(std::min(generation, inputs - done));
+        for (Candidate& candidate : next) candidate.words = from_pool(pool);
+        run(next);
+        add(std::move(next), pool);
+    }
+}
+
+std::vector<Word> Moves::from_pool(const std::vector<Candidate>& pool) {
+    if (pool.empty()) {
+        const auto row = drawn_.row(random_.below(drawn_.count()));
+        return {row.begin(), row.end()};
+    }
+    const double rank = random_.unit() * random_.unit();
+    return moved(pool[static_cast<std::size_t>(rank * static_cast<double>(pool.size()))].words);
+}
+
 std::vector<Word> Moves::moved(std::vector<Word> words) {
     const auto moves = 1 + static_cast<int>(random_.below(most_moves));
     for (int i = 0; i < moves; ++i) move(words);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "check/domain.hpp"
@@ -36,35 +36,27 @@ class Moves {
     // Whether a candidate can differ from another.
     [[nodiscard]] bool possible() const { return !slots_.empty(); }
 
+    // An input and how bad it is.
+    struct Candidate {
+        std::vector<Word> words;  // as drawn, before adjustment
+        double score = 0.0;
+    };
+    [[nodiscard]] std::vector<Candidate> drawn_candidates() const;
+
+    // Adds those of a positive score to the pool, which keeps the worst, each once, the worst first.
+    static void add(std::vector<Candidate> candidates, std::vector<Candidate>& pool);
+    static void keep_the_worst(std::vector<Candidate>& pool);
+
+    // Runs so many candidates beside the worst of the pool, where those are chosen more often, a generation
+    // at a time, as long as it goes on. `run` sets their scores.
+    void climb(std::vector<Candidate>& pool, std::size_t inputs, std::size_t generation,
+               const std::function<void(std::vector<Candidate>&)>& run, const std::function<bool()>& goes_on);
+
+  private:
+    [[nodiscard]] std::vector<Word> from_pool(const std::vector<Candidate>& pool);
     // One to three changes of an input: a float moves by a power of two of steps, from a neighbour to several
     // binades away, or changes its sign; or a parameter takes its value in another drawn input.
     [[nodiscard]] std::vector<Word> moved(std::vector<Word> words);
-
-    // A candidate from the pool, which is sorted, the worst first: those are chosen more often.
-    template <class Candidate>
-    [[nodiscard]] std::vector<Word> from_pool(const std::vector<Candidate>& pool) {
-        if (pool.empty()) {
-            const auto row = drawn_.row(random_.below(drawn_.count()));
-            return {row.begin(), row.end()};
-        }
-        const double rank = random_.unit() * random_.unit();
-        return moved(pool[static_cast<std::size_t>(rank * static_cast<double>(pool.size()))].words);
-    }
-
-    // Keeps the worst candidates, each once.
-    template <class Candidate>
-    static void keep_the_worst(std::vector<Candidate>& pool) {
-        constexpr std::size_t most = 48;
-        std::ranges::stable_sort(pool,
-                                 [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
-        const auto same = [](const Candidate& a, const Candidate& b) {
-            return a.score == b.score && a.words == b.words;
-        };
-        pool.erase(std::unique(pool.begin(), pool.end(), same), pool.end());
-        if (pool.size() > most) pool.resize(most);
-    }
-
-  private:
     void move(std::vector<Word>& words);
     Word moved_scalar(shader::Scalar scalar, Word word);
 

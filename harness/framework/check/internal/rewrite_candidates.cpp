@@ -3,7 +3,6 @@
 #include <fmt/ranges.h>
 
 #include <array>
-#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -15,6 +14,64 @@ namespace gloam::check::internal {
 namespace {
 
 using shader::Token;
+
+constexpr const char* exp_minus_1 =
+    "float exp_minus_1(float x) { return abs(x) < 0.5 ? x * (1.0 + x * (0.5 + x * (0.166666667 + x * "
+    "(0.0416666667 + x * (0.00833333333 + x * (0.00138888889 + x * 0.000198412698)))))) : exp(x) - 1.0; }\n";
+constexpr const char* log_of_1_plus =
+    "float log_of_1_plus(float x) { if (abs(x) > 0.3) return log(1.0 + x); float s = x / (2.0 + x); "
+    "float q = s * s; return 2.0 * s * (1.0 + q * (0.333333333 + q * (0.2 + q * (0.142857143 + q * "
+    "0.111111111)))); }\n";
+constexpr const char* scaled_length =
+    "float scaled_length(vec2 v) { float m = max(abs(v.x), abs(v.y)); "
+    "return m > 0.0 ? m * length(v / m) : 0.0; }\n"
+    "float scaled_length(vec3 v) { float m = max(max(abs(v.x), abs(v.y)), abs(v.z)); "
+    "return m > 0.0 ? m * length(v / m) : 0.0; }\n";
+constexpr const char* within_pi =
+    "float within_pi(float x) { float k = round(x / 6.28318531); "
+    "return (x - 6.28125 * k) - 0.00193530718 * k; }\n";
+
+constexpr const char* beyond_one = "rounding takes the argument beyond 1, where the function is undefined";
+constexpr const char* not_positive = "the function is undefined at 0 and below";
+constexpr const char* beyond_pi = "Vulkan states a precision between -pi and pi only";
+
+// What is found, and what may take its place. E, F and G are any expressions, X and Y names, ONE is the
+// number 1, N a whole number from 2 to 8; {P} is the product of N times E.
+struct Rule {
+    const char* from;
+    const char* to;
+    const char* reason;
+    const char* helper = "";
+    bool is_summand = false;  // it must stand alone in a sum
+};
+constexpr std::array rules{
+    Rule{"acos(E)", "acos(clamp({E}, -1.0, 1.0))", beyond_one},
+    Rule{"acos(dot(E, F))", "(2.0 * atan(length(({E}) - ({F})), length(({E}) + ({F}))))",
+         "the cosine hardly changes near 0 and pi; half the angle's tangent does"},
+    Rule{"asin(E)", "asin(clamp({E}, -1.0, 1.0))", beyond_one},
+    Rule{"sqrt(ONE - X * X)", "sqrt((1.0 - {X}) * (1.0 + {X}))",
+         "the square is rounded before the difference cancels"},
+    Rule{"sqrt(E)", "sqrt(max({E}, 0.0))", "rounding takes the argument below 0"},
+    Rule{"inversesqrt(E)", "inversesqrt(max({E}, 1.17549435e-38))", not_positive},
+    Rule{"log(E)", "log(max({E}, 1.17549435e-38))", not_positive},
+    Rule{"log(ONE + X)", "log_of_1_plus({X})", "1 + x drops the digits of a small x", log_of_1_plus},
+    Rule{"log2(E)", "log2(max({E}, 1.17549435e-38))", not_positive},
+    Rule{"pow(E, N)", "({P})", "a product is rounded at each factor; pow is a logarithm and an exponential"},
+    Rule{"pow(E, F)", "pow(max({E}, 0.0), {F})", "pow is undefined below 0"},
+    Rule{"pow(E, F)", "exp2({F} * log2({E}))", "the definition of pow, without its special cases"},
+    Rule{"normalize(E)", "(({E}) * inversesqrt(max(dot({E}, {E}), 1.17549435e-38)))",
+         "a zero vector has no direction; this one stays zero"},
+    Rule{"length(E)", "scaled_length({E})", "the square of a component overflows or underflows",
+         scaled_length},
+    Rule{"sin(E)", "sin(within_pi({E}))", beyond_pi, within_pi},
+    Rule{"cos(E)", "cos(within_pi({E}))", beyond_pi, within_pi},
+    Rule{"smoothstep(E, F, G)", "smoothstep(-({E}), -({F}), -({G}))",
+         "smoothstep is undefined unless its first edge is below the second"},
+    Rule{"ONE - cos(E)", "(2.0 * sin(0.5 * ({E})) * sin(0.5 * ({E})))",
+         "the difference cancels where the cosine is near 1", "", true},
+    Rule{"exp(E) - ONE", "exp_minus_1({E})", "the difference cancels near 0", exp_minus_1, true},
+    Rule{"X * X - Y * Y", "(({X} - {Y}) * ({X} + {Y}))",
+         "the squares are rounded before the difference cancels", "", true}};
 
 // The tokens of a text; a name with its members is one: "light.color".
 std::vector<Token> with_members(std::string_view text) {
@@ -31,21 +88,21 @@ std::vector<Token> with_members(std::string_view text) {
     return all;
 }
 
-// A call "name(a, b)": its tokens and its arguments.
-struct Call {
-    std::size_t first = 0;  // token of the name
-    std::size_t last = 0;   // token of the closing parenthesis
-    std::vector<std::string> arguments;
-};
+// What stands for the names of a rule.
+using Captured = std::map<std::string, std::string, std::less<>>;
 
 class Finder {
   public:
     explicit Finder(std::string_view text) : text_(text), tokens_(with_members(text)) {}
 
     std::vector<Candidate> all() {
+        static const std::vector<std::vector<Token>> patterns = [] {
+            std::vector<std::vector<Token>> made;
+            for (const Rule& rule : rules) made.push_back(shader::tokens_of(rule.from));
+            return made;
+        }();
         for (std::size_t i = 0; i + 2 < tokens_.size(); ++i) {
-            if (const auto call = call_at(i)) add_call(*call);
-            add_difference(i);
+            for (std::size_t r = 0; r < rules.size(); ++r) add_rule(rules[r], patterns[r], i);
             add_sum(i);
         }
         return std::move(found_);
@@ -56,9 +113,6 @@ class Finder {
         return i < tokens_.size() ? std::string_view(tokens_[i].text) : std::string_view{};
     }
     [[nodiscard]] bool is_name(std::size_t i) const { return i < tokens_.size() && tokens_[i].is_word(); }
-    [[nodiscard]] bool is_one(std::size_t i) const {
-        return token(i) == "1.0" || token(i) == "1." || token(i) == "1.0f";
-    }
 
     // Whether an expression from `first` to `last` stands alone as a summand.
     [[nodiscard]] bool is_summand(std::size_t first, std::size_t last) const {
@@ -74,164 +128,60 @@ class Finder {
         return std::string(text_.substr(tokens_[first].begin, tokens_[last].end() - tokens_[first].begin));
     }
 
-    [[nodiscard]] std::optional<Call> call_at(std::size_t i) const {
-        if (!is_name(i) || token(i + 1) != "(") return std::nullopt;
-        if (i > 0 && is_name(i - 1) && token(i - 1) != "return") return std::nullopt;  // a declaration
-        constexpr std::size_t most = 200;                                              // tokens
-        Call call{.first = i, .last = 0, .arguments = {}};
+    // Behind the argument that begins here; here if there is none.
+    [[nodiscard]] std::size_t argument_end(std::size_t begin) const {
+        constexpr std::size_t most = 200;  // tokens
         int depth = 0;
-        std::size_t begin = i + 2;
-        for (std::size_t k = i + 1; k < std::min(tokens_.size(), i + most); ++k) {
+        for (std::size_t k = begin; k < std::min(tokens_.size(), begin + most); ++k) {
             const std::string_view t = token(k);
+            if (depth == 0 && (t == "," || t == ")")) return k;
             depth += t == "(" || t == "[" ? 1 : t == ")" || t == "]" ? -1 : 0;
-            if ((depth == 1 && t == ",") || depth == 0) {
-                if (k > begin) call.arguments.push_back(text_of(begin, k - 1));
-                begin = k + 1;
-            }
-            if (depth == 0) {
-                call.last = k;
-                return call;
-            }
         }
-        return std::nullopt;
-    }
-
-    void add(std::size_t first, std::size_t last, std::string after, std::string reason,
-             std::string helper = {}) {
-        found_.push_back({tokens_[first].begin, tokens_[last].end(), std::move(after), std::move(helper),
-                          std::move(reason)});
-    }
-
-    void add_call(const Call& call) {
-        using Rule = void (Finder::*)(const Call&);
-        static const std::map<std::string_view, Rule> rules{
-            {"acos", &Finder::add_arc},      {"asin", &Finder::add_arc},
-            {"sqrt", &Finder::add_root},     {"inversesqrt", &Finder::add_positive},
-            {"log", &Finder::add_logarithm}, {"log2", &Finder::add_positive},
-            {"pow", &Finder::add_power},     {"normalize", &Finder::add_direction},
-            {"length", &Finder::add_length}, {"sin", &Finder::add_turn},
-            {"cos", &Finder::add_turn},      {"smoothstep", &Finder::add_smoothstep}};
-        const auto rule = rules.find(token(call.first));
-        if (rule != rules.end() && !call.arguments.empty()) (this->*rule->second)(call);
-    }
-
-    void add_arc(const Call& call) {
-        const std::string name(token(call.first));
-        const std::string& x = call.arguments[0];
-        add(call.first, call.last, fmt::format("{}(clamp({}, -1.0, 1.0))", name, x),
-            "rounding takes the argument beyond 1, where the function is undefined");
-        const auto inner = call_at(call.first + 2);
-        if (name == "acos" && inner && token(inner->first) == "dot" && inner->last + 1 == call.last &&
-            inner->arguments.size() == 2)
-            add(call.first, call.last,
-                fmt::format("(2.0 * atan(length(({0}) - ({1})), length(({0}) + ({1}))))", inner->arguments[0],
-                            inner->arguments[1]),
-                "the cosine hardly changes near 0 and pi; half the angle's tangent does");
-    }
-
-    // sqrt(1.0 - x * x)
-    void add_root(const Call& call) {
-        const std::size_t i = call.first + 2;
-        if (is_one(i) && token(i + 1) == "-" && is_name(i + 2) && token(i + 3) == "*" &&
-            token(i + 4) == token(i + 2) && i + 5 == call.last)
-            add(call.first, call.last, fmt::format("sqrt((1.0 - {0}) * (1.0 + {0}))", token(i + 2)),
-                "the square is rounded before the difference cancels");
-        add(call.first, call.last, fmt::format("sqrt(max({}, 0.0))", call.arguments[0]),
-            "rounding takes the argument below 0");
-    }
-
-    void add_positive(const Call& call) {
-        add(call.first, call.last,
-            fmt::format("{}(max({}, 1.17549435e-38))", token(call.first), call.arguments[0]),
-            "the function is undefined at 0 and below");
-    }
-
-    // log(1.0 + x)
-    void add_logarithm(const Call& call) {
-        add_positive(call);
-        const std::size_t i = call.first + 2;
-        if (!is_one(i) || token(i + 1) != "+" || !is_name(i + 2) || i + 3 != call.last) return;
-        add(call.first, call.last, fmt::format("log_of_1_plus({})", token(i + 2)),
-            "1 + x drops the digits of a small x",
-            "float log_of_1_plus(float x) { if (abs(x) > 0.3) return log(1.0 + x); float s = x / (2.0 + x); "
-            "float q = s * s; return 2.0 * s * (1.0 + q * (0.333333333 + q * (0.2 + q * (0.142857143 + q * "
-            "0.111111111)))); }\n");
+        return begin;
     }
 
     // The exponents 2 to 8 as they are written: "5.0", "5.", "5"; 0 for others.
     static std::size_t small_exponent(std::string_view text) {
-        const bool is_whole = text.size() == 1 || text.substr(1) == "." || text.substr(1) == ".0";
+        const bool is_whole =
+            text.size() == 1 || (!text.empty() && (text.substr(1) == "." || text.substr(1) == ".0"));
         return is_whole && text[0] >= '2' && text[0] <= '8' ? static_cast<std::size_t>(text[0] - '0') : 0;
     }
 
-    void add_power(const Call& call) {
-        if (call.arguments.size() != 2) return;
-        const std::string& x = call.arguments[0];
-        const std::vector<std::string> factors(small_exponent(call.arguments[1]), "(" + x + ")");
-        if (!factors.empty())
-            add(call.first, call.last, fmt::format("({})", fmt::join(factors, " * ")),
-                "a product is rounded at each factor; pow is a logarithm and an exponential");
-        add(call.first, call.last, fmt::format("pow(max({}, 0.0), {})", x, call.arguments[1]),
-            "pow is undefined below 0");
-        add(call.first, call.last, fmt::format("exp2({1} * log2({0}))", x, call.arguments[1]),
-            "the definition of pow, without its special cases");
-    }
-
-    void add_direction(const Call& call) {
-        const std::string& v = call.arguments[0];
-        add(call.first, call.last,
-            fmt::format("(({0}) * inversesqrt(max(dot({0}, {0}), 1.17549435e-38)))", v),
-            "a zero vector has no direction; this one stays zero");
-    }
-
-    void add_length(const Call& call) {
-        static const std::string helper =
-            "float scaled_length(vec2 v) { float m = max(abs(v.x), abs(v.y)); "
-            "return m > 0.0 ? m * length(v / m) : 0.0; }\n"
-            "float scaled_length(vec3 v) { float m = max(max(abs(v.x), abs(v.y)), abs(v.z)); "
-            "return m > 0.0 ? m * length(v / m) : 0.0; }\n";
-        add(call.first, call.last, fmt::format("scaled_length({})", call.arguments[0]),
-            "the square of a component overflows or underflows", helper);
-    }
-
-    void add_turn(const Call& call) {
-        add(call.first, call.last, fmt::format("{}(within_pi({}))", token(call.first), call.arguments[0]),
-            "Vulkan states a precision between -pi and pi only",
-            "float within_pi(float x) { float k = round(x / 6.28318531); "
-            "return (x - 6.28125 * k) - 0.00193530718 * k; }\n");
-    }
-
-    void add_smoothstep(const Call& call) {
-        if (call.arguments.size() != 3) return;
-        add(call.first, call.last,
-            fmt::format("smoothstep(-({}), -({}), -({}))", call.arguments[0], call.arguments[1],
-                        call.arguments[2]),
-            "smoothstep is undefined unless its first edge is below the second");
-    }
-
-    // 1.0 - cos(x), exp(x) - 1.0, a * a - b * b
-    void add_difference(std::size_t i) {
-        if (is_one(i) && token(i + 1) == "-") {
-            const auto call = call_at(i + 2);
-            if (call && token(i + 2) == "cos" && is_summand(i, call->last))
-                add(i, call->last,
-                    fmt::format("(2.0 * sin(0.5 * ({0})) * sin(0.5 * ({0})))", call->arguments[0]),
-                    "the difference cancels where the cosine is near 1");
+    // Whether a token, or the tokens of an argument, are what the pattern's one stands for; moves behind it.
+    bool take(const Token& wanted, std::size_t& at, Captured& captured) const {
+        const std::size_t first = at++;
+        if (wanted == "E" || wanted == "F" || wanted == "G") {
+            at = argument_end(first);
+            if (at > first) captured[wanted.text] = text_of(first, at - 1);
+            return at > first;
         }
-        const auto call = token(i) == "exp" ? call_at(i) : std::nullopt;
-        if (call && token(call->last + 1) == "-" && is_one(call->last + 2) && is_summand(i, call->last + 2))
-            add(i, call->last + 2, fmt::format("exp_minus_1({})", call->arguments[0]),
-                "the difference cancels near 0",
-                "float exp_minus_1(float x) { return abs(x) < 0.5 ? x * (1.0 + x * (0.5 + x * (0.166666667 + "
-                "x * "
-                "(0.0416666667 + x * (0.00833333333 + x * (0.00138888889 + x * 0.000198412698)))))) : "
-                "exp(x) - 1.0; }\n");
-        const bool squares = is_name(i) && token(i + 1) == "*" && token(i + 2) == token(i) &&
-                             token(i + 3) == "-" && is_name(i + 4) && token(i + 5) == "*" &&
-                             token(i + 6) == token(i + 4);
-        if (squares && is_summand(i, i + 6))
-            add(i, i + 6, fmt::format("(({0} - {1}) * ({0} + {1}))", token(i), token(i + 4)),
-                "the squares are rounded before the difference cancels");
+        const std::string_view t = token(first);
+        if (wanted == "X" || wanted == "Y")
+            return is_name(first) && captured.try_emplace(wanted.text, t).first->second == t;
+        if (wanted == "ONE") return t == "1.0" || t == "1." || t == "1.0f";
+        if (wanted != "N") return wanted == t;
+        const std::vector<std::string> factors(small_exponent(t), "(" + captured["E"] + ")");
+        captured["P"] = fmt::format("{}", fmt::join(factors, " * "));
+        return !factors.empty();
+    }
+
+    void add_rule(const Rule& rule, const std::vector<Token>& pattern, std::size_t i) {
+        Captured c;
+        std::size_t end = i;
+        for (const Token& wanted : pattern)
+            if (!take(wanted, end, c)) return;
+        const bool declared = pattern[1] == "(" && i > 0 && is_name(i - 1) && token(i - 1) != "return";
+        if (declared || (rule.is_summand && !is_summand(i, end - 1))) return;
+        add(i, end - 1,
+            fmt::format(fmt::runtime(rule.to), fmt::arg("E", c["E"]), fmt::arg("F", c["F"]),
+                        fmt::arg("G", c["G"]), fmt::arg("X", c["X"]), fmt::arg("Y", c["Y"]),
+                        fmt::arg("P", c["P"])),
+            rule.reason, rule.helper);
+    }
+
+    void add(std::size_t first, std::size_t last, std::string after, std::string reason, std::string helper) {
+        found_.push_back({tokens_[first].begin, tokens_[last].end(), std::move(after), std::move(helper),
+                          std::move(reason)});
     }
 
     // float sum = 0.0; for (...) sum += x;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "check/internal/trial.hpp"
+#include "check/internal/session.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -19,19 +19,24 @@
 #include "shader/spirv.hpp"
 
 namespace gloam::check::internal {
-Trial::Trial(const Lab& lab, const Question& question, const KernelCore& kernel,
-             const ImageScenario& scenario, std::uint64_t seed, Verdict verdict)
+
+Session::Session(const Lab& lab, const Question& question, KernelCore kernel, ImageScenario scenario,
+                 std::uint64_t seed, Verdict verdict)
     : lab_(lab),
       question_(question),
-      kernel_(kernel),
-      scenario_(scenario),
-      input_seed_(input_seed_of(question, scenario, seed)),
-      images_(images_of(scenario, seed)),
+      kernel_(std::move(kernel)),
+      scenario_(std::move(scenario)),
+      input_seed_(input_seed_of(question, scenario_, seed)),
+      images_(images_of(scenario_, seed)),
       options_{.edges = !question.only_rules && !lab.options().variant.relaxed,
                .nan = lab.keeps_nan(),
-               .verdict = verdict} {}
+               .verdict = verdict} {
+    if (lab.options().variant.constants == shader::Variant::Constants::none) return;
+    constants_.emplace(lab, question.file, question.function, question.signature);
+    options_.nan = options_.nan && constants_->preserves_nan();
+}
 
-Trial::Evaluated Trial::run(Domain::Inputs inputs, Answer& answer) const {
+Session::Evaluated Session::run(Domain::Inputs inputs, Answer& answer) const {
     if (inputs.width != kernel_.input_words()) {
         throw std::invalid_argument(fmt::format("{}: the domain draws {} words, the function takes {}",
                                                 answer.function, inputs.width, kernel_.input_words()));
@@ -48,7 +53,16 @@ Trial::Evaluated Trial::run(Domain::Inputs inputs, Answer& answer) const {
         answer.fault = to_text(*outputs.fault);
         answer.reason = Reason::fault;
     }
-    return {std::move(inputs), std::move(outputs)};
+    if (!constants_) return {std::move(inputs), std::move(outputs)};
+    KernelCore::Result folded = constants_->run(inputs.words, inputs.count(), images_);
+    lab_.require_silent_validation();
+    const std::size_t width = kernel_.output_words();
+    const std::vector<shader::Scalar> scalars = question_.signature.output_scalars();
+    for (std::size_t i = 0; i < inputs.count(); ++i)
+        if (!same_bits(scalars, std::span(outputs.outputs).subspan(i * width, width),
+                       std::span(folded.outputs).subspan(i * width, width)))
+            ++answer.differs;
+    return {std::move(inputs), std::move(folded)};
 }
 
 namespace {
@@ -73,7 +87,7 @@ Domain::Inputs rows_of(const Domain::Inputs& inputs, const std::function<bool(st
 }  // namespace
 
 // Rounded to float32 or not, a loop may take another number of rounds.
-std::vector<char> Trial::long_runs(const Domain::Inputs& inputs, std::uint64_t limit) const {
+std::vector<char> Session::long_runs(const Domain::Inputs& inputs, std::uint64_t limit) const {
     const KernelModules modules{std::make_shared<const KernelModule>(kernel_.module())};
     const Decoded decoded(modules, images_);
     const Decoded::Part& part = decoded.parts().front();
@@ -98,7 +112,7 @@ std::vector<char> Trial::long_runs(const Domain::Inputs& inputs, std::uint64_t l
     return is_long;
 }
 
-Domain::Inputs Trial::without_long_runs(const Domain::Inputs& inputs, Answer& answer) const {
+Domain::Inputs Session::without_long_runs(const Domain::Inputs& inputs, Answer& answer) const {
     const KernelModule& module = kernel_.module();
     if (question_.reference || module.spirv.empty() || !shader::has_loop(module.spirv)) return inputs;
     constexpr std::size_t probes = 64;
@@ -125,9 +139,9 @@ Domain::Inputs Trial::without_long_runs(const Domain::Inputs& inputs, Answer& an
 }
 
 // One input after another. Where an input stores to images, those after it depend on it.
-KernelCore::Result Trial::run_each(const Domain::Inputs& inputs) const {
+KernelCore::Result Session::run_each(const Domain::Inputs& inputs) const {
     constexpr Word undefined = 0xdeadbeefU;
-    if (std::ranges::any_of(kernel_.module().images, &ImagePrototype::stores))
+    if (std::ranges::any_of(kernel_.module().images, &backend::KernelImage::stores))
         return kernel_.run(inputs.words, inputs.count(), images_);
     KernelCore::Result all;
     for (std::size_t i = 0; i < inputs.count(); ++i) {
@@ -142,7 +156,7 @@ KernelCore::Result Trial::run_each(const Domain::Inputs& inputs) const {
     return all;
 }
 
-void Trial::judge(const Evaluated& evaluated, Answer& answer, std::span<double> fractions) const {
+void Session::judge(const Evaluated& evaluated, Answer& answer, std::span<double> fractions) const {
     const KernelCore::Result& result = evaluated.result;
     JudgeOptions options = options_;
     options.modules = result.modules;
@@ -152,23 +166,25 @@ void Trial::judge(const Evaluated& evaluated, Answer& answer, std::span<double> 
                               fractions));
 }
 
-void Trial::compare_constants(Domain::Inputs drawn, const ConstantKernel& constants, Answer& answer) const {
-    JudgeOptions options = options_;
-    options.nan = options.nan && constants.preserves_nan();
-    if (!options.nan) set_positive_zeros(drawn.words, question_.signature.input_scalars());
-    const auto [inputs, at_run_time] = run(std::move(drawn), answer);
-    const KernelCore::Result folded = constants.run(inputs.words, inputs.count(), images_);
-    lab_.require_silent_validation();
-    options.modules = folded.modules;
-    answer.merge(check::judge(question_, options, inputs, folded.outputs, images_, scenario_.name));
-    const std::size_t width = kernel_.output_words();
-    const std::vector<shader::Scalar> scalars = question_.signature.output_scalars();
-    for (std::size_t i = 0; i < inputs.count(); ++i) {
-        const auto row = [&](const std::vector<Word>& words) {
-            return std::span(words).subspan(i * width, width);
-        };
-        if (!same_bits(scalars, row(at_run_time.outputs), row(folded.outputs))) ++answer.differs;
+std::optional<Sample> Session::first_failing(std::span<const std::vector<Word>> inputs) const {
+    const std::size_t at_once = constants_ ? ConstantKernel::most_inputs : std::size_t{1} << 20U;
+    for (; !inputs.empty(); inputs = inputs.subspan(std::min(at_once, inputs.size()))) {
+        Evaluated some{.inputs = {.width = kernel_.input_words()}, .result = {}};
+        for (const std::vector<Word>& words : inputs.first(std::min(at_once, inputs.size()))) {
+            some.inputs.words.insert(some.inputs.words.end(), words.begin(), words.end());
+            some.inputs.branch.push_back(false);
+        }
+        const std::size_t count = some.inputs.count();
+        some.result = constants_ ? constants_->run(some.inputs.words, count, images_)
+                                 : kernel_.run(some.inputs.words, count, images_);
+        Answer answer;
+        judge(some, answer);
+        std::optional<Sample> first;
+        for (const auto& sample : answer.first_outside)
+            if (sample && (!first || sample->index < first->index)) first = sample;
+        if (first) return first;
     }
+    return std::nullopt;
 }
 
 std::uint64_t input_seed_of(const Question& question, const ImageScenario& scenario, std::uint64_t seed) {

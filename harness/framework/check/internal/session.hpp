@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "check/answer.hpp"
 #include "check/lab.hpp"
@@ -11,22 +13,23 @@
 
 namespace gloam::check::internal {
 
-// A question that is ready to evaluate inputs, with the images of one scenario. The objects that it is made
-// from must outlive it.
-class Trial {
+// A question that is ready to evaluate inputs, with the images of one scenario: in memory, or as constants of
+// the shader where the lab's variant says so. The lab and the question must outlive it.
+class Session {
   public:
     // `seed` makes the images.
-    Trial(const Lab& lab, const Question& question, const KernelCore& kernel, const ImageScenario& scenario,
-          std::uint64_t seed, Verdict verdict);
+    Session(const Lab& lab, const Question& question, KernelCore kernel, ImageScenario scenario,
+            std::uint64_t seed, Verdict verdict);
 
     // Inputs as the device was given them, with what it made of them.
     struct Evaluated {
         Domain::Inputs inputs;
         KernelCore::Result result;
     };
-    // Evaluates inputs, and notes an access outside an image in the answer. On a device that need not keep
-    // the sign of zero, +0 takes the place of -0.
-    // What is undefined for the interpreter, which stops there, gets words that no function returns.
+    // Evaluates inputs, and notes an access outside an image in the answer; of constants also how many
+    // results differ from those with the inputs in memory. On a device that need not keep the sign of zero,
+    // +0 takes the place of -0. What is undefined for the interpreter, which stops there, gets words that no
+    // function returns.
     [[nodiscard]] Evaluated run(Domain::Inputs inputs, Answer& answer) const;
 
     // The inputs of a function without a reference that come to their end in a bounded number of instructions
@@ -36,11 +39,9 @@ class Trial {
     // Judges what run() returned, and adds the results to the answer. `fractions`: as in check::judge().
     void judge(const Evaluated& evaluated, Answer& answer, std::span<double> fractions = {}) const;
 
-    // Both with the inputs as constants of the shader. Counts the results that differ from those of this
-    // kernel.
-    void compare_constants(Domain::Inputs inputs, const ConstantKernel& constants, Answer& answer) const;
+    // The first of these inputs that fails, with its outputs.
+    [[nodiscard]] std::optional<Sample> first_failing(std::span<const std::vector<Word>> inputs) const;
 
-    [[nodiscard]] const JudgeOptions& judge_options() const { return options_; }
     [[nodiscard]] const ImageSet& images() const { return images_; }
 
     // The seed of this scenario's inputs.
@@ -52,8 +53,9 @@ class Trial {
 
     const Lab& lab_;
     const Question& question_;
-    const KernelCore& kernel_;
-    const ImageScenario& scenario_;
+    KernelCore kernel_;
+    std::optional<ConstantKernel> constants_;
+    ImageScenario scenario_;
     std::uint64_t input_seed_;
     ImageSet images_;
     JudgeOptions options_;
