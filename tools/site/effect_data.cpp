@@ -4,6 +4,7 @@
 
 #include "base/files.hpp"
 #include "effect/methods.hpp"
+#include "scene/pass_library.hpp"
 #include "shader/pack.hpp"
 #include "site/page_data.hpp"
 
@@ -66,6 +67,9 @@ std::string effect_json(const ShaderFolders& folders) {
     add_passes(folders.page, {"whole_image.vert"}, folders, json);
     add_passes(folders.library / "passes/frame", {"prepare.frag", "sweep.frag", "filter.frag", "join.frag"},
                folders, json);
+    json["sweep_from_depth"] = condensed(
+        scene::PassLibrary(folders.library)
+            .text("frame/sweep.frag", {"GLOAM_NORMALS_FROM_DEPTH"}, {}, {}, shader::Language::es300));
     json["multi_bounce"] = function_text("gloam/shading/multi_bounce.glsl", "gloam_multi_bounce", folders);
     return text_of(json);
 }

@@ -41,8 +41,7 @@ GloamFrameTexel gloam_frame_texel(uint code) {
 #else
     float depth = uintBitsToFloat(((code & 0xFFFFu) << 13u) + GLOAM_HALF_SHIFT);
 #endif
-    return GloamFrameTexel(depth, float(code >> 16u & 0xFFu), float(code >> 24u),
-                           code >> 24u & 1u);
+    return GloamFrameTexel(depth, float(code >> 16u & 0xFFu), float(code >> 24u), code >> 24u & 1u);
 }
 
 // weights of two neighbours on opposite sides by their depths (FRAME-near): `max(clamp(1.25 - |d1 + d2 - 2 d0| /

@@ -43,13 +43,6 @@ float gloam_tangent_whole(vec2 plane) {
     return (1.5707963 - 0.156583 * plane.x) * sqrt(abs(1.0 - plane.x)) * abs(plane.y) + plane.x;
 }
 
-// What two taps on opposite sides of a pixel see, each from its own side: place along the tangent plane, outwards, and
-// height over it.
-struct GloamTapPair {
-    vec2 along;
-    vec2 height;
-};
-
 // both taps of a step (FRAME-pair): `q d - s d0 in perspective, q + s (d - d0) orthographic; along the plane, mirrored
 // for the other side` [gloam].
 // A pixel with the ray t sees d (t, -1) in perspective. The product of an axis with it, less that of the own point
@@ -58,12 +51,12 @@ struct GloamTapPair {
 // q = axis . (t - r, 0). So q is affine in the place of the tap in the image.
 // along, height: q of both sides. slope: |(r, -1)| (cos n, sin n). own: d0. depth: d of both sides, all in the unit in
 // which the result is.
-// Error: 4e-7 of the sum of the terms.
-GloamTapPair gloam_tap_pair(vec2 along, vec2 height, vec2 slope, float own, vec2 depth, bool orthographic) {
+// Returns what both taps see, each from its own side: places along the tangent plane, outwards, in xy, and heights
+// over it in zw. Error: 4e-7 of the sum of the terms.
+vec4 gloam_tap_pair(vec2 along, vec2 height, vec2 slope, float own, vec2 depth, bool orthographic) {
     vec2 farther = depth - own;
     vec2 sides = orthographic ? along + slope.y * farther : along * depth - slope.y * own;
-    return GloamTapPair(vec2(sides.x, -sides.y),
-                        orthographic ? height - slope.x * farther : height * depth + slope.x * own);
+    return vec4(sides.x, -sides.y, orthographic ? height - slope.x * farther : height * depth + slope.x * own);
 }
 
 #endif

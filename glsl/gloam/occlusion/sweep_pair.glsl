@@ -65,14 +65,14 @@ GloamSweepPair gloam_pair_end(GloamSweepPair pair, vec2 nearer, float middle, fl
 // depth. place: of the step, more than that of the last one. plane: (cos n, sin n). bias: least height, >= 0.
 // thickness: as in gloam_pair_end.
 // Error: 2e-6 but for that of gloam_pair_behind, and for taps within rounding of the bias, or of where a feature ends.
-GloamSweepPair gloam_pair_tap(GloamSweepPair pair, GloamTapPair taps, vec2 nearer, float place, vec2 plane, float bias,
+GloamSweepPair gloam_pair_tap(GloamSweepPair pair, vec4 taps, vec2 nearer, float place, vec2 plane, float bias,
                               float thickness) {
-    vec2 squared = taps.along * taps.along + (taps.height * taps.height + GLOAM_LEAST_SQUARE);
+    vec2 squared = taps.xy * taps.xy + (taps.zw * taps.zw + GLOAM_LEAST_SQUARE);
     vec2 inverse = inversesqrt(squared);
     vec2 here = squared * inverse;
     vec2 weight = clamp(pair.counts - 0.5 * here, 0.0, 1.0);
-    bvec2 tells = greaterThan(min(weight, taps.height - bias), vec2(0.0));
-    vec2 found = mix(vec2(0.0), gloam_pair_behind(taps.along * inverse, taps.height * inverse, plane), tells);
+    bvec2 tells = greaterThan(min(weight, taps.zw - bias), vec2(0.0));
+    vec2 found = mix(vec2(0.0), gloam_pair_behind(taps.xy * inverse, taps.zw * inverse, plane), tells);
     vec2 behind = max(found, pair.behind);
     vec2 gain = behind - pair.behind;
     float middle = 0.5 * (place + pair.place);

@@ -7,13 +7,13 @@
 
 // where a pixel's point was in the frame before (FRAME-before): `(u d', v d', d') = (x m0 + y m1 + m2) d + m3;
 // orthographic (u, v, d') = x m0 + y m1 + m2 + d m3` [TSSAO, eqs 6 and 7, with both cameras in m].
-// pixel: (x, y), its column and row; 0 is the centre of the first one. depth: d, > 0.
+// pixel: (x, y), its column and row; 0 is the centre of the first one. depth: d, > 0. m: columns m0 to m3.
 // Returns (u, v, d'): place in the image, 0 to 1, and depth. Trusts the caller that d' > 0, or that (u, v) is not used.
 // Error: 5e-6, in an image of 100 x 100 pixels for depths to 10.
-vec3 gloam_frame_before(vec2 pixel, float depth, vec3 m0, vec3 m1, vec3 m2, vec3 m3, bool orthographic) {
-    vec3 ray = m0 * pixel.x + (m1 * pixel.y + m2);
-    if (orthographic) return ray + m3 * depth;
-    vec3 before = ray * depth + m3;
+vec3 gloam_frame_before(vec2 pixel, float depth, mat4x3 m, bool orthographic) {
+    vec3 ray = m[0] * pixel.x + (m[1] * pixel.y + m[2]);
+    if (orthographic) return ray + m[3] * depth;
+    vec3 before = ray * depth + m[3];
     return vec3(before.xy / before.z, before.z);
 }
 

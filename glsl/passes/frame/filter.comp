@@ -22,7 +22,7 @@ layout(binding = 2) uniform highp sampler2D before_image;
 layout(binding = 3) uniform highp sampler2D depth_before_image;
 layout(binding = 4, rgb10_a2) uniform writeonly highp image2D history_image;
 
-#include "passes/frame/filter.glsl"
+#include "passes/frame/history.glsl"
 
 GloamFrameTexel texels[6][6];
 
@@ -30,25 +30,21 @@ GloamFrameTexel texel_at(ivec2 place) {
     return texels[place.y][place.x];
 }
 
-void show(ivec2 first, int odd) {
-    ivec2 pixel = first + ivec2(odd, 0);
-    vec4 kept;
-    imageStore(result_image, pixel, vec4(shown(pixel, ivec2(half_width), odd, kept)));
-    if (history) imageStore(history_image, pixel, kept);
-}
+#include "passes/frame/filter.glsl"
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) * ivec2(2, 1);
-    vec2 corner = vec2(pixel + 1 - half_width) * parameters.inverse_size;
+    vec2 corner = vec2(pixel + 1 - half_width) * parameters.inverse_texels;
     for (int y = 0; y < 2 * half_width + 1; y += 2) {
         for (int x = 0; x < 2 * half_width + 2; x += 2) {
-            uvec4 four = textureGather(texel_image, corner + vec2(x, y) * parameters.inverse_size);
-            texels[y][x] = gloam_frame_texel(four.w);
-            texels[y][x + 1] = gloam_frame_texel(four.z);
-            texels[y + 1][x] = gloam_frame_texel(four.x);
-            texels[y + 1][x + 1] = gloam_frame_texel(four.y);
+            uvec4 four = textureGather(texel_image, corner + vec2(x, y) * parameters.inverse_texels).wzxy;  // by rows
+            for (int i = 0; i < 4; ++i) texels[y + i / 2][x + i % 2] = gloam_frame_texel(four[i]);
         }
     }
-    show(pixel, 0);
-    show(pixel, 1);
+    for (int odd = 0; odd < 2; ++odd) {
+        ivec2 own = pixel + ivec2(odd, 0);
+        vec4 kept;
+        imageStore(result_image, own, vec4(shown(own, ivec2(half_width), odd, kept)));
+        if (history) imageStore(history_image, own, kept);
+    }
 }

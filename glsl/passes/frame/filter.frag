@@ -7,11 +7,13 @@ uniform highp sampler2D depth_before_image;
 layout(location = 0) out highp float occlusion;
 layout(location = 1) out highp vec4 kept;  // in sequences: the history
 
-#include "passes/frame/filter.glsl"
+#include "passes/frame/history.glsl"
 
 GloamFrameTexel texel_at(ivec2 place) {
-    return gloam_frame_texel(texture(texel_image, (gl_FragCoord.xy + vec2(place)) * parameters.inverse_size).x);
+    return gloam_frame_texel(texture(texel_image, (gl_FragCoord.xy + vec2(place)) * parameters.inverse_texels).x);
 }
+
+#include "passes/frame/filter.glsl"
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);

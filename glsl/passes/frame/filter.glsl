@@ -2,26 +2,16 @@
 #ifndef GLOAM_PASSES_FRAME_FILTER_GLSL
 #define GLOAM_PASSES_FRAME_FILTER_GLSL
 
-// The filter of the frame at full size, for compute and fragment shaders.
+// The filter of the frame at full size, for compute and fragment shaders. They declare before it:
+//   GloamFrameTexel texel_at(ivec2 place)   the texel at a place among those that an invocation reads
 
-#include "gloam/filter/frame_texel.glsl"
 #include "passes/frame/history.glsl"
-#include "passes/frame/parameters.glsl"
 
 layout(constant_id = 0) const int half_width = 1;  // 1: 3 x 3 pixels; 2: 5 x 5
 
 // 1 over the relative bend of depth that counts as an edge, and over the difference that counts as another surface.
 const vec2 inverse_tolerance = 1.0 / vec2(0.0025, 0.15);
 const float falloff = 0.18;  // weights of 5 x 5 fall by 2^-(0.18 r^2)
-
-struct FilterParameters {
-    HistoryParameters history;
-    vec2 inverse_size;
-};
-FRAME_PARAMETERS(FilterParameters)
-
-// The texel at a place among those that an invocation reads.
-GloamFrameTexel texel_at(ivec2 place);
 
 // Sums of the pixel at a place: of its own occlusion and weight, and of all. Texels count in pairs around it.
 vec4 filtered(ivec2 middle) {
@@ -56,7 +46,7 @@ float moved_around(ivec2 first) {
 // the other.
 float shown(ivec2 pixel, ivec2 first, int odd, out vec4 kept) {
     ivec2 place = first + ivec2(odd, 0);
-    return accumulated(pixel, texel_at(place).depth, filtered(place), moved_around(first), parameters.history, kept);
+    return accumulated(pixel, texel_at(place).depth, filtered(place), moved_around(first), kept);
 }
 
 #endif

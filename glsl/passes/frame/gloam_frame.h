@@ -23,7 +23,7 @@
  * Vulkan: structures are push constants, images are in layout GENERAL, and before each pass there is a memory barrier
  * from COMPUTE_SHADER, SHADER_WRITE to COMPUTE_SHADER, SHADER_READ | SHADER_WRITE. The device needs the feature
  * shaderStorageImageExtendedFormats. Specialization constants: 1 orthographic; 2, 3, 4 normals in world space,
- * octahedral, from 0 to 1; 5 slices; 6 steps; 8 frames follow one another; 9 normals from depth.
+ * octahedral, from 0 to 1; 5 slices; 6 steps; 8 frames follow one another.
  * OpenGL: structures are the uniform block 0 (Parameters), in a buffer of 128 bytes, and behind each compute pass there
  * is a glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT).
  * As fragment shaders (330, 300es) a pass draws a triangle over all that it writes, prepare one for each `level`. Their
@@ -50,11 +50,11 @@ typedef struct { /* 16 numbers are column by column */
 /* What the passes are given. depth: numerator and divisor. */
 typedef struct { float before[4][4], depth[4], inverse_size[2], far_value; } gloam_prepare;
 typedef struct {
-    float view_from_world[3][4], inverse_span[2], first[2], span[2], ray_span[2], first_ray[2], reach[2], depth[4];
-    float noise[2], far_value;
+    float view_from_world[3][4], inverse_span[2], first[2], span[2], ray_span[2], first_ray[2], reach[2], noise[2];
+    float depth[4], far_value; /* for normals from depth */
 } gloam_sweep;
-typedef struct { /* of join; of filter without inverse_size, 104 bytes */
-    float before[4][4], most, range, narrowing, sharpness, dither, unused[3], inverse_texels[2], inverse_size[2];
+typedef struct { /* filter or join */
+    float before[4][4], most, range, narrowing, sharpness, dither, unused, inverse_texels[2], inverse_size[2];
 } gloam_last;
 
 typedef struct { /* begins with zeros */

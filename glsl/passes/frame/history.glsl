@@ -2,28 +2,33 @@
 #ifndef GLOAM_PASSES_FRAME_HISTORY_GLSL
 #define GLOAM_PASSES_FRAME_HISTORY_GLSL
 
-// What the frame keeps of the frames before, behind its filter: a texel of 32 bits a pixel, two means and a number of
-// frames (gloam/temporal/frame_history.glsl), and the depth of the frame before. Shaders declare before it:
+// What filter and join share: their parameters, and what the frame keeps of the frames before, behind its filter: a
+// texel of 32 bits a pixel, two means and a number of frames (gloam/temporal/frame_history.glsl), and the depth of the
+// frame before. Shaders declare before it:
 //   sampler2D before_image         the history of the frame before; bilinear, clamped to the edge
 //   sampler2D depth_before_image   level 0 of its depth; nearest, clamped to the edge
 
+#include "gloam/filter/frame_texel.glsl"
 #include "gloam/temporal/frame_history.glsl"
+#include "passes/frame/parameters.glsl"
 
 layout(constant_id = 1) const bool orthographic = false;  // both cameras; else perspective
 layout(constant_id = 8) const bool history = false;       // there is one
 
-struct HistoryParameters {
-    mat4x3 before;    // where a pixel's point was (gloam_frame_before)
-    float most;       // frames before this one in the mean, in frames_unit; 0 begins a sequence
-    float range;      // how far the mean may be from the fast one,
-    float narrowing;  // and how much nearer it is where taps met what moved
-    float sharpness;  // the part of the neighbours' weights that a long mean leaves out
-    float dither;     // of the frame, in [0, 1)
+struct LastParameters {
+    mat4x3 before;        // where a pixel's point was (gloam_frame_before)
+    float most;           // frames before this one in the mean, in frames_unit; 0 begins a sequence
+    float range;          // how far the mean may be from the fast one,
+    float narrowing;      // and how much nearer it is where taps met what moved
+    float sharpness;      // the part of the neighbours' weights that a long mean leaves out
+    float dither;         // of the frame, in [0, 1)
+    vec2 inverse_texels;  // 1 over the size of the texels,
+    vec2 inverse_size;    // and of the view
 };
+FRAME_PARAMETERS(LastParameters)
 
 const float frames_unit = 1.0 / 1023.0;      // of the number of frames in its channel
 const float most_moved = 7.0 * frames_unit;  // frames before this one in the mean where a tap met what moved
-const float depth_tolerance = 0.015;         // relative, to be the same surface
 
 // What a texel adds to sums: its weighted occlusion, and its weight.
 vec2 sums_of(GloamFrameTexel texel) {
@@ -33,22 +38,20 @@ vec2 sums_of(GloamFrameTexel texel) {
 // Occlusion of a pixel with its history, if there is one, in [0, 1], and the texel for the next frame. sums: of the
 // occlusion and the weight of the pixel itself, and of all that the filter reads. moved: the share of these that met
 // what moved.
-float accumulated(ivec2 pixel, float depth, vec4 sums, float moved, HistoryParameters given, out vec4 kept) {
+float accumulated(ivec2 pixel, float depth, vec4 sums, float moved, out vec4 kept) {
     kept = vec4(0.0);
     if (!history) return sums.z / sums.w;
-    vec3 was = gloam_frame_before(vec2(pixel), depth, given.before[0], given.before[1], given.before[2],
-                                  given.before[3], orthographic);
+    vec3 was = gloam_frame_before(vec2(pixel), depth, parameters.before, orthographic);
     vec3 texel = textureLod(before_image, was.xy, 0.0).xyz;
     float apart = abs(abs(textureLod(depth_before_image, was.xy, 0.0).x) - was.z);
-    vec2 aside = abs(was.xy - 0.5);
-    bool known = max(aside.x, aside.y) < 0.5 && apart < depth_tolerance * was.z;
-    float frames = known ? min(texel.z, moved > 0.0 ? min(given.most, most_moved) : given.most) : 0.0;
+    bool known = all(lessThan(abs(was.xy - 0.5), vec2(0.5))) && apart < 0.015 * was.z;  // the same surface
+    float frames = known ? min(texel.z, moved > 0.0 ? min(parameters.most, most_moved) : parameters.most) : 0.0;
     float weight = 1.0 / (frames * (1.0 / frames_unit) + 1.0);
-    float part = given.sharpness - given.sharpness * moved;
+    float part = parameters.sharpness - parameters.sharpness * moved;
     float fresh = gloam_frame_sharp(sums.xy, sums.zw, part - part * weight);
     vec2 means = gloam_frame_blend(texel.x, texel.y, weight, fresh, sums.z / sums.w,
-                                   given.range - given.narrowing * moved);
-    float dither = fract(float(pixel.x) * 0.7548777 + (float(pixel.y) * 0.5698403 + given.dither)) - 0.5;
+                                   parameters.range - parameters.narrowing * moved);
+    float dither = fract(float(pixel.x) * 0.7548777 + (float(pixel.y) * 0.5698403 + parameters.dither)) - 0.5;
     kept = vec4(means.x + dither * frames_unit, means.y, frames + frames_unit, 0.0);
     return means.x;
 }

@@ -24,7 +24,7 @@ layout(binding = 3) uniform highp sampler2D before_image;
 layout(binding = 4) uniform highp sampler2D depth_before_image;
 layout(binding = 5, rgb10_a2) uniform writeonly highp image2D history_image;
 
-#include "passes/frame/join.glsl"
+#include "passes/frame/history.glsl"
 
 GloamFrameTexel texels[4][4];
 
@@ -32,29 +32,23 @@ GloamFrameTexel texel_at(ivec2 place) {
     return texels[place.y + 1][place.x + 1];
 }
 
-void show(ivec2 first, ivec2 odd, float depth) {
-    ivec2 pixel = first + odd;
-    vec4 kept;
-    imageStore(result_image, pixel, vec4(shown(pixel, odd, depth, kept)));
-    if (history) imageStore(history_image, pixel, kept);
-}
+#include "passes/frame/join.glsl"
 
 void main() {
     ivec2 block = ivec2(gl_GlobalInvocationID.xy);
-    vec2 corner = vec2(block) * parameters.inverse_half_size;
+    vec2 corner = vec2(block) * parameters.inverse_texels;
     for (int y = 0; y < 4; y += 2) {
         for (int x = 0; x < 4; x += 2) {
-            uvec4 four = textureGather(texel_image, corner + vec2(x, y) * parameters.inverse_half_size);
-            texels[y][x] = gloam_frame_texel(four.w);
-            texels[y][x + 1] = gloam_frame_texel(four.z);
-            texels[y + 1][x] = gloam_frame_texel(four.x);
-            texels[y + 1][x + 1] = gloam_frame_texel(four.y);
+            uvec4 four = textureGather(texel_image, corner + vec2(x, y) * parameters.inverse_texels).wzxy;  // by rows
+            for (int i = 0; i < 4; ++i) texels[y + i / 2][x + i % 2] = gloam_frame_texel(four[i]);
         }
     }
     ivec2 pixel = 2 * block;
     vec4 own = abs(textureGather(depth_image, vec2(pixel + 1) * parameters.inverse_size)).wzxy;  // by rows
-    show(pixel, ivec2(0), own.x);
-    show(pixel, ivec2(1, 0), own.y);
-    show(pixel, ivec2(0, 1), own.z);
-    show(pixel, ivec2(1), own.w);
+    for (int i = 0; i < 4; ++i) {
+        ivec2 odd = ivec2(i % 2, i / 2);
+        vec4 kept;
+        imageStore(result_image, pixel + odd, vec4(shown(pixel + odd, odd, own[i], kept)));
+        if (history) imageStore(history_image, pixel + odd, kept);
+    }
 }

@@ -8,12 +8,14 @@ uniform highp sampler2D depth_image;   // of prepare; likewise
 layout(location = 0) out highp float occlusion;
 layout(location = 1) out highp vec4 kept;  // in sequences: the history
 
-#include "passes/frame/join.glsl"
+#include "passes/frame/history.glsl"
 
 GloamFrameTexel texel_at(ivec2 place) {
     vec2 block = vec2(ivec2(gl_FragCoord.xy) >> 1) + 0.5;
-    return gloam_frame_texel(texture(texel_image, (block + vec2(place)) * parameters.inverse_half_size).x);
+    return gloam_frame_texel(texture(texel_image, (block + vec2(place)) * parameters.inverse_texels).x);
 }
+
+#include "passes/frame/join.glsl"
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);

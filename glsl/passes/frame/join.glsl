@@ -2,24 +2,13 @@
 #ifndef GLOAM_PASSES_FRAME_JOIN_GLSL
 #define GLOAM_PASSES_FRAME_JOIN_GLSL
 
-// Filter and upsampling of the frame at half size, for compute and fragment shaders.
+// Filter and upsampling of the frame at half size, for compute and fragment shaders. They declare before it:
+//   GloamFrameTexel texel_at(ivec2 place)   the texel at a place, counted from that of the pixel's block
 
-#include "gloam/filter/frame_texel.glsl"
 #include "passes/frame/history.glsl"
-#include "passes/frame/parameters.glsl"
 
 // 1 over the relative bend of depth that counts as an edge, and over the difference that counts as another surface.
 const vec2 inverse_tolerance = 1.0 / vec2(0.0075, 0.075);
-
-struct JoinParameters {
-    HistoryParameters history;
-    vec2 inverse_half_size;  // of the texels
-    vec2 inverse_size;       // of the view
-};
-FRAME_PARAMETERS(JoinParameters)
-
-// The texel at a place, counted from that of the pixel's block.
-GloamFrameTexel texel_at(ivec2 place);
 
 // Sums of a pixel: of the occlusion and weight of the nearest texels, and of all, which count in pairs around it.
 // odd: 0 for the first pixel of its block, else 1, in x and in y. depth: its own.
@@ -59,7 +48,7 @@ float moved_around() {
 
 // Occlusion of a pixel, and the texel for the next frame.
 float shown(ivec2 pixel, ivec2 odd, float depth, out vec4 kept) {
-    return accumulated(pixel, depth, joined(odd, depth), moved_around(), parameters.history, kept);
+    return accumulated(pixel, depth, joined(odd, depth), moved_around(), kept);
 }
 
 #endif

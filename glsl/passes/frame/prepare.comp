@@ -28,16 +28,11 @@ void main() {
     ivec2 block = ivec2(gl_GlobalInvocationID.xy);
     ivec2 pixel = 2 * block;
     vec4 stored = textureGather(stored_image, vec2(pixel + 1) * parameters.inverse_size);
-    float depth = depth_of(stored.w);
-    float sign = sign_of(pixel, depth);
-    vec4 first = vec4(sign * depth);
-    vec4 last = vec4(sign * depth_of(stored.y));
-    imageStore(level_0, pixel, first);
-    imageStore(level_0, pixel + ivec2(1, 0), vec4(sign * depth_of(stored.z)));
-    imageStore(level_0, pixel + ivec2(0, 1), vec4(sign * depth_of(stored.x)));
-    imageStore(level_0, pixel + 1, last);
-    imageStore(level_1, block, last);
-    if (gloam_is_level_middle(block, 2)) imageStore(level_2, block >> 1, first);
-    if (gloam_is_level_middle(block, 3)) imageStore(level_3, block >> 2, first);
-    if (gloam_is_level_middle(block, 4)) imageStore(level_4, block >> 3, first);
+    vec4 depth = vec4(depth_of(stored.w), depth_of(stored.z), depth_of(stored.x), depth_of(stored.y));
+    depth *= sign_of(pixel, depth.x);
+    for (int i = 0; i < 4; ++i) imageStore(level_0, pixel + ivec2(i % 2, i / 2), vec4(depth[i]));
+    imageStore(level_1, block, depth.wwww);
+    if (gloam_is_level_middle(block, 2)) imageStore(level_2, block >> 1, depth.xxxx);
+    if (gloam_is_level_middle(block, 3)) imageStore(level_3, block >> 2, depth.xxxx);
+    if (gloam_is_level_middle(block, 4)) imageStore(level_4, block >> 3, depth.xxxx);
 }

@@ -30,10 +30,8 @@ float depth_of(float stored) {
 // -1 where the frame before did not show the surface of a pixel, which stands for its block; else 1.
 float sign_of(ivec2 pixel, float depth) {
     if (!history) return 1.0;
-    vec3 was = gloam_frame_before(vec2(pixel), depth, parameters.before[0], parameters.before[1], parameters.before[2],
-                                  parameters.before[3], orthographic);
-    vec4 before = abs(levels_before(was.xy));
-    return gloam_frame_moved(was.z, before, 0.5 * GLOAM_FARTHEST_LEVEL_DEPTH, 0.01) ? -1.0 : 1.0;
+    vec3 was = gloam_frame_before(vec2(pixel), depth, parameters.before, orthographic);
+    return gloam_frame_moved(was.z, abs(levels_before(was.xy)), 0.5 * GLOAM_FARTHEST_LEVEL_DEPTH, 0.01) ? -1.0 : 1.0;
 }
 
 #endif

@@ -4,7 +4,7 @@
 
 // The horizon sweep of the frame, for compute and fragment shaders. They declare before it:
 //   sampler2D depth_image    of prepare, with its levels; nearest texel and level, clamped to the edge
-//   sampler2D normal_image   as the engine stores them, any format; from depth: its depth, in x
+//   sampler2D normal_image   as the engine stores them, any format; with GLOAM_NORMALS_FROM_DEPTH its depth, in x
 
 #include "passes/engine_inputs.glsl"
 #include "passes/frame/parameters.glsl"
@@ -19,11 +19,9 @@ layout(constant_id = 5) const int slices = 1;
 layout(constant_id = 6) const int steps = 6;   // taps on each side of a slice
 layout(constant_id = 7) const int stride = 1;  // pixels of the view from one that is written to the next
 layout(constant_id = 8) const bool history = false;  // frames follow one another
-layout(constant_id = 9) const bool normals_from_depth = false;
 
 const float bias = 0.001;               // least height over the tangent plane, in radii
 const float bias_depth = 1.0 / 1024.0;  // the same for each unit of depth: two roundings of a depth to 16 bits
-const float thickness = 1.0;            // of features, in widths
 
 // Lengths are in radii of influence. Signs of y, and of x where the projection mirrors, turn view space to the image.
 struct SweepParameters {
@@ -34,10 +32,12 @@ struct SweepParameters {
     vec2 ray_span;           // likewise, of the ray at depth 1; orthographic: of the position
     vec2 first_ray;          // of the first pixel
     vec2 reach;              // pixels of a radius at depth 1; orthographic: at any
-    vec2 numerator;          // as prepare has them, for normals from depth
-    vec2 divisor;
     vec2 noise;              // of the frame: of the turns of slices, and of the shift of taps
-    float far;               // as prepare has it
+#ifdef GLOAM_NORMALS_FROM_DEPTH
+    vec2 numerator;  // as prepare has them
+    vec2 divisor;
+    float far;
+#endif
 };
 FRAME_PARAMETERS(SweepParameters)
 
@@ -49,38 +49,36 @@ struct Point {
     vec3 view;
     vec3 normal;
     vec2 reach;  // pixels
-    float turns;
-    float shift;  // of the taps, a fraction of a step
-    float bias;
+    vec2 noise;  // turns of the slices, and shift of the taps, in steps
 };
 
-vec2 ray_of(vec2 at) {
-    return at * parameters.ray_span + parameters.first_ray;
-}
-
+#ifdef GLOAM_NORMALS_FROM_DEPTH
 // Of the surface at a pixel, radii; zero for background and outside the image.
 vec3 position_at(ivec2 pixel) {
     if (pixel != clamp(pixel, ivec2(0), textureSize(normal_image, 0) - 1)) return vec3(0.0);
     float depth = gloam_level_depth(texelFetch(normal_image, pixel, 0).x, parameters.numerator, parameters.divisor,
                                     parameters.far);
     if (depth >= GLOAM_FARTHEST_LEVEL_DEPTH) return vec3(0.0);
-    vec2 ray = ray_of(vec2(pixel) * parameters.inverse_span);
+    vec2 ray = vec2(pixel) * parameters.inverse_span * parameters.ray_span + parameters.first_ray;
     return vec3(orthographic ? ray : depth * ray, -depth);
 }
 
-// Not normalised.
 vec3 normal_at(ivec2 pixel) {
-    if (!normals_from_depth)
-        return view_direction(texelFetch(normal_image, pixel, 0).xyz, parameters.view_from_world);
     vec3 middle = position_at(pixel);
     vec3 along = gloam_neighbor_direction(middle, position_at(pixel - ivec2(1, 0)), position_at(pixel + ivec2(1, 0)));
     vec3 across = gloam_neighbor_direction(middle, position_at(pixel - ivec2(0, 1)), position_at(pixel + ivec2(0, 1)));
     return gloam_facing_normal(along, across, orthographic ? vec3(0.0, 0.0, 1.0) : -middle);
 }
+#else
+// Not normalised.
+vec3 normal_at(ivec2 pixel) {
+    return view_direction(texelFetch(normal_image, pixel, 0).xyz, parameters.view_from_world);
+}
+#endif
 
 Point point_at(ivec2 pixel, float depth, vec2 reach) {
     vec2 at = vec2(stride * pixel) * parameters.inverse_span;
-    vec2 ray = ray_of(at);
+    vec2 ray = at * parameters.ray_span + parameters.first_ray;
     float squared = orthographic ? 1.0 : dot(ray, ray) + 1.0;
     float inverse = inversesqrt(squared);
     vec3 view = orthographic ? vec3(0.0, 0.0, 1.0) : vec3(-inverse * ray, inverse);
@@ -88,7 +86,7 @@ Point point_at(ivec2 pixel, float depth, vec2 reach) {
     normal *= inversesqrt(max(dot(normal, normal), GLOAM_LEAST_SQUARE));
     float turns = gloam_lattice_rotation(pixel) * (0.5 / GLOAM_PI);
     vec2 noise = vec2(turns, 14.0 * turns) + (history ? parameters.noise : vec2(0.0));
-    return Point(at, depth, squared * inverse, view, normal, reach, noise.x, noise.y, max(bias, bias_depth * depth));
+    return Point(at, depth, squared * inverse, view, normal, reach, noise);
 }
 
 // An axis as q of gloam_tap_pair is affine in a place of the image: q = x at.x + y at.y + z. own: s of that axis.
@@ -97,14 +95,10 @@ vec3 rays_along(vec3 axis, Point point, float own) {
     return vec3(product, (orthographic ? 0.0 : own) - dot(product, point.at));
 }
 
-float depth_at(vec2 at, float level) {
-    return textureLod(depth_image, at * parameters.span + parameters.first, level).x;
-}
-
 // What one slice sees, and what an empty one would, both with the slice's weight, and the least depth that taps
 // meet, whose sign tells what moved: (occluded, whole, least). At full size some taps tell enough.
 vec3 slice_of(Point point, int slice) {
-    float angle = GLOAM_PI / float(slices) * (point.turns + float(slice));
+    float angle = GLOAM_PI / float(slices) * (point.noise.x + float(slice));
     vec2 direction = vec2(cos(angle), sin(angle));
     GloamTangentAxes axes = gloam_tangent_axes(direction, point.view, point.normal);
     vec2 slope = point.ray_length * axes.normal;
@@ -112,28 +106,27 @@ vec3 slice_of(Point point, int slice) {
     vec3 height = rays_along(axes.height, point, -slope.x);
     float reach = max(abs(point.reach.x), abs(point.reach.y));
     vec2 to_reach = point.reach * direction;
-    vec3 places = gloam_slice_places(fract(point.shift), float(steps), reach);
+    vec3 places = gloam_slice_places(fract(point.noise.y), float(steps), reach);
     float reach_level = gloam_depth_level(reach);
+    float least_height = max(bias, bias_depth * point.depth);
     GloamSweepPair pair = gloam_sweep_pair();
     float least = 0.0;
     for (int k = 0; k < steps; ++k) {
         float place = places.x + float(k) * (places.y + float(k) * places.z);
         vec2 offset = round(place * to_reach);
         // Beyond the edge, the pixel at the edge.
-        vec2 fore = clamp(offset * parameters.inverse_span + point.at, 0.0, 1.0);
-        vec2 back = clamp(-offset * parameters.inverse_span + point.at, 0.0, 1.0);
-        vec2 x = vec2(fore.x, back.x);
-        vec2 y = vec2(fore.y, back.y);
+        vec4 at = clamp(vec4(offset, -offset) * parameters.inverse_span.xyxy + point.at.xyxy, 0.0, 1.0);
         // By the middle of the step, so that the logarithm is a constant.
         float level = reach_level + log2(gloam_slice_place((float(k) + 0.5) / float(steps), 1e18));
-        vec2 depth = vec2(depth_at(fore, level), depth_at(back, level));
-        if (history) {
-            if (stride == 2 || (slice == 0 && k % 2 == 0)) least = min(least, min(depth.x, depth.y));
-            depth = abs(depth);
-        }
-        GloamTapPair taps = gloam_tap_pair(along.z + along.x * x + along.y * y, height.z + height.x * x + height.y * y,
-                                           slope, point.depth, depth, orthographic);
-        pair = gloam_pair_tap(pair, taps, point.depth - depth, place, axes.normal, point.bias, thickness);
+        vec2 stored = vec2(textureLod(depth_image, at.xy * parameters.span + parameters.first, level).x,
+                           textureLod(depth_image, at.zw * parameters.span + parameters.first, level).x);
+        if (history && (stride == 2 || (slice == 0 && k % 2 == 0))) least = min(least, min(stored.x, stored.y));
+        vec2 depth = history ? abs(stored) : stored;
+        vec4 taps = gloam_tap_pair(along.z + along.x * at.xz + along.y * at.yw,
+                                   height.z + height.x * at.xz + height.y * at.yw, slope, point.depth, depth,
+                                   orthographic);
+        // Features are as thick as they are wide.
+        pair = gloam_pair_tap(pair, taps, point.depth - depth, place, axes.normal, least_height, 1.0);
     }
     vec2 occluded = pair.occluded + pair.feature;
     return vec3(axes.weight * (occluded.x + occluded.y), axes.weight * gloam_tangent_whole(axes.normal), least);
@@ -155,8 +148,7 @@ uint texel_of(ivec2 pixel) {
         }
     }
     if (!(sum.x >= 0.0 && sum.y > 0.0)) sum = vec2(0.0, 1e-3);  // background, or no normal
-    float weight = sum.y * (1.0 / float(slices));
-    uint code = gloam_frame_code(depth, min(sum.x / sum.y, 1.0), min(weight, 1.6));
+    uint code = gloam_frame_code(depth, min(sum.x / sum.y, 1.0), min(sum.y * (1.0 / float(slices)), 1.6));
     return history && least < 0.0 ? code + GLOAM_FRAME_MOVED : code;
 }
 

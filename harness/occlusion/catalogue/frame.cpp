@@ -17,7 +17,6 @@ namespace {
 using namespace check;
 
 using Pair = reference::GloamSweepPair;
-using Taps = reference::GloamTapPair;
 
 // (cos n, sin n) of a normal that faces the eye.
 Values planes() {
@@ -81,15 +80,6 @@ Values pairs() {
         .only_as_drawn();
 }
 
-// Of a tap higher than the tangent plane, or not.
-Values taps() {
-    return made_by<Taps>([](numeric::Random& random) {
-               const auto one = [&] { return static_cast<float>(random.uniform(-1.2, 1.2)); };
-               return Taps{{one(), one()}, {one(), one()}};
-           })
-        .only_as_drawn();
-}
-
 void append_pairs(Entries& entries) {
     add(entries, "FRAME-start", &reference::gloam_sweep_pair, {.budget = {.ulp = 1}, .codomain = {0, 1}});
     const Values directions = made_by<glm::vec2>([](numeric::Random& random) {
@@ -109,8 +99,12 @@ void append_pairs(Entries& entries) {
     const Values place = uniform(0.5, 1).only_as_drawn();
     add(entries, "FRAME-end", &reference::gloam_pair_end,
         {.domain = {pairs(), nearer, place, thickness}, .budget = {.absolute = 4e-7, .backward_ulp = 4}});
+    const Values taps = made_by<glm::vec4>([](numeric::Random& random) {
+                            const auto one = [&] { return static_cast<float>(random.uniform(-1.2, 1.2)); };
+                            return glm::vec4(one(), one(), one(), one());
+                        }).only_as_drawn();
     add(entries, "FRAME-tap", &reference::gloam_pair_tap,
-        {.domain = {pairs(), taps(), nearer, place, planes(), uniform(0, 0.01).only_as_drawn(), thickness},
+        {.domain = {pairs(), taps, nearer, place, planes(), uniform(0, 0.01).only_as_drawn(), thickness},
          .budget = {.absolute = 2e-6, .backward_ulp = 4}});
 }
 
@@ -181,14 +175,17 @@ void append_texels(Entries& entries) {
          .codomain = {0, 1}});
 }
 
-// A column of what brings a pixel of an image of 100 x 100 to the frame before. own: the coordinate that it
-// is of.
-Values column(int own, float size, float most) {
-    return made_by<glm::vec3>([=](numeric::Random& random) {
-               const auto part = [&](float one) { return static_cast<float>(random.uniform(-one, one)); };
-               glm::vec3 made(part(most), part(most), part(most));
-               made[own] += size;
-               return made;
+// What brings a pixel of an image of 100 x 100 to the frame before.
+Values cameras() {
+    return made_by<glm::mat4x3>([](numeric::Random& random) {
+               const auto column = [&](int own, float size, float most) {
+                   const auto part = [&] { return static_cast<float>(random.uniform(-most, most)); };
+                   glm::vec3 made(part(), part(), part());
+                   made[own] += size;
+                   return made;
+               };
+               return glm::mat4x3(column(0, 0.01F, 1e-4F), column(1, 0.01F, 1e-4F), column(2, 1.0F, 0.1F),
+                                  column(2, 0.5F, 0.1F));
            })
         .only_as_drawn();
 }
@@ -196,8 +193,7 @@ Values column(int own, float size, float most) {
 void append_history(Entries& entries) {
     const Values depth = uniform(0.5, 10).only_as_drawn();
     add(entries, "FRAME-before", &reference::gloam_frame_before,
-        {.domain = {vector(2, uniform(0, 100)).only_as_drawn(), depth, column(0, 0.01F, 1e-4F),
-                    column(1, 0.01F, 1e-4F), column(2, 1.0F, 0.1F), column(2, 0.5F, 0.1F), booleans()},
+        {.domain = {vector(2, uniform(0, 100)).only_as_drawn(), depth, cameras(), booleans()},
          .budget = {.absolute = 5e-6}});
     const Values near = uniform(0.9, 1.1).and_value(65504.0F).only_as_drawn();
     add(entries, "FRAME-moved", &reference::gloam_frame_moved,

@@ -92,29 +92,30 @@ PlannedPass last_pass(const Settings& settings, const View& view, const gloam_la
     if (is_half(settings))
         return single_pass("join", source, std::move(resources), parameters, groups_of(view.extent, 2, 2));
     source.constants.push_back({.id = 0, .bits = static_cast<std::uint32_t>(settings.filter_half_width)});
-    PlannedPass filter =
-        single_pass("filter", source, std::move(resources), parameters, groups_of(view.extent, 2, 1));
-    filter.parameters.resize(offsetof(gloam_last, inverse_size));
-    return filter;
+    return single_pass("filter", source, std::move(resources), parameters, groups_of(view.extent, 2, 1));
+}
+
+PlannedPass sweep_pass(const Settings& settings, const Taken& taken, const gloam_sweep& parameters) {
+    PassSource source{.file = "frame/sweep.comp",
+                      .constants = {{.id = 1, .bits = flag(taken.view.camera.orthographic())},
+                                    {.id = 2, .bits = flag(taken.encoding.world)},
+                                    {.id = 3, .bits = flag(taken.encoding.octahedral)},
+                                    {.id = 4, .bits = flag(taken.encoding.unorm)},
+                                    {.id = 5, .bits = slices_of(settings)},
+                                    {.id = 6, .bits = settings.own.steps},
+                                    {.id = 7, .bits = is_half(settings) ? 2U : 1U},
+                                    history_constant(settings)},
+                      .unrolls = slices_of(settings) < 4};
+    if (!taken.normals) source.defines.emplace_back("GLOAM_NORMALS_FROM_DEPTH");
+    PlannedPass sweep = single_pass("sweep", source, {"levels", taken.normals ? "normal" : "depth", "texels"},
+                                    parameters, groups_of(swept_of(settings, taken.view.extent), 1, 1));
+    if (taken.normals) sweep.parameters.resize(offsetof(gloam_sweep, depth));
+    return sweep;
 }
 
 std::vector<PlannedPass> passes_of(const Settings& settings, const Taken& taken, const gloam_frame& frame) {
-    const View& view = taken.view;
-    const PassSource sweep{.file = "frame/sweep.comp",
-                           .constants = {{.id = 1, .bits = flag(view.camera.orthographic())},
-                                         {.id = 2, .bits = flag(taken.encoding.world)},
-                                         {.id = 3, .bits = flag(taken.encoding.octahedral)},
-                                         {.id = 4, .bits = flag(taken.encoding.unorm)},
-                                         {.id = 5, .bits = slices_of(settings)},
-                                         {.id = 6, .bits = settings.own.steps},
-                                         {.id = 7, .bits = is_half(settings) ? 2U : 1U},
-                                         history_constant(settings),
-                                         {.id = 9, .bits = flag(!taken.normals)}},
-                           .unrolls = slices_of(settings) < 4};
-    return {first_pass(settings, view, frame.prepare),
-            single_pass("sweep", sweep, {"levels", taken.normals ? "normal" : "depth", "texels"}, frame.sweep,
-                        groups_of(swept_of(settings, view.extent), 1, 1)),
-            last_pass(settings, view, frame.last)};
+    return {first_pass(settings, taken.view, frame.prepare), sweep_pass(settings, taken, frame.sweep),
+            last_pass(settings, taken.view, frame.last)};
 }
 
 void add_history(gpu::Extent extent, Plan& plan) {

@@ -266,21 +266,16 @@ inline double gloam_tangent_whole(dvec2 plane) {
     return plane.x + abs(plane.y) * std::atan2(abs(plane.y), plane.x);
 }
 
-struct GloamTapPair {
-    dvec2 along;
-    dvec2 height;
-};
-
 // Side by side, each tap from where it is to the own point.
-inline GloamTapPair gloam_tap_pair(dvec2 along, dvec2 height, dvec2 slope, double own, dvec2 depth,
-                                   bool orthographic) {
-    GloamTapPair taps{};
+inline dvec4 gloam_tap_pair(dvec2 along, dvec2 height, dvec2 slope, double own, dvec2 depth,
+                            bool orthographic) {
+    dvec4 taps{};
     for (int side = 0; side < 2; ++side) {
         const double towards = side == 0 ? 1.0 : -1.0;
         const double seen = orthographic ? 1.0 : depth[side];
         const double before = orthographic ? own - depth[side] : own;
-        taps.along[side] = towards * (along[side] * seen - slope.y * before);
-        taps.height[side] = height[side] * seen + slope.x * before;
+        taps[side] = towards * (along[side] * seen - slope.y * before);
+        taps[side + 2] = height[side] * seen + slope.x * before;
     }
     return taps;
 }

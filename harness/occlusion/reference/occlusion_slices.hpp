@@ -219,16 +219,16 @@ inline GloamSweepPair gloam_pair_end(GloamSweepPair pair, dvec2 nearer, double m
     return pair;
 }
 
-inline GloamSweepPair gloam_pair_tap(const GloamSweepPair& pair, const GloamTapPair& taps, dvec2 nearer,
-                                     double place, dvec2 plane, double bias, double thickness) {
+inline GloamSweepPair gloam_pair_tap(const GloamSweepPair& pair, dvec4 taps, dvec2 nearer, double place,
+                                     dvec2 plane, double bias, double thickness) {
     const double middle = (place + pair.place) / 2.0;
     GloamSweepPair next = gloam_pair_end(pair, nearer, middle, thickness);
     for (int i = 0; i < 2; ++i) {
-        const double here = std::hypot(taps.along[i], taps.height[i]);
+        const double here = std::hypot(taps[i], taps[i + 2]);
         const double weight = clamp(pair.counts[i] - here / 2.0, 0.0, 1.0);
-        const double found = fitted_behind(taps.along[i] / here, taps.height[i] / here,
-                                           {plane.x, i == 0 ? plane.y : -plane.y});
-        const double gain = weight > 0.0 && taps.height[i] > bias ? max(found - pair.behind[i], 0.0) : 0.0;
+        const double found =
+            fitted_behind(taps[i] / here, taps[i + 2] / here, {plane.x, i == 0 ? plane.y : -plane.y});
+        const double gain = weight > 0.0 && taps[i + 2] > bias ? max(found - pair.behind[i], 0.0) : 0.0;
         if (next.rise[i] < min(gain, 1e-4)) {
             next.rise[i] = max(nearer[i] - pair.nearer[i], 1e-4);
             next.start[i] = middle;

@@ -165,9 +165,7 @@ inline GloamHistory gloam_reprojected_history(dvec2 uv, glm::ivec2 size, double 
         {min(mean.occlusion / total, 1.0), mean.weight / total, mean.index, mean.depth});
 }
 
-inline dvec3 gloam_frame_before(dvec2 pixel, double depth, dvec3 m0, dvec3 m1, dvec3 m2, dvec3 m3,
-                                bool orthographic) {
-    const dmat4 m(dvec4(m0, 0.0), dvec4(m1, 0.0), dvec4(m2, 0.0), dvec4(m3, 1.0));
+inline dvec3 gloam_frame_before(dvec2 pixel, double depth, glm::dmat4x3 m, bool orthographic) {
     if (orthographic) return m * dvec4(pixel, 1.0, depth);
     const dvec3 before = m * dvec4(pixel * depth, depth, 1.0);
     return {before.x / before.z, before.y / before.z, before.z};

@@ -15,8 +15,8 @@ class AmbientOcclusion {
     constructor(gl, effect, {depth = "buffer", range = "negative-one-to-one", normals = "none"} = {}) {
         AmbientOcclusion.check(depth, range, normals);
         Object.assign(this, {effect, inputs: {depth, range}, size: null, preset: null, images: null});
-        this.normals = {world_normals: normals.startsWith("world"), octahedral_normals: normals.includes("octahedral"),
-            unorm_normals: normals.includes("unorm"), normals_from_depth: normals === "none"};
+        this.stored = normals === "none" ? null : {world_normals: normals.startsWith("world"),
+            octahedral_normals: normals.includes("octahedral"), unorm_normals: normals.includes("unorm")};
         this.passes = new Passes(gl);
         this.restored = () => {  // the context, without all that was made in it
             this.passes = new Passes(gl);
@@ -74,7 +74,7 @@ class AmbientOcclusion {
         const {passes, size, preset} = this;
         if (passes.gl.isContextLost()) return null;
         const now = cameraOf(projection, view, size, this.radius, this.inputs, this.before);
-        for (const [name, image] of [["depth", depth], ["normal", this.normals.normals_from_depth ? depth : normal]])
+        for (const [name, image] of [["depth", depth], ["normal", this.stored ? normal : depth]])
             if (!image) throw new Error(`${name}: expected a texture`);
         if (this.before?.orthographic !== now.orthographic) this.restart();
         this.images ??= this.newImages();
@@ -114,11 +114,11 @@ class AmbientOcclusion {
         const [even, odd] = [frames % 2, 1 - frames % 2];
         const all = {...values, depth_image: levels[even][0].image, texel_image: texels.image,
             depth_before_image: levels[odd][0].image, before_image: last[odd].images[1],
-            inverse_size: size.map((n) => 1 / n), inverse_half_size: [1 / texels.width, 1 / texels.height]};
+            inverse_size: size.map((n) => 1 / n), inverse_texels: [1 / texels.width, 1 / texels.height]};
         const draw = (name, constants, target, level = 0) => passes.draw(passes.program(name, effect.whole_image,
             effect[name], {orthographic: values.orthographic, history: true, ...constants}), {...all, level}, target);
         levels[even].forEach((target, level) => draw("prepare", {}, target, level));
-        draw("sweep", {...this.normals, slices, steps, stride: half ? 2 : 1}, texels);
+        draw(this.stored ? "sweep" : "sweep_from_depth", {...this.stored, slices, steps, stride: half ? 2 : 1}, texels);
         draw(half ? "join" : "filter", half ? {} : {half_width}, last[even]);
     }
 
