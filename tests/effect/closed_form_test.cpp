@@ -128,11 +128,6 @@ TEST_P(Invariants, HowDepthIsStoredMakesNoDifference) {
     }
 }
 
-// A method's result on a bare plane, before the remap.
-double on_a_plane(const std::string& method) {
-    return with_method(Settings{}, method).remap_a > 0.0F ? 0.5 : 0.0;
-}
-
 // With normals and without.
 TEST_P(Invariants, ABarePlaneIsOpenInImagesOfAnySize) {
     Settings settings = plain(GetParam(), 1.0F);
@@ -144,7 +139,7 @@ TEST_P(Invariants, ABarePlaneIsOpenInImagesOfAnySize) {
                 if (!normals) view.normal.clear();
                 const Frame frame = run(view, settings);
                 for (const float occlusion : frame.occlusion)
-                    EXPECT_NEAR(double{occlusion}, on_a_plane(GetParam()), normals ? 1e-5 : 1e-4)
+                    EXPECT_NEAR(double{occlusion}, method_named(GetParam()).on_a_plane, normals ? 1e-5 : 1e-4)
                         << extent.width << 'x' << extent.height << (normals ? "" : " without normals");
             }
         }
@@ -162,7 +157,7 @@ TEST_P(Invariants, AFloorToTheHorizonIsOpen) {
         for (std::size_t i = 0; i < occlusion.size(); ++i) {
             if (!(view.depth[i] < 10.0F)) continue;  // beyond, the radius is less than a pixel
             ++seen;
-            EXPECT_NEAR(double{occlusion[i]}, on_a_plane(GetParam()), 1e-4)
+            EXPECT_NEAR(double{occlusion[i]}, method_named(GetParam()).on_a_plane, 1e-4)
                 << "pixel " << i << ", pitch " << pitch << ", depth " << view.depth[i];
         }
         EXPECT_GT(seen, 63U * 5U);

@@ -27,6 +27,12 @@ gl::Image::Format format_of(gpu::Format format) {
     return found == formats.end() ? rgba32f : found->second;
 }
 
+std::string text_of(const PlannedPass& pass, const scene::PassLibrary& passes, shader::Language language) {
+    std::map<std::uint32_t, std::uint32_t> constants;
+    for (const auto& constant : pass.source.constants) constants[constant.id] = constant.bits;
+    return passes.text(pass.source.file, pass.source.defines, pass.source.replaced, constants, language);
+}
+
 // The plan of a first frame, executed on a device of OpenGL.
 class OnOpenGl {
   public:
@@ -46,7 +52,8 @@ class OnOpenGl {
         }
         for (const PlannedBuffer& buffer : plan.buffers) {
             const auto place =
-                buffers_.try_emplace(buffer.name, device, buffer.bytes / sizeof(gl::Word) + 1).first;
+                buffers_.try_emplace(buffer.name, device, buffer.contents.size() / sizeof(gl::Word) + 1)
+                    .first;
             place->second.write(0, words_of(buffer.contents));
         }
     }
@@ -70,13 +77,9 @@ class OnOpenGl {
     }
 
     void run(const PlannedPass& pass) {
-        std::map<std::uint32_t, std::uint32_t> constants;
-        for (const auto& constant : pass.source.constants) constants[constant.id] = constant.bits;
-        const gl::Program program(
-            device_, gl::Program::Stage::compute,
-            {.name = pass.source.file,
-             .text = passes_.text(pass.source.file, pass.source.defines, pass.source.replaced, constants,
-                                  es_ ? shader::Language::es310 : shader::Language::gl430)});
+        const auto language = es_ ? shader::Language::es310 : shader::Language::gl430;
+        const gl::Program program(device_, gl::Program::Stage::compute,
+                                  {.name = pass.source.file, .text = text_of(pass, passes_, language)});
         gl::ImageDispatch work{.program = program,
                                .images = {},
                                .levels = {},
@@ -193,11 +196,7 @@ class EsPasses : public gl::Opened {
   protected:
     void expect_linked(const Settings& settings, const PlanOptions& options) {
         for (const PlannedPass& pass : plan_of(settings, options, passes_).passes) {
-            std::map<std::uint32_t, std::uint32_t> constants;
-            for (const gpu::SpecializationConstant& constant : pass.source.constants)
-                constants[constant.id] = constant.bits;
-            const std::string text = passes_.text(pass.source.file, pass.source.defines, pass.source.replaced,
-                                                  constants, shader::Language::es310);
+            const std::string text = text_of(pass, passes_, shader::Language::es310);
             if (!seen_.insert(text).second) continue;
             EXPECT_NO_THROW(gl::Program(device(), gl::Program::Stage::compute, {pass.name, text}))
                 << settings.method << " " << pass.name;

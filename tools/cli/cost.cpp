@@ -145,7 +145,7 @@ double bytes_per_pixel(const effect::Plan& plan, const effect::PlannedPass& pass
         for (const effect::PlannedImage& image : plan.images)
             if (bound.image == image.name) bytes += times * bytes_of_level(image, bound.level.value_or(0));
         for (const effect::PlannedBuffer& buffer : plan.buffers)
-            if (buffer.name == name) bytes += times * static_cast<double>(buffer.bytes);
+            if (buffer.name == name) bytes += times * static_cast<double>(buffer.contents.size());
     }
     return bytes / view;
 }
@@ -173,7 +173,8 @@ double memory_of_preset(const CostCommand& command) {
     for (const effect::PlannedImage& image : plan.images)
         for (std::uint32_t level = 0; level < image.levels; ++level)
             if (image.origin != effect::PlannedImage::Origin::engine) bytes += bytes_of_level(image, level);
-    for (const effect::PlannedBuffer& buffer : plan.buffers) bytes += static_cast<double>(buffer.bytes);
+    for (const effect::PlannedBuffer& buffer : plan.buffers)
+        bytes += static_cast<double>(buffer.contents.size());
     return bytes;
 }
 

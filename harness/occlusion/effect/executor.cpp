@@ -137,17 +137,14 @@ void Resources::provide(const Plan& plan) {
     for (const PlannedImage& planned : plan.images)
         image(planned.name, planned.extent, planned.format, planned.levels);
     for (const PlannedBuffer& planned : plan.buffers)
-        fill(buffer(planned.name, planned.bytes), planned.contents);
+        fill(buffer(planned.name, planned.contents.size()), planned.contents);
 }
 
 void Resources::restart(const Plan& plan) {
     for (const PlannedImage& planned : plan.images)
         if (planned.origin == PlannedImage::Origin::history)
             image(planned.name).upload(std::vector<float>(4 * pixels_of(planned.extent), 0.0F));
-    for (const PlannedBuffer& planned : plan.buffers) {
-        clear(buffer(planned.name));
-        fill(buffer(planned.name), planned.contents);
-    }
+    for (const PlannedBuffer& planned : plan.buffers) fill(buffer(planned.name), planned.contents);
 }
 
 void Resources::exchange(std::span<const std::array<std::string, 2>> pairs) {

@@ -118,54 +118,22 @@ std::vector<PlannedPass> passes_of(const Settings& settings, const Taken& taken,
             last_pass(settings, taken.view, frame.last)};
 }
 
-void add_history(gpu::Extent extent, Plan& plan) {
-    using Origin = PlannedImage::Origin;
-    plan.images.push_back({.name = "levels_before",
-                           .meaning = "levels of the frame before",
-                           .format = r16f,
-                           .origin = Origin::history,
-                           .extent = extent,
-                           .levels = depth_levels});
-    plan.images.push_back({.name = "history_before",
-                           .meaning = "the history of the frame before",
-                           .format = rgb10_a2,
-                           .origin = Origin::history,
-                           .extent = extent});
-    plan.images.push_back(
-        {.name = "history", .meaning = "the history of this frame", .format = rgb10_a2, .extent = extent});
-    plan.exchanged = {{"levels_before", "levels"}, {"history_before", "history"}};
-}
-
-Plan plan_for(const Settings& settings, const Taken& taken, const gloam_frame& frame) {
-    const View& view = taken.view;
+Plan plan_for(const Settings& settings, const Taken& taken, const gloam_frame& numbers) {
+    using enum PlannedImage::Origin;
+    const gpu::Extent extent = taken.view.extent;
     Plan plan;
-    plan.images = {{.name = "depth",
-                    .meaning = "depth as the engine stores it",
-                    .format = r32f,
-                    .origin = PlannedImage::Origin::engine,
-                    .extent = view.extent},
-                   {.name = "normal",
-                    .meaning = "normals as the engine stores them",
-                    .format = rgba32f,
-                    .origin = PlannedImage::Origin::engine,
-                    .extent = view.extent},
-                   {.name = "levels",
-                    .meaning = "eye-linear depth in radii",
-                    .format = r16f,
-                    .extent = view.extent,
-                    .levels = depth_levels},
-                   {.name = "texels",
-                    .meaning = "what the sweep finds (gloam/filter/frame_texel.glsl)",
-                    .format = r32ui,
-                    .extent = swept_of(settings, view.extent)},
-                   {.name = "shown",
-                    .meaning = "the occlusion",
-                    .format = format_of(settings.output),
-                    .extent = view.extent}};
-    if (settings.history) add_history(view.extent, plan);
-    if (!taken.normals)
-        std::erase_if(plan.images, [](const PlannedImage& image) { return image.name == "normal"; });
-    plan.passes = passes_of(settings, taken, frame);
+    plan.images = {{"depth", r32f, engine, extent},                       // as it is stored
+                   {"levels", r16f, frame, extent, depth_levels},         // eye-linear depth in radii
+                   {"texels", r32ui, frame, swept_of(settings, extent)},  // gloam/filter/frame_texel.glsl
+                   {"shown", format_of(settings.output), frame, extent}};
+    if (taken.normals) plan.images.push_back({"normal", rgba32f, engine, extent});
+    if (settings.history) {
+        plan.images.push_back({"levels_before", r16f, history, extent, depth_levels});
+        plan.images.push_back({"history_before", rgb10_a2, history, extent});
+        plan.images.push_back({"history", rgb10_a2, frame, extent});
+        plan.exchanged = {{"levels_before", "levels"}, {"history_before", "history"}};
+    }
+    plan.passes = passes_of(settings, taken, numbers);
     plan.result = "shown";
     return plan;
 }

@@ -40,7 +40,6 @@ struct PlannedImage {
         frame     // written by the passes, each frame
     };
     std::string name;
-    std::string meaning;
     gpu::Format format = gpu::Format::rgba32f;
     Origin origin = Origin::frame;
     gpu::Extent extent;  // for the view of the plan
@@ -57,9 +56,7 @@ struct ImageName {
 
 struct PlannedBuffer {
     std::string name;
-    std::string meaning;
-    std::size_t bytes = 0;            // for the view of the plan
-    std::vector<std::byte> contents;  // at its beginning; the rest is zero
+    std::vector<std::byte> contents;
 };
 
 struct PlannedPass {

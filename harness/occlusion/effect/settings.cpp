@@ -52,12 +52,9 @@ bool shows_alone(const Settings& settings) {
     return !settings.history && !filters(settings);
 }
 
-bool maps(const Settings& settings) {
-    return settings.remap_a != 0.0F || settings.remap_b != 1.0F || settings.remap_c != 1.0F;
-}
-
 bool remaps(const Settings& settings) {
-    return maps(settings) || settings.output != OutputFormat::r32f;
+    return settings.remap_a != 0.0F || settings.remap_b != 1.0F || settings.remap_c != 1.0F ||
+           settings.output != OutputFormat::r32f;
 }
 
 void validate(const Settings& settings) {

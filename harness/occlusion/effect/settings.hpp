@@ -96,9 +96,6 @@ struct Settings {
 // Whether the occlusion of a frame is all that its passes keep: without a history and without a filter.
 [[nodiscard]] bool shows_alone(const Settings& settings);
 
-// Whether the displayed values are another function of the estimate than the estimate itself.
-[[nodiscard]] bool maps(const Settings& settings);
-
 // Whether the displayed values differ from the estimate: by a remap, or by an output format of fewer bits.
 // The remap pass then writes them.
 [[nodiscard]] bool remaps(const Settings& settings);

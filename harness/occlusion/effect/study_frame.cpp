@@ -14,85 +14,39 @@ namespace {
 
 using Origin = PlannedImage::Origin;
 
+// An image of the view's size, where there is one.
 struct ImageRow {
     const char* name;
     bool exists;
     gpu::Format format;
-    Origin origin;
-    const char* meaning;
+    Origin origin = Origin::frame;
 };
 
-std::vector<ImageRow> images_of_inputs(const Moment& m) {
+std::vector<ImageRow> images_of(const Moment& m) {
     using enum gpu::Format;
-    const char* linear = "eye-linear depth, world units; background 0 or not finite";
-    const char* normals = "view-space unit normals that face the eye, in xyz";
     const bool converts = m.converted.has_value();
-    const bool layers = m.settings.own.layers > 1;
+    const bool remapped = remaps(m.settings);
+    const bool alone = shows_alone(m.settings);
+    const bool filtered = filters(m.settings);
+    const gpu::Format output = format_of(m.settings.output);
     return {
-        {"depth", true, r32f, Origin::engine,
-         converts ? "depth as the engine stores it, any format that is sampled" : linear},
-        {"normal", m.has_normals || !converts, rgba32f, m.has_normals ? Origin::engine : Origin::frame,
-         converts ? "normals as the engine stores them, any format" : normals},
-        {"linear_depth", converts, r32f, Origin::frame, linear},
-        {"view_normal", converts, rgba32f, Origin::frame, normals},
-        {"motion", m.from_motion, rgba32f, Origin::engine,
-         "motion vectors in xy, any format: by how much each point has moved in the image since the frame "
-         "before"},
-        {"previous_position", m.has_positions, rgba32f, m.from_motion ? Origin::frame : Origin::engine,
-         "where each surface point was, in the view space of the frame before, in xyz"},
-        {"layers", layers, rgba32f, Origin::engine, "depth layers 1 to 3 behind the first in xyz"}};
-}
-
-std::vector<ImageRow> images_of_results(const Moment& m) {
-    using enum gpu::Format;
-    const Settings& settings = m.settings;
-    const gpu::Format output = format_of(settings.output);
-    const bool alone = shows_alone(settings);
-    const bool filtered = filters(settings);
-    return {{"filtered", alone, r32f, Origin::frame, "the occlusion"},
-            {"history_before", !alone, rgba32f, Origin::history, "the history of the frame before"},
-            {"history_reprojected", settings.history, rgba32f, Origin::frame,
-             "the same at the pixels of this frame"},
-            {"history_after", !alone, rgba32f, Origin::frame, "the history of this frame"},
-            {"half_filtered", filtered, r32f, Origin::frame, "the occlusion filtered along x"},
-            {"filtered", filtered, r32f, Origin::frame, "and along y"},
-            {"mapped", remaps(settings), output, Origin::frame, "what is shown of the occlusion"},
-            {"filtered_mapped", remaps(settings) && filtered, output, Origin::frame,
-             "what is shown of the filtered occlusion"},
-            {"bent_parts", m.bent_normals, rgba32f, Origin::frame,
-             "each pixel's part of the open directions, not normalized"},
-            {"bent_normal", m.bent_normals, rgba32f, Origin::frame,
-             "the mean open direction, a unit vector in view space, in xyz; half the angle of its cone in w, "
-             "radians"}};
-}
-
-void add_images(const Moment& m, const std::vector<ImageRow>& rows, Plan& plan) {
-    for (const ImageRow& row : rows) {
-        if (!row.exists) continue;
-        plan.images.push_back({.name = row.name,
-                               .meaning = row.meaning,
-                               .format = row.format,
-                               .origin = row.origin,
-                               .extent = m.view.extent});
-    }
-}
-
-// Images whose size is not that of the view.
-void add_fixed_images(const Moment& m, Plan& plan) {
-    if (m.preparation) {
-        plan.images.push_back({.name = "prepared",
-                               .meaning = "what the method's preparation passes write",
-                               .format = m.preparation->format,
-                               .extent = m.preparation->image});
-    }
-}
-
-void add_buffers(const Moment& m, Plan& plan) {
-    const auto own = std::as_bytes(std::span(&m.settings.own, 1));
-    plan.buffers.push_back({.name = "method",
-                            .meaning = "the method's settings",
-                            .bytes = sizeof(MethodValues),
-                            .contents = {own.begin(), own.end()}});
+        {"depth", true, r32f, Origin::engine},  // as it is stored, or eye-linear in world units
+        {"normal", m.has_normals || !converts, rgba32f, m.has_normals ? Origin::engine : Origin::frame},
+        {"linear_depth", converts, r32f},  // of what is stored otherwise; background 0 or not finite
+        {"view_normal", converts, rgba32f},
+        {"motion", m.from_motion, rgba32f, Origin::engine},  // in the image, since the frame before, in xy
+        // Where each surface point was, in the view space of the frame before.
+        {"previous_position", m.has_positions, rgba32f, m.from_motion ? Origin::frame : Origin::engine},
+        {"layers", m.settings.own.layers > 1, rgba32f, Origin::engine},  // 1 to 3 behind the first in xyz
+        {"history_before", !alone, rgba32f, Origin::history},
+        {"history_reprojected", m.settings.history, rgba32f},  // the same at the pixels of this frame
+        {"history_after", !alone, rgba32f},
+        {"half_filtered", filtered, r32f},  // along x
+        {"filtered", alone || filtered, r32f},
+        {"mapped", remapped, output},  // what is shown of the occlusion
+        {"filtered_mapped", remapped && filtered, output},
+        {"bent_parts", m.bent_normals, rgba32f},    // each pixel's part of the open directions
+        {"bent_normal", m.bent_normals, rgba32f}};  // unit vector; half the angle of its cone in w, radians
 }
 
 // The table for one frame.
@@ -249,10 +203,13 @@ Frame StudyPasses::next(int repeat, const PassWatcher& watcher) {
 
 Plan planned_resources(const Moment& moment) {
     Plan plan;
-    add_images(moment, images_of_inputs(moment), plan);
-    add_images(moment, images_of_results(moment), plan);
-    add_fixed_images(moment, plan);
-    add_buffers(moment, plan);
+    for (const ImageRow& row : images_of(moment))
+        if (row.exists) plan.images.push_back({row.name, row.format, row.origin, moment.view.extent});
+    if (moment.preparation)
+        plan.images.push_back(
+            {"prepared", moment.preparation->format, Origin::frame, moment.preparation->image});
+    const auto own = std::as_bytes(std::span(&moment.settings.own, 1));
+    plan.buffers.push_back({"method", {own.begin(), own.end()}});
     if (!shows_alone(moment.settings)) plan.exchanged.push_back({"history_before", "history_after"});
     return plan;
 }

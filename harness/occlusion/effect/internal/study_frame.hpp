@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "effect/internal/passes.hpp"
-#include "effect/internal/values.hpp"
+#include "effect/internal/executor.hpp"
 #include "effect/plan.hpp"
 
 namespace gloam::effect {
