@@ -4,14 +4,11 @@
 
 Left with status 77 where there is no Chromium, no npm, or no registry within reach of npm."""
 import json
-import subprocess
 import tempfile
-import unittest
 from pathlib import Path
 
-from browser import Browser
 from npm_packages import NoPackages, install
-from site_case import GLOAM, main, skip
+from site_case import SiteCase, main, skip
 
 # When each page shows what it has; the one of checks once its check has run.
 PAGES = {"index": "gloam.live.state.picture?.occlusion.frames > 0",
@@ -29,37 +26,32 @@ def axe_script(folder):
     return Path(folder, "node_modules", "axe-core", "axe.min.js").read_text(encoding="utf-8")
 
 
-class AxeTest(unittest.TestCase):
-    def found(self, browser, page):
-        browser.evaluate(AXE + "; 0")
-        return [f"{page}: {json.dumps(one)}" for one in browser.evaluate(FIND) if one[0] in SERIOUS]
+class AxeTest(SiteCase):
+    def found(self, page):
+        self.browser.evaluate(AXE + "; 0")
+        return [f"{page}: {json.dumps(one)}" for one in self.browser.evaluate(FIND) if one[0] in SERIOUS]
 
     def test_no_page_has_a_serious_finding(self):
         """The pages with all that they can show: the details of a method, and of a check that failed."""
-        with tempfile.TemporaryDirectory() as folder, Browser() as browser:
-            site = Path(folder, "site")
-            subprocess.run([GLOAM, "site", site, "TSSAO-5", "--method", "sweep", "--quiet", "--no-pictures"],
-                           check=True)
-            data = next(site.glob("checks-*.js"))
-            data.write_text(data.read_text(encoding="utf-8").replace("void main() {", "void main() { no_such;"),
-                            encoding="utf-8")
-            found = []
-            for dark in (False, True):
-                for page, ready in PAGES.items():
-                    browser.look(390, 844, dark)
-                    browser.open(site / f"{page}.html")
-                    browser.wait(ready)
-                    browser.evaluate("document.querySelector('[aria-expanded=false]')?.click()")
-                    self.assertLessEqual(browser.evaluate("document.documentElement.scrollWidth"), 390, page)
-                    found += self.found(browser, f"{page}, {'dark' if dark else 'light'}")
-            self.assertEqual([], found, "\n".join(found))
+        data = next(self.site.glob("checks-*.js"))
+        data.write_text(data.read_text(encoding="utf-8").replace("void main() {", "void main() { no_such;"),
+                        encoding="utf-8")
+        found = []
+        for dark in (False, True):
+            for page, ready in PAGES.items():
+                self.browser.look(390, 844, dark)
+                self.browser.open(self.site / f"{page}.html")
+                self.browser.wait(ready)
+                self.browser.evaluate("document.querySelector('[aria-expanded=false]')?.click()")
+                self.assertLessEqual(self.browser.evaluate("document.documentElement.scrollWidth"), 390, page)
+                found += self.found(f"{page}, {'dark' if dark else 'light'}")
+        self.assertEqual([], found, "\n".join(found))
 
     def test_a_fault_is_found(self):
-        with tempfile.TemporaryDirectory() as folder, Browser() as browser:
-            Path(folder, "bad.html").write_text("<!DOCTYPE html><title>x</title><img src='x.png'><button></button>",
-                                                encoding="utf-8")
-            browser.open(Path(folder, "bad.html"))
-            self.assertGreaterEqual(len(self.found(browser, "bad")), 2)
+        page = self.folder / "bad.html"
+        page.write_text("<!DOCTYPE html><title>x</title><img src='x.png'><button></button>", encoding="utf-8")
+        self.browser.open(page)
+        self.assertGreaterEqual(len(self.found("bad")), 2)
 
 
 if __name__ == "__main__":

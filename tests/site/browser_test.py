@@ -129,7 +129,7 @@ class SiteTest(CheckCase):
             };
         })()"""
         for before, script, reason in (
-                ("0", "device.getExtension('WEBGL_lose_context').loseContext();", "device lost"),
+                ("0", "passes.gl.getExtension('WEBGL_lose_context').loseContext();", "device lost"),
                 (limited, "for (;;);", "hang")):
             with self.subTest(reason):
                 page = self.fresh()

@@ -74,12 +74,12 @@ class CheckPage:
         self.browser.evaluate(f"gloam.workerText += {json.dumps(script)}; gloam.checkPage.state.runner.end()")
 
     def before_run(self, function, script):
-        """Makes the worker run a script before the kernel of a function; it sees `device`, `check` and `data`."""
+        """Makes the worker run a script before the kernel of a function; it sees `passes`, `check` and `data`."""
         self.in_worker(f"""{{
             const {{run}} = gloam.kernel;
-            gloam.kernel.run = (device, program, check, data) => {{
+            gloam.kernel.run = (passes, program, check, data) => {{
                 if (check.text.includes("gloam_kernel_result = {function}(")) {{ {script} }}
-                return run(device, program, check, data);
+                return run(passes, program, check, data);
             }};
         }}""")
 

@@ -4,6 +4,8 @@
 opened in headless Chromium.
 
 Left with status 77 where there is no Chromium, no npm, or nothing that npm can install from."""
+import array
+import base64
 import json
 import shutil
 import subprocess
@@ -13,11 +15,33 @@ from pathlib import Path
 
 from browser import program
 from npm_packages import NoPackages, install
-from site_case import GLOAM, BrowserCase, main, skip
+from site_case import GLOAM, BrowserCase, main, read_pfm, skip
 
 EXAMPLE = Path(sys.argv[2])
 HERE = Path(__file__).resolve().parent
 FOR_TYPES = ["typescript@5.9.3", "@types/three@0.180.0"]
+
+
+# Name, preset, whether there are normals, and the view.
+SEQUENCES = [("perspective", "balanced", True, "made()"),
+             ("reversed depth, jitter", "quality", True,
+              "Object.assign(made({reversedDepthBuffer: true}), {jitters: true})"),
+             ("orthographic", "fast", True, "orthographic(made())"),
+             ("depth of the composer", "reference", False, "withComposerDepth(made())")]
+
+
+def write_gbuffer(folder, number, frame, before, normals):
+    """A frame as `gloam render --gbuffer` reads it."""
+    folder.mkdir(exist_ok=True)
+    width, height = frame["size"]
+    texels = array.array("f", base64.b64decode(frame["texels"]))
+    camera = {"view": frame["view"], "proj_vk": frame["proj_vk"], "prev_view": None if frame["cut"] else before["view"]}
+    name = f"{folder}/f{number:04}"
+    Path(name + ".json").write_text(json.dumps({"width": width, "height": height, "camera": camera}), encoding="utf-8")
+    for kind, head, channels in [("depth", "Pf", [3])] + [("normal", "PF", [0, 1, 2])] * normals:
+        rows = [[texels[4 * (y * width + x) + c] for x in range(width) for c in channels] for y in range(height)]
+        values = array.array("f", [value for row in reversed(rows) for value in row])
+        Path(f"{name}_{kind}.pfm").write_bytes(f"{head}\n{width} {height}\n-1\n".encode() + values.tobytes())
 
 
 class NpmTest(BrowserCase):
@@ -36,13 +60,6 @@ class NpmTest(BrowserCase):
         names = self.browser.evaluate("Object.keys(window.page).join()")
         return self.browser.evaluate(f"(() => {{ const {{{names}}} = window.page; {script} }})()")
 
-    def check_scene(self, got, frames=24):
-        self.assertEqual((0, frames), (got["error"], got["frames"]))
-        self.assertEqual(0, got["sky"])
-        self.assertLess(got["floor"], 0.02)
-        self.assertGreater(got["edge"], 0.2)  # half the pixels are swept, and normals of a crease may be made from depth
-        self.assertLess(got["edge"], 0.75)
-
     def test_the_package(self):
         package = json.loads((FOLDER / "gloam" / "package.json").read_text(encoding="utf-8"))
         self.assertEqual(("gloam", "module", "MIT"), (package["name"], package["type"], package["license"]))
@@ -60,11 +77,42 @@ class NpmTest(BrowserCase):
                               check=False)
         self.assertEqual((0, ""), (done.returncode, done.stdout))
 
-    def test_corners_are_dark_and_the_open_floor_is_not(self):
-        for view in ("made()", "made({reversedDepthBuffer: true})", "orthographic(made())"):
-            with self.subTest(view):
-                self.check_scene(self.ask(f"const view = frames({view}, 24); const got = measured(view);"
-                                          "closed(view); return got;"))
+    def test_the_occlusion_is_that_of_the_program(self):
+        """In 40 frames of a moving view, with a cut and another size among them. At last the camera stands: there a
+        point that has not moved is within rounding of the border between two texels before."""
+        for name, preset, normals, made in SEQUENCES:
+            with self.subTest(name):
+                frames = self.ask(f"""
+                    const view = {made};
+                    view.occlusion.preset = "{preset}";
+                    const box = view.scene.children[2];
+                    const all = written(recorded(view, 40, (view, i) => {{
+                        if (i === 20) view.setSize(97, 55, 1);
+                        if (i === 10) view.occlusion.restart();
+                        if (i < 32) view.look((i < 10 ? 0 : 0.3) + 0.01 * i);
+                        box.position.x = 0.02 * i - 2;
+                        if (view.jitters) jitter(view, i);
+                    }}));
+                    closed(view);
+                    return all;""")
+                folder = self.folder / preset
+                for i, frame in enumerate(frames):
+                    write_gbuffer(folder, i, frame, frames[i - 1], normals)
+                subprocess.run([GLOAM, "render", "--gbuffer", folder, "--depth", "buffer", "--normals", "view-unorm",
+                                "--preset", preset, "--radius", "1", "--out", folder / "out", "--quiet"], check=True)
+                for i, frame in enumerate(frames):
+                    want = read_pfm(folder / f"out/f{i:04}_ao.pfm")[0]
+                    got = array.array("f", base64.b64decode(frame["occlusion"]))
+                    apart = [x - y for x, y in zip(got, want, strict=True)]
+                    self.assertLessEqual(sum(255 * abs(one) > 1.1 for one in apart),
+                                         len(apart) * (0.002 if i < 32 else 0.015), i)
+                    self.assertLess(abs(sum(apart)) / len(apart), 2e-4, i)
+                    self.assertGreater(max(want), 0.4)
+
+    def test_other_encodings_give_the_same(self):
+        got = self.ask("return encoded();")
+        self.assertLess(got["mean"], 1e-3)
+        self.assertEqual(0, got["most"])
 
     def test_a_camera_that_moves_gives_what_one_gives_that_stands_still(self):
         """Of a jitter, the projection is moved by up to half a pixel, for antialiasing."""
@@ -75,7 +123,6 @@ class NpmTest(BrowserCase):
                 view.occlusion.restart();
                 return apart(still, occlusion(frames(view, count, before)));
             };
-            const moved = after(24, (i) => { view.look(0.001 * (23 - i)); });
             const jittered = after(24, (i) => { jitter(view, i); });
             view.camera.clearViewOffset();
             const zoomed = after(24, (i) => {
@@ -84,12 +131,12 @@ class NpmTest(BrowserCase):
             });
             const other = after(1, () => { view.look(0.06); });
             closed(view);
-            return {moved, jittered, zoomed, other};""")
-        for name, mean, most in (("moved", 0.006, 0.012), ("jittered", 0.01, 0.02), ("zoomed", 0.008, 0.02)):
+            return {jittered, zoomed, other};""")
+        for name, mean, most in (("jittered", 0.01, 0.02), ("zoomed", 0.008, 0.02)):
             with self.subTest(name):
                 self.assertLess(got[name]["mean"], mean)
                 self.assertLess(got[name]["most"], most)
-        self.assertGreater(got["other"]["mean"], 2 * got["moved"]["mean"])
+        self.assertGreater(got["other"]["mean"], 2 * got["jittered"]["mean"])
 
     def test_a_camera_off_its_centre_shows_its_part(self):
         got = self.ask("""
@@ -104,23 +151,6 @@ class NpmTest(BrowserCase):
             return apart(part, part.map((_, i) => whole[(90 + Math.floor(i / 160)) * 320 + 80 + i % 160]));""")
         self.assertLess(got["mean"], 0.01)
         self.assertLess(got["most"], 0.02)
-
-    def test_what_moves_has_its_shadow_and_leaves_none(self):
-        """Against 64 frames of what stands still at the end: no more error than that of a frame without a history."""
-        got = self.ask("""
-            const view = made();
-            const box = view.scene.children[2];
-            const place = (i) => { box.position.x = 0.03 * i - 2.39; };
-            place(23);
-            const truth = occlusion(frames(view, 64));
-            view.occlusion.restart();
-            const moving = apart(truth, occlusion(frames(view, 24, place)));
-            view.occlusion.restart();
-            const single = apart(truth, occlusion(frames(view, 1)));
-            closed(view);
-            return {moving, single};""")
-        self.assertLess(got["moving"]["mean"], got["single"]["mean"])
-        self.assertLess(got["moving"]["most"], got["single"]["most"])
 
     def test_what_is_seen_of_a_mesh_counts(self):
         got = self.ask("return comparedPairs();")
@@ -137,19 +167,6 @@ class NpmTest(BrowserCase):
     def test_a_context_that_was_lost_goes_on(self):
         got = self.ask("return lostAndRestored();")
         self.assertEqual((0, 0), (got["mean"], got["error"]))
-        self.check_scene(got, 5)
-
-    def test_depth_of_the_pass_before_gives_the_same(self):
-        got = self.ask("""
-            const view = made();
-            const drawn = occlusion(frames(view, 24));
-            const read = occlusion(frames(withComposerDepth(view), 24));
-            const scene = measured(view);
-            closed(view);
-            return {apart: apart(drawn, read), scene};""")
-        self.check_scene(got["scene"])
-        self.assertLess(got["apart"]["mean"], 0.005)
-        self.assertLess(got["apart"]["most"], 0.001)
 
     def test_cuts_and_other_sizes_begin_a_new_history(self):
         got = self.ask("""

@@ -103,10 +103,11 @@ void copy_files(const fs::path& from, std::string_view extensions, report::Outpu
 }
 
 // The script of the worker in which the kernels run, as a text: a page of file:// cannot read a file.
-std::string worker_text(const fs::path& folder) {
+std::string worker_text(const fs::path& files) {
     std::set<fs::path> parts;
-    for (const fs::directory_entry& file : fs::directory_iterator(folder)) parts.insert(file.path());
-    std::string text = "const gloam = {};\n";
+    for (const fs::directory_entry& file : fs::directory_iterator(files / "page/worker"))
+        parts.insert(file.path());
+    std::string text = "const gloam = {};\n" + base::read_file(files / "effect/passes.js");
     for (const fs::path& part : parts) text += base::read_file(part);
     return nlohmann::ordered_json(text).dump();
 }
@@ -132,8 +133,7 @@ void write_pages(const SiteOptions& options, report::OutputFolder& folder) {
         folder.write(name,
                      page_text(name, name == "index.html" ? with_picture(text, options) : text, options));
     }
-    folder.write("worker-text.js",
-                 "gloam.workerText = " + worker_text(options.files / "page" / "worker") + ";\n");
+    folder.write("worker-text.js", "gloam.workerText = " + worker_text(options.files) + ";\n");
 }
 
 // The methods that the page of methods shows, in the order of all.

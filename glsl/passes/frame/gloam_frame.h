@@ -15,8 +15,7 @@
  * prepare      depth, levels (0, 1, 2, 3, 4), levels before                   32 x 16 pixels of the view
  * sweep        levels, normal (depth for normals from depth), texels          16 x 8 texels
  * filter       texels, shown, history before, levels before, history          32 x 8 pixels of the view
- * or, with half,
- * join         texels, levels, shown, history before, levels before, history  32 x 16 pixels of the view
+ * join (half)  texels, levels, shown, history before, levels before, history  32 x 16 pixels of the view
  *
  * "before" is that of the last frame: the two of levels and of history change places. Images begin with zeros; samplers
  * clamp to the edge. A cut needs no image cleared.
@@ -116,8 +115,7 @@ static inline void gloam_fill(gloam_frame* frame, const float* p) {
     float moved[4][4] = {{0}, {0}, {0, 0, -1, 0}, {0}}; /* a depth below 0: all has moved, whatever the images hold */
     gloam_fill_before(frame, frame->last.before);
     memcpy(frame->prepare.before, frame->frames > 0 ? frame->last.before : moved, sizeof moved);
-    memcpy(frame->prepare.depth, depth, sizeof depth);
-    memcpy(frame->sweep.depth, depth, sizeof depth);
+    for (int i = 0; i < 4; ++i) frame->prepare.depth[i] = frame->sweep.depth[i] = depth[i];
     memcpy(frame->sweep.view_from_world, frame->now.view, sizeof frame->sweep.view_from_world);
     frame->prepare.far_value = frame->sweep.far_value = far_value;
     for (int i = 0; i < 2; ++i) {

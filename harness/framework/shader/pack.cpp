@@ -47,13 +47,12 @@ std::string literal(const std::string& type, std::uint32_t bits) {
 // The declaration of a specialization constant with the value asked for.
 std::string with_value(const std::string& text, const std::map<std::uint32_t, std::uint32_t>& constants) {
     static const std::regex declaration(
-        R"((constant_id\s*=\s*)(\d+)(\s*\)\s*const\s+)(bool|int|uint|float)(\s+\w+\s*=\s*)([^;]+);)");
+        R"((constant_id\s*=\s*(\d+)\s*\)\s*const\s+(bool|int|uint|float)\s+\w+\s*=\s*)[^;]+)");
     std::smatch found;
     if (constants.empty() || !std::regex_search(text, found, declaration)) return text;
     const auto value = constants.find(static_cast<std::uint32_t>(std::stoul(found[2])));
     if (value == constants.end()) return text;
-    return found.prefix().str() + found[1].str() + found[2].str() + found[3].str() + found[4].str() +
-           found[5].str() + literal(found[4], value->second) + ";" + found.suffix().str();
+    return found.prefix().str() + found[1].str() + literal(found[3], value->second) + found.suffix().str();
 }
 
 // Interfaces as OpenGL has them: constants of their values, and a uniform block in the place of push
@@ -154,13 +153,10 @@ std::string pack(const std::vector<std::filesystem::path>& files, const PackRequ
 
 std::string code_of(std::string_view text) {
     std::string all;
-    for (const internal::Line& line : internal::split_lines(text)) {
-        if (internal::is_blank(line)) continue;
-        const std::size_t first = line.code.find_first_not_of(" \t");
-        all += line.code.substr(first, line.code.find_last_not_of(" \t\r\n") + 1 - first) + "\n";
-    }
+    for (const internal::Line& line : internal::split_lines(text))
+        if (!internal::is_blank(line)) all += line.code + "\n";
     std::erase(all, '\0');
-    return all;
+    return std::regex_replace(all, std::regex(R"(\s*\n\s*)"), "\n");
 }
 
 std::size_t code_lines(std::string_view text) {

@@ -43,8 +43,7 @@ struct PackRequest {
 // A text without comments, indents and blank lines; and the number of its lines.
 [[nodiscard]] std::string code_of(std::string_view text);
 [[nodiscard]] std::size_t code_lines(std::string_view text);
-// Such lines of several texts that pack() wrote. A function, structure, constant or macro counts once, in
-// however many texts it stands.
+// Such lines of all texts that pack() wrote: a function, structure, constant or macro counts once.
 [[nodiscard]] std::size_t code_lines(const std::vector<std::string>& packed);
 
 // The stage that the ending of a file names, in small or capital letters: .comp and .cs; .vert, .vs and .vsh;

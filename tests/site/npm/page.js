@@ -40,12 +40,6 @@ function apart(a, b) {
     return {mean: all.reduce((sum, x) => sum + x, 0) / all.length, most: all[Math.floor(0.9 * all.length)]};
 }
 
-// The pixel that shows a point of the world, from the bottom left corner.
-function pixelOf(view, point, [width, height] = size) {
-    const at = new Vector3(...point).project(view.camera);
-    return Math.floor((at.y + 1) / 2 * height) * width + Math.floor((at.x + 1) / 2 * width);
-}
-
 // What the canvas shows, bottom row first, four bytes a pixel.
 function shown(view, [width, height] = size) {
     const gl = view.renderer.getContext();
@@ -53,15 +47,6 @@ function shown(view, [width, height] = size) {
     view.draw();
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
     return bytes;
-}
-
-const edge = [-3.5, 0.02, -1.99];
-const floor = [-1, 0, 1.8];
-
-function measured(view) {
-    const values = occlusion(view);
-    return {edge: values[pixelOf(view, edge)], floor: values[pixelOf(view, floor)], sky: values.at(-1),
-        frames: view.occlusion.occlusion.frames, error: view.renderer.getContext().getError()};
 }
 
 const halton = (index, base) => {
@@ -183,10 +168,95 @@ async function lostAndRestored() {
     view.renderer.forceContextRestore();
     await restored;
     const after = occlusion(frames(view, 5));
-    const got = {...apart(before, after), ...measured(view)};
+    const got = {...apart(before, after), error: view.renderer.getContext().getError()};
     closed(view);
     return got;
 }
+
+// Frames of a view and what the effect was given in each, as `gloam render --gbuffer` reads it: row 0 first, depth from
+// 0 to 1. `before` may tell it to forget the history. With depths of 16 bits that are cut, as llvmpipe does it, and not
+// rounded.
+function recorded(view, count, before) {
+    const {render} = AmbientOcclusion.prototype;
+    const {prepare} = effect;
+    const all = [];
+    AmbientOcclusion.prototype.render = function (frame) {
+        const {projection: p} = frame;
+        const half = this.inputs.range === "zero-to-one" ? 0 : 0.5;
+        all.push({size: this.size, view: [...frame.view], cut: this.frames === 0, texels: texelsOf(this, frame),
+            proj_vk: p.map((x, i) => i % 4 === 2 ? (1 - half) * x + half * p[i + 1] : x)});
+        return render.call(this, frame);
+    };
+    effect.prepare = prepare.replace(/depth = (sign_of\([^;]*);/,
+        "depth = uintBitsToFloat(floatBitsToUint($1) & ~0x1FFFu);");
+    if (effect.prepare === prepare) throw new Error("prepare has no such line");
+    for (let i = 0; i < count; ++i) {
+        before(view, i);
+        view.draw();
+        all.at(-1).occlusion = occlusion(view);
+    }
+    Object.assign(AmbientOcclusion.prototype, {render});
+    Object.assign(effect, {prepare});
+    return all;
+}
+
+// The same as text.
+const written = (all) => all.map((frame) =>
+    ({...frame, texels: base64(frame.texels), occlusion: base64(frame.occlusion)}));
+
+// How far a frame of the class is from that of the pass when it is given linear depth and octahedral world normals.
+function encoded() {
+    const view = made();
+    const [{size: [width, height], texels, proj_vk: p, view: matrix, occlusion: want}] = recorded(view, 1, () => {});
+    const other = new AmbientOcclusion(view.renderer.getContext(), effect,
+        {depth: "linear", range: "zero-to-one", normals: "world-octahedral"});
+    const {gl} = other.passes;
+    const [depth, normal] = [0, 1].map(() => ({values: new Float32Array(texels.length),
+        image: other.passes.image("RGBA32F", [width, height])}));
+    for (let i = 0; i < texels.length; i += 4) {
+        depth.values[i] = texels[i + 3] === 1 ? 0 : p[14] / (p[10] + texels[i + 3]);
+        const {x, y, z} = new Vector3(...texels.subarray(i, i + 3)).multiplyScalar(2).subScalar(1)
+            .transformDirection(view.camera.matrixWorld);
+        const [u, v] = [x, y].map((one) => one / (Math.abs(x) + Math.abs(y) + Math.abs(z)));
+        const folded = (one, across) => (1 - Math.abs(across)) * (one < 0 ? -1 : 1);
+        normal.values.set(z < 0 ? [folded(u, v), folded(v, u)] : [u, v], i);
+    }
+    for (const {values, image} of [depth, normal]) {
+        gl.bindTexture(gl.TEXTURE_2D, image);
+        gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RGBA, gl.FLOAT, values);
+    }
+    other.setPreset("balanced", 1);
+    other.setSize(width, height);
+    other.render({depth: depth.image, normal: normal.image, projection: p, view: matrix});
+    const got = apart(want, other.readOcclusion());
+    closed(view);
+    return got;
+}
+
+// Normal and depth of each pixel.
+function texelsOf({passes, size}, {depth, normal}) {
+    const {gl} = passes;
+    const target = passes.target(size, [passes.image("RGBA32F", size)]);
+    const values = new Float32Array(4 * size[0] * size[1]);
+    passes.draw(passes.program("texels", effect.whole_image, `#version 300 es
+        uniform highp sampler2D depth_image;
+        uniform highp sampler2D normal_image;
+        layout(location = 0) out highp vec4 texel;
+        void main() {
+            ivec2 pixel = ivec2(gl_FragCoord.xy);
+            texel = vec4(texelFetch(normal_image, pixel, 0).xyz, texelFetch(depth_image, pixel, 0).x);
+        }`), {depth_image: depth, normal_image: normal ?? depth}, target);
+    gl.readPixels(0, 0, ...size, gl.RGBA, gl.FLOAT, values);
+    passes.deleteTarget(target);
+    return values;
+}
+
+const base64 = (values) => {
+    const bytes = new Uint8Array(values.buffer);
+    let text = "";
+    for (let i = 0; i < bytes.length; i += 0x8000) text += String.fromCharCode(...bytes.subarray(i, i + 0x8000));
+    return btoa(text);
+};
 
 // The message of the error that a call throws.
 function refusal(call) {
@@ -198,5 +268,5 @@ function refusal(call) {
     return null;
 }
 
-window.page = {AmbientOcclusion, ambient, apart, closed, comparedPairs, effect, frames, jitter,
-    lostAndRestored, made, measured, occlusion, orthographic, refusal, shown, withComposerDepth};
+window.page = {AmbientOcclusion, ambient, apart, closed, comparedPairs, effect, encoded, frames, jitter,
+    lostAndRestored, made, occlusion, orthographic, recorded, refusal, shown, withComposerDepth, written};

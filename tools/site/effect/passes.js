@@ -131,6 +131,7 @@ class Passes {
     setUniform(type, location, value) {
         const {gl} = this;
         if (type === gl.FLOAT) gl.uniform1f(location, value);
+        else if (type === gl.UNSIGNED_INT) gl.uniform1ui(location, value);
         else if (type === gl.FLOAT_VEC2) gl.uniform2fv(location, value);
         else if (type === gl.FLOAT_VEC3) gl.uniform3fv(location, value);
         else if (type === gl.FLOAT_MAT3x4) gl.uniformMatrix3x4fv(location, false, value);

@@ -15,89 +15,36 @@ void main() {
     // What is reported of the GPU, and how kernels run. Throws an Error where there is no WebGL2.
     function open() {
         if (typeof OffscreenCanvas === "undefined") throw new Error("this browser has no OffscreenCanvas");
-        const canvas = new OffscreenCanvas(1, 1);
-        const gl = canvas.getContext("webgl2", {antialias: false, depth: false, powerPreference: "high-performance"});
+        const gl = new OffscreenCanvas(1, 1).getContext("webgl2", {antialias: false, depth: false,
+            powerPreference: "high-performance"});
         if (gl === null) throw new Error("this browser has no WebGL2");
+        const passes = new Passes(gl);
         const info = gl.getExtension("WEBGL_debug_renderer_info");
         const renderer = gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
         return {
             facts: {renderer, vendor: gl.getParameter(info ? info.UNMASKED_VENDOR_WEBGL : gl.VENDOR),
                 version: gl.getParameter(gl.VERSION), type: "webgl", name: "webgl2: " + renderer},
-            compile: (text) => compile(gl, gloam.bounded.glsl(text)),
-            run: (program, check, data) => gloam.kernel.run(gl, program, check, data),
-            drop: (program) => gl.deleteProgram(program),
+            compile: (text) => passes.linked("the kernel", vertexText, gloam.bounded.glsl(text)),
+            run: (program, check, data) => gloam.kernel.run(passes, program, check, data),
+            drop: ({handle}) => gl.deleteProgram(handle),
             isLost: () => gl.isContextLost()
         };
     }
 
-    function compileStage(gl, stage, text) {
-        const shader = gl.createShader(stage);
-        gl.shaderSource(shader, text);
-        gl.compileShader(shader);
-        return shader;
-    }
-
-    // The linked program. Throws an Error with the driver's message.
-    function compile(gl, text) {
-        const stages = [compileStage(gl, gl.VERTEX_SHADER, vertexText), compileStage(gl, gl.FRAGMENT_SHADER, text)];
-        const program = gl.createProgram();
-        for (const stage of stages) gl.attachShader(program, stage);
-        gl.linkProgram(program);
-        const linked = gl.getProgramParameter(program, gl.LINK_STATUS);
-        const log = linked ? "" : stages.map((stage) => gl.getShaderInfoLog(stage)).join(" ") +
-            (gl.getProgramInfoLog(program) ?? "");
-        for (const stage of stages) gl.deleteShader(stage);
-        if (linked) return program;
-        gl.deleteProgram(program);
-        throw new Error(gl.isContextLost() ? "the context was lost" : "the kernel does not compile: " + log.trim());
-    }
-
-    function integerTexture(gl, unit, internal, format, width, height, words) {
-        const texture = gl.createTexture();
-        gl.activeTexture(gl.TEXTURE0 + unit);
-        gl.bindTexture(gl.TEXTURE_2D, texture);
-        for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
-            gl.texParameteri(gl.TEXTURE_2D, filter, gl.NEAREST);
-        gl.texImage2D(gl.TEXTURE_2D, 0, internal, width, height, 0, format, gl.UNSIGNED_INT, words);
-        return texture;
-    }
-
     // A texture that holds words: word i is the texel (i % 2048, i / 2048).
-    function wordTexture(gl, unit, words) {
+    function wordTexture(passes, words) {
+        const {gl} = passes;
         const height = Math.max(1, Math.ceil(words.length / rowOfTexture));
         const padded = new Uint32Array(height * rowOfTexture);
         padded.set(words);
-        return integerTexture(gl, unit, gl.R32UI, gl.RED_INTEGER, rowOfTexture, height, padded);
+        const texture = passes.image("R32UI", [rowOfTexture, height]);
+        gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, rowOfTexture, height, gl.RED_INTEGER, gl.UNSIGNED_INT, padded);
+        return texture;
     }
 
-    // The targets of one draw in a framebuffer.
-    function makeTargets(gl, count, height, unit) {
-        const framebuffer = gl.createFramebuffer();
-        gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
-        const textures = [];
-        for (let i = 0; i < count; ++i) {
-            textures.push(integerTexture(gl, unit, gl.RGBA32UI, gl.RGBA_INTEGER, targetWidth, height, null));
-            gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0 + i, gl.TEXTURE_2D, textures[i], 0);
-        }
-        gl.drawBuffers(textures.map((texture, i) => gl.COLOR_ATTACHMENT0 + i));
-        const status = gl.checkFramebufferStatus(gl.FRAMEBUFFER);
-        if (status !== gl.FRAMEBUFFER_COMPLETE && !gl.isContextLost())
-            throw new Error("integer targets are incomplete: status " + status);
-        return {framebuffer, textures};
-    }
-
-    function setUniforms(gl, program, numbers, samplers) {
-        gl.useProgram(program);
-        for (const [name, value] of Object.entries(numbers))
-            gl.uniform1ui(gl.getUniformLocation(program, name), value);
-        samplers.forEach((name, unit) => gl.uniform1i(gl.getUniformLocation(program, name), unit));
-    }
-
-    // Draws one pass and copies its words into the rows of all inputs.
-    function drawPass(gl, check, count, pass, rows) {
+    // Copies the words that a pass has drawn into the rows of all inputs.
+    function readPass(gl, check, count, pass, rows) {
         const height = Math.ceil(count / targetWidth);
-        gl.viewport(0, 0, targetWidth, height);
-        gl.drawArrays(gl.TRIANGLES, 0, 3);
         const words = new Uint32Array(targetWidth * height * wordsOfTarget);
         for (let target = 0; target < check.targets; ++target) {
             gl.readBuffer(gl.COLOR_ATTACHMENT0 + target);
@@ -109,22 +56,19 @@ void main() {
     }
 
     // What all passes write: check.row words for each input.
-    function drawAll(gl, program, check, data, canary) {
-        const textures = [wordTexture(gl, 0, data.inputs)];
-        data.images.forEach((image, i) => textures.push(wordTexture(gl, i + 1, image)));
-        const targets = makeTargets(gl, check.targets, Math.ceil(data.count / targetWidth), textures.length);
-        const samplers = ["gloam_kernel_inputs", ...data.images.map((image, i) => "gloam_kernel_image" + i)];
+    function drawAll(passes, program, check, data, canary) {
+        const textures = [data.inputs, ...data.images].map((words) => wordTexture(passes, words));
+        const values = {gloam_kernel_inputs: textures[0], gloam_kernel_count: data.count, gloam_kernel_canary: canary};
+        data.images.forEach((_, i) => { values["gloam_kernel_image" + i] = textures[i + 1]; });
+        const size = [targetWidth, Math.ceil(data.count / targetWidth)];
+        const target = passes.target(size, Array.from({length: check.targets}, () => passes.image("RGBA32UI", size)));
         const rows = new Uint32Array(data.count * check.row);
         for (let pass = 0; pass * check.targets * wordsOfTarget < check.row; ++pass) {
-            setUniforms(gl, program, {gloam_kernel_count: data.count, gloam_kernel_canary: canary,
-                gloam_kernel_pass: pass}, samplers);
-            // A target may not be bound as a texture while it is drawn to.
-            gl.activeTexture(gl.TEXTURE0 + textures.length);
-            gl.bindTexture(gl.TEXTURE_2D, null);
-            drawPass(gl, check, data.count, pass, rows);
+            passes.draw(program, {...values, gloam_kernel_pass: pass}, target);
+            readPass(passes.gl, check, data.count, pass, rows);
         }
-        gl.deleteFramebuffer(targets.framebuffer);
-        for (const texture of [...textures, ...targets.textures]) gl.deleteTexture(texture);
+        passes.deleteTarget(target);
+        for (const texture of textures) passes.gl.deleteTexture(texture);
         return rows;
     }
 
@@ -145,10 +89,11 @@ void main() {
     }
 
     // Runs a linked program on the inputs of a decoded scenario.
-    function run(gl, program, check, data) {
+    function run(passes, program, check, data) {
+        const {gl} = passes;
         const canary = Math.floor(Math.random() * 2 ** 32) >>> 0;
         while (gl.getError() !== gl.NO_ERROR && !gl.isContextLost());
-        const rows = drawAll(gl, program, check, data, canary);
+        const rows = drawAll(passes, program, check, data, canary);
         if (gl.isContextLost()) throw new Error("the context was lost");
         const error = gl.getError();
         if (error !== gl.NO_ERROR) throw new Error("WebGL error " + error);
