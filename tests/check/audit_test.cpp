@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where a function itself goes wrong.
 #include "audited.hpp"
-#include "check/internal/rewrites.hpp"
+#include "check/internal/audit_search.hpp"
 #include "check/own_domain.hpp"
 #include "support/lab.hpp"
 

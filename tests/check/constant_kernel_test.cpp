@@ -188,16 +188,11 @@ TEST(ConstantCode, SpecializationConstantsAreLeftToTheDriver) {
                       Not(HasSubstr("SpecId 2"))));
 }
 
-// Broken kernels: the canaries and guards must report them.
-
-constexpr std::size_t input_count = 100;
-
-class BrokenKernelTest : public testing::Test {
-  protected:
-    Lab lab = test::make_lab();
-
-    // A kernel of one input word and one output word with the harness's interface and the given body of main.
-    KernelCore kernel(const std::string& body) {
+// Broken kernels, with the body of main() and what the canaries and guards report: one word in, one out.
+TEST(BrokenKernels, AreCaught) {
+    constexpr std::size_t count = 100;
+    const Lab lab = test::make_lab();
+    const auto kernel = [&](const std::string& body) {
         const std::string text = fmt::format(
             "#version 450\n"
             "layout(local_size_x = 64) in;\n"
@@ -209,46 +204,18 @@ class BrokenKernelTest : public testing::Test {
             body);
         shader::Spirv spirv = shader::compile({.name = "broken kernel", .text = text}, {});
         return lab.core({{.spirv = std::move(spirv), .input_words = 1, .output_words = 1, .name = "broken"}});
-    }
-
-    static KernelCore::Result run(const KernelCore& core) {
-        const std::vector<Word> inputs(input_count, 7U);
-        return core.run(inputs, input_count);
-    }
-};
-
-TEST_F(BrokenKernelTest, AHonestKernelPasses) {
-    const auto core = kernel("outputs[2u * i] = inputs[i]; outputs[2u * i + 1u] = canary ^ i;");
-    EXPECT_EQ(run(core).outputs, std::vector<Word>(input_count, 7U));
-}
-
-TEST_F(BrokenKernelTest, AKernelThatNeverWritesIsCaught) {
-    const auto core = kernel("faults[0] += inputs[i] * 0u;");
-    expect_error<backend::Fault>([&] { (void)run(core); }, {"did not finish for input 0"});
-}
-
-TEST_F(BrokenKernelTest, OneInvocationThatStopsEarlyIsNamed) {
-    const auto core =
-        kernel("if (i == 63u) return; outputs[2u * i] = inputs[i]; outputs[2u * i + 1u] = canary ^ i;");
-    expect_error<backend::Fault>([&] { (void)run(core); }, {"did not finish for input 63 of 100"});
-}
-
-TEST_F(BrokenKernelTest, ACanaryOfAnotherRunIsStale) {
-    const auto core = kernel("outputs[2u * i] = inputs[i]; outputs[2u * i + 1u] = 0x12345678u ^ i;");
-    expect_error<backend::Fault>([&] { (void)run(core); }, {"canary"});
-}
-
-TEST_F(BrokenKernelTest, AWriteBehindTheOutputsIsCaught) {
-    const auto core = kernel(
-        "outputs[2u * i] = inputs[i]; outputs[2u * i + 1u] = canary ^ i; if (i == 5u) outputs[2u * count + "
-        "3u] = 1u;");
-    expect_error<backend::Fault>([&] { (void)run(core); }, {"wrote outside its outputs"});
-}
-
-TEST_F(BrokenKernelTest, InputsOfTheWrongLengthAreRefused) {
-    const auto core = kernel("outputs[2u * i] = inputs[i]; outputs[2u * i + 1u] = canary ^ i;");
-    const std::vector<Word> inputs(3, 0U);
-    expect_error<std::invalid_argument>([&] { (void)core.run(inputs, 4); }, {"4 words, got 3"});
+    };
+    const std::vector<Word> inputs(count, 7U);
+    const std::string right = "outputs[2u * i] = inputs[i]; outputs[2u * i + 1u] = canary ^ i;";
+    EXPECT_EQ(kernel(right).run(inputs, count).outputs, inputs);
+    const std::pair<std::string, const char*> rows[] = {
+        {"faults[0] += inputs[i] * 0u;", "did not finish for input 0"},
+        {"if (i == 63u) return; " + right, "did not finish for input 63 of 100"},
+        {"outputs[2u * i] = inputs[i]; outputs[2u * i + 1u] = 0x12345678u ^ i;", "canary"},
+        {right + " if (i == 5u) outputs[2u * count + 3u] = 1u;", "wrote outside its outputs"}};
+    for (const auto& [body, error] : rows)
+        expect_error<backend::Fault>([&] { (void)kernel(body).run(inputs, count); }, {error});
+    expect_error<std::invalid_argument>([&] { (void)kernel(right).run(inputs, 4); }, {"4 words, got 100"});
 }
 
 }  // namespace gloam::check::constant_kernel_test

@@ -72,10 +72,13 @@ TEST(InterpreterDevice, GivesTheResultsOfTheDriverWhereThereIsOneResult) {
         EXPECT_EQ(a.with_images(images, {glm::ivec2(x, 1)}), b.with_images(images, {glm::ivec2(x, 1)}));
 }
 
+KernelCore two_pixels(const Lab& lab) {
+    return lab.kernel("two_pixels.glsl", "two_pixels", SignatureOf<float(glm::ivec2)>::describe());
+}
+
 TEST(InterpreterDevice, ReportsAnAccessOutsideAnImage) {
     const Lab lab = lab_of();
-    const KernelCore kernel =
-        lab.kernel("two_pixels.glsl", "two_pixels", SignatureOf<float(glm::ivec2)>::describe());
+    const KernelCore kernel = two_pixels(lab);
     const ImageSet images{{"fetch", make_image<float>({3, 2}, [](glm::ivec2) { return 1.0F; })}};
     const std::vector<Word> inputs{0, 0, 2, 1, 2, 0};
     const KernelCore::Result result = kernel.run(inputs, 3, images);
@@ -83,21 +86,22 @@ TEST(InterpreterDevice, ReportsAnAccessOutsideAnImage) {
     EXPECT_EQ(to_text(*result.fault), "fetch: pixel (3, 1) is outside the 3 x 2 image (2 times, at input 1)");
 }
 
+void expect_stores_to_images(const Lab& lab) {
+    const Function<float(glm::ivec2, glm::ivec2)> store(lab, "stores.glsl", "store_at");
+    const ImageSet images{
+        {"store_value", make_image<glm::vec2>({3, 2}, [](glm::ivec2) { return glm::vec2(-1); })}};
+    const std::vector<std::tuple<glm::ivec2, glm::ivec2>> inputs{{{0, 0}, {1, 0}}, {{2, 1}, {0, 0}}};
+    ImageSet stored;
+    (void)store(inputs, images, stored);
+    const Image& image = stored.at("store_value");
+    EXPECT_EQ(image.at<glm::vec2>({1, 0}), glm::vec2(0, 0));
+    EXPECT_EQ(image.at<glm::vec2>({2, 1}), glm::vec2(2, 1));
+    EXPECT_EQ(image.at<glm::vec2>({0, 0}), glm::vec2(-1));
+}
+
 TEST(InterpreterDevice, StoresToImages) {
-    const Lab lab = lab_of();
-    const Lab driver = test::make_lab(FIXTURES);
-    for (const Lab* one : {&lab, &driver}) {
-        const Function<float(glm::ivec2, glm::ivec2)> store(*one, "stores.glsl", "store_at");
-        const ImageSet images{
-            {"store_value", make_image<glm::vec2>({3, 2}, [](glm::ivec2) { return glm::vec2(-1); })}};
-        const std::vector<std::tuple<glm::ivec2, glm::ivec2>> inputs{{{0, 0}, {1, 0}}, {{2, 1}, {0, 0}}};
-        ImageSet stored;
-        (void)store(inputs, images, stored);
-        const Image& image = stored.at("store_value");
-        EXPECT_EQ(image.at<glm::vec2>({1, 0}), glm::vec2(0, 0));
-        EXPECT_EQ(image.at<glm::vec2>({2, 1}), glm::vec2(2, 1));
-        EXPECT_EQ(image.at<glm::vec2>({0, 0}), glm::vec2(-1));
-    }
+    expect_stores_to_images(lab_of());
+    expect_stores_to_images(test::make_lab(FIXTURES));
 }
 
 TEST(InterpreterDevice, AFailureIsShrunkAndReproduced) {
@@ -182,15 +186,12 @@ TEST_P(OpenGlDevice, EveryTypeArrivesBitByBit) {
 
 TEST_P(OpenGlDevice, ServesImagesAndReportsAnAccessOutside) {
     GLOAM_LAB_OR_SKIP(lab);
-    const KernelCore kernel =
-        lab->kernel("two_pixels.glsl", "two_pixels", SignatureOf<float(glm::ivec2)>::describe());
+    const KernelCore kernel = two_pixels(*lab);
     const std::vector<Word> inputs{0, 0, 2, 1, 2, 0};
     const auto value = [](glm::ivec2 p) { return float(1 + p.x + 10 * p.y); };
     const ImageSet inside{{"fetch", make_image<float>({3, 2}, value, Border::clamp)}};
-    const Lab interpreter({.device = std::string(interpreter_name), .include_roots = {FIXTURES}});
-    const KernelCore same =
-        interpreter.kernel("two_pixels.glsl", "two_pixels", SignatureOf<float(glm::ivec2)>::describe());
-    EXPECT_EQ(kernel.run(inputs, 3, inside).outputs, same.run(inputs, 3, inside).outputs);
+    const Lab interpreter = devices_test::lab_of();
+    EXPECT_EQ(kernel.run(inputs, 3, inside).outputs, two_pixels(interpreter).run(inputs, 3, inside).outputs);
     const KernelCore::Result result = kernel.run(inputs, 3, {{"fetch", make_image<float>({3, 2}, value)}});
     ASSERT_TRUE(result.fault);
     EXPECT_EQ(result.fault->count, 2U);
@@ -201,20 +202,9 @@ TEST_P(OpenGlDevice, ServesImagesAndReportsAnAccessOutside) {
 
 TEST_P(OpenGlDevice, StoresToImagesWhereThereAreComputeShaders) {
     GLOAM_LAB_OR_SKIP(lab);
-    const auto store = [&] {
-        return Function<float(glm::ivec2, glm::ivec2)>(*lab, "stores.glsl", "store_at");
-    };
-    if (!gl::has_compute(gl::device_name_from(GetParam())->version)) {
-        EXPECT_THAT(store, ThrowsMessage<backend::Unsupported>(HasSubstr("stores to images")));
-        return;
-    }
-    const ImageSet images{
-        {"store_value", make_image<glm::vec2>({3, 2}, [](glm::ivec2) { return glm::vec2(-1); })}};
-    const std::vector<std::tuple<glm::ivec2, glm::ivec2>> inputs{{{0, 0}, {1, 0}}, {{2, 1}, {0, 0}}};
-    ImageSet stored;
-    (void)store()(inputs, images, stored);
-    EXPECT_EQ(stored.at("store_value").at<glm::vec2>({2, 1}), glm::vec2(2, 1));
-    EXPECT_EQ(stored.at("store_value").at<glm::vec2>({0, 0}), glm::vec2(-1));
+    const auto store = [&] { expect_stores_to_images(*lab); };
+    if (gl::has_compute(gl::device_name_from(GetParam())->version)) return store();
+    EXPECT_THAT(store, ThrowsMessage<backend::Unsupported>(HasSubstr("stores to images")));
 }
 
 // Section 4.7.1 of GLSL 4.60 and of GLSL ES 3.20 has precisions, and none for sin().

@@ -278,21 +278,20 @@ struct Planted {
     }
 };
 
-TEST(Shrink, AlwaysFailingGoesToZero) {
-    Planted<unsigned(float)>{.domain = {any_float()}, .fails = [](auto) { return true; }}.expect_shrinks_to(
-        {0U});
-}
-
-TEST(Shrink, AFloatGoesToTheRoundestNumberBeyondTheThreshold) {
-    Planted<unsigned(float)>{.domain = {uniform(-1000, 1000)},
-                             .fails = [](auto in) { return as_float(in[0]) > 3.25F; }}
-        .expect_shrinks_to({bits(4.0F)});
-    Planted<unsigned(float)>{.domain = {uniform(-1000, 1000)},
-                             .fails = [](auto in) { return as_float(in[0]) < -0.1F; }}
-        .expect_shrinks_to({bits(-1.0F)});
-}
-
-TEST(Shrink, AnIntegerGoesToTheThreshold) {
+TEST(Shrink, ANumberGoesToTheRoundestOneThatFails) {
+    using Fails = std::function<bool(std::span<const Word>)>;
+    const Fails always = [](auto) { return true; };
+    const auto beyond = [](float limit) {
+        return Fails([=](auto in) { return (as_float(in[0]) > limit) == (limit > 0.0F); });
+    };
+    const auto shrinks = [](const Values& values, const Fails& fails, Word smallest) {
+        Planted<unsigned(float)>{.domain = {values}, .fails = fails}.expect_shrinks_to({smallest});
+    };
+    shrinks(any_float(), always, 0U);
+    shrinks(uniform(-1000, 1000), beyond(3.25F), bits(4.0F));
+    shrinks(uniform(-1000, 1000), beyond(-0.1F), bits(-1.0F));
+    shrinks(log_uniform(5, 100), always, bits(8.0F));
+    shrinks(constant(2.75F), always, bits(2.75F));
     Planted<unsigned(unsigned)>{.domain = {integers(0, 1'000'000)},
                                 .fails = [](auto in) { return in[0] >= 1000U; }}
         .expect_shrinks_to({1024U});
@@ -315,13 +314,6 @@ TEST(Shrink, ValuesThatMustBeEqualShrinkTogether) {
     Planted<unsigned(float, float)>{.domain = equal,
                                     .fails = [](auto in) { return in[0] == in[1] && as_float(in[0]) > 1.5F; }}
         .expect_shrinks_to({bits(2.0F), bits(2.0F)});
-}
-
-TEST(Shrink, StaysInTheDomain) {
-    Planted<unsigned(float)>{.domain = {log_uniform(5, 100)}, .fails = [](auto) { return true; }}
-        .expect_shrinks_to({bits(8.0F)});
-    Planted<unsigned(float)>{.domain = {constant(2.75F)}, .fails = [](auto) { return true; }}
-        .expect_shrinks_to({bits(2.75F)});
 }
 
 TEST(Shrink, AnUnknownDistributionStaysAsItWasDrawn) {

@@ -189,15 +189,15 @@ TEST_F(JudgeTest, TheWorstInputIsExplainedWithItsImages) {
 }
 
 TEST_F(JudgeTest, AnExplanationIsBounded) {
-    const std::vector<Word> negative{to_word(-0.0F), to_word(-1.0F)};
-    EXPECT_THAT(to_text(explain(lab.compile_options(), "wrong.glsl", "angle", negative), 8),
+    const Function<float(float, float)> angle(lab, "wrong.glsl", "angle");
+    EXPECT_THAT(to_text(angle.explain(-0.0F, -1.0F), 8),
                 testing::ContainsRegex(R"(\[-3\.14.*\] or \[3\.14|\[3\.14.*\] or \[-3\.14)"));
     Sample unmeasured{.fraction = 2.0};
     EXPECT_THAT(error_text(unmeasured), HasSubstr("not measured"));
     unmeasured.ulp = 3.0;
     EXPECT_EQ(error_text(unmeasured), "3 ulp, 0 absolute");
-    const Explanation all = explain(lab.compile_options(), "wrong.glsl", "weight_wrong_constant",
-                                    std::vector<Word>{to_word(0.3F), to_word(0.7F)});
+    const Explanation all =
+        Function<float(float, float)>(lab, "wrong.glsl", "weight_wrong_constant").explain(0.3F, 0.7F);
     const std::string whole = to_text(all, all.steps.size());
     const std::string bounded = to_text(all, 2);
     EXPECT_GT(all.steps.size(), 2U);
@@ -226,13 +226,6 @@ Answer answer_of(const ClassCount& ordinary, const ClassCount& nan = {}) {
     return answer;
 }
 
-TEST(OutcomeTest, EnoughJudgedInputsAreOk) {
-    const Answer answer = answer_of({.inputs = 100, .recorded = 74, .open = 1});
-    EXPECT_EQ(answer.judged(), 25U);
-    EXPECT_EQ(answer.outcome(), Outcome::ok);
-    EXPECT_THAT(answer.not_judged_because(), IsEmpty());
-}
-
 TEST(OutcomeTest, AResultBetweenTwoPermittedOnesIsSaidToBe) {
     Answer answer{.function = "atan_of_zeros"};
     answer.worst = Sample{.got = {0}, .want = {-3.0}, .permitted = {{-3.0, 3.0, false}}, .forbidden = true};
@@ -242,30 +235,40 @@ TEST(OutcomeTest, AResultBetweenTwoPermittedOnesIsSaidToBe) {
     EXPECT_THAT(describe(signature, answer), HasSubstr("permitted -3 (-0x1.8p+1); or 3 (0x1.8p+1)\n"));
 }
 
-TEST(OutcomeTest, TooFewAreNotJudged) {
-    const Answer answer = answer_of({.inputs = 100, .recorded = 70, .open = 6});
-    EXPECT_EQ(answer.outcome(), Outcome::not_judged);
-    EXPECT_EQ(answer.not_judged_because(), "24 of 100 inputs could be judged, expected 25 % at least");
-    EXPECT_EQ(answer_of({.inputs = 9, .recorded = 9}).not_judged_because(),
-              "the device promises nothing for any of its inputs");
-    EXPECT_EQ(answer_of({.inputs = 9, .open = 9}).not_judged_because(), "every result would pass");
-    EXPECT_EQ(Answer{}.not_judged_because(), "there are no inputs");
-}
-
-TEST(OutcomeTest, EachClassThatTheDevicePromisesNeedsAJudgedInput) {
-    const Answer open = answer_of({.inputs = 100}, {.inputs = 5, .recorded = 3, .open = 2});
-    EXPECT_EQ(open.not_judged_because(), "every result would pass for its nan inputs");
-    const Answer recorded = answer_of({.inputs = 100}, {.inputs = 5, .recorded = 5});
-    EXPECT_EQ(recorded.outcome(), Outcome::ok);
-    EXPECT_THAT(recorded.not_promised(), ElementsAre(InputClass::nan));
-}
-
-TEST(OutcomeTest, AFailureCountsHoweverFewWereJudged) {
-    EXPECT_EQ(answer_of({.inputs = 100, .outside = 1, .recorded = 99}).outcome(), Outcome::failed);
+TEST(OutcomeTest, CountsDecide) {
+    struct Row {
+        ClassCount ordinary;
+        ClassCount nan;
+        Outcome outcome;
+        std::string because;
+    };
+    using enum Outcome;
+    const Row rows[] = {
+        {{.inputs = 100, .recorded = 74, .open = 1}, {}, ok, ""},
+        {{.inputs = 100, .recorded = 70, .open = 6},
+         {},
+         not_judged,
+         "24 of 100 inputs could be judged, expected 25 % at least"},
+        {{.inputs = 9, .recorded = 9}, {}, not_judged, "the device promises nothing for any of its inputs"},
+        {{.inputs = 9, .open = 9}, {}, not_judged, "every result would pass"},
+        {{}, {}, not_judged, "there are no inputs"},
+        {{.inputs = 100},
+         {.inputs = 5, .recorded = 3, .open = 2},
+         not_judged,
+         "every result would pass for its nan inputs"},
+        {{.inputs = 100}, {.inputs = 5, .recorded = 5}, ok, ""},
+        {{.inputs = 100, .outside = 1, .recorded = 99}, {}, failed, ""}};
+    for (const auto& [ordinary, nan, outcome, because] : rows) {
+        EXPECT_EQ(answer_of(ordinary, nan).outcome(), outcome) << because;
+        EXPECT_EQ(answer_of(ordinary, nan).not_judged_because(), because);
+    }
+    EXPECT_EQ(answer_of({.inputs = 100, .recorded = 74, .open = 1}).judged(), 25U);
+    EXPECT_THAT(answer_of({.inputs = 100}, {.inputs = 5, .recorded = 5}).not_promised(),
+                ElementsAre(InputClass::nan));
     Answer fault = answer_of({.inputs = 4, .recorded = 4});
     fault.fault = "pixel (-1, 0)";
-    EXPECT_EQ(fault.outcome(), Outcome::failed);
-    EXPECT_EQ((Answer{.error = "gone", .reason = Reason::crash}).outcome(), Outcome::failed);
+    EXPECT_EQ(fault.outcome(), failed);
+    EXPECT_EQ((Answer{.error = "gone", .reason = Reason::crash}).outcome(), failed);
     EXPECT_EQ((Answer{.error = "no text", .reason = Reason::unsupported}).not_judged_because(), "no text");
 }
 

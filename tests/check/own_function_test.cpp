@@ -157,6 +157,44 @@ TEST_F(OwnFunctionTest, AreJudgedByTheRulesInEveryVariant) {
     }
 }
 
+// Without constants, on the device and on the interpreter.
+const std::vector<Judged> judged_on_each_device{
+    {"own_images.glsl",
+     {"loaded", "height", "pair", "blurred", "filled", "counted", "signed_least"},
+     {{"p", {0, 3}}},
+     512},
+    {"samplers.glsl",
+     {"sampled", "twice", "two", "at_level", "graded", "moved", "gathered", "id", "inside", "sheet", "sized",
+      "levels", "projected", "biased", "cubes_sized"},
+     {},
+     512},
+    // lavapipe 22.3.6 ends with a fault for some directions that have infinite components.
+    {"samplers.glsl",
+     {"of_cube", "cube_at_level", "cube_graded", "cube_gathered", "one_of_cubes", "cube_count"},
+     {{"p", {-1, 1}}},
+     1024},
+    {"samplers.glsl", {"of_shadow", "shadow_at_level", "shadow_projected", "shadow_gathered"}, {}, 1024},
+    {"quads.frag",
+     {"edge_width", "slopes", "soft_edge", "face_normal", "cut_out", "in_one_branch", "in_some_iterations",
+      "across_the_screen"},
+     {},
+     1024},
+    {"groups.comp", {"group_sum", "place", "how_many", "subgroup_sum"}, {}, 256}};
+
+TEST_F(OwnFunctionTest, AreWithinTheRulesOnEachDevice) {
+    for (const auto& [file, names, ranges, inputs, passes] : judged_on_each_device) {
+        const Lab driver(options_of(file), test::SharedDevice::get());
+        const Lab interpreted(options_of(file), interpreter());
+        for (const char* name : names)
+            for (const Lab* each : {&driver, &interpreted}) {
+                const Answer answer = answer_of(*each, file, name, ranges, inputs);
+                EXPECT_TRUE(answer.passed()) << each->info().name << " " << name << "\n" << answer;
+                EXPECT_TRUE(answer.undefined == 0U || inputs != 512) << name;
+            }
+    }
+    EXPECT_EQ(function_of("groups.comp", "group_sum").team.size, (std::array<std::uint32_t, 3>{16, 2, 1}));
+}
+
 struct LeftOutRow {
     const char* file;
     std::vector<const char*> names;

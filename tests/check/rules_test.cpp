@@ -41,25 +41,22 @@ TEST_F(RulesTest, ARightFunctionPassesAndIsBounded) {
     EXPECT_LE(result.guarantee.ulp, 5.0);
 }
 
-// Hundreds of floats are permitted for a power, and infinity for one that nearly overflows.
+// Hundreds of floats are permitted for a power, and infinity for one that nearly overflows; a quotient is
+// known to a few units in the last place, which rarely touch a power of two.
 TEST_F(RulesTest, ATestOfTheExponentIsDecidedByTheBounds) {
-    const Answer ordinary = judged<float(float)>("power_or_one", {uniform(60, 80)});
-    EXPECT_TRUE(ordinary.passed()) << ordinary;
-    EXPECT_EQ(ordinary.unbounded, 0U);
-    EXPECT_EQ(ordinary.bounded, 2048U);
-    EXPECT_GT(ordinary.guarantee.ulp, 100.0);
-    const Answer overflows = judged<float(float)>("power_or_one", {uniform(88.7, 88.75)});
-    EXPECT_TRUE(overflows.passed()) << overflows;
-    EXPECT_EQ(overflows.unbounded, 0U);
-}
-
-// The quotient is known to a few units in the last place, which rarely touch a power of two.
-TEST_F(RulesTest, TheExponentOfAnIntervalIsKnownWhereAllOfItHasTheSame) {
-    const Answer exponents = judged<float(float)>("exponent", {log_uniform(3.5, 1e3)});
-    EXPECT_TRUE(exponents.passed()) << exponents;
-    EXPECT_EQ(exponents.unbounded, 0U);
-    const Answer at_a_power = judged<float(float)>("exponent", {uniform(3.0 - 2e-7, 3.0 + 2e-7)});
-    EXPECT_EQ(at_a_power.outcome(), Outcome::not_judged) << "the quotient lies on either side of 1";
+    const std::pair<const char*, Values> rows[] = {{"power_or_one", uniform(60, 80)},
+                                                   {"power_or_one", uniform(88.7, 88.75)},
+                                                   {"exponent", log_uniform(3.5, 1e3)}};
+    for (const auto& [function, values] : rows) {
+        const Answer answer = judged<float(float)>(function, {values});
+        EXPECT_TRUE(answer.passed()) << function << answer;
+        EXPECT_EQ(answer.unbounded, 0U) << function;
+        EXPECT_EQ(answer.bounded, 2048U) << function;
+    }
+    EXPECT_GT(judged<float(float)>("power_or_one", {uniform(60, 80)}).guarantee.ulp, 100.0);
+    EXPECT_EQ(judged<float(float)>("exponent", {uniform(3.0 - 2e-7, 3.0 + 2e-7)}).outcome(),
+              Outcome::not_judged)
+        << "the quotient lies on either side of 1";
 }
 
 // After 65,536 iterations of one invocation, llvmpipe of Mesa 22.3 ends all loops of its group: no device
@@ -115,25 +112,30 @@ TEST_F(TamperedTest, AQuotientMayBeTwoUlpOffAndNotFour) {
     }
 }
 
-TEST_F(TamperedTest, ADifferenceHasNoSlackButItsRounding) {
-    EXPECT_EQ(moved("strict", "difference", pairs, 0).forbidden, 0U);
-    EXPECT_GT(moved("strict", "difference", pairs, 2).forbidden, 3900U);
-    EXPECT_GT(moved("shipped", "difference", pairs, 2).forbidden, 3900U) << "one operation has one order";
-}
-
-// (x - y) + c is exact but for one rounding; (x + c) - y loses the last digits of c.
-TEST_F(TamperedTest, ASumHasEveryOrderUnlessItIsPrecise) {
+// (x - y) + c is exact but for one rounding; (x + c) - y loses the last digits of c. A quotient of half
+// precision has its own rules.
+TEST_F(TamperedTest, SumsHaveEveryOrderUnlessTheyArePrecise) {
+    struct Row {
+        const char* variant;
+        const char* function;
+        Domain domain;
+        int floats;
+        bool forbidden;
+    };
     const Domain close{uniform(1000, 1001), uniform(1000, 1001)};
-    EXPECT_EQ(moved("shipped", "sum", close, 256).forbidden, 0U);
-    EXPECT_EQ(moved("strict", "sum", close, 0).forbidden, 0U);
-    EXPECT_EQ(moved("strict", "sum", close, 256).forbidden, 4096U);
-    EXPECT_EQ(moved("shipped", "sum", {constant(1000.75F), constant(1000.25F)}, 1 << 20).forbidden, 4096U);
-}
-
-TEST_F(TamperedTest, HalfPrecisionHasItsOwnRules) {
-    const Domain domain{log_uniform(0.1, 10), log_uniform(0.1, 10)};
-    EXPECT_EQ(moved("relaxed", "quotient", domain, 1000).forbidden, 0U);
-    EXPECT_EQ(moved("strict", "quotient", domain, 1000).forbidden, 4096U);
+    const Domain ones{log_uniform(0.1, 10), log_uniform(0.1, 10)};
+    const Row rows[] = {{"strict", "difference", pairs, 0, false},
+                        {"shipped", "sum", close, 256, false},
+                        {"strict", "sum", close, 0, false},
+                        {"strict", "sum", close, 256, true},
+                        {"shipped", "sum", {constant(1000.75F), constant(1000.25F)}, 1 << 20, true},
+                        {"relaxed", "quotient", ones, 1000, false},
+                        {"strict", "quotient", ones, 1000, true}};
+    for (const auto& [variant, function, domain, floats, forbidden] : rows)
+        EXPECT_EQ(moved(variant, function, domain, floats).forbidden, forbidden ? 4096U : 0U)
+            << variant << " " << function << " " << floats;
+    for (const char* variant : {"strict", "shipped"})
+        EXPECT_GT(moved(variant, "difference", pairs, 2).forbidden, 3900U) << "one operation has one order";
 }
 
 TEST_F(TamperedTest, AFailureTellsWhatWasPermitted) {

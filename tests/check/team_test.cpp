@@ -21,20 +21,6 @@ Lab lab_for(const char* file) {
     return {test::options_for(FIXTURES, file), test::SharedDevice::get()};
 }
 
-constexpr auto quad_functions = {"edge_width", "slopes",        "soft_edge",          "face_normal",
-                                 "cut_out",    "in_one_branch", "in_some_iterations", "across_the_screen"};
-
-TEST(Quads, EachFunctionIsWithinTheRulesOnEachDevice) {
-    const Lab lab = lab_for("quads.frag");
-    const Lab interpreted(test::options_for(FIXTURES, "quads.frag"), interpreter());
-    for (const Lab* each : {&lab, &interpreted}) {
-        for (const char* name : quad_functions) {
-            const Answer answer = answer_of(*each, "quads.frag", name);
-            EXPECT_TRUE(answer.passed()) << each->info().name << "\n" << answer;
-        }
-    }
-}
-
 class QuadCalls : public testing::Test {
   protected:
     Lab lab{{.validation = true, .include_roots = {FIXTURES}}, test::SharedDevice::get()};
@@ -125,19 +111,6 @@ TEST(Quads, NeighboursDifferByStepsInsideTheDomain) {
 }
 
 // Work groups.
-
-TEST(Groups, EachFunctionIsWithinTheRulesOnEachDevice) {
-    const Lab lab = lab_for("groups.comp");
-    const Lab interpreted(test::options_for(FIXTURES, "groups.comp"), interpreter());
-    for (const Lab* each : {&lab, &interpreted}) {
-        for (const char* name : {"group_sum", "place", "how_many", "subgroup_sum"}) {
-            const Answer answer = answer_of(*each, "groups.comp", name, {}, 256);
-            EXPECT_TRUE(answer.passed()) << each->info().name << "\n" << answer;
-        }
-    }
-    EXPECT_EQ(own_functions(lab.options(), "groups.comp", {"group_sum"}).found.at(0).team.size,
-              (std::array<std::uint32_t, 3>{16, 2, 1}));
-}
 
 TEST(Groups, RacesAndDivergentBarriersAreErrorsOfTheShader) {
     using Kind = interpreter::Error::Kind;

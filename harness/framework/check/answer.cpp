@@ -23,13 +23,6 @@ std::string to_text(const Budget& budget) {
 
 namespace {
 
-std::size_t total(const std::array<ClassCount, input_class_count>& classes,
-                  std::size_t ClassCount::* member) {
-    return std::accumulate(
-        classes.begin(), classes.end(), std::size_t{0},
-        [member](std::size_t sum, const ClassCount& count) { return sum + count.*member; });
-}
-
 bool is_worse(const Sample& sample, const std::optional<Sample>& worst) {
     return !worst || sample.fraction > worst->fraction;
 }
@@ -49,18 +42,10 @@ std::string_view name_of(Outcome outcome) {
     return outcome == Outcome::ok ? "ok" : "failed";
 }
 
-std::size_t Answer::inputs() const {
-    return total(classes, &ClassCount::inputs);
-}
-std::size_t Answer::outside() const {
-    return total(classes, &ClassCount::outside);
-}
-std::size_t Answer::recorded() const {
-    return total(classes, &ClassCount::recorded);
-}
-
-std::size_t Answer::open() const {
-    return total(classes, &ClassCount::open);
+std::size_t Answer::total(std::size_t ClassCount::* member) const {
+    return std::accumulate(
+        classes.begin(), classes.end(), std::size_t{0},
+        [member](std::size_t sum, const ClassCount& count) { return sum + count.*member; });
 }
 
 std::size_t Answer::judged() const {

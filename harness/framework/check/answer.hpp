@@ -200,10 +200,10 @@ struct Answer {
     double seconds = 0.0;
     std::string story;  // of a failure, in several lines for people
 
-    [[nodiscard]] std::size_t inputs() const;
-    [[nodiscard]] std::size_t outside() const;
-    [[nodiscard]] std::size_t recorded() const;
-    [[nodiscard]] std::size_t open() const;
+    [[nodiscard]] std::size_t inputs() const { return total(&ClassCount::inputs); }
+    [[nodiscard]] std::size_t outside() const { return total(&ClassCount::outside); }
+    [[nodiscard]] std::size_t recorded() const { return total(&ClassCount::recorded); }
+    [[nodiscard]] std::size_t open() const { return total(&ClassCount::open); }
     // Inputs for which some result would have failed. Where the rules alone are the verdict, it is known of
     // the inputs whose bounds were calculated, and the same share is assumed of the others.
     [[nodiscard]] std::size_t judged() const;
@@ -237,6 +237,7 @@ struct Answer {
     void merge(const Answer& later);
 
   private:
+    [[nodiscard]] std::size_t total(std::size_t ClassCount::* member) const;
     ClassCount& count(InputClass input_class) { return classes.at(static_cast<std::size_t>(input_class)); }
 };
 

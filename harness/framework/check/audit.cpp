@@ -9,9 +9,7 @@
 #include <utility>
 
 #include "check/explain.hpp"
-#include "check/internal/audit_motion.hpp"
 #include "check/internal/audit_search.hpp"
-#include "check/internal/rewrites.hpp"
 #include "check/internal/session.hpp"
 #include "check/run.hpp"
 #include "numeric/numbers.hpp"

@@ -190,15 +190,6 @@ constexpr std::size_t number_part = 8;  // at most one in so many inputs has a n
 constexpr std::size_t nothing = SIZE_MAX;
 constexpr std::uint64_t chances = 16;
 
-// Of one value.
-std::size_t words_of(const Values& values) {
-    numeric::Random random(0);
-    DrawContext context{.random = random};
-    std::vector<Word> drawn;
-    values.draw(context, drawn);
-    return drawn.size();
-}
-
 }  // namespace
 
 // A fixed value of a parameter, or a degenerate change, that an input must have.
@@ -210,7 +201,7 @@ struct Domain::Forced {
 
 Domain::Domain(std::vector<Values> parameters) : parameters_(std::move(parameters)) {
     for (const Values& values : parameters_)
-        if (std::ranges::any_of(values.fixed, [words = words_of(values)](const Values::Fixed& fixed) {
+        if (std::ranges::any_of(values.fixed, [words = values.words()](const Values::Fixed& fixed) {
                 return fixed.words.size() != words;
             }))
             throw std::invalid_argument("a fixed value is of another type than those drawn");
@@ -242,7 +233,7 @@ bool Domain::apply_tie(DrawContext& context, std::span<Word> row,
 
 void Domain::require_fits(const Signature& signature) const {
     std::vector<std::size_t> has;
-    std::ranges::transform(parameters_, std::back_inserter(has), words_of);
+    std::ranges::transform(parameters_, std::back_inserter(has), &Values::words);
     std::vector<std::size_t> wants;
     for (const shader::Parameter& parameter : signature.parameters)
         if (parameter.direction != shader::Direction::out) wants.push_back(scalars_of(parameter.type).size());
@@ -359,19 +350,29 @@ std::vector<Domain::Forced> Domain::all_forced() const {
 }
 
 bool Domain::holds(std::span<const Word> input, std::span<const Word> known) const {
-    numeric::Random random(0);
-    DrawContext context{.random = random};
-    std::vector<Word> drawn;
+    std::size_t first = 0;
     for (const Values& values : parameters_) {
-        const std::size_t first = drawn.size();
-        values.draw(context, drawn);  // to find its number of words
-        const std::size_t words = drawn.size() - first;
+        const std::size_t words = values.words();
         const std::span<const Word> value = input.subspan(first, words);
         if (!std::ranges::equal(value, known.subspan(first, words)) && !values.admits(value)) return false;
+        first += words;
     }
     std::vector<Word> adjusted(input.begin(), input.end());
     adjust(adjusted);
     return std::ranges::equal(adjusted, input);
+}
+
+void Domain::Inputs::add(std::span<const Word> row, bool at_branch) {
+    words.insert(words.end(), row.begin(), row.end());
+    branch.push_back(at_branch);
+    width = row.size();
+}
+
+Domain::Inputs Domain::Inputs::where(const std::function<bool(std::size_t)>& wanted) const {
+    Inputs some{.width = width};
+    for (std::size_t i = 0; i < count(); ++i)
+        if (wanted(i)) some.add(row(i), branch[i]);
+    return some;
 }
 
 Domain::Inputs Domain::draw_unadjusted(std::size_t count, std::uint64_t seed, glm::ivec2 image_size) const {
@@ -384,9 +385,7 @@ Domain::Inputs Domain::draw(std::size_t count, std::uint64_t seed, glm::ivec2 im
     Inputs inputs;
     for (const std::vector<Word>& words : given_) {
         if (inputs.count() == count) break;
-        inputs.words.insert(inputs.words.end(), words.begin(), words.end());
-        inputs.branch.push_back(false);
-        inputs.width = words.size();
+        inputs.add(words);
     }
     const std::size_t given = inputs.count();
     append_drawn(inputs, count, seed, image_size);

@@ -36,6 +36,8 @@ struct Values {
     std::vector<std::size_t> image_sizes;
     bool only_drawn = false;  // see only_as_drawn
 
+    // Of one value.
+    [[nodiscard]] std::size_t words() const;
     // Whether a value may be an input: it is a fixed value, or it may be drawn.
     [[nodiscard]] bool admits(std::span<const Word> words) const;
 
@@ -217,6 +219,9 @@ class Domain {
         std::vector<bool> branch;  // input was placed at a branch point
         std::size_t width = 0;     // words of one input
 
+        void add(std::span<const Word> row, bool at_branch = false);
+        // Those at the positions that are wanted.
+        [[nodiscard]] Inputs where(const std::function<bool(std::size_t)>& wanted) const;
         [[nodiscard]] std::size_t count() const { return branch.size(); }
         [[nodiscard]] std::span<const Word> row(std::size_t i) const {
             return std::span(words).subspan(i * width, width);

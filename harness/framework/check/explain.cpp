@@ -25,13 +25,6 @@ constexpr const char* kernel_name = "kernel";
 constexpr std::uint64_t most_instructions = 500'000;  // of one explanation, which stores all of them
 constexpr std::size_t most_outcomes = 4;              // of an operation: an angle is pi or -pi
 
-shader::Function function_of(const shader::CompileOptions& options, const std::string& file,
-                             const std::string& name) {
-    for (const shader::Function& function : shader::SpirvCache().functions(probe_of(file), options))
-        if (function.name == name && function.defined) return function;
-    throw std::invalid_argument(fmt::format("{}: no function {}", file, name));
-}
-
 // What is known of a value, whatever operation made it.
 ExplainedStep explained(const interpreter::Value<Explained>& value, const numeric::FloatFormat& format) {
     if (!value.is_number()) return {.value = static_cast<double>(value.bits()), .whole = true};
@@ -233,8 +226,6 @@ std::string last_lines(const Explanation& explanation) {
     return text + fmt::format("the first NaN is the result of {}, {}\n", place_of(*nan), nan->operation);
 }
 
-}  // namespace
-
 KernelModule lined_module(const shader::CompileOptions& options, const KernelSource& source,
                           const shader::SpirvCache& cache) {
     shader::CompileOptions with_lines = options;
@@ -243,6 +234,8 @@ KernelModule lined_module(const shader::CompileOptions& options, const KernelSou
     return kernel_module(source,
                          cache.compile({.name = kernel_name, .text = kernel_code(source)}, with_lines));
 }
+
+}  // namespace
 
 KernelModule lined_module(const Lab& lab, const KernelSource& source) {
     shader::CompileOptions options = lab.compile_options();
@@ -278,7 +271,7 @@ Explanation explain(InterpretedKernel<Explained>& kernel, std::span<const Word> 
 
 Explanation explain(const shader::CompileOptions& options, const KernelSource& source,
                     std::span<const Word> input, const ImageSet& images) {
-    const KernelModule module = lined_module(options, source);
+    const KernelModule module = lined_module(options, source, shader::SpirvCache());
     if (input.size() != module.input_words)
         throw std::invalid_argument(fmt::format("{} takes {} values, got {}",
                                                 shader::to_glsl(source.function), module.input_words,
@@ -290,12 +283,6 @@ Explanation explain(const shader::CompileOptions& options, const KernelSource& s
     all.scalars = Signature{.result = source.function.result, .parameters = source.function.parameters}
                       .output_scalars();
     return all;
-}
-
-Explanation explain(const shader::CompileOptions& options, const std::string& file,
-                    const std::string& function, std::span<const Word> input) {
-    return explain(options, {.file = file, .function = function_of(options, file, function), .images = {}},
-                   input);
 }
 
 std::string to_text(const Explanation& explanation, std::size_t most) {

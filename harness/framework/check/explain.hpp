@@ -54,16 +54,8 @@ struct Explanation {
 [[nodiscard]] Explanation explain(const shader::CompileOptions& options, const KernelSource& source,
                                   std::span<const Word> input, const ImageSet& images = {});
 
-// The same for a function of a file. Throws std::invalid_argument if the file has no such function, or if the
-// function reads images.
-[[nodiscard]] Explanation explain(const shader::CompileOptions& options, const std::string& file,
-                                  const std::string& function, std::span<const Word> input);
-
-// A kernel with the lines of its source, for explain() and coverage: neither is asked for by a driver.
-[[nodiscard]] KernelModule lined_module(const shader::CompileOptions& options, const KernelSource& source,
-                                        const shader::SpirvCache& cache = shader::SpirvCache());
-// The same with a lab's options and cache, as the front end makes it: an optimizer removes some branches and
-// copies others.
+// A kernel with the lines of its source, for explain() and coverage, with a lab's options and cache, as the
+// front end makes it: an optimizer removes some branches and copies others. No driver is given it.
 [[nodiscard]] KernelModule lined_module(const Lab& lab, const KernelSource& source);
 [[nodiscard]] KernelModule lined_module(const Lab& lab, const Question& question);
 

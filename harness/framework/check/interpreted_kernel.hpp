@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <deque>
 #include <functional>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "check/kernel_code.hpp"
@@ -79,25 +81,15 @@ class InterpretedKernel {
 
     // `index`: of the input, if the module has its inputs as constants. Throws interpreter::Error.
     void run(std::span<const Word> inputs, std::size_t index = 0) {
-        first_ = index * row_;
-        machine_.bind(0, KernelBinding::inputs, inputs);
-        select(index);
+        begin(inputs, index);
         machine_.run();
     }
-    // The same, and adds to the coverage.
-    void run(std::span<const Word> inputs, interpreter::Coverage& coverage) {
-        first_ = 0;
-        machine_.bind(0, KernelBinding::inputs, inputs);
-        select(0);
-        machine_.run(coverage);
-    }
-    // The same for input 0, and reports every instruction with a result.
-    void run(std::span<const Word> inputs,
-             const std::function<void(const interpreter::Step<Number>&)>& tell) {
-        first_ = 0;
-        machine_.bind(0, KernelBinding::inputs, inputs);
-        select(0);
-        machine_.run(tell);
+    // The same, and adds to the coverage, or reports every instruction with a result.
+    template <class Observer>
+        requires(!std::integral<std::remove_cvref_t<Observer>>)
+    void run(std::span<const Word> inputs, Observer&& observer) {
+        begin(inputs, 0);
+        machine_.run(observer);
     }
 
     [[nodiscard]] interpreter::Value<Number> output(std::size_t word) const {
@@ -139,7 +131,9 @@ class InterpretedKernel {
             interpreter::ImageView{.size = {image_sides[0], image_sides[1], run_.count}, .texels = texels});
     }
 
-    void select(std::size_t index) {
+    void begin(std::span<const Word> inputs, std::size_t index) {
+        first_ = index * row_;
+        machine_.bind(0, KernelBinding::inputs, inputs);
         if (team_.kind == backend::Team::Kind::alone)
             machine_.set_invocation({.group = {static_cast<std::uint32_t>(index), 0, 0}});
         else

@@ -19,14 +19,7 @@ namespace {
 Domain::Inputs few_inputs(const Domain& domain, std::size_t count, std::uint64_t seed,
                           glm::ivec2 image_size) {
     constexpr std::size_t spread = 16;
-    const Domain::Inputs many = domain.draw(spread * count, seed, image_size);
-    Domain::Inputs few{.width = many.width};
-    for (std::size_t i = 0; i < many.count(); i += spread) {
-        const auto row = many.row(i);
-        few.words.insert(few.words.end(), row.begin(), row.end());
-        few.branch.push_back(many.branch[i]);
-    }
-    return few;
+    return domain.draw(spread * count, seed, image_size).where([](std::size_t i) { return i % spread == 0; });
 }
 
 // Each input is compiled code, so the scenarios of a question share the number of inputs.
@@ -124,10 +117,8 @@ constexpr std::size_t generation = 1024;  // inputs of one dispatch
 void evaluate(const internal::Session& session, const Domain& domain, Answer& answer,
               std::vector<internal::Moves::Candidate>& candidates) {
     Domain::Inputs inputs;
-    inputs.branch.assign(candidates.size(), false);
     for (const auto& candidate : candidates) {
-        inputs.width = candidate.words.size();
-        inputs.words.insert(inputs.words.end(), candidate.words.begin(), candidate.words.end());
+        inputs.add(candidate.words);
         domain.adjust(std::span(inputs.words).last(inputs.width));
     }
     std::vector<double> fractions(candidates.size());

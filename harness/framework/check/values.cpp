@@ -34,19 +34,19 @@ Values and_number(Values values, Scalar scalar, double number) {
     return values;
 }
 
-std::size_t words_of(const Values& values) {
-    numeric::Random random(0);
-    DrawContext context{.random = random};
-    Words words;
-    values.draw(context, words);
-    return words.size();
-}
-
 void require_order(double low, double high) {
     if (!(low <= high)) throw std::invalid_argument("a range needs low <= high");
 }
 
 }  // namespace
+
+std::size_t Values::words() const {
+    numeric::Random random(0);
+    DrawContext context{.random = random};
+    Words drawn;
+    draw(context, drawn);
+    return drawn.size();
+}
 
 bool Values::admits(std::span<const Word> words) const {
     const auto same = [words](const Fixed& value) { return std::ranges::equal(value.words, words); };
@@ -55,7 +55,7 @@ bool Values::admits(std::span<const Word> words) const {
 
 Values Values::and_special(Scalar scalar) const {
     Values more = *this;
-    const std::size_t count = words_of(*this);
+    const std::size_t count = words();
     numeric::Random random(1);
     for (const double special : numeric::special_values(format_of(scalar))) {
         const Word word = float_word(scalar, special);
@@ -206,7 +206,7 @@ Values vector(const std::vector<Values>& components) {
         for (const Values& component : components) component.draw(context, words);
     };
     std::vector<std::size_t> sizes;
-    for (const Values& component : components) sizes.push_back(words_of(component));
+    for (const Values& component : components) sizes.push_back(component.words());
     values.contains = [components, sizes](std::span<const Word> words) {
         for (std::size_t i = 0; i < components.size(); words = words.subspan(sizes[i++]))
             if (!components[i].admits(words.first(sizes[i]))) return false;

@@ -225,29 +225,22 @@ std::string legacy_text(const Outline& outline, std::set<std::string>& mentioned
     return text;
 }
 
-// Built-in functions by their number of parameters, which have one type or are floats.
-const std::map<std::string_view, std::size_t>& built_in_functions() {
-    static const std::map<std::string_view, std::size_t> arities{
-        {"sinh", 1},        {"cosh", 1},    {"tanh", 1},    {"asinh", 1},        {"acosh", 1},
-        {"atanh", 1},       {"round", 1},   {"trunc", 1},   {"roundEven", 1},    {"fract", 1},
-        {"sign", 1},        {"floor", 1},   {"ceil", 1},    {"radians", 1},      {"degrees", 1},
-        {"exp", 1},         {"exp2", 1},    {"log", 1},     {"log2", 1},         {"sqrt", 1},
-        {"inversesqrt", 1}, {"abs", 1},     {"sin", 1},     {"cos", 1},          {"tan", 1},
-        {"asin", 1},        {"acos", 1},    {"isnan", 1},   {"isinf", 1},        {"length", 1},
-        {"normalize", 1},   {"inverse", 1}, {"mod", 2},     {"transpose", 1},    {"determinant", 1},
-        {"min", 2},         {"max", 2},     {"step", 2},    {"pow", 2},          {"distance", 2},
-        {"dot", 2},         {"cross", 2},   {"reflect", 2}, {"outerProduct", 2}, {"matrixCompMult", 2},
-        {"mix", 3},         {"clamp", 3},   {"fma", 3},     {"smoothstep", 3},   {"refract", 3},
-        {"faceforward", 3}};
-    return arities;
-}
+// Built-in functions of one, two and three parameters, which have one type or are floats; between blanks.
+constexpr std::array<std::string_view, 3> built_in_functions{
+    " sinh cosh tanh asinh acosh atanh round trunc roundEven fract sign floor ceil radians degrees exp exp2 "
+    "log "
+    "log2 sqrt inversesqrt abs sin cos tan asin acos isnan isinf length normalize inverse transpose "
+    "determinant ",
+    " mod min max step pow distance dot cross reflect outerProduct matrixCompMult ",
+    " mix clamp fma smoothstep refract faceforward "};
 
 // Whether a function takes the place of a built-in one.
 bool is_own_built_in(const Piece& piece) {
     if (piece.kind != Kind::function) return false;
-    const auto known = built_in_functions().find(piece.names.front());
-    if (known == built_in_functions().end()) return false;
-    if (piece.function->parameters.size() != known->second) return false;
+    const std::size_t count = piece.function->parameters.size();
+    if (count == 0 || count > built_in_functions.size()) return false;
+    const std::string name = fmt::format(" {} ", piece.names.front());
+    if (built_in_functions.at(count - 1).find(name) == std::string_view::npos) return false;
     return std::ranges::all_of(piece.function->parameters, [](const internal::DeclaredParameter& parameter) {
         return parameter.type == "float" || parameter.type.starts_with("vec") ||
                parameter.type.starts_with("mat");

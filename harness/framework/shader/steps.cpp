@@ -13,6 +13,7 @@
 #include "base/number.hpp"
 #include "base/process.hpp"
 #include "base/text.hpp"
+#include "shader/internal/compiler_process.hpp"
 #include "shader/metamorphic.hpp"
 #include "shader/spirv.hpp"
 
@@ -94,11 +95,8 @@ std::string bytes_of(const Spirv& module) {
 }
 
 Spirv module_of(const std::string& bytes, const std::string& from) {
-    if (bytes.size() % sizeof(std::uint32_t) != 0)
-        throw StepError(fmt::format("{}: {} bytes are no SPIR-V module", from, bytes.size()));
-    Spirv module(bytes.size() / sizeof(std::uint32_t));
-    std::copy(bytes.begin(), bytes.end(), reinterpret_cast<char*>(module.data()));
-    return module;
+    if (auto module = internal::module_of(bytes)) return std::move(*module);
+    throw StepError(fmt::format("{}: {} bytes are no SPIR-V module", from, bytes.size()));
 }
 
 constexpr std::uint64_t most_memory = std::uint64_t{4} << 30;

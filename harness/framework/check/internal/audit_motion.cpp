@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "check/internal/audit_motion.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -8,6 +6,7 @@
 #include <optional>
 
 #include "check/explain.hpp"
+#include "check/internal/audit_search.hpp"
 #include "numeric/numbers.hpp"
 
 namespace gloam::check::internal {

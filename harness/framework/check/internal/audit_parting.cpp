@@ -83,28 +83,18 @@ std::optional<Parting> AuditRuns::parting_of(std::span<const Word> input, const 
 std::optional<Parting> AuditRuns::parting_of_driver(std::span<const Word> input, const Reading& reading,
                                                     int driver) {
     std::vector<double> results;
-    const std::uint64_t before = drivers_.machine().steps();
-    drivers_.machine().set_sampling(static_cast<std::uint64_t>(driver));
     bool faults = false;
-    const auto run = [&] {
-        try {
-            drivers_.run(input);
-            for (std::size_t w = 0; w < scalars_.size(); ++w) {
-                const auto value = drivers_.output(w);
-                const numeric::Bounds bounds =
-                    shader::is_float(scalars_[w])
-                        ? value.number().bounds()
-                        : numeric::Bounds::point(whole_number(scalars_[w], value.bits()));
-                const bool known = bounds.is_point() && !reading.outputs[w].permitted.is_anything();
-                results.push_back(known ? bounds.low : std::nan(""));
-            }
-        } catch (const interpreter::Error& error) {
-            faults = error.kind() == interpreter::Error::Kind::out_of_bounds;
-        }
-        throw numeric::Paths::Enough{};
+    const auto take = [&](std::size_t w, const interpreter::Value<numeric::Interval>& value) {
+        const numeric::Bounds bounds = shader::is_float(scalars_[w])
+                                           ? value.number().bounds()
+                                           : numeric::Bounds::point(whole_number(scalars_[w], value.bits()));
+        const bool known = bounds.is_point() && !reading.outputs[w].permitted.is_anything();
+        results.push_back(known ? bounds.low : std::nan(""));
     };
-    (void)numeric::Paths::explore(numeric::float32, 1, run, Gaps::closed);
-    instructions_ += drivers_.machine().steps() - before;
+    drivers_.machine().set_sampling(static_cast<std::uint64_t>(driver));
+    (void)run(drivers_, input, Gaps::closed, take, [&](const interpreter::Error& error) {
+        faults = error.kind() == interpreter::Error::Kind::out_of_bounds;
+    });
     if (faults) return Parting{0, std::nan(""), driver};
     if (results.size() != scalars_.size()) return std::nullopt;
     for (std::size_t w = 0; w < results.size(); ++w) {

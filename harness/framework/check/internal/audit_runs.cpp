@@ -72,31 +72,22 @@ AuditRuns::AuditRuns(KernelModule module, const Question& question, ImageSet ima
 Reading AuditRuns::read(InterpretedKernel<interpreter::Explained>& kernel, std::span<const Word> input,
                         Gaps gaps) {
     Reading reading;
-    const std::uint64_t before = kernel.machine().steps();
-    const auto run = [&] {
-        try {
-            kernel.run(input);
-            for (std::size_t w = 0; w < scalars_.size(); ++w) {
-                const auto value = kernel.output(w);
-                if (auto why = kernel.machine().why_undefined(value)) {
-                    reading.outputs.push_back({.permitted = numeric::Bounds::anything(), .undefined = why});
-                } else if (shader::is_float(scalars_[w])) {
-                    const interpreter::Explained x = value.number();
-                    reading.outputs.push_back({x.value, x.exact, x.permitted.bounds()});
-                } else {
-                    const double exact = whole_number(scalars_[w], value.bits());
-                    reading.outputs.push_back({exact, exact, numeric::Bounds::point(exact)});
-                }
-            }
-        } catch (const interpreter::Error& error) {
-            reading = {.outputs = {},
-                       .fault = error.what(),
-                       .too_long = error.kind() == interpreter::Error::Kind::too_many_steps};
+    const auto take = [&](std::size_t w, const interpreter::Value<interpreter::Explained>& value) {
+        if (auto why = kernel.machine().why_undefined(value)) {
+            reading.outputs.push_back({.permitted = numeric::Bounds::anything(), .undefined = why});
+        } else if (shader::is_float(scalars_[w])) {
+            const interpreter::Explained x = value.number();
+            reading.outputs.push_back({x.value, x.exact, x.permitted.bounds()});
+        } else {
+            const double exact = whole_number(scalars_[w], value.bits());
+            reading.outputs.push_back({exact, exact, numeric::Bounds::point(exact)});
         }
-        throw numeric::Paths::Enough{};
     };
-    (void)numeric::Paths::explore(numeric::float32, 1, run, gaps);
-    instructions_ += kernel.machine().steps() - before;
+    (void)run(kernel, input, gaps, take, [&](const interpreter::Error& error) {
+        reading = {.outputs = {},
+                   .fault = error.what(),
+                   .too_long = error.kind() == interpreter::Error::Kind::too_many_steps};
+    });
     return reading;
 }
 
@@ -111,30 +102,17 @@ Reading AuditRuns::read_half(std::span<const Word> input) {
 bool AuditRuns::is_undefined(std::span<const Word> input, const Reading& reading, Gaps gaps) {
     constexpr int drivers = 16;
     if (!shows(Concern::undefined, reading)) return false;
-    const std::uint64_t before = drivers_.machine().steps();
     bool undefined = false;
-    for (int i = 0; i < drivers && !undefined; ++i) {
-        const auto run = [&] {
-            try {
-                drivers_.run(input);
-                for (std::size_t w = 0; w < scalars_.size(); ++w) {
-                    const auto value = drivers_.output(w);
-                    const bool is_float = shader::is_float(scalars_[w]);
-                    undefined = undefined || value.is_undefined();
-                    if (undefined || !is_float) continue;
-                    const numeric::Bounds bounds = value.number().bounds();
-                    undefined = bounds.is_anything() || bounds.nan;
-                }
-            } catch (const interpreter::Error&) {
-                undefined = true;
-            }
-            throw numeric::Paths::Enough{};
-        };
-        undefined = numeric::Paths::explore(numeric::float32, 1, run, gaps) ==
+    const auto take = [&](std::size_t w, const interpreter::Value<numeric::Interval>& value) {
+        undefined = undefined || value.is_undefined();
+        if (undefined || !shader::is_float(scalars_[w])) return;
+        const numeric::Bounds bounds = value.number().bounds();
+        undefined = bounds.is_anything() || bounds.nan;
+    };
+    for (int i = 0; i < drivers && !undefined; ++i)
+        undefined = run(drivers_, input, gaps, take, [&](const auto&) { undefined = true; }) ==
                         numeric::Paths::Outcome::undetermined ||
                     undefined;
-    }
-    instructions_ += drivers_.machine().steps() - before;
     return undefined;
 }
 

@@ -107,6 +107,24 @@ class AuditRuns {
                                                            const Reading& reading, int driver);
     // The result that counts as large, for a word of the outputs.
     [[nodiscard]] double usual_of(std::size_t output) const;
+    // Runs a kernel along one path of the rules, and takes its outputs by their numbers, or why it has none.
+    template <class N, class Take, class Fail>
+    numeric::Paths::Outcome run(InterpretedKernel<N>& kernel, std::span<const Word> input, Gaps gaps,
+                                const Take& take, const Fail& fail) {
+        const std::uint64_t before = kernel.machine().steps();
+        const auto once = [&] {
+            try {
+                kernel.run(input);
+                for (std::size_t w = 0; w < scalars_.size(); ++w) take(w, kernel.output(w));
+            } catch (const interpreter::Error& error) {
+                fail(error);
+            }
+            throw numeric::Paths::Enough{};
+        };
+        const auto outcome = numeric::Paths::explore(numeric::float32, 1, once, gaps);
+        instructions_ += kernel.machine().steps() - before;
+        return outcome;
+    }
     template <class Measure>
     [[nodiscard]] Loss largest(const Reading& reading, const Measure& measure) const;
 

@@ -50,15 +50,16 @@ Interpretation::Place Interpretation::place_of(std::size_t index) const {
 }
 
 template <class N>
-InterpretedKernel<N>& Interpretation::kernel(std::size_t part, std::unique_ptr<InterpretedKernel<N>>& made) {
+InterpretedKernel<N>& Interpretation::kernel(std::size_t part) {
     const Decoded::Part& from = decoded_.parts()[part];
+    auto& made = std::get<Made<N>>(parts_[part]);
     if (!made) made = std::make_unique<InterpretedKernel<N>>(from.program, from.module, from.images);
     return *made;
 }
 
 bool Interpretation::is_exact(const InputRow& input, std::span<const Word> got) {
     const Place at = place_of(input.index);
-    InterpretedKernel<float>& floats = kernel(at.part, parts_[at.part].floats);
+    InterpretedKernel<float>& floats = kernel<float>(at.part);
     try {
         floats.run(input.words, at.index);
     } catch (const interpreter::Error& error) {
@@ -72,7 +73,7 @@ bool Interpretation::is_exact(const InputRow& input, std::span<const Word> got) 
 
 std::uint64_t Interpretation::calculate(const InputRow& input, std::vector<double>& outputs) {
     const Place at = place_of(input.index);
-    InterpretedKernel<double>& doubles = kernel(at.part, parts_[at.part].doubles);
+    InterpretedKernel<double>& doubles = kernel<double>(at.part);
     outputs.clear();
     const std::uint64_t before = doubles.machine().steps();
     doubles.machine().set_limit(most_instructions);
@@ -146,17 +147,17 @@ bool Interpretation::is_permitted(const InputRow& input, std::span<const Word> g
         explore(kernel_of_type, input, at.index, got, found_);
         return found_.anything || holds(found_.outcome(found_.count() - 1), got);
     };
-    if (permits(kernel(at.part, parts_[at.part].intervals))) return true;
+    if (permits(kernel<numeric::Interval>(at.part))) return true;
     return decoded_.parts()[at.part].program.may_be_rearranged() &&
-           permits(kernel(at.part, parts_[at.part].rearranged));
+           permits(kernel<numeric::Rearranged>(at.part));
 }
 
 void Interpretation::all_permitted(const InputRow& input, Permitted& permitted) {
     const Place at = place_of(input.index);
     if (decoded_.parts()[at.part].program.may_be_rearranged()) {
-        explore(kernel(at.part, parts_[at.part].rearranged), input, at.index, {}, permitted);
+        explore(kernel<numeric::Rearranged>(at.part), input, at.index, {}, permitted);
     } else {
-        explore(kernel(at.part, parts_[at.part].intervals), input, at.index, {}, permitted);
+        explore(kernel<numeric::Interval>(at.part), input, at.index, {}, permitted);
     }
 }
 

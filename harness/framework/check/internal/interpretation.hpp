@@ -3,7 +3,7 @@
 
 #include <memory>
 #include <span>
-#include <variant>
+#include <tuple>
 #include <vector>
 
 #include "check/internal/budget_judge.hpp"
@@ -74,12 +74,9 @@ class Interpretation {
     [[nodiscard]] std::uint64_t steps() const { return steps_; }
 
   private:
-    struct Part {
-        std::unique_ptr<InterpretedKernel<float>> floats;
-        std::unique_ptr<InterpretedKernel<double>> doubles;
-        std::unique_ptr<InterpretedKernel<numeric::Interval>> intervals;
-        std::unique_ptr<InterpretedKernel<numeric::Rearranged>> rearranged;
-    };
+    template <class N>
+    using Made = std::unique_ptr<InterpretedKernel<N>>;  // when it is needed
+    using Part = std::tuple<Made<float>, Made<double>, Made<numeric::Interval>, Made<numeric::Rearranged>>;
     struct Place {
         std::size_t part;
         std::size_t index;
@@ -87,7 +84,7 @@ class Interpretation {
 
     [[nodiscard]] Place place_of(std::size_t index) const;
     template <class N>
-    [[nodiscard]] InterpretedKernel<N>& kernel(std::size_t part, std::unique_ptr<InterpretedKernel<N>>& made);
+    [[nodiscard]] InterpretedKernel<N>& kernel(std::size_t part);
     template <class N>
     void explore(InterpretedKernel<N>& kernel, const InputRow& input, std::size_t index,
                  std::span<const Word> until, Permitted& permitted);

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "check/internal/rewrites.hpp"
+#include "check/internal/audit_search.hpp"
 #include "shader/tokens.hpp"
 
 namespace gloam::check::internal {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "check/internal/rewrites.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "check/internal/audit_search.hpp"
 #include "numeric/numbers.hpp"
 #include "shader/compile.hpp"
 

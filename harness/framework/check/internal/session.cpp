@@ -73,17 +73,6 @@ constexpr std::uint64_t most_long = 2 * 65'535;
 constexpr std::uint64_t least_long = 4'096;      // the same where most inputs take many
 constexpr std::uint64_t most_all = 400'000'000;  // of all inputs, about
 
-Domain::Inputs rows_of(const Domain::Inputs& inputs, const std::function<bool(std::size_t)>& wanted) {
-    Domain::Inputs some{.width = inputs.width};
-    for (std::size_t i = 0; i < inputs.count(); ++i) {
-        if (!wanted(i)) continue;
-        const auto row = inputs.row(i);
-        some.words.insert(some.words.end(), row.begin(), row.end());
-        some.branch.push_back(inputs.branch[i]);
-    }
-    return some;
-}
-
 }  // namespace
 
 // Rounded to float32 or not, a loop may take another number of rounds.
@@ -121,7 +110,7 @@ Domain::Inputs Session::without_long_runs(const Domain::Inputs& inputs, Answer& 
     try {
         const std::size_t every = std::max<std::size_t>(inputs.count() / probes, 1);
         const std::vector<char> probed =
-            long_runs(rows_of(inputs, [&](std::size_t i) { return i % every == 0; }), most_long);
+            long_runs(inputs.where([&](std::size_t i) { return i % every == 0; }), most_long);
         const auto shown = static_cast<std::uint64_t>(std::ranges::count(probed, 1));
         const std::uint64_t all =
             shown * most_long * inputs.count() / std::max<std::size_t>(probed.size(), 1);
@@ -135,7 +124,7 @@ Domain::Inputs Session::without_long_runs(const Domain::Inputs& inputs, Answer& 
         if (is_long[i] != 0)
             answer.add_undefined(class_of(inputs.row(i), scalars, inputs.branch[i]),
                                  fmt::format("more than {} instructions", limit));
-    return rows_of(inputs, [&](std::size_t i) { return is_long[i] == 0; });
+    return inputs.where([&](std::size_t i) { return is_long[i] == 0; });
 }
 
 // One input after another. Where an input stores to images, those after it depend on it.
@@ -170,10 +159,8 @@ std::optional<Sample> Session::first_failing(std::span<const std::vector<Word>> 
     const std::size_t at_once = constants_ ? ConstantKernel::most_inputs : std::size_t{1} << 20U;
     for (; !inputs.empty(); inputs = inputs.subspan(std::min(at_once, inputs.size()))) {
         Evaluated some{.inputs = {.width = kernel_.input_words()}, .result = {}};
-        for (const std::vector<Word>& words : inputs.first(std::min(at_once, inputs.size()))) {
-            some.inputs.words.insert(some.inputs.words.end(), words.begin(), words.end());
-            some.inputs.branch.push_back(false);
-        }
+        for (const std::vector<Word>& words : inputs.first(std::min(at_once, inputs.size())))
+            some.inputs.add(words);
         const std::size_t count = some.inputs.count();
         some.result = constants_ ? constants_->run(some.inputs.words, count, images_)
                                  : kernel_.run(some.inputs.words, count, images_);
