@@ -182,7 +182,7 @@ std::array<Pass, 3> passes_of(const Device& d, bool half) {
     return {Pass(d, "prepare", "niiiiin", sizeof(gloam_prepare), 32, 16),
             Pass(d, "sweep", "nni", sizeof(gloam_sweep), 16, 8),
             half ? Pass(d, "join", "nnilni", sizeof(gloam_last), 32, 16)
-                 : Pass(d, "filter", "nilni", offsetof(gloam_last, inverse_size), 32, 8)};
+                 : Pass(d, "filter", "nilni", sizeof(gloam_last), 32, 8)};
 }
 
 void record(const Commands& commands, const std::array<Pass, 3>& passes, Images& of,
