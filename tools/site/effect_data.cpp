@@ -67,7 +67,7 @@ std::string effect_json(const ShaderFolders& folders) {
     add_passes(folders.page, {"whole_image.vert"}, folders, json);
     add_passes(folders.library / "passes/frame", {"prepare.frag", "sweep.frag", "filter.frag", "join.frag"},
                folders, json);
-    json["sweep_from_depth"] = condensed(
+    json["sweep_from_depth"] = shader::code_of(
         scene::PassLibrary(folders.library)
             .text("frame/sweep.frag", {"GLOAM_NORMALS_FROM_DEPTH"}, {}, {}, shader::Language::es300));
     json["multi_bounce"] = function_text("gloam/shading/multi_bounce.glsl", "gloam_multi_bounce", folders);

@@ -43,12 +43,12 @@ void main() {
             for (int i = 0; i < 4; ++i) texels[y + i / 2][x + i % 2] = gloam_frame_texel(four[i]);
         }
     }
-    ivec2 pixel = 2 * block;
-    vec4 own = abs(textureGather(depth_image, vec2(pixel + 1) * parameters.inverse_size)).wzxy;  // by rows
+    vec4 own = abs(textureGather(depth_image, vec2(2 * block + 1) * parameters.inverse_size)).wzxy;  // by rows
     for (int i = 0; i < 4; ++i) {
         ivec2 odd = ivec2(i % 2, i / 2);
+        ivec2 pixel = 2 * block + odd;
         vec4 kept;
-        imageStore(result_image, pixel + odd, vec4(shown(pixel + odd, odd, own[i], kept)));
-        if (history) imageStore(history_image, pixel + odd, kept);
+        imageStore(result_image, pixel, vec4(shown(pixel, odd, own[i], kept)));
+        if (history) imageStore(history_image, pixel, kept);
     }
 }

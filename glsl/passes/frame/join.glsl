@@ -23,16 +23,12 @@ vec4 joined(ivec2 odd, float depth) {
             if (tent.x * tent.y == 0.0 || 4 * y + x < 4 * other.y + other.x) continue;
             GloamFrameTexel fore = texel_at(ivec2(x, y));
             GloamFrameTexel back = texel_at(other);
-            vec2 near = gloam_near_pair(vec2(fore.depth, back.depth), depth, scale, 0.4);
             float spatial = tent.x * tent.y * (other == ivec2(x, y) ? 0.5 : 1.0);  // the pixel's own texel is both
-            near *= spatial;
-            if (min(tent.x, tent.y) >= 1.5) {
-                inner += near.x * sums_of(fore);
-                inner += near.y * sums_of(back);
-            } else {
-                outer += near.x * sums_of(fore);
-                outer += near.y * sums_of(back);
-            }
+            vec2 near = spatial * gloam_near_pair(vec2(fore.depth, back.depth), depth, scale, 0.4);
+            bool nearest = min(tent.x, tent.y) >= 1.5;
+            vec2 sum = near.y * sums_of(back) + (near.x * sums_of(fore) + (nearest ? inner : outer));
+            if (nearest) inner = sum;
+            else outer = sum;
         }
     }
     return vec4(inner, inner + outer) * vec2(1.0 / 255.0, 1.0).xyxy;

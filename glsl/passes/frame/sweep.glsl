@@ -20,8 +20,8 @@ layout(constant_id = 6) const int steps = 6;   // taps on each side of a slice
 layout(constant_id = 7) const int stride = 1;  // pixels of the view from one that is written to the next
 layout(constant_id = 8) const bool history = false;  // frames follow one another
 
-const float bias = 0.001;               // least height over the tangent plane, in radii
-const float bias_depth = 1.0 / 1024.0;  // the same for each unit of depth: two roundings of a depth to 16 bits
+const float bias = 0.001;         // least height over the tangent plane, in radii
+const float rise = 1.0 / 1024.0;  // the same for each unit of depth: two roundings of a depth to 16 bits
 
 // Lengths are in radii of influence. Signs of y, and of x where the projection mirrors, turn view space to the image.
 struct SweepParameters {
@@ -108,7 +108,6 @@ vec3 slice_of(Point point, int slice) {
     vec2 to_reach = point.reach * direction;
     vec3 places = gloam_slice_places(fract(point.noise.y), float(steps), reach);
     float reach_level = gloam_depth_level(reach);
-    float least_height = max(bias, bias_depth * point.depth);
     GloamSweepPair pair = gloam_sweep_pair();
     float least = 0.0;
     for (int k = 0; k < steps; ++k) {
@@ -126,7 +125,7 @@ vec3 slice_of(Point point, int slice) {
                                    height.z + height.x * at.xz + height.y * at.yw, slope, point.depth, depth,
                                    orthographic);
         // Features are as thick as they are wide.
-        pair = gloam_pair_tap(pair, taps, point.depth - depth, place, axes.normal, least_height, 1.0);
+        pair = gloam_pair_tap(pair, taps, point.depth - depth, place, axes.normal, max(bias, rise * point.depth), 1.0);
     }
     vec2 occluded = pair.occluded + pair.feature;
     return vec3(axes.weight * (occluded.x + occluded.y), axes.weight * gloam_tangent_whole(axes.normal), least);
