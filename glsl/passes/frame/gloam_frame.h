@@ -154,6 +154,7 @@ static inline void gloam_next(gloam_frame* frame, gloam_settings settings, gloam
             held.projection[i] = frame->now.projection[i];
     frame->still = same && memcmp(&held, &frame->now, sizeof held) == 0;
     const int follows = same && (frame->still || previous_from_current);
+    if (!follows) held = camera;
     frame->frames = follows ? frame->frames + 1 : 0;
     frame->settings = settings;
     frame->before = follows ? frame->now : held;
