@@ -10,9 +10,15 @@ namespace gloam::scene::test::lighting_test {
 using effect::plane;
 using effect::view_of;
 using effect::wall;
-using effect::wall_of;
 
 const TruthSettings few_rays{.rays = {.radius = 0.5, .rays = 64}};
+
+// A view of walls that face the eye, with these depths.
+GBuffer walls(gpu::Extent extent, const std::vector<float>& depth) {
+    GBuffer view = wall(extent, 1.0F);
+    view.depth = depth;
+    return view;
+}
 
 double largest(const std::vector<float>& values) {
     return double{*std::ranges::max_element(values)};
@@ -87,7 +93,9 @@ TEST(DepthField, ASlopeIsNoJump) {
 }
 
 TEST(DepthField, BackgroundIsOpenAndTheEdgeOfAnObjectShadesNothing) {
-    const GBuffer view = wall_of({32, 32}, [](auto x, auto) { return x >= 8 && x < 24 ? 5.0F : infinity; });
+    std::vector<float> depth;
+    for (int i = 0; i < 32 * 32; ++i) depth.push_back(i % 32 >= 8 && i % 32 < 24 ? 5.0F : infinity);
+    const GBuffer view = walls({32, 32}, depth);
     const TracedTruth truth = trace_depth(view, few_rays);
     EXPECT_LT(largest(truth.occlusion), 1e-3);
     EXPECT_EQ(truth.pixels, 32U * 16);
@@ -187,11 +195,6 @@ TEST(Lighting, AlbedoAndMissingNormals) {
 
 // The light of pictures at several samples of a pixel: which pixel a sample shows, and the mean of the
 // samples.
-
-// A view of walls that face the eye, with these depths.
-GBuffer walls(gpu::Extent extent, const std::vector<float>& depth) {
-    return wall_of(extent, [&](auto x, auto y) { return depth.at(y * extent.width + x); });
-}
 
 // 2 x 2 pixels of 2 x 2 samples: a near wall on the left ends in the middle of the second column of samples.
 PictureLight edge() {
