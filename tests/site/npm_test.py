@@ -23,11 +23,13 @@ FOR_TYPES = ["typescript@5.9.3", "@types/three@0.180.0"]
 
 
 # Name, preset, whether there are normals, and the view.
-SEQUENCES = [("perspective", "balanced", True, "made()"),
+# The last number: the share of pixels that may be apart once the camera stands; in a jitter a point that stands lies
+# on the border of other texels in each frame.
+SEQUENCES = [("perspective", "balanced", True, "made()", 0.015),
              ("reversed depth, jitter", "quality", True,
-              "Object.assign(made({reversedDepthBuffer: true}), {jitters: true})"),
-             ("orthographic", "fast", True, "orthographic(made())"),
-             ("depth of the composer", "reference", False, "withComposerDepth(made())")]
+              "Object.assign(made({reversedDepthBuffer: true}), {jitters: true})", 0.03),
+             ("orthographic", "fast", True, "orthographic(made())", 0.015),
+             ("depth of the composer", "reference", False, "withComposerDepth(made())", 0.015)]
 
 
 def write_gbuffer(folder, number, frame, before, normals):
@@ -80,7 +82,7 @@ class NpmTest(BrowserCase):
     def test_the_occlusion_is_that_of_the_program(self):
         """In 40 frames of a moving view, with a cut and another size among them. At last the camera stands: there a
         point that has not moved is within rounding of the border between two texels before."""
-        for name, preset, normals, made in SEQUENCES:
+        for name, preset, normals, made, standing in SEQUENCES:
             with self.subTest(name):
                 frames = self.ask(f"""
                     const view = {made};
@@ -105,7 +107,7 @@ class NpmTest(BrowserCase):
                     got = array.array("f", base64.b64decode(frame["occlusion"]))
                     apart = [x - y for x, y in zip(got, want, strict=True)]
                     self.assertLessEqual(sum(255 * abs(one) > 1.1 for one in apart),
-                                         len(apart) * (0.002 if i < 32 else 0.015), i)
+                                         len(apart) * (0.002 if i < 32 else standing), i)
                     self.assertLess(abs(sum(apart)) / len(apart), 2e-4, i)
                     self.assertGreater(max(want), 0.4)
 
