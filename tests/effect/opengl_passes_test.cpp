@@ -30,7 +30,9 @@ gl::Image::Format format_of(gpu::Format format) {
 std::string text_of(const PlannedPass& pass, const scene::PassLibrary& passes, shader::Language language) {
     std::map<std::uint32_t, std::uint32_t> constants;
     for (const auto& constant : pass.source.constants) constants[constant.id] = constant.bits;
-    return passes.text(pass.source.file, pass.source.defines, pass.source.replaced, constants, language);
+    std::vector<std::string> defines = pass.source.defines;
+    defines.emplace_back("GLOAM_PARAMETER_BLOCK");
+    return passes.text(pass.source.file, defines, pass.source.replaced, constants, language);
 }
 
 // The plan of a first frame, executed on a device of OpenGL.
@@ -94,8 +96,10 @@ class OnOpenGl {
             if (const auto buffer = buffers_.find(pass.resources[binding]); buffer != buffers_.end())
                 work.storage.emplace(binding, buffer->second);
         }
-        gl::Buffer parameters(device_, pass.parameters.size() / sizeof(gl::Word) + 1);
-        parameters.write(0, words_of(with_camera(pass)));
+        std::vector<gl::Word> values = words_of(with_camera(pass));
+        values.resize((values.size() + 3) / 4 * 4);  // a uniform block ends with a vec4
+        gl::Buffer parameters(device_, values.size());
+        parameters.write(0, values);
         work.uniforms.emplace(0, parameters);
         gl::dispatch(device_, work);
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <vector>
 
 #include "shader/pack.hpp"
@@ -17,6 +18,13 @@ std::string words_text(std::span<const check::Word> words) {
     Bytes bytes;
     for (const check::Word word : words) bytes.add(word);
     return bytes.text();
+}
+
+// Without comments; names are freed of macros only where there are some.
+std::string kernel_text(const std::string& kernel) {
+    const std::string code = shader::code_of(kernel);
+    return code.find("#define") == std::string::npos ? std::regex_replace(code, std::regex("#undef .*\n"), "")
+                                                     : code;
 }
 
 // null where there is no end.
@@ -96,7 +104,7 @@ std::string check_json(const catalogue::Description& description, const check::Q
                             {"row", prepared.row_words},
                             {"targets", prepared.targets},
                             {"unsupported", prepared.unsupported},
-                            {"kernel", shader::code_of(prepared.kernel)},
+                            {"kernel", kernel_text(prepared.kernel)},
                             {"scenarios", std::move(scenarios)}};
     return json.dump(-1, ' ', true, ordered_json::error_handler_t::replace);
 }

@@ -145,19 +145,21 @@ void WrittenAside::put() {
 TemporaryFolder::TemporaryFolder(std::string_view purpose) {
     std::string name =
         (std::filesystem::temp_directory_path() / fmt::format("gloam-{}-XXXXXX", purpose)).string();
+    leave_a_guard();  // before the folder, which is then never without one
     if (mkdtemp(name.data()) == nullptr)
         throw std::system_error(errno, std::generic_category(), "cannot make the folder " + name);
     path_ = name;
-    leave_a_guard();
+    (void)!send(alive_.get(), (name + '\n').data(), name.size() + 1, MSG_NOSIGNAL);
 }
 
-// It leads a session of its own: what ends this process's group, or its terminal's, does not end it.
+// It is told the folder's name. It leads a session of its own: what ends this process's group, or its
+// terminal's, does not end it.
 void TemporaryFolder::leave_a_guard() {
     auto [end, alive] = connected_pair();
     alive_ = std::move(alive);
-    std::string name = path_.string();
-    std::array<std::string, 3> words{"sh", "-c", "trap '' HUP INT TERM; read -r _; rm -rf -- \"$0\""};
-    std::array<char*, 5> command{words[0].data(), words[1].data(), words[2].data(), name.data(), nullptr};
+    std::array<std::string, 3> words{
+        "sh", "-c", "trap '' HUP INT TERM; IFS= read -r name && { read -r _; rm -rf -- \"$name\"; }"};
+    std::array<char*, 4> command{words[0].data(), words[1].data(), words[2].data(), nullptr};
     posix_spawn_file_actions_t streams{};
     posix_spawn_file_actions_init(&streams);
     posix_spawn_file_actions_adddup2(&streams, end.get(), STDIN_FILENO);
