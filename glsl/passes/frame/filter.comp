@@ -43,8 +43,10 @@ void main() {
     }
     for (int odd = 0; odd < 2; ++odd) {
         ivec2 own = pixel + ivec2(odd, 0);
+        ivec2 place = ivec2(half_width + odd, half_width);
+        float moved = moved_around(ivec2(half_width));
         vec4 kept;
-        imageStore(result_image, own, vec4(shown(own, ivec2(half_width), odd, kept)));
+        imageStore(result_image, own, vec4(accumulated(own, texel_at(place).depth, filtered(place), moved, kept)));
         if (history) imageStore(history_image, own, kept);
     }
 }

@@ -17,7 +17,7 @@ GloamFrameTexel texel_at(ivec2 place) {
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    int odd = pixel.x & 1;
-    occlusion = shown(pixel, ivec2(-odd, 0), odd, kept);
+    float moved = moved_around(ivec2(-(pixel.x & 1), 0));
+    occlusion = accumulated(pixel, texel_at(ivec2(0)).depth, filtered(ivec2(0)), moved, kept);
     kept = (floor(kept / frames_unit + 0.5) + 0.25) * frames_unit;  // OpenGL may cut what it stores, not round
 }

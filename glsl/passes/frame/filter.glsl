@@ -42,11 +42,4 @@ float moved_around(ivec2 first) {
     return min(float(moved) * (1.0 / 3.0), 1.0);
 }
 
-// Occlusion of a pixel, and the texel for the next frame. first: place of the first of two side by side; odd: 1 for
-// the other.
-float shown(ivec2 pixel, ivec2 first, int odd, out vec4 kept) {
-    ivec2 place = first + ivec2(odd, 0);
-    return accumulated(pixel, texel_at(place).depth, filtered(place), moved_around(first), kept);
-}
-
 #endif

@@ -48,7 +48,7 @@ void main() {
         ivec2 odd = ivec2(i % 2, i / 2);
         ivec2 pixel = 2 * block + odd;
         vec4 kept;
-        imageStore(result_image, pixel, vec4(shown(pixel, odd, own[i], kept)));
+        imageStore(result_image, pixel, vec4(accumulated(pixel, own[i], joined(odd, own[i]), moved_around(), kept)));
         if (history) imageStore(history_image, pixel, kept);
     }
 }

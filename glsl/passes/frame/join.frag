@@ -19,6 +19,7 @@ GloamFrameTexel texel_at(ivec2 place) {
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    occlusion = shown(pixel, pixel & 1, abs(texelFetch(depth_image, pixel, 0).x), kept);
+    float depth = abs(texelFetch(depth_image, pixel, 0).x);
+    occlusion = accumulated(pixel, depth, joined(pixel & 1, depth), moved_around(), kept);
     kept = (floor(kept / frames_unit + 0.5) + 0.25) * frames_unit;  // OpenGL may cut what it stores, not round
 }

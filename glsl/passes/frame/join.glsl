@@ -42,9 +42,4 @@ float moved_around() {
     return min(0.25 * float(moved), 1.0);
 }
 
-// Occlusion of a pixel, and the texel for the next frame.
-float shown(ivec2 pixel, ivec2 odd, float depth, out vec4 kept) {
-    return accumulated(pixel, depth, joined(odd, depth), moved_around(), kept);
-}
-
 #endif

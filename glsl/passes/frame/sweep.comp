@@ -16,5 +16,6 @@ layout(binding = 2, r32ui) uniform writeonly highp uimage2D texel_image;
 #include "passes/frame/sweep.glsl"
 
 void main() {
-    imageStore(texel_image, ivec2(gl_GlobalInvocationID.xy), uvec4(texel_of(ivec2(gl_GlobalInvocationID.xy))));
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    imageStore(texel_image, pixel, uvec4(texel_of(pixel)));
 }
