@@ -139,9 +139,10 @@ std::string directions_that_differ(const GBuffer& view, const Surface& surface) 
         if (!has_neighbours(view, i)) continue;
         const glm::dvec3 across =
             glm::cross(along(view, positions, i, view.extent.width), along(view, positions, i, 1));
+        const double facing = glm::dot(across, to_eye(i)) < 0.0 ? -1.0 : 1.0;  // rows may go up or down
         constexpr double same = 0.866;  // within 30 degrees: bump maps stay within it on most of a surface
         ++judged;
-        if (std::abs(glm::dot(across, glm::dvec3(view.normal[i]))) > same * glm::length(across)) ++agree;
+        if (facing * glm::dot(across, glm::dvec3(view.normal[i])) > same * glm::length(across)) ++agree;
     }
     constexpr double least = 0.25;
     const double share = static_cast<double>(agree) / static_cast<double>(std::max<std::size_t>(judged, 1));
