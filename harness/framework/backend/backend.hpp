@@ -161,9 +161,8 @@ struct KernelProgram {
     std::array<std::uint32_t, 2> layer_size{};  // the sides of all images with layers, which begin empty
     std::string name = {};                      // for messages
     Team team = {};
-    std::vector<Word> vertex_spirv =
-        {};  // of a quad: the shader before it, of the corners (-1, -1), (1, -1),
-             // (-1, 1)
+    // Of a quad: the shader before it, of the corners (-1, -1), (1, -1), (-1, 1).
+    std::vector<Word> vertex_spirv = {};
 
     // Words of an input or of an output row, whichever are more.
     [[nodiscard]] std::size_t widest() const { return std::max(input_words, output_words + 1); }

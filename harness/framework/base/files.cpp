@@ -152,8 +152,8 @@ TemporaryFolder::TemporaryFolder(std::string_view purpose) {
     (void)!send(alive_.get(), (name + '\n').data(), name.size() + 1, MSG_NOSIGNAL);
 }
 
-// It is told the folder's name. It leads a session of its own: what ends this process's group, or its
-// terminal's, does not end it.
+// It reads the folder's name from its input. It leads a session of its own: what ends this process's
+// group, or its terminal's, does not end it.
 void TemporaryFolder::leave_a_guard() {
     auto [end, alive] = connected_pair();
     alive_ = std::move(alive);

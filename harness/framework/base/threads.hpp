@@ -22,8 +22,7 @@ struct Range {
 
 // Calls work(0) ... work(count - 1), each once, in any order, on `threads` threads including the calling one
 // (0: one for each processor). `progress` is called on the calling thread with the completed part, in [0, 1],
-// and with 1 at the end.
-// An exception of `work` is rethrown after all threads have ended.
+// and with 1 at the end. An exception of `work` is rethrown after all threads have ended.
 void for_each_index(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work,
                     const std::function<void(double)>& progress = {});
 
