@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The frame of three short passes: as right as the presets, on every camera, size and encoding.
+#include "effect/internal/frame.hpp"
 #include "effect/errors.hpp"
 #include "on_device.hpp"
 #include "support/poison.hpp"
@@ -139,6 +140,56 @@ TEST_P(Frames, PoisonedDepthStaysInRange) {
             EXPECT_EQ(shown[i], 0.0F) << i;
         }
     }
+}
+
+// What the passes give that make every tile.
+std::vector<float> unlisted(const gpu::Device& device, const scene::PassLibrary& passes,
+                            const scene::GBuffer& view, const Settings& settings) {
+    Resources resources(device);
+    Executor executor(device, passes);
+    const Plan plan = frame_plan(settings, view);
+    resources.provide(plan);
+    upload(view, true, resources);
+    for (const PlannedPass& pass : plan.passes) executor.run(pass, resources, {});
+    return resources.image(plan.result).download();
+}
+
+// Tiles of background are left out on a CPU's driver: after they were that, and after they were not.
+TEST_P(Frames, TilesThatAreLeftOutChangeNoPixel) {
+    Settings settings = with_radius(GetParam().settings, 0.6F);
+    settings.history = false;
+    for (const char* name : {"sky", "columns", "sky", "far", "sky"}) {
+        const scene::GBuffer& view = drawn(name, odd);
+        EXPECT_TRUE(
+            same_bits(run(view, settings).filtered, unlisted(device_, passes_, view, settings), odd.width))
+            << name;
+    }
+}
+
+// A view that stands still is taken no more taps of, until something enters it; then it settles again.
+TEST_P(Frames, ASettledViewStaysUntilSomethingMoves) {
+    constexpr int settled = 68;
+    const scene::GBuffer empty = drawn("columns", odd);
+    scene::GBuffer entered = empty;
+    for (std::uint32_t y = 20; y < 30; ++y)
+        for (std::uint32_t x = 40; x < 50; ++x) entered.depth[y * odd.width + x] *= 0.9F;
+    const auto standing = [&](const scene::GBuffer& view) {
+        return std::vector<scene::GBuffer>(settled, view);
+    };
+    std::vector<scene::GBuffer> views = standing(empty);
+    views.insert(views.end(), settled, entered);
+    const Settings settings = with_radius(GetParam().settings, 0.5F);
+    const std::vector<Frame> frames = run(views, settings);
+    const auto differ = [&](std::size_t one, std::size_t other) {
+        return largest_difference(frames[one].filtered, frames[other].filtered);
+    };
+    EXPECT_GT(differ(settled - 8, settled - 5), 0.0);
+    EXPECT_EQ(differ(settled - 2, settled - 1), 0.0);
+    EXPECT_GT(differ(settled - 1, settled), 0.01) << "what enters is seen at once";
+    EXPECT_GT(differ(settled + 1, settled + 4), 0.0);
+    EXPECT_EQ(differ(2 * settled - 2, 2 * settled - 1), 0.0);
+    const std::vector<float> anew = run(standing(entered), settings).back().filtered;
+    EXPECT_LT(errors_of(frames.back().filtered, anew).rmse, 0.01);
 }
 
 INSTANTIATE_TEST_SUITE_P(Names, Frames, testing::ValuesIn(own_presets()), preset_name);

@@ -11,6 +11,9 @@
 #include "gloam/filter/frame_texel.glsl"
 #include "gloam/temporal/frame_history.glsl"
 #include "passes/frame/parameters.glsl"
+#ifdef GLOAM_TILES
+#include "passes/frame/tile_list.glsl"
+#endif
 
 layout(constant_id = 1) const bool orthographic = false;  // both cameras; else perspective
 layout(constant_id = 8) const bool history = false;       // there is one
@@ -44,6 +47,10 @@ float accumulated(ivec2 pixel, float depth, vec4 sums, float moved, out vec4 kep
     if (!history) return sums.z / sums.w;
     vec3 was = gloam_frame_before(vec2(pixel), depth, parameters.before, orthographic);
     vec3 texel = textureLod(before_image, was.xy, 0.0).xyz;
+#ifdef GLOAM_TILES
+    kept = vec4(texel, 0.0);
+    if (groups.y == 0u) return texel.x;  // settled: there are no taps
+#endif
     float apart = abs(abs(textureLod(depth_before_image, was.xy, 0.0).x) - was.z);
     bool known = all(lessThan(abs(was.xy - 0.5), vec2(0.5))) && apart < depth_tolerance * was.z;
     float frames = known ? min(texel.z, moved > 0.0 ? min(parameters.most, most_moved) : parameters.most) : 0.0;

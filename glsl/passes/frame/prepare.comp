@@ -19,6 +19,9 @@ layout(binding = 5, r16f) uniform writeonly highp image2D level_4;
 layout(binding = 6) uniform highp sampler2D depth_before_image;
 
 #include "passes/frame/prepare.glsl"
+#ifdef GLOAM_TILES
+#include "passes/frame/tile_list.glsl"
+#endif
 
 vec4 levels_before(vec2 at) {
     return textureGather(depth_before_image, at);
@@ -26,6 +29,9 @@ vec4 levels_before(vec2 at) {
 
 void main() {
     ivec2 block = ivec2(gl_GlobalInvocationID.xy);
+#ifdef GLOAM_TILES
+    if (block == ivec2(0)) groups = uvec3(0u, 0u, 1u);
+#endif
     ivec2 pixel = 2 * block;
     vec4 stored = textureGather(stored_image, vec2(pixel + 1) * parameters.inverse_size);
     vec4 depth = vec4(depth_of(stored.w), depth_of(stored.z), depth_of(stored.x), depth_of(stored.y));

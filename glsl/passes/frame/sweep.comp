@@ -7,6 +7,7 @@
 //   0  r16f   depth of prepare.comp with its levels; nearest texel and level, clamped to the edge
 //   1         normals as the engine stores them, any format; from depth: its depth, in x
 //   2  r32ui  written: gloam/filter/frame_texel.glsl
+// With a list of tiles (tile_list.glsl) it dispatches as many groups as the list says.
 layout(local_size_x = 16, local_size_y = 8) in;
 
 layout(binding = 0) uniform highp sampler2D depth_image;
@@ -14,8 +15,14 @@ layout(binding = 1) uniform highp sampler2D normal_image;
 layout(binding = 2, r32ui) uniform writeonly highp uimage2D texel_image;
 
 #include "passes/frame/sweep.glsl"
+#ifdef GLOAM_TILES
+#include "passes/frame/tile_list.glsl"
+#endif
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+#ifdef GLOAM_TILES
+    pixel = tile_at(gl_WorkGroupID.x) + ivec2(gl_LocalInvocationID.xy);
+#endif
     imageStore(texel_image, pixel, uvec4(texel_of(pixel)));
 }

@@ -242,7 +242,8 @@ std::vector<Step> Executor::steps(std::span<const PlannedPass> passes, const Res
                   .pipeline = &of_pass.pipeline,
                   .resources = {},
                   .parameters = pass.parameters,
-                  .groups = pass.groups};
+                  .groups = pass.groups,
+                  .groups_from = pass.groups_from.empty() ? nullptr : &resources.buffer(pass.groups_from)};
         for (std::size_t i = 0; i < pass.resources.size(); ++i)
             step.resources.push_back(resources.at(pass.resources[i], of_pass.formats[i]));
         steps.push_back(std::move(step));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "effect/internal/frame.hpp"
 
+#include <fmt/format.h>
 #include <passes/frame/gloam_frame.h>
 
 #include <algorithm>
@@ -16,6 +17,9 @@ namespace {
 using enum gpu::Format;
 
 constexpr std::uint32_t depth_levels = 5;
+constexpr float farthest_depth = 65504.0F;  // of the levels, radii
+constexpr gpu::Extent tile{16, 8};          // texels that a group of the sweep makes
+constexpr const char* tile_list = "tiles";  // glsl/passes/frame/tile_list.glsl
 
 // What a frame takes of the engine.
 struct Taken {
@@ -23,6 +27,15 @@ struct Taken {
     float radius = 1.0F;
     scene::Encoding encoding{};
     bool normals = true;  // there are some
+    bool tiles = false;   // the sweep has a list of its tiles
+};
+
+// What tiles.comp is given.
+struct TileParameters {
+    std::array<float, 2> inverse_size;
+    gpu::Extent count;
+    std::uint32_t frame;
+    std::uint32_t stands;
 };
 
 bool is_half(const Settings& settings) {
@@ -113,9 +126,42 @@ PlannedPass sweep_pass(const Settings& settings, const Taken& taken, const gloam
     return sweep;
 }
 
+gpu::Extent tiles_of(const Settings& settings, gpu::Extent view) {
+    const gpu::Extent swept = swept_of(settings, view);
+    return {(swept.width + tile.width - 1) / tile.width, (swept.height + tile.height - 1) / tile.height};
+}
+
+PlannedPass tile_pass(const Settings& settings, const Taken& taken, const gloam_frame& frame) {
+    const gpu::Extent count = tiles_of(settings, taken.view.extent);
+    const TileParameters parameters{
+        .inverse_size = {frame.prepare.inverse_size[0], frame.prepare.inverse_size[1]},
+        .count = count,
+        .frame = static_cast<std::uint32_t>(frame.frames),
+        .stands = flag(frame.still != 0)};
+    const PassSource source{
+        .file = "frame/tiles.comp",
+        .constants = {{.id = 7, .bits = is_half(settings) ? 2U : 1U}, history_constant(settings)}};
+    return single_pass("tiles", source, {"levels", settings.history ? "levels_before" : nothing_image},
+                       parameters, {(count.width + 7) / 8, count.height, 1});
+}
+
+// Binds the list of tiles behind the other resources of each pass.
+void bind_tiles(std::vector<PlannedPass>& passes) {
+    for (PlannedPass& pass : passes) {
+        pass.source.defines.push_back(fmt::format("GLOAM_TILES {}", pass.resources.size()));
+        pass.resources.emplace_back(tile_list);
+    }
+}
+
 std::vector<PlannedPass> passes_of(const Settings& settings, const Taken& taken, const gloam_frame& frame) {
-    return {first_pass(settings, taken.view, frame.prepare), sweep_pass(settings, taken, frame.sweep),
-            last_pass(settings, taken.view, frame.last)};
+    std::vector<PlannedPass> passes{first_pass(settings, taken.view, frame.prepare),
+                                    sweep_pass(settings, taken, frame.sweep),
+                                    last_pass(settings, taken.view, frame.last)};
+    if (!taken.tiles) return passes;
+    passes[1].groups_from = tile_list;
+    passes.insert(passes.begin() + 1, tile_pass(settings, taken, frame));
+    bind_tiles(passes);
+    return passes;
 }
 
 Plan plan_for(const Settings& settings, const Taken& taken, const gloam_frame& numbers) {
@@ -158,7 +204,8 @@ class ThreePasses : public FramePasses {
         if (!follows) gloam_cut(&frame_);
         settings_ = settings;
         taken_ = taken_of(view, settings.radius);
-        resources_.provide(frame_plan(settings, view));
+        resources_.provide(plan_for(settings, taken_, frame_));
+        provide_tiles();
         upload(view, true, resources_);
     }
 
@@ -177,6 +224,20 @@ class ThreePasses : public FramePasses {
     }
 
   private:
+    // The list of tiles, where branches are no skips and a dispatch can be as long as the list. With other
+    // texels it begins with zeros: none is known to be blank.
+    void provide_tiles() {
+        const gpu::DeviceInfo& info = device_->info();
+        const gpu::Extent view = taken_.view.extent;
+        const gpu::Extent count = tiles_of(settings_, view);
+        taken_.tiles = info.type == "cpu" && count.width * count.height <= info.max_group_count[0];
+        if (!taken_.tiles) return;
+        gpu::Buffer& list = resources_.buffer(tile_list, 8 * (2 + count.width * count.height));
+        const gpu::Extent texels = swept_of(settings_, view);
+        if (texels != listed_) std::ranges::fill(list.bytes(), std::byte{0});
+        listed_ = texels;
+    }
+
     // To the numbers of the next frame.
     void advance() {
         const std::optional<glm::mat4>& moved = taken_.view.camera.previous_from_current;
@@ -191,6 +252,7 @@ class ThreePasses : public FramePasses {
     Resources resources_;
     Settings settings_;
     Taken taken_;
+    gpu::Extent listed_;   // texels of which the list of tiles knows
     View last_;            // of the frame before
     gloam_frame frame_{};  // of the last frame, until advance()
 };

@@ -65,6 +65,7 @@ struct PlannedPass {
     std::vector<std::string> resources;  // at binding 0, 1, ...: names of images and buffers, or IMAGE/LEVEL
     std::vector<std::byte> parameters;   // push constants
     std::array<std::uint32_t, 3> groups{};  // for the view of the plan
+    std::string groups_from;                // buffer that begins with them, in their place; empty: none
 };
 
 // Name of the image that is bound where the settings need none.

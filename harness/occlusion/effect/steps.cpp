@@ -31,7 +31,10 @@ std::uint64_t bytes_of(const gpu::Image& image) {
 }
 
 void record(gpu::Commands& commands, const Step& pass) {
-    commands.dispatch(*pass.pipeline, pass.resources, pass.groups, pass.parameters);
+    if (pass.groups_from != nullptr)
+        commands.dispatch(*pass.pipeline, pass.resources, *pass.groups_from, pass.parameters);
+    else
+        commands.dispatch(*pass.pipeline, pass.resources, pass.groups, pass.parameters);
 }
 
 void run_watched(const gpu::Device& device, const Step& pass, const PassWatcher& watcher) {

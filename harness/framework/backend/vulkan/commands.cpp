@@ -245,6 +245,14 @@ void Commands::dispatch(const ComputePipeline& pipeline, std::span<const Resourc
     device_barrier(commands);
 }
 
+void Commands::dispatch(const ComputePipeline& pipeline, std::span<const Resource> resources,
+                        const Buffer& groups, std::span<const std::byte> push_constants) {
+    impl_->bind(pipeline, resources, push_constants);
+    const auto& commands = impl_->recording();
+    commands.dispatchIndirect(*groups.impl().handles->buffer, 0);
+    device_barrier(commands);
+}
+
 std::size_t Commands::timestamp() {
     const auto& commands = impl_->recording();
     const std::size_t position = impl_->handles->timestamps.record(impl_->context, commands);

@@ -20,10 +20,11 @@ BufferHandles create(const Context& context, std::size_t bytes) {
                                              context.physical.info.name, limit));
     }
     using Usage = vk::BufferUsageFlagBits;
-    vk::raii::Buffer buffer(context.device,
-                            vk::BufferCreateInfo{.size = bytes,
-                                                 .usage = Usage::eStorageBuffer | Usage::eUniformBuffer |
-                                                          Usage::eTransferSrc | Usage::eTransferDst});
+    vk::raii::Buffer buffer(
+        context.device,
+        vk::BufferCreateInfo{.size = bytes,
+                             .usage = Usage::eStorageBuffer | Usage::eUniformBuffer | Usage::eIndirectBuffer |
+                                      Usage::eTransferSrc | Usage::eTransferDst});
     // Cached memory: the host reads results back, which is very slow from write-combined memory.
     using Property = vk::MemoryPropertyFlagBits;
     constexpr auto coherent = Property::eHostVisible | Property::eHostCoherent;

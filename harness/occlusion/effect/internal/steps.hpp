@@ -29,6 +29,7 @@ struct Step {
     std::vector<gpu::Resource> resources;
     std::span<const std::byte> parameters;
     std::array<std::uint32_t, 3> groups{};
+    const gpu::Buffer* groups_from = nullptr;  // begins with them
 };
 
 template <class Parameters>
