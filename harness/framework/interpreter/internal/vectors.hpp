@@ -188,37 +188,6 @@ void face_forward(State<N>& s, const Instruction& i) {
     }
 }
 
-template <class N>
-[[nodiscard]] Handler<N> vector_handler(std::uint16_t opcode) {
-    switch (opcode) {
-        case SpvOpDot:
-            return dot_product<N>;
-        case SpvOpMatrixTimesVector:
-        case SpvOpMatrixTimesMatrix:
-            return matrix_times_matrix<N>;
-        case SpvOpVectorTimesMatrix:
-            return vector_times_matrix<N>;
-        case SpvOpOuterProduct:
-            return outer_product<N>;
-        case extended + GLSLstd450Length:
-            return length<N>;
-        case extended + GLSLstd450Distance:
-            return distance<N>;
-        case extended + GLSLstd450Normalize:
-            return normalize<N>;
-        case extended + GLSLstd450Cross:
-            return cross<N>;
-        case extended + GLSLstd450Reflect:
-            return reflect<N>;
-        case extended + GLSLstd450Refract:
-            return refract<N>;
-        case extended + GLSLstd450FaceForward:
-            return face_forward<N>;
-        default:
-            return nullptr;
-    }
-}
-
 // Determinants and inverses. Vulkan leaves their precision to the implementation, so every result is
 // permitted. On Explained the value is that of cofactors in float32, as drivers do it: where the condition of
 // the matrix is bad, it is far from the exact one. float is rounded from double.
@@ -319,18 +288,6 @@ void determinant(State<N>& s, const Instruction& i) {
 template <class N>
 void inverse(State<N>& s, const Instruction& i) {
     of_matrix<Inverse>(s, i, i.count);
-}
-
-template <class N>
-[[nodiscard]] Handler<N> matrix_handler(std::uint16_t opcode) {
-    switch (opcode) {
-        case extended + GLSLstd450Determinant:
-            return determinant<N>;
-        case extended + GLSLstd450MatrixInverse:
-            return inverse<N>;
-        default:
-            return nullptr;
-    }
 }
 
 }  // namespace gloam::interpreter::internal
