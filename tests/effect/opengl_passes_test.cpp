@@ -82,12 +82,7 @@ class OnOpenGl {
         const auto language = es_ ? shader::Language::es310 : shader::Language::gl430;
         const gl::Program program(device_, gl::Program::Stage::compute,
                                   {.name = pass.source.file, .text = text_of(pass, passes_, language)});
-        gl::ImageDispatch work{.program = program,
-                               .images = {},
-                               .levels = {},
-                               .storage = {},
-                               .uniforms = {},
-                               .groups = pass.groups};
+        gl::Dispatch work{.program = program, .storage = {}, .uniforms = {}, .groups = pass.groups};
         for (std::uint32_t binding = 0; binding < pass.resources.size(); ++binding) {
             const ImageName name = image_name_of(pass.resources[binding]);
             if (const auto image = images_.find(name.image); image != images_.end())
