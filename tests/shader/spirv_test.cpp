@@ -27,10 +27,6 @@ std::string reason_against(const Spirv& module) {
     return message_of<std::runtime_error>([&] { validate(module); });
 }
 
-TEST(Spirv, ValidModulePasses) {
-    EXPECT_EQ(reason_against(module()), "");
-}
-
 TEST(Spirv, FloatConstantsAreFiniteAndThereOnce) {
     const Spirv module = compile(
         kernel("const float edge = 0.5;\n",
@@ -43,14 +39,6 @@ TEST(Spirv, FloatConstantsAreFiniteAndThereOnce) {
 TEST(Spirv, ModuleWithoutReturnIsInvalid) {
     constexpr std::uint32_t op_return = 253;
     EXPECT_THAT(reason_against(without(module(), op_return)), HasSubstr("invalid SPIR-V: "));
-}
-
-TEST(Spirv, ModuleForOpenClIsInvalidForVulkan) {
-    Spirv kernel = module();
-    // OpCapability Shader (1) becomes OpCapability Kernel (6).
-    for (std::size_t at = 5; at + 1 < kernel.size(); at += kernel[at] >> 16)
-        if (kernel[at] == ((2u << 16) | 17u)) kernel[at + 1] = 6;
-    EXPECT_THAT(reason_against(kernel), HasSubstr("Kernel"));
 }
 
 TEST(Spirv, NewerModuleIsInvalidForVulkan12) {
@@ -67,10 +55,6 @@ TEST(Spirv, GarbageIsRefusedEverywhere) {
         EXPECT_THROW(static_cast<void>(disassemble(bad)), std::runtime_error);
         EXPECT_THROW(static_cast<void>(optimize(bad, Optimization::performance)), std::runtime_error);
     }
-}
-
-TEST(Spirv, NoOptimisationLeavesTheModuleAlone) {
-    EXPECT_EQ(optimize(module(), Optimization::none), module());
 }
 
 TEST(Spirv, OptimisationShrinksTheModule) {
@@ -92,10 +76,6 @@ TEST(Spirv, UnrollingAsksForItOnEveryLoop) {
     EXPECT_EQ(reason_against(unrolled), "");
     EXPECT_THAT(disassemble(optimize(looped, Optimization::hoisting)), HasSubstr(" None"));
     EXPECT_THAT(disassemble(unrolled), HasSubstr(" Unroll"));
-}
-
-TEST(Spirv, DisassemblyNamesThings) {
-    EXPECT_THAT(disassemble(module()), HasSubstr("OpEntryPoint GLCompute %main \"main\""));
 }
 
 std::vector<std::string> arithmetic() {
@@ -175,13 +155,6 @@ TEST(RelaxedPrecision, IsOnEveryFloatResultButConstantsAndBitPatterns) {
     EXPECT_GT(expected.size(), 30u);
     EXPECT_THAT(module.decorated("RelaxedPrecision"), testing::ElementsAreArray(expected));
     EXPECT_FALSE(module.results("OpBitcast").empty());
-}
-
-TEST(RelaxedPrecision, TheWordsInMemoryStayWords) {
-    const Disassembly module(with_relaxed_precision(compile(everything, {})));
-    const auto relaxed = module.decorated("RelaxedPrecision");
-    for (const std::string& id : module.of_type("%uint")) EXPECT_EQ(relaxed.count(id), 0u) << id;
-    for (const std::string& id : module.results("OpVariable")) EXPECT_EQ(relaxed.count(id), 0u) << id;
 }
 
 TEST(RelaxedPrecision, ChangesNothingTwice) {

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "shader/internal/compiler_process.hpp"
 
-#include <concepts>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 #include "base/compiler_limits.hpp"
@@ -16,82 +14,28 @@ namespace gloam::shader {
 
 using Json = nlohmann::json;
 
-namespace {
-
-template <class T, class As>
-concept Is = std::same_as<std::remove_const_t<T>, As>;
-
-// What crosses to the compiler's process, and back: an array of these members for each object.
-auto fields(Is<Type> auto& all) {
-    return std::tie(all.scalar, all.columns, all.rows, all.name, all.members, all.sizes);
+// What crosses to the compiler's process, and back. A type has members that have types.
+static void to_json(Json& json, const Member& member);
+static void from_json(const Json& json, Member& member);
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Type, scalar, columns, rows, name, members, sizes)
+static void to_json(Json& json, const Member& member) {
+    json = Json::array({member.name, member.type});
 }
-auto fields(Is<Member> auto& all) {
-    return std::tie(all.name, all.type);
+static void from_json(const Json& json, Member& member) {
+    json.at(0).get_to(member.name);
+    json.at(1).get_to(member.type);
 }
-auto fields(Is<Parameter> auto& all) {
-    return std::tie(all.name, all.type, all.direction, all.global);
-}
-auto fields(Is<Function> auto& all) {
-    return std::tie(all.name, all.result, all.parameters, all.defined, all.globals, all.other_number);
-}
-auto fields(Is<Source> auto& all) {
-    return std::tie(all.name, all.text);
-}
-auto fields(Is<Variant> auto& all) {  // what compile() reads
-    return std::tie(all.optimization, all.strict, all.relaxed);
-}
-auto fields(Is<CompileOptions> auto& all) {
-    return std::tie(all.stage, all.include_roots, all.variant, all.lines);
-}
-auto fields(Is<PackRequest> auto& all) {
-    return std::tie(all.language, all.functions, all.stage, all.constants);
-}
-auto fields(Is<BoundVariable> auto& all) {
-    return std::tie(all.name, all.type, all.format, all.written);
-}
-auto fields(Is<Excerpt> auto& all) {
-    return std::tie(all.function, all.text, all.interface, all.bound, all.globals, all.definitions,
-                    all.comments, all.needs);
-}
-auto fields(Is<Excerpts> auto& all) {
-    return std::tie(all.version, all.functions, all.by_macro);
-}
-auto fields(Is<Mutation> auto& all) {
-    return std::tie(all.begin, all.end, all.line, all.before, all.after, all.kind, all.function);
-}
-
-template <class T>
-concept Listed = requires(T& all) { fields(all); };
-
-template <class T>
-Json value_of(const T& field) {
-    return field;
-}
-Json value_of(const std::optional<Stage>& stage) {
-    return stage ? Json(*stage) : Json();
-}
-
-template <class T>
-void read(const Json& json, T& field) {
-    json.get_to(field);
-}
-void read(const Json& json, std::optional<Stage>& stage) {
-    if (!json.is_null()) stage = json.get<Stage>();
-}
-
-}  // namespace
-
-// nlohmann::json finds these two by the types' namespace.
-template <Listed T>
-static void to_json(Json& json, const T& all) {
-    json = std::apply([](const auto&... field) { return Json::array({value_of(field)...}); }, fields(all));
-}
-
-template <Listed T>
-static void from_json(const Json& json, T& all) {
-    std::size_t next = 0;
-    std::apply([&](auto&... field) { (read(json.at(next++), field), ...); }, fields(all));
-}
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Parameter, name, type, direction, global)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Function, name, result, parameters, defined, globals, other_number)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Source, name, text)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Variant, optimization, strict, relaxed)  // what compile() reads
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CompileOptions, stage, include_roots, variant, lines)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PackRequest, language, functions, constants)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BoundVariable, name, type, format, written)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Excerpt, function, text, interface, bound, globals, definitions, comments,
+                                   needs)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Excerpts, version, functions, by_macro)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Mutation, begin, end, line, before, after, kind, function)
 
 namespace internal {
 namespace {
@@ -145,7 +89,7 @@ std::string done(const Json& question) {
             return bytes_of(mutations_here(arguments.at(0), arguments.at(1).get<Roots>()));
         case Work::pack:
             return pack_here(arguments.at(0).get<std::vector<Source>>(), arguments.at(1),
-                             arguments.at(2).get<Roots>());
+                             arguments.at(2).get<Roots>(), arguments.at(3).get<Stage>());
         default:
             return translated_here(arguments.at(0), arguments.at(1).get<Target>(),
                                    arguments.at(2).get<Stage>());
@@ -219,8 +163,9 @@ std::vector<Mutation> mutations(const Source& source, const std::vector<std::fil
 
 std::string pack(const std::vector<Source>& sources, const PackRequest& request,
                  const std::vector<std::filesystem::path>& roots) {
-    return asked(Work::pack, sources.empty() ? "nothing" : sources.back().name,
-                 Json::array({sources, request, roots}));
+    return asked(
+        Work::pack, sources.empty() ? "nothing" : sources.back().name,
+        Json::array({sources, request, roots, request.stage.value_or(usual_stage(request.language))}));
 }
 
 std::string translated(const Source& packed, Target target, Stage stage) {

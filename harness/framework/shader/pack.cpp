@@ -121,8 +121,7 @@ void check_as_it_is(const Source& source, Language language,
 }  // namespace
 
 std::string internal::pack_here(const std::vector<Source>& sources, const PackRequest& request,
-                                const std::vector<std::filesystem::path>& roots) {
-    const Stage stage = request.stage.value_or(usual_stage(request.language));
+                                const std::vector<std::filesystem::path>& roots, Stage stage) {
     const std::string name = sources.empty() ? "nothing" : sources.back().name;
     Packed result;
     try {

@@ -30,7 +30,7 @@ namespace gloam::shader::internal {
 [[nodiscard]] std::vector<Function> functions_here(const Source& source, const CompileOptions& options);
 [[nodiscard]] Excerpts excerpts_here(const Source& source, const std::vector<std::filesystem::path>& roots);
 [[nodiscard]] std::string pack_here(const std::vector<Source>& sources, const PackRequest& request,
-                                    const std::vector<std::filesystem::path>& roots);
+                                    const std::vector<std::filesystem::path>& roots, Stage stage);
 [[nodiscard]] std::vector<Mutation> mutations_here(const Source& source,
                                                    const std::vector<std::filesystem::path>& roots);
 [[nodiscard]] std::string translated_here(const Source& packed, Target target, Stage stage);
