@@ -27,16 +27,6 @@ void copy_slots(State<N>& s, const Instruction& i, Slot from) {
 }
 
 template <class N>
-void do_copy(State<N>& s, const Instruction& i) {
-    copy_slots(s, i, i.a);
-}
-
-template <class N>
-void do_copy_one(State<N>& s, const Instruction& i) {
-    s.slots[i.result] = s.slots[i.a];
-}
-
-template <class N>
 void do_to_float(State<N>& s, const Instruction& i) {
     for (std::uint32_t k = 0; k < i.count; ++k) {
         const Value<N>& from = s.slots[i.a + k];
@@ -110,32 +100,12 @@ void follow(State<N>& s, std::uint32_t number) {
 }
 
 template <class N>
-void do_jump(State<N>& s, const Instruction& i) {
-    follow(s, i.extra);
-}
-
-template <class N>
-void do_branch(State<N>& s, const Instruction& i) {
-    follow(s, s.known_bits(i.a) != 0 ? i.extra : i.b);
-}
-
-template <class N>
 void do_switch(State<N>& s, const Instruction& i) {
     const Switch& all = s.code.switches[i.extra];
     const Word value = s.known_bits(i.a);
     for (const auto& [literal, edge] : all.cases)
         if (literal == value) return follow(s, edge);
     follow(s, all.otherwise);
-}
-
-template <class N>
-void do_finish(State<N>& s, const Instruction&) {
-    s.running = false;
-}
-
-template <class N>
-void do_unreachable(State<N>&, const Instruction&) {
-    throw Fault{Error::Kind::malformed, "an unreachable block was reached"};
 }
 
 template <class N>
@@ -157,16 +127,6 @@ void do_chain(State<N>& s, const Instruction& i) {
         at.offset = static_cast<std::uint32_t>(offset);
     }
     s.pointers[i.result] = at;
-}
-
-template <class N>
-void do_load_slots(State<N>& s, const Instruction& i) {
-    copy_slots(s, i, s.pointers[i.a].offset);
-}
-
-template <class N>
-void do_store_slots(State<N>& s, const Instruction& i) {
-    std::copy_n(s.slots.begin() + i.b, i.count, s.slots.begin() + s.pointers[i.a].offset);
 }
 
 // A scalar behind a pointer. An odd offset means a 16-bit float.
@@ -238,26 +198,9 @@ void do_atomic(State<N>& s, const Instruction& i) {
 }
 
 template <class N>
-void do_fence(State<N>& s, const Instruction& i) {
-    s.fenced |= i.c;
-}
-
-// The group goes on where all that it waits for have come (internal/group.hpp).
-template <class N>
-void do_wait(State<N>& s, const Instruction&) {
-    s.running = false;
-    s.waits = true;
-}
-
-template <class N>
 void do_either(State<N>& s, const Instruction& i) {
     for (std::uint32_t k = 0; k < i.count; ++k)
         s.set(i, i.result + k, either_of(s.number(i, i.a + k), s.number(i, i.b + k)));
-}
-
-template <class N>
-void do_load_resource(State<N>& s, const Instruction& i) {
-    s.set(i, i.result, s.pointers[i.a].resource);
 }
 
 // Index of the first word of the texel at the coordinates.

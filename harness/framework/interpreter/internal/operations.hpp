@@ -53,7 +53,7 @@ template <class N>
             ([](Word x, Word y) { return std::uint64_t{x - y} | (x < y ? 1ULL << word_bits : 0ULL); })>),
         GLOAM_OP(UMulExtended, 2, pair, to_two<N, ([](Word x, Word y) { return std::uint64_t{x} * y; })>),
         GLOAM_OP(SMulExtended, 2, pair, to_two<N,
-            ([](Word x, Word y) { return static_cast<std::uint64_t>(std::int64_t{as_int(x)} * as_int(y)); })>),
+            ([](Word x, Word y) { return std::uint64_t(std::int64_t{as_int(x)} * as_int(y)); })>),
         GLOAM_OP(Any, 1, to_one, reduce<N, false>),
         GLOAM_OP(All, 1, to_one, reduce<N, true>),
         GLOAM_OP(IsNan, 1, plain, unary<N, IsNan>),
@@ -139,8 +139,10 @@ template <class N>
         GLOAM_GLSL(Log2, 1, plain, unary<N, Log2>),
         GLOAM_GLSL(Sqrt, 1, plain, unary<N, Sqrt>),
         GLOAM_GLSL(InverseSqrt, 1, plain, unary<N, InverseSqrt>),
-        GLOAM_GLSL(Determinant, 1, to_one, determinant<N>),
-        GLOAM_GLSL(MatrixInverse, 1, at_once, inverse<N>),
+        GLOAM_GLSL(Determinant, 1, to_one,
+            [](State<N>& s, const Instruction& i) { of_matrix<Determinant>(s, i, 1); }),
+        GLOAM_GLSL(MatrixInverse, 1, at_once,
+            [](State<N>& s, const Instruction& i) { of_matrix<Inverse>(s, i, i.count); }),
         GLOAM_GLSL(Modf, 2, pair, modf<N>),
         GLOAM_GLSL(ModfStruct, 1, pair, modf<N>),
         GLOAM_GLSL(FMin, 2, plain, binary<N, Min>),
@@ -197,9 +199,11 @@ template <class N>
 
 // The handler of an instruction; null for an unknown one.
 template <class N>
-[[nodiscard]] Handler<N> handler_of(const Instruction& i) {
+[[nodiscard]] Handler<N> handler_of(const Instruction& instruction) {
+    // The group goes on where all that it waits for have come (internal/group.hpp).
+    constexpr Handler<N> wait = [](State<N>& s, const Instruction&) { s.running = false, s.waits = true; };
     static const std::map<std::uint16_t, Handler<N>> others{
-        {copy, do_copy<N>},
+        {copy, [](State<N>& s, const Instruction& i) { copy_slots(s, i, i.a); }},
         {pack_halves, do_pack_halves<N>},
         {unpack_halves, do_unpack_halves<N>},
         {to_float, do_to_float<N>},
@@ -208,18 +212,26 @@ template <class N>
         {select, do_select<N>},
         {extract_dynamic, do_extract<N>},
         {insert_dynamic, do_insert<N>},
-        {jump, do_jump<N>},
-        {branch, do_branch<N>},
+        {jump, [](State<N>& s, const Instruction& i) { follow(s, i.extra); }},
+        {branch, [](State<N>& s, const Instruction& i) {
+             follow(s, s.known_bits(i.a) != 0 ? i.extra : i.b);
+         }},
         {switch_on, do_switch<N>},
-        {finish, do_finish<N>},
-        {unreachable, do_unreachable<N>},
+        {finish, [](State<N>& s, const Instruction&) { s.running = false; }},
+        {unreachable, [](State<N>&, const Instruction&) {
+             throw Fault{Error::Kind::malformed, "an unreachable block was reached"};
+         }},
         {chain, do_chain<N>},
-        {load_slots, do_load_slots<N>},
-        {store_slots, do_store_slots<N>},
+        {load_slots, [](State<N>& s, const Instruction& i) { copy_slots(s, i, s.pointers[i.a].offset); }},
+        {store_slots, [](State<N>& s, const Instruction& i) {
+             std::copy_n(s.slots.begin() + i.b, i.count, s.slots.begin() + s.pointers[i.a].offset);
+         }},
         {load_memory, do_load_memory<N>},
         {store_memory, do_store_memory<N>},
         {array_length, do_array_length<N>},
-        {load_resource, do_load_resource<N>},
+        {load_resource, [](State<N>& s, const Instruction& i) {
+             s.set(i, i.result, s.pointers[i.a].resource);
+         }},
         {image_load, do_image_load<N>},
         {image_store, do_image_store<N>},
         {image_size, do_image_size<N>},
@@ -227,17 +239,18 @@ template <class N>
         {image_levels, do_image_levels<N>},
         {image_texel, do_image_texel<N>},
         {atomic, do_atomic<N>},
-        {fence, do_fence<N>},
+        {fence, [](State<N>& s, const Instruction& i) { s.fenced |= i.c; }},
         {construct, do_construct<N>},
-        {barrier, do_wait<N>},
-        {neighbour, do_wait<N>},
-        {collective, do_wait<N>},
+        {barrier, wait},
+        {neighbour, wait},
+        {collective, wait},
         {either, do_either<N>},
     };
     // clang-format on
-    if (i.op == copy && i.count == 1 && (i.flags & flags::relaxed) == 0) return do_copy_one<N>;
-    if (const auto other = others.find(i.op); other != others.end()) return other->second;
-    const auto found = operations<N>().find(i.op);
+    if (instruction.op == copy && instruction.count == 1 && (instruction.flags & flags::relaxed) == 0)
+        return [](State<N>& s, const Instruction& i) { s.slots[i.result] = s.slots[i.a]; };
+    if (const auto other = others.find(instruction.op); other != others.end()) return other->second;
+    const auto found = operations<N>().find(instruction.op);
     return found == operations<N>().end() ? nullptr : found->second.handler;
 }
 

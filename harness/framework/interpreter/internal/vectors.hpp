@@ -228,20 +228,17 @@ template <class F>
     return count == 4 ? F::template of<2>(all) : count == 9 ? F::template of<3>(all) : F::template of<4>(all);
 }
 
-[[nodiscard]] inline double exact_of(float x) {
-    return x;
-}
-[[nodiscard]] inline double exact_of(double x) {
-    return x;
-}
-[[nodiscard]] inline double exact_of(const Explained& x) {
-    return x.exact;
-}
-[[nodiscard]] inline double exact_of(const numeric::Interval& x) {
-    return x.bounds().empty() ? std::numeric_limits<double>::quiet_NaN() : (x.low() + x.high()) / 2.0;
-}
-[[nodiscard]] inline double exact_of(const numeric::Rearranged& x) {
-    return exact_of(x.interval());
+template <class N>
+[[nodiscard]] double exact_of(const N& x) {
+    if constexpr (std::is_same_v<N, Explained>) {
+        return x.exact;
+    } else if constexpr (has_bounds<N>) {
+        const numeric::Interval any = permitted_of(x);
+        return any.bounds().empty() ? std::numeric_limits<double>::quiet_NaN()
+                                    : (any.low() + any.high()) / 2.0;
+    } else {
+        return x;
+    }
 }
 
 // Any number; where gaps are closed, those between two results.
@@ -278,16 +275,6 @@ void of_matrix(State<N>& s, const Instruction& i, std::uint32_t results) {
                 s.set(i, i.result + k, N(by_implementation(exact.at(k), exact.at(k))));
         }
     }
-}
-
-template <class N>
-void determinant(State<N>& s, const Instruction& i) {
-    of_matrix<Determinant>(s, i, 1);
-}
-
-template <class N>
-void inverse(State<N>& s, const Instruction& i) {
-    of_matrix<Inverse>(s, i, i.count);
 }
 
 }  // namespace gloam::interpreter::internal
