@@ -5,9 +5,9 @@
 #include "effect/errors.hpp"
 #include "effect/internal/frame.hpp"
 #include "effect/plan.hpp"
+#include "module/reflection.hpp"
 #include "numeric/numbers.hpp"
 #include "on_device.hpp"
-#include "shader/reflection.hpp"
 #include "support/method_names.hpp"
 #include "support/poison.hpp"
 
