@@ -4,7 +4,7 @@
 #include "check/function.hpp"
 #include "check/kernel_code.hpp"
 #include "check/lab.hpp"
-#include "shader/spirv.hpp"
+#include "module/spirv.hpp"
 #include "support/lab.hpp"
 
 namespace gloam::check::constant_kernel_test {

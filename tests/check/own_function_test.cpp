@@ -2,7 +2,7 @@
 // Anybody's shader file: no reference, no C++ signature.
 #include "check/fixture_functions.hpp"
 #include "check/function.hpp"
-#include "shader/include.hpp"
+#include "module/include.hpp"
 #include "support/lab.hpp"
 
 namespace gloam::check::own_function_test {

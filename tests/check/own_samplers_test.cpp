@@ -6,7 +6,7 @@
 #include "check/explain.hpp"
 #include "check/fixture_functions.hpp"
 #include "check/reproduction.hpp"
-#include "shader/include.hpp"
+#include "module/include.hpp"
 #include "support/changed_device.hpp"
 
 #include "support/test.hpp"

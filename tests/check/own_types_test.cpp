@@ -4,7 +4,7 @@
 
 #include "check/fixture_functions.hpp"
 #include "check/function.hpp"
-#include "shader/include.hpp"
+#include "module/include.hpp"
 #include "support/changed_device.hpp"
 
 #include "support/test.hpp"

@@ -8,8 +8,8 @@
 #include "check/own_function.hpp"
 #include "check/run.hpp"
 #include "interpreter/program.hpp"
-#include "shader/include.hpp"
-#include "shader/pack.hpp"
+#include "module/include.hpp"
+#include "module/texts.hpp"
 #include "support/lab.hpp"
 #include "support/random_function.hpp"
 

@@ -14,7 +14,7 @@
 #include "check/internal/session.hpp"
 #include "check/interpreted_kernel.hpp"
 #include "check/run.hpp"
-#include "shader/include.hpp"
+#include "module/include.hpp"
 
 namespace gloam::check {
 namespace {

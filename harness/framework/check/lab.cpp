@@ -10,11 +10,11 @@
 #include "backend/gl/kernel.hpp"
 #include "base/text.hpp"
 #include "check/internal/kernel_text.hpp"
-#include "shader/include.hpp"
-#include "shader/module.hpp"
-#include "shader/pack.hpp"
-#include "shader/spirv.hpp"
-#include "shader/steps.hpp"
+#include "module/include.hpp"
+#include "module/module.hpp"
+#include "module/spirv.hpp"
+#include "module/steps.hpp"
+#include "module/texts.hpp"
 
 namespace gloam::check {
 namespace {

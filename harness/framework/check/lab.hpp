@@ -16,8 +16,8 @@
 #include "backend/vulkan/device.hpp"
 #include "check/kernel_code.hpp"
 #include "check/signature.hpp"
-#include "shader/compile.hpp"
-#include "shader/pack.hpp"
+#include "module/compile.hpp"
+#include "module/texts.hpp"
 
 namespace gloam::check {
 

@@ -9,9 +9,9 @@
 #include <ostream>
 
 #include "check/internal/pass_work.hpp"
+#include "module/include.hpp"
+#include "module/module.hpp"
 #include "numeric/numbers.hpp"
-#include "shader/include.hpp"
-#include "shader/module.hpp"
 
 namespace gloam::check {
 

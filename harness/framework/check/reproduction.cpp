@@ -13,10 +13,10 @@
 #include "check/internal/session.hpp"
 #include "check/interpreted_kernel.hpp"
 #include "check/kernel_code.hpp"
+#include "module/spirv.hpp"
+#include "module/steps.hpp"
+#include "module/texts.hpp"
 #include "numeric/numbers.hpp"
-#include "shader/pack.hpp"
-#include "shader/spirv.hpp"
-#include "shader/steps.hpp"
 
 namespace gloam::check {
 namespace {

@@ -80,7 +80,7 @@ struct Reproduction {
 [[nodiscard]] Reproduction reproduce_fault(const Lab& lab, const Question& question,
                                            const RunOptions& options);
 
-// The fewest of these steps (shader/steps.hpp), and the fewest parts of each, for which `fails` holds: no
+// The fewest of these steps (module/steps.hpp), and the fewest parts of each, for which `fails` holds: no
 // step and no part can be left out alone. `fails` holds for all of them.
 [[nodiscard]] std::vector<std::string> shortest_steps(
     const std::vector<std::string>& steps, const std::function<bool(const std::vector<std::string>&)>& fails);

@@ -11,7 +11,7 @@
 
 #include "check/function.hpp"
 #include "check/reproduction.hpp"
-#include "shader/steps.hpp"
+#include "module/steps.hpp"
 
 namespace gloam::check {
 namespace {

@@ -15,11 +15,11 @@
 #include "check/answer.hpp"
 #include "check/lab.hpp"
 #include "check/reproduction.hpp"
+#include "module/spirv.hpp"
 #include "numeric/numbers.hpp"
 #include "report/check_report.hpp"
 #include "report/failures.hpp"
 #include "report/json.hpp"
-#include "shader/spirv.hpp"
 
 namespace gloam::cli {
 namespace {

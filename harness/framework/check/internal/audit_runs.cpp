@@ -12,9 +12,9 @@
 #include "check/internal/audit_search.hpp"
 #include "check/internal/session.hpp"
 #include "interpreter/program.hpp"
+#include "module/spirv.hpp"
 #include "numeric/numbers.hpp"
 #include "numeric/paths.hpp"
-#include "shader/spirv.hpp"
 
 namespace gloam::check::internal {
 namespace {

@@ -13,7 +13,7 @@
 #include "backend/vulkan/device.hpp"
 #include "backend/vulkan/resources.hpp"
 #include "check/pass.hpp"
-#include "shader/reflection.hpp"
+#include "module/reflection.hpp"
 
 namespace gloam::check::internal {
 

@@ -16,7 +16,7 @@
 #include "check/internal/interpretation.hpp"
 #include "check/kernel_code.hpp"
 #include "check/scalars.hpp"
-#include "shader/spirv.hpp"
+#include "module/spirv.hpp"
 
 namespace gloam::check::internal {
 
