@@ -224,9 +224,9 @@ void Commands::dispatch(const ComputePipeline& pipeline, std::span<const Resourc
 
 void Commands::dispatch(const ComputePipeline& pipeline, std::span<const Resource> resources,
                         const Buffer& groups, std::span<const std::byte> push_constants) {
-    impl_->bind(pipeline, resources, push_constants);
-    const auto& commands = impl_->recording();
-    commands.dispatchIndirect(*groups.impl().handles->buffer, 0);
+    handles_->bind(pipeline, resources, push_constants);
+    const auto& commands = handles_->recording();
+    commands.dispatchIndirect(*groups.handles().buffer, 0);
     device_barrier(commands);
 }
 
