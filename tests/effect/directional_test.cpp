@@ -72,22 +72,6 @@ TEST_F(Directions, InterleavingStopsAtEdges) {
                      std::invalid_argument);
 }
 
-// With as many samples a pixel, less noise.
-TEST_F(Directions, InterleavingTakesNoise) {
-    const scene::GBuffer view = drawn("corner", {64, 36});
-    const BentNormals truth = directional_.bent_normals(view, many());
-    Settings few = many();
-    few.samples = 8;
-    const auto error = [&](int interleave) {
-        const BentNormals bent = directional_.bent_normals(view, few, {.interleave = interleave});
-        double sum = 0.0;
-        for (std::size_t i = 0; i < bent.direction.size(); ++i)
-            sum += std::pow(double{glm::distance(bent.direction[i], truth.direction[i])}, 2.0);
-        return std::sqrt(sum / static_cast<double>(bent.direction.size()));
-    };
-    EXPECT_LT(error(4), 0.5 * error(1));
-}
-
 TEST_F(Directions, HalfABlockedHemisphereBendsBy45Degrees) {
     const BentNormals bent = directional_.bent_normals(step(3.0F - high, 3.0F, close), many());
     const float diagonal = std::sqrt(0.5F);

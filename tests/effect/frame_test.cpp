@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The frame of three short passes: as right as the presets, on every camera, size and encoding.
-#include "effect/internal/frame.hpp"
+#include "directions.hpp"
 #include "effect/errors.hpp"
-#include "on_device.hpp"
+#include "effect/internal/frame.hpp"
+#include "reference/shading.hpp"
 #include "support/poison.hpp"
 #include "surface_views.hpp"
 
@@ -17,6 +18,7 @@ class Frames : public OnDevice<testing::TestWithParam<Preset>> {
         exact.radius = static_cast<float>(radius);
         exact.output = OutputFormat::r32f;
         exact.history = false;
+        exact.bent_normals = true;
         return run(view, exact);
     }
 };
@@ -37,9 +39,12 @@ TEST_P(Frames, APlaneIsOpen) {
     for (const bool orthographic : {false, true})
         for (const glm::dvec3 normal : {glm::dvec3(0, 0, 1), {0.6, 0.3, 1}, {-0.4, 0.9, 1}}) {
             scene::GBuffer view = plane(odd, orthographic, normal);
-            const std::vector<float> shown = frame(view, 0.2).filtered;
+            const Frame open = frame(view, 0.2);
+            const std::vector<float>& shown = open.filtered;
             EXPECT_LE(std::ranges::max(shown), 0.02F) << orthographic << ' ' << normal.x;
             EXPECT_LE(mean_of(shown), 0.005) << orthographic << ' ' << normal.x;
+            for (std::size_t i = 0; i < shown.size(); ++i)
+                ASSERT_LT(glm::length(open.bent[i]), 0.03F) << orthographic << ' ' << i;
             view.normal.clear();
             EXPECT_LE(std::ranges::max(frame(view, 0.2).filtered), 0.02F) << orthographic << ' ' << normal.x;
         }
@@ -133,13 +138,38 @@ TEST_P(Frames, AnOffCentreViewIsAPartOfACentredOne) {
 TEST_P(Frames, PoisonedDepthStaysInRange) {
     scene::GBuffer view = drawn("columns", odd);
     test::poison(view);
-    const std::vector<float> shown = frame(view, 1.0).filtered;
+    const Frame poisoned = frame(view, 1.0);
+    const std::vector<float>& shown = poisoned.filtered;
     for (std::size_t i = 0; i < shown.size(); ++i) {
         ASSERT_TRUE(shown[i] >= 0.0F && shown[i] <= 1.0F) << i << ": " << shown[i];
+        ASSERT_LE(glm::length(poisoned.bent[i]), i % 7 == 0 ? 0.01F : 1.6F) << i;
         if (i % 7 == 0) {
             EXPECT_EQ(shown[i], 0.0F) << i;
         }
     }
+}
+
+// The bent normal is nearer to the mean of many open directions than the normal is. Neither it nor light
+// that bounces changes what the passes estimate.
+TEST_P(Frames, HaveBentNormalsAndBounces) {
+    const scene::GBuffer& view = drawn("columns", {192, 108});
+    const Frame shown = frame(view, 1.0);
+    const auto open = Directional(device_, passes_).bent_normals(view, many()).direction;
+    double plain = 0.0;
+    double bent = 0.0;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+        plain += double{glm::distance(view.normal[i], open[i])};
+        bent += double{glm::distance(glm::normalize(view.normal[i] + shown.bent[i]), open[i])};
+    }
+    EXPECT_LT(bent, 0.7 * plain);
+    Settings bouncing = GetParam().settings;
+    bouncing.output = OutputFormat::r32f;
+    bouncing.history = false;
+    bouncing.bounce_albedo = 0.5F;
+    const std::vector<float> brighter = run(view, bouncing).filtered;
+    for (std::size_t i = 0; i < open.size(); ++i)
+        ASSERT_NEAR(brighter[i],
+                    1.0 - reference::gloam_multi_bounce(double{shown.filtered[i]}, glm::dvec3(0.5)).x, 1e-5);
 }
 
 // What the passes give that make every tile.
@@ -178,13 +208,15 @@ TEST_P(Frames, ASettledViewStaysUntilSomethingMoves) {
     };
     std::vector<scene::GBuffer> views = standing(empty);
     views.insert(views.end(), settled, entered);
-    const Settings settings = with_radius(GetParam().settings, 0.5F);
+    Settings settings = with_radius(GetParam().settings, 0.5F);
+    settings.bent_normals = true;
     const std::vector<Frame> frames = run(views, settings);
     const auto differ = [&](std::size_t one, std::size_t other) {
         return largest_difference(frames[one].filtered, frames[other].filtered);
     };
     EXPECT_GT(differ(settled - 8, settled - 5), 0.0);
     EXPECT_EQ(differ(settled - 2, settled - 1), 0.0);
+    EXPECT_EQ(frames[settled - 2].bent, frames[settled - 1].bent);
     EXPECT_GT(differ(settled - 1, settled), 0.01) << "what enters is seen at once";
     EXPECT_GT(differ(settled + 1, settled + 4), 0.0);
     EXPECT_EQ(differ(2 * settled - 2, 2 * settled - 1), 0.0);

@@ -214,6 +214,8 @@ const std::map<std::string, Case>& cases() {
         {"passes", {"frame", {frame.begin() + 1, frame.end()}}},
         {"history_range", {"0.5", frame}},
         {"history_sharpness", {"1", with_range}},
+        {"bent_normals", {"on", frame}},
+        {"bounce_albedo", {"0.5", frame}},
         {"method", {"disc"}},
         {"radius", {"0.25"}},
         {"bias", {"0.05"}},
@@ -294,7 +296,9 @@ class EverySetting : public OnDevice<testing::Test> {
                                    .motion = true,
                                    .layers = settings.own.layers,
                                    .guard = double{settings.guard}}));
-        return run(views, settings).back().filtered;
+        Frame last = run(views, settings).back();
+        for (const glm::vec3& direction : last.bent) last.filtered.push_back(direction.x);
+        return last.filtered;
     }
 
     scene::Scene scene_ = panned(floor_and_wall(true), 0.04);

@@ -262,12 +262,13 @@ TEST_F(PackEffect, TheHeaderIsCAndShort) {
 // Each is in the texts or in the preset.
 TEST_F(PackEffect, OptionsAreConstants) {
     pack("fast", words("--version 430 --orthographic --normals world-octahedral-unorm --set samples=6 "
-                       "--set steps=3"));
+                       "--set steps=3 --bent-normals --multi-bounce"));
     const std::string sweep = read_file(path("fast") / "sweep.comp");
     for (const char* constant : {"orthographic = true", "world_normals = true", "octahedral_normals = true",
                                  "unorm_normals = true", "steps = 3", "history = true", "stride = 2"})
         EXPECT_THAT(sweep, HasSubstr(constant));
-    EXPECT_THAT(read_file(path("fast") / "join.comp"), HasSubstr("#define GLOAM_OUTPUT r8\n"));
+    EXPECT_THAT(read_file(path("fast") / "join.comp"),
+                AllOf(HasSubstr("OUTPUT r8\n"), HasSubstr("bounce(alone("), HasSubstr("bent_of(bends")));
     pack("quality", words("--normals none --set history=off --set history_range=0.25 --set output=r16f"));
     EXPECT_THAT(read_file(path("quality") / "sweep.comp"),
                 AllOf(HasSubstr("position_at("), Not(HasSubstr("octahedral")), HasSubstr("history = false")));
@@ -289,6 +290,7 @@ TEST_F(PackEffect, BadInputLeavesNothing) {
     refused(words("--out {} --version 310es", folder), "300es");
     refused(words("--out {} --version 110", folder), "--version 110");
     refused(words("--out {} --target hlsl", folder), "--target");
+    refused(words("--out {} --bent-normals --version 330", folder), "450 or 430");
     refused(words("--out {} --set samples=0", folder), "samples");
     refused(words("--out /dev/null/effect"), "/dev/null");
 }

@@ -165,11 +165,12 @@ void add_light_options(CLI::App& command, RenderOptions& options) {
                      "lit pictures with the light that bounces among blockers of the surface's colour");
     CLI::Option* bent =
         command.add_flag("--bent-normals", options.bent_normals,
-                         "write the directions in which points are open, and the cones around them, too");
+                         "write the directions in which points are open, and the cones around them, too: "
+                         "those of the frame, or of a pass of their own");
     command
         .add_option("--bent-interleave", options.bent_interleave,
                     "interleave samples: the N x N pixels of a block take different samples of one pattern "
-                    "(1: no interleaving)")
+                    "(1: no interleaving); by a pass of their own")
         ->needs(bent)
         ->check(CLI::Range(1, 8))
         ->capture_default_str();

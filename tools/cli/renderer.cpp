@@ -11,6 +11,9 @@
 #include "cli/open_device.hpp"
 #include "cli/progress.hpp"
 #include "cli/settings.hpp"
+#include "effect/directional.hpp"
+#include "effect/errors.hpp"
+#include "effect/pixel_classes.hpp"
 #include "pictures/sheet.hpp"
 #include "scene/contradictions.hpp"
 #include "scene/draw.hpp"
@@ -28,27 +31,47 @@ scene::GBuffer standing_still(scene::GBuffer view) {
     return view;
 }
 
-}  // namespace
+// The relation of a view to the previous one.
+enum class ViewLink {
+    same,     // the same view again
+    follows,  // the next of a sequence
+    cut       // an unrelated view
+};
 
-void RenderHistory::advance(const scene::GBuffer& view, ViewLink link, double radius,
-                            const std::vector<float>& image) {
-    flicker_.reset();
-    if (view.normal.empty()) {
-        view_.reset();
-        classes_.reset();
-        return;
+// Follows the frames of one call of `gloam render`: the change of the picture from frame to frame, and the
+// pixels that a temporal method treats differently.
+class RenderHistory {
+  public:
+    // Takes the next frame. Views without normals have no relation to earlier ones.
+    void advance(const scene::GBuffer& view, ViewLink link, double radius, const std::vector<float>& image) {
+        flicker_.reset();
+        if (view.normal.empty()) {
+            view_.reset();
+            classes_.reset();
+            return;
+        }
+        const bool follows = view_ && link != ViewLink::cut;
+        if (!follows) classes_.emplace(effect::PixelClasses::Settings{.radius = radius});
+        std::optional<effect::HistoryMap> history;
+        if (follows) history.emplace(link == ViewLink::same ? standing_still(view) : view, *view_);
+        if (history) flicker_ = effect::mean_change(*history, image, image_);
+        classes_->advance(view, history);
+        view_ = view;
+        image_ = image;
     }
-    const bool follows = view_ && link != ViewLink::cut;
-    if (!follows) classes_.emplace(effect::PixelClasses::Settings{.radius = radius});
-    std::optional<effect::HistoryMap> history;
-    if (follows) history.emplace(link == ViewLink::same ? standing_still(view) : view, *view_);
-    if (history) flicker_ = effect::mean_change(*history, image, image_);
-    classes_->advance(view, history);
-    view_ = view;
-    image_ = image;
-}
 
-namespace {
+    // Mean change at the same surface points since the frame before; nullopt in the first.
+    [[nodiscard]] const std::optional<double>& flicker() const { return flicker_; }
+
+    // The classes of the last frame's pixels; nullopt if there was no frame before it.
+    [[nodiscard]] const std::optional<effect::PixelClasses>& classes() const { return classes_; }
+
+  private:
+    std::optional<scene::GBuffer> view_;
+    std::vector<float> image_;
+    std::optional<double> flicker_;
+    std::optional<effect::PixelClasses> classes_;
+};
 
 std::uint8_t byte_of(float value) {
     return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(value, 0.0F, 1.0F)));
@@ -61,6 +84,9 @@ std::string name_of(const RenderOptions& options) {
     return settings_for(options, 1.0).method;
 }
 
+namespace {
+
+// STEM_bent.pfm (x, y, z in view space) and .png (0.5 + 0.5 of it), STEM_cone.pfm (half angle, radians).
 void write_bent_normals(report::OutputFolder& folder, const std::string& stem,
                         const effect::BentNormals& bent) {
     const auto [width, height] = bent.extent;
@@ -72,6 +98,8 @@ void write_bent_normals(report::OutputFolder& folder, const std::string& stem,
     folder.write(stem + "_cone.pfm", base::to_pfm(bent.half_angle, width, height, 1));
 }
 
+// STEM_light.pfm (linear radiance, direct and bounced) and .png (sRGB, white from 1 on), STEM_bounce.pfm (the
+// bounced part).
 void write_light(report::OutputFolder& folder, const std::string& stem,
                  const effect::DirectionalLight& light) {
     const auto [width, height] = light.extent;
@@ -82,8 +110,6 @@ void write_light(report::OutputFolder& folder, const std::string& stem,
     folder.write(stem + "_light.png", base::to_rgb_png(base::srgb_of(texels), width, height));
     folder.write(stem + "_bounce.pfm", base::to_pfm(bounced, width, height, 3));
 }
-
-namespace {
 
 // depth: the truth of the depth buffer, which is compared with that of the geometry.
 TruthReport report_of(const TracedView& traced, const effect::Truth& truth, const effect::Truth& depth) {
@@ -115,6 +141,17 @@ HistoryReport history_of(const effect::Frame& frame, const scene::GBuffer& view)
         samples += double{frame.kept[i]};
     }
     return {.kept = kept / std::max(surface, 1.0), .samples = samples / std::max(kept, 1.0)};
+}
+
+// With the cones whose visibility, by the cosine around their axis, the pixels have.
+effect::BentNormals bent_of(const effect::Frame& frame, const scene::GBuffer& view) {
+    effect::BentNormals bent{.extent = frame.extent, .direction = view.normal, .half_angle = frame.filtered};
+    for (std::size_t i = 0; i < bent.half_angle.size(); ++i) {
+        const bool surface = scene::is_surface(view.depth[i]);
+        bent.direction[i] = surface ? glm::normalize(view.normal[i] + frame.bent[i]) : glm::vec3(0.0F);
+        bent.half_angle[i] = surface ? std::acos(std::sqrt(frame.filtered[i])) : 0.0F;
+    }
+    return bent;
 }
 
 // The work of one call.
@@ -170,22 +207,25 @@ class Renderer {
             const bool last = i + 1 == input_.frames_per_view;
             compare(entry, view, frame, truth, last);
             if (last && is_shown(number)) show(number, number + i, view, frame, truth);
+            if (last) write_directions(number + i, wide, settings, frame);
             report_.frames.push_back(std::move(entry));
             progress_(static_cast<double>(report_.frames.size()) / static_cast<double>(frame_count()));
         }
-        write_directions(number + input_.frames_per_view - 1, wide, settings);
         before_ = Before{number, settings.radius, std::move(wide)};
     }
 
-    // Writes the requested results besides the occlusion, bent normals and light, which depend on the view
-    // alone.
-    void write_directions(int number, const scene::GBuffer& wide, const effect::Settings& settings) {
+    // Writes the requested results besides the occlusion: bent normals, of the frame if it has some and the
+    // view has normals, and light.
+    void write_directions(int number, const scene::GBuffer& wide, const effect::Settings& settings,
+                          const effect::Frame& frame) {
         if (output_.folder == nullptr || !(options_.bent_normals || options_.light)) return;
         if (!directional_) directional_.emplace(bench_.device, bench_.passes);
         if (options_.bent_normals)
             write_bent_normals(
                 *output_.folder, stem(number),
-                directional_->bent_normals(wide, settings, {.interleave = options_.bent_interleave}));
+                settings.bent_normals && !wide.normal.empty()
+                    ? bent_of(frame, scene::cropped(wide))
+                    : directional_->bent_normals(wide, settings, {.interleave = options_.bent_interleave}));
         if (options_.light) {
             const effect::Sky sky = *options_.light == "sky" ? effect::clear_sky : effect::Sky{};
             write_light(*output_.folder, stem(number), directional_->light(wide, settings, sky));

@@ -9,9 +9,6 @@
 #include "cli/render.hpp"
 #include "cli/render_input.hpp"
 #include "cli/render_pictures.hpp"
-#include "effect/directional.hpp"
-#include "effect/errors.hpp"
-#include "effect/pixel_classes.hpp"
 #include "report/output.hpp"
 #include "scene/gbuffer.hpp"
 #include "scene/lighting.hpp"
@@ -19,45 +16,9 @@
 
 namespace gloam::cli {
 
-// The relation of a view to the previous one.
-enum class ViewLink {
-    same,     // the same view again
-    follows,  // the next of a sequence
-    cut       // an unrelated view
-};
-
-// Follows the frames of one call of `gloam render`: the change of the picture from frame to frame, and the
-// pixels that a temporal method treats differently.
-class RenderHistory {
-  public:
-    // Takes the next frame. Views without normals have no relation to earlier ones.
-    void advance(const scene::GBuffer& view, ViewLink link, double radius, const std::vector<float>& image);
-
-    // Mean change at the same surface points since the frame before; nullopt in the first.
-    [[nodiscard]] const std::optional<double>& flicker() const { return flicker_; }
-
-    // The classes of the last frame's pixels; nullopt if there was no frame before it.
-    [[nodiscard]] const std::optional<effect::PixelClasses>& classes() const { return classes_; }
-
-  private:
-    std::optional<scene::GBuffer> view_;
-    std::vector<float> image_;
-    std::optional<double> flicker_;
-    std::optional<effect::PixelClasses> classes_;
-};
-
 // The name of a run among several: its preset, of a file without folder and suffix, where presets are
 // compared, else its method. Throws like settings_for().
 [[nodiscard]] std::string name_of(const RenderOptions& options);
-
-// STEM_bent.pfm (x, y, z in view space) and .png (0.5 + 0.5 of it), STEM_cone.pfm (half angle, radians).
-void write_bent_normals(report::OutputFolder& folder, const std::string& stem,
-                        const effect::BentNormals& bent);
-
-// Writes STEM_light.pfm (linear radiance, direct and bounced) and .png (sRGB, white from 1 on), and
-// STEM_bounce.pfm (the bounced part).
-void write_light(report::OutputFolder& folder, const std::string& stem,
-                 const effect::DirectionalLight& light);
 
 // The common parts of runs of several methods on one input: the device, the passes, and the light of the last
 // rendered view, which does not depend on the method.

@@ -109,6 +109,8 @@ effect::Settings settings_for(const RenderOptions& options, const std::optional<
     if (options.no_filter) settings.filter = effect::Filter::none;
     if (options.bias) settings.bias = *options.bias;
     if (options.guard) settings.guard = *options.guard;
+    if (settings.passes == effect::Passes::frame)
+        settings.bent_normals = options.bent_normals && options.bent_interleave == 1;
     for (const std::string& assignment : options.set) apply(settings, assignment);
     validate(settings);
     return settings;

@@ -4,8 +4,7 @@
 
 #include "gloam/filter/gaussian.glsl"
 
-// weight of a neighbour that has converged (TSSAO-10-weight): `coverage g(|p - x|) conv(x)` [TSSAO,
-// eq 10].
+// weight of a neighbour that has converged (TSSAO-10-weight): `coverage g(|p - x|) conv(x)` [TSSAO, eq 10].
 // offset: p - x or x - p, world units. coverage: part of the neighbour in the window, [0, 1]; below 1e-30 it may count
 // as 0. scale: of gloam_gaussian_scale, 1 / world units. convergence: conv(x), [0, 1].
 // Returns a weight in [0, 1]; 0 for an infinite offset. Error: 5e-7.

@@ -7,8 +7,7 @@
 #include "gloam/numeric/constants.glsl"
 #include "gloam/numeric/precise.glsl"
 
-// scale of distances for the Gaussian (TSSAO-10-g-scale): `s = sqrt(log2(e) / 2) / sigma` [TSSAO, eq
-// 10].
+// scale of distances for the Gaussian (TSSAO-10-g-scale): `s = sqrt(log2(e) / 2) / sigma` [TSSAO, eq 10].
 // For gloam_gaussian_scaled, a factor that all neighbours of a pixel share. It is not squared, because the square could
 // overflow or underflow.
 // sigma: standard deviation, world units, >= 0.
@@ -20,8 +19,7 @@ float gloam_gaussian_scale(float sigma) {
     return sigma <= 1.2676506e30 ? 0.8493218003 / max(sigma, GLOAM_SMALLEST) : 0.0;
 }
 
-// weight of a neighbour by the scale of the Gaussian (TSSAO-10-g-scaled): `g = 2^-(d s)^2` [TSSAO,
-// eq 10].
+// weight of a neighbour by the scale of the Gaussian (TSSAO-10-g-scaled): `g = 2^-(d s)^2` [TSSAO, eq 10].
 // It is exp(-d^2 / (2 sigma^2)), by its distance in the world.
 // squared_distance: d^2, world units squared, of which the sign does not count. scale: of gloam_gaussian_scale, 1 /
 // world units.
@@ -36,8 +34,7 @@ float gloam_gaussian_scaled(float squared_distance, float scale) {
     return x <= 99.5 ? weight : 0.0;
 }
 
-// weight of a neighbour by its distance in the world (TSSAO-10-g): `g = exp(-d^2 / (2 sigma^2))` [TSSAO,
-// eq 10].
+// weight of a neighbour by its distance in the world (TSSAO-10-g): `g = exp(-d^2 / (2 sigma^2))` [TSSAO, eq 10].
 // Depth edges need no further term.
 // squared_distance: d^2, world units squared, of which the sign does not count. sigma: world units, >= 0.
 // Returns a weight in [0, 1], not below 1e-30 unless 0. For sigma zero, subnormal or negative: 1 at distance 0, else

@@ -9,7 +9,6 @@
 // different surfaces.
 
 // place of one of four depths in their order (CS-F-rank): `how many are smaller, or equal and before it` [definition].
-// How many of the four come before one of them in the order of depth; the first of two equal ones comes first.
 // depths: d_0 to d_3, not NaN. index: of the one asked for, 0 to 3; outside, the nearer end. Returns 0 to 3. Error:
 // none.
 int gloam_depth_rank(vec4 depths, int index) {
@@ -24,8 +23,6 @@ int gloam_depth_rank(vec4 depths, int index) {
 
 // weights of four pixels in the one that stands for them (CS-F-weights): `z_4 - z_1 <= tolerance: (0, 1/2, 1/2, 0),
 // else (0, 1, 0, 0), by depth` [Hoang and Low 2012 (MSSAO)].
-// Weights of four pixels in the pixel that represents them, by their depths z_1 <= z_2 <= z_3 <= z_4: one half each for
-// the second and third if z_4 - z_1 <= tolerance, otherwise one for the second.
 // depths: eye-linear, world units, of a 2 x 2 block in any order. Background is behind everything, and is chosen only
 // if all four are background.
 // tolerance: world units, >= 0: largest range of depths of one surface.
@@ -51,7 +48,6 @@ vec4 gloam_mssao_weights(vec4 depths, float tolerance) {
 
 // normal of the pixel that stands for two (CS-F-normal): `(n_2 + n_3) / |n_2 + n_3|, n_2 if opposite` [Hoang and Low
 // 2012 (MSSAO)].
-// Normal of the pixel that stands for two: their mean, made a unit vector.
 // second, third: unit vectors, in the order of depth.
 // Returns a unit vector; the second where the two are opposite (the mean is zero) or the third is not finite; the
 // zero vector where the second is not. Error: 4e-7, growing as the two come nearer to opposite.

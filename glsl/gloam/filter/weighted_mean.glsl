@@ -20,8 +20,7 @@ GloamWeightedMean gloam_weighted_mean_empty() {
     return GloamWeightedMean(0.0, 0.0, 1.0, 0.0);
 }
 
-// one more value in a weighted mean (TSSAO-10-add): `(sum + w AO, K + w)` [TSSAO, the quotient of eq
-// 10].
+// one more value in a weighted mean (TSSAO-10-add): `(sum + w AO, K + w)` [TSSAO, the quotient of eq 10].
 // mean: what was added so far. value: occlusion in [0, 1]. weight: >= 0.
 // Returns the mean with the value; unchanged for a value outside [0, 1] or NaN and for a weight that is not positive
 // and finite.

@@ -16,8 +16,7 @@ ivec2 gloam_clamp_to_edge(ivec2 pixel, ivec2 size) {
     return clamp(pixel, ivec2(0), max(size, ivec2(1)) - 1);
 }
 
-// width of the guard band in pixels (TSSAO-BORDER-width): `floor(g size + 1/2)` [TSSAO, frame
-// borders].
+// width of the guard band in pixels (TSSAO-BORDER-width): `floor(g size + 1/2)` [TSSAO, frame borders].
 // Width of the guard band in pixels: guard times size, rounded to the nearest integer, the same on opposite sides.
 // size: size of the cropped image in pixels, at most 2^22 a side; below 0 it is read as 0.
 // guard: part of the image added on each side, 0 to 1 (0.05 to 0.1 is usual); outside the nearer end, 0 for NaN.
@@ -41,8 +40,7 @@ vec2 gloam_guard_band_guard(ivec2 size, float guard) {
     return min(vec2(gloam_guard_band_border(size, guard)) / vec2(max(size, ivec2(1))), 1.0);
 }
 
-// half field of view with the guard band (TSSAO-BORDER-tan): `tan' = (1 + 2 g) tan` [TSSAO, frame
-// borders].
+// half field of view with the guard band (TSSAO-BORDER-tan): `tan' = (1 + 2 g) tan` [TSSAO, frame borders].
 // tan_half_fov: tangent of half the field of view of the cropped image, along one axis. guard: g of
 // gloam_guard_band_guard, that axis.
 // Returns the tangent for the image with the band; 0 where it is not finite. Error: at most 3 ulp, above 1e-30.

@@ -4,8 +4,7 @@
 
 #include "gloam/geometry/finite.glsl"
 
-// position relative to the previous eye (TSSAO-PREC): `q' = q + (eye - eye')` [TSSAO, precision of
-// positions].
+// position relative to the previous eye (TSSAO-PREC): `q' = q + (eye - eye')` [TSSAO, precision of positions].
 // Positions are stored relative to the eye because world coordinates far from the origin are coarse (at 1e5 a float's
 // spacing is 0.008).
 // position: q_f = x - eye_f, world axes and units. eye_delta: eye_f - eye_(f-1), subtracted in double by the host.

@@ -18,8 +18,7 @@ vec3 gloam_camera_surface(ivec2 pixel, GloamCamera camera) {
 
 // normal reconstructed from the depth image (NORMAL-depth): `NORMAL of the positions under the pixel and its
 // neighbours` [definition; one-sided differences as in Bavoil and Sainz 2009].
-// View-space normal reconstructed from the depth image: gloam_normal_from_neighbors, or that of an orthographic view,
-// on the four neighbours. At the image's edges and beside background only the other side is used.
+// At the image's edges and beside background only the other side is used.
 // pixel: integer pixel, taken to the nearest one of the image. camera: its size from 1 x 1.
 // Returns a unit vector facing the eye; (0, 0, 1) where the neighbours do not suffice (a single row, column or
 // pixel); the zero vector for background. Error: that of the positions, 1e-7 of the distance, over their spacing:

@@ -24,7 +24,6 @@ vec3 gloam_neighbor_direction(vec3 center, vec3 behind, vec3 ahead) {
 
 // normal of two directions, turned towards the viewer (NORMAL-facing): `x cross y, normalised; the sign that faces the
 // viewer` [definition].
-// View-space normal of the surface spanned by two directions, turned towards the viewer.
 // along_x, along_y: unit vectors in the surface, or zero. toward_viewer: direction of the viewer, of any length.
 // Returns a unit vector; (0, 0, 1), straight at the viewer, where the directions are zero, within 1e-5 radians of
 // parallel, infinite or NaN, and where their cross product is longer than 2.
@@ -39,8 +38,6 @@ vec3 gloam_facing_normal(vec3 along_x, vec3 along_y, vec3 toward_viewer) {
 
 // normal from a position and its four neighbours (NORMAL): `cross product of the one-sided differences of smaller |dz|;
 // n . center <= 0` [definition; one-sided differences as in Bavoil and Sainz 2009].
-// View-space normal from the positions of a pixel and its four neighbours, perspective: cross product of the one-sided
-// differences with the smaller change of depth, turned towards the eye.
 // center, left, right, up, down: view-space positions in world units, the zero vector (or any z that is not negative)
 // where a neighbour is background or outside the image.
 // Returns a unit vector n with n . center <= 0; (0, 0, 1) where too few neighbours are usable or the differences are

@@ -2,9 +2,7 @@
 #ifndef GLOAM_GEOMETRY_PIXEL_CENTER_GLSL
 #define GLOAM_GEOMETRY_PIXEL_CENTER_GLSL
 
-// pixel of a texture coordinate along one axis (TSSAO-7-index): `floor(u resolution), inside the image` [TSSAO,
-// eq 7].
-// Index of the pixel, along one axis, in which a texture coordinate falls: floor(u resolution) inside the image.
+// pixel of a texture coordinate along one axis (TSSAO-7-index): `floor(u resolution), inside the image` [TSSAO, eq 7].
 // u: texture coordinate. resolution: pixels along the axis, at most 2^24.
 // Returns an index in [0, resolution - 1]: the nearer end for a coordinate outside [0, 1) (1 is the last pixel), 0
 // for NaN and for a resolution below 1. A coordinate within rounding of a pixel border may fall to either side.
@@ -14,8 +12,7 @@ int gloam_nearest_index(float u, int resolution) {
     return scaled >= 1.0 ? (scaled < float(last) ? int(scaled) : last) : 0;
 }
 
-// pixel of a texture coordinate (TSSAO-7-pixel): `floor(uv resolution), inside the image` [TSSAO, eq
-// 7].
+// pixel of a texture coordinate (TSSAO-7-pixel): `floor(uv resolution), inside the image` [TSSAO, eq 7].
 // Pixel whose centre is nearest to a texture coordinate, for fetches that must not interpolate (TSSAO-7: the start
 // index and the depth of the history): floor(uv resolution), kept inside the image.
 // uv: texture coordinates, [0, 1]^2 inside the image. resolution: image size in pixels, at most 2^24 a side.
@@ -25,8 +22,7 @@ ivec2 gloam_nearest_pixel(vec2 uv, ivec2 resolution) {
     return ivec2(gloam_nearest_index(uv.x, resolution.x), gloam_nearest_index(uv.y, resolution.y));
 }
 
-// pixel centre of a texture coordinate (TSSAO-7): `(floor(uv resolution) + 1/2) / resolution` [TSSAO,
-// eq 7 corrected].
+// pixel centre of a texture coordinate (TSSAO-7): `(floor(uv resolution) + 1/2) / resolution` [TSSAO, eq 7 corrected].
 // The brackets of the printed equation are a floor.
 // uv: texture coordinates, [0, 1]^2 inside the image. resolution: image size in pixels, at most 2^22 a side.
 // Returns a point in (0, 1)^2, its own pixel centre; a resolution below 1 is read as 1. Error: at most 2.5 ulp, for

@@ -28,7 +28,6 @@ vec2 gloam_projected_radius_uv(float radius, float depth, vec2 p00_p11) {
 }
 
 // projected radius of a world length (RADIUS-uv-orthographic): `R (|P00|, |P11|) / 2` [the projection].
-// Projected radius in texture coordinates, orthographic: R (|P00|, |P11|) / 2, whatever the depth.
 // radius: R, world units, >= 0 (negative and NaN count as 0). depth: eye-linear, world units. p00_p11: projection
 // elements.
 // Returns the half-axes in texture coordinates, at most FLT_MAX; (0, 0) for background depth. Error: at most 1 ulp.

@@ -25,8 +25,7 @@ bool gloam_uv_from_clip(vec4 clip, out vec2 uv) {
     return true;
 }
 
-// previous texture coordinates, static scene (TSSAO-RP): `t' = P' V' V^-1 P^-1 t` [TSSAO,
-// reprojection].
+// previous texture coordinates, static scene (TSSAO-RP): `t' = P' V' V^-1 P^-1 t` [TSSAO, reprojection].
 // Previous texture coordinates of a point of the current image, static scene, one matrix prepared by the host (in
 // double): P_(f-1) V_(f-1) V_f^-1 P_f^-1.
 // clip_position: clip-space point of the current frame, (ndc, 1) or homogeneous. previous_from_current: the matrix.
@@ -38,8 +37,7 @@ bool gloam_reproject_clip(vec4 clip_position, mat4 previous_from_current, out ve
     return gloam_uv_from_clip(previous_from_current * clip_position, uv);
 }
 
-// previous clip-space point of a static surface point (TSSAO-RP-static): `P' V' V^-1 P^-1 t` [TSSAO,
-// reprojection].
+// previous clip-space point of a static surface point (TSSAO-RP-static): `P' V' V^-1 P^-1 t` [TSSAO, reprojection].
 // clip: clip-space point of the current frame. inverse_projection, inverse_view: of the current frame.
 // previous_view, previous_projection: of the previous frame.
 // Returns the homogeneous point; the zero vector, which gloam_uv_from_clip rejects, where it is not finite.
@@ -68,8 +66,7 @@ vec4 gloam_previous_clip_moving(vec4 clip, mat4 inverse_projection, mat4 inverse
     return gloam_is_finite4(previous) ? previous : vec4(0.0);
 }
 
-// previous world position of a point of a moving object (TSSAO-RP-world): `M' M^-1 x` [TSSAO,
-// reprojection].
+// previous world position of a point of a moving object (TSSAO-RP-world): `M' M^-1 x` [TSSAO, reprojection].
 // world: current world-space position. inverse_model: of the current frame. previous_model: of the previous frame
 // (both affine).
 // Returns the position in world units; the zero vector where it is not finite. Error: 4 ulp of the largest component,

@@ -4,7 +4,6 @@
 
 // texture coordinate among the texel centres of an axis (TSSAO-RP-texel): `i + f = u n - 1/2, f in [0, 1), 0 within
 // 1/256 of a centre` [definition of texture coordinates].
-// Position of a texture coordinate among the texel centres of one axis: whole part and fraction.
 // u: texture coordinate in [0, 1]. extent: texels of the axis, at least 1.
 // Returns (first texel, fraction in [0, 1)): the coordinate lies `fraction` of the way from the centre of the first
 // texel to that of the next; -1 at the border before texel 0. Within 1/256 of a centre the fraction is 0:

@@ -49,8 +49,7 @@ vec3 gloam_pyramid_position(ivec2 texel, int level, GloamCamera camera) {
 
 // Texels that a kernel reaches at most.
 const float GLOAM_MSSAO_REACH = 6.0;
-// Height over the tangent plane, as a fraction of the radius, at which a coarser texel counts half to the power
-// below.
+// Height over the tangent plane, as a fraction of the radius, at which a coarser texel counts half to the power below.
 const float GLOAM_MSSAO_HEIGHT = 0.05;
 const float GLOAM_MSSAO_HEIGHT_POWER = 2.0;
 const float GLOAM_MSSAO_NORMAL_POWER = 8.0;

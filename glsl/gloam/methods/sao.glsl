@@ -13,9 +13,8 @@
 #include "gloam/sampling/spiral.glsl"
 #include "gloam/sampling/tap_pixel.glsl"
 
-// Scalable ambient obscurance (McGuire, Mara and Luebke 2012): surface points on a spiral under a disc, dense near
-// the pixel. Far points are read from a depth chain (mip_distance 16). Each frame rotates the spiral by another
-// angle.
+// Scalable ambient obscurance (McGuire, Mara and Luebke 2012): surface points on a spiral under a disc, dense near the
+// pixel. Far points are read from a depth chain (mip_distance 16). Each frame rotates the spiral by another angle.
 struct GloamSao {
     float epsilon;       // world units: bounds what a near tap counts
     float intensity;     // sigma as a share of the radius, which the paper has at 1 m

@@ -29,7 +29,6 @@ float gloam_lifted_cosine(vec3 offset, vec3 normal, vec3 view) {
 
 // whether a sample may belong to the same object (CS-P-near): `z_s - z_p <= T` [Mittring 2012; Aalund and Baerentzen
 // 2013].
-// Whether a sample may belong to the same object: it lies in front of the point by no more than a range.
 // offset: s - p, view space, world units. range: T, world units.
 // Returns false for NaN. Error: none.
 bool gloam_sample_near(vec3 offset, float range) {

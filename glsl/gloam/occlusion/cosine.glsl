@@ -6,8 +6,6 @@
 
 // clamped cosine of a sample's angle to the normal (TSSAO-1-cos): `max((s - p) . n / |s - p|, 0)` [TSSAO,
 // eq 1 with the clamp it lacks in print].
-// Cosine of the angle between a sample's offset and the normal, clamped to the hemisphere: max((s - p) . n / |s - p|,
-// 0) (TSSAO-1, whose printed integrand lacks the clamp; TSSAO-3 and -12).
 // offset: s - p, any space and unit. normal: unit vector, same space.
 // Returns a cosine in [0, 1]; 0 for an offset that is zero, subnormal, infinite or NaN, and for a NaN normal.
 // Error: 3e-7.

@@ -27,8 +27,7 @@ float gloam_occlusion_bowl(float a, float b) {
 
 // occlusion on a saddle (CS-K-saddle): `(2 / pi) (phi_0 - Re atan(t sqrt(B / A)) / sqrt(A B)), t = tan phi_0 = sqrt(-a
 // / b)` [derived, after Hattori et al. 2012].
-// Occlusion on a saddle, of the directions in which it rises: (2 / pi) (phi_0 - Re atan(t sqrt(B / A)) / sqrt(A B)),
-// A = 1 + i a, B = 1 + i b, t = tan phi_0 = sqrt(-a / b).
+// That of the directions in which it rises; A = 1 + i a, B = 1 + i b.
 // a: k_1 R / 2 in (0, 4096]. b: k_2 R / 2 in [-4096, -1e-4].
 // Returns occlusion in [0, 1]. Error: 8e-7.
 float gloam_occlusion_saddle(float a, float b) {

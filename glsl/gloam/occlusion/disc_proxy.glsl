@@ -13,7 +13,6 @@
 // from the first, takes back what hidden discs added.
 
 // how a disc shares the squared distance to its rim (CS-S-share): `(A, pi D^2) / (A + pi D^2)` [derived].
-// How a disc shares the squared distance to its rim: (A / (A + pi D^2), pi D^2 / (A + pi D^2)).
 // area: A, world units squared, >= 0. distance_to: D of the centre, world units, >= 0.
 // Returns (a, 1 - a), each in [0, 1]; (0, 1) for an area not positive or NaN, and for a distance that is negative or
 // NaN.

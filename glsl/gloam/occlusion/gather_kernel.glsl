@@ -47,8 +47,6 @@ const float GLOAM_FARTHEST = 1e18;
 
 // whether there is anything to gather at a point (TSSAO-2-can): `surface in front of the eye, |n| in [1e-15, 1e15],
 // lengths and projection in [1e-18, 1e18]` [edges of TSSAO, eq 2].
-// Whether there is anything to gather at a point: a surface in front of the eye with a normal, and a radius of
-// influence.
 // position: view space, world units. normal: view space, of a length in [1e-15, 1e15]. radius: world units.
 // Returns false for background depth, for a normal of another length or NaN, for a radius that is not in [1e-18, 1e18],
 // and for an image without pixels. Also where the position or an element of the camera is not finite or beyond 1e18, or

@@ -42,7 +42,6 @@ float gloam_gtao_arc(float elevation, vec2 horizon, vec2 normal) {
 
 // what a horizon takes from a slice, from its cosine (GTAO-side): `arc(n + pi / 2 - acos c, (c, sqrt(1 - c^2)), n)`
 // [derived from Jimenez et al. 2016, eq 10].
-// Amount by which a horizon reduces a slice's visibility, cosine-weighted, from the horizon's cosine.
 // horizon: cos h of gloam_gtao_horizon, taken to the nearer end outside [-1, 1]. angle: n, radians. normal: (cos n,
 // sin n). Both for the positive side; on the negative side -n.
 // Returns an amount in [0, pi / 2]; 0 for NaN. Error: 8e-7.

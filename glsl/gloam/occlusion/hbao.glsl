@@ -25,8 +25,6 @@ float gloam_tangent_slope(vec3 normal, vec2 direction) {
 
 // slope of the tangent plane from derivatives of the position (CS-C-derivatives): `T.z / |T.xy|, T = x dP/du + y dP/dv`
 // [Bavoil and Sainz 2008; Aalund and Baerentzen 2013, eqs 3.2 to 3.4].
-// Slope of the tangent plane in a direction of the image, from the derivatives of the position: tan t = T.z / |T.xy|,
-// T = x dP/du + y dP/dv.
 // direction: (x, y), in units of u and v. dpdu, dpdv: view space, world units; each the smaller of the two one-sided
 // differences.
 // Returns a tangent in [-1e6, 1e6]; 0 where T is not finite or has no direction. Error: 6 ULP, and 8e-6 of the

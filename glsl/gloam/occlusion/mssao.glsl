@@ -20,7 +20,6 @@ float gloam_contribution_mssao(vec3 offset, vec3 normal, float radius) {
 }
 
 // occlusion from that of all levels (CS-F-combine): `1 - (1 - max) (1 - mean)` [Hoang and Low 2012 (MSSAO)].
-// Occlusion from that of all levels: 1 - (1 - largest) (1 - mean), at least the largest and growing with the mean.
 // largest, mean: of the levels' occlusion, [0, 1]; outside, the nearer end; 0 for NaN.
 // Returns occlusion in [0, 1]. Error: 2e-7.
 float gloam_mssao_combine(float largest, float mean) {

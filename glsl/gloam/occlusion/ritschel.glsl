@@ -4,8 +4,7 @@
 
 #include "gloam/sampling/unit_interval.glsl"
 
-// contribution of a sample point, as printed (TSSAO-3): `C = V D max(cos, 0)` [TSSAO, eq 3; Ritschel
-// et al. 2009].
+// contribution of a sample point, as printed (TSSAO-3): `C = V D max(cos, 0)` [TSSAO, eq 3; Ritschel et al. 2009].
 // Averaged over uniform directions it gives half the occlusion, over cosine-weighted ones two thirds of it where
 // everything is blocked: the mean of the occlusion (TSSAO-1) is that of V D for cosine-weighted directions (TSSAO-14),
 // and of 2 V D cos for uniform ones. Every argument is clamped to [0, 1], and NaN is read as 0.

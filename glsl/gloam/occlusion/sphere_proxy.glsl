@@ -26,7 +26,6 @@ float gloam_sphere_fraction(float radius, float distance_to) {
 
 // contribution of a ball by its solid angle (CS-H): `(1 - sqrt(1 - (r / D)^2)) max(n . v / D, 0)` [Shanmugam and Arikan
 // 2007; Song 2010 (mixture sampling)].
-// Contribution of a ball by its solid angle: (1 - sqrt(1 - (r / D)^2)) max(n . v / D, 0), D = |v|.
 // offset: v, from the point to the centre, world units. normal: n, unit vector, same space. radius: r, world units, >
 // 0.
 // Returns a contribution in [0, 1]; 1 for a point inside the ball, 0 for a centre below the tangent plane, for an r

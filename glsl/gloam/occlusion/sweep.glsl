@@ -41,9 +41,8 @@ GloamSweepSide gloam_sweep_side(float lowest) {
 
 // where a surface lies that a tap uncovers (SWEEP-distance): `(before + here) / 2` [gloam; the inner integral of
 // Jimenez et al. 2016].
-// Distance of the surface that a tap uncovers: the mean of the distances of the last tap and this one. For a surface
-// that rises steadily between both this is exact on average. Whether there is a gap between them is unknown with so few
-// taps (docs/methods.md).
+// For a surface that rises steadily between both this is exact on average. Whether there is a gap between them is
+// unknown with so few taps (docs/methods.md).
 // before, here: distances of the two, >= 0.
 // Returns a distance. Error: 1 ULP.
 float gloam_sweep_distance(float before, float here) {

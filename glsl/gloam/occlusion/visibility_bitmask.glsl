@@ -50,7 +50,6 @@ uint gloam_bitmask_sectors(vec2 fractions) {
 }
 
 // occlusion of a slice by the sectors covered (BITMASK): `bits set / 32` [Therrien et al. 2023].
-// Occlusion of a slice: the part of its sectors that are covered.
 // sectors: union of the samples' bits.
 // Returns occlusion in [0, 1], a multiple of 1/32. Error: none.
 float gloam_bitmask_occlusion(uint sectors) {

@@ -6,8 +6,7 @@
 #include "gloam/sampling/circle.glsl"
 
 // point of the half ball: cosine-weighted direction, uniform radius (TSSAO-14): `a = 2 pi zeta_x, r = zeta_y; s = r
-// (cos a sqrt(1 - zeta_z), sin a sqrt(1 - zeta_z), sqrt(zeta_z))` [TSSAO, eq 14 corrected;
-// Ritschel's kernel].
+// (cos a sqrt(1 - zeta_z), sin a sqrt(1 - zeta_z), sqrt(zeta_z))` [TSSAO, eq 14 corrected; Ritschel's kernel].
 // The Ritschel kernel, its misprint mended.
 // zeta: uniform point of [0, 1)^3 (a Halton point); coordinates outside are taken to the nearer end, NaN to 0.
 // Returns a point s in tangent space (z along the normal), |s| = zeta_y, s.z >= 0. Directions have density cos / pi,

@@ -4,8 +4,7 @@
 
 // point of a Poisson disc of 64 (POISSON-disc): `radius sqrt((i' + 1/2) / 64), i' the index with its bits reversed, at
 // the emptiest of 4096 angles` [Sourimant et al. 2011 (the pattern); construction after Mitchell's best candidates].
-// Poisson disc of 64 points, each prefix of which is spread evenly: squared radii (i' + 1/2) / 64, i' the index with
-// its 6 bits reversed; each point at that of 4096 angles (the first at 0) where the nearest of those before it is
+// Each prefix is spread evenly: a point is at that angle (the first at 0) where the nearest of those before it is
 // farthest away. For Sourimant's directions lift them with gloam_hemisphere_lift.
 // index: of the point; its lowest 6 bits count.
 // Returns a point of the unit disc. No two are nearer than 0.15 to each other; 0.3 among the first 16. Error: none.

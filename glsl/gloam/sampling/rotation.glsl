@@ -27,8 +27,7 @@ vec3 gloam_turn_hemisphere(vec3 s, vec2 turn) {
     return vec3(gloam_turn_disc(s.xy, turn), s.z);
 }
 
-// disc sample rotated about the centre (TSSAO-ROT-disc): `(c x - s y, s x + c y)` [TSSAO, random
-// rotation].
+// disc sample rotated about the centre (TSSAO-ROT-disc): `(c x - s y, s x + c y)` [TSSAO, random rotation].
 // s: as for gloam_turn_disc.
 // angle: radians, counter-clockwise, |angle| <= 65536; anything else, NaN included, rotates by 0.
 // Returns s rotated, of the same length; infinite or NaN for a longer, infinite or NaN s.

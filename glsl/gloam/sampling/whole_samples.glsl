@@ -6,7 +6,6 @@
 // begins that many samples later.
 
 // samples of whole slices, rays or crosses (SAMPLES-whole): `n max(floor(k / n), 1)` [definition].
-// Those of whole slices, rays or crosses, at least of one.
 // count: k. unit: taps of one; 0 counts as 1. Returns a multiple of the unit. Error: none.
 uint gloam_whole_samples(uint count, uint unit) {
     uint taps = max(unit, 1u);

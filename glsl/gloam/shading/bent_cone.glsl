@@ -8,7 +8,6 @@
 // Half angle of the cone around the bent normal that stands for the open directions.
 
 // half angle of the open cone, exact for a cap (CS-L-cone): `arccos(max(0, 2 L - 1))` [derived: L = (1 + cos a) / 2].
-// From the length of the mean direction; exact for directions uniform in a cap, L = (1 + cos a) / 2.
 // agreement: L of gloam_bent_length, [0, 1]; outside, the nearer end; 0 for NaN.
 // Returns radians in [0, pi / 2]: an L below 1/2 is not that of a cap, and gives pi / 2. Error: 4e-7.
 float gloam_cone_angle(float agreement) {

@@ -20,7 +20,6 @@ vec4 gloam_bent_add(vec4 bent, vec3 direction, float visibility) {
 }
 
 // bent normal (CS-L): `b = sum of V w / |sum of V w|` [Klehm et al. 2011].
-// The bent normal: sum of V w over its length.
 // bent: sums of gloam_bent_add. normal: unit vector, for where nothing is open or the open directions cancel.
 // Returns a unit vector, or the normal. Error: 5 ulp in each component.
 vec3 gloam_bent_normal(vec4 bent, vec3 normal) {
@@ -28,8 +27,7 @@ vec3 gloam_bent_normal(vec4 bent, vec3 normal) {
 }
 
 // how much the open directions agree (CS-L-length): `L = |sum of V w| / sum of V` [Klehm et al. 2011].
-// How much the open directions agree: L = |sum of V w| / sum of V, 1/2 for an open hemisphere, 1 for a single
-// direction.
+// 1/2 for an open hemisphere, 1 for a single direction.
 // bent: sums of gloam_bent_add.
 // Returns L in [0, 1]; 1 where nothing is open, so that no cone is left, and for a sum of V above 2^126; 0 where the
 // sum of V w is not finite. Error: 4e-7 for sums from 1e-18 to 1e18.

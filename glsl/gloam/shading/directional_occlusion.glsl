@@ -7,9 +7,8 @@
 #include "gloam/occlusion/cosine.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
-// Screen-space directional occlusion (Ritschel, Grosch and Seidel 2009): light that comes from the directions in
-// which the point is open, and one bounce off what blocks the others. Sum the terms of all samples, then
-// gloam_ssdo_light.
+// Screen-space directional occlusion (Ritschel, Grosch and Seidel 2009): light that comes from the directions in which
+// the point is open, and one bounce off what blocks the others. Sum the terms of all samples, then gloam_ssdo_light.
 
 // radiance that can be summed (CS-D-radiance): `clamp(L, 0, 65504)` [convention].
 // Radiance that can be summed: components that are negative or NaN count as 0, those above 65504 (the largest 16-bit
@@ -21,8 +20,7 @@ vec3 gloam_ssdo_radiance(vec3 radiance) {
 }
 
 // light along one direction (CS-D): `2 L V max(w . n, 0)` [Ritschel, Grosch and Seidel 2009 (SSDO)].
-// Light along one direction: 2 L V max(w . n, 0), whose mean over directions uniform on the hemisphere is the
-// irradiance over pi.
+// Its mean over directions uniform on the hemisphere is the irradiance over pi.
 // direction: w, of any length. normal: n, unit vector, same space. radiance: L, that arrives along w. visibility: V
 // in [0, 1], 1 open; outside, the nearer end; 0 for NaN.
 // Returns a term >= 0 in the unit of L, at most 2 L; 0 below the surface and for what is not finite. Error: 6e-7 of L.
@@ -33,8 +31,7 @@ vec3 gloam_ssdo_direct(vec3 direction, vec3 normal, vec3 radiance, float visibil
 
 // light that one blocked sample bounces (CS-D-bounce): `(1 - V) L R^2 max(cos_s, 0) max(cos_r, 0) / max(d, d_min)^2`
 // [Ritschel, Grosch and Seidel 2009 (SSDO)].
-// Light that one blocked sample bounces: (1 - V) L R^2 max(cos_s, 0) max(cos_r, 0) / max(d, d_min)^2: the surface
-// that blocks stands for the N-th part of a disc of the kernel's radius R, area pi R^2 / N.
+// The surface that blocks stands for the N-th part of a disc of the kernel's radius R, area pi R^2 / N.
 // offset: from the point to the surface that blocks, world units, d = |offset|. normal: of the point, unit vector.
 // sender_normal: of the surface, unit vector. radiance: L, that it sends. radius: R, world units, > 0.
 // least_distance: d_min, world units, > 0 (1 in print).
@@ -53,7 +50,6 @@ vec3 gloam_ssdo_bounce(vec3 offset, vec3 normal, vec3 sender_normal, vec3 radian
 }
 
 // light that leaves the point (CS-D-light): `rho sum / N` [Ritschel, Grosch and Seidel 2009 (SSDO)].
-// Light that leaves the point: albedo sum / count.
 // sum: of the terms of gloam_ssdo_direct or of gloam_ssdo_bounce, each component in [0, FLT_MAX]. count: of the
 // samples, blocked ones included. albedo: rho, diffuse, [0, 1]; outside, the nearer end; 0 for NaN.
 // Returns radiance >= 0; 0 for a count outside [1, 2^24] and for components of the sum that are negative or not

@@ -7,7 +7,6 @@
 
 // weight of a history value, if it can be one (TSSAO-5-weight): `min(w', w_max) if 0 <= AO' <= 1, else 0` [TSSAO,
 // edges of eq 5].
-// Weight of a history value: 0 where the value cannot be occlusion.
 // history: AO_(f-1). weight: w_(f-1), in samples. weight_max: w_max, in samples.
 // Returns a weight in [0, max(w_max, 0)], finite: 0 for a history outside [0, 1] or NaN and for a weight or w_max not
 // positive or NaN. Subnormal numbers of either sign are read as 0. Error: none.
@@ -20,8 +19,7 @@ float gloam_history_weight(float history, float weight, float weight_max) {
 
 // blend of the history with new samples (TSSAO-5): `AO = AO' + (C - AO') k / (w' + k);  w = min(w' + k, w_max)` [TSSAO,
 // eqs 4 and 5, arguments corrected].
-// New samples blended into the history (TSSAO-4 and -5): AO = (w AO_(f-1) + k C) / (w + k), new weight min(w + k,
-// w_max). The weight in the denominator is the reprojected one, w_(f-1)(p_(f-1)). Written as the value of larger
+// The weight in the denominator is the reprojected one, w_(f-1)(p_(f-1)). Written as the value of larger
 // weight plus its part of the difference, AO_(f-1) + (C - AO_(f-1)) k / (w + k) or C + (AO_(f-1) - C) w / (w + k): it
 // never leaves the range between the two, cannot overflow and keeps a constant exactly. While the weight is below
 // w_max this is the plain mean of all samples, then an exponential average with the factor k / (w_max + k).

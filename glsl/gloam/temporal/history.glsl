@@ -19,7 +19,6 @@ const uint GLOAM_LARGEST_TABLE = 16777216u;
 
 // history of a pixel that has none (TSSAO-BUF-empty): `(0, 0, 0, d), d = infinity for background` [TSSAO,
 // layout of the ambient-occlusion buffer].
-// History of a pixel that has none: occlusion 0, weight 0, index 0.
 // depth: eye-linear depth, world units; every background depth becomes +infinity.
 // Error: none.
 GloamHistory gloam_history_empty(float depth) {
@@ -28,8 +27,7 @@ GloamHistory gloam_history_empty(float depth) {
 
 // whether a history holds a mean (TSSAO-BUF-usable): `0 <= AO <= 1 and 0 < w < infinity` [TSSAO,
 // layout of the ambient-occlusion buffer].
-// Whether a history holds a mean: its occlusion is in [0, 1] and its weight positive and finite. Subnormal numbers of
-// either sign are read as 0.
+// Subnormal numbers of either sign are read as 0.
 // occlusion, weight: any. Error: none.
 bool gloam_history_usable(float occlusion, float weight) {
     return occlusion > -GLOAM_SMALLEST && occlusion <= 1.0 && weight >= GLOAM_SMALLEST && weight <= GLOAM_LARGEST;
@@ -48,8 +46,7 @@ GloamHistory gloam_history_sanitize(GloamHistory h) {
                         h.depth);
 }
 
-// texel of the history buffer (TSSAO-BUF-pack): `(AO, w, j, d)` [TSSAO, layout of the
-// ambient-occlusion buffer].
+// texel of the history buffer (TSSAO-BUF-pack): `(AO, w, j, d)` [TSSAO, layout of the ambient-occlusion buffer].
 // Texel of the history buffer: (occlusion, weight, index, depth), each as a float, sanitized first. Channels of 32 bits
 // hold everything exactly. Channels of 16 bits hold integers (index and weight) only up to 2048, and make the depth
 // too coarse for the depth test (TSSAO-9). They also stop the mean short of its limit by up to
@@ -60,8 +57,7 @@ vec4 gloam_history_pack(GloamHistory h) {
     return vec4(s.occlusion, s.weight, float(s.index), s.depth);
 }
 
-// history from a texel (TSSAO-BUF-unpack): `(AO, w, j, d)` [TSSAO, layout of the ambient-occlusion
-// buffer].
+// history from a texel (TSSAO-BUF-unpack): `(AO, w, j, d)` [TSSAO, layout of the ambient-occlusion buffer].
 // History from a texel, sanitized; whatever the texel holds, the result is usable.
 // texel: (occlusion, weight, index, depth). An index that is negative, 2^24 or more or NaN is read as 0, a fraction
 // is dropped.
@@ -71,8 +67,7 @@ GloamHistory gloam_history_unpack(vec4 texel) {
     return gloam_history_sanitize(GloamHistory(texel.x, texel.y, index, texel.w));
 }
 
-// start index of the next frame (TSSAO-BUF-index): `(j + k) mod N` [TSSAO, layout of the
-// ambient-occlusion buffer].
+// start index of the next frame (TSSAO-BUF-index): `(j + k) mod N` [TSSAO, layout of the ambient-occlusion buffer].
 // index: j. k: samples taken. table_size: N, samples until the sequence starts over, at most 2^24; 0 and more than
 // that count as 2^24 (at most 2048 for a 16-bit buffer).
 // Returns an index in [0, N - 1], without overflow. Error: none.

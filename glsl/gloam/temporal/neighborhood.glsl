@@ -41,8 +41,7 @@ bool gloam_neighborhood_unchanged(float change, float epsilon) {
 }
 
 // whether a surface point can block another at all (TSSAO-9-probe): `(s - p) . n > 0` [TSSAO, eq 9].
-// Whether a surface point can tell anything about the occlusion of another: it lies above the tangent plane, (s - p)
-// . n > 0. What lies below cannot block, however it moves.
+// What lies below the tangent plane cannot block, however it moves.
 // offset: s - p, world units. normal: n, unit vector, same space.
 // Returns false for an offset that is zero, infinite or NaN. A point within rounding of the plane may fall to either
 // side.

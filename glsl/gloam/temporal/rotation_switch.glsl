@@ -3,8 +3,7 @@
 #define GLOAM_TEMPORAL_ROTATION_SWITCH_GLSL
 
 // whether the kernel is rotated at random (TSSAO-ROT): `conv < c_rot` [TSSAO, random rotation].
-// Whether the kernel is rotated by a random angle per pixel (TSSAO-ROT): while conv < c_rot, where rotation turns
-// banding into noise for the filter; later the plain sequence converges better.
+// Rotation turns banding into noise for the filter; later the plain sequence converges better.
 // convergence: conv in [0, 1], of the reprojected and validated history. c_rot: 0.5.
 // Returns true as well for NaN in either: an unknown convergence is none. Error: none.
 bool gloam_rotation_enabled(float convergence, float c_rot) {

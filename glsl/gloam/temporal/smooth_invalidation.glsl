@@ -19,8 +19,7 @@ float gloam_invalidate_clamp(float weight, float weight_small) {
     return weight < weight_small ? weight : weight_small;
 }
 
-// confidence in the history after a change (TSSAO-SI-b): `conf = 1 / (1 + S d)` [TSSAO, smooth
-// invalidation factor].
+// confidence in the history after a change (TSSAO-SI-b): `conf = 1 / (1 + S d)` [TSSAO, smooth invalidation factor].
 // Form (b). Of several neighbours the smallest confidence counts.
 // change: d >= 0 (gloam_neighborhood_change; its magnitude is taken), over the kernel radius to be independent of
 // scale.
@@ -34,8 +33,7 @@ float gloam_confidence(float change, float factor) {
     return x <= GLOAM_LARGEST_DIVISOR ? min(1.0 / (1.0 + x), 1.0) : 0.0;
 }
 
-// smooth invalidation by a confidence (TSSAO-SI-b-weight): `w := conf w` [TSSAO, smooth invalidation
-// factor].
+// smooth invalidation by a confidence (TSSAO-SI-b-weight): `w := conf w` [TSSAO, smooth invalidation factor].
 // Form (b), weight after a change: conf w.
 // weight: w, accumulated samples. confidence: conf; read inside [0, 1], NaN as 0.
 // Returns the weight, >= 0; 0 for a negative, infinite or NaN weight. Error: 0.5 ULP.

@@ -6,8 +6,8 @@
 
 // exponential mean over frames (CS-G): `AO_n = AO_(n-1) + rate (AO - AO_(n-1)), AO where the history is not valid`
 // [Gears of War 2 (Smedberg and Wright 2009)].
-// Temporal filter of Gears of War 2: AO_n = AO_(n-1) + rate (AO - AO_(n-1)), an exponential mean. It hides noise that
-// changes from frame to frame, but gains nothing from frames in which nothing moves: for that see gloam_blend.
+// It hides noise that changes from frame to frame, but gains nothing from frames in which nothing moves: for that see
+// gloam_blend.
 // history: occlusion of the last frame at the reprojected place. valid: whether it is the same surface (inside the
 // image, depth agrees). current: occlusion of this frame. rate: in (0, 1], 0.1; above 1 counts as 1, below 0 as 0,
 // NaN as 1.

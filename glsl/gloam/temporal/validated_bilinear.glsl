@@ -9,7 +9,6 @@
 // (x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1) with (x, y) = floor(uv size - 1/2).
 
 // weights of bilinear interpolation (BILINEAR): `((1 - x)(1 - y), x (1 - y), (1 - x) y, x y)` [definition].
-// Weights of the four texels.
 // fraction: fract(uv size - 1/2), in [0, 1]^2; taken to the nearer end outside, 0 for NaN.
 // Returns weights in [0, 1] of sum 1. Error: 2.5 ULP each.
 vec4 gloam_bilinear_weights(vec2 fraction) {

@@ -21,6 +21,11 @@ layout(binding = 1, GLOAM_OUTPUT) uniform writeonly highp image2D result_image;
 layout(binding = 2) uniform highp sampler2D before_image;
 layout(binding = 3) uniform highp sampler2D depth_before_image;
 layout(binding = 4, rgb10_a2) uniform writeonly highp image2D history_image;
+#ifdef GLOAM_BENT_NORMALS
+layout(binding = 5) uniform highp sampler2D bend_image;                    // of sweep.comp; as its texels
+layout(binding = 6, rgb10_a2) uniform writeonly highp image2D bent_image;  // written: (0.5 + 0.5 bent, 1)
+layout(binding = 7) uniform highp sampler2D bent_before_image;  // of the frame before; bilinear, clamped
+#endif
 
 #include "passes/frame/history.glsl"
 
@@ -35,6 +40,9 @@ GloamFrameTexel texel_at(ivec2 place) {
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) * ivec2(2, 1);
     vec2 corner = vec2(pixel + 1 - half_width) * parameters.inverse_texels;
+#ifdef GLOAM_BENT_NORMALS
+    first_bend = corner - 0.5 * parameters.inverse_texels;
+#endif
     for (int y = 0; y < 2 * half_width + 1; y += 2) {
         for (int x = 0; x < 2 * half_width + 2; x += 2) {
             uvec4 four = textureGather(texel_image, corner + vec2(x, y) * parameters.inverse_texels).wzxy;  // by rows
@@ -47,6 +55,9 @@ void main() {
         float moved = moved_around(ivec2(half_width));
         vec4 kept;
         imageStore(result_image, own, vec4(accumulated(own, texel_at(place).depth, filtered(place), moved, kept)));
+#ifdef GLOAM_BENT_NORMALS
+        imageStore(bent_image, own, vec4(0.5 * bent + 0.5, 1.0));
+#endif
         if (history) imageStore(history_image, own, kept);
     }
 }

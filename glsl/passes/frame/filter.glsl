@@ -19,6 +19,10 @@ vec4 filtered(ivec2 middle) {
     vec2 mine = sums_of(own);
     vec2 sum = mine + vec2(0.0, 1e-4);
     vec2 scale = inverse_tolerance / own.depth;
+#ifdef GLOAM_BENT_NORMALS
+    float inner = own.weight + 1e-4;  // weights of 3 x 3 texels: more of them cost more than they gain
+    vec3 bends = inner * bend_at(middle);
+#endif
     for (int y = 0; y <= half_width; ++y) {
         for (int x = -half_width; x <= half_width; ++x) {
             if (y == 0 && x <= 0) continue;
@@ -28,8 +32,17 @@ vec4 filtered(ivec2 middle) {
             vec2 near = gloam_near_pair(vec2(fore.depth, back.depth), own.depth, scale, alone);
             float spatial = half_width == 1 ? 1.0 : exp2(-falloff * float(x * x + y * y));
             sum += spatial * (near.x * sums_of(fore) + near.y * sums_of(back));
+#ifdef GLOAM_BENT_NORMALS
+            if (max(abs(x), y) == 2) continue;
+            near *= spatial * vec2(fore.weight, back.weight);
+            inner += near.x + near.y;
+            bends += near.x * bend_at(middle + ivec2(x, y)) + near.y * bend_at(middle - ivec2(x, y));
+#endif
         }
     }
+#ifdef GLOAM_BENT_NORMALS
+    bent = bent_of(bends, inner);
+#endif
     return vec4(mine, sum) * vec2(1.0 / 255.0, 1.0).xyxy;
 }
 

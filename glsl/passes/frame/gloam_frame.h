@@ -10,15 +10,20 @@
  *                              half, rounded up
  * history[2]   RGB10_A2        view                   filter or join   the same of the next frame (linear)
  * shown        R8              view                   filter or join   the engine: 1 where blocked, 0 where open
+ * With bent normals:
+ * bends        RGBA8           as texels              sweep            filter or join (nearest)
+ * bent[2]      RGB10_A2        view                   filter or join   the engine; the same of the next frame (linear)
  *
  * pass         bindings of set 0, in their order                              a group makes
  * prepare      depth, levels (0, 1, 2, 3, 4), levels before                   32 x 16 pixels of the view
  * sweep        levels, normal (depth for normals from depth), texels          16 x 8 texels
  * filter       texels, shown, history before, levels before, history          32 x 8 pixels of the view
  * join (half)  texels, levels, shown, history before, levels before, history  32 x 16 pixels of the view
+ * With bent normals, behind these: bends in sweep; bends, bent, bent before in filter and join. normalize(normal +
+ * 2 bent - 1), all in view space, is the mean of the open directions by the cosine.
  *
- * "before" is that of the last frame: the two of levels and of history change places. Images begin with zeros; samplers
- * clamp to the edge. A cut needs no image cleared.
+ * "before" is that of the last frame: the two of levels, history and bent change places. Images begin with zeros;
+ * samplers clamp to the edge. A cut needs no image cleared.
  * Vulkan: structures are push constants, images are in layout GENERAL, and before each pass there is a memory barrier
  * from COMPUTE_SHADER, SHADER_WRITE to COMPUTE_SHADER, SHADER_READ | SHADER_WRITE. The device needs the feature
  * shaderStorageImageExtendedFormats. Specialization constants: 1 orthographic; 2, 3, 4 normals in world space,
@@ -27,7 +32,7 @@
  * is a glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT).
  * As fragment shaders (330, 300es) a pass draws a triangle over all that it writes, prepare one for each `level`. Their
  * samplers: depth is stored_image; normal, normal_image; levels, depth_image; levels before, depth_before_image;
- * texels, texel_image; history before, before_image. */
+ * texels, texel_image; history before, before_image. They have no bent normals. */
 #ifndef GLOAM_FRAME_H
 #define GLOAM_FRAME_H
 #include <math.h>
@@ -41,10 +46,9 @@ typedef struct { /* another one begins a sequence */
     float radius;     /* of influence, world units */
     int depth_buffer; /* depth is that of the projection, 0 to 1; otherwise eye-linear, world units */
 } gloam_settings;
-typedef struct { /* 16 numbers are column by column */
-    float projection[16]; /* to clip space with z from 0 to 1; row 0 of images is at y = -1 of it */
-    float view[16];       /* from world space */
-} gloam_camera;
+/* Both column by column. projection: to clip space with z from 0 to 1; row 0 of images is at y = -1 of it. view: from
+ * world space. */
+typedef struct { float projection[16], view[16]; } gloam_camera;
 
 /* What the passes are given. depth: numerator and divisor. */
 typedef struct { float before[4][4], depth[4], inverse_size[2], far_value; } gloam_prepare;
@@ -52,8 +56,8 @@ typedef struct {
     float view_from_world[3][4], inverse_span[2], first[2], span[2], ray_span[2], first_ray[2], reach[2], noise[2];
     float depth[4], far_value; /* for normals from depth */
 } gloam_sweep;
-typedef struct { /* filter or join */
-    float before[4][4], most, range, narrowing, sharpness, dither, unused, inverse_texels[2], inverse_size[2];
+typedef struct { /* filter or join. albedo: for multi-bounce, of what blocks, 0 to 1, by the engine */
+    float before[4][4], most, range, narrowing, sharpness, dither, albedo, inverse_texels[2], inverse_size[2];
 } gloam_last;
 
 typedef struct { /* begins with zeros */

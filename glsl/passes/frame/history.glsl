@@ -9,6 +9,7 @@
 //   sampler2D depth_before_image   level 0 of its depth; nearest, clamped to the edge
 
 #include "gloam/filter/frame_texel.glsl"
+#include "gloam/shading/multi_bounce.glsl"
 #include "gloam/temporal/frame_history.glsl"
 #include "passes/frame/parameters.glsl"
 #ifdef GLOAM_TILES
@@ -25,6 +26,9 @@ struct LastParameters {
     float narrowing;      // and how much nearer it is where taps met what moved
     float sharpness;      // the part of the neighbours' weights that a long mean leaves out
     float dither;         // of the frame, in [0, 1)
+#ifdef GLOAM_MULTI_BOUNCE
+    float albedo;         // of what blocks, in [0, 1]
+#endif
     vec2 inverse_texels;  // 1 over the size of the texels,
     vec2 inverse_size;    // and of the view
 };
@@ -39,14 +43,43 @@ vec2 sums_of(GloamFrameTexel texel) {
     return texel.weight * vec2(texel.occlusion, 1.0);
 }
 
+#ifdef GLOAM_BENT_NORMALS
+vec3 bent;        // what the pixel's normal is bent by: with it, normalised, it is the mean of the open directions
+vec2 first_bend;  // middle of the texel at place 0, in the image from 0 to 1
+
+vec3 bend_at(ivec2 place) {
+    return textureLod(bend_image, vec2(place) * parameters.inverse_texels + first_bend, 0.0).xyz;
+}
+
+// Of a sum of such texels, (128 + 127 b) / 255 each, and of their weights.
+vec3 bent_of(vec3 bends, float weights) {
+    return (bends / weights - 128.0 / 255.0) * (255.0 / 127.0);
+}
+
+#endif
 // Occlusion of a pixel with its history, if there is one, in [0, 1], and the texel for the next frame. sums: of the
 // occlusion and the weight of the pixel itself, and of all that the filter reads. moved: the share of these that met
 // what moved.
+#ifdef GLOAM_MULTI_BOUNCE
+float alone(ivec2 pixel, float depth, vec4 sums, float moved, out vec4 kept);
+
+// The same with light that bounces among what blocks, which the history does not have.
 float accumulated(ivec2 pixel, float depth, vec4 sums, float moved, out vec4 kept) {
+    return 1.0 - gloam_multi_bounce(alone(pixel, depth, sums, moved, kept), vec3(parameters.albedo)).x;
+}
+
+float alone(ivec2 pixel, float depth, vec4 sums, float moved, out vec4 kept) {
+#else
+float accumulated(ivec2 pixel, float depth, vec4 sums, float moved, out vec4 kept) {
+#endif
     kept = vec4(0.0);
     if (!history) return sums.z / sums.w;
     vec3 was = gloam_frame_before(vec2(pixel), depth, parameters.before, orthographic);
     vec3 texel = textureLod(before_image, was.xy, 0.0).xyz;
+#ifdef GLOAM_BENT_NORMALS
+    vec3 now = bent;
+    bent = 2.0 * textureLod(bent_before_image, was.xy, 0.0).xyz - 1.0;
+#endif
 #ifdef GLOAM_TILES
     kept = vec4(texel, 0.0);
     if (groups.y == 0u) return texel.x;  // settled: there are no taps
@@ -61,6 +94,9 @@ float accumulated(ivec2 pixel, float depth, vec4 sums, float moved, out vec4 kep
                                    parameters.range - parameters.narrowing * moved);
     float dither = fract(float(pixel.x) * 0.7548777 + (float(pixel.y) * 0.5698403 + parameters.dither)) - 0.5;
     kept = vec4(means.x + dither * frames_unit, means.y, frames + frames_unit, 0.0);
+#ifdef GLOAM_BENT_NORMALS
+    bent = mix(bent, now, weight);  // how far the camera has turned does not matter
+#endif
     return means.x;
 }
 

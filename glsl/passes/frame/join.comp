@@ -23,6 +23,11 @@ layout(binding = 2, GLOAM_OUTPUT) uniform writeonly highp image2D result_image;
 layout(binding = 3) uniform highp sampler2D before_image;
 layout(binding = 4) uniform highp sampler2D depth_before_image;
 layout(binding = 5, rgb10_a2) uniform writeonly highp image2D history_image;
+#ifdef GLOAM_BENT_NORMALS
+layout(binding = 6) uniform highp sampler2D bend_image;                    // of sweep.comp; as its texels
+layout(binding = 7, rgb10_a2) uniform writeonly highp image2D bent_image;  // written: (0.5 + 0.5 bent, 1)
+layout(binding = 8) uniform highp sampler2D bent_before_image;  // of the frame before; bilinear, clamped
+#endif
 
 #include "passes/frame/history.glsl"
 
@@ -37,6 +42,9 @@ GloamFrameTexel texel_at(ivec2 place) {
 void main() {
     ivec2 block = ivec2(gl_GlobalInvocationID.xy);
     vec2 corner = vec2(block) * parameters.inverse_texels;
+#ifdef GLOAM_BENT_NORMALS
+    first_bend = corner + 0.5 * parameters.inverse_texels;
+#endif
     for (int y = 0; y < 4; y += 2) {
         for (int x = 0; x < 4; x += 2) {
             uvec4 four = textureGather(texel_image, corner + vec2(x, y) * parameters.inverse_texels).wzxy;  // by rows
@@ -49,6 +57,9 @@ void main() {
         ivec2 pixel = 2 * block + odd;
         vec4 kept;
         imageStore(result_image, pixel, vec4(accumulated(pixel, own[i], joined(odd, own[i]), moved_around(), kept)));
+#ifdef GLOAM_BENT_NORMALS
+        imageStore(bent_image, pixel, vec4(0.5 * bent + 0.5, 1.0));
+#endif
         if (history) imageStore(history_image, pixel, kept);
     }
 }

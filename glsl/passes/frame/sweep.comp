@@ -13,6 +13,9 @@ layout(local_size_x = 16, local_size_y = 8) in;
 layout(binding = 0) uniform highp sampler2D depth_image;
 layout(binding = 1) uniform highp sampler2D normal_image;
 layout(binding = 2, r32ui) uniform writeonly highp uimage2D texel_image;
+#ifdef GLOAM_BENT_NORMALS
+layout(binding = 3, rgba8) uniform writeonly highp image2D bend_image;  // written: of each texel
+#endif
 
 #include "passes/frame/sweep.glsl"
 #ifdef GLOAM_TILES
@@ -25,4 +28,7 @@ void main() {
     pixel = tile_at(gl_WorkGroupID.x) + ivec2(gl_LocalInvocationID.xy);
 #endif
     imageStore(texel_image, pixel, uvec4(texel_of(pixel)));
+#ifdef GLOAM_BENT_NORMALS
+    imageStore(bend_image, pixel, bend);
+#endif
 }

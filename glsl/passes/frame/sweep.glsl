@@ -95,6 +95,11 @@ vec3 rays_along(vec3 axis, Point point, float own) {
     return vec3(product, (orthographic ? 0.0 : own) - dot(product, point.at));
 }
 
+#ifdef GLOAM_BENT_NORMALS
+vec3 blocked;  // sum of the slices' blocked directions (gloam_bent_slice), each with the slice's weight
+vec4 bend;     // written by texel_of: what the normal is bent by, as history.glsl reads it
+#endif
+
 // What one slice sees, and what an empty one would, both with the slice's weight, and the least depth that taps
 // meet, whose sign tells what moved: (occluded, whole, least). At full size some taps tell enough.
 vec3 slice_of(Point point, int slice) {
@@ -129,6 +134,10 @@ vec3 slice_of(Point point, int slice) {
         pair = gloam_pair_tap(pair, taps, point.depth - depth, place, axes.normal, max(bias, rise * point.depth), 1.0);
     }
     vec2 occluded = pair.occluded + pair.feature;
+#ifdef GLOAM_BENT_NORMALS
+    vec2 bent = axes.weight * gloam_bent_slice(occluded, axes.normal);
+    blocked += bent.x * axes.along + bent.y * point.view;
+#endif
     return vec3(axes.weight * (occluded.x + occluded.y), axes.weight * gloam_tangent_whole(axes.normal), least);
 }
 
@@ -138,6 +147,9 @@ uint texel_of(ivec2 pixel) {
     float depth = abs(least);
     vec2 reach = orthographic ? parameters.reach : parameters.reach / depth;
     vec2 sum = vec2(0.0);
+#ifdef GLOAM_BENT_NORMALS
+    blocked = vec3(0.0);
+#endif
     // A radius below a pixel sees nothing but that pixel.
     if (depth < GLOAM_FARTHEST_LEVEL_DEPTH && max(abs(reach.x), abs(reach.y)) >= 1.0) {
         Point point = point_at(pixel, depth, reach);
@@ -148,6 +160,10 @@ uint texel_of(ivec2 pixel) {
         }
     }
     if (!(sum.x >= 0.0 && sum.y > 0.0)) sum = vec2(0.0, 1e-3);  // background, or no normal
+#ifdef GLOAM_BENT_NORMALS
+    blocked *= 0.5 / sum.y;
+    bend = vec4(dot(blocked, blocked) < 4.0 ? (128.0 - 127.0 * blocked) / 255.0 : vec3(128.0 / 255.0), 1.0);
+#endif
     uint code = gloam_frame_code(depth, min(sum.x / sum.y, 1.0), min(sum.y * (1.0 / float(slices)), 1.6));
     return history && least < 0.0 ? code + GLOAM_FRAME_MOVED : code;
 }

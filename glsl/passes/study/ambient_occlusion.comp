@@ -28,21 +28,9 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 1) const bool watches_objects = false;  // watch the neighbourhood through binding 4
-layout(constant_id = 2) const int layers = 1;               // of depth that the samples see, 1 to 4
-// leave out taps further in front than MethodValues::range (CS-REJ)
-layout(constant_id = 3) const bool reject_taps = false;
 layout(constant_id = 5) const uint table_size = 65536u;     // samples after which the sequence starts over
-layout(constant_id = 6) const bool fewer_samples = true;    // read samples_distance, samples_radius and samples_least
-layout(constant_id = 7) const bool caps_radius = true;      // read radius_cap
 layout(constant_id = 8) const bool smooths = true;          // read smoothing
-layout(constant_id = 9) const bool orthographic = false;    // the camera; else perspective
-layout(constant_id = 14) const bool keeps_history = true;   // else each frame stands by itself
 layout(constant_id = 20) const bool shows_alone = false;    // neither history nor filter: only binding 8 is written
-layout(constant_id = 21) const bool on_lattice = false;    // kernels are rotated on a lattice; else by a hash
-// Numbers that loops end by: compilers unroll those whose length they know.
-layout(constant_id = 15) const uint samples_asked = 32u;      // k_1, for each pixel that has not converged
-layout(constant_id = 16) const uint samples_converged = 16u;  // k_2, for each pixel that has
-layout(constant_id = 17) const uint method_steps = 4u;        // in the place of MethodValues::steps
 layout(constant_id = 18) const uint samples_unit = 1u;  // samples are taken in whole units of so many, at least one
 layout(constant_id = 19) const bool rounds_up = false;        // to the next whole unit; else down
 
@@ -52,48 +40,20 @@ layout(binding = 2 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT history_before;
 layout(binding = 3, rgba32f) uniform writeonly highp image2D history_after;
 layout(binding = 4 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT previous_position_image;
 
-layout(push_constant) uniform Parameters {
-    vec2 p00_p11;          // elements [0][0] and [1][1] of the projection, y down
-    ivec2 size;            // of the images, pixels, with the guard band
-    ivec2 border;          // guard band on each side, pixels (TSSAO-BORDER): samples read it; 0 for none
-    float radius;          // of influence, world units
-    float bias;            // world units
-    float c_spatial;       // convergence from which a pixel takes k_2; above 1 never
-    float weight_max;      // w_max: samples in the mean, at most
-    float c_rot;           // kernels are rotated below this convergence; 0 never
-    float least_radius;    // pixels: where the projected radius is smaller, occlusion is 0 without a sample; 0 never
-    uint shade_border;     // 1: the band has occlusion as well, a history for what moves in; 0: it is left out
-    uint invalidation;     // where a neighbourhood changed: 0 nothing, 1 at most weight_small samples count, 2 by
-                           // confidence
-    float change_tolerance;  // change of a distance that is taken for rounding, world units
-    float weight_small;    // invalidation 1: samples
-    float confidence_factor;  // invalidation 2: S, per radius of change
-    float samples_distance;  // of the far plane, world units: fewer samples the further away (CS-N); 0: as many
-                             // everywhere
-    float samples_radius;    // pixels: fewer samples where the projected radius is smaller (ISSAO-LOD); 0: as many
-                             // everywhere
-    uint samples_least;    // of those, at least
-    float radius_cap;      // pixels: the projected radius is at most that large (Gears of War 2)
-    float smoothing;       // part of a frame in an exponential mean (CS-G); 0: the mean of TSSAO-5
-    float bias_depth;      // the bias is at least this share of the depth
-} parameters;
-
 #include "gloam/geometry/borders.glsl"
-#include "gloam/geometry/camera.glsl"
-#include "gloam/occlusion/gather_kernel.glsl"
 #include "gloam/temporal/blend.glsl"
-#include "gloam/temporal/convergence.glsl"
-#include "gloam/temporal/history.glsl"
 #include "gloam/temporal/neighborhood.glsl"
 #include "gloam/temporal/smoothing.glsl"
 #include "gloam/sampling/whole_samples.glsl"
-#include "method_values.glsl"
 #include "invalidation.glsl"
+#include "method_values.glsl"
 
 layout(binding = 7 GLOAM_FORMAT(rgba32f)) uniform GLOAM_INPUT layer_image;
 layout(binding = 5, std430) readonly buffer MethodSettings { MethodValues method_values; };
 layout(binding = 6 GLOAM_FORMAT(GLOAM_PREPARED)) uniform GLOAM_INPUT prepared_image;
 layout(binding = 8, r32f) uniform writeonly highp image2D shown_image;
+
+#include "pixel_samples.glsl"
 
 // The method, any file of that folder, and its call; values: a MethodValues.
 #include "gloam/methods/hemisphere.glsl"
@@ -111,12 +71,6 @@ struct Neighborhood {
     float change;  // largest, world units
 };
 Neighborhood neighborhood;
-
-GloamCamera this_camera() {
-    return GloamCamera(parameters.p00_p11, parameters.size, orthographic);
-}
-
-#include "pixel_samples.glsl"
 
 // Takes the surface point under a sample as a probe (TSSAO-9). The ray is divided as gloam_footprint_ray divides, so
 // that compilers share it.
@@ -182,8 +136,7 @@ uint whole_samples(uint samples) {
     return gloam_whole_samples(rounds_up ? samples + samples_unit - 1u : samples, samples_unit);
 }
 
-// How many samples a pixel takes: whole units of the method. A constant where k_1 is k_2, so that
-// loops are unrolled.
+// How many samples a pixel takes: whole units of the method. A constant where k_1 is k_2, so that loops are unrolled.
 uint samples_for(GloamHistory before, float depth) {
     uint samples = samples_at(before, depth);
     if (fewer_samples && samples == 0u) return 0u;

@@ -17,9 +17,53 @@
 
 // The samples of a pixel in one frame: their number, their radius and their rotation. ambient_occlusion.comp and the
 // preparation passes include this file, so that they agree.
-// The user defines a block `parameters` with the members that this file reads, this_camera() and method_values. The
-// user's constants are samples_asked, samples_converged, fewer_samples (which makes it read samples_distance,
-// samples_radius and samples_least), caps_radius (radius_cap), on_lattice and reject_taps.
+// Both have the parameters below; before it they declare a buffer with the MethodValues `method_values`.
+
+layout(constant_id = 2) const int layers = 1;               // of depth that the samples see, 1 to 4
+// leave out taps further in front than MethodValues::range (CS-REJ)
+layout(constant_id = 3) const bool reject_taps = false;
+layout(constant_id = 6) const bool fewer_samples = true;    // read samples_distance, samples_radius and samples_least
+layout(constant_id = 7) const bool caps_radius = true;      // read radius_cap
+layout(constant_id = 9) const bool orthographic = false;    // the camera; else perspective
+layout(constant_id = 14) const bool keeps_history = true;   // else each frame stands by itself
+layout(constant_id = 21) const bool on_lattice = false;    // kernels are rotated on a lattice; else by a hash
+// Numbers that loops end by: compilers unroll those whose length they know.
+layout(constant_id = 15) const uint samples_asked = 32u;      // k_1, for each pixel that has not converged
+layout(constant_id = 16) const uint samples_converged = 16u;  // k_2, for each pixel that has
+layout(constant_id = 17) const uint method_steps = 4u;        // in the place of MethodValues::steps
+
+layout(push_constant) uniform Parameters {
+    vec2 p00_p11;          // elements [0][0] and [1][1] of the projection, y down
+    ivec2 size;            // of the images, pixels, with the guard band
+    ivec2 border;          // guard band on each side, pixels (TSSAO-BORDER): samples read it; 0 for none
+    float radius;          // of influence, world units
+    float bias;            // world units
+    float c_spatial;       // convergence from which a pixel takes k_2; above 1 never
+    float weight_max;      // w_max: samples in the mean, at most
+    float c_rot;           // kernels are rotated below this convergence; 0 never
+    float least_radius;    // pixels: where the projected radius is smaller, occlusion is 0 without a sample; 0 never
+    uint shade_border;     // 1: the band has occlusion as well, a history for what moves in; 0: it is left out
+    uint invalidation;     // where a neighbourhood changed: 0 nothing, 1 at most weight_small samples count, 2 by
+                           // confidence
+    float change_tolerance;  // change of a distance that is taken for rounding, world units
+    float weight_small;    // invalidation 1: samples
+    float confidence_factor;  // invalidation 2: S, per radius of change
+    float samples_distance;  // of the far plane, world units: fewer samples the further away (CS-N); 0: as many
+                             // everywhere
+    float samples_radius;    // pixels: fewer samples where the projected radius is smaller (ISSAO-LOD); 0: as many
+                             // everywhere
+    uint samples_least;    // of those, at least
+    float radius_cap;      // pixels: the projected radius is at most that large (Gears of War 2)
+    float smoothing;       // part of a frame in an exponential mean (CS-G); 0: the mean of TSSAO-5
+    float bias_depth;      // the bias is at least this share of the depth
+#ifdef GLOAM_PREPARATION_PASS_GLSL
+    int level;             // that the pass writes, 1 for half the resolution; of passes that run once for each level
+#endif
+} parameters;
+
+GloamCamera this_camera() {
+    return GloamCamera(parameters.p00_p11, parameters.size, orthographic);
+}
 
 // Half-axes of the projected radius, pixels. depth: eye-linear, world units.
 vec2 reach_at(float depth) {

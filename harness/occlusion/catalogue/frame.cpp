@@ -106,6 +106,10 @@ void append_pairs(Entries& entries) {
     add(entries, "FRAME-tap", &reference::gloam_pair_tap,
         {.domain = {pairs(), taps, nearer, place, planes(), uniform(0, 0.01).only_as_drawn(), thickness},
          .budget = {.absolute = 2e-6, .backward_ulp = 4}});
+    add(entries, "FRAME-bent", &reference::gloam_bent_slice,
+        {.domain = {vector(2, uniform(0, 0.6).and_value(0.5F)).only_as_drawn(), planes()},
+         .budget = {.absolute = 4e-6},
+         .codomain = {-13, 13}});
 }
 
 void append_levels(Entries& entries) {

@@ -36,6 +36,7 @@ void crop(const scene::GBuffer& shape, Frame& frame) {
     frame.extent = scene::frame_of(shape);
     for (std::vector<float>* image : {&frame.occlusion, &frame.filtered, &frame.convergence, &frame.kept})
         if (!image->empty()) *image = scene::cropped(shape, *image);
+    if (!frame.bent.empty()) frame.bent = scene::cropped(shape, frame.bent);
 }
 
 AmbientOcclusion::AmbientOcclusion(const gpu::Device& device, const scene::PassLibrary& passes,

@@ -38,14 +38,6 @@ void clear(gpu::Buffer& buffer) {
     std::ranges::fill(buffer.bytes(), std::byte{0});
 }
 
-// Swaps two resources if they are of this map.
-template <class Map>
-void swap_named(Map& all, const std::array<std::string, 2>& names) {
-    const auto first = all.find(names[0]);
-    const auto second = all.find(names[1]);
-    if (first != all.end() && second != all.end()) std::swap(first->second, second->second);
-}
-
 // All that a source says, as one text.
 std::string key_of(const PassSource& source) {
     std::string key = source.unrolls ? source.file + ", unrolled" : source.file;
@@ -148,10 +140,7 @@ void Resources::restart(const Plan& plan) {
 }
 
 void Resources::exchange(std::span<const std::array<std::string, 2>> pairs) {
-    for (const auto& names : pairs) {
-        swap_named(images_, names);
-        swap_named(buffers_, names);
-    }
+    for (const auto& [first, second] : pairs) std::swap(image(first), image(second));
 }
 
 gpu::Image& Resources::image(const std::string& name) {

@@ -5,7 +5,9 @@
 #include <passes/frame/gloam_frame.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
+#include <glm/gtc/packing.hpp>
 
 #include "effect/internal/executor.hpp"
 #include "effect/internal/passes.hpp"
@@ -47,14 +49,10 @@ gpu::Extent swept_of(const Settings& settings, gpu::Extent view) {
     return is_half(settings) ? gpu::Extent{(view.width + 1) / 2, (view.height + 1) / 2} : view;
 }
 
-void copy(const glm::mat4& matrix, float* numbers) {
-    std::copy_n(&matrix[0][0], 16, numbers);
-}
-
 gloam_camera camera_of(const View& view) {
     gloam_camera camera{};
-    copy(view.camera.proj_vk, camera.projection);
-    copy(view.camera.view, camera.view);
+    std::copy_n(&view.camera.proj_vk[0][0], 16, camera.projection);
+    std::copy_n(&view.camera.view[0][0], 16, camera.view);
     return camera;
 }
 
@@ -92,12 +90,14 @@ PlannedPass first_pass(const Settings& settings, const View& view, const gloam_p
                        parameters, groups_of(view.extent, 2, 2));
 }
 
-PlannedPass last_pass(const Settings& settings, const View& view, const gloam_last& parameters) {
+PlannedPass last_pass(const Settings& settings, const View& view, gloam_last parameters) {
+    parameters.albedo = settings.bounce_albedo;
     PassSource source{
         .file = is_half(settings) ? "frame/join.comp" : "frame/filter.comp",
         .constants = {{.id = 1, .bits = flag(view.camera.orthographic())}, history_constant(settings)},
         .unrolls = true};
     define_output(settings.output, source.defines);
+    if (settings.bounce_albedo > 0.0F) source.defines.emplace_back("GLOAM_MULTI_BOUNCE");
     std::vector<std::string> resources{"texels", "shown"};
     if (is_half(settings)) resources.insert(resources.begin() + 1, "levels");
     for (const char* name : {"history_before/linear", "levels_before", "history"})
@@ -153,10 +153,21 @@ void bind_tiles(std::vector<PlannedPass>& passes) {
     }
 }
 
+// Binds the images of bent normals behind the other resources.
+void bind_bends(const Settings& settings, PlannedPass& sweep, PlannedPass& last) {
+    for (PlannedPass* pass : {&sweep, &last}) {
+        pass->source.defines.emplace_back("GLOAM_BENT_NORMALS");
+        pass->resources.emplace_back("bends");
+    }
+    last.resources.emplace_back("bent");
+    last.resources.emplace_back(settings.history ? "bent_before/linear" : nothing_image);
+}
+
 std::vector<PlannedPass> passes_of(const Settings& settings, const Taken& taken, const gloam_frame& frame) {
     std::vector<PlannedPass> passes{first_pass(settings, taken.view, frame.prepare),
                                     sweep_pass(settings, taken, frame.sweep),
                                     last_pass(settings, taken.view, frame.last)};
+    if (settings.bent_normals) bind_bends(settings, passes[1], passes[2]);
     if (!taken.tiles) return passes;
     passes[1].groups_from = tile_list;
     passes.insert(passes.begin() + 1, tile_pass(settings, taken, frame));
@@ -173,11 +184,18 @@ Plan plan_for(const Settings& settings, const Taken& taken, const gloam_frame& n
                    {"texels", r32ui, frame, swept_of(settings, extent)},  // gloam/filter/frame_texel.glsl
                    {"shown", format_of(settings.output), frame, extent}};
     if (taken.normals) plan.images.push_back({"normal", rgba32f, engine, extent});
+    if (settings.bent_normals)
+        plan.images.insert(plan.images.end(), {{"bends", rgba8, frame, swept_of(settings, extent)},
+                                               {"bent", rgb10_a2, frame, extent}});
     if (settings.history) {
         plan.images.push_back({"levels_before", r16f, history, extent, depth_levels});
         plan.images.push_back({"history_before", rgb10_a2, history, extent});
         plan.images.push_back({"history", rgb10_a2, frame, extent});
         plan.exchanged = {{"levels_before", "levels"}, {"history_before", "history"}};
+        if (settings.bent_normals) {
+            plan.images.push_back({"bent_before", rgb10_a2, history, extent});
+            plan.exchanged.push_back({"bent_before", "bent"});
+        }
     }
     plan.passes = passes_of(settings, taken, numbers);
     plan.result = "shown";
@@ -189,6 +207,14 @@ Taken taken_of(const scene::GBuffer& view, float radius) {
             radius,
             view.stored ? view.stored->encoding : scene::Encoding{},
             !view.normal.empty()};
+}
+
+// texels: the bits of rgb10_a2.
+std::vector<glm::vec3> bends_of(const std::vector<float>& texels) {
+    std::vector<glm::vec3> bends;
+    for (const float texel : texels)
+        bends.emplace_back(2.0F * glm::unpackUnorm3x10_1x2(std::bit_cast<std::uint32_t>(texel)) - 1.0F);
+    return bends;
 }
 
 scene::GBuffer shape_of(const View& view) {
@@ -216,6 +242,7 @@ class ThreePasses : public FramePasses {
         Frame frame;
         frame.times = run(*device_, steps, repeat, watcher);
         frame.filtered = frame.occlusion = resources_.image("shown").download();
+        if (settings_.bent_normals) frame.bent = bends_of(resources_.image("bent").download());
         crop(shape_of(taken_.view), frame);
         frame.memory_bytes = memory_of(steps);
         resources_.exchange(plan.exchanged);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "effect/internal/study_frame.hpp"
 
-#include <fmt/format.h>
-
 #include <utility>
 
 #include "effect/methods.hpp"
@@ -81,24 +79,6 @@ PassRow row_of_remap(const char* name, bool of_history, const char* from, const 
             .resources = {"depth", from, to}};
 }
 
-// The pixels of a block share one pattern of samples (interleaved sampling): the first pass takes each
-// pixel's part, the second gathers those of the block.
-PassRow row_of_directions(const char* name, std::vector<const char*> images) {
-    std::vector<const char*> resources{"depth", "normal", "method"};
-    resources.insert(resources.end(), images.begin(), images.end());
-    return {
-        .name = name,
-        .when = [](const Moment& m) { return m.bent_normals; },
-        .source = [name](const Moment&) { return PassSource{.file = fmt::format("study/{}.comp", name)}; },
-        .resources = std::move(resources),
-        .own = {{"interleave", [](const Moment&) { return 4; }}}};
-}
-
-std::vector<PassRow> rows_of_directions() {
-    return {row_of_directions("bent_normals", {"bent_parts"}),
-            row_of_directions("bent_gather", {"bent_normal", "bent_parts"})};
-}
-
 std::vector<PassRow> rows_of_results() {
     return {row_of_remap("remap", true, "occlusion", "mapped",
                          [](const Moment& m) {
@@ -113,8 +93,7 @@ std::vector<PassRow> rows_of_results() {
 const std::vector<PassRow>& pass_table() {
     static const std::vector<PassRow> table = [] {
         std::vector<PassRow> all;
-        for (const auto& rows :
-             {rows_of_inputs(), rows_of_samples(), rows_of_filter(), rows_of_results(), rows_of_directions()})
+        for (const auto& rows : {rows_of_inputs(), rows_of_samples(), rows_of_filter(), rows_of_results()})
             all.insert(all.end(), rows.begin(), rows.end());
         return all;
     }();

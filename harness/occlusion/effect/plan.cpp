@@ -37,7 +37,6 @@ Moment moment_of(const Settings& settings, const PlanOptions& options) {
     moment.has_normals = options.normals;
     moment.has_positions = options.moving_objects || options.motion_vectors;
     moment.from_motion = options.motion_vectors;
-    moment.bent_normals = options.bent_normals;
     if (options.first) {
         moment.shows_unfiltered = true;
         moment.moved = false;

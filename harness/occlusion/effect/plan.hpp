@@ -88,7 +88,6 @@ struct PlanOptions {
     bool orthographic = false;
     bool first = false;         // the first frame of AmbientOcclusion
     bool normals = true;        // the engine has normals; otherwise they are reconstructed from depth
-    bool bent_normals = false;  // an image of the mean open directions is written as well
     scene::Encoding encoding;   // of the engine's depth and normals
 };
 

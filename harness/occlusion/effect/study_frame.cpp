@@ -44,9 +44,7 @@ std::vector<ImageRow> images_of(const Moment& m) {
         {"half_filtered", filtered, r32f},  // along x
         {"filtered", alone || filtered, r32f},
         {"mapped", remapped, output},  // what is shown of the occlusion
-        {"filtered_mapped", remapped && filtered, output},
-        {"bent_parts", m.bent_normals, rgba32f},    // each pixel's part of the open directions
-        {"bent_normal", m.bent_normals, rgba32f}};  // unit vector; half the angle of its cone in w, radians
+        {"filtered_mapped", remapped && filtered, output}};
 }
 
 // The table for one frame.

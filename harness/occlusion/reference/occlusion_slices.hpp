@@ -242,4 +242,11 @@ inline GloamSweepPair gloam_pair_tap(const GloamSweepPair& pair, dvec4 taps, dve
     return next;
 }
 
+inline dvec2 gloam_bent_slice(dvec2 occluded, dvec2 plane) {
+    const auto elevation = [&](int i) { return std::asin(sqrt(min(2.0 * occluded[i], 1.0))); };
+    const dvec2 e(elevation(0), elevation(1));
+    const double normal = (pow(sin(e.x), 3) + pow(sin(e.y), 3)) / max(plane.x, 0.001);
+    return {pow(cos(e.y), 3) - pow(cos(e.x), 3) + plane.y * normal, normal};
+}
+
 }  // namespace gloam::reference

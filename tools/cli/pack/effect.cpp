@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
+#include <sstream>
 #include <stdexcept>
 
 #include "base/version.hpp"
@@ -72,6 +72,9 @@ void pack_effect(const EffectPackOptions& options) {
     const effect::Settings settings = settings_of(options);
     const shader::Language language = language_of(options.version);
     const bool compute = shader::usual_stage(language) == shader::Stage::compute;
+    if (settings.bent_normals && !compute)
+        throw std::invalid_argument(
+            "--effect --bent-normals: compute shaders have them; expected --version 450 or 430");
     const scene::PassLibrary library(glsl_directory());
     report::OutputFolder folder(options.out);
     for (effect::PlannedPass& pass : plan_of(settings, plan_options(options), library).passes) {
@@ -100,22 +103,13 @@ std::string api_of(shader::Language language) {
 }
 
 std::string vulkan_format(gpu::Format format) {
-    static constexpr std::array names{"R32_SFLOAT",
-                                      "R32G32B32A32_SFLOAT",
-                                      "R16G16B16A16_SFLOAT",
-                                      "R16G16B16A16_UINT",
-                                      "R16_SFLOAT",
-                                      "R8_UNORM",
-                                      "R32_UINT",
-                                      "R32G32_SFLOAT",
-                                      "R16G16_SFLOAT",
-                                      "R8G8B8A8_UNORM",
-                                      "R16_UINT",
-                                      "R16G16_UINT",
-                                      "R32G32_UINT",
-                                      "R32G32B32A32_UINT",
-                                      "A2B10G10R10_UNORM_PACK32"};  // as gpu::Format
-    return std::string("VK_FORMAT_") + names.at(static_cast<std::size_t>(format));
+    std::istringstream names(  // as gpu::Format
+        "R32_SFLOAT R32G32B32A32_SFLOAT R16G16B16A16_SFLOAT R16G16B16A16_UINT R16_SFLOAT R8_UNORM R32_UINT "
+        "R32G32_SFLOAT R16G16_SFLOAT R8G8B8A8_UNORM R16_UINT R16G16_UINT R32G32_UINT R32G32B32A32_UINT "
+        "A2B10G10R10_UNORM_PACK32");
+    std::string name;
+    for (int i = 0; i <= static_cast<int>(format); ++i) names >> name;
+    return "VK_FORMAT_" + name;
 }
 
 }  // namespace gloam::cli

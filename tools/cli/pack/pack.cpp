@@ -237,6 +237,12 @@ void add_effect_options(CLI::App& command, PackOptions& options) {
              .add_option("--set", of_effect.set,
                          "NAME=VALUE: a setting (gloam list settings); may be repeated")
              ->allow_extra_args(false));
+    only(command.add_flag_callback(
+        "--bent-normals", [&of_effect] { of_effect.set.emplace_back("bent_normals=on"); },
+        "the mean open direction of each pixel, too"));
+    only(command.add_flag_callback(
+        "--multi-bounce", [&of_effect] { of_effect.set.emplace_back("bounce_albedo=0.5"); },
+        "with light that bounces among blockers of one albedo, gloam_frame::last.albedo"));
     only(command.add_flag("--orthographic", of_effect.orthographic,
                           "the camera is orthographic; else perspective"));
     only(command

@@ -33,7 +33,7 @@ class Resources {
     // Fills what a first frame expects: zeros in the images of the history, contents in all buffers.
     void restart(const Plan& plan);
 
-    // Swaps the images or buffers of each pair.
+    // Swaps the images of each pair.
     void exchange(std::span<const std::array<std::string, 2>> pairs);
 
     // Make an image or a buffer, or make it anew if its size or format is another.
