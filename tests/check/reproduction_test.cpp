@@ -118,6 +118,10 @@ TEST(Reproduction, AnAccessOutsideAnImageComesWithTheImageAndThePixel) {
     EXPECT_EQ(all.images[0].words[0], 3U);
     EXPECT_EQ(all.images[0].words[1], 2U);
     EXPECT_EQ(from_word<float>(all.images[0].words[8]), 12.0F);
+    for (const char* variant : {"literals", "specialization"})
+        EXPECT_THAT(run(test::make_lab(FIXTURES, shader::variant(variant)), two_pixels(), options).fault,
+                    HasSubstr("is outside the 3 x 2 image"))
+            << variant;
 }
 
 TEST(AllowedOutcomes, AreTheBudgetAroundTheReference) {

@@ -60,7 +60,7 @@ internal::Session::Evaluated evaluated(const Lab& lab, const Question& question,
 std::string code_of(KernelSource source, Constants constants, const std::vector<Word>& inputs) {
     if (constants == Constants::specialization) return specialized_kernel_code(source, 1);
     if (constants == Constants::none) return kernel_code(source);
-    source.preserve_nan = false;  // as in ConstantKernel
+    source.preserve_nan = false;  // as in a Session
     return literal_kernel_code(source, inputs, 1);
 }
 

@@ -25,7 +25,7 @@ Domain::Inputs few_inputs(const Domain& domain, std::size_t count, std::uint64_t
 // Each input is compiled code, so the scenarios of a question share the number of inputs.
 std::size_t constants_of_each(std::size_t scenarios) {
     constexpr std::size_t least = 8;
-    return std::max(least, ConstantKernel::most_inputs / std::max<std::size_t>(scenarios, 1));
+    return std::max(least, internal::most_constants / std::max<std::size_t>(scenarios, 1));
 }
 
 // Inputs of many words are fewer: those of a run take 256 MiB at most.
