@@ -166,6 +166,10 @@ TEST_P(EachDevice, ServesImagesAndReportsAnAccessOutside) {
                       "fetch: pixel (3, 0) is outside the 3 x 2 image (2 times, at input 2)"));
 }
 
+TEST(VulkanDevice, StoresToImages) {
+    expect_stores_to_images(test::make_lab(FIXTURES));
+}
+
 TEST_P(EachDevice, StoresToImagesWhereThereAreComputeShaders) {
     GLOAM_LAB_OR_SKIP(lab);
     const auto store = [&] { expect_stores_to_images(*lab); };
