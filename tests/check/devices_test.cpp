@@ -30,26 +30,6 @@ TEST(SwiftShader, IsFoundByItsName) {
     EXPECT_EQ((Function<float(float, float)>(lab, "wrong.glsl", "weight")(1.0F, 2.0F)), 0.75F);
 }
 
-TEST(InterpreterDevice, JudgesRightAndWrongFunctionsInEveryVariant) {
-    const Domain domain{signed_log_uniform(1e-3, 10).and_special(), uniform(0.5, 8)};
-    for (const shader::Variant& variant : shader::variants()) {
-        if (variant.relaxed) continue;  // the interpreter never rounds to half precision
-        const Lab lab = lab_of(variant.name);
-        const Budget budget{.ulp = 2, .absolute = 4e-7};
-        const Answer right = Function<float(float, float)>(lab, "wrong.glsl", "weight")
-                                 .compare(exact, domain, budget, {.inputs = 1024});
-        EXPECT_TRUE(right.passed()) << variant.name << right;
-        EXPECT_EQ(right.differs, 0U) << variant.name;
-        if (verdict_of(variant, {.reference = make_reference<float(float)>([](double x) { return x; })}) ==
-            Verdict::rules)
-            continue;  // a wrong shader is no wrong driver
-        EXPECT_FALSE(Function<float(float, float)>(lab, "wrong.glsl", "weight_wrong_constant")
-                         .compare(exact, domain, budget, {.inputs = 1024})
-                         .passed())
-            << variant.name;
-    }
-}
-
 TEST(InterpreterDevice, GivesTheResultsOfTheDriverWhereThereIsOneResult) {
     const Lab ours = lab_of("strict");
     const Lab driver = test::make_lab(FIXTURES, shader::variant("strict"));
