@@ -106,16 +106,12 @@ struct ClassCount {
     std::size_t outside = 0;   // failed
     std::size_t recorded = 0;  // the device promises nothing here
     std::size_t open = 0;      // the device's result was free: nothing but a NaN could have failed
-
-    [[nodiscard]] bool empty() const { return inputs == 0; }
 };
 
 // The inputs of a function with boolean results whose exact results hold one of both values.
 struct PredicateCount {
     std::size_t inputs = 0;
     std::size_t judged = 0;  // of these, inputs for which some result would have failed
-
-    [[nodiscard]] bool empty() const { return inputs == 0; }
 };
 
 // The largest errors that Vulkan's rules permit, over the inputs for which the budget is promised and the

@@ -33,12 +33,19 @@ class MemberWriter {
 
     template <class T>
     void member(const char* name, const T& value, Present present = Present::always, bool given = true) {
-        if constexpr (requires { value.empty(); })
-            if (present == Present::if_any && value.empty()) return;
+        if (present == Present::if_any && is_empty(value)) return;
         json[name] = given ? json_of(value) : nlohmann::ordered_json(nullptr);
     }
     // Reading refuses a structure for which this does not hold.
     void require(bool, const char*) const {}
+
+    // A text, a list, or a count of inputs.
+    template <class T>
+    [[nodiscard]] static bool is_empty(const T& value) {
+        if constexpr (requires { value.empty(); }) return value.empty();
+        if constexpr (requires { value.inputs == 0; }) return value.inputs == 0;
+        return false;
+    }
 
     [[nodiscard]] static nlohmann::ordered_json json_of(double value) { return number_json(value); }
     template <class T>

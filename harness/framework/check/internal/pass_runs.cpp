@@ -14,7 +14,7 @@
 namespace gloam::check::internal {
 namespace {
 
-using Kind = Bound::Kind;
+using At = Bound::Kind;
 
 bool has_short_integers(gpu::Format format) {
     return format == gpu::Format::r16ui || format == gpu::Format::rg16ui || format == gpu::Format::rgba16ui;
@@ -31,10 +31,10 @@ class DeviceMemory {
     void read_back(PassWork& work) const {
         for (std::size_t i = 0; i < work.bindings.size(); ++i) {
             Bound& bound = work.bindings[i];
-            if (bound.kind == Kind::image && bound.written)
+            if (bound.kind == At::image && bound.written)
                 read(std::get<std::reference_wrapper<const gpu::Image>>(resources[i]), bound);
             if (const auto* buffer = std::get_if<std::reference_wrapper<const gpu::Buffer>>(&resources[i]);
-                buffer != nullptr && bound.kind != Kind::nothing)
+                buffer != nullptr && bound.kind != At::nothing)
                 std::ranges::copy(buffer->get().as<Word>(), bound.words.begin());
         }
     }
@@ -45,14 +45,14 @@ class DeviceMemory {
   private:
     void add(const Bound& bound) {
         using enum gpu::BindingKind;
-        if (bound.kind == Kind::image) return add(storage_image, make_image(bound));
-        if (bound.kind == Kind::sampler && bound.stateless) return add(sampled_image, make_image(bound));
-        if (bound.kind == Kind::sampler)
+        if (bound.kind == At::image) return add(storage_image, make_image(bound));
+        if (bound.kind == At::sampler && bound.stateless) return add(sampled_image, make_image(bound));
+        if (bound.kind == At::sampler)
             return add(sampled_image, samplers_.emplace_back(device_, bound.words));
-        const std::vector<Word> contents = bound.kind == Kind::nothing ? std::vector<Word>{0} : bound.words;
+        const std::vector<Word> contents = bound.kind == At::nothing ? std::vector<Word>{0} : bound.words;
         gpu::Buffer& buffer = buffers_.emplace_back(device_, contents.size() * sizeof(Word));
         std::ranges::copy(contents, buffer.as<Word>().begin());
-        add(bound.kind == Kind::uniform ? uniform_buffer : storage_buffer, buffer);
+        add(bound.kind == At::uniform ? uniform_buffer : storage_buffer, buffer);
     }
     template <class Made>
     void add(gpu::BindingKind kind, const Made& made) {
@@ -61,7 +61,7 @@ class DeviceMemory {
     }
 
     gpu::Image& make_image(const Bound& bound) {
-        const std::size_t first = bound.kind == Kind::sampler ? backend::sampled_header_words : 0;
+        const std::size_t first = bound.kind == At::sampler ? backend::sampled_header_words : 0;
         std::vector<float> texels;
         for (std::size_t w = first; w < bound.words.size(); ++w)
             if ((w - first) % texel_words < bound.channels())
@@ -131,9 +131,9 @@ void interpret(const shader::Spirv& module, PassWork& work) {
     for (std::uint32_t b = 0; b < count; ++b) {
         const Bound& bound = work.bindings[b];
         const glm::uvec2 size(bound.size);
-        if (bound.kind == Kind::image)
+        if (bound.kind == At::image)
             machine.bind(0, b, interpreter::ImageView{.size = {size.x, size.y, 1}, .texels = bound.words});
-        else if (bound.kind == Kind::sampler)
+        else if (bound.kind == At::sampler)
             machine.bind(0, b, interpreter::sampled_view_of(bound.words, {}));
         else
             machine.bind(0, b, bound.words);
@@ -147,7 +147,7 @@ void interpret(const shader::Spirv& module, PassWork& work) {
                 for (std::uint32_t b = 0; b < count; ++b)
                     machine.keep_writes(0, b, [&bound = work.bindings[b]](std::size_t word, Word bits) {
                         return bound.words[word] =
-                                   bound.kind == Kind::image ? stored(bound.format, bits) : bits;
+                                   bound.kind == At::image ? stored(bound.format, bits) : bits;
                     });
             }
 }
