@@ -2,9 +2,7 @@
 // The interpreter as a device: whole checks with no driver at all.
 #include "backend/gl/device.hpp"
 #include "backend/vulkan/device.hpp"
-#include "check/internal/kernel_text.hpp"
 #include "check/lab.hpp"
-#include "check/reproduction.hpp"
 #include "support/lab.hpp"
 #include "support/test_name.hpp"
 
@@ -238,15 +236,5 @@ const auto name_of_device = [](const auto& info) { return test::test_name(info.p
 INSTANTIATE_TEST_SUITE_P(All, OpenGlDevice, opengl_devices, name_of_device);
 INSTANTIATE_TEST_SUITE_P(All, EachDevice, opengl_devices, name_of_device);
 INSTANTIATE_TEST_SUITE_P(Interpreter, EachDevice, testing::Values("interpreter"), name_of_device);
-
-TEST(OpenGlRules, ACallWithoutPrecisionIsFound) {
-    const Lab lab({.device = std::string(interpreter_name), .include_roots = {FIXTURES}});
-    const auto module = [&](const char* function) {
-        return lab.kernel("opengl.glsl", function, SignatureOf<float(float)>::describe()).module().spirv;
-    };
-    EXPECT_TRUE(internal::calls_undefined_precision(module("sine")));
-    EXPECT_FALSE(internal::calls_undefined_precision(module("same")));
-    EXPECT_FALSE(internal::calls_undefined_precision(module("root")));
-}
 
 }  // namespace gloam::check::devices_test
