@@ -151,7 +151,6 @@ TEST_F(OwnFunctionTest, AreJudgedByTheRulesInEveryVariant) {
                 EXPECT_FALSE(answer.failed()) << answer;
                 EXPECT_TRUE(answer.passed() || !passes) << answer;
                 EXPECT_EQ(answer.verdict, Verdict::rules);
-                EXPECT_TRUE(answer.differs == 0 || file != std::string("types.glsl")) << answer.differs;
                 EXPECT_GT(answer.by_rules, 0U);
                 EXPECT_GT(answer.judged(), 0U);
                 if (file != std::string("quads.frag")) {
