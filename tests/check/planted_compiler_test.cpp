@@ -102,10 +102,6 @@ std::vector<test::CompilerFault> all_faults() {
     return all;
 }
 
-TEST(PlantedCompiler, HasAtLeastThirtyFaults) {
-    EXPECT_GE(all_faults().size(), 30U);
-}
-
 TEST(PlantedCompiler, EachFaultIsFound) {
     const std::vector<Subject> all = subjects();
     const auto look = [&all](const test::CompilerFault& fault, const std::string& where,
