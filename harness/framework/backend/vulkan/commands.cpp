@@ -202,22 +202,27 @@ const vk::raii::CommandBuffer& Commands::Handles::recording() const {
 Commands::Commands(const Device& device)
     : handles_(owned(Handles{.context = device.impl(), .buffers = begun(device.impl())})) {}
 
-void Commands::dispatch(const ComputePipeline& pipeline, std::span<const Resource> resources,
-                        std::array<std::uint32_t, 3> groups, std::span<const std::byte> push_constants) {
+void Commands::Handles::bind(const ComputePipeline& pipeline, std::span<const Resource> resources,
+                             std::span<const std::byte> push_constants) {
     constexpr auto point = vk::PipelineBindPoint::eCompute;
-    check_groups(handles_->context.physical.info, groups);
     const auto& program = pipeline.handles();
-    const auto& commands = handles_->recording();
+    const auto& commands = recording();
     commands.bindPipeline(point, *program.pipeline);
     if (!resources.empty()) {
-        const auto& set =
-            handles_->descriptors.allocate(program.context, program.set_layout, program.program.bindings);
+        const auto& set = descriptors.allocate(program.context, program.set_layout, program.program.bindings);
         write_descriptors(program.context, set, program.program.bindings, resources);
         commands.bindDescriptorSets(point, *program.layout, 0, *set, nullptr);
     }
     if (!push_constants.empty())
         commands.pushConstants<std::byte>(*program.layout, vk::ShaderStageFlagBits::eCompute, 0,
                                           push_constants);
+}
+
+void Commands::dispatch(const ComputePipeline& pipeline, std::span<const Resource> resources,
+                        std::array<std::uint32_t, 3> groups, std::span<const std::byte> push_constants) {
+    check_groups(handles_->context.physical.info, groups);
+    handles_->bind(pipeline, resources, push_constants);
+    const auto& commands = handles_->recording();
     commands.dispatch(groups[0], groups[1], groups[2]);
     device_barrier(commands);
 }

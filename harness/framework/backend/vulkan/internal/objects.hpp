@@ -124,6 +124,8 @@ struct RasterPipeline::Handles {
 struct Commands::Handles {
     // Throws std::runtime_error after submit().
     [[nodiscard]] const vk::raii::CommandBuffer& recording() const;
+    void bind(const ComputePipeline& pipeline, std::span<const Resource> resources,
+              std::span<const std::byte> push_constants);
 
     enum class State { recording, submitted, finished };
     Context& context;
