@@ -209,14 +209,6 @@ TEST_F(RulesTest, WhatIsUndefinedIsCountedNotJudged) {
     EXPECT_GT(std::abs(from_word<float>(result.first_unbounded->inputs[0])), 3.14F);
 }
 
-TEST(Rules, AFunctionOfYourOwn) {
-    const Lab lab({.include_roots = {FIXTURES}});
-    const Answer answer =
-        Function<float(float)>(lab, "rules.glsl", "reciprocal").check_rules({uniform(1, 2)});
-    EXPECT_TRUE(answer.passed()) << answer;
-    EXPECT_LE(answer.guarantee.ulp, 4.0);
-}
-
 TEST_F(RulesTest, WithoutModulesTheRulesCannotBeAsked) {
     const Domain::Inputs inputs = pairs.draw(4, 1, {1, 1});
     EXPECT_THROW((void)judge({.signature = SignatureOf<float(float, float)>::describe()},
