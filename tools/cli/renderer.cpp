@@ -12,7 +12,6 @@
 #include "cli/progress.hpp"
 #include "cli/settings.hpp"
 #include "pictures/sheet.hpp"
-#include "scene/contradictions.hpp"
 #include "scene/draw.hpp"
 #include "scene/read_gbuffer.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/contradictions.hpp"
+#include "scene/read_gbuffer.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
