@@ -74,7 +74,7 @@ void add_books(Parts& parts, numeric::Random& random, const Books& books, const 
 // where a point is three numbers. ["each", count, step, shapes...] repeats shapes, each time moved by the
 // step, and ["ring", count, distance, shapes...] around their place, in the plane of y and z. ["all of",
 // name] has the shapes of another row. ["cell", size] changes the cells of the boxes and planes behind it;
-// the row's `cell`, 1 m where it has none, is the first.
+// they have 1 m before it.
 [[nodiscard]] Mesh shapes_of(const Row& row);
 
 // A room with shelves of books along the back wall, furniture at random (fullness: share of the places that

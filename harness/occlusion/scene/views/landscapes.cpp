@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "scene/views/generators.hpp"
@@ -210,25 +212,19 @@ Mesh make_stone(const glm::dvec3& center, double radius, std::uint64_t seed) {
 
 // A square height field: x and z from -half to half, with cells x cells cells, smooth normals.
 Mesh make_height_field(double half, int cells, const std::function<double(double x, double z)>& height) {
-    Mesh mesh;
     const double step = 2.0 * half / cells;
-    for (int row = 0; row <= cells; ++row) {
-        for (int column = 0; column <= cells; ++column) {
-            const double x = -half + column * step;
-            const double z = -half + row * step;
-            mesh.positions.emplace_back(x, height(x, z), z);
-            const double dx = height(x + step, z) - height(x - step, z);
-            const double dz = height(x, z + step) - height(x, z - step);
-            mesh.normals.emplace_back(glm::normalize(glm::dvec3(-dx, 2.0 * step, -dz)));
-        }
-    }
-    const auto stride = static_cast<std::uint32_t>(cells + 1);
-    for (std::uint32_t row = 0; row + 1 < stride; ++row) {
-        for (std::uint32_t column = 0; column + 1 < stride; ++column) {
-            const std::uint32_t at = row * stride + column;
-            mesh.indices.insert(mesh.indices.end(),
-                                {at, at + stride, at + 1, at + 1, at + stride, at + stride + 1});
-        }
+    Mesh mesh = make_grid(cells, cells, [&](int column, int row) -> Vertex {
+        const double x = -half + column * step;
+        const double z = -half + row * step;
+        const double dx = height(x + step, z) - height(x - step, z);
+        const double dz = height(x, z + step) - height(x, z - step);
+        return {{x, height(x, z), z}, glm::normalize(glm::dvec3(-dx, 2.0 * step, -dz))};
+    });
+    // The field is seen from the other side, and its cells are divided along the other diagonal.
+    for (auto corner = mesh.indices.begin(); corner != mesh.indices.end(); corner += 6) {
+        const std::uint32_t at = corner[0];
+        const std::uint32_t below = corner[5];
+        std::ranges::copy(std::array{at, below, at + 1, at + 1, below, below + 1}, corner);
     }
     return mesh;
 }

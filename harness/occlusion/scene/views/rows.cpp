@@ -11,11 +11,10 @@ namespace {
 // target, by `passing` looking at the same target, or around its target by `circling` degrees about the
 // vertical axis. Or it sways: eye and target by `swaying` and `aim`, times the sine of `rate` radians a
 // frame. Or it swings around the vertical axis and back, by `swinging` radians, or stands `still`.
-// `shapes` are those of shapes_of(), besides what the kind makes. A mover rolls (`ball`: its radius, `rings`:
-// of its sphere) or turns
-// (`box`: two corners, around the origin). It is at `from`, moved by `way` times the sine and by `aside`
-// times the cosine of `rate` radians a frame. A box turns about `axis` by `turn` times that sine and by
-// `spin` in each frame, both from `start` on (radians).
+// `shapes` are those of shapes_of(), besides what the kind makes; lamp: Scene::lamp. A mover rolls (`ball`:
+// its radius, `rings`: of its sphere) or turns (`box`: two corners, around the origin). It is at `from`,
+// moved by `way` times the sine and by `aside` times the cosine of `rate` radians a frame. A box turns about
+// `axis` by `turn` times that sine and by `spin` in each frame, both from `start` on (radians).
 constexpr const char* rows_text = R"json([
 {"name": "study", "kind": "interior", "half": "tuning", "what": "a room with books, chairs and a table",
  "seed": 11, "radius": 0.3, "eye": [1.6, 1.6, 2.2], "target": [-0.5, 0.7, -1.0], "gliding": [-0.012, 0, -0.008]},
@@ -84,7 +83,7 @@ constexpr const char* rows_text = R"json([
 {"name": "columns", "kind": "scene", "half": "tuning",
  "what": "a column hall, from a cable 0.1 m before the eye to 200 m away", "radius": 0.5, "fovy_rad": 1.0, "far": 250,
  "eye": [0.3, 1.75, 1.0], "target": [0, 1.9, -12.0], "swaying": [0.12, 0.02, 0], "rate": [0.05, 0.11, 0],
- "lamp": [-1.8, 4.6, -2.5], "cell": 2.0, "shapes": [
+ "lamp": [-1.8, 4.6, -2.5], "shapes": [["cell", 2.0],
   ["plane", -7,0,-200, 0,0,203, 14,0,0], ["plane", -7,6,-200, 14,0,0, 0,0,203], ["plane", -7,0,-200, 0,6,0, 0,0,203],
   ["plane", 7,0,-200, 0,0,203, 0,6,0], ["plane", -7,0,-200, 14,0,0, 0,6,0], ["plane", -7,0,3, 0,6,0, 14,0,0],
   ["each", 40, [0,0,-5], ["box", -7,5.75,-0.3, 7,6,0.3],
@@ -117,7 +116,7 @@ constexpr const char* rows_text = R"json([
  "aim": [0.3, 0, 0.1]},
 {"name": "knot", "kind": "scene", "half": "unseen",
  "what": "a knotted tube on the ground before a wall, under a circling camera", "radius": 0.25, "fovy_rad": 0.7,
- "near": 0.1, "far": 40, "eye": [0.9, 0.95, 2.0], "target": [0, 0.48, 0], "swinging": 0.5, "cell": 0.5, "shapes": [
+ "near": 0.1, "far": 40, "eye": [0.9, 0.95, 2.0], "target": [0, 0.48, 0], "swinging": 0.5, "shapes": [["cell", 0.5],
   ["knot", 0.17], ["plane", -6,0,-0.45, 0,0,6.45, 12,0,0], ["plane", -6,0,-0.45, 12,0,0, 0,6,0]]},
 {"name": "moving", "kind": "scene", "half": "tuning",
  "what": "a rolling ball and a turning box before steps and a wall, under a moving camera", "radius": 0.4,
@@ -156,7 +155,7 @@ constexpr const char* rows_text = R"json([
    ["each", 2, [0.29,0,0], ["each", 2, [0,0,0.29], ["box", -1.26,0.008,-1.08, -1.23,0.42,-1.05]]]]]},
 {"name": "sky", "kind": "scene", "half": "tuning", "what": "masts, wires and a kite, mostly sky, under a moving camera",
  "radius": 0.6, "fovy_rad": 0.8, "near": 0.1, "far": 500, "eye": [0, 1.7, 0], "target": [0, 4.7, -9.0],
- "swaying": [0, 0, -0.5], "rate": [0.02, 0, 0.01], "aim": [1.5, 0, 0], "cell": 5.0, "shapes": [
+ "swaying": [0, 0, -0.5], "rate": [0.02, 0, 0.01], "aim": [1.5, 0, 0], "shapes": [["cell", 5.0],
   ["plane", -150,0,-300, 0,0,310, 300,0,0], ["cell", 1.0], ["each", 8, [0,0,-18], ["cylinder", -2,0,-9, 0.12, 7.0, 24],
    ["box", -2.9,6.2,-9.06, -1.1,6.35,-8.94], ["box", -2.6,5.5,-9.06, -1.4,5.65,-8.94]],
   ["each", 2, [1.7,0,0], ["box", -2.862,6.35,-135, -2.838,6.374,5]],

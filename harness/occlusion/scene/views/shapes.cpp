@@ -95,7 +95,7 @@ void add_books(Parts& parts, numeric::Random& random, const Books& books, const 
 }
 
 Mesh shapes_of(const Row& row) {
-    Shapes shapes{{.cell = row.value("cell", 1.0)}, random_of(row)};
+    Shapes shapes{{}, random_of(row)};
     shapes.add_all(row["shapes"], 0, {0, 0, 0});
     return std::move(shapes.parts.mesh);
 }
