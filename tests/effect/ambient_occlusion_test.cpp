@@ -4,6 +4,7 @@
 #include "effect/errors.hpp"
 #include "effect/methods.hpp"
 #include "on_device.hpp"
+#include "scene/analytic_scene.hpp"
 #include "surface_views.hpp"
 
 namespace gloam::effect::ambient_occlusion_test {

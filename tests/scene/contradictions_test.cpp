@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "scene/contradictions.hpp"
-
 #include "scene/support.hpp"
 
 // Buffers of an engine that contradict each other, or what was said of them, are refused by one sentence.

@@ -197,24 +197,18 @@ TEST(Draw, NormalsThatDoNotFaceTheViewer) {
     }
 }
 
-TEST(Draw, WhatIsAskedForChangesNothingElse) {
-    const Scene scene = boxes({});
-    const GBuffer plain = draw(scene, {64, 36}, {.frame = 9});
-    const GBuffer full =
-        draw(scene, {64, 36}, {.frame = 9, .motion = true, .ids = true, .color = true, .layers = 2});
-    EXPECT_EQ(bits(plain.depth), bits(full.depth));
-    EXPECT_EQ(plain.normal, full.normal);
-    EXPECT_TRUE(plain.motion.empty() && plain.previous_position.empty() && plain.object.empty() &&
-                plain.color.empty() && plain.layers.empty());
-    EXPECT_EQ(full.color.back(), default_color);
-}
-
-// What coincides is one surface.
-TEST(Draw, NoSurfaceIsALayerTwice) {
+// What is asked for changes nothing else, and what coincides is one surface.
+TEST(Draw, LayersAndOtherImages) {
     const Scene once = boxes({});
     Scene twice = once;
     append(twice.mesh, once.mesh);
-    EXPECT_EQ(draw(twice, {48, 32}, {.layers = 4}).layers, draw(once, {48, 32}, {.layers = 4}).layers);
+    const GBuffer plain = draw(once, {64, 36}, {.frame = 9});
+    const GBuffer full =
+        draw(once, {64, 36}, {.frame = 9, .motion = true, .ids = true, .color = true, .layers = 4});
+    EXPECT_EQ(bits(plain.depth), bits(full.depth));
+    EXPECT_EQ(plain.normal, full.normal);
+    EXPECT_EQ(full.color.back(), default_color);
+    EXPECT_EQ(draw(twice, {64, 36}, {.frame = 9, .layers = 4}).layers, full.layers);
 }
 
 }  // namespace gloam::scene::test::draw_test

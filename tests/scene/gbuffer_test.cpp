@@ -5,6 +5,7 @@
 #include <ImfOutputFile.h>
 #include <nlohmann/json.hpp>
 
+#include "base/text.hpp"
 #include "scene/support.hpp"
 
 namespace gloam::scene::test::gbuffer_test {
@@ -118,20 +119,15 @@ TEST_F(GBufferTest, EitherProjectionWillDoOrPlanesAndAngle) {
             {"view", camera["view"]}, {"near", 0.25}, {"far", 40.0}, {"fovy_rad", 1.1}, {"aspect", 1.0}};
     });
     expect_close(lens.camera.proj_vk, make_frame({.fovy_rad = 1.1, .near = 0.25, .far = 40.0}, 1.0).proj_vk);
-    // Beside a projection they are not looked at.
-    const auto unused = one_pixel([](json& description) { description["camera"]["near"] = -5; });
-    expect_close(unused.camera.proj_vk, make_frame({}, 1.0).proj_vk);
-}
-
-TEST_F(GBufferTest, OptionalKeys) {
-    const auto without = one_pixel([](json& description) {
+    // Beside a projection they are not looked at, nor are keys that are not known.
+    const auto unused = one_pixel([](json& description) {
+        description["camera"]["near"] = -5;
         description["camera"]["prev_view"] = nullptr;
         description["unknown"] = {{"key", "is ignored"}};
         description.erase("frame");
     });
-    EXPECT_FALSE(without.camera.previous_view);
-    EXPECT_FALSE(without.ao_radius);
-    EXPECT_EQ(without.depth, std::vector{2.5F});
+    expect_close(unused.camera.proj_vk, make_frame({}, 1.0).proj_vk);
+    EXPECT_FALSE(unused.camera.previous_view || unused.ao_radius);
 }
 
 TEST_F(GBufferTest, ValuesThatAreNoneAreBackgroundOrNoDirectionOrNoHistory) {
@@ -216,53 +212,41 @@ TEST_F(GBufferError, Files) {
     }
 }
 
+// A key, values that it may not have, and parts of the message. ZERO, FLAT and HUGE are matrices without an
+// inverse; the columns of FLAT are in one plane up to rounding. LENS is a camera without a projection.
+constexpr const char* wrong_descriptions = R"json([
+["/width", [0, -3, 2.5, "2", null, 1e300, 4294967298.0], "width"],
+["/ao_radius", [0, -0.5, "wide"], "ao_radius"],
+["/border", [1, [1, 0], [0, -1], [0.5, 0], [0, 0, 0], [1, 0, 1, 0], [0, 0, 0, 1]], "border"],
+["/viewport", [1, [0, 0, 2], [0, 0, 0, 1], [0, 0, 2, 0], [1, 0, 2, 1], [0, 1, 2, 1], [-1, 0, 1, 1], [0.5, 0, 1, 1],
+ [0, 0, "2", 1], [0, 0, 2, 1, 0], [65537, 0, 1, 1]], "viewport", "within 2 x 1"],
+["/camera", [5], "camera"],
+["/camera", [{"view": VIEW, "near": 0.1, "far": 10, "aspect": 2}], "fovy_rad"],
+["/camera", [{"view": VIEW, "near": 0.1, "far": 10, "aspect": 2, "fovy_rad": 4.0}], "field of view"],
+["/camera/view", [null], "view"], ["/camera/view", [[1, 2, 3]], "view", "16"],
+["/camera/view/5", ["one"], "view", "one"], ["/camera/prev_view", [3], "prev_view"],
+["/camera/view", [ZERO, FLAT, HUGE], "view", "inverted"],
+["/camera/prev_view", [ZERO, FLAT, HUGE], "prev_view", "inverted"],
+["/camera/proj_vk", [ZERO, FLAT, HUGE], "proj_vk", "inverted"],
+["/camera/proj_vk/8", [1e5], "off centre", "expected at most 32768"],
+["/camera/proj_vk/4", [0.5], "skew"], ["/camera/proj_vk/2", [0.5], "skew"], ["/camera/proj_vk/6", [0.5], "skew"],
+["/camera/proj_vk/11", [1.0], "perspective or orthographic"]])json";
+
 TEST_F(GBufferError, Descriptions) {
-    const json zero = std::vector<double>(16, 0.0);
-    // Columns in one plane up to rounding: the determinant is not exactly 0.
-    const json flat{0.1, 0.2, 0.3, 0, 0.7, 0.8, 0.9, 0, 0.1 + 0.7, 0.2 + 0.8, 0.3 + 0.9, 0, 0, 0, 0, 1};
-    const json huge{1e200, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-    const json lens{{"view", description["camera"]["view"]}, {"near", 0.1}, {"far", 10}, {"aspect", 2}};
-    json wide = lens;
-    wide["fovy_rad"] = 4.0;
-    struct Row {
-        const char* key;
-        std::vector<json> values;
-        std::array<std::string, 2> parts{};
-    };
-    const std::vector<Row> rows{
-        {"/width", {0, -3, 2.5, "2", nullptr, 1e300, 4294967298.0}, {"width"}},
-        {"/ao_radius", {0, -0.5, "wide"}, {"ao_radius"}},
-        {"/border",
-         {1, json({1, 0}), json({0, -1}), json({0.5, 0}), json({0, 0, 0}), json({1, 0, 1, 0}),
-          json({0, 0, 0, 1})},
-         {"border"}},
-        {"/viewport",
-         {1, json({0, 0, 2}), json({0, 0, 0, 1}), json({0, 0, 2, 0}), json({1, 0, 2, 1}), json({0, 1, 2, 1}),
-          json({-1, 0, 1, 1}), json({0.5, 0, 1, 1}), json({0, 0, "2", 1}), json({0, 0, 2, 1, 0}),
-          json({65537, 0, 1, 1})},
-         {"viewport", "within 2 x 1"}},
-        {"/camera", {5}, {"camera"}},
-        {"/camera", {lens}, {"fovy_rad"}},
-        {"/camera", {wide}, {"field of view"}},
-        {"/camera/view", {nullptr}, {"view"}},
-        {"/camera/view", {json::array({1, 2, 3})}, {"view", "16"}},
-        {"/camera/view/5", {"one"}, {"view", "one"}},
-        {"/camera/prev_view", {3}, {"prev_view"}},
-        {"/camera/view", {zero, flat, huge}, {"view", "inverted"}},
-        {"/camera/prev_view", {zero, flat, huge}, {"prev_view", "inverted"}},
-        {"/camera/proj_vk", {zero, flat, huge}, {"proj_vk", "inverted"}},
-        {"/camera/proj_vk/8", {1e5}, {"off centre", "expected at most 32768"}},
-        {"/camera/proj_vk/4", {0.5}, {"skew"}},
-        {"/camera/proj_vk/2", {0.5}, {"skew"}},
-        {"/camera/proj_vk/6", {0.5}, {"skew"}},
-        {"/camera/proj_vk/11", {1.0}, {"perspective or orthographic"}}};
-    for (const Row& row : rows) {
-        for (const json& value : row.values) {
-            SCOPED_TRACE(std::string(row.key) + " = " + value.dump());
+    std::string text = wrong_descriptions;
+    for (const auto& [name, matrix] :
+         {std::pair{"VIEW", description["camera"]["view"].dump()},
+          {"ZERO", "[0,0,0,0, 0,0,0,0, 0,0,0,0, 0,0,0,0]"},
+          {"FLAT", "[0.1,0.2,0.3,0, 0.7,0.8,0.9,0, 0.7999999999999999,1,1.2,0, 0,0,0,1]"},
+          {"HUGE", "[1e200,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]"}})
+        text = base::replaced(text, name, matrix);
+    for (const json& row : json::parse(text)) {
+        for (const json& value : row[1]) {
+            SCOPED_TRACE(row.dump() + value.dump());
             json changed = description;
-            changed[json::json_pointer(row.key)] = value;
+            changed[json::json_pointer(row[0].get<std::string>())] = value;
             folder.write("f0000.json", changed.dump());
-            expect({"f0000.json", row.parts[0], row.parts[1]});
+            expect({"f0000.json", row[2], row.size() > 3 ? row[3] : row[2]});
         }
     }
 }

@@ -76,20 +76,16 @@ TEST(TruthTest, IsTheSameForAnyNumberOfThreads) {
 // A hundred kilometres away the same shapes have the same occlusion, to the rays' error.
 TEST(TruthTest, FarFromTheOriginIsAsGoodAsNearIt) {
     Scene far = make_scene("far");
+    far.camera_path = nullptr;
     Scene near = far;
     const glm::dvec3 shift = -glm::round(far.camera.target);
     near.mesh = placed(far.mesh, 1.0, shift);
     near.camera.eye += shift;
     near.camera.target += shift;
-    near.camera_path = nullptr;
-    far.camera_path = nullptr;
-    for (MovingObject& object : near.objects) {
+    for (MovingObject& object : near.objects)
         object.transform = [move = object.transform, shift](int frame) {
-            glm::dmat4 matrix = move(frame);
-            matrix[3] += glm::dvec4(shift, 0.0);
-            return matrix;
+            return glm::translate(glm::dmat4(1.0), shift) * move(frame);
         };
-    }
     const GBuffer far_view = shot(far, {64, 36});
     const GBuffer near_view = shot(near, {64, 36});
     EXPECT_EQ(bits(far_view.depth), bits(near_view.depth));
@@ -118,19 +114,6 @@ TEST(TruthTest, OfEveryBuiltInSceneHasNoHolesAndNoDots) {
     }
 }
 
-TEST(TruthTest, TellsHowFarItIs) {
-    const Scene scene = make_scene("corner");
-    const GBuffer view = shot(scene, {32, 18});
-    TruthSettings watched = settings(0.5, 32, 2);
-    std::vector<double> told;
-    watched.progress = [&](double part) { told.push_back(part); };
-    (void)trace_geometry(scene, 0, view, watched);
-    ASSERT_FALSE(told.empty());
-    EXPECT_TRUE(std::ranges::is_sorted(told));
-    EXPECT_EQ(told.back(), 1.0);
-    EXPECT_GT(told.front(), 0.0);
-}
-
 // The truth of the scene "moving" in a folder of its own.
 class KeptTruth : public InFolder {
   protected:
@@ -139,9 +122,6 @@ class KeptTruth : public InFolder {
     [[nodiscard]] TracedTruth depth() const { return trace_depth(view_, settings_); }
     [[nodiscard]] std::filesystem::path file() const {
         return *std::filesystem::directory_iterator(settings_.cache);
-    }
-    static void overwrite(const std::filesystem::path& file, const std::string& bytes) {
-        std::ofstream(file, std::ios::binary) << bytes;
     }
 
     const Scene scene_ = make_scene("moving");
@@ -174,30 +154,24 @@ TEST_F(KeptTruth, IsTracedOnce) {
     EXPECT_EQ(traced, 6);
 }
 
-TEST_F(KeptTruth, ThatIsDamagedIsTracedAgain) {
+// Damaged, cut short, or the whole truth of something else under this name.
+TEST_F(KeptTruth, ThatIsDamagedOrExchangedIsTracedAgain) {
     const TracedTruth first = depth();
-    const std::string whole = read_file(file());
-    for (const std::size_t place : {std::size_t{0}, whole.size() / 2, whole.size() - 1}) {
-        std::string damaged = whole;
-        damaged[place] ^= 1;
-        overwrite(file(), damaged);
-        EXPECT_EQ(bits(depth().occlusion), bits(first.occlusion));
-        EXPECT_EQ(read_file(file()), whole);
-    }
-    std::filesystem::resize_file(file(), whole.size() / 2);
-    EXPECT_EQ(bits(depth().occlusion), bits(first.occlusion));
-}
-
-// A whole file of the same size is the truth of something else, under another's name.
-TEST_F(KeptTruth, ThatWasExchangedIsTracedAgain) {
-    const TracedTruth one = depth();
-    const std::string whole = read_file(file());
-    std::filesystem::remove(file());
+    const std::filesystem::path kept = file();
+    const std::string whole = read_file(kept);
+    std::string damaged = whole;
+    damaged[whole.size() / 2] ^= 1;
+    std::filesystem::rename(kept, path("other"));
     settings_.rays.radius = 0.2;
-    const TracedTruth other = depth();
-    ASSERT_NE(bits(other.occlusion), bits(one.occlusion));
-    overwrite(file(), whole);
-    EXPECT_EQ(bits(depth().occlusion), bits(other.occlusion));
+    ASSERT_NE(bits(depth().occlusion), bits(first.occlusion));
+    const std::string other = read_file(file());
+    settings_.rays.radius = 0.4;
+    std::filesystem::remove(file());
+    for (const std::string& bytes : {damaged, whole.substr(0, whole.size() / 2), other}) {
+        std::ofstream(kept, std::ios::binary) << bytes;
+        EXPECT_EQ(bits(depth().occlusion), bits(first.occlusion));
+        EXPECT_EQ(read_file(kept), whole);
+    }
 }
 
 }  // namespace gloam::scene::test::truth_test

@@ -20,33 +20,21 @@ std::vector<ViewInfo> all_rows() {
     return all;
 }
 
-GBuffer shot(const std::string& name, int frame = 0) {
-    return draw(make_scene(name), {160, 90}, {.frame = frame, .ids = true});
-}
-
-// What was claimed of unseen views holds only while none of them was ever used for tuning.
+// What was claimed of unseen views holds only while none of them was ever used for tuning. Each kind is in
+// both halves.
 TEST(Views, NoneChangesItsHalf) {
-    std::vector<std::string> unseen;
-    for (const ViewInfo& view : all_views())
-        if (view.half == "unseen") unseen.push_back(view.name);
-    EXPECT_THAT(unseen,
-                ElementsAre("workshop", "plan", "aisle", "stairs", "grove", "lawn", "pipes", "panel",
-                            "canyon", "town", "horse", "asteroids", "far", "knot", "room", "gallery"));
-    std::vector<std::string> scenes;
-    for (const ViewInfo& info : built_in_scenes()) scenes.push_back(info.name);
-    EXPECT_THAT(scenes,
-                ElementsAre("columns", "corner", "far", "grass", "knot", "moving", "relief", "room", "sky"));
-}
-
-TEST(Views, EachKindIsInBothHalves) {
+    std::map<std::string, std::string> names;  // of both lists, by half
     std::map<std::string, std::set<std::string>> halves;
-    std::set<std::string> names;
     for (const ViewInfo& view : all_views()) {
+        names[view.half] += view.name + " ";
         halves[view.kind].insert(view.half);
-        names.insert(view.name);
     }
-    EXPECT_EQ(names.size(), all_views().size());
-    EXPECT_GE(halves.size(), 6U);
+    for (const ViewInfo& info : built_in_scenes()) names["scene"] += info.name + " ";
+    EXPECT_EQ(names["unseen"],
+              "workshop plan aisle stairs grove lawn pipes panel canyon town horse asteroids far knot room "
+              "gallery ");
+    EXPECT_EQ(names["scene"], "columns corner far grass knot moving relief room sky ");
+    EXPECT_EQ(halves.size(), 8U);
     for (const auto& [kind, of_kind] : halves) EXPECT_EQ(of_kind.size(), 2U) << kind;
 }
 
@@ -67,8 +55,6 @@ TEST(Views, AreMadeTheSameTwiceAndMove) {
         EXPECT_EQ(bits(components(scene->mesh.positions)), bits(components(again.mesh.positions)));
         EXPECT_EQ(bits(components(scene->mesh.normals)), bits(components(again.mesh.normals)));
         EXPECT_EQ(scene->mesh.indices, again.mesh.indices);
-        EXPECT_EQ(camera_at(*scene, 0).eye,
-                  view.name == "knot" ? camera_at(again, 0).eye : scene->camera.eye);
         const double step = std::max(0.05, 0.3 * scene->ao_radius);
         for (int frame = 1; frame < 400; ++frame) {
             const Camera now = camera_at(*scene, frame);
@@ -76,9 +62,7 @@ TEST(Views, AreMadeTheSameTwiceAndMove) {
             (void)make_frame(now, 1.5, before);
             ASSERT_LT(glm::distance(now.eye, before.eye), step);
             for (const MovingObject& object : scene->objects) {
-                const glm::dmat3 turn(object.transform(frame));
-                ASSERT_NEAR(glm::determinant(turn), 1.0, 1e-12);
-                for (int i = 0; i < 3; ++i) ASSERT_NEAR(glm::length(turn[i]), 1.0, 1e-12);
+                ASSERT_NEAR(glm::determinant(object.transform(frame)), 1.0, 1e-12);
                 ASSERT_LT(glm::distance(object.transform(frame)[3], object.transform(frame - 1)[3]), 0.1);
             }
         }
@@ -113,24 +97,10 @@ TEST(ViewPictures, ShowSomethingInEachFrame) {
     }
 }
 
-// What rolls and what tumbles stays in the picture, and what slides leaves it.
-TEST(ViewPictures, OfMovingObjects) {
-    for (const ViewInfo& view : all_views()) {
-        if (view.kind != "motion") continue;
-        SCOPED_TRACE(view.name);
-        const Scene scene = make_view(view.name, installed_meshes());
-        ASSERT_EQ(scene.objects.size(), 3U);
-        std::array<std::array<double, 4>, 2> shown{};
-        for (const int end : {0, 1})
-            for (const std::uint32_t object : draw(scene, {160, 90}, {.frame = 23 * end, .ids = true}).object)
-                shown[static_cast<std::size_t>(end)][object] += 1.0;
-        for (const std::size_t object : {1U, 2U, 3U}) EXPECT_GT(shown[0][object], 60.0) << object;
-        for (const std::size_t object : {1U, 2U}) EXPECT_GT(shown[1][object], 60.0) << object;
-        EXPECT_LT(shown[1][3], 0.4 * shown[0][3]);
-    }
-}
-
 TEST(ViewPictures, OfBuiltInScenesShowWhatTheyAreFor) {
+    const auto shot = [](const char* name, int frame = 0) {
+        return draw(make_scene(name), {160, 90}, {.frame = frame, .ids = true});
+    };
     const auto background_of = [](const GBuffer& view) {
         return static_cast<double>(std::ranges::count(view.depth, infinity)) /
                static_cast<double>(view.depth.size());
@@ -140,15 +110,10 @@ TEST(ViewPictures, OfBuiltInScenesShowWhatTheyAreFor) {
     EXPECT_GT(*std::ranges::max_element(columns.depth), 195.0F);
     EXPECT_NEAR(background_of(shot("sky")), 0.86, 0.11);
     for (const char* closed : {"room", "columns"}) EXPECT_EQ(background_of(shot(closed)), 0.0);
-    for (const float depth : shot("far").depth) EXPECT_GT(depth, 1.0F);
     EXPECT_GT(glm::length(make_scene("far").camera.eye), 1e5);
-    for (const char* moving : {"moving", "sky", "far"}) {
-        const GBuffer view = shot(moving, 12);
+    for (const char* moving : {"moving", "sky", "far"})
         for (std::uint32_t object = 1; object <= make_scene(moving).objects.size(); ++object)
-            EXPECT_GT(std::ranges::count(view.object, object), 3) << moving << " " << object;
-    }
-    for (const glm::vec3& p : make_scene("corner").mesh.positions)
-        ASSERT_TRUE(p.x == 0.0F || p.y == 0.0F || p.z == 0.0F);
+            EXPECT_GT(std::ranges::count(shot(moving, 12).object, object), 3) << moving << " " << object;
 }
 
 TEST(Views, WhatIsMissingIsNamed) {

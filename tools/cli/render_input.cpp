@@ -15,6 +15,7 @@
 #include "cli/progress.hpp"
 #include "cli/settings.hpp"
 #include "pictures/sheet.hpp"
+#include "scene/analytic_scene.hpp"
 #include "scene/draw.hpp"
 #include "scene/mesh_scene.hpp"
 #include "scene/read_gbuffer.hpp"

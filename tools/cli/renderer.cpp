@@ -15,7 +15,6 @@
 #include "effect/errors.hpp"
 #include "effect/pixel_classes.hpp"
 #include "pictures/sheet.hpp"
-#include "scene/contradictions.hpp"
 #include "scene/draw.hpp"
 #include "scene/read_gbuffer.hpp"
 

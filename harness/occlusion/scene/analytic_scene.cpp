@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -68,49 +69,21 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double quarter = 0.25 * pi;
-constexpr double away = 4.0;        // of the eye from the point
-constexpr double half_image = 1.6;  // from the point to the edge of the image, at its depth
-constexpr double roll = 0.35;       // radians about the optical axis: no edge runs along the pixels
 
-// A view in coordinates of its own, which start at the point: x towards the blockers, z along the normal.
-struct Setup {
-    std::string name;
-    double occlusion = 0.0;
-    std::vector<Quadric> scene{};
-    double tilt = 0.0;  // radians from the normal to the eye's direction, away from the blockers
-    bool flat = true;
-    double distance = away;
-    double half_height = half_image;  // of the image, at the point's depth
-};
-
-ClosedFormView view_of(const Setup& setup, Projection projection) {
-    const glm::dvec3 back{-std::sin(setup.tilt), 0, std::cos(setup.tilt)};
-    const glm::dvec3 side{std::cos(setup.tilt), 0, std::sin(setup.tilt)};
-    const glm::dvec3 right = std::cos(roll) * side + std::sin(roll) * glm::dvec3(0, 1, 0);
-    const glm::dvec3 up = glm::cross(back, right);
-    const auto place = [&](glm::dvec3& point, glm::dvec3& direction) {
-        const auto turned = [&](const glm::dvec3& v) -> glm::dvec3 {
-            return {glm::dot(v, right), glm::dot(v, up), glm::dot(v, back)};
-        };
-        point = turned(point) - glm::dvec3(0, 0, setup.distance);
-        direction = turned(direction);
+// Integral of (1 - c / cos t)^2 over t from -arccos(c) to `end`, for a wall at c = a / R; 0 beyond the
+// radius.
+double wall_integral(double c, double end) {
+    if (c >= 1.0) return 0.0;
+    const auto antiderivative = [c](double t) {
+        const double tangent = std::tan(t);
+        return t - 2.0 * c * std::asinh(tangent) + c * c * tangent;
     };
-    ClosedFormView view{
-        .name = setup.name, .scene = setup.scene, .occlusion = setup.occlusion, .flat = setup.flat};
-    place(view.point, view.normal);
-    for (Quadric& surface : view.scene) {
-        place(surface.center, surface.axis);
-        for (HalfSpace& limit : surface.limits) place(limit.point, limit.normal);
-    }
-    view.camera.projection = projection;
-    view.camera.view_height = 2.0 * setup.half_height;
-    view.camera.fovy_rad = 2.0 * std::atan(setup.half_height / setup.distance);
-    return view;
+    const double reach = std::acos(c);
+    return antiderivative(std::clamp(end, -reach, reach)) - antiderivative(-reach);
 }
 
 double wall_occlusion(double c) {
-    const double s = std::sqrt(1.0 - c * c);
-    return 2.0 / pi * (0.5 * (std::acos(c) - c * s) - c * (std::acosh(1.0 / c) - s));
+    return corner_occlusion(c, 1.0, 1.0);
 }
 
 const Quadric ground = plane_of({});
@@ -129,72 +102,90 @@ Quadric roof(double height, double x) {
     return plane_of({{0, 0, height}, {0, 0, 1}}, {{{x, 0, 0}, {1, 0, 0}}});
 }
 
-// A funnel that rises from the point all round.
-Quadric funnel(double elevation) {
-    const double sine = std::sin(elevation);
-    return {.along = 1.0, .round = -sine * sine, .limits = {{}}};
-}
-
-// A floor under a ceiling at 0.5 R, seen from between them, 2 R away, where the floor is seen at an angle of
-// 7 degrees.
-Setup under_ceiling() {
-    constexpr double height = 0.5;
-    constexpr double along = 2.0;
-    const double distance = std::hypot(along, 0.5 * height);
-    return {.name = "ceiling",
-            .occlusion = (1.0 - height) * (1.0 - height),
-            .scene = {ground, plane_of({{0, 0, height}, {0, 0, -1}})},
-            .tilt = std::atan2(along, 0.5 * height),
-            .distance = distance,
-            .half_height = distance};
-}
-
-std::vector<Setup> setups(bool orthographic) {
-    std::vector<Setup> all;
-    for (const double degrees : {0.0, 30.0, 60.0})
-        all.push_back({fmt::format("plane {:g}", degrees), 0.0, {ground}, degrees * pi / 180.0});
-    for (const double x : {0.25, 0.5, 0.75})
-        all.push_back({fmt::format("wall {:g}", x), wall_occlusion(x), {ground, wall(x)}, quarter});
-    if (!orthographic) all.push_back(under_ceiling());
-    // A floor that rises by 45 degrees from the line through the point; a line between two such slopes; the
-    // bottom of a funnel; the inside of a sphere of radius R.
-    all.push_back({"groove", 0.5 * (1.0 - std::cos(quarter)), {ground, slope(1.0)}, 0.0, false});
-    all.push_back({"valley", 1.0 - std::cos(quarter), {ground, slope(1.0), slope(-1.0)}, 0.0, false});
-    all.push_back({"pit", 0.5, {funnel(quarter)}, 0.0, false});
-    const Quadric sphere{.center = {0, 0, 1}, .round = 1.0, .square = 1.0};
-    // The orthographic view of it starts at half the height: the upper half would hide the inside.
-    all.push_back({"sphere", 1.0 / 12.0, {sphere}, 0.0, false, orthographic ? 1.0 : 1.9});
-    // A floor 0.5 R before a block 1.5 R high, seen from straight above; a floor under the edge of a plate
-    // without thickness at 0.5 R.
-    const Quadric side = wall(0.5, {{{0, 0, 1.5}, {0, 0, -1}}});
-    all.push_back({"step", wall_occlusion(0.5), {ground, side, roof(1.5, 0.5)}});
-    all.push_back({"plate", 0.5 * 0.5 * 0.5, {ground, roof(0.5, 0.0)}, pi / 6.0});
-    return all;
+// A camera that looks at the point. tilt: radians from the normal to the eye's direction, away from the
+// blockers. half_height: of the image, at the point's depth.
+Camera looking(Projection projection, double tilt, double distance = 4.0, double half_height = 1.6) {
+    constexpr double roll = 0.35;  // radians about the optical axis: no edge runs along the pixels
+    const glm::dvec3 back{-std::sin(tilt), 0, std::cos(tilt)};
+    const glm::dvec3 side{std::cos(tilt), 0, std::sin(tilt)};
+    return {.eye = distance * back,
+            .target = {0, 0, 0},
+            .up = glm::cross(back, std::cos(roll) * side + std::sin(roll) * glm::dvec3(0, 1, 0)),
+            .projection = projection,
+            .fovy_rad = 2.0 * std::atan(half_height / distance),
+            .view_height = 2.0 * half_height};
 }
 
 }  // namespace
 
 std::vector<ClosedFormView> closed_form_views(Projection projection) {
-    std::vector<ClosedFormView> views;
-    for (const Setup& setup : setups(projection == Projection::orthographic))
-        views.push_back(view_of(setup, projection));
-    return views;
+    const bool orthographic = projection == Projection::orthographic;
+    const auto tilted = [&](double tilt) { return looking(projection, tilt); };
+    std::vector<ClosedFormView> all;
+    for (const double degrees : {0.0, 30.0, 60.0})
+        all.push_back({fmt::format("plane {:g}", degrees), {ground}, tilted(degrees * pi / 180.0)});
+    for (const double x : {0.25, 0.5, 0.75})
+        all.push_back({fmt::format("wall {:g}", x), {ground, wall(x)}, tilted(quarter), wall_occlusion(x)});
+    // A floor under a ceiling at 0.5 R, seen from between them, 2 R away, where the floor is seen at an angle
+    // of 7 degrees.
+    const double between = std::hypot(2.0, 0.25);
+    if (!orthographic)
+        all.push_back({"ceiling",
+                       {ground, plane_of({{0, 0, 0.5}, {0, 0, -1}})},
+                       looking(projection, std::atan2(2.0, 0.25), between, between),
+                       0.25});
+    // A floor that rises by 45 degrees from the line through the point; a line between two such slopes; a
+    // funnel that rises from the point all round; the inside of a sphere of radius R, whose orthographic view
+    // starts at half the height: the upper half would hide the inside.
+    const double half = std::sin(quarter) * std::sin(quarter);
+    const Quadric funnel{.along = 1.0, .round = -half, .limits = {{}}};
+    const Quadric sphere{.center = {0, 0, 1}, .round = 1.0, .square = 1.0};
+    const double groove = 0.5 * (1.0 - std::cos(quarter));
+    all.push_back({"groove", {ground, slope(1.0)}, tilted(0.0), groove, false});
+    all.push_back({"valley", {ground, slope(1.0), slope(-1.0)}, tilted(0.0), 2.0 * groove, false});
+    all.push_back({"pit", {funnel}, tilted(0.0), 0.5, false});
+    all.push_back(
+        {"sphere", {sphere}, looking(projection, 0.0, orthographic ? 1.0 : 1.9), 1.0 / 12.0, false});
+    // A floor 0.5 R before a block 1.5 R high, seen from straight above; a floor under the edge of a plate
+    // without thickness at 0.5 R.
+    const Quadric side = wall(0.5, {{{0, 0, 1.5}, {0, 0, -1}}});
+    all.push_back({"step", {ground, side, roof(1.5, 0.5)}, tilted(0.0), wall_occlusion(0.5)});
+    all.push_back({"plate", {ground, roof(0.5, 0.0)}, tilted(pi / 6.0), 0.125});
+    return all;
 }
 
 GBuffer draw(const ClosedFormView& view, std::uint32_t size) {
     GBuffer buffer{.extent = {size, size}, .border = gpu::Extent{size / 2, size / 2}};
-    buffer.camera = make_frame(view.camera, 1.0);
+    Camera camera = view.camera;
+    const glm::dmat3 rotation = view_rotation(camera);
+    const glm::dmat3 back = glm::transpose(rotation);
+    camera.eye = {0, 0, 0};
+    camera.target = {0, 0, -1};
+    camera.up = {0, 1, 0};
+    buffer.camera = make_frame(camera, 1.0);
     const PixelPositions positions(buffer);
     for (std::size_t i = 0; i < std::size_t{size} * size; ++i) {
         const auto [origin, direction] = positions.ray(i);
-        const auto hit = first_hit(view.scene, origin, direction);
+        const auto hit = first_hit(view.scene, view.camera.eye + back * origin, back * direction);
         buffer.depth.push_back(hit ? static_cast<float>(hit->distance)
                                    : std::numeric_limits<float>::infinity());
-        buffer.normal.push_back(hit ? glm::vec3(hit->normal) : glm::vec3(0.0F));
+        buffer.normal.push_back(hit ? glm::vec3(rotation * hit->normal) : glm::vec3(0.0F));
     }
     const std::size_t middle = std::size_t{size} * (size / 2) + size / 2;
-    buffer.normal[middle] = glm::vec3(view.normal);  // several surfaces meet there
+    buffer.normal[middle] = glm::vec3(rotation[2]);  // several surfaces meet there
     return buffer;
+}
+
+double corner_occlusion(double a, double b, double radius) {
+    // The azimuth of the corner's edge, where the nearer wall changes; measured from the first wall's normal.
+    const double edge = std::atan2(b, a);
+    return (wall_integral(a / radius, edge) + wall_integral(b / radius, 0.5 * pi - edge)) / (2.0 * pi);
+}
+
+double corner_occlusion_at(const glm::dvec3& world, double radius) {
+    std::array distances{std::abs(world.x), std::abs(world.y), std::abs(world.z)};
+    std::ranges::sort(distances);
+    return corner_occlusion(distances[1], distances[2], radius);
 }
 
 }  // namespace gloam::scene

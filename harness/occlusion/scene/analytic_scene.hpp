@@ -52,12 +52,10 @@ struct SurfaceHit {
 // depth buffer cannot know all that blocks.
 struct ClosedFormView {
     std::string name;
-    std::vector<Quadric> scene;  // in view space
-    Camera camera;               // at the origin, looking down -z; the image is square
-    glm::dvec3 point{0};         // on the optical axis, view space
-    glm::dvec3 normal{0, 0, 1};
-    double occlusion = 0.0;  // at the point: TSSAO-1, cosine-weighted, linear falloff
-    bool flat = true;        // the surface around the point is a plane
+    std::vector<Quadric> scene;  // the point is the origin, +z its normal, +x the side of the blockers
+    Camera camera;               // looks at the point; the image is square
+    double occlusion = 0.0;      // at the point: TSSAO-1, cosine-weighted, linear falloff
+    bool flat = true;            // the surface around the point is a plane
 };
 
 // Views of planes at three tilts, walls at three distances, a ceiling, grooves, a pit, the inside of a
@@ -67,5 +65,16 @@ struct ClosedFormView {
 // The view's images, calculated in double at the centres of size x size pixels. All pixels except the middle
 // one are guard band, so a frame is one pixel. size: odd, from 3 on.
 [[nodiscard]] GBuffer draw(const ClosedFormView& view, std::uint32_t size);
+
+// Occlusion of a point on a floor in front of two infinite walls at right angles: cosine-weighted (TSSAO-1),
+// with the linear falloff 1 - d / R. a and b: distances of the point from the walls (>= 0, in the unit of R >
+// 0).
+// A direction of azimuth phi meets the nearer wall at the horizontal distance rho(phi). The integral over its
+// elevation is (1 - rho / R)^2 / 2, and the integral over phi has an antiderivative.
+[[nodiscard]] double corner_occlusion(double a, double b, double radius);
+
+// The same for a point of the scene "corner". The point is on the nearest of the planes x = 0, y = 0 and z =
+// 0, on the side of positive coordinates; the other two planes are the walls.
+[[nodiscard]] double corner_occlusion_at(const glm::dvec3& world, double radius);
 
 }  // namespace gloam::scene

@@ -59,9 +59,30 @@ glm::dmat4 projection_of(const Camera& camera, double aspect) {
 }
 
 // Matrix from Vulkan's to OpenGL's clip coordinates: y up, z becomes 2 z - w.
-const glm::dmat4& clip_gl_from_vk() {
-    static const glm::dmat4 matrix{{1, 0, 0, 0}, {0, -1, 0, 0}, {0, 0, 2, 0}, {0, 0, -1, 1}};
-    return matrix;
+const glm::dmat4 clip_gl_from_vk{{1, 0, 0, 0}, {0, -1, 0, 0}, {0, 0, 2, 0}, {0, 0, -1, 1}};
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+bool is_depth(double depth) {
+    return depth > 0.0 && std::isfinite(depth);
+}
+
+// The depth at a depth-buffer value.
+double depth_at(const glm::mat4& proj_vk, double value) {
+    const bool orthographic = proj_vk[2][3] == 0.0F;
+    const double numerator = orthographic ? proj_vk[3][2] - value : double{proj_vk[3][2]};
+    const double denominator = orthographic ? double{proj_vk[2][2]} : value + proj_vk[2][2];
+    return denominator == 0.0 ? infinity : numerator / denominator;
+}
+
+// Whether the far plane has depth-buffer value 0.
+bool reversed(const CameraFrame& camera) {
+    return camera.proj_vk[2][2] > (camera.orthographic() ? 0.0F : -0.5F);
+}
+
+glm::dvec2 folded(const glm::dvec2& v) {
+    return {(1.0 - std::abs(v.y)) * (v.x >= 0.0 ? 1.0 : -1.0),
+            (1.0 - std::abs(v.x)) * (v.y >= 0.0 ? 1.0 : -1.0)};
 }
 
 }  // namespace
@@ -89,84 +110,47 @@ glm::dmat3 view_rotation(const Camera& camera) {
 }
 
 glm::dmat4 gl_from_vk(const glm::dmat4& proj_vk) {
-    return clip_gl_from_vk() * proj_vk;
+    return clip_gl_from_vk * proj_vk;
 }
 
 glm::dmat4 vk_from_gl(const glm::dmat4& proj_gl) {
-    return glm::inverse(clip_gl_from_vk()) * proj_gl;
+    return glm::inverse(clip_gl_from_vk) * proj_gl;
 }
 
 Planes planes_of(const glm::mat4& proj_vk) {
-    const double p22 = proj_vk[2][2];
-    const double p32 = proj_vk[3][2];
-    const bool orthographic = proj_vk[2][3] == 0.0F;
-    const auto depth_at = [&](double b) {
-        const double numerator = orthographic ? p32 - b : p32;
-        const double denominator = orthographic ? p22 : b + p22;
-        return denominator == 0.0 ? std::numeric_limits<double>::infinity() : numerator / denominator;
-    };
-    const double zero = depth_at(0.0);
-    const double one = depth_at(1.0);
-    const bool reversed = zero > one;
-    return {.near = reversed ? one : zero, .far = reversed ? zero : one, .reversed_z = reversed};
+    const double zero = depth_at(proj_vk, 0.0);
+    const double one = depth_at(proj_vk, 1.0);
+    return {.near = std::min(zero, one), .far = std::max(zero, one), .reversed_z = zero > one};
 }
-
-namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-bool is_depth(double depth) {
-    return depth > 0.0 && std::isfinite(depth);
-}
-
-// Whether the far plane has depth-buffer value 0.
-bool reversed(const CameraFrame& camera) {
-    return camera.proj_vk[2][2] > (camera.orthographic() ? 0.0F : -0.5F);
-}
-
-glm::dmat3 view_from_world(const CameraFrame& camera) {
-    return glm::dmat3(glm::mat3(camera.view));
-}
-
-glm::dvec2 folded(const glm::dvec2& v) {
-    return {(1.0 - std::abs(v.y)) * (v.x >= 0.0 ? 1.0 : -1.0),
-            (1.0 - std::abs(v.x)) * (v.y >= 0.0 ? 1.0 : -1.0)};
-}
-
-}  // namespace
 
 Encoding encoding_named(const std::string& depth, const std::string& normals) {
     Encoding encoding{.depth_buffer = depth == "buffer"};
     if (!encoding.depth_buffer && depth != "linear")
         throw std::invalid_argument("--depth " + depth + ": expected linear or buffer");
     std::string_view rest = normals;
-    for (bool first = true; first || !rest.empty(); first = false) {
-        const std::size_t end = std::min(rest.find('-'), rest.size());
-        const std::string_view part = rest.substr(0, end);
-        if (first && (part == "view" || part == "world")) {
-            encoding.world = part == "world";
-        } else if (!first && part == "octahedral") {
-            encoding.octahedral = true;
-        } else if (!first && part == "unorm") {
-            encoding.unorm = true;
-        } else {
-            throw std::invalid_argument(
-                "--normals " + normals +
-                ": expected view or world, and behind it -octahedral, -unorm or both, as in world-unorm");
-        }
-        rest.remove_prefix(std::min(end + 1, rest.size()));
+    const auto take = [&](std::string_view word) {
+        const bool next = rest.starts_with(word);
+        if (next) rest.remove_prefix(word.size());
+        return next;
+    };
+    encoding.world = take("world");
+    const bool known = encoding.world || take("view");
+    for (std::size_t before = 0; before != rest.size();) {
+        before = rest.size();
+        encoding.octahedral |= take("-octahedral");
+        encoding.unorm |= take("-unorm");
     }
-    return encoding;
+    if (known && (rest.empty() || rest == "-")) return encoding;
+    throw std::invalid_argument(
+        "--normals " + normals +
+        ": expected view or world, and behind it -octahedral, -unorm or both, as in world-unorm");
 }
 
 float linear_depth(float stored, const Encoding& encoding, const CameraFrame& camera) {
     double depth = double{stored};
     if (encoding.depth_buffer) {
-        const double p22 = double{camera.proj_vk[2][2]};
-        const double p32 = double{camera.proj_vk[3][2]};
         const bool in_front = reversed(camera) ? stored > 0.0F : stored < 1.0F;
-        depth = camera.orthographic() ? (p32 - depth) / p22 : p32 / (depth + p22);
-        if (!in_front) depth = infinity;
+        depth = in_front ? depth_at(camera.proj_vk, depth) : infinity;
     }
     return static_cast<float>(is_depth(depth) ? depth : infinity);
 }
@@ -181,7 +165,7 @@ glm::vec3 view_normal(const glm::vec3& stored, const Encoding& encoding, const C
             v = {back.x, back.y, v.z};
         }
     }
-    if (encoding.world) v = view_from_world(camera) * v;
+    if (encoding.world) v = glm::dmat3(camera.view) * v;
     const double length = glm::length(v);
     return length > 0.0 && std::isfinite(length) ? glm::vec3(v / length) : glm::vec3(0.0F);
 }
@@ -195,7 +179,7 @@ double stored_depth(double depth, const Encoding& encoding, const CameraFrame& c
 }
 
 glm::dvec3 stored_normal(const glm::dvec3& normal, const Encoding& encoding, const CameraFrame& camera) {
-    glm::dvec3 v = encoding.world ? glm::transpose(view_from_world(camera)) * normal : normal;
+    glm::dvec3 v = encoding.world ? glm::transpose(glm::dmat3(camera.view)) * normal : normal;
     if (encoding.octahedral) {
         const double sum = std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
         glm::dvec2 at = sum > 0.0 ? glm::dvec2(v) / sum : glm::dvec2(0.0);

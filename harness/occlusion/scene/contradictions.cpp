@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/contradictions.hpp"
+#include "scene/read_gbuffer.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -83,15 +83,12 @@ std::string values_of_no_linear_depth(const GBuffer& view, const Surface& surfac
 // Octahedral normals have no length of their own.
 std::string lengths_that_differ(const GBuffer& view, const Surface& surface, const StoredInputs& as_stored) {
     const Encoding& encoding = as_stored.encoding;
-    if (encoding.octahedral) return "";
     const auto length = [&](std::size_t i) {
         return glm::length(encoding.unorm ? 2.0F * as_stored.normal[i] - 1.0F : as_stored.normal[i]);
     };
-    const auto differs = [&](std::size_t i) {
-        constexpr float tolerance = 0.05F;
-        return !(std::abs(length(i) - 1.0F) <= tolerance);
-    };
-    const double wrong = surface.share(differs);
+    constexpr float tolerance = 0.05F;
+    const auto differs = [&](std::size_t i) { return !(std::abs(length(i) - 1.0F) <= tolerance); };
+    const double wrong = encoding.octahedral ? 0.0 : surface.share(differs);
     if (wrong <= most) return "";
     const std::size_t first = *std::ranges::find_if(surface.pixels, differs);
     return fmt::format(
@@ -157,13 +154,11 @@ std::string directions_that_differ(const GBuffer& view, const Surface& surface) 
 
 std::string contradiction_of(const GBuffer& view, const StoredInputs& as_stored) {
     if (view.depth.size() < too_few_pixels) return "";
-    if (as_stored.encoding.depth_buffer) {
-        const std::string values = values_of_no_depth_buffer(view, as_stored.depth);
-        if (!values.empty()) return values;
-    }
+    const bool buffer = as_stored.encoding.depth_buffer;
     const Surface surface(view);
-    if (surface.pixels.empty()) return "";
-    std::string text = as_stored.encoding.depth_buffer ? "" : values_of_no_linear_depth(view, surface);
+    std::string text = buffer ? values_of_no_depth_buffer(view, as_stored.depth) : "";
+    if (!text.empty() || surface.pixels.empty()) return text;
+    if (!buffer) text = values_of_no_linear_depth(view, surface);
     if (text.empty() && !view.normal.empty()) text = lengths_that_differ(view, surface, as_stored);
     if (text.empty() && !view.normal.empty()) text = directions_that_differ(view, surface);
     return text;

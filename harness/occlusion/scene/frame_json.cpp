@@ -21,30 +21,30 @@ using nlohmann::json;
 
 constexpr std::size_t longest_description = std::size_t{1} << 20;  // bytes
 constexpr std::size_t longest_message = 300;
+constexpr std::size_t longest_quote = 40;
+constexpr double longest_side = 65536.0;  // pixels
 
-// Throws without the file's name; read_frame_json adds it.
-[[noreturn]] void fail_to_read(const char* key, const std::string& what) {
-    throw std::runtime_error(fmt::format("\"{}\"{}", key, what));
+// Throws without the file's name; read_frame_json adds it. found: instead of what was expected.
+[[noreturn]] void refuse(const char* key, const std::string& what, const json* found = nullptr) {
+    std::string text = fmt::format("\"{}\"{}", key, what);
+    if (found != nullptr)
+        text += ", found " +
+                base::shortened(found->dump(-1, ' ', false, json::error_handler_t::replace), longest_quote);
+    throw std::runtime_error(text);
 }
 
-// The value that was found instead, for a message.
-std::string found(const json& value) {
-    constexpr std::size_t longest_quote = 40;
-    return ", found " +
-           base::shortened(value.dump(-1, ' ', false, json::error_handler_t::replace), longest_quote);
-}
-
-bool is_given(const json& object, const char* key) {
-    return object.contains(key) && !object[key].is_null();
+// The value of a key; nullptr where it is missing or null.
+const json* given(const json& object, const char* key) {
+    const auto found = object.find(key);
+    return found == object.end() || found->is_null() ? nullptr : &*found;
 }
 
 double number(const json& object, const char* key) {
-    if (!is_given(object, key)) fail_to_read(key, " is missing, expected a number");
-    if (!object[key].is_number()) fail_to_read(key, ": expected a number" + found(object[key]));
-    return object[key].get<double>();
+    const json* value = given(object, key);
+    if (value == nullptr) refuse(key, " is missing, expected a number");
+    if (!value->is_number()) refuse(key, ": expected a number", value);
+    return value->get<double>();
 }
-
-constexpr double longest_side = 65536.0;  // pixels
 
 // A list of whole pixels; empty if it is none.
 std::vector<std::uint32_t> pixels_in(const json& list) {
@@ -52,15 +52,13 @@ std::vector<std::uint32_t> pixels_in(const json& list) {
         return value.is_number_unsigned() && value.get<double>() <= longest_side;
     };
     if (!list.is_array() || !std::ranges::all_of(list, whole)) return {};
-    std::vector<std::uint32_t> pixels;
-    for (const json& value : list) pixels.push_back(value.get<std::uint32_t>());
-    return pixels;
+    return list.get<std::vector<std::uint32_t>>();
 }
 
 std::uint32_t side(const json& object, const char* key) {
     const double value = number(object, key);
     if (!(value >= 1.0 && value <= longest_side && value == std::floor(value)))
-        fail_to_read(key, ": expected whole pixels from 1 to 65536" + found(object[key]));
+        refuse(key, ": expected whole pixels from 1 to 65536", &object[key]);
     return static_cast<std::uint32_t>(value);
 }
 
@@ -75,26 +73,26 @@ bool is_invertible(const glm::dmat4& matrix) {
     return std::abs(glm::determinant(matrix)) > 1e-12 * box;
 }
 
-// A matrix with an inverse: sixteen numbers, column after column.
-glm::dmat4 matrix(const json& object, const char* key) {
-    const json& values = object[key];
-    if (!values.is_array() || values.size() != 16) fail_to_read(key, ": expected an array of 16 numbers");
+// A matrix with an inverse: sixteen numbers, column after column; nothing where the key is not given.
+std::optional<glm::dmat4> matrix(const json& object, const char* key) {
+    const json* values = given(object, key);
+    if (values == nullptr) return std::nullopt;
+    if (!values->is_array() || values->size() != 16) refuse(key, ": expected an array of 16 numbers");
     glm::dmat4 result(0.0);
     for (int i = 0; i < 16; ++i) {
-        const json& value = values[static_cast<std::size_t>(i)];
-        if (!value.is_number()) fail_to_read(key, ": expected 16 numbers" + found(value));
+        const json& value = (*values)[static_cast<std::size_t>(i)];
+        if (!value.is_number()) refuse(key, ": expected 16 numbers", &value);
         result[i / 4][i % 4] = value.get<double>();
     }
-    if (!is_invertible(result)) fail_to_read(key, ": the matrix cannot be inverted");
+    if (!is_invertible(result)) refuse(key, ": the matrix cannot be inverted");
     return result;
 }
 
 glm::mat4 projection_from_planes(const json& camera) {
-    const bool infinite = !is_given(camera, "far");
-    const Camera lens{.fovy_rad = number(camera, "fovy_rad"),
-                      .near = number(camera, "near"),
-                      .far = infinite ? std::numeric_limits<double>::infinity() : number(camera, "far")};
-    return make_frame(lens, number(camera, "aspect")).proj_vk;
+    const double fovy = number(camera, "fovy_rad");
+    const double near = number(camera, "near");
+    const double far = given(camera, "far") ? number(camera, "far") : std::numeric_limits<double>::infinity();
+    return make_frame({.fovy_rad = fovy, .near = near, .far = far}, number(camera, "aspect")).proj_vk;
 }
 
 // What an image lacks to have the projection's axis in its middle (GBuffer::off_centre).
@@ -105,59 +103,58 @@ glm::dvec2 off_centre_of(const glm::mat4& projection, gpu::Extent extent) {
                         projection[1][2] != 0.0F;  // the last two: an oblique near plane
     const bool shape = projection[0][0] != 0.0F && projection[1][1] != 0.0F && !skewed;
     const bool kind = orthographic ? projection[3][3] == 1.0F : projection[2][3] == -1.0F;
-    if (!shape || !kind)
-        fail_to_read("camera", ": expected a perspective or orthographic projection without skew");
+    if (!shape || !kind) refuse("camera", ": expected a perspective or orthographic projection without skew");
     const glm::dvec2 lacks = glm::dvec2(offset) * glm::dvec2(extent.width, extent.height);
     if (std::abs(lacks.x) <= longest_side && std::abs(lacks.y) <= longest_side) return lacks;
-    fail_to_read(
-        "camera",
-        fmt::format(": the projection is off centre by {:.4g} and {:.4g} pixels, expected at most {}",
-                    0.5 * lacks.x, 0.5 * lacks.y, 0.5 * longest_side));
+    refuse("camera",
+           fmt::format(": the projection is off centre by {:.4g} and {:.4g} pixels, expected at most {}",
+                       0.5 * lacks.x, 0.5 * lacks.y, 0.5 * longest_side));
 }
 
 CameraFrame camera_of(const json& camera) {
-    if (!camera.is_object()) fail_to_read("camera", ": expected an object");
-    if (!is_given(camera, "view")) fail_to_read("view", " is missing, expected an array of 16 numbers");
-    CameraFrame frame{.view = glm::mat4(matrix(camera, "view"))};
-    if (is_given(camera, "proj_vk")) {
-        frame.proj_vk = glm::mat4(matrix(camera, "proj_vk"));
-    } else if (is_given(camera, "proj_gl")) {
-        frame.proj_vk = glm::mat4(vk_from_gl(matrix(camera, "proj_gl")));
-    } else {
-        frame.proj_vk = projection_from_planes(camera);
-    }
-    if (is_given(camera, "prev_view")) frame.previous_view = glm::mat4(matrix(camera, "prev_view"));
-    if (is_given(camera, "previous_from_current"))
-        frame.previous_from_current = glm::mat4(matrix(camera, "previous_from_current"));
-    return frame;
+    if (!camera.is_object()) refuse("camera", ": expected an object");
+    const auto view = matrix(camera, "view");
+    if (!view) refuse("view", " is missing, expected an array of 16 numbers");
+    const auto vk = matrix(camera, "proj_vk");
+    const auto gl = vk ? std::nullopt : matrix(camera, "proj_gl");
+    using Single = std::optional<glm::mat4>;
+    return {.view = glm::mat4(*view),
+            .proj_vk = vk   ? glm::mat4(*vk)
+                       : gl ? glm::mat4(vk_from_gl(*gl))
+                            : projection_from_planes(camera),
+            .previous_view = Single(matrix(camera, "prev_view")),
+            .previous_from_current = Single(matrix(camera, "previous_from_current"))};
 }
 
 // Guard band: pixels on the left and right, and at top and bottom, or on each of the four sides.
 Border border_of(const json& root, gpu::Extent extent) {
-    if (!is_given(root, "border")) return {};
-    std::vector<std::uint32_t> n = pixels_in(root["border"]);
+    const json* given_border = given(root, "border");
+    if (given_border == nullptr) return {};
+    std::vector<std::uint32_t> n = pixels_in(*given_border);
     if (n.size() == 2) n.insert(n.end(), {n[0], n[1]});
     if (n.size() == 4 && n[0] + n[2] < extent.width && n[1] + n[3] < extent.height)
         return {n[0], n[1], n[2], n[3]};
-    fail_to_read("border",
-                 ": expected two or four whole numbers of pixels that leave a frame of at least one" +
-                     found(root["border"]));
+    refuse("border", ": expected two or four whole numbers of pixels that leave a frame of at least one",
+           given_border);
 }
 
 // What is around the viewport in an image.
 Border around_viewport(const json& root, gpu::Extent image) {
-    if (!is_given(root, "viewport")) return {};
-    const std::vector<std::uint32_t> n = pixels_in(root["viewport"]);
+    const json* viewport = given(root, "viewport");
+    if (viewport == nullptr) return {};
+    const std::vector<std::uint32_t> n = pixels_in(*viewport);
     if (n.size() == 4 && n[2] > 0 && n[3] > 0 && n[0] + n[2] <= image.width && n[1] + n[3] <= image.height)
         return {n[0], n[1], image.width - n[0] - n[2], image.height - n[1] - n[3]};
-    fail_to_read("viewport", fmt::format(": expected [x, y, width, height], whole pixels within {} x {}{}",
-                                         image.width, image.height, found(root["viewport"])));
+    refuse("viewport",
+           fmt::format(": expected [x, y, width, height], whole pixels within {} x {}", image.width,
+                       image.height),
+           viewport);
 }
 
 FrameDescription parse(const std::string& text) {
     base::require_bounded_json(text);
     const json root = json::parse(text);
-    if (!root.is_object() || !is_given(root, "camera"))
+    if (!root.is_object() || given(root, "camera") == nullptr)
         throw std::runtime_error("expected an object with \"camera\" in it");
     const gpu::Extent image{side(root, "width"), side(root, "height")};
     const Border around = around_viewport(root, image);
@@ -165,11 +162,9 @@ FrameDescription parse(const std::string& text) {
                  .camera = camera_of(root["camera"])};
     const glm::dvec2 off_centre = off_centre_of(view.camera.proj_vk, view.extent);
     view.border = border_of(root, view.extent);
-    if (is_given(root, "ao_radius")) {
-        view.ao_radius = number(root, "ao_radius");
-        if (!(*view.ao_radius > 0.0))
-            fail_to_read("ao_radius", ": expected a length > 0" + found(root["ao_radius"]));
-    }
+    const json* radius = given(root, "ao_radius");
+    if (radius != nullptr) view.ao_radius = number(root, "ao_radius");
+    if (radius != nullptr && !(*view.ao_radius > 0.0)) refuse("ao_radius", ": expected a length > 0", radius);
     return {view, around, off_centre};
 }
 

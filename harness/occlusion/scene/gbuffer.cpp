@@ -16,45 +16,47 @@ void keep_motion_inside(GBuffer& frame) {
             frame.motion[i].z = 0.0F;
 }
 
-// The projection of another part of the image plane. lacks: what that part lacks to be centred, less what the
-// first one does (GBuffer::off_centre).
-glm::mat4 reframed(glm::mat4 projection, gpu::Extent from, gpu::Extent to, const glm::ivec2& lacks) {
-    const bool orthographic = projection[2][3] == 0.0F;
-    const glm::dvec2 before(from.width, from.height);
-    const glm::dvec2 after(to.width, to.height);
+// The view in a window that is larger by these pixels on the left, at the top, on the right and at the
+// bottom, with background in them; smaller where they are negative.
+GBuffer in_window(GBuffer view, const glm::ivec4& more) {
+    const gpu::Extent from = view.extent;
+    const glm::ivec2 before(more.x, more.y);
+    const glm::ivec2 behind(more.z, more.w);
+    const glm::ivec2 size = glm::ivec2(from.width, from.height) + before + behind;
+    view.extent = {static_cast<std::uint32_t>(size.x), static_cast<std::uint32_t>(size.y)};
+    const auto reframe = [&](auto& image, const auto& around) {
+        image = window_of(image, from, -before, view.extent, around);
+    };
+    constexpr float background = std::numeric_limits<float>::infinity();
+    const glm::vec3 none(0);
+    for (std::vector<float>* depths : {&view.depth, &view.previous_depth}) reframe(*depths, background);
+    for (std::vector<float>& layer : view.layers) reframe(layer, background);
+    for (auto* vectors : {&view.normal, &view.motion, &view.color, &view.previous_position})
+        reframe(*vectors, none);
+    reframe(view.object, std::uint32_t{0});
+    if (view.stored) {
+        const double far = stored_depth(double{background}, view.stored->encoding, view.camera);
+        reframe(view.stored->depth, static_cast<float>(far));
+        reframe(view.stored->normal, none);
+    }
+    glm::mat4& projection = view.camera.proj_vk;
+    const bool orthographic = view.camera.orthographic();
     for (const int axis : {0, 1}) {
+        const double sides[] = {double(axis == 0 ? from.width : from.height), double(size[axis])};
+        const int lacks = behind[axis] - before[axis];
         float& scale = projection[axis][axis];
         float& offset = projection[orthographic ? 3 : 2][axis];
-        const double moved = double{offset} * before[axis] + (orthographic ? -lacks[axis] : lacks[axis]);
-        scale = static_cast<float>(double{scale} * (before[axis] / after[axis]));
-        offset = static_cast<float>(moved / after[axis]);
+        const double moved = double{offset} * sides[0] + (orthographic ? -lacks : lacks);
+        scale = static_cast<float>(double{scale} * (sides[0] / sides[1]));
+        offset = static_cast<float>(moved / sides[1]);
     }
-    return projection;
-}
-
-// An image with what lies around it.
-template <class Texel>
-void surround(std::vector<Texel>& image, gpu::Extent extent, const Border& border, const Texel& around) {
-    if (image.empty()) return;
-    const gpu::Extent wide = with_border(extent, border);
-    std::vector<Texel> result(std::size_t{wide.width} * wide.height, around);
-    for (std::size_t y = 0; y < extent.height; ++y) {
-        const auto row = image.begin() + static_cast<std::ptrdiff_t>(y * extent.width);
-        const std::size_t first = (y + border.top) * wide.width + border.left;
-        std::copy_n(row, extent.width, result.begin() + static_cast<std::ptrdiff_t>(first));
-    }
-    image = std::move(result);
-}
-
-// Calls `visit(image, its value at the background)` for each image but those of GBuffer::stored.
-template <class Visit>
-void for_each_image(GBuffer& view, const Visit& visit) {
-    constexpr float background = std::numeric_limits<float>::infinity();
-    for (std::vector<float>* depths : {&view.depth, &view.previous_depth}) visit(*depths, background);
-    for (std::vector<float>& layer : view.layers) visit(layer, background);
-    for (auto* vectors : {&view.normal, &view.motion, &view.color, &view.previous_position})
-        visit(*vectors, glm::vec3(0));
-    visit(view.object, std::uint32_t{0});
+    view.off_centre += behind - before;
+    const auto side = [](std::uint32_t band, int by) {
+        return static_cast<std::uint32_t>(static_cast<int>(band) + by);
+    };
+    view.border = {side(view.border.left, more.x), side(view.border.top, more.y),
+                   side(view.border.right, more.z), side(view.border.bottom, more.w)};
+    return view;
 }
 
 }  // namespace
@@ -94,16 +96,10 @@ Camera with_border(const Camera& camera, gpu::Extent frame, gpu::Extent border) 
 
 GBuffer cropped(const GBuffer& view) {
     if (view.border == Border{}) return view;
-    const gpu::Extent frame = frame_of(view);
-    const glm::ivec2 lacks(glm::ivec2(view.border.left, view.border.top) -
-                           glm::ivec2(view.border.right, view.border.bottom));
-    GBuffer inner = view;
-    for_each_image(inner, [&](auto& image, const auto&) { image = cropped(view, image); });
-    inner.extent = frame;
-    inner.border = {};
-    inner.off_centre += lacks;
+    (void)frame_of(view);
+    const Border& band = view.border;
+    GBuffer inner = in_window(view, -glm::ivec4(band.left, band.top, band.right, band.bottom));
     inner.stored.reset();
-    inner.camera.proj_vk = reframed(view.camera.proj_vk, view.extent, frame, lacks);
     keep_motion_inside(inner);
     return inner;
 }
@@ -117,33 +113,17 @@ Border centring_border(const GBuffer& view) {
 GBuffer centred(GBuffer view) {
     const Border lack = centring_border(view);
     if (lack == Border{}) return view;
-    const auto widen = [&](auto& image, const auto& around) { surround(image, view.extent, lack, around); };
-    if (view.stored) {
-        constexpr double background = std::numeric_limits<double>::infinity();
-        const double stored = stored_depth(background, view.stored->encoding, view.camera);
-        widen(view.stored->depth, static_cast<float>(stored));
-        widen(view.stored->normal, glm::vec3(0));
-    }
-    for_each_image(view, widen);
-    const gpu::Extent wide = with_border(view.extent, lack);
-    view.camera.proj_vk = reframed(view.camera.proj_vk, view.extent, wide, -view.off_centre);
-    view.extent = wide;
-    view.off_centre = glm::ivec2(0);
-    const Border& band = view.border;
-    view.border = {band.left + lack.left, band.top + lack.top, band.right + lack.right,
-                   band.bottom + lack.bottom};
-    return view;
+    return in_window(std::move(view), {lack.left, lack.top, lack.right, lack.bottom});
 }
 
 namespace {
 
 // Whether two matrices agree within rounding: of rotations, or of lengths in single precision.
 bool agree(const glm::mat4& a, const glm::mat4& b) {
-    for (int column = 0; column < 4; ++column) {
-        for (int row = 0; row < 4; ++row) {
-            const float scale = 1.0F + std::abs(b[column][row]);
-            if (!(std::abs(a[column][row] - b[column][row]) <= 1e-4F * scale)) return false;
-        }
+    for (int i = 0; i < 16; ++i) {
+        const float x = a[i / 4][i % 4];
+        const float y = b[i / 4][i % 4];
+        if (!(std::abs(x - y) <= 1e-4F * (1.0F + std::abs(y)))) return false;
     }
     return true;
 }
@@ -152,7 +132,7 @@ bool agree(const glm::mat4& a, const glm::mat4& b) {
 glm::vec3 earlier(const GBuffer& view, const PixelPositions& now, const PixelPositions& then,
                   std::size_t pixel) {
     const double depth = view.depth[pixel];
-    if (!(depth > 0.0 && std::isfinite(depth))) return glm::vec3(0);
+    if (!is_surface(view.depth[pixel])) return glm::vec3(0);
     const glm::dmat4 change(*view.camera.previous_from_current);
     const glm::dvec3 if_still(change * glm::dvec4(now.at(pixel, depth), 1.0));
     const double before = view.previous_depth.empty() ? -if_still.z : double{view.previous_depth[pixel]};

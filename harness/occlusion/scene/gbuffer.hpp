@@ -97,18 +97,26 @@ struct GBuffer {
 // is that of with_border().
 [[nodiscard]] Camera with_border(const Camera& camera, gpu::Extent frame, gpu::Extent border);
 
+// A window of an image, from its pixel `first` on; `around` where it reaches beyond the image.
+template <class Texel>
+[[nodiscard]] std::vector<Texel> window_of(const std::vector<Texel>& image, gpu::Extent extent,
+                                           const glm::ivec2& first, gpu::Extent window,
+                                           const Texel& around = {}) {
+    std::vector<Texel> inner(image.empty() ? 0 : std::size_t{window.width} * window.height, around);
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        const glm::ivec2 at = glm::ivec2(i % extent.width, i / extent.width) - first;
+        if (at.x >= 0 && at.y >= 0 && at.x < int(window.width) && at.y < int(window.height))
+            inner[static_cast<std::size_t>(at.y) * window.width + static_cast<std::size_t>(at.x)] = image[i];
+    }
+    return inner;
+}
+
 // The pixels of an image of `view` that belong to the frame.
 template <class Texel>
 [[nodiscard]] std::vector<Texel> cropped(const GBuffer& view, const std::vector<Texel>& image) {
     const gpu::Extent frame = frame_of(view);
-    if (frame == view.extent || image.empty()) return image;
-    std::vector<Texel> inner;
-    inner.reserve(std::size_t{frame.width} * frame.height);
-    for (std::size_t y = 0; y < frame.height; ++y) {
-        const std::size_t first = (y + view.border.top) * view.extent.width + view.border.left;
-        for (std::size_t x = 0; x < frame.width; ++x) inner.push_back(image[first + x]);
-    }
-    return inner;
+    if (frame == view.extent) return image;
+    return window_of(image, view.extent, {view.border.left, view.border.top}, frame);
 }
 
 // The frame without its band: cropped images, projection, and motion that is valid only if it began in the

@@ -114,20 +114,6 @@ Mesh make_sphere(const glm::dvec3& center, double radius, int rings, int segment
     });
 }
 
-Mesh make_strip(const std::vector<glm::dvec3>& left, const std::vector<glm::dvec3>& right) {
-    const int rows = static_cast<int>(left.size()) - 1;
-    return make_grid(1, rows, [&](int x, int y) -> Vertex {
-        const auto row = static_cast<std::size_t>(y);
-        const std::size_t before = row == 0 ? 0 : row - 1;
-        const std::size_t after = std::min(row + 1, left.size() - 1);
-        const glm::dvec3 way = left[after] + right[after] - left[before] - right[before];
-        // The tip can be a point; then the width of the previous row gives the direction.
-        glm::dvec3 across = right[row] - left[row];
-        if (!(glm::length(across) > 0.0)) across = right[before] - left[before];
-        return {x == 0 ? left[row] : right[row], glm::normalize(glm::cross(across, way))};
-    });
-}
-
 namespace {
 
 // A disc around the axis, as a fan of triangles.

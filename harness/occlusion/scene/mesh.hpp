@@ -72,10 +72,6 @@ void append(Mesh& mesh, const Mesh& other);
 // A sphere with smooth normals outwards. rings: of latitude, at least 2. segments: around, at least 3.
 [[nodiscard]] Mesh make_sphere(const glm::dvec3& center, double radius, int rings, int segments);
 
-// A flat strip through pairs of points, left and right (at least 2): a leaf, a blade of grass. Smooth normals
-// towards the side of (right - left) x (direction along the strip).
-[[nodiscard]] Mesh make_strip(const std::vector<glm::dvec3>& left, const std::vector<glm::dvec3>& right);
-
 // A straight rod between two different points, with smooth sides and flat ends.
 [[nodiscard]] Mesh make_rod(const glm::dvec3& from, const glm::dvec3& to, double radius, int segments);
 

@@ -9,8 +9,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "scene/contradictions.hpp"
-
 namespace gloam::scene {
 namespace {
 

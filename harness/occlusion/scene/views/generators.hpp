@@ -9,13 +9,23 @@
 #include "scene/mesh.hpp"
 #include "scene/scene.hpp"
 
-// What the views and built-in scenes show, made by code: bit-identical for the same row of the table of views
-// (view_table.cpp), whose members are in metres. What is made here has no name, radius and camera yet.
+// What the views and built-in scenes show: bit-identical for the same row of the table of views (rows.cpp),
+// whose members are in metres. What is made here has no name, radius and camera yet.
 namespace gloam::scene::views {
 
 using Row = nlohmann::json;
 
+// All views and built-in scenes.
+[[nodiscard]] const Row& rows();
+// The one of that name, which exists.
+[[nodiscard]] const Row& row_named(std::string_view name);
+
 inline constexpr double full_turn = 2.0 * std::numbers::pi;  // radians
+
+// Three numbers of a list, from one of its places on.
+[[nodiscard]] inline glm::dvec3 vector_of(const Row& list, std::size_t first = 0) {
+    return {list.at(first).get<double>(), list.at(first + 1).get<double>(), list.at(first + 2).get<double>()};
+}
 
 // A mesh to which shapes are added. cell: of the faces of boxes, metres.
 struct Parts {
@@ -30,10 +40,21 @@ struct Parts {
     void cylinder(const glm::dvec3& base_center, double radius, double height, int segments) {
         add(make_cylinder(base_center, radius, height, segments));
     }
-    void sphere(const glm::dvec3& center, double radius, int rings, int segments) {
-        add(make_sphere(center, radius, rings, segments));
+    void sphere(const glm::dvec3& center, double radius, int rings) {
+        add(make_sphere(center, radius, rings, 2 * rings));
     }
 };
+
+// Books in a row along x. least, most: how thick, tall and deep they are. gap: between two of them. share: of
+// the places that hold one.
+struct Books {
+    glm::dvec3 least;
+    glm::dvec3 most;
+    double gap;
+    double share;
+};
+void add_books(Parts& parts, numeric::Random& random, const Books& books, const glm::dvec3& first,
+               double end);
 
 // A rotation about the vertical axis.
 [[nodiscard]] inline glm::dmat3 upright_turn(double radians) {
@@ -44,8 +65,17 @@ struct Parts {
 
 // The row's random numbers.
 [[nodiscard]] inline numeric::Random random_of(const Row& row) {
-    return numeric::Random(row.at("seed").get<std::uint64_t>());
+    return numeric::Random(row.value("seed", std::uint64_t{0}));
 }
+
+// The shapes that a row lists: ["box", low, high], ["inside", low, high] (a box seen from inside),
+// ["plane", corner, u, v, perhaps a colour] (make_parallelogram()), ["sphere", center, radius, rings],
+// ["cylinder", base center, radius, height, segments], ["knot", scale], ["books", first corner, end along x],
+// where a point is three numbers. ["each", count, step, shapes...] repeats shapes, each time moved by the
+// step, and ["ring", count, distance, shapes...] around their place, in the plane of y and z. ["all of",
+// name] has the shapes of another row. ["cell", size] changes the cells of the boxes and planes behind it;
+// they have 1 m before it.
+[[nodiscard]] Mesh shapes_of(const Row& row);
 
 // A room with shelves of books along the back wall, furniture at random (fullness: share of the places that
 // hold a piece), and a table with small things at the origin. Without `roofed` a floor and the back wall
@@ -60,7 +90,10 @@ struct Parts {
 // planted. leaves: of a bush; a tree has as many.
 [[nodiscard]] Scene make_foliage(const Row& row);
 
-// Housings with fins and bolts, gears and pipes before a wall, perhaps a grating on the floor.
+// A meadow of blades, and of broad leaves around one foot.
+[[nodiscard]] Scene make_grass(const Row& row);
+
+// Housings with fins and bolts, gears and pipes before a wall.
 [[nodiscard]] Scene make_machine(const Row& row);
 
 // Hills or ridges with stones: half_side: of their square. size: of the largest hills.
@@ -69,16 +102,5 @@ struct Parts {
 
 // Rows of houses along streets, from z = 0 along -z.
 [[nodiscard]] Scene make_town(const Row& row);
-
-// The built-in scenes.
-[[nodiscard]] Scene make_columns(const Row& row);
-[[nodiscard]] Scene make_corner(const Row& row);
-[[nodiscard]] Scene make_far(const Row& row);
-[[nodiscard]] Scene make_grass(const Row& row);
-[[nodiscard]] Scene make_knot(const Row& row);
-[[nodiscard]] Scene make_moving(const Row& row);
-[[nodiscard]] Scene make_relief(const Row& row);
-[[nodiscard]] Scene make_room(const Row& row);
-[[nodiscard]] Scene make_sky(const Row& row);
 
 }  // namespace gloam::scene::views

@@ -37,17 +37,11 @@ Parts make_shelf(numeric::Random& random, double width, double height) {
     for (const double x : {-0.5 * width, 0.5 * width})
         add_box(shelf, {x, 0.5 * height, 0}, {board, height, depth});
     add_box(shelf, {0, 0.5 * height, -0.5 * depth}, {width, height, 0.01});
+    const Books books{{0.02, 0.18, 0.15}, {0.05, 0.29, 0.24}, 0.002, 0.75};
     for (double y = 0.05; y < height; y += 0.35) {
         add_box(shelf, {0, y, 0}, {width, board, depth});
-        for (double x = -0.5 * width + 0.03; x < 0.5 * width - 0.06;) {
-            const double thick = random.uniform(0.02, 0.05);
-            const double tall = random.uniform(0.18, 0.29);
-            const double deep = random.uniform(0.15, 0.24);
-            if (random.unit() < 0.75)
-                add_box(shelf, {x + 0.5 * thick, y + 0.5 * (board + tall), -0.5 * (depth - deep)},
-                        {thick, tall, deep});
-            x += thick + 0.002;
-        }
+        add_books(shelf, random, books, {-0.5 * width + 0.03, y + 0.5 * board, -0.5 * depth},
+                  0.5 * width - 0.06);
     }
     return shelf;
 }
@@ -100,7 +94,7 @@ void add_clutter(Parts& room, numeric::Random& random, const glm::dvec3& low, co
         const glm::dvec3 at{random.uniform(low.x, high.x), low.y, random.uniform(low.z, high.z)};
         const double size = random.uniform(0.03, 0.09);
         if (i % 3 == 0)
-            room.sphere(at + glm::dvec3(0, size, 0), size, 16, 32);
+            room.sphere(at + glm::dvec3(0, size, 0), size, 16);
         else if (i % 3 == 1)
             room.rod(at, at + glm::dvec3(0, 2.5 * size, 0), 0.6 * size, 24);
         else
@@ -194,7 +188,7 @@ Scene make_hall(const Row& row) {
         const double radius = random.uniform(0.1, 0.35);
         const double x = random.uniform(-w + 0.9, w - 0.9);
         const double z = random.uniform(-length + 1.0, -0.5);
-        parts.sphere({x, radius, z}, radius, 24, 48);
+        parts.sphere({x, radius, z}, radius, 24);
     }
     return {.mesh = std::move(parts.mesh), .lamp = glm::dvec3(0.2, height - 0.8, -1.5)};
 }
@@ -218,21 +212,11 @@ void add_gear(Parts& parts, const glm::dvec3& center, double radius, int teeth) 
 void add_pipe(Parts& parts, const std::vector<glm::dvec3>& corners, double radius) {
     for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
         parts.rod(corners[i], corners[i + 1], radius, 20);
-        parts.sphere(corners[i + 1], 1.05 * radius, 12, 24);
+        parts.sphere(corners[i + 1], 1.05 * radius, 12);
         const glm::dvec3 way = glm::normalize(corners[i + 1] - corners[i]);
         const glm::dvec3 middle = 0.5 * (corners[i] + corners[i + 1]);
         parts.rod(middle - 0.04 * way, middle + 0.04 * way, 1.4 * radius, 20);
     }
-}
-
-// A grating of bars over the floor, with gaps between them.
-void add_grating(Mesh& mesh) {
-    constexpr double spacing = 0.12;
-    Parts bars{.cell = 4.0};
-    for (double x = -2.5; x <= 2.5; x += spacing) bars.box({x, 0.25, -0.3}, {x + 0.25 * spacing, 0.29, 1.5});
-    for (double z = -0.3; z <= 1.5; z += 3.0 * spacing)
-        bars.box({-2.5, 0.25, z}, {2.5, 0.29, z + 0.25 * spacing});
-    append(mesh, bars.mesh);
 }
 
 // A housing with fins, bolts and a dial.
@@ -276,7 +260,6 @@ Scene make_machine(const Row& row) {
         add_pipe(parts, {{-4, y, z}, {turn, y, z}, {turn, y, z + 0.6}, {turn, 0, z + 0.6}},
                  random.uniform(0.04, 0.1));
     }
-    if (row.value("grating", false)) add_grating(parts.mesh);
     return {.mesh = std::move(parts.mesh)};
 }
 

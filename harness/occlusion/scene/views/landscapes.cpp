@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "scene/views/generators.hpp"
@@ -14,23 +16,44 @@ glm::dvec3 any_direction(numeric::Random& random) {
     return {out * std::cos(around), y, out * std::sin(around)};
 }
 
-// A flat leaf without thickness, which grows from `foot` in a direction and droops.
+// A flat leaf or blade without thickness that grows from `at` in a number of steps. half, way: at each part
+// of its length (0 to 1) half its width, and the step to the next one. Its smooth normals are towards the
+// side of half x way.
+Mesh make_leaf(glm::dvec3 at, int steps, const std::function<glm::dvec3(double)>& half,
+               const std::function<glm::dvec3(double)>& way) {
+    std::vector<glm::dvec3> left;
+    std::vector<glm::dvec3> right;
+    for (int i = 0; i <= steps; ++i) {
+        const double t = static_cast<double>(i) / steps;
+        left.push_back(at - half(t));
+        right.push_back(at + half(t));
+        at += way(t);
+    }
+    return make_grid(1, steps, [&](int x, int y) -> Vertex {
+        const auto row = static_cast<std::size_t>(y);
+        const std::size_t before = row == 0 ? 0 : row - 1;
+        const std::size_t after = std::min(row + 1, left.size() - 1);
+        const glm::dvec3 along = left[after] + right[after] - left[before] - right[before];
+        // The tip can be a point; then the width of the previous row gives the direction.
+        glm::dvec3 across = right[row] - left[row];
+        if (!(glm::length(across) > 0.0)) across = right[before] - left[before];
+        return {x == 0 ? left[row] : right[row], glm::normalize(glm::cross(across, along))};
+    });
+}
+
+// A leaf that grows in a direction and droops.
 Mesh make_leaf(numeric::Random& random, const glm::dvec3& foot, glm::dvec3 ahead, double length,
                double width) {
     const glm::dvec3 side = glm::normalize(glm::cross(ahead, any_direction(random)));
-    std::vector<glm::dvec3> left;
-    std::vector<glm::dvec3> right;
-    glm::dvec3 at = foot;
-    constexpr int rows = 4;
-    for (int i = 0; i <= rows; ++i) {
-        const double t = static_cast<double>(i) / rows;
-        const glm::dvec3 half = 0.5 * width * std::sin(std::numbers::pi * (0.1 + 0.85 * t)) * side;
-        left.push_back(at - half);
-        right.push_back(at + half);
-        at += length / rows * ahead;
-        ahead = glm::normalize(ahead - glm::dvec3(0, 0.15, 0));
-    }
-    return make_strip(left, right);
+    constexpr int steps = 4;
+    return make_leaf(
+        foot, steps,
+        [&](double t) { return 0.5 * width * std::sin(std::numbers::pi * (0.1 + 0.85 * t)) * side; },
+        [&](double) {
+            const glm::dvec3 step = length / steps * ahead;
+            ahead = glm::normalize(ahead - glm::dvec3(0, 0.15, 0));
+            return step;
+        });
 }
 
 // Leaves in a ball, denser near its surface, as of a bush or a crown.
@@ -86,6 +109,62 @@ Scene make_foliage(const Row& row) {
 
 namespace {
 
+// The shape of a blade or a leaf that leans towards the azimuth `heading`.
+struct Blade {
+    double heading;
+    double length;
+    double width;   // at its widest, metres
+    double lean;    // angle from upright at the foot, radians
+    double bend;    // additional lean at the tip
+    double widest;  // position of the widest part, 0 to 1
+};
+
+Mesh make_blade(const glm::dvec3& foot, const Blade& blade) {
+    const glm::dvec3 ahead{std::sin(blade.heading), 0, std::cos(blade.heading)};
+    const glm::dvec3 across{std::cos(blade.heading), 0, -std::sin(blade.heading)};
+    constexpr int steps = 5;
+    return make_leaf(
+        foot, steps,
+        [&](double t) {
+            const double part =
+                t < blade.widest ? 0.3 + 0.7 * t / blade.widest : (1.0 - t) / (1.0 - blade.widest);
+            return 0.5 * (blade.width * part) * across;
+        },
+        [&](double t) {
+            const double lean = blade.lean + blade.bend * t;
+            return blade.length / steps * (std::cos(lean) * glm::dvec3(0, 1, 0) + std::sin(lean) * ahead);
+        });
+}
+
+}  // namespace
+
+Scene make_grass(const Row& row) {
+    numeric::Random random = random_of(row);
+    Scene scene{.mesh = make_parallelogram({-20, 0, -36}, {0, 0, 40}, {40, 0, 0}, 1.0)};
+    const auto anywhere = [&] {
+        const double x = random.uniform(-2.0, 2.0);
+        return glm::dvec3(x, 0, random.uniform(-4.0, 0.0));
+    };
+    for (int i = 0; i < 5000; ++i) {
+        const glm::dvec3 foot = anywhere();
+        Blade blade{.heading = random.uniform(0.0, full_turn), .width = 0.007};
+        blade.length = random.uniform(0.12, 0.3);
+        blade.lean = random.uniform(0.0, 0.3);
+        blade.bend = random.uniform(0.1, 1.1);
+        append(scene.mesh, make_blade(foot, blade));
+    }
+    for (int i = 0; i < 40; ++i) {
+        const glm::dvec3 foot = anywhere();
+        const double first = random.uniform(0.0, full_turn);
+        for (int k = 0; k < 7; ++k)
+            append(scene.mesh, make_blade(foot, {first + full_turn * k / 7, random.uniform(0.18, 0.28), 0.09,
+                                                 0.5, 1.0, 0.45}));
+    }
+    return scene;
+}
+
+namespace {
+
 // A random value in [-1, 1] for whole coordinates.
 double lattice_value(double x, double z, std::uint64_t seed) {
     const auto column = static_cast<std::uint64_t>(static_cast<std::int64_t>(x) + 4096);
@@ -133,25 +212,19 @@ Mesh make_stone(const glm::dvec3& center, double radius, std::uint64_t seed) {
 
 // A square height field: x and z from -half to half, with cells x cells cells, smooth normals.
 Mesh make_height_field(double half, int cells, const std::function<double(double x, double z)>& height) {
-    Mesh mesh;
     const double step = 2.0 * half / cells;
-    for (int row = 0; row <= cells; ++row) {
-        for (int column = 0; column <= cells; ++column) {
-            const double x = -half + column * step;
-            const double z = -half + row * step;
-            mesh.positions.emplace_back(x, height(x, z), z);
-            const double dx = height(x + step, z) - height(x - step, z);
-            const double dz = height(x, z + step) - height(x, z - step);
-            mesh.normals.emplace_back(glm::normalize(glm::dvec3(-dx, 2.0 * step, -dz)));
-        }
-    }
-    const auto stride = static_cast<std::uint32_t>(cells + 1);
-    for (std::uint32_t row = 0; row + 1 < stride; ++row) {
-        for (std::uint32_t column = 0; column + 1 < stride; ++column) {
-            const std::uint32_t at = row * stride + column;
-            mesh.indices.insert(mesh.indices.end(),
-                                {at, at + stride, at + 1, at + 1, at + stride, at + stride + 1});
-        }
+    Mesh mesh = make_grid(cells, cells, [&](int column, int row) -> Vertex {
+        const double x = -half + column * step;
+        const double z = -half + row * step;
+        const double dx = height(x + step, z) - height(x - step, z);
+        const double dz = height(x, z + step) - height(x, z - step);
+        return {{x, height(x, z), z}, glm::normalize(glm::dvec3(-dx, 2.0 * step, -dz))};
+    });
+    // The field is seen from the other side, and its cells are divided along the other diagonal.
+    for (auto corner = mesh.indices.begin(); corner != mesh.indices.end(); corner += 6) {
+        const std::uint32_t at = corner[0];
+        const std::uint32_t below = corner[5];
+        std::ranges::copy(std::array{at, below, at + 1, at + 1, below, below + 1}, corner);
     }
     return mesh;
 }
