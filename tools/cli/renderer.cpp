@@ -11,6 +11,7 @@
 #include "cli/open_device.hpp"
 #include "cli/progress.hpp"
 #include "cli/settings.hpp"
+#include "effect/directional.hpp"
 #include "pictures/sheet.hpp"
 #include "scene/contradictions.hpp"
 #include "scene/draw.hpp"
@@ -61,6 +62,9 @@ std::string name_of(const RenderOptions& options) {
     return settings_for(options, 1.0).method;
 }
 
+namespace {
+
+// STEM_bent.pfm (x, y, z in view space) and .png (0.5 + 0.5 of it), STEM_cone.pfm (half angle, radians).
 void write_bent_normals(report::OutputFolder& folder, const std::string& stem,
                         const effect::BentNormals& bent) {
     const auto [width, height] = bent.extent;
@@ -72,6 +76,8 @@ void write_bent_normals(report::OutputFolder& folder, const std::string& stem,
     folder.write(stem + "_cone.pfm", base::to_pfm(bent.half_angle, width, height, 1));
 }
 
+// STEM_light.pfm (linear radiance, direct and bounced) and .png (sRGB, white from 1 on), and STEM_bounce.pfm
+// (the bounced part).
 void write_light(report::OutputFolder& folder, const std::string& stem,
                  const effect::DirectionalLight& light) {
     const auto [width, height] = light.extent;
@@ -82,8 +88,6 @@ void write_light(report::OutputFolder& folder, const std::string& stem,
     folder.write(stem + "_light.png", base::to_rgb_png(base::srgb_of(texels), width, height));
     folder.write(stem + "_bounce.pfm", base::to_pfm(bounced, width, height, 3));
 }
-
-namespace {
 
 // depth: the truth of the depth buffer, which is compared with that of the geometry.
 TruthReport report_of(const TracedView& traced, const effect::Truth& truth, const effect::Truth& depth) {

@@ -9,7 +9,6 @@
 #include "cli/render.hpp"
 #include "cli/render_input.hpp"
 #include "cli/render_pictures.hpp"
-#include "effect/directional.hpp"
 #include "effect/errors.hpp"
 #include "effect/pixel_classes.hpp"
 #include "report/output.hpp"
@@ -49,15 +48,6 @@ class RenderHistory {
 // The name of a run among several: its preset, of a file without folder and suffix, where presets are
 // compared, else its method. Throws like settings_for().
 [[nodiscard]] std::string name_of(const RenderOptions& options);
-
-// STEM_bent.pfm (x, y, z in view space) and .png (0.5 + 0.5 of it), STEM_cone.pfm (half angle, radians).
-void write_bent_normals(report::OutputFolder& folder, const std::string& stem,
-                        const effect::BentNormals& bent);
-
-// Writes STEM_light.pfm (linear radiance, direct and bounced) and .png (sRGB, white from 1 on), and
-// STEM_bounce.pfm (the bounced part).
-void write_light(report::OutputFolder& folder, const std::string& stem,
-                 const effect::DirectionalLight& light);
 
 // The common parts of runs of several methods on one input: the device, the passes, and the light of the last
 // rendered view, which does not depend on the method.

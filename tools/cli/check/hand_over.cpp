@@ -119,35 +119,21 @@ HandOverRequest hand_over_request_from(std::string_view line) {
             .worst = report::answer_from_json(object.at("worst").get<std::string>()).worst};
 }
 
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HandOver, glsl, assembly, spirv, amber, shader_test, c_program, steps,
+                                   rules, before, error)
+
 std::string to_line(const HandOver& hand_over) {
-    return json{{"glsl", hand_over.glsl},
-                {"assembly", hand_over.assembly},
-                {"spirv", hand_over.spirv},
-                {"amber", hand_over.amber},
-                {"shader_test", hand_over.shader_test},
-                {"c_program", hand_over.c_program},
-                {"steps", hand_over.steps},
-                {"rules", hand_over.rules},
-                {"before", hand_over.before},
-                {"smallest", worst_text(hand_over.smallest)},
-                {"error", hand_over.error}}
-        .dump(-1, ' ', false, json::error_handler_t::replace);
+    json object(hand_over);
+    object["smallest"] = worst_text(hand_over.smallest);
+    return object.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 HandOver hand_over_from(std::string_view line) {
-    const nlohmann::ordered_json object = report::parse_json(line);
-    const report::JsonReader all(object, "");
-    return {.glsl = all.member("glsl").text(),
-            .assembly = all.member("assembly").text(),
-            .spirv = all.member("spirv").words(),
-            .amber = all.member("amber").text(),
-            .shader_test = all.member("shader_test").text(),
-            .c_program = all.member("c_program").text(),
-            .steps = all.member("steps").texts(),
-            .rules = all.member("rules").texts(),
-            .before = all.member("before").words(),
-            .smallest = report::answer_from_json(all.member("smallest").text()).worst,
-            .error = all.member("error").text()};
+    base::require_bounded_json(line);
+    const json object = json::parse(line);
+    HandOver hand_over = object.get<HandOver>();
+    hand_over.smallest = report::answer_from_json(object.at("smallest").get<std::string>()).worst;
+    return hand_over;
 }
 
 HandOverRequest request_for(const CheckTask& task, const check::Answer& row) {

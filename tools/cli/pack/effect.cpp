@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <stdexcept>
 
@@ -97,25 +96,6 @@ std::string api_of(shader::Language language) {
         {gl330, "OpenGL 3.3"},    {es300, "OpenGL ES 3.0 and WebGL2"},
         {es310, "OpenGL ES 3.1"}, {es320, "OpenGL ES 3.2"}};
     return std::string(" for ") + names.at(language);
-}
-
-std::string vulkan_format(gpu::Format format) {
-    static constexpr std::array names{"R32_SFLOAT",
-                                      "R32G32B32A32_SFLOAT",
-                                      "R16G16B16A16_SFLOAT",
-                                      "R16G16B16A16_UINT",
-                                      "R16_SFLOAT",
-                                      "R8_UNORM",
-                                      "R32_UINT",
-                                      "R32G32_SFLOAT",
-                                      "R16G16_SFLOAT",
-                                      "R8G8B8A8_UNORM",
-                                      "R16_UINT",
-                                      "R16G16_UINT",
-                                      "R32G32_UINT",
-                                      "R32G32B32A32_UINT",
-                                      "A2B10G10R10_UNORM_PACK32"};  // as gpu::Format
-    return std::string("VK_FORMAT_") + names.at(static_cast<std::size_t>(format));
 }
 
 }  // namespace gloam::cli
