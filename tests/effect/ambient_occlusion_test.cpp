@@ -19,33 +19,6 @@ Settings settings_for(float radius) {
     return with_radius(preset_named("tssao-paper").settings, radius);
 }
 
-TEST_F(Effect, OddSizesAndBackground) {
-    for (const gpu::Extent extent : {gpu::Extent{1, 1}, gpu::Extent{3, 3}, gpu::Extent{17, 9}}) {
-        EXPECT_THAT(run(wall(extent, 3.0F), settings_for(1.0F)).filtered, Each(0.0F));
-        for (const float depth : {infinity, 0.0F, -1.0F, nan}) {
-            scene::GBuffer view = wall(extent, 3.0F);
-            view.depth.assign(view.depth.size(), depth);
-            const Frame frame = run(view, settings_for(1.0F), 2);
-            EXPECT_THAT(frame.occlusion, Each(0.0F));
-            EXPECT_THAT(frame.filtered, Each(0.0F));
-            EXPECT_THAT(frame.convergence, Each(0.0F));
-        }
-    }
-}
-
-TEST_F(Effect, TwiceTheSameAndRepeatsChangeNothing) {
-    const scene::GBuffer view = corner({64, 36});
-    AmbientOcclusion effect(device_, passes_, view.extent);
-    std::vector<Frame> frames;
-    for (const int repeat : {1, 1, 3}) {
-        effect.begin(view, settings_for(1.0F));
-        (void)effect.next(repeat);
-        frames.push_back(effect.next(repeat));
-    }
-    for (const Frame& frame : frames) expect_same_images(frame, frames.front());
-    EXPECT_GT(*std::ranges::max_element(frames.front().occlusion), 0.3F);
-}
-
 // The background around a window of geometry, and the radius below a pixel far behind it.
 TEST_F(Effect, SkippingLeavesTheOtherPixelsAsTheyWere) {
     scene::GBuffer view = corner({64, 36});
@@ -103,11 +76,23 @@ TEST_F(Effect, WhatCannotBeIsRefused) {
     const scene::GBuffer view = wall({8, 8}, 3.0F);
     AmbientOcclusion effect(device_, passes_, {8, 8});
     EXPECT_THROW((void)effect.next(), std::logic_error);
-    EXPECT_THROW(effect.begin(wall({8, 7}, 3.0F), settings_for(1.0F)), std::invalid_argument);
-    Settings settings;
-    settings.radius = nan;
-    EXPECT_THROW(effect.begin(view, settings), std::invalid_argument);
     EXPECT_THROW((AmbientOcclusion{device_, passes_, {0, 0}}), std::runtime_error);
+    using Change = std::function<void(scene::GBuffer&, Settings&)>;
+    const std::vector<std::pair<Change, const char*>> rows{
+        {[](scene::GBuffer& changed, Settings&) { changed = wall({8, 7}, 3.0F); }, ""},
+        {[](scene::GBuffer&, Settings& settings) { settings.radius = nan; }, "radius"},
+        {[](scene::GBuffer&, Settings& settings) { settings.guard = 0.1F; }, "no guard band"},
+        {[](scene::GBuffer& changed, Settings&) { changed.off_centre = {4, 0}; }, "centred"},
+        {[](scene::GBuffer& changed, Settings&) { changed.border = gpu::Extent{4, 0}; }, "no frame"},
+        {[](scene::GBuffer&, Settings& settings) { settings.own.layers = 2; }, "layers 2: the view has 1"},
+        {[](scene::GBuffer& changed, Settings&) { changed.layers = {{1.0F}}; }, ""},
+        {[](scene::GBuffer& changed, Settings&) { changed.layers.assign(4, changed.depth); }, ""}};
+    for (const auto& [change, named] : rows) {
+        scene::GBuffer changed = view;
+        Settings settings = settings_for(1.0F);
+        change(changed, settings);
+        expect_error<std::invalid_argument>([&] { effect.begin(changed, settings); }, {named});
+    }
 }
 
 }  // namespace gloam::effect::ambient_occlusion_test

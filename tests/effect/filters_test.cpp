@@ -205,31 +205,6 @@ INSTANTIATE_TEST_SUITE_P(Every, FilterPass,
                          name_of);
 INSTANTIATE_TEST_SUITE_P(Convergence, FilterPass, testing::Values(Case{"convergence", 3, true}), name_of);
 
-class SaoFilter : public FilterPass {};
-
-// Along a row at one depth: nine taps, every other pixel, with the paper's weights.
-TEST_P(SaoFilter, ReadsEveryOtherPixelFourTimes) {
-    Field field{.size = {25, 1},
-                .occlusion = std::vector(25, 0.0F),
-                .depth = std::vector(25, 3.0F),
-                .normal = std::vector(25, glm::vec3(0, 0, 1)),
-                .samples = std::vector(25, 50.0F)};
-    field.occlusion[12] = 1.0F;
-    const std::vector<float> result = filtered(field, {.sigma_pixels = 1.5F, .filter_depth = 0.1F});
-    const std::vector<double> g{0.153170, 0.144893, 0.122649, 0.092902, 0.062970};
-    const double sum = g[0] + 2.0 * (1.2 + g[1] + g[2] + g[3] + g[4]);
-    for (std::size_t x = 0; x < 25; ++x) {
-        const std::size_t apart = std::max<std::size_t>(x, 12) - std::min<std::size_t>(x, 12);
-        const bool is_tap = apart % 2 == 0 && apart <= 8;
-        const bool sees_all = x >= 8 && x + 8 < 25;
-        const double weight = apart == 0 ? g[0] : is_tap ? 0.3 + g[apart / 2] : 0.0;
-        EXPECT_EQ(result[x] > 0.0F, is_tap) << x;
-        EXPECT_TRUE(!sees_all || std::abs(double{result[x]} - weight / sum) < 1e-6) << x << ": " << result[x];
-    }
-}
-
-INSTANTIATE_TEST_SUITE_P(The, SaoFilter, testing::Values(Case{"sao", 64, false}), name_of);
-
 class FiltersInTheEffect : public OnDevice<testing::TestWithParam<std::string>> {};
 
 // Of few samples: with many there is less to smooth than there is to blur.

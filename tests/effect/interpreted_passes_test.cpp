@@ -47,66 +47,38 @@ Bound read(const gpu::Resource& resource) {
     return bound;
 }
 
-// One pass, run by the interpreter on what its bindings hold.
-class InterpretedPass {
-  public:
-    InterpretedPass(const Step& pass, std::vector<Bound> bound)
-        : bound_(std::move(bound)),
-          module_(gpu::program_of(*pass.pipeline).spirv),
-          program_(module_, constants_of(pass)),
-          machine_(program_),
-          group_size_(shader::reflect(module_).local_size) {
-        parameters_.resize(pass.parameters.size() / sizeof(Word));
-        std::ranges::copy(pass.parameters, std::as_writable_bytes(std::span(parameters_)).begin());
-        machine_.bind_push_constants(parameters_);
-        for (std::uint32_t b = 0; b < bound_.size(); ++b) bind(b);
+// What the bindings hold after the interpreter has run a pass on what they held. Throws for a race, or a
+// barrier that not all invocations of a group reach.
+std::vector<Bound> interpreted(const Step& pass, std::vector<Bound> bound) {
+    const auto& compiled = gpu::program_of(*pass.pipeline);
+    std::vector<interpreter::Constant> constants;
+    for (const gpu::SpecializationConstant& constant : compiled.constants)
+        constants.push_back({constant.id, constant.bits});
+    const interpreter::Program program(compiled.spirv, constants);
+    interpreter::Machine<float> machine(program);
+    std::vector<Word> parameters(pass.parameters.size() / sizeof(Word));
+    std::ranges::copy(pass.parameters, std::as_writable_bytes(std::span(parameters)).begin());
+    machine.bind_push_constants(parameters);
+    for (std::uint32_t b = 0; b < bound.size(); ++b) {
+        Bound& one = bound[b];
+        if (one.extent.width == 0)
+            machine.bind(0, b, one.words);
+        else
+            machine.bind(0, b, {.size = {one.extent.width, one.extent.height, 1}, .texels = one.words});
     }
-
-    const std::vector<Bound>& run(const std::array<std::uint32_t, 3>& groups) {
-        interpreter::Invocation at{.group_size = group_size_, .groups = groups};
-        for (at.group[2] = 0; at.group[2] < groups[2]; ++at.group[2])
-            for (at.group[1] = 0; at.group[1] < groups[1]; ++at.group[1])
-                for (at.group[0] = 0; at.group[0] < groups[0]; ++at.group[0]) run_group(at);
-        return bound_;
-    }
-
-  private:
-    static std::vector<interpreter::Constant> constants_of(const Step& pass) {
-        std::vector<interpreter::Constant> constants;
-        for (const gpu::SpecializationConstant& constant : gpu::program_of(*pass.pipeline).constants)
-            constants.push_back({constant.id, constant.bits});
-        return constants;
-    }
-
-    void bind(std::uint32_t binding) {
-        const Bound& one = bound_[binding];
-        if (one.extent.width == 0) {
-            machine_.bind(0, binding, one.words);
-        } else {
-            machine_.bind(0, binding,
-                          {.size = {one.extent.width, one.extent.height, 1}, .texels = one.words});
-        }
-    }
-
-    // Throws for a race, or a barrier that not all invocations reach.
-    void run_group(const interpreter::Invocation& at) {
-        machine_.set_group(at);
-        machine_.run();
-        for (std::uint32_t b = 0; b < bound_.size(); ++b) keep_writes(b);
-    }
-
-    void keep_writes(std::uint32_t binding) {
-        machine_.keep_writes(0, binding,
-                             [&](std::size_t word, Word bits) { return bound_[binding].words[word] = bits; });
-    }
-
-    std::vector<Bound> bound_;
-    shader::Spirv module_;
-    interpreter::Program program_;
-    interpreter::Machine<float> machine_;
-    std::array<std::uint32_t, 3> group_size_;
-    std::vector<Word> parameters_;
-};
+    const std::array<std::uint32_t, 3>& groups = pass.groups;
+    interpreter::Invocation at{.group_size = shader::reflect(compiled.spirv).local_size, .groups = groups};
+    for (at.group[2] = 0; at.group[2] < groups[2]; ++at.group[2])
+        for (at.group[1] = 0; at.group[1] < groups[1]; ++at.group[1])
+            for (at.group[0] = 0; at.group[0] < groups[0]; ++at.group[0]) {
+                machine.set_group(at);
+                machine.run();
+                for (std::uint32_t b = 0; b < bound.size(); ++b)
+                    machine.keep_writes(
+                        0, b, [&](std::size_t word, Word bits) { return bound[b].words[word] = bits; });
+            }
+    return bound;
+}
 
 // How the words that a pass wrote compare.
 struct Comparison {
@@ -194,7 +166,7 @@ class InterpretedPasses : public OnDevice<testing::Test> {
   private:
     void expect_same(const Step& pass, const std::vector<Bound>& before, const std::vector<Bound>& device,
                      const std::string& what) {
-        std::vector<Bound> ours = InterpretedPass(pass, before).run(pass.groups);
+        std::vector<Bound> ours = interpreted(pass, before);
         copy_to_second_bindings(pass, ours);
         const Comparison one = compared(before, ours, device);
         EXPECT_EQ(one.close, one.words) << what << ", " << pass.name;

@@ -24,18 +24,6 @@ Settings settings_of_layers(const std::string& method, int layers, double radius
 
 class LayersOf : public Layers, public testing::WithParamInterface<std::string> {};
 
-// Each can only miss what the others show: the same surface again shows nothing.
-TEST_P(LayersOf, TheSameAgainChangesNothing) {
-    scene::GBuffer view = drawn("moving", {63, 41}, {.layers = 1});
-    const double radius = scene::make_scene("moving").ao_radius;
-    view.layers.clear();
-    const auto once = occlusion(view, settings_of_layers(GetParam(), 1, radius));
-    view.layers = {view.depth, view.depth, view.depth};
-    for (const int layers : {1, 4})  // 2 and 3: tests/glsl/method_layers_test.cpp
-        EXPECT_EQ(occlusion(view, settings_of_layers(GetParam(), layers, radius)), once)
-            << layers << " layers";
-}
-
 // Behind a bare plane seen at a tilt other planes: nothing of them rises above the first.
 TEST_P(LayersOf, WhatLiesBehindAPlaneLeavesItOpen) {
     scene::GBuffer view = wall({63, 41}, 2.0F);
@@ -63,19 +51,6 @@ TEST_F(Layers, WhatATubeHidesIsFoundAgain) {
     EXPECT_LT(error(2), 0.4 * one);
     EXPECT_LT(error(3), 0.5 * one);
     EXPECT_LT(error(4), 0.5 * one);
-}
-
-TEST_F(Layers, MoreThanTheViewHasAreRefused) {
-    const scene::GBuffer view = drawn("corner", {8, 8}, {.layers = 2});
-    AmbientOcclusion effect(device_, passes_, view.extent);
-    Settings settings;
-    settings.own.layers = 3;
-    expect_error<std::invalid_argument>([&] { effect.begin(view, settings); }, {"layers 3: the view has 2"});
-    scene::GBuffer uneven = view;
-    uneven.layers[0].pop_back();
-    EXPECT_THROW(effect.begin(uneven, {}), std::invalid_argument);
-    uneven.layers.assign(4, view.depth);
-    EXPECT_THROW(effect.begin(uneven, {}), std::invalid_argument);
 }
 
 }  // namespace gloam::effect::layers_test

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The methods that prepare something before their samples, on their real passes: scenes whose result is
-// known, and the passes themselves.
+// A method that takes samples alone, and those that prepare something before them, on their real passes:
+// scenes whose result is known, and the passes themselves.
 #include "effect/methods.hpp"
 
 #include "on_device.hpp"
@@ -9,7 +9,7 @@
 namespace gloam::effect::preparation_test {
 
 std::vector<std::string> prepared_methods() {
-    std::vector<std::string> names;
+    std::vector<std::string> names{"hemisphere"};
     for (const MethodInfo& method : methods()) {
         if (preparation_of({.method = method.name}, {8, 8})) names.push_back(method.name);
     }
@@ -30,7 +30,9 @@ TEST_P(Prepared, NothingIsFoundWhereThereIsNothing) {
             view.depth.back() = depth;  // a surface before nothing
             EXPECT_THAT(run(view, settings, 2).occlusion, Each(0.0F));
             view.depth.assign(view.depth.size(), depth);
-            EXPECT_THAT(run(view, settings, 2).occlusion, Each(0.0F));
+            const Frame frame = run(view, settings, 2);
+            EXPECT_THAT(frame.filtered, Each(0.0F));
+            EXPECT_THAT(frame.convergence, Each(0.0F));
         }
     }
 }
@@ -74,9 +76,10 @@ TEST_P(Prepared, TheBandIsReadWithoutBeingShaded) {
     const scene::GBuffer view = drawn("corner", {63, 37}, {.guard = 0.1});
     Settings settings = settings_for(GetParam(), 1.0F);
     settings.guard = 0.1F;
-    const Frame shaded = run(view, settings);
+    const int frames = GetParam() == "hemisphere" ? 3 : 1;  // later ones prepare from a band's history
+    const Frame shaded = run(view, settings, frames);
     settings.guard_history = false;
-    const Frame left_out = run(view, settings);
+    const Frame left_out = run(view, settings, frames);
     EXPECT_EQ(left_out.occlusion, shaded.occlusion);
 }
 

@@ -161,37 +161,6 @@ TEST_F(MultiResolution, CoarserLevelsReachFurther) {
     EXPECT_GT(at_the_middle[4], 0.004F);
 }
 
-// What one resolution sees of a surface is combined with nothing: 1 - (1 - x)^2, x being the mean
-// contribution.
-TEST_F(MultiResolution, OneLevelIsItsOwnMaximumAndMean) {
-    const double slope = 0.5;
-    scene::GBuffer view =
-        view_of({65, 65}, true, [&](glm::dvec2 at) { return 5.0 - slope * std::abs(at.x); });
-    Settings settings = settings_of(0.15F);  // 5 pixels
-    settings.bias = 0.0F;
-    settings.own.steps = 1;
-    settings.samples = 256;
-    settings.samples_converged = 256;
-    settings.weight_max = 1e6F;
-    const double found = double{run(view, settings, 16).occlusion[65 * 32 + 32]};
-    // The mean over all places in the disc, each read at its pixel's centre.
-    const double pixel = 2.0 / 65.0;
-    double sum = 0.0;
-    int count = 0;
-    for (double y = -0.15; y < 0.15; y += 0.0005) {
-        for (double x = -0.15; x < 0.15; x += 0.0005) {
-            if (x * x + y * y > 0.15 * 0.15) continue;
-            const glm::dvec2 at = pixel * glm::round(glm::dvec2(x, y) / pixel);
-            const glm::dvec3 v(at, slope * std::abs(at.x));
-            const double d = glm::length(v);
-            sum += d > 0.0 ? std::max(1.0 - d * d / (0.15 * 0.15), 0.0) * v.z / d : 0.0;
-            ++count;
-        }
-    }
-    const double x = sum / count;
-    EXPECT_NEAR(found, 1.0 - (1.0 - x) * (1.0 - x), 0.005);
-}
-
 // A valley in the middle of images of sizes that do and do not halve: its occlusion stays in the middle.
 TEST_F(MultiResolution, NothingDriftsWithTheLevels) {
     for (const std::uint32_t width : {64U, 63U, 61U, 67U}) {
@@ -216,31 +185,6 @@ TEST_F(MultiResolution, NothingDriftsWithTheLevels) {
         EXPECT_GT(sum / (11.0 * width), 0.02);
         EXPECT_LT(std::abs(moment / sum), 0.25) << width;  // pixels
     }
-}
-
-// A square post of 2 x 2 pixels is a texel of level 1, and no surface of a 4 x 4 block. Around the middle are
-// none nearer than the 6 pixels of the finest kernel: level 1 alone sees them. y being what it sees, two
-// resolutions have the largest y and the mean y / 2, three y and y / 3.
-TEST_F(MultiResolution, OneOfThreeLevelsIsAThirdOfTheMean) {
-    const gpu::Extent extent{132, 68};
-    scene::GBuffer view = view_of(extent, true, [](glm::dvec2) { return 5.0; });
-    for (unsigned y = 0; y < extent.height; ++y) {
-        for (unsigned x = 0; x < extent.width; ++x) {
-            const int from_middle =
-                std::max(std::abs(static_cast<int>(x) - 66), std::abs(static_cast<int>(y) - 34));
-            if (x % 4 < 2 && y % 4 < 2 && from_middle > 8) view.depth[extent.width * y + x] = 4.5F;
-        }
-    }
-    Settings settings = settings_of(0.9F);
-    std::vector<double> found{0.0};
-    for (const std::uint32_t resolutions : {1U, 2U, 3U}) {
-        settings.own.steps = resolutions;
-        found.push_back(double{run(view, settings, 8).occlusion[extent.width * 34 + 66]});
-    }
-    EXPECT_EQ(found[1], 0.0);
-    const double y = 1.5 - std::sqrt(2.25 - 2.0 * found[2]);  // 1 - (1 - y) (1 - y / 2)
-    EXPECT_GT(y, 0.03);
-    EXPECT_NEAR(found[3], 1.0 - (1.0 - y) * (1.0 - y / 3.0), 1e-3);
 }
 
 // Blocks of 2 x 2 pixels with four depths, of which the middle two lie on a diagonal: their mean is the

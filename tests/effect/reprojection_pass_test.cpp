@@ -4,10 +4,7 @@
 #include <glm/vec3.hpp>
 
 #include "effect/internal/passes.hpp"
-#include "effect/methods.hpp"
 #include "on_device.hpp"
-#include "reference/geometry_camera.hpp"
-#include "reference/temporal.hpp"
 
 namespace gloam::effect::reprojection_pass_test {
 
@@ -79,153 +76,59 @@ class ReprojectionPass : public OnDevice<testing::Test> {
             moved.push_back({got[i], got[i + 1], got[i + 2], got[i + 3]});
         return moved;
     }
-
-    // The bilinear mean of a member at the place between (x, y) and its three neighbours.
-    [[nodiscard]] static double mean_at(const Texels& texels, int x, int y, float Texel::* member) {
-        const double u = double{shift.x};
-        const double v = double{shift.y};
-        const auto value = [&](int i, int j) { return double{texels[at(x + i, y + j)].*member}; };
-        return (1 - v) * ((1 - u) * value(0, 0) + u * value(1, 0)) +
-               v * ((1 - u) * value(0, 1) + u * value(1, 1));
-    }
 };
 
-TEST_F(ReprojectionPass, InterpolatesOcclusionAndWeightAndTakesTheIndexOfTheNearest) {
-    const Texels before = different();
-    const Texels after = moved(before, {});
-    for (int y = 0; y + 1 < size.y; ++y) {
-        for (int x = 0; x + 1 < size.x; ++x) {
-            const Texel& got = after[at(x, y)];
-            EXPECT_NEAR(got.occlusion, mean_at(before, x, y, &Texel::occlusion), 1e-5) << x << ", " << y;
-            EXPECT_NEAR(got.weight, mean_at(before, x, y, &Texel::weight), 1e-3) << x << ", " << y;
-            EXPECT_EQ(got.index, before[at(x, y)].index) << x << ", " << y;
+struct Taken {
+    double occlusion = 0.0;
+    double weight = 0.0;
+    double share = 0.0;  // of the taps that count
+};
+
+// What comes to (x, y) from the four texels around its place, those beyond the edge being the last ones.
+// validated: those of the same surface alone count.
+Taken taken_at(const Texels& before, int x, int y, bool validated) {
+    Taken sum;
+    for (const int i : {0, 1}) {
+        for (const int j : {0, 1}) {
+            const Texel& tap = before[at(std::min(x + i, size.x - 1), std::min(y + j, size.y - 1))];
+            if (validated && tap.depth != depth_of_all) continue;
+            const double share = std::abs(1 - i - double{shift.x}) * std::abs(1 - j - double{shift.y});
+            sum.occlusion += share * double{tap.occlusion};
+            sum.weight += share * double{tap.weight};
+            sum.share += share;
         }
     }
+    return {sum.occlusion / sum.share, sum.weight / sum.share, sum.share};
 }
 
-TEST_F(ReprojectionPass, AtTheEdgeOfTheImageTheLastTexelStandsForThoseBeyond) {
-    const Texels before = different();
-    const Texels after = moved(before, {});
-    // The last column that lies inside: its right neighbours are itself.
-    for (int y = 0; y + 1 < size.y; ++y) {
-        const Texel& own = before[at(size.x - 1, y)];
-        const Texel& below = before[at(size.x - 1, y + 1)];
-        const double weight = std::lerp(double{own.weight}, double{below.weight}, double{shift.y});
-        EXPECT_NEAR(after[at(size.x - 1, y)].weight, weight, 1e-3) << y;
+// Bilinear taps count where the nearest one is of the surface, validated ones where they are themselves. The
+// index is that of the nearest. Without and with a column of another surface.
+TEST_F(ReprojectionPass, BringsTheMeanOfTheTexelsAroundThatAreOfTheSurface) {
+    for (const HistoryTaps taps : {HistoryTaps::bilinear, HistoryTaps::validated}) {
+        for (const bool hole : {false, true}) {
+            Texels before = different();
+            for (int y = 0; hole && y < size.y; ++y) before[at(5, y)].depth = 10.0F * depth_of_all;
+            const Texels after = moved(before, with_taps(taps));
+            for (std::size_t i = 0; i < before.size(); ++i) {
+                SCOPED_TRACE(i);
+                if (before[i].depth != depth_of_all && taps == HistoryTaps::bilinear) {
+                    EXPECT_EQ(after[i].weight, 0.0F);
+                    continue;
+                }
+                const Taken want = taken_at(before, static_cast<int>(i) % size.x,
+                                            static_cast<int>(i) / size.x, taps == HistoryTaps::validated);
+                EXPECT_NEAR(after[i].weight, want.weight, 1e-3);
+                if (hole) continue;
+                EXPECT_NEAR(after[i].occlusion, want.occlusion, 1e-5);
+                EXPECT_EQ(after[i].index, before[i].index);
+            }
+        }
     }
 }
 
 TEST_F(ReprojectionPass, TheNearestTexelAloneIsCopied) {
     const Texels before = different();
     EXPECT_EQ(moved(before, with_taps(HistoryTaps::nearest)), before);
-}
-
-// Bilinear without a test of its own where the nearest texel passes; nothing where it does not.
-TEST_F(ReprojectionPass, BilinearTapsAreValidWhereTheNearestIs) {
-    Texels before = different();
-    for (int y = 0; y < size.y; ++y) before[at(5, y)].depth = 10.0F * depth_of_all;
-    const Texels after = moved(before, with_taps(HistoryTaps::bilinear));
-    for (int y = 0; y + 1 < size.y; ++y) {
-        EXPECT_EQ(after[at(5, y)].weight, 0.0F) << y;
-        EXPECT_NEAR(after[at(4, y)].weight, mean_at(before, 4, y, &Texel::weight), 1e-3) << y;
-    }
-}
-
-TEST_F(ReprojectionPass, ValidatedTapsLeaveOutAnotherSurface) {
-    Texels before = different();
-    for (int y = 0; y < size.y; ++y) before[at(5, y)].depth = 10.0F * depth_of_all;
-    const Texels after = moved(before, {});
-    for (int y = 0; y + 1 < size.y; ++y) {
-        const double v = double{shift.y};
-        const double left =
-            (1 - v) * double{before[at(4, y)].weight} + v * double{before[at(4, y + 1)].weight};
-        const double right =
-            (1 - v) * double{before[at(6, y)].weight} + v * double{before[at(6, y + 1)].weight};
-        EXPECT_NEAR(after[at(4, y)].weight, left, 1e-3) << y;
-        EXPECT_NEAR(after[at(5, y)].weight, right, 1e-3) << y;
-    }
-}
-
-TEST_F(ReprojectionPass, AFieldThatIsTheSameEverywhereStaysSo) {
-    const Texel everywhere{.occlusion = 0.3F, .weight = 7.0F, .index = 41.0F};
-    const Texels before(static_cast<std::size_t>(size.x * size.y), everywhere);
-    for (const Texel& got : moved(before, {})) {
-        EXPECT_NEAR(got.occlusion, everywhere.occlusion, 1e-6);
-        EXPECT_EQ(got.index, everywhere.index);
-    }
-}
-
-// What the samples' pass does to a history where surfaces have moved (TSSAO-9).
-
-constexpr gpu::Extent extent{24, 16};
-constexpr std::size_t pixels = 24 * 16;
-constexpr std::size_t left_of_the_step = 8 * 24 + 11;
-constexpr float samples_before = 8.0F;
-
-bool is_right(std::size_t pixel) {
-    return pixel % extent.width >= extent.width / 2;
-}
-
-Settings settings() {
-    Settings all = with_radius(with_method({}, "hemisphere"), 1.0F);
-    all.samples = all.samples_converged = 8;
-    all.filter = Filter::none;
-    return all;
-}
-
-// A wall whose right half stands further in front, with a history everywhere.
-class WatchingPass : public OnDevice<testing::Test> {
-  protected:
-    // Weights of the history after a frame, whose camera stands still. displacement: of the pixel's point.
-    template <class Displacement>
-    [[nodiscard]] std::vector<float> weights(const Displacement& displacement) const {
-        using enum gpu::Format;
-        const View view{scene::make_frame({}, 1.5), extent, {}};
-        Moment moment{.settings = settings(), .has_positions = true};
-        moment.view = view;
-        std::vector<float> depths;
-        std::vector<float> history;
-        std::vector<glm::vec3> places;
-        const reference::GloamCamera camera{view.camera.p00_p11(), vector_of_size(extent), false};
-        for (std::size_t i = 0; i < pixels; ++i) {
-            depths.push_back(is_right(i) ? 4.7F : 5.0F);
-            history.insert(history.end(), {0.25F, samples_before, samples_before, depths.back()});
-            const glm::ivec2 pixel(i % extent.width, i / extent.width);
-            places.emplace_back(reference::gloam_camera_position(pixel, double{depths.back()}, camera) +
-                                displacement(i));
-        }
-        Resources resources(device_);
-        resources.image("depth", extent, r32f).upload(depths);
-        resources.image("normal", extent, rgba32f)
-            .upload(texels_of(std::vector(pixels, glm::vec3(0.0F, 0.0F, 1.0F))));
-        resources.image("before", extent, rgba32f).upload(history);
-        resources.image("places", extent, rgba32f).upload(texels_of(places));
-        resources.buffer("method", sizeof(MethodValues)).as<MethodValues>()[0] = settings().own;
-        const gpu::Image& after = resources.image("after", extent, rgba32f);
-        Executor(device_, passes_)
-            .run("ambient_occlusion", occlusion_source(moment),
-                 {"depth", "normal", "before", "after", "places", "method", nothing_image, nothing_image,
-                  nothing_image},
-                 values_of(moment), groups_for(extent), resources, {});
-        return channel(after.download(), 1);
-    }
-};
-
-const std::vector<float> all_kept(pixels, samples_before + 8.0F);
-
-TEST_F(WatchingPass, WhatHasNotMovedKeepsItsHistory) {
-    EXPECT_EQ(weights([](std::size_t) { return glm::dvec3(0.0); }), all_kept);
-}
-
-TEST_F(WatchingPass, WhatHasMovedTogetherKeepsItsHistory) {
-    EXPECT_EQ(weights([](std::size_t) { return glm::dvec3(0.3, -0.1, 0.2); }), all_kept);
-}
-
-TEST_F(WatchingPass, WhatIsNearSomethingThatMovedLosesSome) {
-    const auto right_half = [](std::size_t i) { return glm::dvec3(0.0, 0.0, is_right(i) ? 0.3 : 0.0); };
-    const std::vector<float> found = weights(right_half);
-    EXPECT_LT(found[left_of_the_step], 0.8F * all_kept[0]);
-    EXPECT_EQ(found[8 * extent.width], all_kept[0]) << "further away than the radius";
 }
 
 }  // namespace gloam::effect::reprojection_pass_test

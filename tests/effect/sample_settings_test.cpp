@@ -113,34 +113,6 @@ TEST_F(SampleSettings, ABiasByDepthHidesTheRoundingOfHalves) {
     }
 }
 
-TEST_F(SampleSettings, FewerAreTakenWhereTheRadiusIsSmall) {
-    Settings settings = plain();
-    const Frame all = frame_of(settings);
-    settings.samples_radius = 1e-3F;  // every radius is larger
-    EXPECT_EQ(frame_of(settings).occlusion, all.occlusion);
-    settings.samples_radius = 1e6F;
-    EXPECT_NEAR(per_pixel(frame_of(settings)), per_pixel(all) * 4 / 32, 0.1);
-}
-
-// In an orthographic view all pixels have the same projected radius: half of it is half the radius.
-TEST_F(SampleSettings, TheCapOfTheRadiusIsASmallerRadius) {
-    scene_.camera_path = {};
-    scene_.camera.projection = scene::Projection::orthographic;
-    scene_.camera.view_height = 4.0;
-    const double pixels = scene_.ao_radius / 4.0 * 64;
-    Settings settings = plain();
-    const std::vector<float> whole = frame_of(settings).occlusion;
-    settings.radius_cap = static_cast<float>(pixels * 2);
-    EXPECT_EQ(frame_of(settings).occlusion, whole);
-    settings.radius_cap = static_cast<float>(pixels / 2);
-    const std::vector<float> capped = frame_of(settings).occlusion;
-    settings.radius_cap = 1e18F;
-    settings.radius /= 2;
-    const std::vector<float> smaller = frame_of(settings).occlusion;
-    EXPECT_GT(mean_of(whole), 1.2 * mean_of(smaller));
-    EXPECT_NEAR(mean_of(capped), mean_of(smaller), 1e-3);
-}
-
 // Where pixels are not square, the projected radius is an ellipse: its larger half-axis counts, 30 pixels of
 // 30 and 10, whichever way they are stretched.
 TEST_F(SampleSettings, TheLargerHalfAxisOfTheRadiusCounts) {

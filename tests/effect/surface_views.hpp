@@ -88,4 +88,56 @@ inline scene::Scene panned(scene::Scene scene, double speed) {
     return scene;
 }
 
+// What an engine stores, and how its camera projects.
+struct Engine {
+    const char* depth;
+    const char* normals;
+    bool reversed;
+    double far;  // world units
+    scene::Projection projection = scene::Projection::perspective;
+    int depth_bits = 32;
+    int normal_bits = 32;
+    double before_near = 0.0;  // the eye is moved by this much towards what it sees
+};
+inline void PrintTo(const Engine& engine, std::ostream* out) {
+    *out << engine.depth << ", normals " << engine.normals << (engine.reversed ? ", reversed" : "");
+}
+inline constexpr double endless = std::numeric_limits<double>::infinity();
+inline constexpr Engine engines[] = {
+    {"buffer", "view", false, 60.0},
+    {"buffer", "world", true, 60.0},
+    {"buffer", "view-unorm", false, endless, scene::Projection::perspective, 32, 10},
+    {"buffer", "world-octahedral-unorm", true, endless, scene::Projection::perspective, 32, 10},
+    {"buffer", "world-unorm", false, 60.0, scene::Projection::orthographic, 32, 10},
+    {"buffer", "view-octahedral", true, 60.0, scene::Projection::orthographic},
+    {"buffer", "view", true, 60.0, scene::Projection::orthographic, 32, 32, 3.0},
+    {"buffer", "view", false, 60.0, scene::Projection::orthographic, 32, 32, 9.0},
+    {"buffer", "view-unorm", false, 60.0, scene::Projection::perspective, 24, 10},
+    {"buffer", "world-octahedral-unorm", false, 6.0, scene::Projection::perspective, 16, 10},
+    {"buffer", "view-unorm", true, 6.0, scene::Projection::orthographic, 16, 10},
+    {"linear", "view-octahedral-unorm", false, 60.0, scene::Projection::perspective, 32, 10}};
+
+// What is stored, in so many bits, by a camera that may have things behind its eye.
+inline void store(const Engine& engine, scene::GBuffer& view) {
+    view.stored = scene::stored_inputs(view, scene::encoding_named(engine.depth, engine.normals));
+    const auto round = [](float& value, int bits) {
+        const double most = std::exp2(bits) - 1.0;
+        if (bits < 32) value = static_cast<float>(std::round(value * most) / most);
+    };
+    for (float& depth : view.stored->depth) round(depth, engine.depth_bits);
+    for (glm::vec3& normal : view.stored->normal)
+        for (int i = 0; i < 3; ++i) round(normal[i], engine.normal_bits);
+    view.camera.proj_vk[3][2] -= static_cast<float>(engine.before_near) * view.camera.proj_vk[2][2];
+}
+
+// Before such a camera.
+inline scene::Scene seen_by(const Engine& engine) {
+    scene::Scene scene = floor_and_wall(true);
+    scene.camera.projection = engine.projection;
+    scene.camera.reversed_z = engine.reversed;
+    scene.camera.far = engine.far;
+    scene.camera.view_height = 2.5;
+    return scene;
+}
+
 }  // namespace gloam::effect

@@ -192,6 +192,19 @@ TEST_F(Temporal, ProbesReachAsFarAsWhatBlocks) {
     EXPECT_GT(open.kept[pixel], 0.0F);
     EXPECT_LT(open.occlusion[pixel], 0.1F * blocked.occlusion[pixel]);
     EXPECT_LT(open.convergence[pixel], 0.5F * blocked.convergence[pixel]);
+    const std::size_t further = pixel - 40;  // from the plate than the radius
+    EXPECT_GT(open.convergence[further], blocked.convergence[further]);
+}
+
+TEST_F(Temporal, WhatMovesTogetherKeepsItsHistory) {
+    MovingHalf floor(5.0, 5.0);
+    for (float& depth : floor.before.depth) depth += 0.2F;
+    for (glm::vec3& position : floor.after.previous_position) position.z -= 0.2F;
+    AmbientOcclusion& effect = effect_for(extent);
+    effect.begin(floor.before, paper());
+    const float once = effect.next().convergence.front();
+    effect.advance(floor.after);
+    EXPECT_THAT(effect.next().convergence, Each(testing::FloatNear(2.0F * once, 1e-6F)));
 }
 
 // The edge of a surface before the background keeps its history while something moves elsewhere.

@@ -43,13 +43,6 @@ class FirefoxTest(SiteCase):
                           " && !document.getElementById('run').disabled")
         self.assertIn("ok", self.browser.evaluate("document.querySelector('#results tbody tr').textContent"))
 
-    def test_an_error_of_a_page_is_found(self):
-        page = self.site.parent / "bad.html"
-        page.write_text("<!DOCTYPE html><script>noSuchFunction()</script>", encoding="utf-8")
-        with firefox.Firefox() as other:
-            other.open(page)
-            self.assertIn("noSuchFunction", " ".join(other.problems()))
-
 
 if __name__ == "__main__":
     have_both = firefox.program() and browser.program()

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""pages_test.py GLOAM DOCS: the pages of the site in headless Chromium, their pictures, and what the program refuses.
+"""pages_test.py GLOAM DOCS: the pages of the site in headless Chromium, and their pictures.
 
 Left with status 77 where there is no Chromium."""
 import json
@@ -114,15 +114,6 @@ class PagesTest(SiteCase):
         text = (self.site / "methods.html").read_text(encoding="utf-8")
         self.assertIn('<meta property="og:url" content="https://example.org/gloam/methods.html">', text)
         self.assertIn('<meta property="og:title" content="gloam: methods', text)
-
-    def test_wrong_options_write_nothing(self):
-        for option, value, words in (("--address", "example.org", '"example.org": expected an address like'),
-                                     ("--method", "no_such", "no_such")):
-            wrong = subprocess.run([GLOAM, "site", self.site.parent / "wrong", option, value, "--no-pictures"],
-                                   check=False, capture_output=True, text=True)
-            self.assertNotEqual(0, wrong.returncode)
-            self.assertIn(words, wrong.stderr)
-            self.assertFalse((self.site.parent / "wrong").exists())
 
     def test_a_site_without_pictures_has_none(self):
         folder = self.site.parent / "plain"

@@ -112,8 +112,8 @@ TEST_F(BenchExperiments, MotionJudgesClassesOfPixels) {
 }
 
 TEST_F(BenchExperiments, TimesWithoutErrors) {
-    const json document = measured({"views", "--size", "48x27", "--frames", "1", "--scored", "1", "--rays",
-                                    "0", "--view", "room", "--single", "fast", "--rounds", "1"});
+    const json document = measured(
+        words("views --size 48x27 --frames 1 --scored 1 --rays 0 --view room --single fast --rounds 1"));
     EXPECT_THAT(out_, HasSubstr("| room | scene | unseen | - | - |"));
     EXPECT_GT(result_of(document, 0, "fast, single").at("ms").get<double>(), 0.0);
 }
@@ -202,53 +202,11 @@ TEST_F(BenchExperiments, AFileOfOnesOwn) {
     EXPECT_EQ(run_command({"bench", file.string(), "--fail-if-missed"}).status, 1);
 }
 
-const Arguments front{"front",    "--size", "64x36",  "--frames", "4",      "--scored", "2",
-                      "--rounds", "2",      "--rays", "32",       "--view", "room"};
-
-// What one experiment can do, all can: its results are kept, taken up again, asked and printed again.
-TEST_F(BenchExperiments, StoredResultsPrintTheSameTables) {
-    const fs::path out = write("x", "").parent_path() / "out";
-    const Arguments in_folder = with(front, {"--out", out.string()});
-    (void)measured(in_folder);
-    const std::string tables = out_;
-    (void)measured(with(in_folder, {"--resume"}));
-    EXPECT_EQ(out_, tables) << "nothing was left to measure";
-    for (const char* file : {"journal.jsonl", "results.json"}) {
-        const CommandResult again = run_command({"bench", "front", "--from", (out / file).string()});
-        expect_success(again);
-        EXPECT_EQ(again.out, tables) << file;
-    }
-    const CommandResult asked =
-        run_command({"bench", "front", "--from", (out / "results.json").string(), "--budget", "1000000ms"});
-    EXPECT_THAT(asked.out, HasSubstr("within 1000000ms: "));
-}
-
-TEST_F(BenchExperiments, WrongOptionsAreNamed) {
+TEST_F(BenchExperiments, WrongFilesAreNamed) {
     const auto expect = [](const Arguments& arguments, const std::string& named) {
         expect_could_not_run(run_command(with({"bench"}, arguments)), named);
     };
-    expect({"passes", "--size", "8x8"}, "8x8");
-    expect({"passes", "--rounds", "-1"}, "--rounds");
-    expect({"views"}, "--single, --sequence");
-    expect({"views", "--single", "magic"}, "magic");
-    expect({"views", "--single", "fast", "--view", "magic"}, "case magic");
-    expect({"views", "--single", "fast", "--half", "magic"}, "magic");
-    expect({"views", "--single", "fast", "--set", "magic=1"}, "magic");
-    expect({"views", "--single", "fast", "--view", "bunny", "--meshes", "/nowhere"}, "/nowhere/bunny.obj");
-    expect({"views", "--single", "fast", "--frames", "2", "--scored", "3"}, "3 scored frames");
-    expect({"front", "--plain", "9"}, "9: expected SLICESxSTEPS+BLURS");
-    expect({"front", "--plain", "9x65"}, "expected SLICESxSTEPS");
-    expect({"front", "--view", "room", "--sequence", "fast,magic=1"}, "magic");
-    expect({"front", "--view", "plan"}, "no perspective view");
-    expect({"passes", "--half", "unseen"}, "unseen half");
-    expect({"sources", "--scene", "releif"}, "releif");
-    expect({"sources", "--page", "/no/such.md"}, "/no/such.md");
-    expect({"sources", "--rays", "0"}, "enough_samples: expected rays");
-    expect({"front", "--method", "magic"}, "magic");
-    expect({"front", "--single", "tssao-paper,method=magic"}, "magic");
-    expect({"passes", "--case", "magic"}, "case magic: expected fresh");
     expect({"front", "--page", write("page.md", "no block\n").string()}, "begin front");
-    expect({"nowhere.json"}, "nowhere.json");
     expect({write("broken.json", "{\"sizes\": [").string()}, "no JSON");
     expect(
         {write("no.json", R"({"sizes": ["48x27"], "cases": [{"scene": "sky"}], "candidates": [{"name": "a"}],

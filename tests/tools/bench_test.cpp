@@ -5,9 +5,9 @@ namespace gloam::test::bench_test {
 
 // Two methods at two counts, as small as images may be useful.
 Arguments tiny(const Arguments& more) {
-    Arguments arguments{"bench",     "--scene", "moving", "--method", "hemisphere", "gtao",
-                        "--samples", "4",       "16",     "--size",   "64x36",      "--frames",
-                        "4",         "--rays",  "32",     "--repeat", "1"};
+    Arguments arguments = words(
+        "bench --scene moving --method hemisphere gtao --samples 4 16 --size 64x36 "
+        "--frames 4 --rays 32 --repeat 1");
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
 }
@@ -68,6 +68,9 @@ TEST_F(Bench, MeasuresResumesAnswersAndCompares) {
     EXPECT_EQ(read_file(out / "results.json"), read_file(file));
     EXPECT_EQ(line_count(read_file(out / "results.csv")), 1 + 8);
 
+    for (const char* kept : {"journal.jsonl", "results.json"})
+        EXPECT_EQ(output_of(gloam("bench --from {}", out / kept)), first.out) << kept;
+
     // Interrupted in the middle of a line, and taken up again.
     const std::string journal = read_file(out / "journal.jsonl");
     ASSERT_EQ(line_count(journal), 1 + 8 + 4);  // the second round visits single frames only
@@ -80,9 +83,9 @@ TEST_F(Bench, MeasuresResumesAnswersAndCompares) {
     for (std::size_t i = 0; i < results.size(); ++i)
         for (const char* error : {"rmse", "rmse_raw", "rmse_depth", "similarity", "flicker", "samples"})
             EXPECT_EQ(again[i].at(error), results[i].at(error)) << error;  // the same to the bit
-    expect_could_not_run(run_command({"bench", "--scene", "moving", "--preset", "fast", "--frames", "2",
-                                      "--rays", "32", "--resume", "--out", out.string()}),
-                         "cannot resume");
+    expect_could_not_run(
+        gloam("bench --scene moving --preset fast --frames 2 --rays 32 --resume --out {}", out),
+        "cannot resume");
 
     expect_compared(file, second);
     expect_answered(file);
@@ -93,9 +96,10 @@ TEST_F(Bench, ComparesWithWhatGotWorse) {
     const auto file = folder.path() / "a.json";
     const auto worse = folder.path() / "b.json";
     const auto page = folder.path() / "page.md";
-    expect_success(run_command({"bench", "--scene", "corner", "--preset", "fast", "--size", "32x18",
-                                "--frames", "2", "--rays", "32", "--repeat", "1", "--single", "--json",
-                                file.string(), "--report", page.string()}));
+    expect_success(
+        gloam("bench --scene corner --preset fast --size 32x18 --frames 2 --rays 32 --repeat 1 "
+              "--single --json {} --report {}",
+              file, page));
     EXPECT_THAT(read_file(page), HasSubstr("| fast/12/single |"));
     EXPECT_THAT(read_file(page), HasSubstr("all scenes, presets"));
     json document = json::parse(read_file(file));
@@ -113,31 +117,15 @@ TEST_F(Bench, ComparesWithWhatGotWorse) {
     expect_success(run_command({"bench", "--compare", worse.string(), worse.string(), "--fail-if-worse"}));
 }
 
-TEST_F(Bench, BadInputIsOneClearLine) {
+TEST_F(Bench, WrongFilesAreOneClearLine) {
     const auto bad = folder.path() / "bad.json";
     std::ofstream(bad) << R"({"experiment": "e", "device": 7})";
-    const auto out = folder.path() / "out";
-    expect_could_not_run(run_command({"bench", "--scene", "nowhere", "--out", out.string()}), "nowhere");
-    EXPECT_FALSE(fs::exists(out));
-    expect_could_not_run(run_command({"bench", "--method", "magic"}), "magic");
-    expect_could_not_run(run_command({"bench", "--preset", "magic"}), "magic");
-    expect_could_not_run(run_command({"bench", "--method", "gtao", "gtao"}), "twice");
-    expect_could_not_run(run_command({"bench", "--samples", "0"}), "--samples");
-    expect_could_not_run(run_command({"bench", "--repeat", "-1"}), "--rounds");
     expect_could_not_run(run_command({"bench", "--from", bad.string(), "--samples", "4"}), "--samples");
     expect_could_not_run(run_command({"bench", "views", "--from", bad.string(), "--single", "fast"}),
                          "--single");
-    expect_could_not_run(run_command({"bench", "--size", "8x8"}), "--size 8x8");
-    expect_could_not_run(run_command({"bench", "--temporal", "--single"}), "--single");
-    expect_could_not_run(run_command({"bench", "--resume"}), "--out");
-    expect_could_not_run(run_command({"bench", "--budget", "3s"}), "--budget 3s");
-    expect_could_not_run(run_command({"bench", "--error", "0"}), "--error");
     expect_could_not_run(run_command({"bench", "--from", bad.string()}), "device: expected a text");
-    expect_could_not_run(run_command({"bench", "--from", "/no/such.json"}), "/no/such.json");
     expect_could_not_run(run_command({"bench", "--compare", bad.string()}), "--compare");
     expect_could_not_run(run_command({"bench", "--compare", bad.string(), bad.string()}), bad.string());
-    expect_could_not_run(run_command({"bench", "--json", "/no/such/folder/a.json"}), "/no/such/folder");
-    expect_could_not_run(run_command({"bench", "--out", "/proc/out"}), "/proc/out");
 }
 
 fs::path page_with(const fs::path& folder, const Arguments& blocks) {
@@ -159,11 +147,10 @@ TEST(BenchMethods, WritesTablesPicturesAndNumbers) {
     const auto page = page_with(folder.path(), {"views", "bias", "scenes"});
     const auto file = folder.path() / "methods.json";
     const auto out = folder.path() / "pictures";
-    const CommandResult result =
-        run_command({"bench",    "methods",     "--case",     "corner",     "plane 0", "wall 0.25",
-                     "--method", "gtao",        "volumetric", "--size",     "32x18",   "--rays",
-                     "32",       "--frames",    "4",          "--rounds",   "1",       "--validation",
-                     "--json",   file.string(), "--out",      out.string(), "--page",  page.string()});
+    const CommandResult result = gloam(
+        "bench methods --case corner {} {} --method gtao volumetric --size 32x18 --rays 32 --frames 4 "
+        "--rounds 1 --validation --json {} --out {} --page {}",
+        "plane 0", "wall 0.25", file, out, page);
     expect_success(result);
     const std::string text = read_file(page);
     EXPECT_THAT(text, Not(HasSubstr("old")));
@@ -197,28 +184,19 @@ TEST(BenchMethods, ATableWithoutCasesIsLeftOut) {
             testing::AllOf(HasSubstr("configuration, occlusion"), Not(HasSubstr("one frame"))));
 }
 
-TEST(BenchMethods, BadInputIsOneClearLine) {
+TEST(BenchMethods, APageWithoutABlockStaysAsItIs) {
     const TemporaryDirectory folder;
     const auto page = page_with(folder.path(), {"views", "bias"});
     const std::string before = read_file(page);
-    const auto bench = [](Arguments arguments) {
-        arguments.insert(arguments.begin(), {"bench", "methods"});
-        return run_command(arguments);
-    };
-    expect_could_not_run(bench({"--case", "nowhere"}), "nowhere");
-    expect_could_not_run(bench({"--method", "magic"}), "magic");
-    expect_could_not_run(bench({"--size", "1x1"}), "--size 1x1");
-    expect_could_not_run(bench({"--frames", "1"}), "plane 0: 1 frames, expected 2 or more");
-    expect_could_not_run(bench({"--json", "/no/such/folder/a.json"}), "/no/such/folder");
-    expect_could_not_run(bench({"--page", "/no/such/page.md"}), "/no/such/page.md");
-    expect_could_not_run(bench({"--page", page.string()}), "begin scenes");
+    expect_could_not_run(gloam("bench methods --page {}", page), "begin scenes");
     EXPECT_EQ(read_file(page), before);
 }
 
 Arguments temporal(const Arguments& more) {
-    Arguments arguments{"bench",  "temporal", "--case",   "moving",      "moving, still",
-                        "--size", "32x18",    "--frames", "9",           "--scored",
-                        "5",      "--rays",   "32",       "--validation"};
+    Arguments arguments = words(
+        "bench temporal --case moving {} --size 32x18 --frames 9 --scored 5 --rays 32 "
+        "--validation",
+        "moving, still");
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
 }
@@ -256,15 +234,6 @@ TEST(BenchTemporal, WritesWhatItMeasured) {
     expect_success(again);
     EXPECT_EQ(again.out, result.out);
     EXPECT_THAT(read_file(out / "moving-full-error.png"), HasSubstr("PNG"));
-}
-
-TEST(BenchTemporal, BadInputIsOneClearLine) {
-    expect_could_not_run(run_command({"bench", "temporal", "--case", "nowhere"}), "nowhere");
-    expect_could_not_run(run_command({"bench", "temporal", "--size", "8x8"}), "--size 8x8");
-    expect_could_not_run(run_command({"bench", "temporal", "--frames", "0"}), "--frames");
-    expect_could_not_run(run_command({"bench", "temporal", "--frames", "4", "--scored", "5"}), "5 scored");
-    expect_could_not_run(run_command({"bench", "temporal", "--json", "/no/such/folder/a.json"}),
-                         "/no/such/folder");
 }
 
 }  // namespace gloam::test::bench_test

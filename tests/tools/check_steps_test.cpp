@@ -190,11 +190,6 @@ constexpr int skip_this_build = 125;
 
 class Bisect : public InFolder {
   protected:
-    [[nodiscard]] static std::string manifest_of(const std::string& library) {
-        return json{{"file_format_version", "1.0.0"},
-                    {"ICD", {{"library_path", library}, {"api_version", "1.3.0"}}}}
-            .dump();
-    }
     // Git in a repository of its own, without the settings of this machine.
     template <class... Texts>
     [[nodiscard]] CommandResult git(std::string_view line, const Texts&... arguments) const {
@@ -243,9 +238,7 @@ TEST_F(Bisect, TheStatusIsGoodBadOrSkip) {
 
 TEST_F(Bisect, ADriverThatCrashesIsBadAndOneThatIsMissingIsSkipped) {
     const auto status_with = [&](const fs::path& manifest) {
-        const std::string driver = manifest.string();
-        return run_command(words("check HALTON-base2 --inputs 64 --exit-code"),
-                           {.environment = {"VK_DRIVER_FILES=" + driver, "VK_ICD_FILENAMES=" + driver}})
+        return run_command(words("check HALTON-base2 --inputs 64 --exit-code"), with_driver_alone(manifest))
             .status;
     };
     EXPECT_EQ(status_with(write("crashing.json", manifest_of(GLOAM_CRASHING_DRIVER))), 1);

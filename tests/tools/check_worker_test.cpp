@@ -148,11 +148,8 @@ TEST(CheckWorker, SeveralWorkersGiveTheRowsOfOne) {
 
 TEST(CheckWorker, ADriverThatCrashesWhenOpenedIsOneRow) {
     const TemporaryDirectory folder;
-    const fs::path manifest = folder.path() / "driver.json";
-    std::ofstream(manifest) << R"({"file_format_version": "1.0.0", "ICD": {"library_path": ")"
-                            << GLOAM_CRASHING_DRIVER << R"(", "api_version": "1.3.0"}})";
-    const CommandOptions crashing{
-        .environment = {"VK_ICD_FILENAMES=" + manifest.string(), "VK_DRIVER_FILES=" + manifest.string()}};
+    const CommandOptions crashing =
+        with_driver_alone(folder.write("driver.json", manifest_of(GLOAM_CRASHING_DRIVER)));
     const CommandResult result =
         run_command(words("check gloam_radical_* --json {}", folder.path() / "a.json"), crashing);
     EXPECT_EQ(result.status, 1);
@@ -172,14 +169,6 @@ TEST(CheckWorker, HelpDoesNotNameIt) {
     EXPECT_THAT(gloam("--help").out, Not(HasSubstr("worker")));
 }
 
-TEST(CheckWorker, WrongOptionsAreNamed) {
-    expect_could_not_run(gloam("check --timeout 0"), "--timeout");
-    expect_could_not_run(gloam("check --timeout soon"), "--timeout");
-    expect_could_not_run(gloam("check --jobs 0"), "--jobs");
-    expect_could_not_run(gloam("check --jobs -1"), "--jobs");
-    expect_could_not_run(gloam("check --in-process=maybe"), "--in-process");
-}
-
 std::vector<std::string> shell(const std::string& script) {
     return {"/bin/sh", "-c", script};
 }
@@ -187,17 +176,11 @@ std::vector<std::string> shell(const std::string& script) {
 // Greets, then executes the commands that it receives.
 const std::vector<std::string> obedient = shell("echo hello; while read -r line; do eval \"$line\"; done");
 
-TEST(WorkerSession, OneWorkerAnswersManyQuestions) {
+TEST(WorkerSession, ACrashOrADismissalCostsOneQuestion) {
     WorkerSession session(obedient, 20s);
     EXPECT_EQ(session.greeting(), "hello");
     const std::string first = session.ask("echo $$").line;
-    EXPECT_EQ(session.ask("echo $$").line, first);
-    EXPECT_EQ(session.ask("echo $((6 * 7))").line, "42");
-}
-
-TEST(WorkerSession, ACrashCostsOneQuestion) {
-    WorkerSession session(obedient, 20s);
-    const std::string first = session.ask("echo $$").line;
+    EXPECT_EQ(session.ask("echo $$").line, first) << "one worker answers many questions";
     const Reply crashed = session.ask("echo oh no >&2; kill -ABRT $$");
     EXPECT_EQ(crashed.reason, Reason::crash);
     EXPECT_EQ(crashed.error, "the process ended by signal 6 (ABRT: Aborted): oh no");
@@ -205,13 +188,11 @@ TEST(WorkerSession, ACrashCostsOneQuestion) {
     EXPECT_EQ(next.reason, Reason::none);
     EXPECT_EQ(next.error, "");
     EXPECT_NE(next.line, first);
-}
-
-TEST(WorkerSession, AnExitWithoutAnAnswerIsACrashToo) {
-    WorkerSession session(obedient, 20s);
-    const Reply answer = session.ask("exit 0");
-    EXPECT_EQ(answer.reason, Reason::crash);
-    EXPECT_THAT(answer.error, HasSubstr("ended with status 0"));
+    session.dismiss();
+    EXPECT_NE(session.ask("echo $$").line, next.line);
+    const Reply exited = session.ask("exit 0");
+    EXPECT_EQ(exited.reason, Reason::crash);
+    EXPECT_THAT(exited.error, HasSubstr("ended with status 0"));
 }
 
 TEST(WorkerSession, SilenceIsAHangAndCostsOneQuestion) {
@@ -222,13 +203,6 @@ TEST(WorkerSession, SilenceIsAHangAndCostsOneQuestion) {
     EXPECT_EQ(hung.error, "not finished after 0.3 s, the time limit");
     EXPECT_LT(std::chrono::steady_clock::now() - start, 10s);
     EXPECT_EQ(session.ask("echo alive").line, "alive");
-}
-
-TEST(WorkerSession, AWorkerThatWasDismissedIsReplaced) {
-    WorkerSession session(obedient, 20s);
-    const std::string first = session.ask("echo $$").line;
-    session.dismiss();
-    EXPECT_NE(session.ask("echo $$").line, first);
 }
 
 TEST(WorkerSession, AWorkerThatNeverGreetsIsTriedTwiceAndNoMore) {
@@ -252,12 +226,8 @@ TEST(WorkerSession, AWorkerThatFailsOnceBeforeItsGreetingIsForgiven) {
 
 TEST(WorkerSession, AGreetingMayTakeAsLongAsAnAnswer) {
     WorkerSession session(shell("exec sleep 1000"), 100ms);
-    try {
-        (void)session.greeting();
-        FAIL() << "nothing thrown";
-    } catch (const NoWorker& none) {
-        EXPECT_EQ(none.reason, Reason::hang);
-    }
+    EXPECT_THAT([&] { (void)session.greeting(); },
+                testing::Throws<NoWorker>(testing::Field(&NoWorker::reason, Reason::hang)));
 }
 
 TEST(WorkerSession, ARefusalIsNotTriedAgain) {

@@ -42,10 +42,6 @@ TEST_F(Demo, SaysInTenLinesWhatItDidAndWhereToLook) {
     EXPECT_EQ(files.size(), shown.size() + 4);  // those of the bunny, or of the knot
 }
 
-TEST_F(Demo, AFolderThatCannotBeWrittenIsNamedBeforeTheWork) {
-    expect_could_not_run(gloam("demo --out /proc/gloam"), "/proc/gloam");
-}
-
 class LitPictures : public Rendering {
   protected:
     LitPictures() { always_ = words("--size 64x36 --samples 4"); }
@@ -98,13 +94,6 @@ TEST_F(LitPictures, AntialiasingSmoothsThePicturesAlone) {
     EXPECT_NE(read_file(path("1") / "f0000_plain.png"), read_file(path("3") / "f0000_plain.png"));
 }
 
-TEST_F(LitPictures, AMethodAmongOthersIsTheMethodAlone) {
-    expect_success(render("out", "corner --method gtao,hemisphere"));
-    const std::string among = read_file(path("out") / "gtao_f0000_ao.pfm");
-    expect_success(render("out", "corner --method gtao"));
-    EXPECT_EQ(among, read_file(path("out") / "f0000_ao.pfm"));
-}
-
 // A unit is a metre, a millimetre or a hundred kilometres: powers of two, so that the pictures are equal to
 // the bit.
 TEST_F(LitPictures, AMeshOfAnyUnitHasTheSameOcclusion) {
@@ -131,9 +120,6 @@ TEST_F(LitPictures, WrongViewsAreNamed) {
     expect_refused(words("{} --fovy 180", cube()), "angle of view of 180 degrees, expected 1 to 170");
     expect_refused(words("{} --eye 0,0.5,0", cube()), "eye");
     expect_refused(words("{} --eye 1,1,1 --orbit 1,1", cube()), "--orbit");
-    expect_refused(words("corner --up z"), "camera of its own");
-    expect_refused(words("corner --method gtao,no-such-method"), "no-such-method");
-    expect_refused(words("corner --method gtao,hbao --write-gbuffer {}", path("g")), "--write-gbuffer");
 }
 
 // gloam site: the files that it writes. The site itself is used in tests/site.
@@ -176,14 +162,6 @@ TEST_F(SiteTest, TheSameSeedGivesTheSameFiles) {
     const auto text = [&](const char* name) { return read_file(path(name) / "checks-filter.js"); };
     EXPECT_EQ(text("a"), text("b"));
     EXPECT_NE(text("a"), text("c"));
-}
-
-TEST_F(SiteTest, WhatCannotBeWrittenIsOneLineAndLeavesNothing) {
-    const fs::path site = path("site");
-    expect_could_not_run(gloam("site {} NO-SUCH --no-pictures", site), "NO-SUCH");
-    EXPECT_FALSE(fs::exists(site));
-    expect_could_not_run(gloam("site {} --inputs 0", site), "--inputs");
-    expect_could_not_run(gloam("site /dev/null --no-pictures"), "/dev/null");
 }
 
 }  // namespace gloam::test::demo_test

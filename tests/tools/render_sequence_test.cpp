@@ -190,8 +190,6 @@ TEST_F(RenderSequence, OptionsThatDoNotGoTogether) {
     const std::string folder = sequence();
     expect_could_not_run(render("out", "--gbuffer {} --still", folder), "--still");
     expect_could_not_run(render("out", "--gbuffer {} --frames 9", folder), "--frames 9");
-    expect_could_not_run(render("out", "moving --truth-every"), "--truth-every");
-    expect_could_not_run(render("out", "moving --frames 10000"), "--frames");
     EXPECT_FALSE(fs::exists(path("out")));
 }
 

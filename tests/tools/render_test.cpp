@@ -15,46 +15,6 @@ class RenderErrors : public Rendering {
     }
 };
 
-TEST_F(RenderErrors, Names) {
-    expect_refused(words("no-such-scene"), "no-such-scene");
-    EXPECT_THAT(render("out", "no-such-scene").err, HasSubstr("corner"));
-    expect_refused(words("corner --method no-such-method"), "no-such-method");
-    expect_refused(words("corner --preset no-such-preset"), "no-such-preset");
-    expect_refused(words("corner --device no-such-device"), "no-such-device");
-    expect_refused(words("corner --no-such-option"), "--no-such-option");
-    expect_refused({}, "corner");
-}
-
-TEST_F(RenderErrors, Numbers) {
-    for (const char* size : {"0x0", "99999x99999", "16", "-1x5", "16x9x3", "16x"}) {
-        expect_refused(words("corner --size {}", size), size);
-    }
-    expect_refused(words("corner --size 16x9 --radius 0"), "0");
-    expect_refused(words("corner --size 16x9 --radius nan"), "radius");
-    expect_refused(words("corner --size 16x9 --bias -1"), "-1");
-    expect_refused(words("corner --samples 0"), "--samples");
-    for (const char* guard : {"-0.1", "0.6", "nan"})
-        expect_refused(words("corner --size 16x9 --guard {}", guard), "guard");
-    expect_refused(words("corner --frames 0"), "--frames");
-    expect_refused(words("corner --antialias 9"), "--antialias");
-}
-
-TEST_F(RenderErrors, WhatDoesNotGoTogether) {
-    expect_refused(words("corner --preset fast,quality --method gtao,hbao"), "several of one of the two");
-    expect_refused(words("corner --preset fast,fast"), "fast: expected each once");
-    expect_refused(words("corner --method gtao,gtao"), "gtao: expected each once");
-}
-
-TEST_F(RenderErrors, Settings) {
-    expect_refused(words("corner --set samples"), "NAME=VALUE");
-    expect_refused(words("corner --set no_such=1"), "no_such");
-    expect_refused(words("corner --set samples=0"), "samples 0: expected a whole number, 1 to 2048");
-    expect_refused(words("corner --set taps=all"), "nearest, bilinear or validated");
-    expect_refused(words("corner --set guard=1"), "guard 1: expected 0 to 0.5");
-    expect_refused(words("corner --set radius=1"), "--radius");
-    expect_refused(words("corner --set method=disc"), "--method");
-}
-
 TEST_F(RenderErrors, PresetsOfAFile) {
     const auto refuses = [this](const std::string& text, const std::string& named) {
         expect_refused(words("moving --preset {}", write("bad.json", text)), named);
@@ -81,7 +41,6 @@ TEST_F(RenderErrors, Meshes) {
 }
 
 TEST_F(RenderErrors, GBuffers) {
-    expect_refused(words("--gbuffer {}", path("missing")), "missing");
     const fs::path folder = gbuffer();
     expect_refused(words("corner --gbuffer {}", folder), "--gbuffer");
     expect_refused(words("--gbuffer {} --guard 0.1", folder), "no guard band");
@@ -106,7 +65,6 @@ TEST_F(RenderErrors, GBuffers) {
 TEST_F(RenderErrors, Truth) {
     const fs::path small = write("small.pfm", "Pf\n1 1\n-1.0\n" + std::string(4, '\0'));
     expect_refused(words("corner --size 16x9 --truth {}", small), "small.pfm");
-    expect_refused(words("corner --size 16x9 --truth {}", path("missing.pfm")), "missing.pfm");
 }
 
 TEST_F(RenderErrors, OutputThatCannotBeWritten) {
@@ -199,14 +157,6 @@ TEST_F(RenderTruth, WithoutGeometryInViewIsNotToBeHad) {
     expect_refused(words("--gbuffer {} --truth", folder), "no geometry");
 }
 
-TEST_F(RenderTruth, OptionsThatCannotBe) {
-    expect_refused(words("corner --truth --truth-rays 0"), "0 rays");
-    expect_refused(words("corner --truth --truth-falloff cubic"), "cubic");
-    expect_refused(words("corner --truth --truth-thickness 0"), "--truth-thickness");
-    expect_refused(words("corner --frame -1"), "--frame");
-    expect_refused(words("--gbuffer {} --frame 2", path("none")), "--frame");
-}
-
 TEST_F(RenderTruth, EveryBuiltInSceneIsListed) {
     const std::string list = output_of(gloam("list scenes"));
     for (const char* scene : {"columns", "corner", "far", "grass", "knot", "moving", "room", "sky"})
@@ -236,19 +186,12 @@ TEST_F(RenderDirections, BentNormalsAndLightAreFiles) {
 TEST_F(RenderDirections, InterleavedBentNormals) {
     expect_success(corner(words("--bent-normals --bent-interleave 4")));
     EXPECT_GT(bytes_of("bent.pfm"), 100U);
-    EXPECT_EQ(corner(words("--bent-normals --bent-interleave 9")).status, 2);
-    EXPECT_EQ(corner(words("--bent-interleave 4")).status, 2);
 }
 
 TEST_F(RenderDirections, NothingIsWrittenThatWasNotAskedFor) {
     expect_success(corner({}));
     EXPECT_FALSE(fs::exists(path("out") / "f0000_bent.pfm"));
     EXPECT_FALSE(fs::exists(path("out") / "f0000_light.pfm"));
-}
-
-TEST_F(RenderDirections, AnotherLightIsNamed) {
-    expect_could_not_run(corner(words("--light noon")), "noon");
-    EXPECT_FALSE(fs::exists(path("out")));
 }
 
 TEST_F(RenderDirections, LayersThatAFolderDoesNotHaveAreNamed) {

@@ -38,14 +38,4 @@ TEST_F(Stress, RowsAppearAsTheyAreFound) {
     EXPECT_EQ(line_count(read_file(report)), 8);
 }
 
-TEST_F(Stress, BadInputIsOneClearLine) {
-    const CommandResult unknown = gloam("stress --only no-such-run");
-    expect_could_not_run(unknown, "no-such-run");
-    EXPECT_THAT(unknown.err, HasSubstr("long-run, poison"));
-    expect_could_not_run(gloam("stress --frames 0"), "--frames");
-    expect_could_not_run(gloam("stress --only worst-inputs --equation no-such"), "no-such");
-    expect_could_not_run(gloam("stress --device no-such-device"), "no-such-device");
-    expect_could_not_run(gloam("stress --json /no/such/folder/stress.json"), "/no/such/folder");
-}
-
 }  // namespace gloam::test::stress_test

@@ -18,8 +18,15 @@ TEST_F(Usage, HelpNamesEveryCommand) {
     }
 }
 
-TEST_F(Usage, OutputsNameTheVersion) {
-    EXPECT_THAT(output_of(gloam("--version")), StartsWith("gloam " + base::version() + ", glslang "));
+TEST_F(Usage, OutputsNameTheVersionAndWhatCompiles) {
+    const std::string file = path("a.json").string();
+    expect_success(
+        gloam("check gloam_radical_inverse_base2 --inputs 64 --json {} --junit {}", file, file + ".xml"));
+    const std::string version = output_of(gloam("--version"));
+    EXPECT_EQ(line_count(version), 1);
+    for (const std::string& text : {version, read_file(file), read_file(file + ".xml")})
+        for (const char* part : {"glslang ", "SPIRV-Tools "})
+            EXPECT_THAT(text, AllOf(HasSubstr("gloam " + base::version() + ", "), HasSubstr(part)));
     EXPECT_EQ(nlohmann::json::parse(output_of(gloam("list views --json"))).at("gloam"), base::version());
     const auto one = nlohmann::json::parse(output_of(gloam("list presets fast --json")));
     EXPECT_EQ(one.at("gloam"), base::version());
@@ -27,18 +34,6 @@ TEST_F(Usage, OutputsNameTheVersion) {
     expect_success(gloam("list equations --html {}", path("page.html")));
     EXPECT_THAT(read_file(path("page.html")),
                 HasSubstr("<meta name=\"generator\" content=\"gloam " + base::version() + "\">"));
-}
-
-TEST_F(Usage, UnknownOptionIsNamed) {
-    expect_could_not_run(gloam("--no-such-option"), "--no-such-option");
-    for (const char* command : {"demo", "devices", "list", "check", "render", "stress"}) {
-        expect_could_not_run(gloam("{} --no-such-option", command), "--no-such-option");
-    }
-    expect_could_not_run(gloam("pack gloam/geometry/background.glsl --no-such-option"), "--no-such-option");
-}
-
-TEST_F(Usage, UnknownCommandIsNamed) {
-    expect_could_not_run(gloam("no-such-command"), "no-such-command");
 }
 
 TEST_F(Usage, AloneItSaysWhatToDoFirst) {
@@ -69,8 +64,7 @@ TEST(Devices, AreListedWithTheirFloatControls) {
     }
 }
 
-const CommandOptions none{
-    .environment = {"VK_ICD_FILENAMES=/no/such/driver.json", "VK_DRIVER_FILES=/no/such/driver.json"}};
+const CommandOptions none = with_driver_alone("/no/such/driver.json");
 
 TEST(Devices, NoneIsOneClearLine) {
     expect_could_not_run(run_command(words("devices"), none), "Vulkan");
@@ -155,7 +149,6 @@ TEST_F(List, APresetSaysWhatItSets) {
     by_settings.insert(by_settings.end(), {"--preset", "tssao-paper"});
     EXPECT_EQ(used(by_settings), expected);
     EXPECT_EQ(used(words("--preset {}", file)), expected);
-    expect_could_not_run(gloam("list presets no-such"), "no-such");
 }
 
 TEST_F(List, APresetShowsEverySettingThatRunsWithItsSymbol) {
@@ -195,7 +188,6 @@ TEST_F(List, EveryCommandTakesEveryNameOfAnEquation) {
                 HasSubstr("gloam_window_coverage"));
     EXPECT_THAT(output_of(gloam("check gloam/filter/shrink.glsl --device interpreter --inputs 64")),
                 HasSubstr("TSSAO-11-window"));
-    expect_could_not_run(gloam("explain gloam_falloff_* 1 2"), "expected one");
 }
 
 TEST_F(List, ExplainEndsWithTheResult) {
@@ -236,60 +228,6 @@ TEST_F(List, EquationsAsAPage) {
     std::istringstream names(gloam("list equations").out);
     for (std::string name, meaning; names >> name && std::getline(names, meaning);)
         ASSERT_THAT(page, HasSubstr("<td>" + name + "</td>")) << name;
-    expect_could_not_run(gloam("list methods --html {}", file), "--html");
-    expect_could_not_run(gloam("list equations --html /no/such/a.html"), "/no/such/a.html");
-}
-
-TEST_F(List, UnknownKindIsNamedWithThoseThereAre) {
-    const CommandResult result = gloam("list no-such-kind");
-    expect_could_not_run(result, "no-such-kind");
-    EXPECT_THAT(result.err, HasSubstr("equations"));
-}
-
-TEST_F(Usage, VersionNamesEverythingThatCompiles) {
-    const std::string result = output_of(gloam("--version"));
-    EXPECT_EQ(line_count(result), 1);
-    for (const char* part : {"gloam 0.", "glslang ", "SPIRV-Tools "}) EXPECT_THAT(result, HasSubstr(part));
-    const std::string file = path("a.json").string();
-    expect_success(
-        gloam("check gloam_radical_inverse_base2 --inputs 64 --json {} --junit {}", file, file + ".xml"));
-    for (const std::string& name : {file, file + ".xml"}) {
-        const std::string text = read_file(name);
-        for (const char* part : {"gloam 0.", "glslang ", "SPIRV-Tools "})
-            EXPECT_THAT(text, HasSubstr(part)) << name;
-    }
-}
-
-// Whatever option is added: an empty text, NaN and a count below zero are no values.
-TEST_F(Usage, ValuesThatNobodyMeansAreNamed) {
-    const std::vector<std::vector<std::string>> wrong{
-        {"check", "--timeout", "nan"}, {"check", "--timeout", "NaN"}, {"check", "--timeout", ""},
-        {"check", "--seed", ""},       {"check", "--seed", "-1"},     {"check", "--shard", ""},
-        {"check", "--inputs", "-1"},   {"check", "--json", ""},       {"bench", "--error", "nan"},
-        {"bench", "--samples", "-4"},  {"render", "--radius", ""},    {"render", "--radius", "nan"},
-        {"render", "--out", ""},       {"render", "--bias", "-nan"},  {"stress", "--seed", "-1"},
-        {"pack", "--version", ""},     {"demo", "--out", ""}};
-    for (const auto& command : wrong) {
-        const CommandResult result = run_command(command);
-        expect_could_not_run(result, command[1]);
-    }
-}
-
-TEST_F(Usage, AnOptionThatNeedsAnotherSaysSo) {
-    const std::vector<std::vector<std::string>> alone{{"render", "corner", "--truth-rays", "64"},
-                                                      {"render", "corner", "--truth-falloff", "step"},
-                                                      {"render", "corner", "--truth-thickness", "1"},
-                                                      {"render", "moving", "--truth-every"},
-                                                      {"bench", "--fail-if-worse"},
-                                                      {"bench", "--resume"}};
-    for (const auto& command : alone) {
-        const CommandResult result = run_command(command);
-        EXPECT_EQ(result.status, 2) << command.back();
-        EXPECT_EQ(line_count(result.err), 1) << result.err;
-        EXPECT_THAT(result.err, HasSubstr("--")) << command.back();
-    }
-    expect_could_not_run(gloam("bench --from a.json --scene corner"), "--from");
-    expect_could_not_run(gloam("check --in-process --jobs 2"), "--in-process");
 }
 
 TEST_F(Usage, TheSceneMayComeBehindTruth) {

@@ -9,13 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "base/files.hpp"
-
 namespace gloam::cli {
-
-std::string read_text(const std::filesystem::path& file) {
-    return base::read_file(file);
-}
 
 namespace {
 

@@ -272,6 +272,10 @@ CheckOutcome check(const CheckOptions& options) {
     return outcome;
 }
 
+namespace {
+
+// Runs check() and prints the story of each failure. Returns the exit status: 0, 1 or 2; 2 for an outcome
+// that is not complete, unless a check failed.
 int run_check(const CheckOptions& options) {
     const CheckOutcome outcome = check(options);
     for (const report::CheckReport& report : outcome.reports) {
@@ -289,8 +293,6 @@ int run_check(const CheckOptions& options) {
     fmt::print("{}\n", colored(to_text(outcome.counts), status == 0 ? Ink::good : Ink::bad));
     return status == 0 && !outcome.complete ? 2 : status;
 }
-
-namespace {
 
 // Options for written files and for the printed output.
 void add_file_options(CLI::App& command, CheckOptions& options) {

@@ -59,11 +59,8 @@ struct CheckOutcome {
 // Runs the checks and writes the requested files.
 [[nodiscard]] CheckOutcome check(const CheckOptions& options);
 
-// Runs check() and prints the story of each failure. Returns the exit status: 0, 1 or 2; 2 for an outcome
-// that is not complete, unless a check failed.
-[[nodiscard]] int run_check(const CheckOptions& options);
-
-// Adds the subcommand; `status` receives what it returns.
+// Adds the subcommand; `status` receives the exit status: 0, 1 or 2; 2 for an outcome that is not complete,
+// unless a check failed.
 void add_check(CLI::App& app, int& status);
 
 }  // namespace gloam::cli

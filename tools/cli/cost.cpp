@@ -6,9 +6,9 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -112,31 +112,19 @@ std::vector<CostRow> cost_of_file(const CostCommand& command, const std::filesys
     return whole ? cost_of_shader(command, file) : cost_of_functions(command, file);
 }
 
-// The name of a format says the bits of each channel: VK_FORMAT_R16G16_SFLOAT.
-double bytes_of_texel(gpu::Format format) {
-    double bits = 0.0;
-    const std::string name = vulkan_format(format).substr(0, vulkan_format(format).find("_PACK"));
-    for (std::size_t at = 0; (at = name.find_first_of("0123456789", at)) != std::string::npos;
-         at = name.find_first_not_of("0123456789", at))
-        bits += std::stod(name.substr(at));
-    return bits / 8.0;
-}
-
 double bytes_of_level(const effect::PlannedImage& image, std::uint32_t level) {
+    constexpr std::array of_texel{4, 16, 8, 8, 2, 1, 4, 8, 4, 4, 2, 4, 8, 16, 4};  // in the order of Format
     return std::ldexp(1.0 * image.extent.width * image.extent.height, -2 * static_cast<int>(level)) *
-           bytes_of_texel(image.format);
+           of_texel.at(static_cast<std::size_t>(image.format));
 }
 
 // Bytes of what the pass reads and writes, each image and buffer once, a pixel of the view.
 double bytes_per_pixel(const effect::Plan& plan, const effect::PlannedPass& pass,
                        const scene::PassLibrary& library, double view) {
-    const effect::PassSource& source = pass.source;
-    std::map<std::uint32_t, std::uint32_t> constants;
-    for (const gpu::SpecializationConstant& one : source.constants) constants[one.id] = one.bits;
-    const std::string text = library.text(source.file, source.defines, source.replaced, constants);
-    const shader::Spirv used = shader::with_passes(shader::compile({source.file, text}, {}),
-                                                   {"--freeze-spec-const", "--fold-spec-const-op-composite",
-                                                    "--ccp", "--eliminate-dead-branches", "-O"});
+    const shader::Spirv used =
+        shader::with_passes(shader::compile({pass.source.file, text_of(pass, library)}, {}),
+                            {"--freeze-spec-const", "--fold-spec-const-op-composite", "--ccp",
+                             "--eliminate-dead-branches", "-O"});
     double bytes = 0.0;
     for (const shader::Binding& binding : shader::reflect(used).bindings) {
         const std::string& name = pass.resources.at(binding.number);

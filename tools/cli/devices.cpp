@@ -16,7 +16,6 @@
 #include "check/lab.hpp"
 #include "cli/check/checker.hpp"
 #include "cli/open_device.hpp"
-#include "report/json.hpp"
 
 namespace gloam::cli {
 namespace {
@@ -66,6 +65,36 @@ nlohmann::ordered_json opengl_json(const report::DeviceSummary& device) {
             {"type", device.type},
             {"driver", device.driver},
             {"api_version", device.api_version}};
+}
+
+constexpr std::chrono::seconds time_to_list{30};
+
+// The OpenGL and OpenGL ES devices of one executor (backend/gl/device.hpp), or why there are none.
+struct GlExecutor {
+    std::string name;
+    std::vector<report::DeviceSummary> devices;
+    std::string error;
+};
+
+GlExecutor listed(const std::string& name) {
+    const base::ProcessResult result =
+        base::run_process(gl_listing_command(name), "", {.patience = time_to_list});
+    if (!result.succeeded()) return {.name = name, .error = "its process " + base::one_line(result.how())};
+    try {
+        Greeting greeting = greeting_from(result.output.substr(0, result.output.find('\n')));
+        return {.name = name, .devices = std::move(greeting.devices), .error = std::move(greeting.error)};
+    } catch (const std::exception& error) {
+        return {.name = name,
+                .error = "its process answers what makes no sense: " + base::one_line(error.what())};
+    }
+}
+
+// Those of every executor. Each is opened in a process of its own: what a driver does to that costs no more
+// than its devices.
+std::vector<GlExecutor> list_gl_executors() {
+    std::vector<GlExecutor> executors;
+    for (const std::string& name : gl::executors()) executors.push_back(listed(name));
+    return executors;
 }
 
 // One line for each: what it is called, and who executes it.
@@ -119,41 +148,6 @@ void add_devices(CLI::App& app) {
     command->callback([json] { run_devices(*json); });
 }
 
-namespace {
-
-using nlohmann::json;
-
-constexpr std::chrono::seconds time_to_list{30};
-
-GlExecutor executor_from(const std::string& name, const std::string& line) {
-    const nlohmann::ordered_json object = report::parse_json(line);
-    const report::JsonReader listed(object, "");
-    GlExecutor executor{.name = name, .devices = {}, .error = listed.member("error").text()};
-    for (const std::string& device : listed.member("devices").texts())
-        executor.devices.push_back(report::device_from_json(device));
-    return executor;
-}
-
-GlExecutor listed(const std::string& name) {
-    const base::ProcessResult result =
-        base::run_process(gl_listing_command(name), "", {.patience = time_to_list});
-    if (!result.succeeded()) return {.name = name, .error = "its process " + base::one_line(result.how())};
-    try {
-        return executor_from(name, result.output.substr(0, result.output.find('\n')));
-    } catch (const std::exception& error) {
-        return {.name = name,
-                .error = "its process answers what makes no sense: " + base::one_line(error.what())};
-    }
-}
-
-}  // namespace
-
-std::vector<GlExecutor> list_gl_executors() {
-    std::vector<GlExecutor> executors;
-    for (const std::string& name : gl::executors()) executors.push_back(listed(name));
-    return executors;
-}
-
 std::vector<std::string> gl_device_names() {
     std::vector<std::string> names;
     std::string error;
@@ -163,17 +157,6 @@ std::vector<std::string> gl_device_names() {
     }
     if (names.empty()) throw std::runtime_error(error.empty() ? "there is no OpenGL device" : error);
     return names;
-}
-
-std::string gl_devices_line(const std::string& executor) {
-    json object{{"devices", json::array()}, {"error", ""}};
-    try {
-        for (const gl::DeviceInfo& info : gl::list_devices(executor))
-            object["devices"].push_back(report::to_json(summary_of(info)));
-    } catch (const std::exception& error) {
-        object["error"] = error.what();
-    }
-    return object.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 }  // namespace gloam::cli

@@ -40,55 +40,6 @@ int validation_status(gpu::Device& device) {
 
 namespace {
 
-using Manifests = std::vector<std::filesystem::path>;
-
-bool holds(const Manifests& manifests, const std::filesystem::path& file) {
-    return std::ranges::any_of(manifests, [&file](const auto& manifest) {
-        std::error_code none;
-        return std::filesystem::equivalent(manifest, file, none);
-    });
-}
-
-// Throws if a driver that was requested by name has no device. If it crashes the process that loads it, the
-// command reports that.
-void require_driver(const std::filesystem::path& manifest) {
-    const DriverTrouble driver = probe_driver(manifest);
-    if (driver.reason != check::Reason::error) return;
-    throw std::runtime_error(fmt::format("Vulkan driver {}: the Vulkan loader gets no device from it: {}",
-                                         manifest.string(), driver.error));
-}
-
-void tell_the_loader(Manifests manifests) {
-    const Manifests asked_for = manifests;
-    const auto swiftshader = gpu::find_swiftshader();
-    if (swiftshader && !gpu::drivers_are_chosen() && !holds(manifests, *swiftshader))
-        manifests.push_back(*swiftshader);
-    gpu::add_drivers(manifests);
-    for (const auto& manifest : asked_for) {
-        ask_for_driver(manifest);
-        require_driver(manifest);
-    }
-}
-
-}  // namespace
-
-void add_driver_option(CLI::App& command) {
-    auto manifests = std::make_shared<Manifests>();
-    command
-        .add_option("--driver", *manifests,
-                    "manifest (ICD JSON file) of one more Vulkan driver; may be given again")
-        ->allow_extra_args(false);
-    command.parse_complete_callback([manifests] { tell_the_loader(*manifests); });
-}
-
-void add_device_options(CLI::App& command, std::string& device, bool& validation) {
-    command.add_option("--device", device, "name or index of the device (gloam devices)");
-    command.add_flag("--validation", validation, "Vulkan validation layers on; any message is an error");
-    add_driver_option(command);
-}
-
-namespace {
-
 namespace fs = std::filesystem;
 
 constexpr double seconds_to_load = 30.0;
@@ -161,7 +112,7 @@ DriverTrouble tried(const fs::path& manifest) {
     };
     const std::chrono::milliseconds patience = time_to_load();
     const base::ProcessResult result =
-        base::run_process(counting_command(manifest), "", {.patience = patience});
+        base::run_process(listing_command(manifest), "", {.patience = patience});
     if (result.end == base::ProcessResult::End::time) {
         const double seconds = std::chrono::duration<double>(patience).count();
         return fail(check::Reason::hang, fmt::format("does not load within {:g} s", seconds));
@@ -170,7 +121,7 @@ DriverTrouble tried(const fs::path& manifest) {
     try {
         const Greeting greeting = greeting_from(result.output.substr(0, result.output.find('\n')));
         if (!greeting.error.empty()) return fail(check::Reason::error, greeting.error);
-        if (greeting.devices == 0) return fail(check::Reason::error, "gives no device");
+        if (greeting.devices.empty()) return fail(check::Reason::error, "gives no device");
     } catch (const std::exception& error) {
         return fail(check::Reason::error, error.what());
     }
@@ -194,8 +145,8 @@ void choose(const std::vector<fs::path>& manifests) {
     ::unsetenv("VK_ADD_DRIVER_FILES");
 }
 
-}  // namespace
-
+// The manifests of the drivers that the Vulkan loader would load, in its order, from the environment and from
+// its folders.
 std::vector<fs::path> driver_manifests() {
     std::vector<fs::path> manifests;
     const char* instead = std::getenv("VK_DRIVER_FILES");
@@ -210,19 +161,18 @@ std::vector<fs::path> driver_manifests() {
     return manifests;
 }
 
-void ask_for_driver(const fs::path& manifest) {
-    asked_for().push_back(fs::absolute(manifest));
-}
-
-const std::vector<fs::path>& drivers_asked_for() {
-    return asked_for();
-}
-
+// Loads this driver alone. `reason` is none if it has a device.
 DriverTrouble probe_driver(const fs::path& manifest) {
     const fs::path file = fs::absolute(manifest);
     DriverTrouble driver = tried(file);
-    driver.asked_for = std::ranges::find(drivers_asked_for(), file) != drivers_asked_for().end();
+    driver.asked_for = std::ranges::find(asked_for(), file) != asked_for().end();
     return driver;
+}
+
+}  // namespace
+
+const std::vector<fs::path>& drivers_asked_for() {
+    return asked_for();
 }
 
 LeftOut leave_out_bad_drivers() {
@@ -251,6 +201,55 @@ void require_good_drivers() {
         if (!left_out.others) throw std::runtime_error(what);
         fmt::print(stderr, "gloam: {}; it is skipped\n", what);
     }
+}
+
+namespace {
+
+using Manifests = std::vector<fs::path>;
+
+bool holds(const Manifests& manifests, const std::filesystem::path& file) {
+    return std::ranges::any_of(manifests, [&file](const auto& manifest) {
+        std::error_code none;
+        return std::filesystem::equivalent(manifest, file, none);
+    });
+}
+
+// Throws if a driver that was requested by name has no device. If it crashes the process that loads it, the
+// command reports that.
+void require_driver(const std::filesystem::path& manifest) {
+    const DriverTrouble driver = probe_driver(manifest);
+    if (driver.reason != check::Reason::error) return;
+    throw std::runtime_error(fmt::format("Vulkan driver {}: the Vulkan loader gets no device from it: {}",
+                                         manifest.string(), driver.error));
+}
+
+void tell_the_loader(Manifests manifests) {
+    const Manifests named = manifests;
+    const auto swiftshader = gpu::find_swiftshader();
+    if (swiftshader && !gpu::drivers_are_chosen() && !holds(manifests, *swiftshader))
+        manifests.push_back(*swiftshader);
+    gpu::add_drivers(manifests);
+    for (const auto& manifest : named) {
+        asked_for().push_back(fs::absolute(manifest));
+        require_driver(manifest);
+    }
+}
+
+}  // namespace
+
+void add_driver_option(CLI::App& command) {
+    auto manifests = std::make_shared<Manifests>();
+    command
+        .add_option("--driver", *manifests,
+                    "manifest (ICD JSON file) of one more Vulkan driver; may be given again")
+        ->allow_extra_args(false);
+    command.parse_complete_callback([manifests] { tell_the_loader(*manifests); });
+}
+
+void add_device_options(CLI::App& command, std::string& device, bool& validation) {
+    command.add_option("--device", device, "name or index of the device (gloam devices)");
+    command.add_flag("--validation", validation, "Vulkan validation layers on; any message is an error");
+    add_driver_option(command);
 }
 
 }  // namespace gloam::cli

@@ -7,7 +7,6 @@
 
 #include "backend/vulkan/device.hpp"
 #include "check/answer.hpp"
-#include "report/check_report.hpp"
 
 namespace CLI {
 class App;
@@ -37,7 +36,7 @@ struct DriverTrouble {
     std::filesystem::path manifest;
     check::Reason reason = check::Reason::none;  // crash, hang; error: it is not a driver, or has no device
     std::string error;
-    bool asked_for = false;  // by ask_for_driver()
+    bool asked_for = false;  // by --driver
 };
 
 // Drivers that cannot be loaded, and whether another driver has a device.
@@ -46,16 +45,8 @@ struct LeftOut {
     bool others = true;
 };
 
-// Marks a driver, so that DriverTrouble::asked_for is set for it.
-void ask_for_driver(const std::filesystem::path& manifest);
+// Those of --driver.
 [[nodiscard]] const std::vector<std::filesystem::path>& drivers_asked_for();
-
-// The manifests of the drivers that the Vulkan loader would load, in its order, from the environment and from
-// its folders.
-[[nodiscard]] std::vector<std::filesystem::path> driver_manifests();
-
-// Loads this driver alone. `reason` is none if it has a device.
-[[nodiscard]] DriverTrouble probe_driver(const std::filesystem::path& manifest);
 
 // Disables drivers that crash, hang or exit while they load, in this process and those that it starts, as
 // long as another driver has a device. Call it while there is only one thread.
@@ -65,21 +56,7 @@ void ask_for_driver(const std::filesystem::path& manifest);
 // std::runtime_error if every driver is disabled.
 void require_good_drivers();
 
-// The OpenGL and OpenGL ES devices of one executor (backend/gl/device.hpp), or why there are none.
-struct GlExecutor {
-    std::string name;
-    std::vector<report::DeviceSummary> devices;
-    std::string error;
-};
-
-// Those of every executor. Each is opened in a process of its own: what a driver does to that costs no more
-// than its devices.
-[[nodiscard]] std::vector<GlExecutor> list_gl_executors();
-
-// The names of all devices. Throws std::runtime_error that says why where there is none.
+// The names of all OpenGL devices. Throws std::runtime_error that says why where there is none.
 [[nodiscard]] std::vector<std::string> gl_device_names();
-
-// Greets with the devices of an executor: what such a process does.
-[[nodiscard]] std::string gl_devices_line(const std::string& executor);
 
 }  // namespace gloam::cli

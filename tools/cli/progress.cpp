@@ -11,6 +11,19 @@
 #include "cli/environment.hpp"
 
 namespace gloam::cli {
+namespace {
+
+// "about 40 s", "about 12 min", "about 3 h": a duration to the nearest unit.
+std::string rough_duration(std::chrono::duration<double> duration) {
+    constexpr double minute = 60.0;
+    constexpr double hour = 60.0 * minute;
+    const double seconds = duration.count();
+    if (seconds < 1.5 * minute) return fmt::format("about {:.0f} s", std::ceil(seconds));
+    if (seconds < 1.5 * hour) return fmt::format("about {:.0f} min", seconds / minute);
+    return fmt::format("about {:.0f} h", seconds / hour);
+}
+
+}  // namespace
 
 std::function<void(double)> progress_bar(std::string what) {
     if (!on_terminal()) return [](double) {};
@@ -29,15 +42,6 @@ std::function<void(double)> progress_bar(std::string what) {
         if (percent >= 100) fmt::print(stderr, "\r\033[K");
         std::fflush(stderr);
     };
-}
-
-std::string rough_duration(std::chrono::duration<double> duration) {
-    constexpr double minute = 60.0;
-    constexpr double hour = 60.0 * minute;
-    const double seconds = duration.count();
-    if (seconds < 1.5 * minute) return fmt::format("about {:.0f} s", std::ceil(seconds));
-    if (seconds < 1.5 * hour) return fmt::format("about {:.0f} min", seconds / minute);
-    return fmt::format("about {:.0f} h", seconds / hour);
 }
 
 ProgressLine::ProgressLine(std::string what, std::size_t total, bool watched)

@@ -13,9 +13,6 @@ namespace gloam::cli {
 // [0, 1], at any rate; at 1 the line is erased. It prints nothing if standard error is not a terminal.
 [[nodiscard]] std::function<void(double)> progress_bar(std::string what);
 
-// "about 40 s", "about 12 min", "about 3 h": a duration to the nearest unit.
-[[nodiscard]] std::string rough_duration(std::chrono::duration<double> duration);
-
 // A progress line on standard error for `total` equal steps, "checks [120/270], about 4 min left", below the
 // text on standard output: wipe() it before output is written, show() it after. It prints nothing if standard
 // error is not a terminal.

@@ -217,8 +217,7 @@ void take_scene_from_truth(RenderOptions& options) {
     options.trace_truth = true;
 }
 
-}  // namespace
-
+// Returns the exit status: 0, or 1 if the validation layers reported messages.
 int run_render(const RenderOptions& options) {
     std::vector<Run> runs = runs_of(options);
     report::OutputFolder out(options.out);
@@ -236,6 +235,8 @@ int run_render(const RenderOptions& options) {
     }
     return validation_status(bench.device);
 }
+
+}  // namespace
 
 void add_render(CLI::App& app, int& status) {
     auto options = std::make_shared<RenderOptions>();

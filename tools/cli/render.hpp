@@ -70,11 +70,7 @@ struct RenderOptions {
     bool quiet = false;
 };
 
-// Renders, writes the images and render.json, then prints a summary. Returns the exit status: 0, or 1 if the
-// validation layers reported messages.
-[[nodiscard]] int run_render(const RenderOptions& options);
-
-// Adds the subcommand; `status` receives what it returns.
+// Adds the subcommand, which renders, writes the images and render.json, then prints a summary.
 void add_render(CLI::App& app, int& status);
 
 }  // namespace gloam::cli

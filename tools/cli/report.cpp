@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/arguments.hpp"
+#include "base/files.hpp"
 #include "report/accuracy.hpp"
 #include "report/check_page.hpp"
 #include "report/check_report.hpp"
@@ -32,7 +32,7 @@ struct ReportOptions {
 std::vector<report::ReportFile> read_reports(const std::vector<std::string>& files) {
     std::vector<report::ReportFile> all;
     for (const std::string& file : files) {
-        const std::string text = read_text(file);
+        const std::string text = base::read_file(file);
         try {
             for (report::CheckReport& report : report::reports_from_json(text)) {
                 all.push_back({.file = file, .report = std::move(report)});

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/files.hpp"
 #include "base/text.hpp"
-#include "cli/arguments.hpp"
 #include "effect/methods.hpp"
 
 namespace gloam::cli {
@@ -57,6 +57,12 @@ ordered_json json_of(const effect::Settings& settings) {
     return json;
 }
 
+namespace {
+
+// The settings of a preset's file, {"name", "description", "settings": {NAME: value, ...}}, lengths for a
+// radius of 1. Settings that the file does not name are those of `tssao-paper`. Throws std::runtime_error
+// that names the file for text of another form, std::invalid_argument for an unknown setting, a value out of
+// range, or a radius other than 1.
 effect::Settings preset_from(const std::string& file, std::string_view text) {
     try {
         base::require_bounded_json(text);
@@ -80,9 +86,11 @@ effect::Settings preset_from(const std::string& file, std::string_view text) {
     return settings;
 }
 
+}  // namespace
+
 effect::Settings preset_settings(const std::string& name_or_file) {
     if (!name_or_file.ends_with(".json")) return effect::preset_named(name_or_file).settings;
-    return preset_from(name_or_file, read_text(name_or_file));
+    return preset_from(name_or_file, base::read_file(name_or_file));
 }
 
 void apply(effect::Settings& settings, const std::string& assignment) {

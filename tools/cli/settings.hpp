@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "cli/render.hpp"
 #include "effect/settings.hpp"
@@ -28,18 +27,13 @@ namespace gloam::cli {
 // The value of every setting that the passes read, by its name.
 [[nodiscard]] nlohmann::ordered_json json_of(const effect::Settings& settings);
 
-// The settings of a preset's file, {"name", "description", "settings": {NAME: value, ...}}, lengths for a
-// radius of 1. Settings that the file does not name are those of `tssao-paper`. Throws std::runtime_error
-// that names the file for text of another form, std::invalid_argument for an unknown setting, a value out of
-// range, or a radius other than 1.
-[[nodiscard]] effect::Settings preset_from(const std::string& file, std::string_view text);
-
 // Applies NAME=VALUE. The method and the radius also change other settings, so --method and --radius apply
 // them. Throws std::invalid_argument.
 void apply(effect::Settings& settings, const std::string& assignment);
 
 // The settings of a preset by name, or of a file if the name ends with ".json". Throws like
-// effect::preset_named(), read_text() and preset_from().
+// effect::preset_named() and base::read_file(); std::runtime_error that names the file for text of another
+// form, std::invalid_argument for what it sets.
 [[nodiscard]] effect::Settings preset_settings(const std::string& name_or_file);
 
 // Settings for a view: the preset and the method, scaled to the radius of the options or of the view, then

@@ -7,7 +7,8 @@
 #include <tuple>
 
 #include "check/function.hpp"
-#include "stress/gathers.hpp"
+#include "effect/method_functions.hpp"
+#include "effect/methods.hpp"
 #include "stress/long_run.hpp"
 #include "stress/views.hpp"
 
@@ -53,13 +54,13 @@ Rows texels(const Frame& frame) {
     const glm::vec4 fresh = frame(empty, 0.25F, sequence);
     std::size_t unsafe = 0;
     std::size_t not_fresh = 0;
-    for (const BadValue& bad : bad_values()) {
+    for (const float bad : bad_values()) {
         for (int channel = 0; channel < 4; ++channel) {
             glm::vec4 texel = good;
-            texel[channel] = bad.value;
+            texel[channel] = bad;
             const glm::vec4 after = frame(texel, 0.25F, sequence);
             unsafe += safe(after) ? 0 : 1;
-            if (usable(texel) || subnormal(bad.value)) continue;
+            if (usable(texel) || subnormal(bad)) continue;
             not_fresh += after == fresh ? 0 : 1;
         }
     }
@@ -73,12 +74,12 @@ Rows texels(const Frame& frame) {
 Rows contributions(const Frame& frame) {
     std::size_t unsafe = 0;
     std::size_t wrong = 0;
-    for (const BadValue& bad : bad_values()) {
-        const glm::vec4 after = frame(good, bad.value, sequence);
+    for (const float bad : bad_values()) {
+        const glm::vec4 after = frame(good, bad, sequence);
         unsafe += safe(after) ? 0 : 1;
-        const float read = std::isfinite(bad.value) ? glm::clamp(bad.value, 0.0F, 1.0F) : 0.0F;
-        const float expected = std::isfinite(bad.value) ? frame(good, read, sequence).x : good.x;
-        wrong += subnormal(bad.value) || after.x == expected ? 0 : 1;
+        const float read = std::isfinite(bad) ? glm::clamp(bad, 0.0F, 1.0F) : 0.0F;
+        const float expected = std::isfinite(bad) ? frame(good, read, sequence).x : good.x;
+        wrong += subnormal(bad) || after.x == expected ? 0 : 1;
     }
     const std::string varied = "contribution of one frame";
     return {{poison_name, varied, "unsafe after one frame", static_cast<double>(unsafe), 0.0},
@@ -128,6 +129,36 @@ constexpr glm::ivec2 size{9, 7};
 // Samples of a gather.
 constexpr unsigned asked = 33;
 
+using effect::GatherCamera;
+using effect::GatherKernel;
+
+// Of a method: (sum, count); reads depths by gloam_fetch_depth.
+using Gather = check::Function<effect::MethodGather>;
+
+// What a method prepares for an image of that size; one of mssao for `resolutions`.
+std::optional<effect::Preparation> gather_preparation(const effect::MethodInfo& method,
+                                                      unsigned resolutions) {
+    effect::Settings settings;
+    settings.method = method.name;
+    settings.own.steps = resolutions;
+    return effect::preparation_of(settings, {size.x, size.y});
+}
+
+// The images that a method reads: depths, normals as bad as they, and for one that prepares something its
+// image, every texel alike.
+check::ImageSet gather_images(check::Image depths, const std::optional<effect::Preparation>& preparation,
+                              float prepared) {
+    check::Image normals = check::make_image<glm::vec3>(
+        depths.size, [&](glm::ivec2 at) { return glm::vec3(0, 0, depths.at<float>(at)); });
+    check::ImageSet images{{"gloam_fetch_depth", std::move(depths)},
+                           {"gloam_fetch_normal", std::move(normals)}};
+    if (!preparation) return images;
+    const glm::ivec2 texels(preparation->image.width, preparation->image.height);
+    images.emplace("gloam_fetch_prepared",
+                   check::make_image<glm::vec4>(texels, [=](glm::ivec2) { return glm::vec4(prepared); }));
+    return images;
+}
+
 constexpr GatherCamera camera{{1.2F, -1.5F}, size, false};
 
 // Fetches outside an image, and results that are outside their range, over all calls.
@@ -172,19 +203,18 @@ void for_each_pixel(Visit&& visit) {
 // Images of bad depths: at the middle, at a corner, everywhere.
 template <class Visit>
 void for_each_image(Visit&& visit) {
-    for (const BadValue& bad : bad_values()) {
-        visit(bad.value, depths(bad.value, size / 2, false));
-        visit(bad.value, depths(bad.value, glm::ivec2(0), false));
-        visit(bad.value, depths(bad.value, glm::ivec2(0), true));
+    for (const float bad : bad_values()) {
+        visit(bad, depths(bad, size / 2, false));
+        visit(bad, depths(bad, glm::ivec2(0), false));
+        visit(bad, depths(bad, glm::ivec2(0), true));
     }
 }
 
 // Every pixel of the image, and bad positions, normals, radii and angles.
 std::vector<Gather::Inputs> gather_inputs(float bad, unsigned steps) {
     const auto method_of_length = [steps](float length) {
-        effect::MethodValues method = stress::method_of_length(length);
-        method.steps = steps;
-        return method;
+        return effect::MethodValues{
+            .range = length, .epsilon = length, .thickness = 1.0F, .steps = steps, .disagreement = 0.05F};
     };
     const GatherKernel kernel{0.5F, 0.001F, 0.0F, 4'294'967'280U, asked};  // its index passes 2^32
     const glm::vec3 position = position_at(size / 2, 3.0F);
@@ -219,10 +249,10 @@ bool good_sum(glm::vec2 sum, std::uint32_t most) {
 }
 
 Count gathers(const check::Lab& lab, const effect::MethodInfo& method) {
-    const Gather gather(lab, gather_file(method), effect::method_function);
+    const Gather gather(lab, method.name + ".glsl", effect::method_function);
     const unsigned steps = 3;
     const std::uint32_t most = effect::samples_taken(method, asked, steps);
-    const auto preparation = gather_preparation(method, size, steps);
+    const auto preparation = gather_preparation(method, steps);
     Count count;
     for_each_image([&](float bad, const check::Image& image) {
         for (const float prepared : {bad, 0.5F}) {

@@ -119,10 +119,10 @@ class Experiment {
         const effect::Frame clean = robust_.run(view);
         Damage damage;
         std::size_t number = 0;
-        for (const BadValue& bad : bad_values()) {
+        for (const float bad : bad_values()) {
             for (const glm::ivec2 source : sources(number++))
-                one_texel(view, place, bad.value, source, clean, damage);
-            everywhere(view, place, bad.value, damage);
+                one_texel(view, place, bad, source, clean, damage);
+            everywhere(view, place, bad, damage);
         }
         return damage;
     }

@@ -14,14 +14,8 @@ namespace gloam::stress {
 // The same wall with every other field of 6 x 5 pixels a quarter unit nearer: occlusion along every edge.
 [[nodiscard]] scene::GBuffer steps(gpu::Extent extent);
 
-// A bad value and what it is called.
-struct BadValue {
-    const char* name;
-    float value;
-};
-
 // NaN, infinities, negative, zero, subnormal, tiny and huge.
-[[nodiscard]] const std::vector<BadValue>& bad_values();
+[[nodiscard]] const std::vector<float>& bad_values();
 
 // How many values are outside [0, 1] or NaN.
 [[nodiscard]] std::size_t outside_unit(const std::vector<float>& values);

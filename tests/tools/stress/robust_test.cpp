@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "stress/long_run.hpp"
 #include "stress/views.hpp"
 #include "support/method_names.hpp"
 #include "tools/gloam.hpp"
@@ -55,9 +56,23 @@ struct Fault {
     Rows (*part)(const Context&);
 };
 
-TEST(Poison, NoticesWhatIsBroken) {
+Rows short_run(const Context& context) {
+    Context few = context;
+    few.frames = 4'000;
+    return long_run(few);
+}
+
+// Of the long run: a blend that rounds down a little in each frame; a weight that forgets its cap; an index
+// that skips.
+TEST(Stress, NoticesWhatIsBroken) {
     for (const Fault& fault :
-         {Fault{"gloam/filter/weighted_mean.glsl", "if (!(value >= 0.0 && value <= 1.0 &&", "if (!(",
+         {Fault{"gloam/temporal/blend.glsl", "return vec2(blended,", "return vec2(blended * 0.9999995,",
+                "farthest from the exact mean", short_run},
+          Fault{"gloam/temporal/blend.glsl", "total < cap ? total : cap", "total < cap ? total : cap - 1.0",
+                "weight off, samples", short_run},
+          Fault{"gloam/temporal/history.glsl", "(index % size + k % size) % size", "(index + k) % size",
+                "next index off", short_run},
+          Fault{"gloam/filter/weighted_mean.glsl", "if (!(value >= 0.0 && value <= 1.0 &&", "if (!(",
                 "results outside their range", poisoned_filters},
           Fault{"gloam/gather/footprint.glsl", "footprint.size - 1.0", "footprint.size + 9.0",
                 "fetches outside the image", poisoned_gathers},

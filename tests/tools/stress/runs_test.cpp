@@ -3,7 +3,7 @@
 
 #include "stress/long_run.hpp"
 #include "support/entries.hpp"
-#include "tools/gloam.hpp"
+#include "support/test.hpp"
 #include "tools/stress/support.hpp"
 
 namespace gloam::stress::test::runs_test {
@@ -52,30 +52,6 @@ TEST(LongRun, ContributionsOfDeviceAndHostAgree) {
         }
         const std::array means{1.0 / 3.0, 0.5, 0.5, 0.5, 1.0 / 32.0};
         EXPECT_NEAR(sum / static_cast<double>(values.size()), means.at(pattern), 0.01) << pattern;
-    }
-}
-
-// A blend that rounds down a little in each frame; a weight that forgets its cap; an index that skips.
-TEST(LongRun, NoticesWhatIsBroken) {
-    struct Fault {
-        const char* file;
-        const char* from;
-        const char* to;
-        const char* quantity;
-    };
-    for (const Fault& fault : {Fault{"gloam/temporal/blend.glsl", "return vec2(blended,",
-                                     "return vec2(blended * 0.9999995,", "farthest from the exact mean"},
-                               Fault{"gloam/temporal/blend.glsl", "total < cap ? total : cap",
-                                     "total < cap ? total : cap - 1.0", "weight off, samples"},
-                               Fault{"gloam/temporal/history.glsl", "(index % size + k % size) % size",
-                                     "(index + k) % size", "next index off"}}) {
-        const gloam::test::Installation broken;
-        broken.replace(fault.file, fault.from, fault.to);
-        const Bench bench(broken.glsl());
-        bool noticed = false;
-        for (const Row& row : rows_of(long_run(bench.context(4'000)), fault.quantity))
-            noticed |= !row.passed();
-        EXPECT_TRUE(noticed) << fault.to;
     }
 }
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "base/files.hpp"
 #include "base/text.hpp"
-#include "cli/arguments.hpp"
 #include "experiment/table.hpp"
 #include "pictures/sheet.hpp"
 
@@ -88,7 +88,7 @@ std::string heading_of(const Measured& measured) {
 
 ExperimentFiles::ExperimentFiles(const ExperimentPaths& paths, const Experiment& what)
     : paths_(paths),
-      old_page_(paths.page.empty() ? "" : read_text(paths.page)),
+      old_page_(paths.page.empty() ? "" : base::read_file(paths.page)),
       json_(paths.json),
       csv_(paths.csv),
       page_(paths.page),

@@ -8,7 +8,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "cli/arguments.hpp"
+#include "base/files.hpp"
 #include "cli/environment.hpp"
 #include "cli/open_device.hpp"
 
@@ -208,7 +208,7 @@ void add_options(CLI::App& command, ExperimentOptions& options, bool has_query) 
 Experiment described(const ExperimentOptions& options) {
     const std::filesystem::path file =
         options.file.empty() ? experiments_directory() / default_experiment : options.file;
-    Experiment what = experiment::read_experiment(file.string(), read_text(file));
+    Experiment what = experiment::read_experiment(file.string(), base::read_file(file));
     what.name = file.stem().string();
     if (!options.sizes.empty()) what.sizes = options.sizes;
     if (options.query) add_scenes(what, options.cases);

@@ -9,6 +9,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "base/files.hpp"
 #include "cli/arguments.hpp"
 #include "cli/bench/files.hpp"
 #include "cli/bench/options.hpp"
@@ -38,7 +39,7 @@ scene::Inputs inputs_named(const std::string& name) {
 }
 
 experiment::Record record_in(const fs::path& file) {
-    return experiment::read_record(file.string(), read_text(file));
+    return experiment::read_record(file.string(), base::read_file(file));
 }
 
 int compare_files(const ExperimentOptions& options) {
@@ -121,7 +122,7 @@ CLI::App& add_command(CLI::App& bench, const std::string& name, const std::strin
 // An empty one where it cannot be read.
 Experiment description_in(const fs::path& file) {
     try {
-        return experiment::read_experiment(file.string(), read_text(file));
+        return experiment::read_experiment(file.string(), base::read_file(file));
     } catch (const std::exception&) {
         return {};
     }

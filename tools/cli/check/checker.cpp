@@ -109,6 +109,9 @@ OwnSelection own_selection(const std::vector<std::string>& words, const std::vec
     throw std::runtime_error(fmt::format("{}: nothing was checked: {}", file, why_nothing(left_out)));
 }
 
+namespace {
+
+// The question of a task about a function of its file.
 check::Question own_question(const check::Lab& lab, const CheckTask& task) {
     const std::string file = std::filesystem::path(task.file).filename().string();
     const check::OwnFunctions own = check::own_functions(lab.options(), file, {task.equation});
@@ -117,7 +120,22 @@ check::Question own_question(const check::Lab& lab, const CheckTask& task) {
     return check::question_of(lab, file, own.found.front(), ranges_from(task.ranges));
 }
 
-namespace {
+// The kind of an error, from an exception of the rooms.
+check::Reason reason_of(const std::exception& error) {
+    using check::Reason;
+    if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return Reason::out_of_memory;
+    if (dynamic_cast<const backend::OutOfMemory*>(&error) != nullptr) return Reason::out_of_memory;
+    if (dynamic_cast<const backend::DeviceLost*>(&error) != nullptr) return Reason::device_lost;
+    if (dynamic_cast<const backend::Hang*>(&error) != nullptr) return Reason::hang;
+    if (dynamic_cast<const backend::Unsupported*>(&error) != nullptr) return Reason::unsupported;
+    if (dynamic_cast<const shader::StepUnavailable*>(&error) != nullptr) return Reason::unsupported;
+    if (dynamic_cast<const shader::Unchanged*>(&error) != nullptr) return Reason::unchanged;
+    if (const auto* of_shader = dynamic_cast<const interpreter::Error*>(&error)) {
+        if (of_shader->kind() == interpreter::Error::Kind::race) return Reason::race;
+        if (of_shader->kind() == interpreter::Error::Kind::divergent_barrier) return Reason::divergent;
+    }
+    return Reason::error;
+}
 
 constexpr std::string_view first_variant = "shipped";
 
@@ -208,22 +226,6 @@ HandOver Checker::hand_over(const HandOverRequest& request) {
     } catch (const std::exception& error) {
         return {.error = error.what()};
     }
-}
-
-check::Reason reason_of(const std::exception& error) {
-    using check::Reason;
-    if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return Reason::out_of_memory;
-    if (dynamic_cast<const backend::OutOfMemory*>(&error) != nullptr) return Reason::out_of_memory;
-    if (dynamic_cast<const backend::DeviceLost*>(&error) != nullptr) return Reason::device_lost;
-    if (dynamic_cast<const backend::Hang*>(&error) != nullptr) return Reason::hang;
-    if (dynamic_cast<const backend::Unsupported*>(&error) != nullptr) return Reason::unsupported;
-    if (dynamic_cast<const shader::StepUnavailable*>(&error) != nullptr) return Reason::unsupported;
-    if (dynamic_cast<const shader::Unchanged*>(&error) != nullptr) return Reason::unchanged;
-    if (const auto* of_shader = dynamic_cast<const interpreter::Error*>(&error)) {
-        if (of_shader->kind() == interpreter::Error::Kind::race) return Reason::race;
-        if (of_shader->kind() == interpreter::Error::Kind::divergent_barrier) return Reason::divergent;
-    }
-    return Reason::error;
 }
 
 check::Answer answer_without_result(const CheckTask& task, const catalogue::Entries& entries,

@@ -69,9 +69,6 @@ struct OwnSelection {
                                          const std::vector<std::string>& ranges,
                                          const std::vector<std::string>& includes);
 
-// The question of a task about a function of its file.
-[[nodiscard]] check::Question own_question(const check::Lab& lab, const CheckTask& task);
-
 // The device for checks, and its options.
 struct CheckerOptions {
     std::string device;  // name or index; empty: the default
@@ -111,9 +108,6 @@ class Checker {
     std::unique_ptr<check::Lab> lab_;
 };
 
-// The kind of an error, from an exception of the rooms.
-[[nodiscard]] check::Reason reason_of(const std::exception& error);
-
 // The answer of a check that did not run.
 [[nodiscard]] check::Answer answer_without_result(const CheckTask& task, const catalogue::Entries& entries,
                                                   check::Reason reason, const std::string& error);
@@ -122,11 +116,9 @@ class Checker {
 // them.
 [[nodiscard]] std::vector<std::string> worker_command(const CheckerOptions& options);
 
-// The command line of a process that greets with the number of devices: of one driver (the path of its
-// manifest), or of all.
-[[nodiscard]] std::vector<std::string> counting_command(const std::filesystem::path& driver);
-
-// The command line that prints the OpenGL devices of an executor: see gl_devices_line().
+// The command line of a process that greets with devices: of one Vulkan driver (the path of its manifest), or
+// of all; or of an executor of OpenGL.
+[[nodiscard]] std::vector<std::string> listing_command(const std::filesystem::path& driver);
 [[nodiscard]] std::vector<std::string> gl_listing_command(const std::string& executor);
 
 // The number of devices, counted by another process, because drivers can crash in doing so. Throws

@@ -162,7 +162,7 @@ void run_in_workers(const DeviceRun& run, report::CheckReport& report) {
     const auto make_session = [&] { return WorkerSession(command, run.timeout, refusal_of); };
     WorkerSession session = make_session();
     try {
-        report.device = greeting_from(session.greeting()).device;
+        report.device = greeting_from(session.greeting()).devices.at(0);
     } catch (const NoWorker& none) {
         if (none.reason == Reason::error) throw DeviceRefused(none.what());
         report.device.name = run.checker.device.empty() ? "default" : run.checker.device;

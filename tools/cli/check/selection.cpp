@@ -50,6 +50,20 @@ bool is_opengl(const std::string& device) {
     return device == every_opengl || gl::is_device_name(device);
 }
 
+// A file of the library by its name there is its equations, unless there is a file of this name.
+bool is_of_file(const CheckOptions& options) {
+    if (options.equations.empty()) return false;
+    const std::string& first = options.equations.front();
+    std::error_code none;
+    if (std::filesystem::exists(first, none) || !std::filesystem::exists(glsl_directory() / first, none))
+        return is_shader_file(first);
+    return false;
+}
+
+namespace {
+
+// The variants that the options ask for, with the steps of each --compiler. OpenGL devices have one variant:
+// the others are ways to make a SPIR-V module. Throws std::invalid_argument.
 std::vector<shader::Variant> variants_of(const CheckOptions& options) {
     std::vector<std::string> names;
     const std::vector<std::string> bases = bases_of(options);
@@ -70,18 +84,6 @@ std::vector<shader::Variant> variants_of(const CheckOptions& options) {
                                                 compute ? " or metamorphic" : "", options.variant));
     return variants;
 }
-
-// A file of the library by its name there is its equations, unless there is a file of this name.
-bool is_of_file(const CheckOptions& options) {
-    if (options.equations.empty()) return false;
-    const std::string& first = options.equations.front();
-    std::error_code none;
-    if (std::filesystem::exists(first, none) || !std::filesystem::exists(glsl_directory() / first, none))
-        return is_shader_file(first);
-    return false;
-}
-
-namespace {
 
 // The IDs of the selected equations, or the functions of a file.
 std::vector<std::string> names_of(const CheckOptions& options, CheckOutcome& outcome) {

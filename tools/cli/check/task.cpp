@@ -5,7 +5,7 @@ namespace gloam::cli {
 
 template <class Io>
 void members(Io& io, Greeting& greeting) {
-    report::each(io, "device", greeting.device, "devices", greeting.devices, "error", greeting.error);
+    report::each(io, "devices", greeting.devices, "error", greeting.error);
 }
 
 std::string to_line(const CheckTask& task) {

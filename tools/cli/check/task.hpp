@@ -35,10 +35,9 @@ void members(Io& io, CheckTask& task) {
 [[nodiscard]] std::string to_line(const CheckTask& task);
 [[nodiscard]] CheckTask task_from(std::string_view line);
 
-// A worker's greeting: its device (or the number of devices, if only that was requested), or why it has none.
+// A worker's greeting: its device, or all those that it was to list, or why there are none.
 struct Greeting {
-    report::DeviceSummary device;
-    std::size_t devices = 0;
+    std::vector<report::DeviceSummary> devices;
     std::string error;  // empty: there is a device
 };
 [[nodiscard]] std::string to_line(const Greeting& greeting);

@@ -13,6 +13,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "backend/gl/device.hpp"
 #include "cli/check/worker_session.hpp"
 #include "cli/open_device.hpp"
 
@@ -45,12 +46,13 @@ class Replies {
     std::FILE* file_;
 };
 
-// Greets with the number of devices and ends.
-void count_and_tell() {
+// Greets with a list of devices and ends.
+template <class List>
+void list_and_tell(const List& list) {
     Replies replies;
     Greeting greeting;
     try {
-        greeting.devices = gpu::list_devices().size();
+        for (const backend::DeviceInfo& device : list()) greeting.devices.push_back(summary_of(device));
     } catch (const std::exception& error) {
         greeting.error = error.what();
     }
@@ -63,7 +65,7 @@ void run_worker(const CheckerOptions& options) {
     Greeting greeting;
     try {
         checker.emplace(options);
-        greeting.device = checker->device();
+        greeting.devices = {checker->device()};
     } catch (const std::exception& error) {
         greeting.error = error.what();
     }
@@ -85,8 +87,8 @@ std::vector<std::string> worker_command(const CheckerOptions& options) {
     return command;
 }
 
-std::vector<std::string> counting_command(const std::filesystem::path& driver) {
-    std::vector<std::string> command{this_program, subcommand, "--count"};
+std::vector<std::string> listing_command(const std::filesystem::path& driver) {
+    std::vector<std::string> command{this_program, subcommand, "--list"};
     if (!driver.empty()) command.push_back("--driver-alone=" + driver.string());
     return command;
 }
@@ -96,10 +98,10 @@ std::vector<std::string> gl_listing_command(const std::string& executor) {
 }
 
 std::size_t count_devices() {
-    WorkerSession session(counting_command({}), time_to_count,
+    WorkerSession session(listing_command({}), time_to_count,
                           [](const std::string& line) { return greeting_from(line).error; });
     try {
-        return greeting_from(session.greeting()).devices;
+        return greeting_from(session.greeting()).devices.size();
     } catch (const NoWorker& none) {
         if (none.reason == check::Reason::error) throw;
         throw std::runtime_error(std::string("cannot list the devices: ") + none.what());
@@ -114,26 +116,20 @@ void add_check_worker(CLI::App& app) {
     command->add_option("--device", options->device);
     command->add_option("--timeout", *timeout, "milliseconds")->check(CLI::PositiveNumber);
     command->add_flag("--validation", options->validation);
-    auto count = std::make_shared<bool>(false);
-    command->add_flag("--count", *count, "only count the devices");
+    auto list = std::make_shared<bool>(false);
+    command->add_flag("--list", *list, "only list the devices");
     auto driver = std::make_shared<std::string>();
     command->add_option("--driver-alone", *driver, "manifest of the only driver to load");
     auto executor = std::make_shared<std::string>();
     command->add_option("--opengl", *executor, "only list the OpenGL devices of this executor");
-    command->callback([options, timeout, count, driver, executor] {
-        if (!executor->empty()) {
-            Replies().send(gl_devices_line(*executor));
-            return;
-        }
+    command->callback([options, timeout, list, driver, executor] {
+        if (!executor->empty()) return list_and_tell([&] { return gl::list_devices(*executor); });
         if (!driver->empty()) {
             ::setenv("VK_DRIVER_FILES", driver->c_str(), 1);
             ::setenv("VK_ICD_FILENAMES", driver->c_str(), 1);
             ::unsetenv("VK_ADD_DRIVER_FILES");
         }
-        if (*count) {
-            count_and_tell();
-            return;
-        }
+        if (*list) return list_and_tell(gpu::list_devices);
         options->timeout = std::chrono::milliseconds(*timeout);
         run_worker(*options);
     });

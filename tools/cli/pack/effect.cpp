@@ -102,14 +102,4 @@ std::string api_of(shader::Language language) {
     return std::string(" for ") + names.at(language);
 }
 
-std::string vulkan_format(gpu::Format format) {
-    std::istringstream names(  // as gpu::Format
-        "R32_SFLOAT R32G32B32A32_SFLOAT R16G16B16A16_SFLOAT R16G16B16A16_UINT R16_SFLOAT R8_UNORM R32_UINT "
-        "R32G32_SFLOAT R16G16_SFLOAT R8G8B8A8_UNORM R16_UINT R16G16_UINT R32G32_UINT R32G32B32A32_UINT "
-        "A2B10G10R10_UNORM_PACK32");
-    std::string name;
-    for (int i = 0; i <= static_cast<int>(format); ++i) names >> name;
-    return "VK_FORMAT_" + name;
-}
-
 }  // namespace gloam::cli

@@ -29,18 +29,9 @@ struct EffectPackOptions {
 // std::invalid_argument for invalid options, std::runtime_error for a folder that cannot be written to.
 void pack_effect(const EffectPackOptions& options);
 
-// The format's name in Vulkan's headers.
-[[nodiscard]] std::string vulkan_format(gpu::Format format);
-
 // The packed text with gloam's version and an api_of() at its head: behind #version, which must be the first
 // line.
 [[nodiscard]] std::string with_version(std::string text, const std::string& api);
 [[nodiscard]] std::string api_of(shader::Language language);
-
-// A Markdown table: for each file its lines of code as packed, without blank ones and comments, and behind
-// them those of all together, each function once. Without files: those of glsl/gloam/methods, and the passes
-// of each method's effect. Throws like shader::pack().
-[[nodiscard]] std::string line_table(const std::filesystem::path& glsl,
-                                     const std::vector<std::string>& files);
 
 }  // namespace gloam::cli

@@ -52,8 +52,9 @@ std::string sampling_pass(const fs::path& glsl, const std::string& method) {
     throw std::logic_error("a frame without the pass ambient_occlusion");
 }
 
-}  // namespace
-
+// A Markdown table: for each file its lines of code as packed, without blank ones and comments, and behind
+// them those of all together, each function once. Without files: those of glsl/gloam/methods, and the passes
+// of each method's effect. Throws like shader::pack().
 std::string line_table(const fs::path& glsl, const std::vector<std::string>& files) {
     if (!files.empty()) return of_files(glsl, files);
     std::string text =
@@ -77,10 +78,6 @@ std::string line_table(const fs::path& glsl, const std::vector<std::string>& fil
     return text +
            fmt::format("| together | {} | {} |\n", shader::code_lines(functions), shader::code_lines(passes));
 }
-
-namespace {
-
-namespace fs = std::filesystem;
 
 struct PackOptions {
     std::vector<std::string> files;
