@@ -18,8 +18,8 @@
 #include "check/own_domain.hpp"
 #include "check/own_function.hpp"
 #include "check/run.hpp"
-#include "shader/include.hpp"
-#include "shader/pack.hpp"
+#include "module/include.hpp"
+#include "module/texts.hpp"
 
 namespace py = pybind11;
 

@@ -2,7 +2,7 @@
 #include "catalogue/catalogue.hpp"
 #include "catalogue/description.hpp"
 #include "catalogue/printed.hpp"
-#include "shader/compile.hpp"
+#include "module/compile.hpp"
 #include "support/entries.hpp"
 #include "support/files.hpp"
 #include "support/lab.hpp"

@@ -240,23 +240,6 @@ TEST(OrdinaryValues, DrawNoSubnormalNumbers) {
         EXPECT_NE(std::fpclassify(from_word<float>(inputs.row(i)[0])), FP_SUBNORMAL);
 }
 
-TEST(OrdinaryValues, RelatedVectorsAreEqualOppositeAndParallel) {
-    const Signature signature = SignatureOf<float(glm::vec3, glm::vec3)>::describe();
-    const auto inputs = Domain{unit_vector(3), unit_vector(3)}.and_related(signature).draw(4'096, 1);
-    std::size_t equal = 0;
-    std::size_t opposite = 0;
-    for (std::size_t i = 0; i < inputs.count(); ++i) {
-        const auto row = inputs.row(i);
-        double dot = 0.0;
-        for (std::size_t k = 0; k < 3; ++k)
-            dot += static_cast<double>(from_word<float>(row[k])) * from_word<float>(row[k + 3]);
-        equal += dot > 1.0 - 1e-6 ? 1 : 0;
-        opposite += dot < -1.0 + 1e-6 ? 1 : 0;
-    }
-    EXPECT_GT(equal, 20U);
-    EXPECT_GT(opposite, 20U);
-}
-
 // What is tried.
 
 std::vector<std::string> afters(const std::string& text) {
@@ -265,23 +248,19 @@ std::vector<std::string> afters(const std::string& text) {
     return all;
 }
 
-TEST(Rewrites, AreFoundInTheText) {
-    EXPECT_THAT(afters("return 1.0 - cos(2.0 * x);"),
-                Contains("(2.0 * sin(0.5 * (2.0 * x)) * sin(0.5 * (2.0 * x)))"));
+// What helps is found by RewritesHelp.
+TEST(Rewrites, AreNotFoundWhereTheTextMeansAnotherThing) {
     EXPECT_THAT(afters("return y * 1.0 - cos(x);"), Not(Contains(HasSubstr("sin("))))
         << "the one belongs to a product";
     EXPECT_THAT(afters("y = a.x * a.x - b.x * b.x;"), ElementsAre("((a.x - b.x) * (a.x + b.x))"));
-    EXPECT_THAT(afters("y = c - a * a - b * b;"), IsEmpty());
-    EXPECT_THAT(afters("y = exp(x) - 1.0;"), ElementsAre("exp_minus_1(x)"));
     EXPECT_THAT(afters("y = pow(f(a, b), 2.0);"), Contains("((f(a, b)) * (f(a, b)))"));
     EXPECT_THAT(afters("float s = x; for (;;) { s += x; s += y; } s += z;"),
                 ElementsAre("s = add_with_rest(s, x, s_rest)"));
-    EXPECT_THAT(
-        afters(
-            "float s = x; s += x; { float t = x; } for (;;) { t += x; } int i = 0; do i += 1; while (f());"),
-        IsEmpty());
-    EXPECT_THAT(afters("float acos(float x) { return x; }"), IsEmpty()) << "a declaration";
-    EXPECT_THAT(afters("acos("), IsEmpty());
+    for (const char* text :
+         {"y = c - a * a - b * b;",
+          "float s = x; s += x; { float t = x; } for (;;) { t += x; } int i = 0; do i += 1; while (f());",
+          "float acos(float x) { return x; }", "acos("})
+        EXPECT_THAT(afters(text), IsEmpty()) << text;
 }
 
 struct Helped {

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "shader/module.hpp"
-#include "shader/spirv.hpp"
+#include "module/module.hpp"
+#include "module/spirv.hpp"
 
 // Faults as compilers have them, planted in modules: each changes every instruction that it applies to.
 namespace gloam::test {

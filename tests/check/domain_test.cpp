@@ -355,15 +355,4 @@ TEST(Shrink, AnInputThatDoesNotFailIsRefused) {
                                         {"does not fail"});
 }
 
-TEST(Complexity, OrdersFromSimpleToStrange) {
-    const std::vector<float> ascending{0.0F, 1.0F, -1.0F, 1.5F, 1.25F, 0.1F, 1e-30F, nan};
-    for (std::size_t i = 1; i < ascending.size(); ++i) {
-        const std::vector<Word> simpler{bits(ascending[i - 1])};
-        const std::vector<Word> stranger{bits(ascending[i])};
-        EXPECT_LT(complexity(simpler, {shader::Scalar::float_}),
-                  complexity(stranger, {shader::Scalar::float_}))
-            << ascending[i - 1] << " and " << ascending[i];
-    }
-}
-
 }  // namespace gloam::check::domain_test

@@ -33,10 +33,11 @@ class KernelTest : public testing::Test {
     }
 };
 
-TEST_F(KernelTest, ScalarsAndVectors) {
+TEST_F(KernelTest, ValuesOfEveryTypeGoInAndOut) {
     EXPECT_EQ(
         kernel<float(glm::vec2, glm::vec3, float)>("add_scaled")(glm::vec2(1, 2), glm::vec3(3, 4, 5), 2.0F),
         108642.0F);
+    EXPECT_EQ(kernel<float()>("answer")(), 42.0F);
     EXPECT_EQ(kernel<int(int)>("negate_int")(7), -7);
     EXPECT_EQ(kernel<unsigned(unsigned, unsigned)>("shift_uint")(3U, 31U), 0x80000000U);
     EXPECT_EQ(kernel<glm::ivec2(glm::ivec2)>("swap_ints")(glm::ivec2(-1, 2)), glm::ivec2(2, -1));
@@ -44,15 +45,10 @@ TEST_F(KernelTest, ScalarsAndVectors) {
               glm::bvec3(false, true, false));
     EXPECT_EQ(kernel<glm::uvec4(glm::uvec4)>("reverse_uints")(glm::uvec4(1, 2, 3, 4)),
               glm::uvec4(4, 3, 2, 1));
-}
-
-TEST_F(KernelTest, Bools) {
     const auto both = kernel<bool(bool, bool)>("both");
     EXPECT_TRUE(both(true, true));
     EXPECT_FALSE(both(true, false));
-}
-
-TEST_F(KernelTest, MatricesKeepColumnsAndRows) {
+    // Matrices keep columns and rows.
     const glm::mat4 m(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16);
     EXPECT_EQ(kernel<glm::vec4(glm::mat4, glm::vec4)>("transform")(m, glm::vec4(1, 10, 100, 1000)),
               m * glm::vec4(1, 10, 100, 1000));
@@ -60,6 +56,11 @@ TEST_F(KernelTest, MatricesKeepColumnsAndRows) {
               glm::mat2x3(10, 20, 30, 100, 200, 300));
     EXPECT_EQ(kernel<glm::mat3x2(glm::mat2x3)>("transpose_matrix")(glm::mat2x3(1, 2, 3, 4, 5, 6)),
               glm::mat3x2(1, 4, 2, 5, 3, 6));
+    const Texel texel = kernel<Texel(Texel, unsigned)>("advance")(Texel{0.5F, {1, 2}, 7U, false}, 3U);
+    EXPECT_EQ(texel.occlusion, 0.5F);
+    EXPECT_EQ(texel.moments, glm::vec2(2, 1));
+    EXPECT_EQ(texel.index, 10U);
+    EXPECT_TRUE(texel.valid);
 }
 
 TEST_F(KernelTest, OutAndInoutParametersAreReturnedBehindTheResult) {
@@ -69,18 +70,6 @@ TEST_F(KernelTest, OutAndInoutParametersAreReturnedBehindTheResult) {
     EXPECT_EQ(whole, 2.0F);
     EXPECT_EQ(sum, 10.75F);
     EXPECT_EQ(kernel<void(float, Out<glm::vec2>)>("nothing_returned")(3.0F), glm::vec2(6, 3));
-}
-
-TEST_F(KernelTest, NoParameters) {
-    EXPECT_EQ(kernel<float()>("answer")(), 42.0F);
-}
-
-TEST_F(KernelTest, StructsGoInAndOut) {
-    const Texel texel = kernel<Texel(Texel, unsigned)>("advance")(Texel{0.5F, {1, 2}, 7U, false}, 3U);
-    EXPECT_EQ(texel.occlusion, 0.5F);
-    EXPECT_EQ(texel.moments, glm::vec2(2, 1));
-    EXPECT_EQ(texel.index, 10U);
-    EXPECT_TRUE(texel.valid);
 }
 
 TEST_F(KernelTest, OverloadsAreToldApartBySignature) {
@@ -95,14 +84,10 @@ TEST_F(KernelTest, ManyInputsInOneDispatchKeepTheirOrder) {
     const std::vector<unsigned> outputs = shift(inputs);
     ASSERT_EQ(outputs.size(), inputs.size());
     for (unsigned i = 0; i < outputs.size(); ++i) ASSERT_EQ(outputs[i], 2U * i);
+    EXPECT_TRUE(shift(std::span<const std::tuple<unsigned, unsigned>>{}).empty());
 }
 
-TEST_F(KernelTest, NoInputsGiveNoOutputs) {
-    const auto negate = kernel<int(int)>("negate_int");
-    EXPECT_TRUE(negate(std::span<const std::tuple<int>>{}).empty());
-}
-
-TEST_F(KernelTest, MismatchedSignaturePrintsBoth) {
+TEST_F(KernelTest, MessagesSayWhatIsWrong) {
     EXPECT_THAT(failure<float(glm::vec2, float)>("add_scaled"),
                 AllOf(HasSubstr("float add_scaled(vec2, float)"),
                       HasSubstr("float add_scaled(vec2 a, vec3 b, float s)")));
@@ -117,18 +102,9 @@ TEST_F(KernelTest, MismatchedSignaturePrintsBoth) {
         bool valid;
     };
     EXPECT_THAT(failure<Other(Other, unsigned)>("advance"), HasSubstr("vec3"));
-}
-
-TEST_F(KernelTest, UnknownFunctionListsThoseThereAre) {
     EXPECT_THAT(failure<float(float)>("no_such"),
                 AllOf(HasSubstr("no function no_such"), HasSubstr("negate_int")));
-}
-
-TEST_F(KernelTest, UnknownFileIsNamed) {
     EXPECT_THAT(failure<float(float)>("f", "nowhere.glsl"), HasSubstr("nowhere.glsl"));
-}
-
-TEST_F(KernelTest, CompileErrorNamesTheFileAndLineOfTheInclude) {
     EXPECT_THAT(failure<float(float)>("uses_broken", "includes_broken.glsl"),
                 AllOf(HasSubstr("broken.glsl:5"), HasSubstr("undeclared")));
 }
@@ -192,23 +168,7 @@ TEST_F(KernelImageTest, MissingOrWrongImageIsNamed) {
                                         {"fetch_normal"});
     set["fetch_normal"] = make_image<float>({3, 3}, [](glm::ivec2) { return 1.0F; });
     expect_error<std::invalid_argument>([&] { (void)plus.with_images(set, {glm::ivec2(1, 1)}); }, {"vec3"});
-}
-
-TEST_F(KernelImageTest, EmptyImageIsRefused) {
     EXPECT_THROW((void)make_image<float>({0, 3}, [](glm::ivec2) { return 1.0F; }), std::invalid_argument);
-}
-
-TEST_F(KernelImageTest, StoresReachTheImage) {
-    const Function<float(glm::ivec2, glm::ivec2)> store(lab, "stores.glsl", "store_at");
-    const ImageSet set{
-        {"store_value", make_image<glm::vec2>({4, 3}, [](glm::ivec2) { return glm::vec2(-1); })}};
-    std::vector<std::tuple<glm::ivec2, glm::ivec2>> inputs;
-    for (const auto& [pixel] : pixels({3, 3})) inputs.emplace_back(pixel, glm::ivec2(1, 0));
-    ImageSet stored;
-    (void)store(inputs, set, stored);
-    const Image& image = stored.at("store_value");
-    EXPECT_EQ(image.at<glm::vec2>({3, 2}), glm::vec2(2, 2));
-    EXPECT_EQ(image.at<glm::vec2>({0, 1}), glm::vec2(-1));
 }
 
 TEST_F(KernelImageTest, StoreOutsideIsAFaultAndChangesNothing) {

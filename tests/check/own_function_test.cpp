@@ -2,7 +2,7 @@
 // Anybody's shader file: no reference, no C++ signature.
 #include "check/fixture_functions.hpp"
 #include "check/function.hpp"
-#include "shader/include.hpp"
+#include "module/include.hpp"
 #include "support/lab.hpp"
 
 namespace gloam::check::own_function_test {
@@ -118,6 +118,10 @@ struct Judged {
 const std::vector<Judged> judged_in_every_variant{
     {"own.glsl", {"own_root", "own_scaled", "own_mean", "own_array"}, {}, 256, true},
     {"arrays.glsl", {"array_dot", "array_transposed", "array_swapped", "array_split"}, {}, 256, true},
+    {"types.glsl",
+     {"negate_int", "both", "swap_ints", "flip_bools", "reverse_uints", "transpose_matrix", "advance",
+      "answer", "nothing_returned", "split"}},
+    {"stores.glsl", {"store_at"}, {}, 256},
     {"uniforms.glsl", {"graded", "lamp", "store", "shade", "sum", "pixel", "place"}, {{"i", {0, 15}}}},
     {"numbers.glsl", {"half_sum", "half_vectors", "halves_changed", "halves_inside"}, {}, 1024},
     {"own_images.glsl", {"blurred", "pair", "counted"}, {{"p", {0, 3}}}, 48},

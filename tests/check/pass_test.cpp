@@ -87,13 +87,6 @@ TEST(Pass, FindsSwappedChannelsAndNamesTheWorstPixel) {
               "  pixel (3, 0) component 0: got 0 (0x00000000), expected 3 (0x40400000), difference 3\n");
 }
 
-TEST(Pass, FindsAnOffsetOfOne) {
-    const Lab lab = pass_lab();
-    const Image source = picture();
-    const PassResult out = Pass(lab, "box.comp").run(box_inputs(source, 0, 3));
-    EXPECT_EQ(out.image("result").compare(source).outside, 12U * 9U);  // the last column reads itself
-}
-
 TEST(Pass, NanAndInfinityEqualThemselvesAlone) {
     const Lab lab = pass_lab();
     Image source = picture({4, 3});

@@ -8,8 +8,8 @@
 #include "check/own_function.hpp"
 #include "check/run.hpp"
 #include "interpreter/program.hpp"
-#include "shader/include.hpp"
-#include "shader/pack.hpp"
+#include "module/include.hpp"
+#include "module/texts.hpp"
 #include "support/lab.hpp"
 #include "support/random_function.hpp"
 
@@ -100,10 +100,6 @@ std::vector<test::CompilerFault> all_faults() {
     const std::vector<test::CompilerFault> more = test::faults_of_memory_and_flow();
     all.insert(all.end(), more.begin(), more.end());
     return all;
-}
-
-TEST(PlantedCompiler, HasAtLeastThirtyFaults) {
-    EXPECT_GE(all_faults().size(), 30U);
 }
 
 TEST(PlantedCompiler, EachFaultIsFound) {

@@ -12,7 +12,6 @@
 
 #include "backend/gl/device.hpp"
 #include "check/internal/session.hpp"
-#include "check/prepared_check.hpp"
 #include "check/run.hpp"
 #include "support/entries.hpp"
 #include "support/lab.hpp"
@@ -157,47 +156,6 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, PlantedOnOpenGl,
                                                           "es:llvmpipe-3.0", "gl:softpipe-3.3",
                                                           "es:softpipe-3.1", "es:softpipe-3.0"),
                                           testing::Range(std::size_t{0}, shards)),
-                         name_of_shard);
-
-std::size_t recorded(const PreparedScenario& scenario) {
-    return static_cast<std::size_t>(
-        std::ranges::count(scenario.expectations, Criterion::recorded, &Expectation::criterion));
-}
-
-// What a browser is sent, judged as its page judges it: by the budget, and without NaN, infinity and -0.
-Verdicts verdicts_in_browser(const Lab& lab, const KernelCore& kernel, const Question& question,
-                             std::size_t inputs) {
-    Verdicts verdicts(empty_answer(question, Verdict::budget));
-    std::size_t not_judged = 0;
-    for (const auto& scenario : prepare(lab, question, {.inputs = inputs}).scenarios) {
-        not_judged += recorded(scenario);
-        const auto outputs =
-            kernel.run(scenario.inputs.words, scenario.inputs.count(), scenario.images).outputs;
-        verdicts.add(outputs, [&](const std::vector<Word>& given, Answer& answer) {
-            answer.merge(judge(question, {.nan = false}, scenario.inputs, given, scenario.images));
-        });
-    }
-    EXPECT_EQ(verdicts.right.recorded(), not_judged) << question.name;
-    return verdicts;
-}
-
-class PlantedInBrowser : public Planted {};
-
-TEST_P(PlantedInBrowser, FailsForEveryEquationThatIsPrepared) {
-    const Lab lab({.device = std::string(interpreter_name),
-                   .include_roots = {GLOAM_GLSL_DIR},
-                   .cache_directory = test::cache_directory()});
-    for_each_entry([&](const Entry& entry) {
-        const Question& question = entry.question;
-        if (question.only_rules) return;
-        const KernelCore kernel = lab.kernel(question.file, question.function, question.signature);
-        expect_noticed(
-            entry, [&](std::size_t inputs) { return verdicts_in_browser(lab, kernel, question, inputs); });
-    });
-}
-
-INSTANTIATE_TEST_SUITE_P(Catalogue, PlantedInBrowser,
-                         testing::Combine(testing::Values("browser"), testing::Range(std::size_t{0}, shards)),
                          name_of_shard);
 
 }  // namespace gloam::check::planted_test

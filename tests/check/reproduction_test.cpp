@@ -118,6 +118,10 @@ TEST(Reproduction, AnAccessOutsideAnImageComesWithTheImageAndThePixel) {
     EXPECT_EQ(all.images[0].words[0], 3U);
     EXPECT_EQ(all.images[0].words[1], 2U);
     EXPECT_EQ(from_word<float>(all.images[0].words[8]), 12.0F);
+    for (const char* variant : {"literals", "specialization"})
+        EXPECT_THAT(run(test::make_lab(FIXTURES, shader::variant(variant)), two_pixels(), options).fault,
+                    HasSubstr("is outside the 3 x 2 image"))
+            << variant;
 }
 
 TEST(AllowedOutcomes, AreTheBudgetAroundTheReference) {
@@ -194,10 +198,7 @@ TEST(PreparedCheckTest, HasTheKernelAndAnExpectationForEachInput) {
     EXPECT_EQ(prepared.scenarios.front().expectations.size(), 300U);
     EXPECT_EQ(prepared.row_words, 2U);  // the output and the canary
     EXPECT_EQ(prepared.targets, 1U);
-}
-
-TEST(PreparedCheckTest, DoesNotJudgeNaNAndInfinityAndHasNoNegativeZero) {
-    const PreparedCheck prepared = prepare(interpreter(), weight_question(), {.inputs = 300});
+    // Neither NaN nor infinity is judged, and there is no -0.
     const PreparedScenario& scenario = prepared.scenarios.front();
     for (std::size_t i = 0; i < scenario.inputs.count(); ++i) {
         const auto distance = from_word<float>(scenario.inputs.row(i)[0]);

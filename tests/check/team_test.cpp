@@ -5,7 +5,6 @@
 #include "check/own_function.hpp"
 #include "check/run.hpp"
 #include "interpreter/program.hpp"
-#include "support/changed_device.hpp"
 #include "support/lab.hpp"
 
 namespace gloam::check::team_test {
@@ -78,16 +77,6 @@ TEST(Quads, ADerivativeOfSomeInvocationsIsUndefined) {
     };
     EXPECT_EQ(undefined("in_one_branch"), 1);
     EXPECT_EQ(undefined("edge_width"), 0);
-}
-
-TEST(Quads, AFineDerivativeOfTheOtherRowIsNoticed) {
-    // The first invocation has the result of the one below it.
-    const auto exchanged = [](std::span<Word> row) { std::swap(row[0], row[2]); };
-    const Lab lab(test::options_for(FIXTURES, "edges.glsl"),
-                  std::make_shared<test::ChangedDevice>(test::SharedDevice::get(), nullptr, exchanged));
-    EXPECT_GT(answer_of(lab, "edges.glsl", "edge_fine").outside(), 0U);
-    // A driver may calculate this one in either row.
-    EXPECT_EQ(answer_of(lab, "edges.glsl", "edge_any").outside(), 0U);
 }
 
 TEST(Quads, NeighboursDifferByStepsInsideTheDomain) {

@@ -7,8 +7,8 @@
 #include "effect/composite.hpp"
 #include "effect/directional.hpp"
 #include "interpreter/machine.hpp"
+#include "module/reflection.hpp"
 #include "on_device.hpp"
-#include "shader/reflection.hpp"
 #include "support/method_names.hpp"
 #include "surface_views.hpp"
 

@@ -5,9 +5,9 @@
 #include "effect/errors.hpp"
 #include "effect/internal/frame.hpp"
 #include "effect/plan.hpp"
+#include "module/reflection.hpp"
 #include "numeric/numbers.hpp"
 #include "on_device.hpp"
-#include "shader/reflection.hpp"
 #include "support/method_names.hpp"
 #include "support/poison.hpp"
 
@@ -82,12 +82,7 @@ class OnOpenGl {
         const auto language = es_ ? shader::Language::es310 : shader::Language::gl430;
         const gl::Program program(device_, gl::Program::Stage::compute,
                                   {.name = pass.source.file, .text = text_of(pass, passes_, language)});
-        gl::ImageDispatch work{.program = program,
-                               .images = {},
-                               .levels = {},
-                               .storage = {},
-                               .uniforms = {},
-                               .groups = pass.groups};
+        gl::Dispatch work{.program = program, .storage = {}, .uniforms = {}, .groups = pass.groups};
         for (std::uint32_t binding = 0; binding < pass.resources.size(); ++binding) {
             const ImageName name = image_name_of(pass.resources[binding]);
             if (const auto image = images_.find(name.image); image != images_.end())

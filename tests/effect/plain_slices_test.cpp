@@ -5,8 +5,8 @@
 #include "effect/errors.hpp"
 #include "effect/internal/method_families.hpp"
 #include "effect/study/plain_slices.hpp"
+#include "module/compile.hpp"
 #include "on_device.hpp"
-#include "shader/compile.hpp"
 #include "surface_views.hpp"
 
 namespace gloam::effect::plain_slices_test {

@@ -6,7 +6,7 @@
 #include "fuzz/fuzz.hpp"
 #include "interpreter/internal/code.hpp"
 #include "interpreter/internal/lowering.hpp"
-#include "shader/spirv.hpp"
+#include "module/spirv.hpp"
 
 using namespace gloam;
 

@@ -2,9 +2,9 @@
 // The front end of the framework, as far as it is ours: lines, directives, includes, declarations.
 // (glslang runs apart from the process, see harness/framework/shader/internal/compiler_process.hpp.)
 #include "fuzz/fuzz.hpp"
-#include "shader/include.hpp"
-#include "shader/internal/lines.hpp"
-#include "shader/internal/outline.hpp"
+#include "module/include.hpp"
+#include "source/lines.hpp"
+#include "source/outline.hpp"
 
 using namespace gloam;
 

@@ -3,7 +3,7 @@
 #include "backend/gl/device.hpp"
 #include "base/text.hpp"
 #include "gathers.hpp"
-#include "shader/pack.hpp"
+#include "module/texts.hpp"
 
 namespace gloam::languages_test {
 

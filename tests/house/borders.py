@@ -16,31 +16,32 @@ WINGS = {
     "framework": {
         "base": set(),
         "backend": {"base"},
-        "shader": {"base"},
+        "source": {"base"},
+        "module": {"base", "source"},
         "numeric": {"base"},
-        "interpreter": {"base", "backend", "shader", "numeric"},
-        "check": {"base", "backend", "shader", "numeric", "interpreter"},
-        "cost": {"base", "backend", "shader"},
+        "interpreter": {"base", "backend", "source", "module", "numeric"},
+        "check": {"base", "backend", "source", "module", "numeric", "interpreter"},
+        "cost": {"base", "backend", "source", "module"},
         "report": {"base", "check", "numeric"},
     },
     "occlusion": {
         "reference": {"numeric"},
         "catalogue": {"check", "reference", "numeric"},
-        "scene": {"base", "backend", "shader", "numeric"},
-        "effect": {"base", "backend", "scene", "shader", "numeric"},
-        "experiment": {"base", "backend", "effect", "scene", "reference", "report", "shader", "numeric"},
+        "scene": {"base", "backend", "source", "module", "numeric"},
+        "effect": {"base", "backend", "scene", "source", "module", "numeric"},
+        "experiment": {"base", "backend", "effect", "scene", "reference", "report", "source", "module", "numeric"},
         "pictures": {"base"},
     },
 }
 MAY_INCLUDE = {**WINGS["framework"], **WINGS["occlusion"],
                "tools": {"base", "backend", "report", "pictures", "experiment", "effect", "scene", "catalogue", "check", "cost",
-                         "interpreter", "shader", "numeric"}}
+                         "interpreter", "source", "module", "numeric"}}
 
 # Libraries that belong to one room, or one folder of it, by what their headers are called.
 LIBRARY_HOME = {
     "vulkan": (re.compile(r"(vulkan|vk_\w+\.h)"), "backend/vulkan"),
     "opengl": (re.compile(r"(EGL|GLES\d?|GL|KHR|epoxy)/"), "backend/gl"),
-    "glslang": (re.compile(r"(glslang|SPIRV|spirv[-/_]|StandAlone)"), "shader"),
+    "glslang": (re.compile(r"(glslang|SPIRV|spirv[-/_]|StandAlone)"), "module"),
     "assimp": (re.compile(r"assimp/"), "scene"),
     "embree": (re.compile(r"embree"), "scene"),
     "sqlite": (re.compile(r"sqlite3"), "experiment"),

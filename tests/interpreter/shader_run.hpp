@@ -4,8 +4,8 @@
 #include "backend/vulkan/commands.hpp"
 #include "backend/vulkan/resources.hpp"
 #include "interpreter/machine.hpp"
+#include "module/compile.hpp"
 #include "numeric/paths.hpp"
-#include "shader/compile.hpp"
 #include "support/test.hpp"
 
 namespace gloam::test {

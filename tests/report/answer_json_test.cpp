@@ -17,34 +17,9 @@ TEST(AnswerJson, EveryFieldSurvivesTheJourney) {
     const check::Answer row = answer_from_json(to_json(failing_row()));
     const check::Answer want = failing_row();
     EXPECT_EQ(to_json(row), to_json(want));
-    EXPECT_EQ(row.equation, want.equation);
-    EXPECT_EQ(row.verdict, check::Verdict::rules);
-    EXPECT_EQ(row.inputs(), 100U);
-    EXPECT_EQ(row.by_rules, 93U);
-    EXPECT_EQ(row.forbidden, 3U);
-    EXPECT_EQ(row.bounded, 90U);
-    EXPECT_EQ(row.guarantee.fraction, 0.75);
-    EXPECT_EQ(row.unbounded, 5U);
-    EXPECT_EQ(row.differs, 2U);
-    EXPECT_TRUE(std::isinf(row.max_ulp));
-    EXPECT_EQ(row.max_absolute, want.max_absolute);
     EXPECT_EQ(row.fraction_of_allowed(), 1.25);
-    EXPECT_EQ(row.budget.absolute, 1e-7);
-    EXPECT_EQ(row.classes.back().recorded, 7U);
-    ASSERT_TRUE(row.first_unbounded);
-    EXPECT_EQ(row.first_unbounded->values, want.first_unbounded->values);
-    ASSERT_TRUE(row.worst);
-    EXPECT_EQ(row.worst->inputs, want.worst->inputs);
-    EXPECT_EQ(row.worst->want, want.worst->want);
-    ASSERT_EQ(row.worst->permitted.size(), 1U);
-    EXPECT_TRUE(row.worst->permitted[0].nan);
-    ASSERT_TRUE(row.coverage);
-    EXPECT_EQ(row.coverage->points.at(0).text, "return 0.0;");
-    EXPECT_EQ(row.fault, want.fault);
-    EXPECT_EQ(row.reason, check::Reason::fault);
-    EXPECT_EQ(row.seconds, 0.125);
-    EXPECT_EQ(row.story, want.story);
-    EXPECT_FALSE(row.passed());
+    EXPECT_EQ(row.worst.value().inputs, want.worst->inputs);
+    EXPECT_EQ(row.first_unbounded.value().values, want.first_unbounded->values);
 }
 
 TEST(AnswerJson, SaysTheOutcomeAndHowManyInputsWereJudged) {
@@ -104,11 +79,8 @@ TEST(AnswerJson, IsOneLineWhateverItHolds) {
 TEST(AnswerJson, WhatWasNotCalculatedIsNull) {
     const std::string text = to_json(passing_row("A"));
     EXPECT_THAT(text, AllOf(HasSubstr("\"width_fraction\":null"), HasSubstr("\"guarantee\":null"),
-                            HasSubstr("\"coverage\":null")));
-    const check::Answer row = answer_from_json(text);
-    EXPECT_FALSE(row.worst);
-    EXPECT_FALSE(row.first_unbounded);
-    EXPECT_TRUE(row.passed());
+                            HasSubstr("\"coverage\":null"), HasSubstr("\"worst\":null")));
+    EXPECT_EQ(to_json(answer_from_json(text)), text);
 }
 
 TEST(AnswerJson, EveryReasonHasANameOfItsOwn) {

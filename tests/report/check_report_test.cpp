@@ -35,17 +35,7 @@ TEST(CheckReport, ADeviceTravelsAlone) {
     const DeviceSummary device = report_of("A", {}).device;
     EXPECT_EQ(to_json(device_from_json(to_json(device))), to_json(device));
     EXPECT_EQ(name_of(device), "A (driver 1.2)");
-    EXPECT_THAT([] { (void)device_from_json("{}"); }, says("float_controls: expected this field"));
-}
-
-TEST(CheckReport, ForeignTextsAreNamed) {
-    EXPECT_THAT([] { (void)reports_from_json("{\"a\": 1}"); }, says("device: expected this field"));
-    EXPECT_THAT([] { (void)reports_from_json("3"); }, says("expected an object"));
-    EXPECT_THAT([] { (void)reports_from_json(""); }, says("no JSON: parse error at line 1"));
-    std::string text = to_json({report_of("A", {passing_row("EQ-2"), failing_row()})});
-    text.replace(text.find("\"inputs\": 100"), 13, "\"inputs\": null");
-    EXPECT_THAT([&] { (void)reports_from_json(text); },
-                says("results[1].inputs: expected a count, found null"));
+    EXPECT_THAT([] { (void)device_from_json("{}"); }, says("name: expected this field"));
 }
 
 TEST(CheckReport, JunitTellsFailuresFromErrors) {
@@ -187,10 +177,6 @@ TEST(Merge, OfRowsThatDisagreeTheWorseIsKeptAndItIsSaid) {
     }
 }
 
-TEST(Merge, NothingIsNothing) {
-    EXPECT_THAT(merge({}).reports, IsEmpty());
-}
-
 check::Answer with_error(const std::string& equation, double fraction) {
     check::Answer row = passing_row(equation);
     row.budget_fraction = fraction;
@@ -293,21 +279,34 @@ CheckReport device(const std::string& name, std::vector<check::Answer> rows) {
     return {.device = {.name = name, .driver = "driver of " + name}, .rows = std::move(rows)};
 }
 
-TEST(Accuracy, TakesTheWorstVariantThatIsJudgedByTheBudget) {
-    const std::vector<CheckReport> reports{
-        device("one", {row("E", "shipped", 0.25), row("E", "optimized", 0.5), strict("E", 0.9, 7.5)})};
-    EXPECT_THAT(to_accuracy_markdown(reports),
-                HasSubstr("| E | 4 ulp | 3.0e-07, 7.5 ulp | 0.50 optimized |"));
-    const std::vector<EquationAccuracy> all = accuracies(reports);
-    ASSERT_EQ(all.size(), 1U);
-    EXPECT_EQ(all.front().measured.at(0).value().variant, "optimized");
-}
-
-TEST(Accuracy, SaysWhereNothingIsPromised) {
-    check::Answer open = strict("E", 0.5, 2);
-    open.unbounded = 125;
-    EXPECT_THAT(to_accuracy_markdown({device("one", {open, row("E", "shipped", 0.1)})}),
-                HasSubstr("3.0e-07, 2 ulp; 25 % open"));
+TEST(Accuracy, SaysOfEachEquationWhatWasMeasuredAndWhatIsGuaranteed) {
+    const auto with = [](check::Answer answer, auto change) {
+        change(answer);
+        return answer;
+    };
+    const auto open = with(strict("E", 0.5, 2), [](check::Answer& answer) { answer.unbounded = 125; });
+    const auto outside = with(row("E", "shipped", 3.0), [](check::Answer& a) { ordinary(a).outside = 17; });
+    const auto strictly = with(outside, [](check::Answer& answer) { answer.variant = "strict"; });
+    const check::Answer gone{
+        .equation = "F", .variant = "shipped", .error = "gone", .reason = check::Reason::crash};
+    CheckReport newer = device("one", {row("A", "shipped", 0.5)});
+    newer.device.driver = "newer";
+    const std::pair<std::vector<CheckReport>, std::vector<std::string>> rows[] = {
+        {{device("one", {row("E", "shipped", 0.25), row("E", "optimized", 0.5), strict("E", 0.9, 7.5)})},
+         {"| E | 4 ulp | 3.0e-07, 7.5 ulp | 0.50 optimized |", "No check failed."}},
+        {{device("one", {open, row("E", "shipped", 0.1)})}, {"3.0e-07, 2 ulp; 25 % open"}},
+        {{device("one", {row("A", "shipped", 0.5)}), newer}, {"| one (driver of one) | one (newer) |"}},
+        {{device("one", {outside, strictly, gone})},
+         {"| E | one | shipped 17 of 1000, strict 17 of 1000 |", "| F | one | shipped crash |"}},
+        {{device("one",
+                 {row("E", "shipped", 0.5), row("F", "shipped", 0.5), strictly, row("F", "strict", 0.5)}),
+          device("two", {row("E", "shipped", 0.5)})},
+         {"\n| checks passed in the variant | one | two |\n",
+          "\n| shipped | 2 of 2 | 1 of 1 |\n| strict | 1 of 2 | 0 of 0 |\n"}},
+        {{device("one", {strict("A", 0.5, 2), strict("B", 0.5, 6), strict("C", 0.5, 4)})},
+         {"Of 3 functions with a documented error, 2 keep it"}}};
+    for (const auto& [reports, parts] : rows)
+        for (const std::string& part : parts) EXPECT_THAT(to_accuracy_markdown(reports), HasSubstr(part));
 }
 
 TEST(Accuracy, CountsEquationsByThePartOfTheirErrorOnEachDriver) {
@@ -321,49 +320,12 @@ TEST(Accuracy, CountsEquationsByThePartOfTheirErrorOnEachDriver) {
                       HasSubstr("| more: outside | 0 | 1 |"), HasSubstr("alone | 0 | 1 |")));
 }
 
-TEST(Accuracy, TwoVersionsOfADriverAreToldApart) {
-    std::vector<CheckReport> reports{device("one", {row("A", "shipped", 0.5)}),
-                                     device("one", {row("A", "shipped", 0.5)})};
-    reports[1].device.driver = "newer";
-    EXPECT_THAT(to_accuracy_markdown(reports), HasSubstr("| one (driver of one) | one (newer) |"));
-}
-
 TEST(Accuracy, ListsTheTenThatUseMost) {
     std::vector<check::Answer> rows;
     for (int i = 0; i < 20; ++i) rows.push_back(row("E" + std::to_string(i), "shipped", 0.04 * i));
     const std::string text = to_accuracy_markdown({device("one", rows)});
     EXPECT_THAT(text, AllOf(HasSubstr("| E19 | 4 ulp | not calculated | 0.76 shipped |"),
                             HasSubstr("| E10 |"), Not(HasSubstr("| E9 |"))));
-}
-
-TEST(Accuracy, ListsEveryCheckThatFailed) {
-    check::Answer outside = row("E", "shipped", 3.0);
-    ordinary(outside).outside = 17;
-    check::Answer strictly = outside;
-    strictly.variant = "strict";
-    check::Answer crashed{
-        .equation = "F", .variant = "shipped", .error = "gone", .reason = check::Reason::crash};
-    const std::string text = to_accuracy_markdown({device("one", {outside, strictly, crashed})});
-    EXPECT_THAT(text, AllOf(HasSubstr("| E | one | shipped 17 of 1000, strict 17 of 1000 |"),
-                            HasSubstr("| F | one | shipped crash |")));
-    EXPECT_THAT(to_accuracy_markdown({device("one", {row("E", "shipped", 0.1)})}),
-                HasSubstr("No check failed."));
-}
-
-TEST(Accuracy, CountsTheChecksOfEachVariant) {
-    check::Answer outside = row("E", "hlsl", 3.0);
-    ordinary(outside).outside = 17;
-    const std::string text = to_accuracy_markdown(
-        {device("one", {row("E", "shipped", 0.5), row("F", "shipped", 0.5), outside, row("F", "hlsl", 0.5)}),
-         device("two", {row("E", "shipped", 0.5)})});
-    EXPECT_THAT(text, AllOf(HasSubstr("\n| checks passed in the variant | one | two |\n"),
-                            HasSubstr("\n| shipped | 2 of 2 | 1 of 1 |\n| hlsl | 1 of 2 | 0 of 0 |\n")));
-}
-
-TEST(Accuracy, CountsWhatTheRulesAloneKeep) {
-    EXPECT_THAT(to_accuracy_markdown(
-                    {device("one", {strict("A", 0.5, 2), strict("B", 0.5, 6), strict("C", 0.5, 4)})}),
-                HasSubstr("Of 3 functions with a documented error, 2 keep it"));
 }
 
 TEST(Accuracy, AFunctionThatIsJudgedByTheRulesAloneDocumentsNothing) {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "check/shader_test.hpp"
-#include "shader/include.hpp"
-#include "shader/pack.hpp"
+#include "module/include.hpp"
+#include "module/texts.hpp"
 #include "support/shared_device.hpp"
 
 namespace gloam::test {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "shader/pack.hpp"
 #include "base/version.hpp"
+#include "module/texts.hpp"
 #include "tools/gloam.hpp"
 
 namespace gloam::test::pack_test {

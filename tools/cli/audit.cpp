@@ -16,9 +16,9 @@
 #include "cli/environment.hpp"
 #include "cli/open_device.hpp"
 #include "interpreter/program.hpp"
+#include "module/include.hpp"
 #include "report/audit_report.hpp"
 #include "report/output.hpp"
-#include "shader/include.hpp"
 
 namespace gloam::cli {
 namespace {

@@ -25,9 +25,9 @@
 #include "cli/pack/effect.hpp"
 #include "cli/settings.hpp"
 #include "effect/plan.hpp"
-#include "shader/include.hpp"
-#include "shader/reflection.hpp"
-#include "shader/spirv.hpp"
+#include "module/include.hpp"
+#include "module/reflection.hpp"
+#include "module/spirv.hpp"
 
 namespace gloam::cli {
 namespace {

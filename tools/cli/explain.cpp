@@ -16,7 +16,7 @@
 #include "cli/environment.hpp"
 #include "cli/names.hpp"
 #include "interpreter/program.hpp"
-#include "shader/compile.hpp"
+#include "module/compile.hpp"
 
 namespace gloam::cli {
 namespace {

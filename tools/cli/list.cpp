@@ -22,9 +22,9 @@
 #include "cli/settings.hpp"
 #include "effect/methods.hpp"
 #include "effect/settings.hpp"
+#include "module/compile.hpp"
 #include "report/output.hpp"
 #include "report/page.hpp"
-#include "shader/compile.hpp"
 
 namespace gloam::cli {
 namespace {

@@ -18,8 +18,8 @@
 #include "cli/settings.hpp"
 #include "effect/methods.hpp"
 #include "effect/settings.hpp"
+#include "module/steps.hpp"
 #include "scene/scene.hpp"
-#include "shader/steps.hpp"
 
 namespace gloam::cli {
 namespace {

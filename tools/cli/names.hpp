@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "catalogue/entry.hpp"
-#include "shader/compile.hpp"
+#include "module/compile.hpp"
 
 namespace gloam::cli {
 

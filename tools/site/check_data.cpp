@@ -7,7 +7,7 @@
 #include <regex>
 #include <vector>
 
-#include "shader/pack.hpp"
+#include "module/texts.hpp"
 
 namespace gloam::site {
 namespace {

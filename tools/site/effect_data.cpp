@@ -4,8 +4,8 @@
 
 #include "base/files.hpp"
 #include "effect/methods.hpp"
+#include "module/texts.hpp"
 #include "scene/pass_library.hpp"
-#include "shader/pack.hpp"
 #include "site/page_data.hpp"
 
 namespace gloam::site {

@@ -8,7 +8,7 @@
 
 #include "catalogue/catalogue.hpp"
 #include "effect/methods.hpp"
-#include "shader/pack.hpp"
+#include "module/texts.hpp"
 #include "site/page_data.hpp"
 
 namespace gloam::site {

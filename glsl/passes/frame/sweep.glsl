@@ -113,7 +113,8 @@ vec3 slice_of(Point point, int slice) {
     float reach = max(abs(point.reach.x), abs(point.reach.y));
     vec2 to_reach = point.reach * direction;
     vec3 places = gloam_slice_places(fract(point.noise.y), float(steps), reach);
-    float reach_level = gloam_depth_level(reach);
+    vec2 edge = min(point.at, 1.0 - point.at) / parameters.inverse_span;
+    float reach_level = gloam_depth_level(min(reach, max(min(edge.x, edge.y), 1.0)));
     GloamSweepPair pair = gloam_sweep_pair();
     float least = 0.0;
     for (int k = 0; k < steps; ++k) {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "shader/steps.hpp"
+#include "module/steps.hpp"
 
 namespace gloam::check {
 

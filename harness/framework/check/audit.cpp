@@ -114,14 +114,12 @@ class Findings {
     using Still = std::function<bool(const std::vector<Word>&)>;
 
     void add_fault() {
-        const auto& examples = search_.faults;
-        if (examples.random.empty() && examples.others.empty()) return;
-        const std::vector<Word>& first =
-            examples.random.empty() ? examples.others.front() : examples.random.front();
-        AuditFinding& finding = add(Concern::fault, first, [&](const std::vector<Word>& words) {
+        const std::vector<Word>* const first = search_.faults.first();
+        if (first == nullptr) return;
+        AuditFinding& finding = add(Concern::fault, *first, [&](const std::vector<Word>& words) {
             return !runs_.read(words).fault.empty();
         });
-        finding.share = share_of(examples.shown);
+        finding.share = share_of(search_.faults.shown);
         finding.message = runs_.read(finding.words).fault;
     }
 
@@ -169,17 +167,15 @@ class Findings {
     }
 
     void add_parting() {
-        const auto& examples = search_.parted;
-        if (examples.random.empty() && examples.others.empty()) return;
-        const std::vector<Word>& first =
-            examples.random.empty() ? examples.others.front() : examples.random.front();
+        const std::vector<Word>* const first = search_.parted.first();
+        if (first == nullptr) return;
         const auto parting_of = [this](const std::vector<Word>& words) {
             return runs_.parting_of(words, runs_.read(words));
         };
-        AuditFinding& finding = add(Concern::parting, first, [&](const std::vector<Word>& words) {
+        AuditFinding& finding = add(Concern::parting, *first, [&](const std::vector<Word>& words) {
             return parting_of(words).has_value();
         });
-        finding.share = share_of(examples.shown);
+        finding.share = share_of(search_.parted.shown);
         const auto parting = parting_of(finding.words);
         if (!parting) return;
         finding.output = parting->output;
@@ -285,7 +281,7 @@ std::optional<AuditFinding> worst_half(AuditRuns& runs, const internal::AuditSea
     AuditFinding worst{.concern = Concern::digits};
     double most = 0.0;
     for (const std::vector<Word>& words : search.traced) {
-        const Reading reading = runs.read_half(words);
+        const Reading reading = runs.read(words, AuditRuns::Gaps::closed, AuditRuns::Precision::half);
         if (!reading.fault.empty() || internal::shows(Concern::not_finite, runs.read(words))) continue;
         const bool overflows = internal::shows(Concern::not_finite, reading);
         const internal::Loss loss = runs.loss_of(reading);
@@ -301,7 +297,7 @@ std::optional<AuditFinding> worst_half(AuditRuns& runs, const internal::AuditSea
     }
     if (worst.words.empty()) return std::nullopt;
     worst.values = runs.named(worst.words);
-    const Explanation steps = runs.steps_half(worst.words);
+    const Explanation steps = runs.steps(worst.words, AuditRuns::Gaps::closed, AuditRuns::Precision::half);
     const ExplainedStep* const overflow = first_with(Concern::not_finite, steps);
     if (std::isinf(worst.lost) && overflow != nullptr) worst.place = place_of(*overflow);
     if (std::isfinite(worst.lost) && steps.worst < steps.steps.size())
@@ -338,7 +334,7 @@ Audit audit(const Lab& lab, const Question& asked, const std::vector<OrdinaryVal
     Lines lines;
     for (const std::vector<Word>& words : search.traced) {
         lines.add(runs.steps(words), false);
-        lines.add(runs.steps_half(words), true);
+        lines.add(runs.steps(words, AuditRuns::Gaps::closed, AuditRuns::Precision::half), true);
     }
     for (const AuditFinding& finding : all.findings) lines.add(runs.steps(finding.words), false);
     all.lines = lines.take(all.coverage);

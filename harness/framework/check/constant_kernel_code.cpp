@@ -74,4 +74,20 @@ std::string specialized_kernel_code(const KernelSource& source, std::size_t coun
     return internal::kernel_text(source, constants + main_function(source, count, input_of));
 }
 
+KernelCore internal::constant_kernel(const Lab& lab, const KernelSource& source, std::span<const Word> inputs,
+                                     std::size_t count) {
+    const bool literals = lab.options().variant.constants == shader::Variant::Constants::literals;
+    const shader::Source text{.name = fmt::format("kernel of {} with {}", source.function.name,
+                                                  literals ? "literals" : "specialization constants"),
+                              .text = literals ? literal_kernel_code(source, inputs, count)
+                                               : specialized_kernel_code(source, count)};
+    KernelModule module = kernel_module(source, lab.compile_kernel(text, source.images));
+    module.input_words = 0;
+    module.fixed_inputs = count;
+    for (std::size_t word = 0; !literals && word < inputs.size(); ++word)
+        module.constants.push_back({.id = static_cast<std::uint32_t>(word), .bits = inputs[word]});
+    lab.take_steps(module, text);
+    return lab.core(std::move(module));
+}
+
 }  // namespace gloam::check

@@ -14,7 +14,7 @@
 #include "check/internal/session.hpp"
 #include "check/interpreted_kernel.hpp"
 #include "check/run.hpp"
-#include "shader/include.hpp"
+#include "module/include.hpp"
 
 namespace gloam::check {
 namespace {
@@ -43,22 +43,6 @@ std::vector<std::string> lines_of(const std::string& file, const Roots& roots) {
     return lines;
 }
 
-// The lines of source files.
-class Texts {
-  public:
-    explicit Texts(const Roots& roots) : roots_(roots) {}
-
-    std::string at(const std::string& file, unsigned line) {
-        const auto [known, fresh] = files_.try_emplace(file);
-        if (fresh) known->second = lines_of(file, roots_);
-        return line >= 1 && line <= known->second.size() ? known->second[line - 1] : "";
-    }
-
-  private:
-    const Roots& roots_;
-    std::map<std::string, std::vector<std::string>> files_;
-};
-
 bool is_of_source(const interpreter::Place& place) {
     return !place.file.empty() && place.file != generated;
 }
@@ -82,8 +66,13 @@ class Measurement {
                                         if (!complete_) run(scenario, share, most_steps / scenarios);
                                     });
         Coverage all = summary();
-        Texts texts(lab_.options().include_roots);
-        for (Coverage::Point& point : all.points) point.text = texts.at(point.file, point.line);
+        std::map<std::string, std::vector<std::string>> files;
+        for (Coverage::Point& point : all.points) {
+            const auto [known, fresh] = files.try_emplace(point.file);
+            if (fresh) known->second = lines_of(point.file, lab_.options().include_roots);
+            if (point.line >= 1 && point.line <= known->second.size())
+                point.text = known->second[point.line - 1];
+        }
         return all;
     }
 

@@ -10,9 +10,9 @@
 #include "check/lab.hpp"
 #include "check/question.hpp"
 #include "check/signature.hpp"
+#include "module/compile.hpp"
 #include "numeric/interval.hpp"
 #include "numeric/paths.hpp"
-#include "shader/compile.hpp"
 
 namespace gloam::check {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "check/internal/kernel_text.hpp"
-#include "shader/tokens.hpp"
+#include "source/tokens.hpp"
 
 namespace gloam::check {
 

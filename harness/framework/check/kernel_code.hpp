@@ -11,7 +11,7 @@
 #include "backend/backend.hpp"
 #include "check/question.hpp"
 #include "check/signature.hpp"
-#include "shader/compile.hpp"
+#include "module/compile.hpp"
 
 namespace gloam::check {
 

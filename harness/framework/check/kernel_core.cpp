@@ -10,7 +10,7 @@
 #include "base/threads.hpp"
 #include "check/interpreted_kernel.hpp"
 #include "interpreter/program.hpp"
-#include "shader/spirv.hpp"
+#include "module/spirv.hpp"
 
 namespace gloam::check {
 namespace {

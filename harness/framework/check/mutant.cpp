@@ -12,9 +12,9 @@
 #include "check/internal/audit_runs.hpp"
 #include "check/internal/audit_search.hpp"
 #include "check/kernel_code.hpp"
+#include "module/spirv.hpp"
+#include "module/texts.hpp"
 #include "numeric/numbers.hpp"
-#include "shader/pack.hpp"
-#include "shader/spirv.hpp"
 
 namespace gloam::check {
 

@@ -11,7 +11,7 @@
 
 #include "check/lab.hpp"
 #include "check/own_function.hpp"
-#include "shader/mutations.hpp"
+#include "module/texts.hpp"
 
 // What a fault in a shader file changes, without any test.
 namespace gloam::check {

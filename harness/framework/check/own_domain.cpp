@@ -16,7 +16,7 @@
 #include "base/number.hpp"
 #include "check/internal/parameter_meaning.hpp"
 #include "check/own_function.hpp"
-#include "shader/tokens.hpp"
+#include "source/tokens.hpp"
 
 namespace gloam::check {
 namespace {

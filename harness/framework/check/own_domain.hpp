@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "check/domain.hpp"
-#include "shader/compile.hpp"
+#include "module/compile.hpp"
 
 namespace gloam::check {
 

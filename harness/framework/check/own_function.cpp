@@ -14,8 +14,8 @@
 #include <string_view>
 
 #include "interpreter/machine.hpp"
-#include "shader/module.hpp"
-#include "shader/reflection.hpp"
+#include "module/module.hpp"
+#include "module/reflection.hpp"
 
 namespace gloam::check {
 namespace {

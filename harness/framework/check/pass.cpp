@@ -9,15 +9,13 @@
 #include <ostream>
 
 #include "check/internal/pass_work.hpp"
+#include "module/include.hpp"
+#include "module/module.hpp"
 #include "numeric/numbers.hpp"
-#include "shader/include.hpp"
-#include "shader/module.hpp"
 
 namespace gloam::check {
 
 using internal::Bound;
-using internal::BoundBuffer;
-using internal::BoundImage;
 using internal::PassSlot;
 using internal::PassWork;
 
@@ -43,62 +41,60 @@ shader::Spirv compiled(const Lab& lab, const std::string& file) {
     return module;
 }
 
-// Two contents of what is not given. What holds both, each in its run, was not written.
-struct Canary {
-    float texel;  // exact in every format
-    Word word;
-};
-constexpr std::array canaries{Canary{0.0F, 0U}, Canary{1.0F, 0xFFFFFFFFU}};
-
-Word texel_of(const BoundImage& image, const Canary& canary) {
-    return image.integers ? static_cast<Word>(canary.texel) : std::bit_cast<Word>(canary.texel);
+// Two contents of what is not given, of images exact in every format. What holds both, each in its run, was
+// not written.
+Word canary_of(const Bound& bound, std::size_t run) {
+    if (run == 0) return 0U;
+    if (bound.kind != Bound::Kind::image) return 0xFFFFFFFFU;
+    return bound.integers ? 1U : std::bit_cast<Word>(1.0F);
 }
 
 // Whether something is fresh.
-bool fill(PassWork& work, const Canary& canary) {
+bool fill(PassWork& work, std::size_t run) {
     bool any = false;
-    for (Bound& bound : work.bindings) {
-        if (auto* image = std::get_if<BoundImage>(&bound); image != nullptr && image->fresh)
-            std::ranges::fill(image->texels, texel_of(*image, canary)), any = true;
-        auto* buffer = std::get_if<BoundBuffer>(&bound);
-        for (std::size_t w = 0; buffer != nullptr && w < buffer->words.size(); ++w)
-            if (buffer->fresh[w]) buffer->words[w] = canary.word, any = true;
-    }
+    for (Bound& bound : work.bindings)
+        for (std::size_t w = 0; w < bound.fresh.size(); ++w)
+            if (bound.fresh[w]) bound.words[w] = canary_of(bound, run), any = true;
     return any;
 }
 
+// What a binding holds after both runs.
+struct Written {
+    const Bound& first;
+    const Bound& second;
+
+    [[nodiscard]] bool lacks(std::size_t w) const {
+        return w < first.fresh.size() && first.fresh[w] && first.words[w] == canary_of(first, 0) &&
+               second.words[w] == canary_of(first, 1);
+    }
+};
+
 // An image of the first of two runs; poison where nothing was written.
-PassImage image_of(const std::string& name, const BoundImage& first, const BoundImage& second,
-                   const shader::Type& pixel) {
-    PassImage image{{.element = pixel, .size = first.size, .words = {}}, name, {}};
-    const auto channels = static_cast<std::size_t>(gpu::channels(first.format));
+PassImage image_of(const std::string& name, const Written& after, const shader::Type& pixel) {
+    PassImage image{{.element = pixel, .size = after.first.size, .words = {}}, name, {}};
+    const auto channels = static_cast<std::size_t>(pixel.rows);
     const Word poison =
-        first.integers ? 0xFFFFFFFFU : std::bit_cast<Word>(std::numeric_limits<float>::quiet_NaN());
-    for (std::size_t at = 0; at < first.texels.size(); at += channels) {
-        bool untouched = first.fresh;
-        for (std::size_t c = at; c < at + channels; ++c)
-            untouched = untouched && first.texels[c] == texel_of(first, canaries[0]) &&
-                        second.texels[c] == texel_of(first, canaries[1]);
+        after.first.integers ? 0xFFFFFFFFU : std::bit_cast<Word>(std::numeric_limits<float>::quiet_NaN());
+    for (std::size_t at = 0; at < after.first.words.size(); at += internal::texel_words) {
+        bool untouched = true;
+        for (std::size_t c = at; c < at + channels; ++c) untouched = untouched && after.lacks(c);
         image.unwritten.push_back(untouched);
-        for (std::size_t c = 0; c < static_cast<std::size_t>(pixel.rows); ++c)
-            image.words.push_back(untouched ? poison : first.texels[at + c]);
+        for (std::size_t c = at; c < at + channels; ++c)
+            image.words.push_back(untouched ? poison : after.first.words[c]);
     }
     if (std::ranges::count(image.unwritten, true) == 0) image.unwritten.clear();
     return image;
 }
 
-PassResult::Values values_of(const PassSlot& slot, const BoundBuffer& first, const BoundBuffer& second) {
-    const auto elements = [&] {
-        const std::size_t bytes = first.words.size() * sizeof(Word);
-        return slot.member.stride == 0 ? 0 : (bytes - slot.member.offset) / slot.member.stride;
-    };
+PassResult::Values values_of(const PassSlot& slot, const Written& after) {
+    const std::size_t bytes = after.first.words.size() * sizeof(Word);
+    const std::size_t elements =
+        slot.member.stride == 0 ? 0 : (bytes - slot.member.offset) / slot.member.stride;
     PassResult::Values values{.type = slot.type, .words = {}};
     values.type.sizes.assign(slot.type.sizes.empty() ? 0 : 1, 0U);
-    for (const std::size_t place : internal::places_of(slot.member, elements())) {
-        const std::size_t w = place / sizeof(Word);
-        values.words.push_back(first.words[w]);
-        if (first.fresh[w] && first.words[w] == canaries[0].word && second.words[w] == canaries[1].word)
-            ++values.unwritten;
+    for (const std::size_t place : internal::places_of(slot.member, elements)) {
+        values.words.push_back(after.first.words[place / sizeof(Word)]);
+        values.unwritten += after.lacks(place / sizeof(Word)) ? 1 : 0;
     }
     return values;
 }
@@ -110,14 +106,11 @@ PassResult result_of(const internal::PassInterface& pass, const PassWork& first,
         if (slot.kind != PassSlot::Kind::image && slot.kind != PassSlot::Kind::buffer_member) continue;
         const shader::Binding& binding = pass.declared.bindings[slot.index];
         if (!binding.writes) continue;
-        const Bound& one = first.bindings[binding.number];
-        const Bound& two = second.bindings[binding.number];
-        if (const auto* image = std::get_if<BoundImage>(&one))
-            images.emplace(slot.name, image_of(pass.name + ": " + slot.name, *image,
-                                               std::get<BoundImage>(two), slot.type));
+        const Written after{first.bindings[binding.number], second.bindings[binding.number]};
+        if (slot.kind == PassSlot::Kind::image)
+            images.emplace(slot.name, image_of(pass.name + ": " + slot.name, after, slot.type));
         else
-            values.emplace(slot.name,
-                           values_of(slot, std::get<BoundBuffer>(one), std::get<BoundBuffer>(two)));
+            values.emplace(slot.name, values_of(slot, after));
     }
     return {std::move(images), std::move(values), pass.name};
 }
@@ -149,10 +142,10 @@ PassResult Pass::run(const PassInputs& inputs, const PassOptions& options) const
             internal::run_on_device(lab.device(), impl_->interface, work);
     };
     PassWork second = first;
-    const bool twice = fill(first, canaries[0]);
+    const bool twice = fill(first, 0);
     run(first);
     if (twice) {
-        (void)fill(second, canaries[1]);
+        (void)fill(second, 1);
         run(second);
     }
     lab.require_silent_validation();

@@ -13,10 +13,10 @@
 #include "check/internal/session.hpp"
 #include "check/interpreted_kernel.hpp"
 #include "check/kernel_code.hpp"
+#include "module/spirv.hpp"
+#include "module/steps.hpp"
+#include "module/texts.hpp"
 #include "numeric/numbers.hpp"
-#include "shader/pack.hpp"
-#include "shader/spirv.hpp"
-#include "shader/steps.hpp"
 
 namespace gloam::check {
 namespace {
@@ -60,7 +60,7 @@ internal::Session::Evaluated evaluated(const Lab& lab, const Question& question,
 std::string code_of(KernelSource source, Constants constants, const std::vector<Word>& inputs) {
     if (constants == Constants::specialization) return specialized_kernel_code(source, 1);
     if (constants == Constants::none) return kernel_code(source);
-    source.preserve_nan = false;  // as in ConstantKernel
+    source.preserve_nan = false;  // as in a Session
     return literal_kernel_code(source, inputs, 1);
 }
 
@@ -111,9 +111,41 @@ Reproduction without_verdict(const Lab& lab, const Question& question, const std
     return all;
 }
 
-}  // namespace
+using Steps = std::vector<std::string>;
 
-namespace {
+// The shortest list, one word at a time, that still fails: halves first, then quarters, to single words.
+Steps shortest(Steps words, std::size_t least, const std::function<bool(const Steps&)>& fails) {
+    for (std::size_t size = std::max<std::size_t>(words.size() / 2, 1); size > 0; size /= 2) {
+        for (std::size_t at = 0; at < words.size() && words.size() > least;) {
+            Steps fewer = words;
+            const auto begin = fewer.begin() + static_cast<std::ptrdiff_t>(at);
+            fewer.erase(begin, begin + static_cast<std::ptrdiff_t>(std::min(size, words.size() - at)));
+            if (fewer.size() >= least && fails(fewer)) {
+                words = std::move(fewer);
+            } else {
+                at += size;
+            }
+        }
+    }
+    return words;
+}
+
+// The fewest of these steps, and the fewest parts of each, for which `fails` holds: no step and no part can
+// be left out alone. `fails` holds for all of them.
+Steps shortest_steps(const Steps& steps, const std::function<bool(const Steps&)>& fails) {
+    Steps left = shortest(steps, 1, fails);
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        const Steps parts = shader::parts_of(left[i]);
+        if (parts.size() < 2) continue;
+        const auto with = [&](const Steps& fewer) {
+            Steps changed = left;
+            changed[i] = shader::with_parts(left[i], fewer);
+            return changed;
+        };
+        left = with(shortest(parts, 1, [&](const Steps& fewer) { return fails(with(fewer)); }));
+    }
+    return left;
+}
 
 // The same lab with other steps.
 Lab with_steps(const Lab& lab, const std::vector<std::string>& steps) {
@@ -124,7 +156,7 @@ Lab with_steps(const Lab& lab, const std::vector<std::string>& steps) {
 
 // Whether one of these steps cannot be taken, or makes a module that cannot be run.
 bool cannot_run(const Lab& lab, const Question& question, const RunOptions& options,
-                const ImageScenario& scenario, const std::vector<std::string>& steps) {
+                const ImageScenario& scenario, const Steps& steps) {
     try {
         static_cast<void>(evaluated(with_steps(lab, steps), question, options, scenario));
     } catch (const backend::Fault&) {
@@ -140,19 +172,16 @@ bool cannot_run(const Lab& lab, const Question& question, const RunOptions& opti
 // Whether these inputs fail after these steps. Those that cannot be taken, or leave the module as it is, do
 // not fail in this way.
 bool fails_after(const Lab& lab, const Question& question, const RunOptions& options, const Sample& failing,
-                 const std::vector<std::string>& steps) {
+                 const Steps& steps) {
     try {
         const Lab other = with_steps(lab, steps);
-        return session_of(other, question, options, failing.scenario)
-            .first_failing(std::span(&failing.inputs, 1))
-            .has_value();
+        const internal::Session session = session_of(other, question, options, failing.scenario);
+        return session.first_failing(std::span(&failing.inputs, 1)).has_value();
     } catch (const shader::StepError&) {
-        return false;
     } catch (const shader::Unchanged&) {
-        return false;
     } catch (const backend::Fault&) {
-        return false;
     }
+    return false;
 }
 
 Reproduction reproduce_with(const Lab& lab, const Question& question, const RunOptions& options,

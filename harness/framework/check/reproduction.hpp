@@ -14,16 +14,6 @@
 
 namespace gloam::check {
 
-// The distance of an input from the simplest one, 0 for all zeros. A word that is one costs little. Other
-// floats cost by the bits of their significand and by the distance of their exponent from that of 1; integers
-// cost by their bits.
-[[nodiscard]] std::size_t complexity(std::span<const Word> input, const std::vector<shader::Scalar>& scalars);
-
-// Inputs of a question's domain that are simpler than this one, the simplest first. Values are changed one at
-// a time; equal values are also changed together.
-[[nodiscard]] std::vector<std::vector<Word>> simpler_inputs(const Question& question,
-                                                            const std::vector<Word>& input);
-
 // The first of some inputs that fails, with its outputs; nullopt: none does.
 using FirstFailing = std::function<std::optional<Sample>(std::span<const std::vector<Word>> inputs)>;
 
@@ -79,11 +69,6 @@ struct Reproduction {
 // options. Throws std::invalid_argument if no input does.
 [[nodiscard]] Reproduction reproduce_fault(const Lab& lab, const Question& question,
                                            const RunOptions& options);
-
-// The fewest of these steps (shader/steps.hpp), and the fewest parts of each, for which `fails` holds: no
-// step and no part can be left out alone. `fails` holds for all of them.
-[[nodiscard]] std::vector<std::string> shortest_steps(
-    const std::vector<std::string>& steps, const std::function<bool(const std::vector<std::string>&)>& fails);
 
 // The outcomes that a failing sample does not have: of one that the rules forbid, those that Vulkan permits;
 // else one, the budget around `want`, and around the reference's results for the neighbouring inputs that the

@@ -25,7 +25,7 @@ Domain::Inputs few_inputs(const Domain& domain, std::size_t count, std::uint64_t
 // Each input is compiled code, so the scenarios of a question share the number of inputs.
 std::size_t constants_of_each(std::size_t scenarios) {
     constexpr std::size_t least = 8;
-    return std::max(least, ConstantKernel::most_inputs / std::max<std::size_t>(scenarios, 1));
+    return std::max(least, internal::most_constants / std::max<std::size_t>(scenarios, 1));
 }
 
 // Inputs of many words are fewer: those of a run take 256 MiB at most.
@@ -45,25 +45,34 @@ Verdict verdict_of(const shader::Variant& variant, const Question& question) {
 
 namespace {
 
-Answer judged(const Lab& lab, const Question& question, const RunOptions& options) {
+// The answer to a question, by what visit(session, scenario, share, answer) adds for each scenario.
+template <class Visit>
+Answer answered(const Lab& lab, const Question& question, std::size_t inputs, std::uint64_t seed,
+                Verdict verdict, const Visit& visit) {
     const KernelCore kernel = lab.kernel(question.file, question.function, question.signature);
-    const Verdict verdict = verdict_of(lab.options().variant, question);
     Answer answer = empty_answer(question, verdict);
     answer.variant = lab.options().variant.name;
-    const Domain domain = internal::domain_of(lab, question);
+    internal::for_each_scenario(question, inputs, [&](const ImageScenario& scenario, std::size_t share) {
+        visit(internal::Session(lab, question, kernel, scenario, seed, verdict), scenario, share, answer);
+    });
+    return answer;
+}
+
+Answer judged(const Lab& lab, const Question& question, const RunOptions& options) {
+    std::optional<Domain> domain;
     const bool constants = lab.options().variant.constants != shader::Variant::Constants::none;
-    internal::for_each_scenario(
-        question, inputs_of_run(question, options.inputs),
-        [&](const ImageScenario& scenario, std::size_t share) {
-            const internal::Session session(lab, question, kernel, scenario, options.seed, verdict);
-            const std::uint64_t seed = session.input_seed();
-            const Domain::Inputs drawn =
-                constants
-                    ? few_inputs(domain, constants_of_each(question.scenarios.size()), seed, scenario.size)
-                    : domain.draw(share, seed, scenario.size);
-            Domain::Inputs inputs = session.without_long_runs(drawn, answer);
-            if (inputs.count() > 0) session.judge(session.run(std::move(inputs), answer), answer);
-        });
+    const auto run = [&](const internal::Session& session, const ImageScenario& scenario, std::size_t share,
+                         Answer& answer) {
+        const std::uint64_t seed = session.input_seed();
+        if (!domain) domain = internal::domain_of(lab, question);
+        const Domain::Inputs drawn =
+            constants ? few_inputs(*domain, constants_of_each(question.scenarios.size()), seed, scenario.size)
+                      : domain->draw(share, seed, scenario.size);
+        Domain::Inputs inputs = session.without_long_runs(drawn, answer);
+        if (inputs.count() > 0) session.judge(session.run(std::move(inputs), answer), answer);
+    };
+    Answer answer = answered(lab, question, inputs_of_run(question, options.inputs), options.seed,
+                             verdict_of(lab.options().variant, question), run);
     if (options.coverage) answer.coverage = measure_coverage(lab, question, options);
     internal::tell_story(lab, question, options.seed, answer);
     return answer;
@@ -130,26 +139,24 @@ void evaluate(const internal::Session& session, const Domain& domain, Answer& an
 
 SearchResult search(const Lab& lab, const Question& question, const SearchOptions& options) {
     using internal::Moves;
-    const KernelCore kernel = lab.kernel(question.file, question.function, question.signature);
-    const Verdict verdict = options.verdict.value_or(verdict_of(lab.options().variant, question));
-    SearchResult found{.answer = empty_answer(question, verdict)};
-    found.answer.variant = lab.options().variant.name;
-    internal::for_each_scenario(
-        question, options.inputs, [&](const ImageScenario& scenario, std::size_t share) {
-            const internal::Session session(lab, question, kernel, scenario, options.seed, verdict);
-            if (question.domain.parameters().empty() || share == 0) return;
-            const std::size_t drawn = std::max<std::size_t>(share / drawn_part, 1);
-            Moves moves(question, drawn, scenario.size, session.input_seed(), options.seed);
-            std::vector<Moves::Candidate> pool;
-            const auto run = [&](std::vector<Moves::Candidate>& some) {
-                evaluate(session, question.domain, found.answer, some);
-            };
-            std::vector<Moves::Candidate> first = moves.drawn_candidates();
-            run(first);
-            Moves::add(std::move(first), pool);
-            if (!pool.empty()) found.drawn_fraction = std::max(found.drawn_fraction, pool.front().score);
-            moves.climb(pool, share - drawn, generation, run, [] { return true; });
-        });
+    SearchResult found;
+    const auto climb = [&](const internal::Session& session, const ImageScenario& scenario, std::size_t share,
+                           Answer& answer) {
+        if (question.domain.parameters().empty() || share == 0) return;
+        const std::size_t drawn = std::max<std::size_t>(share / drawn_part, 1);
+        Moves moves(question, drawn, scenario.size, session.input_seed(), options.seed);
+        std::vector<Moves::Candidate> pool;
+        const auto run = [&](std::vector<Moves::Candidate>& some) {
+            evaluate(session, question.domain, answer, some);
+        };
+        std::vector<Moves::Candidate> first = moves.drawn_candidates();
+        run(first);
+        Moves::add(std::move(first), pool);
+        if (!pool.empty()) found.drawn_fraction = std::max(found.drawn_fraction, pool.front().score);
+        moves.climb(pool, share - drawn, generation, run, [] { return true; });
+    };
+    found.answer = answered(lab, question, options.inputs, options.seed,
+                            options.verdict.value_or(verdict_of(lab.options().variant, question)), climb);
     internal::tell_story(lab, question, options.seed, found.answer);
     return found;
 }

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "backend/backend.hpp"
+#include "module/compile.hpp"
 #include "numeric/numbers.hpp"
-#include "shader/compile.hpp"
 
 // The words of a row of inputs or outputs as the scalars of GLSL, a word for each.
 namespace gloam::check {

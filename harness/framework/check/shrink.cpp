@@ -11,7 +11,6 @@
 
 #include "check/function.hpp"
 #include "check/reproduction.hpp"
-#include "shader/steps.hpp"
 
 namespace gloam::check {
 namespace {
@@ -84,14 +83,17 @@ void add_integer_candidates(Word word, Scalar scalar, std::set<Word>& candidates
     if (magnitude > 0) add(magnitude - 1U);
 }
 
-}  // namespace
-
+// The distance of an input from the simplest one, 0 for all zeros. A word that is one costs little. Other
+// floats cost by the bits of their significand and by the distance of their exponent from that of 1; integers
+// cost by their bits.
 std::size_t complexity(std::span<const Word> input, const std::vector<Scalar>& scalars) {
     std::size_t sum = 0;
     for (std::size_t i = 0; i < input.size(); ++i) sum += scalar_complexity(input[i], scalars[i]);
     return sum;
 }
 
+// Inputs of the domain that are simpler than this one, the simplest first. Values are changed one at a time;
+// equal values are also changed together.
 std::vector<Words> simpler_inputs(const Question& question, const Words& input) {
     const std::vector<Scalar> scalars = question.signature.input_scalars();
     std::set<Words> found;
@@ -121,6 +123,8 @@ std::vector<Words> simpler_inputs(const Question& question, const Words& input) 
     return simpler;
 }
 
+}  // namespace
+
 Sample shrink(const Question& question, const Sample& failing, const FirstFailing& first_failing) {
     std::optional<Sample> best = first_failing(std::vector<Words>{failing.inputs});
     if (!best) throw std::invalid_argument("shrink: the input does not fail: there is nothing to shrink");
@@ -128,45 +132,6 @@ Sample shrink(const Question& question, const Sample& failing, const FirstFailin
     best->scenario = failing.scenario;
     best->index = failing.index;
     return *best;
-}
-
-namespace {
-
-using Steps = std::vector<std::string>;
-
-// The shortest list, one word at a time, that still fails: halves first, then quarters, to single words.
-Steps shortest(Steps words, std::size_t least, const std::function<bool(const Steps&)>& fails) {
-    for (std::size_t size = std::max<std::size_t>(words.size() / 2, 1); size > 0; size /= 2) {
-        for (std::size_t at = 0; at < words.size() && words.size() > least;) {
-            Steps fewer = words;
-            const auto begin = fewer.begin() + static_cast<std::ptrdiff_t>(at);
-            fewer.erase(begin, begin + static_cast<std::ptrdiff_t>(std::min(size, words.size() - at)));
-            if (fewer.size() >= least && fails(fewer)) {
-                words = std::move(fewer);
-            } else {
-                at += size;
-            }
-        }
-    }
-    return words;
-}
-
-}  // namespace
-
-std::vector<std::string> shortest_steps(const std::vector<std::string>& steps,
-                                        const std::function<bool(const std::vector<std::string>&)>& fails) {
-    Steps left = shortest(steps, 1, fails);
-    for (std::size_t i = 0; i < left.size(); ++i) {
-        const Steps parts = shader::parts_of(left[i]);
-        if (parts.size() < 2) continue;
-        const auto with = [&](const Steps& fewer) {
-            Steps changed = left;
-            changed[i] = shader::with_parts(left[i], fewer);
-            return changed;
-        };
-        left = with(shortest(parts, 1, [&](const Steps& fewer) { return fails(with(fewer)); }));
-    }
-    return left;
 }
 
 PropertyResult check_property(const KernelCore& core, const Question& question, const HoldsFor& holds,

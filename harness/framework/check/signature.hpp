@@ -13,8 +13,8 @@
 #include "backend/backend.hpp"
 #include "check/scalars.hpp"
 #include "check/values_in_words.hpp"
-#include "shader/compile.hpp"
-#include "shader/pack.hpp"
+#include "module/compile.hpp"
+#include "module/texts.hpp"
 
 namespace gloam::check {
 

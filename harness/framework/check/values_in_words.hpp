@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "backend/backend.hpp"
-#include "shader/compile.hpp"
+#include "module/compile.hpp"
 
 // Visits the members of a small aggregate in order, so that a plain struct needs no description of its own.
 namespace gloam::check {

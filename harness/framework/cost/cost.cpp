@@ -15,7 +15,7 @@
 
 #include "backend/vulkan/radv.hpp"
 #include "base/compiler_limits.hpp"
-#include "shader/reflection.hpp"
+#include "module/reflection.hpp"
 
 namespace gloam::cost {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "backend/backend.hpp"
-#include "shader/compile.hpp"
+#include "module/compile.hpp"
 
 // What a GPU's compiler makes of a compute shader, without a GPU (docs/cost.md).
 namespace gloam::cost {

@@ -5,8 +5,11 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <type_traits>
 
 #include "numeric/interval.hpp"
+#include "numeric/numbers.hpp"
+#include "numeric/paths.hpp"
 #include "numeric/rearranged.hpp"
 
 // The number types on which a module can be run:
@@ -29,12 +32,57 @@ struct Explained {
     numeric::Interval permitted = numeric::Interval::within(0.0, 0.0);
 };
 
+// What a number is permitted to be; of float and double nothing is known.
+[[nodiscard]] inline const numeric::Interval& permitted_of(const numeric::Interval& x) {
+    return x;
+}
+[[nodiscard]] inline numeric::Interval permitted_of(const numeric::Rearranged& x) {
+    return x.interval();
+}
+[[nodiscard]] inline const numeric::Interval& permitted_of(const Explained& x) {
+    return x.permitted;
+}
+
+// Whether the numbers stand for all that is permitted.
+template <class N>
+inline constexpr bool has_bounds =
+    std::is_same_v<N, numeric::Interval> || std::is_same_v<N, numeric::Rearranged>;
+
+// The number with f(what it is permitted to be, what others are) instead.
+template <class F, class N, class... More>
+[[nodiscard]] N with_permitted(const F& f, const N& x, const More&... more) {
+    if constexpr (std::is_floating_point_v<N>) {
+        return x;
+    } else if constexpr (has_bounds<N>) {
+        return N(f(permitted_of(x), permitted_of(more)...));
+    } else {
+        N result = x;
+        result.permitted = f(x.permitted, permitted_of(more)...);
+        return result;
+    }
+}
+
 template <class Number>
-[[nodiscard]] Number number_from_bits(std::uint32_t bits);
+[[nodiscard]] Number number_from_bits(std::uint32_t bits) {
+    const auto value = std::bit_cast<float>(bits);
+    if constexpr (std::is_floating_point_v<Number>) {
+        return value;
+    } else if constexpr (has_bounds<Number>) {
+        return Number(numeric::Interval::input(value));
+    } else {
+        return {.value = value, .exact = value, .local = 0.0, .permitted = numeric::Interval::input(value)};
+    }
+}
+
 template <class Number>
-[[nodiscard]] Number undefined_number();
+[[nodiscard]] Number undefined_number() {
+    return with_permitted([](const auto&...) { return numeric::Interval::anything(); }, Number{});
+}
 template <class Number>
-[[nodiscard]] std::uint32_t undefined_bits();
+[[nodiscard]] std::uint32_t undefined_bits() {
+    if (has_bounds<Number>) throw numeric::Paths::Undetermined{};
+    return 0;
+}
 
 // Whether two numbers are one: on every type they agree, and so do their bounds.
 [[nodiscard]] inline bool is_one_number(const Explained& x, const Explained& y) {
@@ -42,24 +90,40 @@ template <class Number>
 }
 
 // The sign bit: 1 below zero and for -0. On intervals both values are explored if both are possible.
-[[nodiscard]] std::uint32_t sign_bit(const numeric::Interval& x);
-[[nodiscard]] std::uint32_t sign_bit(const numeric::Rearranged& x);
-[[nodiscard]] inline std::uint32_t sign_bit(double x) {
-    return std::signbit(x) ? 1U : 0U;
-}
-[[nodiscard]] inline std::uint32_t sign_bit(const Explained& x) {
-    return std::signbit(x.value) ? 1U : 0U;
+[[nodiscard]] std::uint32_t sign_of(const numeric::Interval& x);
+template <class Number>
+[[nodiscard]] std::uint32_t sign_bit(const Number& x) {
+    if constexpr (has_bounds<Number>) {
+        return sign_of(permitted_of(x));
+    } else if constexpr (std::is_floating_point_v<Number>) {
+        return std::signbit(x) ? 1U : 0U;
+    } else {
+        return std::signbit(x.value) ? 1U : 0U;
+    }
 }
 
 // The bits of the exponent, 0x7f800000, as a number: 0 or a power of two if x is finite, otherwise +infinity.
 // On intervals both are explored if both are possible. nullopt for a type whose numbers have known bits.
 inline constexpr std::uint32_t exponent_mask = 0x7f800000U;
+[[nodiscard]] numeric::Interval exponent_of(const numeric::Interval& x);
 template <class Number>
-[[nodiscard]] std::optional<Number> exponent_field(const Number& x);
+[[nodiscard]] std::optional<Number> exponent_field(const Number& x) {
+    if constexpr (has_bounds<Number>) {
+        return Number(exponent_of(permitted_of(x)));
+    } else {
+        return std::nullopt;
+    }
+}
 
-[[nodiscard]] std::uint32_t bits_from_number(double x);
-[[nodiscard]] std::uint32_t bits_from_number(const numeric::Interval& x);
-[[nodiscard]] std::uint32_t bits_from_number(const numeric::Rearranged& x);
-[[nodiscard]] std::uint32_t bits_from_number(const Explained& x);
+template <class Number>
+[[nodiscard]] std::uint32_t bits_from_number(const Number& x) {
+    if constexpr (has_bounds<Number>) {
+        return numeric::to_bits(permitted_of(x));
+    } else if constexpr (std::is_floating_point_v<Number>) {
+        return std::bit_cast<std::uint32_t>(static_cast<float>(x));
+    } else {
+        return bits_from_number(x.value);
+    }
+}
 
 }  // namespace gloam::interpreter

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "backend/backend.hpp"
-#include "shader/compile.hpp"
+#include "module/compile.hpp"
 
 namespace gloam::interpreter {
 

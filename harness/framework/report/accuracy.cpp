@@ -71,15 +71,10 @@ std::string column_title(const CheckReport& report, const std::vector<CheckRepor
     return std::ranges::count_if(reports, same) == 1 ? report.device.name : name_of(report.device);
 }
 
-std::string markdown_header(std::vector<std::string> titles, const std::vector<CheckReport>& reports) {
+// A table whose last columns are the devices.
+TextTable table_of(std::vector<std::string> titles, const std::vector<CheckReport>& reports) {
     for (const CheckReport& report : reports) titles.push_back(column_title(report, reports));
-    std::string line = "\n|";
-    std::string rules = "|";
-    for (const std::string& title : titles) {
-        line += " " + title + " |";
-        rules += " --- |";
-    }
-    return line + "\n" + rules + "\n";
+    return {std::move(titles)};
 }
 
 // A range of shares of the documented error, up to the upper end, for a row of the first table.
@@ -90,28 +85,25 @@ struct Part {
 constexpr Part parts[] = {
     {"nothing: exact", 0.0}, {"up to a quarter", 0.25}, {"up to a half", 0.5}, {"up to all of it", 1.0}};
 
-std::string parts_table(const std::vector<EquationAccuracy>& equations,
-                        const std::vector<CheckReport>& reports) {
-    std::string text = markdown_header({"part of the documented error"}, reports);
-    const auto line = [&](std::string_view name, const auto& counts) {
-        text += fmt::format("| {} |", name);
-        for (std::size_t i = 0; i < reports.size(); ++i) {
-            text += fmt::format(" {} |", std::ranges::count_if(equations, [&](const EquationAccuracy& e) {
-                                    return counts(e.measured[i]);
-                                }));
-        }
-        text += "\n";
+TextTable parts_table(const std::vector<EquationAccuracy>& equations,
+                      const std::vector<CheckReport>& reports) {
+    TextTable table = table_of({"part of the documented error"}, reports);
+    const auto add = [&](std::string_view name, const auto& counts) {
+        std::vector<std::string>& line = table.emplace_back(1, std::string(name));
+        for (std::size_t i = 0; i < reports.size(); ++i)
+            line.push_back(std::to_string(std::ranges::count_if(
+                equations, [&](const EquationAccuracy& e) { return counts(e.measured[i]); })));
     };
     double above = -1.0;
     for (const Part& part : parts) {
-        line(part.name, [&](const auto& measured) {
+        add(part.name, [&](const auto& measured) {
             return measured && measured->fraction > above && measured->fraction <= part.most;
         });
         above = part.most;
     }
-    line("more: outside", [&](const auto& measured) { return measured && measured->fraction > above; });
-    line("none documented: judged by the rules alone", [](const auto& measured) { return !measured; });
-    return text;
+    add("more: outside", [&](const auto& measured) { return measured && measured->fraction > above; });
+    add("none documented: judged by the rules alone", [](const auto& measured) { return !measured; });
+    return table;
 }
 
 std::string guarantee_sentence(const std::vector<EquationAccuracy>& equations) {
@@ -125,19 +117,16 @@ std::string guarantee_sentence(const std::vector<EquationAccuracy>& equations) {
         std::ranges::count_if(equations, documented), std::ranges::count_if(equations, kept));
 }
 
-std::string nearest_table(std::vector<EquationAccuracy> equations, const std::vector<CheckReport>& reports) {
+TextTable nearest_table(std::vector<EquationAccuracy> equations, const std::vector<CheckReport>& reports) {
     std::ranges::stable_sort(equations, std::ranges::greater{}, most_used);
     equations.resize(std::min(equations.size(), most_listed));
     std::erase_if(equations, [](const EquationAccuracy& e) { return most_used(e) == 0.0; });
-    if (equations.empty()) return {};
-    std::string text = markdown_header({"equation", "documented", "any driver"}, reports);
-    for (const EquationAccuracy& equation : equations) {
-        text += fmt::format("| {} | {} | {} |", equation.equation, equation.documented,
-                            any_driver_text(equation));
-        for (const auto& measured : equation.measured) text += " " + measured_text(measured) + " |";
-        text += "\n";
+    TextTable table = table_of({"equation", "documented", "any driver"}, reports);
+    for (const EquationAccuracy& e : equations) {
+        table.push_back({e.equation, e.documented, any_driver_text(e)});
+        for (const auto& measured : e.measured) table.back().push_back(measured_text(measured));
     }
-    return text;
+    return table;
 }
 
 std::string failure_text(const check::Answer& row) {
@@ -147,14 +136,14 @@ std::string failure_text(const check::Answer& row) {
 
 // A row for each variant, in the order of the rows: how many of its checks passed on each driver, of those
 // that were judged.
-std::string variants_table(const std::vector<CheckReport>& reports) {
+TextTable variants_table(const std::vector<CheckReport>& reports) {
     std::vector<std::string> variants;
     for (const CheckReport& report : reports)
         for (const check::Answer& row : report.rows)
             if (std::ranges::find(variants, row.variant) == variants.end()) variants.push_back(row.variant);
-    std::string text = markdown_header({"checks passed in the variant"}, reports);
+    TextTable table = table_of({"checks passed in the variant"}, reports);
     for (const std::string& variant : variants) {
-        text += fmt::format("| {} |", variant);
+        table.push_back({variant});
         for (const CheckReport& report : reports) {
             const auto count = [&](check::Outcome outcome) {
                 return std::ranges::count_if(report.rows, [&](const check::Answer& row) {
@@ -162,30 +151,31 @@ std::string variants_table(const std::vector<CheckReport>& reports) {
                 });
             };
             const auto passed = count(check::Outcome::ok);
-            text += fmt::format(" {} of {} |", passed, passed + count(check::Outcome::failed));
+            table.back().push_back(fmt::format("{} of {}", passed, passed + count(check::Outcome::failed)));
         }
-        text += "\n";
     }
-    return text;
+    return table;
 }
 
 // A row for each equation and device.
-std::string failures_table(const std::vector<CheckReport>& reports) {
-    std::string text;
+TextTable failures_table(const std::vector<CheckReport>& reports) {
+    TextTable table{{"equation", "device", "inputs outside"}};
     for (const CheckReport& report : reports) {
-        std::vector<std::pair<std::string, std::string>> failures;  // by equation: its variants
+        const std::size_t first = table.size();
         for (const check::Answer& row : report.rows) {
             if (!row.failed()) continue;
-            if (failures.empty() || failures.back().first != row.equation)
-                failures.emplace_back(row.equation, failure_text(row));
+            if (table.size() == first || table.back()[0] != row.equation)
+                table.push_back({row.equation, column_title(report, reports), failure_text(row)});
             else
-                failures.back().second += ", " + failure_text(row);
+                table.back()[2] += ", " + failure_text(row);
         }
-        for (const auto& [equation, variants] : failures)
-            text += fmt::format("| {} | {} | {} |\n", equation, column_title(report, reports), variants);
     }
-    if (text.empty()) return "\nNo check failed.\n";
-    return "\n| equation | device | inputs outside |\n| --- | --- | --- |\n" + text;
+    return table;
+}
+
+// Without lines: what is said instead.
+std::string text_of(const TextTable& table, const char* otherwise = "") {
+    return table.size() == 1 ? otherwise : "\n" + to_markdown(table);
 }
 
 }  // namespace
@@ -212,9 +202,9 @@ std::vector<EquationAccuracy> accuracies(const std::vector<CheckReport>& reports
 
 std::string to_accuracy_markdown(const std::vector<CheckReport>& reports) {
     const std::vector<EquationAccuracy> equations = accuracies(reports);
-    return fmt::format("{} equations.\n", equations.size()) + parts_table(equations, reports) +
-           guarantee_sentence(equations) + nearest_table(equations, reports) + variants_table(reports) +
-           failures_table(reports);
+    return fmt::format("{} equations.\n", equations.size()) + text_of(parts_table(equations, reports)) +
+           guarantee_sentence(equations) + text_of(nearest_table(equations, reports)) + "\n" +
+           to_markdown(variants_table(reports)) + text_of(failures_table(reports), "\nNo check failed.\n");
 }
 
 PageTable accuracy_table(const std::vector<CheckReport>& reports) {

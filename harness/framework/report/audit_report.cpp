@@ -9,85 +9,69 @@
 #include <sstream>
 
 #include "base/version.hpp"
-#include "report/json.hpp"
+#include "report/answer_json.hpp"
 #include "report/page.hpp"
 
 namespace gloam::report {
-namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json place_json(const check::AuditPlace& place) {
-    return {{"file", place.file},
-            {"line", place.line},
-            {"function", place.function},
-            {"operation", place.operation}};
+template <class Io>
+void members(Io& io, check::AuditPlace& place) {
+    each(io, "file", place.file, "line", place.line, "function", place.function, "operation",
+         place.operation);
 }
 
-ordered_json finding_json(const check::AuditFinding& finding) {
-    ordered_json json{{"concern", name_of(finding.concern)},
-                      {"share", number_json(finding.share)},
-                      {"input", finding.values},
-                      {"words", finding.words},
-                      {"output", finding.output},
-                      {"value", number_json(finding.value)},
-                      {"exact", number_json(finding.exact)},
-                      {"permitted",
-                       {{"low", number_json(finding.permitted.low)},
-                        {"high", number_json(finding.permitted.high)},
-                        {"nan", finding.permitted.nan}}},
-                      {"digits_lost", number_json(finding.lost)},
-                      {"place", place_json(finding.place)}};
-    if (!finding.message.empty()) json["message"] = finding.message;
-    for (const check::AuditWitness& witness : finding.witnesses)
-        json["devices"].push_back({{"device", witness.device}, {"value", number_json(witness.value)}});
-    return json;
+template <class Io>
+void members(Io& io, check::AuditWitness& witness) {
+    each(io, "device", witness.device, "value", witness.value);
 }
 
-ordered_json motion_json(const check::AuditMotion& motion) {
-    return {{"parameter", motion.parameter},
-            {"output", motion.output},
-            {"motion", to_text(motion)},
-            {"input", motion.values},
-            {"words", motion.words}};
+template <class Io>
+void members(Io& io, check::AuditFinding& finding) {
+    each(io, "concern", finding.concern, "share", finding.share, "input", finding.values, "words",
+         finding.words, "output", finding.output, "value", finding.value, "exact", finding.exact, "permitted",
+         finding.permitted, "digits_lost", finding.lost, "place", finding.place);
+    io.member("message", finding.message, Present::if_any);
+    io.member("devices", finding.witnesses, Present::if_any);
 }
 
-ordered_json audit_json(const check::Audit& audit) {
-    ordered_json json{{"function", audit.function}, {"declaration", audit.declaration},
-                      {"inputs", audit.inputs},     {"random", audit.random},
-                      {"audited", audit.was_run()}, {"broken", audit.is_broken()}};
-    for (const char* list : {"domain", "findings", "motions", "not_reached", "lines", "rewrites"})
-        json[list] = ordered_json::array();
-    for (const check::OrdinaryValues& values : audit.domain)
-        json["domain"].push_back(
-            {{"parameter", values.parameter}, {"values", values.text}, {"reason", values.reason}});
-    for (const check::AuditFinding& finding : audit.findings)
-        json["findings"].push_back(finding_json(finding));
-    for (const check::AuditMotion& motion : audit.motions) json["motions"].push_back(motion_json(motion));
-    json["not_reached"] = missed(audit.coverage);
-    for (const check::AuditLine& line : audit.lines)
-        json["lines"].push_back({{"file", line.file},
-                                 {"line", line.line},
-                                 {"digits_lost", number_json(line.lost)},
-                                 {"half_digits_lost", number_json(line.lost_half)}});
-    if (audit.half) json["half"] = finding_json(*audit.half);
-    for (const check::AuditRewrite& rewrite : audit.rewrites)
-        json["rewrites"].push_back({{"file", rewrite.file},
-                                    {"line", rewrite.line},
-                                    {"before", rewrite.before},
-                                    {"after", rewrite.after},
-                                    {"helper", rewrite.helper},
-                                    {"reason", rewrite.reason},
-                                    {"gain", rewrite.gain}});
-    return json;
+template <class Io>
+void members(Io& io, check::AuditMotion& motion) {
+    each(io, "parameter", motion.parameter, "output", motion.output, "motion", to_text(motion), "input",
+         motion.values, "words", motion.words);
 }
 
-}  // namespace
+template <class Io>
+void members(Io& io, check::OrdinaryValues& values) {
+    each(io, "parameter", values.parameter, "values", values.text, "reason", values.reason);
+}
+
+template <class Io>
+void members(Io& io, check::AuditLine& line) {
+    each(io, "file", line.file, "line", line.line, "digits_lost", line.lost, "half_digits_lost",
+         line.lost_half);
+}
+
+template <class Io>
+void members(Io& io, check::AuditRewrite& rewrite) {
+    each(io, "file", rewrite.file, "line", rewrite.line, "before", rewrite.before, "after", rewrite.after,
+         "helper", rewrite.helper, "reason", rewrite.reason, "gain", rewrite.gain);
+}
+
+template <class Io>
+void members(Io& io, check::Audit& audit) {
+    each(io, "function", audit.function, "declaration", audit.declaration, "inputs", audit.inputs, "random",
+         audit.random, "audited", audit.was_run(), "broken", audit.is_broken(), "domain", audit.domain,
+         "findings", audit.findings, "motions", audit.motions, "not_reached", missed(audit.coverage), "lines",
+         audit.lines, "rewrites", audit.rewrites);
+    if (audit.half) io.member("half", audit.half);
+}
 
 std::string to_audit_json(const AuditReport& report) {
-    ordered_json json{
-        {"gloam", base::version()}, {"file", report.file}, {"functions", ordered_json::array()}};
-    for (const check::Audit& audit : report.audits) json["functions"].push_back(audit_json(audit));
+    const ordered_json json{{"gloam", base::version()},
+                            {"file", report.file},
+                            {"functions", MemberWriter::json_of(report.audits)}};
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 

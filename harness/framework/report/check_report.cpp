@@ -11,7 +11,7 @@
 #include "base/text.hpp"
 #include "base/version.hpp"
 #include "numeric/numbers.hpp"
-#include "report/internal/answer_json.hpp"
+#include "report/answer_json.hpp"
 
 namespace gloam::report {
 
@@ -19,39 +19,14 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr auto replace = ordered_json::error_handler_t::replace;  // of bytes that are no UTF-8
-
-ordered_json device_json(const DeviceSummary& device) {
-    return {{"name", device.name},
-            {"driver", device.driver},
-            {"type", device.type},
-            {"api_version", device.api_version},
-            {"float_controls",
-             {{"signed_zero_inf_nan_preserve", device.preserves_signed_zero_inf_nan},
-              {"denorm_preserve", device.preserves_denormals},
-              {"denorm_flush_to_zero", device.flushes_denormals},
-              {"rounding_mode_rte", device.rounds_to_even}}}};
-}
-
-DeviceSummary read_device(const JsonReader& json) {
-    const JsonReader controls = json.member("float_controls");
-    return {.name = json.member("name").name(),
-            .driver = json.member("driver").name(),
-            .type = json.member("type").name(),
-            .api_version = json.member("api_version").name(),
-            .preserves_signed_zero_inf_nan = controls.member("signed_zero_inf_nan_preserve").flag(),
-            .preserves_denormals = controls.member("denorm_preserve").flag(),
-            .flushes_denormals = controls.member("denorm_flush_to_zero").flag(),
-            .rounds_to_even = controls.member("rounding_mode_rte").flag()};
-}
-
 CheckReport read_report(const JsonReader& json) {
-    CheckReport report{.device = read_device(json.member("device")), .rows = {}};
+    CheckReport report;
+    MemberReader::read(json.member("device"), report.device);
     if (json.has("versions")) report.versions = json.member("versions").name();
     if (json.has("inputs")) report.inputs = json.member("inputs").count();
     if (json.has("seed")) report.seed = json.member("seed").count();
     for (const JsonReader& row : json.member("results").elements()) {
-        report.rows.push_back(internal::read_answer(row));
+        report.rows.push_back(read_answer(row));
     }
     return report;
 }
@@ -68,20 +43,19 @@ std::string api_of(const DeviceSummary& device) {
 }
 
 std::string to_json(const DeviceSummary& device) {
-    return device_json(device).dump(-1, ' ', false, replace);
+    return line_of(device);
 }
 
 DeviceSummary device_from_json(std::string_view text) {
-    const ordered_json json = parse_json(text);
-    return read_device(JsonReader(json, ""));
+    return from_line<DeviceSummary>(text);
 }
 
 std::string to_json(const std::vector<CheckReport>& reports) {
     ordered_json all = ordered_json::array();
     for (const CheckReport& report : reports) {
         ordered_json results = ordered_json::array();
-        for (const check::Answer& row : report.rows) results.push_back(internal::answer_json(row));
-        ordered_json object{{"gloam", base::version()}, {"device", device_json(report.device)}};
+        for (const check::Answer& row : report.rows) results.push_back(MemberWriter::json_of(row));
+        ordered_json object{{"gloam", base::version()}, {"device", MemberWriter::json_of(report.device)}};
         if (!report.versions.empty()) object["versions"] = report.versions;
         if (report.inputs > 0) {
             object["inputs"] = report.inputs;
@@ -90,7 +64,9 @@ std::string to_json(const std::vector<CheckReport>& reports) {
         object["results"] = std::move(results);
         all.push_back(std::move(object));
     }
-    return (all.size() == 1 ? all.front() : all).dump(2, ' ', false, replace) + "\n";
+    // Bytes that are no UTF-8 are replaced.
+    return (all.size() == 1 ? all.front() : all).dump(2, ' ', false, ordered_json::error_handler_t::replace) +
+           "\n";
 }
 
 std::vector<CheckReport> reports_from_json(std::string_view text) {

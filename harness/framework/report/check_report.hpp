@@ -126,6 +126,11 @@ struct MergedReports {
 [[nodiscard]] std::vector<std::string> changes_since(const std::vector<CheckReport>& before,
                                                      const std::vector<CheckReport>& now);
 
+// Lines of cells, first the titles: in columns, and for a Markdown page.
+using TextTable = std::vector<std::vector<std::string>>;
+[[nodiscard]] std::string aligned(const TextTable& table);
+[[nodiscard]] std::string to_markdown(const TextTable& table);
+
 // A table of equation by driver and variant. A cell is "ok 0.85" with the worst error as a fraction of what
 // is allowed, "FAIL 3/100" with the inputs outside, or "not judged". It is the reason of a check that did not
 // run, and "-" if no check was run. Above the table are the drivers by number. Below it are, for each driver,

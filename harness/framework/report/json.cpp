@@ -29,12 +29,6 @@ ordered_json number_json(double value) {
     return value;
 }
 
-ordered_json numbers_json(const std::vector<double>& values) {
-    ordered_json array = ordered_json::array();
-    for (const double value : values) array.push_back(number_json(value));
-    return array;
-}
-
 void JsonReader::expected(const std::string& what) const {
     const std::string found =
         base::shortened(json_->dump(-1, ' ', false, ordered_json::error_handler_t::replace), longest_quote);
@@ -125,20 +119,10 @@ bool JsonReader::flag() const {
     return json_->get<bool>();
 }
 
-std::vector<double> JsonReader::numbers() const {
-    std::vector<double> all;
-    for (const JsonReader& element : elements()) all.push_back(element.number());
-    return all;
-}
-
-std::vector<std::uint32_t> JsonReader::words() const {
-    std::vector<std::uint32_t> all;
-    for (const JsonReader& element : elements()) {
-        const std::size_t word = element.count();
-        if (word > std::numeric_limits<std::uint32_t>::max()) element.expected("a 32-bit word");
-        all.push_back(static_cast<std::uint32_t>(word));
-    }
-    return all;
+std::uint32_t JsonReader::word() const {
+    const std::size_t word = count();
+    if (word > std::numeric_limits<std::uint32_t>::max()) expected("a 32-bit word");
+    return static_cast<std::uint32_t>(word);
 }
 
 std::size_t JsonReader::count_up_to(std::size_t most) const {

@@ -13,7 +13,6 @@ namespace gloam::report {
 
 // JSON has no infinity and no NaN; they become the strings "inf", "-inf" and "nan".
 [[nodiscard]] nlohmann::ordered_json number_json(double value);
-[[nodiscard]] nlohmann::ordered_json numbers_json(const std::vector<double>& values);
 
 // Reads JSON of a known structure. Every reader throws std::runtime_error with the place in the document,
 // what was found and what was expected: "results[3].inputs: expected a count, found "many"".
@@ -43,8 +42,7 @@ class JsonReader {
     [[nodiscard]] std::size_t count() const;
     [[nodiscard]] std::size_t count_up_to(std::size_t most) const;
     [[nodiscard]] bool flag() const;
-    [[nodiscard]] std::vector<double> numbers() const;
-    [[nodiscard]] std::vector<std::uint32_t> words() const;
+    [[nodiscard]] std::uint32_t word() const;
 
     [[noreturn]] void expected(const std::string& what) const;
 

@@ -41,8 +41,8 @@ std::vector<std::string> variants_of(const CheckReport& report) {
 }
 
 // The column titles, then a line for each equation.
-std::vector<Line> lines_of(const std::vector<CheckReport>& reports) {
-    std::vector<Line> lines{{"equation"}};
+TextTable lines_of(const std::vector<CheckReport>& reports) {
+    TextTable lines{{"equation"}};
     std::map<std::string, Line> by_equation;
     for (std::size_t i = 0; i < reports.size(); ++i) {
         const std::vector<std::string> variants = variants_of(reports[i]);
@@ -97,33 +97,6 @@ std::string summary(const CheckReport& report) {
     return text;
 }
 
-std::string aligned(const std::vector<Line>& lines) {
-    std::vector<std::size_t> widths(lines.front().size(), 0);
-    for (const Line& line : lines) {
-        for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
-    }
-    std::string text;
-    for (const Line& line : lines) {
-        std::string row;
-        for (std::size_t i = 0; i < line.size(); ++i) row += fmt::format("{:<{}}  ", line[i], widths[i]);
-        text += row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
-    }
-    return text;
-}
-
-// Text inside a Markdown table.
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) out += c == '|' ? "\\|" : c == '\n' ? std::string(" ") : std::string(1, c);
-    return out;
-}
-
-std::string markdown_line(const Line& line) {
-    std::string text = "|";
-    for (const std::string& one : line) text += " " + escaped(one) + " |";
-    return text + "\n";
-}
-
 }  // namespace
 
 std::string to_matrix(const std::vector<CheckReport>& reports) {
@@ -139,13 +112,40 @@ std::string to_matrix(const std::vector<CheckReport>& reports) {
 }
 
 std::string to_matrix_markdown(const std::vector<CheckReport>& reports) {
-    std::string text = "# Equations on drivers\n\n| driver | | result |\n| --- | --- | --- |\n";
-    for (std::size_t i = 0; i < reports.size(); ++i) {
-        text += markdown_line({std::to_string(i + 1), title_of(reports, i), summary(reports[i])});
+    TextTable drivers{{"driver", "", "result"}};
+    for (std::size_t i = 0; i < reports.size(); ++i)
+        drivers.push_back({std::to_string(i + 1), title_of(reports, i), summary(reports[i])});
+    return "# Equations on drivers\n\n" + to_markdown(drivers) + "\n" + to_markdown(lines_of(reports));
+}
+
+std::string aligned(const TextTable& table) {
+    std::vector<std::size_t> widths(table.front().size(), 0);
+    for (const Line& line : table)
+        for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
+    std::string text;
+    for (const Line& line : table) {
+        std::string row;
+        for (std::size_t i = 0; i < line.size(); ++i) row += fmt::format("{:<{}}  ", line[i], widths[i]);
+        text += row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
     }
-    const std::vector<Line> lines = lines_of(reports);
-    text += "\n" + markdown_line(lines.front()) + markdown_line(Line(lines.front().size(), "---"));
-    for (std::size_t i = 1; i < lines.size(); ++i) text += markdown_line(lines[i]);
+    return text;
+}
+
+std::string to_markdown(const TextTable& table) {
+    std::string text;
+    for (const Line& line : table) {
+        text += "|";
+        for (const std::string& cell : line) {
+            text += cell.empty() ? "" : " ";
+            for (const char c : cell) text += c == '|' ? "\\|" : c == '\n' ? " " : std::string(1, c);
+            text += " |";
+        }
+        text += "\n";
+        if (&line != &table.front()) continue;
+        text += "|";
+        for (std::size_t i = 0; i < line.size(); ++i) text += " --- |";
+        text += "\n";
+    }
     return text;
 }
 

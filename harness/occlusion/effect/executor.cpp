@@ -11,8 +11,8 @@
 #include "backend/vulkan/commands.hpp"
 #include "effect/internal/executor.hpp"
 #include "effect/internal/passes.hpp"
+#include "module/reflection.hpp"
 #include "scene/gbuffer.hpp"
-#include "shader/reflection.hpp"
 
 namespace gloam::effect {
 

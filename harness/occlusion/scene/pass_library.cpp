@@ -3,8 +3,8 @@
 
 #include <stdexcept>
 
-#include "shader/include.hpp"
-#include "shader/pack.hpp"
+#include "module/include.hpp"
+#include "module/texts.hpp"
 
 namespace gloam::scene {
 namespace {

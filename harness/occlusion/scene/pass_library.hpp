@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "shader/compile.hpp"
+#include "module/compile.hpp"
 
 namespace gloam::scene {
 

@@ -173,10 +173,9 @@ void main() { to[gl_GlobalInvocationID.x] = from[gl_GlobalInvocationID.x] + more
     Buffer settings(device(), 4);
     settings.write(0, std::vector<Word>{3});
     dispatch(device(), {.program = program,
-                        .storage = {from, to},
-                        .uniforms = settings,
-                        .uniform_binding = 5,
-                        .groups = static_cast<std::uint32_t>(awkward.size() / 4)});
+                        .storage = {{0, from}, {1, to}},
+                        .uniforms = {{5, settings}},
+                        .groups = {static_cast<std::uint32_t>(awkward.size() / 4), 1, 1}});
     std::vector<Word> want;
     for (const Word word : awkward) want.push_back(word + 3);
     want.push_back(0);
@@ -208,11 +207,11 @@ void main() {
     from.write(std::vector<float>{0.0F, 1.0F, 2.0F, 3.0F, 4.0F, 5.0F});
     EXPECT_THROW(from.write(std::vector<float>(7)), std::invalid_argument);
     const Buffer seen(device(), 6);
-    dispatch(device(), ImageDispatch{.program = program,
-                                     .images = {{1, from}, {3, to}},
-                                     .storage = {{2, seen}},
-                                     .uniforms = {},
-                                     .groups = {3, 2, 1}});
+    dispatch(device(), {.program = program,
+                        .storage = {{2, seen}},
+                        .uniforms = {},
+                        .images = {{1, from}, {3, to}},
+                        .groups = {3, 2, 1}});
     std::vector<float> want;
     for (int i = 0; i < 6; ++i) {
         const float x = static_cast<float>(i % 3);

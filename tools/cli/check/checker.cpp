@@ -15,9 +15,9 @@
 #include "cli/environment.hpp"
 #include "cli/names.hpp"
 #include "interpreter/program.hpp"
-#include "shader/include.hpp"
-#include "shader/spirv.hpp"
-#include "shader/steps.hpp"
+#include "module/include.hpp"
+#include "module/spirv.hpp"
+#include "module/steps.hpp"
 
 namespace gloam::cli {
 

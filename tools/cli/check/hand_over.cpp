@@ -15,23 +15,14 @@
 #include "check/answer.hpp"
 #include "check/lab.hpp"
 #include "check/reproduction.hpp"
+#include "module/spirv.hpp"
 #include "numeric/numbers.hpp"
-#include "report/check_report.hpp"
 #include "report/failures.hpp"
-#include "report/json.hpp"
-#include "shader/spirv.hpp"
 
 namespace gloam::cli {
 namespace {
 
 using nlohmann::json;
-
-// An input is sent as the worst of an otherwise empty answer.
-std::string worst_text(const std::optional<check::Sample>& worst) {
-    check::Answer row;
-    row.worst = worst;
-    return report::to_json(row);
-}
 
 std::string output_comment(const check::Reproduction& all, std::size_t i) {
     if (!all.failure) return "not judged";
@@ -101,10 +92,20 @@ check::Reproduction reproduction_of(const check::Lab& lab, const check::Question
 
 }  // namespace
 
+template <class Io>
+void members(Io& io, HandOverRequest& request) {
+    report::each(io, "hand_over", request.task, "ran", request.ran, "worst", request.worst);
+}
+
+template <class Io>
+void members(Io& io, HandOver& all) {
+    report::each(io, "glsl", all.glsl, "assembly", all.assembly, "spirv", all.spirv, "amber", all.amber,
+                 "shader_test", all.shader_test, "c_program", all.c_program, "steps", all.steps, "rules",
+                 all.rules, "before", all.before, "smallest", all.smallest, "error", all.error);
+}
+
 std::string to_line(const HandOverRequest& request) {
-    return json{
-        {"hand_over", to_line(request.task)}, {"ran", request.ran}, {"worst", worst_text(request.worst)}}
-        .dump();
+    return report::line_of(request);
 }
 
 bool is_hand_over_request(std::string_view line) {
@@ -113,41 +114,15 @@ bool is_hand_over_request(std::string_view line) {
 }
 
 HandOverRequest hand_over_request_from(std::string_view line) {
-    const json object = json::parse(line);
-    return {.task = task_from(object.at("hand_over").get<std::string>()),
-            .ran = object.at("ran").get<bool>(),
-            .worst = report::answer_from_json(object.at("worst").get<std::string>()).worst};
+    return report::from_line<HandOverRequest>(line);
 }
 
 std::string to_line(const HandOver& hand_over) {
-    return json{{"glsl", hand_over.glsl},
-                {"assembly", hand_over.assembly},
-                {"spirv", hand_over.spirv},
-                {"amber", hand_over.amber},
-                {"shader_test", hand_over.shader_test},
-                {"c_program", hand_over.c_program},
-                {"steps", hand_over.steps},
-                {"rules", hand_over.rules},
-                {"before", hand_over.before},
-                {"smallest", worst_text(hand_over.smallest)},
-                {"error", hand_over.error}}
-        .dump(-1, ' ', false, json::error_handler_t::replace);
+    return report::line_of(hand_over);
 }
 
 HandOver hand_over_from(std::string_view line) {
-    const nlohmann::ordered_json object = report::parse_json(line);
-    const report::JsonReader all(object, "");
-    return {.glsl = all.member("glsl").text(),
-            .assembly = all.member("assembly").text(),
-            .spirv = all.member("spirv").words(),
-            .amber = all.member("amber").text(),
-            .shader_test = all.member("shader_test").text(),
-            .c_program = all.member("c_program").text(),
-            .steps = all.member("steps").texts(),
-            .rules = all.member("rules").texts(),
-            .before = all.member("before").words(),
-            .smallest = report::answer_from_json(all.member("smallest").text()).worst,
-            .error = all.member("error").text()};
+    return report::from_line<HandOver>(line);
 }
 
 HandOverRequest request_for(const CheckTask& task, const check::Answer& row) {

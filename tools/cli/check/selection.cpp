@@ -12,7 +12,7 @@
 #include "cli/check/worker_session.hpp"
 #include "cli/environment.hpp"
 #include "cli/names.hpp"
-#include "shader/steps.hpp"
+#include "module/steps.hpp"
 
 namespace gloam::cli {
 namespace {

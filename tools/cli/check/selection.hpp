@@ -6,7 +6,7 @@
 
 #include "cli/check.hpp"
 #include "cli/check/task.hpp"
-#include "shader/compile.hpp"
+#include "module/compile.hpp"
 
 namespace gloam::cli {
 

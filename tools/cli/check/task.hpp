@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "report/check_report.hpp"
+#include "report/answer_json.hpp"
 
 namespace gloam::cli {
 
@@ -22,6 +22,13 @@ struct CheckTask {
     std::vector<std::string> ranges;    // of its parameters: see check::range_from()
     std::vector<std::string> includes;  // its further include roots
 };
+
+template <class Io>
+void members(Io& io, CheckTask& task) {
+    report::each(io, "equation", task.equation, "variant", task.variant, "inputs", task.inputs, "seed",
+                 task.seed, "coverage", task.coverage, "file", task.file, "ranges", task.ranges, "includes",
+                 task.includes);
+}
 
 // The messages between workers and their parent, one line of JSON each. Reading throws std::runtime_error
 // with the missing or invalid part.

@@ -17,8 +17,8 @@
 #include "cli/check/checker.hpp"
 #include "cli/environment.hpp"
 #include "cli/progress.hpp"
+#include "module/include.hpp"
 #include "numeric/random.hpp"
-#include "shader/include.hpp"
 
 namespace gloam::cli {
 namespace {

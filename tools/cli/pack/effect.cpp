@@ -12,8 +12,8 @@
 #include "cli/environment.hpp"
 #include "cli/settings.hpp"
 #include "effect/methods.hpp"
+#include "module/include.hpp"
 #include "report/output.hpp"
-#include "shader/include.hpp"
 
 namespace gloam::cli {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "effect/methods.hpp"
 #include "effect/plan.hpp"
+#include "module/compile.hpp"
 #include "scene/pass_library.hpp"
-#include "shader/compile.hpp"
 
 namespace gloam::cli {
 

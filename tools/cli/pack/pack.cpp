@@ -20,9 +20,9 @@
 #include "cli/names.hpp"
 #include "cli/pack/effect.hpp"
 #include "effect/methods.hpp"
+#include "module/include.hpp"
+#include "module/texts.hpp"
 #include "report/output.hpp"
-#include "shader/include.hpp"
-#include "shader/pack.hpp"
 #include "site/npm_package.hpp"
 
 namespace gloam::cli {

@@ -64,11 +64,13 @@ class ComputeKernel : public backend::Kernel {
             textures.back().bind(static_cast<std::uint32_t>(backend::KernelBinding::first_image + i));
         }
         Dispatch work{.program = program_,
-                      .storage = {inputs, outputs, faults},
-                      .uniforms = uniforms,
-                      .uniform_binding = kernel_run_binding,
-                      .groups = groups};
-        work.storage.insert(work.storage.end(), images.begin(), images.end());
+                      .storage = {{backend::KernelBinding::inputs, inputs},
+                                  {backend::KernelBinding::outputs, outputs},
+                                  {backend::KernelBinding::faults, faults}},
+                      .uniforms = {{kernel_run_binding, uniforms}},
+                      .groups = {groups, 1, 1}};
+        for (std::uint32_t i = 0; i < images.size(); ++i)
+            work.storage.emplace(backend::KernelBinding::first_image + i, images[i]);
         dispatch(device_, work);
 
         memory.outputs = outputs.read();

@@ -44,6 +44,16 @@ std::string with_line(const ShaderText& shader, const std::string& log) {
     return fmt::format("{}: line {}: {} [{}]", shader.name, line, one_line(log), line_of(shader.text, line));
 }
 
+// What the driver says of a shader or a program, by the functions for it.
+template <class Number, class Log>
+std::string log_of(GLuint object, Number number, Log log) {
+    GLint length = 0;
+    number(object, GL_INFO_LOG_LENGTH, &length);
+    std::string text(static_cast<std::size_t>(std::max(length, 1)), '\0');
+    log(object, static_cast<GLsizei>(text.size()), nullptr, text.data());
+    return text;
+}
+
 // A shader object, until it is part of a program.
 class Shader {
   public:
@@ -55,7 +65,7 @@ class Shader {
         GLint compiled = GL_FALSE;
         gl_.GetShaderiv(handle_, GL_COMPILE_STATUS, &compiled);
         if (compiled == GL_TRUE) return;
-        const std::string message = with_line(shader, log());
+        const std::string message = with_line(shader, log_of(handle_, gl_.GetShaderiv, gl_.GetShaderInfoLog));
         gl_.DeleteShader(handle_);
         throw CompileFailed(message);
     }
@@ -66,25 +76,9 @@ class Shader {
     [[nodiscard]] GLuint handle() const { return handle_; }
 
   private:
-    [[nodiscard]] std::string log() const {
-        GLint length = 0;
-        gl_.GetShaderiv(handle_, GL_INFO_LOG_LENGTH, &length);
-        std::string text(static_cast<std::size_t>(std::max(length, 1)), '\0');
-        gl_.GetShaderInfoLog(handle_, static_cast<GLsizei>(text.size()), nullptr, text.data());
-        return text;
-    }
-
     const Functions& gl_;
     GLuint handle_;
 };
-
-std::string link_log(const Functions& gl, GLuint program) {
-    GLint length = 0;
-    gl.GetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
-    std::string text(static_cast<std::size_t>(std::max(length, 1)), '\0');
-    gl.GetProgramInfoLog(program, static_cast<GLsizei>(text.size()), nullptr, text.data());
-    return one_line(text);
-}
 
 }  // namespace
 
@@ -104,36 +98,15 @@ Program::Program(const Device& device, Stage stage, const ShaderText& shader)
     GLint linked = GL_FALSE;
     gl.GetProgramiv(handle(), GL_LINK_STATUS, &linked);
     if (linked != GL_TRUE)
-        throw LinkFailed(fmt::format("{}: does not link: {}", shader.name, link_log(gl, handle())));
+        throw LinkFailed(fmt::format("{}: does not link: {}", shader.name,
+                                     one_line(log_of(handle(), gl.GetProgramiv, gl.GetProgramInfoLog))));
 }
-
-namespace {
-
-void require_compute(const Device& device) {
-    if (!has_compute(device.info().id.version))
-        throw CallFailed(to_string(device.info().id.version) + " has no compute shaders");
-}
-
-}  // namespace
 
 void dispatch(const Device& device, const Dispatch& work) {
     const internal::Context& context = device.context();
     const internal::Functions& gl = context.use();
-    require_compute(device);
-    gl.UseProgram(work.program.handle());
-    for (std::size_t i = 0; i < work.storage.size(); ++i)
-        gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(i), work.storage[i].get().handle());
-    gl.BindBufferBase(GL_UNIFORM_BUFFER, work.uniform_binding, work.uniforms.handle());
-    gl.DispatchCompute(work.groups, 1, 1);
-    gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
-    gl.Finish();
-    context.check("a compute shader");
-}
-
-void dispatch(const Device& device, const ImageDispatch& work) {
-    const internal::Context& context = device.context();
-    const internal::Functions& gl = context.use();
-    require_compute(device);
+    if (!has_compute(device.info().id.version))
+        throw CallFailed(to_string(device.info().id.version) + " has no compute shaders");
     gl.UseProgram(work.program.handle());
     for (const auto& [binding, image] : work.images) {
         const auto level = work.levels.find(binding);
@@ -151,7 +124,7 @@ void dispatch(const Device& device, const ImageDispatch& work) {
     gl.DispatchCompute(work.groups[0], work.groups[1], work.groups[2]);
     gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
     gl.Finish();
-    context.check("a compute shader over images");
+    context.check("a compute shader");
 }
 
 namespace {

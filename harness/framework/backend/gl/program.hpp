@@ -39,30 +39,17 @@ class Program {
 // One run of a compute shader.
 struct Dispatch {
     const Program& program;
-    // Storage buffer i has the binding i.
-    std::vector<std::reference_wrapper<const Buffer>> storage;
-    // A uniform buffer, and its binding.
-    const Buffer& uniforms;
-    std::uint32_t uniform_binding = 0;
-    std::uint32_t groups = 1;  // work groups, in one row
-};
-
-// Runs it and waits for its end. Throws backend::OutOfMemory, CallFailed.
-void dispatch(const Device& device, const Dispatch& work);
-
-// A pass over images.
-struct ImageDispatch {
-    const Program& program;
-    // By binding, for a storage image and for a sampled image alike.
-    std::map<std::uint32_t, std::reference_wrapper<const Image>> images;
-    std::map<std::uint32_t, std::uint32_t> levels;  // of storage images, by binding; else the first
     std::map<std::uint32_t, std::reference_wrapper<const Buffer>> storage;   // by binding
     std::map<std::uint32_t, std::reference_wrapper<const Buffer>> uniforms;  // by binding
+    // By binding, for a storage image and for a sampled image alike.
+    std::map<std::uint32_t, std::reference_wrapper<const Image>> images{};
+    std::map<std::uint32_t, std::uint32_t> levels{};  // of storage images, by binding; else the first
     std::array<std::uint32_t, 3> groups{1, 1, 1};
 };
 
-// The same. Passes that follow see what this one has written.
-void dispatch(const Device& device, const ImageDispatch& work);
+// Runs it and waits for its end. Runs that follow see what this one has written. Throws backend::OutOfMemory,
+// CallFailed.
+void dispatch(const Device& device, const Dispatch& work);
 
 // One run of a fragment shader over all pixels of its targets. Targets have four unsigned channels of 32 bits
 // (RGBA32UI); target i is the shader's output at location i.

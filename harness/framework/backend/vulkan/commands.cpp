@@ -23,20 +23,37 @@ vk::raii::Pipeline make_pipeline(const Context& context, const vk::raii::Pipelin
     return {context.device, context.cache.handle(), info};
 }
 
-ComputeHandles create(const Context& context, const ComputeProgram& program) {
+ComputePipeline::Handles create(Context& context, const ComputeProgram& program) {
     auto set_layout = make_set_layout(context, program.bindings, vk::ShaderStageFlagBits::eCompute);
     auto layout =
         make_layout(context, set_layout, vk::ShaderStageFlagBits::eCompute, program.push_constant_bytes);
     auto pipeline = make_pipeline(context, layout, program);
-    return {std::move(set_layout), std::move(layout), std::move(pipeline)};
+    return {context,
+            {{program.spirv.begin(), program.spirv.end()}, program.constants, program.bindings},
+            std::move(set_layout),
+            std::move(layout),
+            std::move(pipeline)};
+}
+
+struct Kind {
+    vk::DescriptorType type;
+    const char* name;
+};
+
+Kind traits(BindingKind kind) {
+    static constexpr std::array kinds{Kind{vk::DescriptorType::eStorageBuffer, "storage buffer"},
+                                      Kind{vk::DescriptorType::eStorageImage, "storage image"},
+                                      Kind{vk::DescriptorType::eCombinedImageSampler, "sampled image"},
+                                      Kind{vk::DescriptorType::eUniformBuffer, "uniform buffer"}};
+    return kinds.at(static_cast<std::size_t>(kind));
 }
 
 void check_count(const Context& context, std::span<const BindingKind> kinds, BindingKind kind,
                  std::uint32_t limit) {
-    const auto count = std::ranges::count(kinds, descriptor_type(kind), descriptor_type);
+    const auto count = std::ranges::count(kinds, kind);
     if (count > limit) {
         throw std::invalid_argument(fmt::format("pipeline with {} {} bindings: device \"{}\" allows {}",
-                                                count, name_of(kind), context.physical.info.name, limit));
+                                                count, traits(kind).name, context.physical.info.name, limit));
     }
 }
 
@@ -66,7 +83,7 @@ vk::raii::DescriptorSetLayout make_set_layout(const Context& context, std::span<
     std::vector<vk::DescriptorSetLayoutBinding> bindings;
     for (std::uint32_t i = 0; i < kinds.size(); ++i)
         bindings.push_back({.binding = i,
-                            .descriptorType = descriptor_type(kinds[i]),
+                            .descriptorType = traits(kinds[i]).type,
                             .descriptorCount = 1,
                             .stageFlags = stages});
     return {context.device,
@@ -74,30 +91,12 @@ vk::raii::DescriptorSetLayout make_set_layout(const Context& context, std::span<
                                               .pBindings = bindings.data()}};
 }
 
-vk::DescriptorType descriptor_type(BindingKind kind) {
-    static constexpr std::array types{vk::DescriptorType::eStorageBuffer, vk::DescriptorType::eStorageImage,
-                                      vk::DescriptorType::eCombinedImageSampler,
-                                      vk::DescriptorType::eUniformBuffer};  // in the order of BindingKind
-    return types.at(static_cast<std::size_t>(kind));
-}
-
-const char* name_of(BindingKind kind) {
-    static constexpr std::array names{"storage buffer", "storage image", "sampled image", "uniform buffer"};
-    return names.at(static_cast<std::size_t>(kind));
-}
-
-ComputePipeline::Impl::Impl(Context& owner, const ComputeProgram& made_of)
-    : context(owner),
-      bindings(made_of.bindings),
-      program{{made_of.spirv.begin(), made_of.spirv.end()}, made_of.constants, made_of.bindings},
-      handles(owner, create(owner, made_of)) {}
-
 const PipelineProgram& program_of(const ComputePipeline& pipeline) {
-    return pipeline.impl().program;
+    return pipeline.handles().program;
 }
 
 ComputePipeline::ComputePipeline(const Device& device, const ComputeProgram& program)
-    : impl_(base::make_hidden<Impl>(device.impl(), program)) {}
+    : handles_(owned(create(device.impl(), program))) {}
 
 namespace {
 
@@ -105,10 +104,6 @@ constexpr std::uint32_t sets_per_pool = 64;
 constexpr std::uint32_t descriptors_per_pool = 256;  // of each kind
 
 }  // namespace
-
-const vk::raii::DescriptorSet& DescriptorAllocator::allocate(const ComputePipeline::Impl& pipeline) {
-    return allocate(pipeline.context, pipeline.handles->set_layout, pipeline.bindings);
-}
 
 const vk::raii::DescriptorSet& DescriptorAllocator::allocate(const Context& context,
                                                              const vk::raii::DescriptorSetLayout& layout,
@@ -132,8 +127,7 @@ void DescriptorAllocator::add_pool(const Context& context, const Counts& needed)
     std::array<vk::DescriptorPoolSize, binding_kinds> sizes;
     for (std::size_t kind = 0; kind < binding_kinds; ++kind) {
         left_[kind] = std::max(needed[kind], descriptors_per_pool);
-        sizes[kind] = {.type = descriptor_type(static_cast<BindingKind>(kind)),
-                       .descriptorCount = left_[kind]};
+        sizes[kind] = {.type = traits(static_cast<BindingKind>(kind)).type, .descriptorCount = left_[kind]};
     }
     pools_.emplace_back(context.device, vk::DescriptorPoolCreateInfo{
                                             .flags = vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet,
@@ -142,61 +136,51 @@ void DescriptorAllocator::add_pool(const Context& context, const Counts& needed)
                                             .pPoolSizes = sizes.data()});
 }
 
+namespace {
+
+// What a descriptor says of a resource.
+using Info = std::variant<vk::DescriptorBufferInfo, vk::DescriptorImageInfo>;
+struct InfoOf {
+    const Context& context;
+
+    static Info image(vk::ImageView view, vk::Sampler sampler) {
+        return vk::DescriptorImageInfo{
+            .sampler = sampler, .imageView = view, .imageLayout = vk::ImageLayout::eGeneral};
+    }
+    Info operator()(const Buffer& buffer) const {
+        return vk::DescriptorBufferInfo{.buffer = *buffer.handles().buffer, .range = VK_WHOLE_SIZE};
+    }
+    Info operator()(const Image& all) const { return image(*all.handles().view, *context.sampler); }
+    Info operator()(const SampledImage& all) const {
+        return image(*all.handles().view, *all.handles().sampler);
+    }
+    Info operator()(const LayeredImage& all) const { return image(*all.handles().view, {}); }
+    Info operator()(const ImageLevel& one) const {
+        return image(*one.image.get().handles().levels.at(one.level), {});
+    }
+    Info operator()(const LinearImage& all) const {
+        return image(*all.image.get().handles().view, *context.linear);
+    }
+};
+
+}  // namespace
+
 void write_descriptors(const Context& context, const vk::raii::DescriptorSet& set,
                        std::span<const BindingKind> bindings, std::span<const Resource> resources) {
-    std::vector<vk::DescriptorBufferInfo> buffers(resources.size());
-    std::vector<vk::DescriptorImageInfo> images(resources.size());
+    std::vector<Info> infos;
+    for (const Resource& resource : resources) infos.push_back(std::visit(InfoOf{context}, resource));
     std::vector<vk::WriteDescriptorSet> writes;
-    for (std::uint32_t i = 0; i < resources.size(); ++i) {
-        vk::WriteDescriptorSet write{.dstSet = *set,
-                                     .dstBinding = i,
-                                     .descriptorCount = 1,
-                                     .descriptorType = descriptor_type(bindings[i])};
-        if (const auto* buffer = std::get_if<std::reference_wrapper<const Buffer>>(&resources[i])) {
-            buffers[i] = vk::DescriptorBufferInfo{.buffer = *buffer->get().impl().handles->buffer,
-                                                  .range = VK_WHOLE_SIZE};
-            write.pBufferInfo = &buffers[i];
-        } else if (const auto* sampled =
-                       std::get_if<std::reference_wrapper<const SampledImage>>(&resources[i])) {
-            const SampledHandles& handles = *sampled->get().impl().handles;
-            images[i] = vk::DescriptorImageInfo{.sampler = *handles.sampler,
-                                                .imageView = *handles.view,
-                                                .imageLayout = vk::ImageLayout::eGeneral};
-            write.pImageInfo = &images[i];
-        } else if (const auto* layered =
-                       std::get_if<std::reference_wrapper<const LayeredImage>>(&resources[i])) {
-            images[i] = vk::DescriptorImageInfo{.imageView = *layered->get().impl().handles->view,
-                                                .imageLayout = vk::ImageLayout::eGeneral};
-            write.pImageInfo = &images[i];
-        } else if (const auto* level = std::get_if<ImageLevel>(&resources[i])) {
-            images[i] =
-                vk::DescriptorImageInfo{.imageView = *level->image.get().impl().levels->at(level->level),
-                                        .imageLayout = vk::ImageLayout::eGeneral};
-            write.pImageInfo = &images[i];
-        } else {
-            const auto* linear = std::get_if<LinearImage>(&resources[i]);
-            const Image& image =
-                linear ? linear->image : std::get<std::reference_wrapper<const Image>>(resources[i]);
-            images[i] = vk::DescriptorImageInfo{.sampler = linear ? *context.linear : *context.sampler,
-                                                .imageView = *image.impl().handles->view,
-                                                .imageLayout = vk::ImageLayout::eGeneral};
-            write.pImageInfo = &images[i];
-        }
-        writes.push_back(write);
-    }
+    for (std::uint32_t i = 0; i < infos.size(); ++i)
+        writes.push_back({.dstSet = *set,
+                          .dstBinding = i,
+                          .descriptorCount = 1,
+                          .descriptorType = traits(bindings[i]).type,
+                          .pImageInfo = std::get_if<vk::DescriptorImageInfo>(&infos[i]),
+                          .pBufferInfo = std::get_if<vk::DescriptorBufferInfo>(&infos[i])});
     context.device.updateDescriptorSets(writes, nullptr);
 }
 
 namespace {
-
-Recording create(const Context& context) {
-    vk::raii::CommandBuffers buffers(context.device, {.commandPool = *context.command_pool,
-                                                      .level = vk::CommandBufferLevel::ePrimary,
-                                                      .commandBufferCount = 1});
-    buffers.front().begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
-    device_barrier(buffers.front());
-    return {.buffers = std::move(buffers), .descriptors = {}, .timestamps = {}, .framebuffers = {}};
-}
 
 void check_groups(const DeviceInfo& device, const std::array<std::uint32_t, 3>& groups) {
     for (std::size_t i = 0; i < groups.size(); ++i) {
@@ -210,52 +194,45 @@ void check_groups(const DeviceInfo& device, const std::array<std::uint32_t, 3>& 
 
 }  // namespace
 
-Commands::Impl::Impl(Context& owner) : context(owner), handles(owner, create(owner)) {}
-
-const vk::raii::CommandBuffer& Commands::Impl::recording() const {
+const vk::raii::CommandBuffer& Commands::Handles::recording() const {
     if (state != State::recording) throw std::runtime_error("these commands were submitted: record new ones");
-    return handles->buffers.front();
+    return buffers.front();
 }
 
-void Commands::Impl::bind(const ComputePipeline& pipeline, std::span<const Resource> resources,
-                          std::span<const std::byte> push_constants) {
-    constexpr auto point = vk::PipelineBindPoint::eCompute;
-    const auto& program = pipeline.impl();
-    const auto& commands = recording();
-    commands.bindPipeline(point, *program.handles->pipeline);
-    if (!resources.empty()) {
-        const auto& set = handles->descriptors.allocate(program);
-        write_descriptors(context, set, program.bindings, resources);
-        commands.bindDescriptorSets(point, *program.handles->layout, 0, *set, nullptr);
-    }
-    if (!push_constants.empty()) {
-        commands.pushConstants<std::byte>(*program.handles->layout, vk::ShaderStageFlagBits::eCompute, 0,
-                                          push_constants);
-    }
-}
-
-Commands::Commands(const Device& device) : impl_(base::make_hidden<Impl>(device.impl())) {}
+Commands::Commands(const Device& device)
+    : handles_(owned(Handles{.context = device.impl(), .buffers = begun(device.impl())})) {}
 
 void Commands::dispatch(const ComputePipeline& pipeline, std::span<const Resource> resources,
                         std::array<std::uint32_t, 3> groups, std::span<const std::byte> push_constants) {
-    check_groups(impl_->context.physical.info, groups);
-    impl_->bind(pipeline, resources, push_constants);
-    const auto& commands = impl_->recording();
+    constexpr auto point = vk::PipelineBindPoint::eCompute;
+    check_groups(handles_->context.physical.info, groups);
+    const auto& program = pipeline.handles();
+    const auto& commands = handles_->recording();
+    commands.bindPipeline(point, *program.pipeline);
+    if (!resources.empty()) {
+        const auto& set =
+            handles_->descriptors.allocate(program.context, program.set_layout, program.program.bindings);
+        write_descriptors(program.context, set, program.program.bindings, resources);
+        commands.bindDescriptorSets(point, *program.layout, 0, *set, nullptr);
+    }
+    if (!push_constants.empty())
+        commands.pushConstants<std::byte>(*program.layout, vk::ShaderStageFlagBits::eCompute, 0,
+                                          push_constants);
     commands.dispatch(groups[0], groups[1], groups[2]);
     device_barrier(commands);
 }
 
 void Commands::dispatch(const ComputePipeline& pipeline, std::span<const Resource> resources,
                         const Buffer& groups, std::span<const std::byte> push_constants) {
-    impl_->bind(pipeline, resources, push_constants);
-    const auto& commands = impl_->recording();
-    commands.dispatchIndirect(*groups.impl().handles->buffer, 0);
+    handles_->bind(pipeline, resources, push_constants);
+    const auto& commands = handles_->recording();
+    commands.dispatchIndirect(*groups.handles().buffer, 0);
     device_barrier(commands);
 }
 
 std::size_t Commands::timestamp() {
-    const auto& commands = impl_->recording();
-    const std::size_t position = impl_->handles->timestamps.record(impl_->context, commands);
+    const auto& commands = handles_->recording();
+    const std::size_t position = handles_->timestamps.record(handles_->context, commands);
     // lavapipe delays a dispatch until something waits for it. Without a barrier, the time of the work before
     // the reading would count after it. One that makes nothing visible suffices, and takes 3 us less of an
     // H200.
@@ -265,19 +242,19 @@ std::size_t Commands::timestamp() {
 }
 
 void Commands::submit() {
-    const auto& commands = impl_->recording();
+    const auto& commands = handles_->recording();
     host_barrier(commands);
     commands.end();
-    impl_->state = Impl::State::submitted;
-    impl_->context.run(commands);
-    impl_->state = Impl::State::finished;
+    handles_->state = Handles::State::submitted;
+    handles_->context.run(commands);
+    handles_->state = Handles::State::finished;
 }
 
 std::vector<double> Commands::times_ms() const {
-    if (impl_->state != Impl::State::finished) {
+    if (handles_->state != Handles::State::finished) {
         throw std::runtime_error("times of commands that have not been submitted and finished");
     }
-    return impl_->handles->timestamps.read_ms(impl_->context);
+    return handles_->timestamps.read_ms(handles_->context);
 }
 
 }  // namespace gloam::gpu

@@ -35,11 +35,11 @@ class ComputePipeline {
   public:
     ComputePipeline(const Device& device, const ComputeProgram& program);
 
-    struct Impl;
-    [[nodiscard]] Impl& impl() const { return *impl_; }
+    struct Handles;
+    [[nodiscard]] Handles& handles() const { return *handles_; }
 
   private:
-    base::Hidden<Impl> impl_;
+    base::Hidden<Handles> handles_;
 };
 
 // The resource of a binding: a whole storage buffer, or an image. Shaders may write to buffers and storage
@@ -77,11 +77,11 @@ class Commands {
     // NaN where DeviceInfo::timestamp_period_ns is 0. Throws std::runtime_error unless submit() succeeded.
     [[nodiscard]] std::vector<double> times_ms() const;
 
-    struct Impl;
-    [[nodiscard]] Impl& impl() const { return *impl_; }
+    struct Handles;
+    [[nodiscard]] Handles& handles() const { return *handles_; }
 
   private:
-    base::Hidden<Impl> impl_;
+    base::Hidden<Handles> handles_;
 };
 
 // The parts of a pipeline that runs a fragment shader for the pixels of one triangle. Its only outputs are
@@ -101,11 +101,11 @@ class RasterPipeline {
   public:
     RasterPipeline(const Device& device, const RasterProgram& program);
 
-    struct Impl;
-    [[nodiscard]] Impl& impl() const { return *impl_; }
+    struct Handles;
+    [[nodiscard]] Handles& handles() const { return *handles_; }
 
   private:
-    base::Hidden<Impl> impl_;
+    base::Hidden<Handles> handles_;
 };
 
 // Runs the pipeline in a viewport of this size, with the resources at its bindings; later commands can read

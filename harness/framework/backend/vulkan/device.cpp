@@ -99,14 +99,22 @@ Device::Impl::~Impl() {
     cache.save();
 }
 
+vk::raii::CommandBuffers begun(const Context& context) {
+    vk::raii::CommandBuffers buffers(context.device, {.commandPool = *context.command_pool,
+                                                      .level = vk::CommandBufferLevel::ePrimary,
+                                                      .commandBufferCount = 1});
+    buffers.front().begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    device_barrier(buffers.front());
+    return buffers;
+}
+
 void Device::Impl::run_once(const std::function<void(const vk::raii::CommandBuffer&)>& record) {
-    Guarded<vk::raii::CommandBuffers> buffers(
-        *this, vk::raii::CommandBuffers(device, {.commandPool = *command_pool,
-                                                 .level = vk::CommandBufferLevel::ePrimary,
-                                                 .commandBufferCount = 1}));
-    const auto& commands = buffers->front();
-    commands.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
-    device_barrier(commands);
+    struct OneTime {
+        Context& context;
+        vk::raii::CommandBuffers buffers;
+    };
+    const auto once = owned(OneTime{*this, begun(*this)});
+    const auto& commands = once->buffers.front();
     record(commands);
     host_barrier(commands);
     commands.end();

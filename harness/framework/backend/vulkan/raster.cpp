@@ -54,48 +54,42 @@ vk::raii::Pipeline make_pipeline(const Context& context, const RasterProgram& pr
                                            .renderPass = *render_pass}};
 }
 
-RasterHandles create(const Context& context, const RasterProgram& program) {
+RasterPipeline::Handles create(Context& context, const RasterProgram& program) {
     auto render_pass = make_render_pass(context);
     auto set_layout = make_set_layout(context, program.bindings, raster_stages);
     auto layout = make_layout(context, set_layout, raster_stages, program.push_constant_bytes);
     auto pipeline = make_pipeline(context, program, render_pass, layout);
-    return {std::move(render_pass), std::move(set_layout), std::move(layout), std::move(pipeline)};
+    return {context,           program.bindings,   std::move(render_pass), std::move(set_layout),
+            std::move(layout), std::move(pipeline)};
 }
 
 }  // namespace
 
-RasterPipeline::Impl::Impl(Context& owner, const RasterProgram& program)
-    : context(owner), bindings(program.bindings), handles(owner, create(owner, program)) {}
-
 RasterPipeline::RasterPipeline(const Device& device, const RasterProgram& program)
-    : impl_(base::make_hidden<Impl>(device.impl(), program)) {}
+    : handles_(owned(create(device.impl(), program))) {}
 
 void render(Commands& commands, const RasterPipeline& pipeline, Extent extent,
             std::span<const Resource> resources, std::span<const std::byte> push_constants) {
-    const auto& program = pipeline.impl();
-    const auto& recording = commands.impl().recording();
-    Recording& handles = *commands.impl().handles;
+    const auto& program = pipeline.handles();
+    Commands::Handles& handles = commands.handles();
+    const auto& recording = handles.recording();
     const vk::Rect2D area{.extent = {extent.width, extent.height}};
-    handles.framebuffers.emplace_back(program.context.device,
-                                      vk::FramebufferCreateInfo{.renderPass = *program.handles->render_pass,
-                                                                .width = extent.width,
-                                                                .height = extent.height,
-                                                                .layers = 1});
-    recording.beginRenderPass({.renderPass = *program.handles->render_pass,
-                               .framebuffer = *handles.framebuffers.back(),
-                               .renderArea = area},
-                              vk::SubpassContents::eInline);
-    recording.bindPipeline(vk::PipelineBindPoint::eGraphics, *program.handles->pipeline);
+    handles.framebuffers.emplace_back(
+        program.context.device,
+        vk::FramebufferCreateInfo{
+            .renderPass = *program.render_pass, .width = extent.width, .height = extent.height, .layers = 1});
+    recording.beginRenderPass(
+        {.renderPass = *program.render_pass, .framebuffer = *handles.framebuffers.back(), .renderArea = area},
+        vk::SubpassContents::eInline);
+    recording.bindPipeline(vk::PipelineBindPoint::eGraphics, *program.pipeline);
     recording.setViewport(0, vk::Viewport{.width = static_cast<float>(extent.width),
                                           .height = static_cast<float>(extent.height),
                                           .maxDepth = 1.0f});
     recording.setScissor(0, area);
-    const auto& set =
-        handles.descriptors.allocate(program.context, program.handles->set_layout, program.bindings);
+    const auto& set = handles.descriptors.allocate(program.context, program.set_layout, program.bindings);
     write_descriptors(program.context, set, program.bindings, resources);
-    recording.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *program.handles->layout, 0, *set,
-                                 nullptr);
-    recording.pushConstants<std::byte>(*program.handles->layout, raster_stages, 0, push_constants);
+    recording.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *program.layout, 0, *set, nullptr);
+    recording.pushConstants<std::byte>(*program.layout, raster_stages, 0, push_constants);
     recording.draw(3, 1, 0, 0);
     recording.endRenderPass();
     device_barrier(recording);

@@ -11,9 +11,8 @@
 #include "base/half.hpp"
 
 namespace gloam::gpu {
-namespace {
 
-BufferHandles create(const Context& context, std::size_t bytes) {
+Buffer::Handles make_buffer(Context& context, std::size_t bytes) {
     const auto limit = context.physical.info.max_buffer_bytes;
     if (bytes == 0 || bytes > limit) {
         throw std::runtime_error(fmt::format("buffer of {} bytes: device \"{}\" allows 1 to {}", bytes,
@@ -32,27 +31,21 @@ BufferHandles create(const Context& context, std::size_t bytes) {
         allocate(context, buffer.getMemoryRequirements(), {coherent | Property::eHostCached, coherent},
                  fmt::format("buffer of {} bytes", bytes));
     buffer.bindMemory(*memory, 0);
-    return {std::move(buffer), std::move(memory)};
+    auto* mapped = static_cast<std::byte*>(memory.mapMemory(0, VK_WHOLE_SIZE));
+    return {context, std::move(buffer), std::move(memory), {mapped, bytes}};
 }
-
-}  // namespace
-
-Buffer::Impl::Impl(Context& owner, std::size_t bytes)
-    : context(owner),
-      handles(owner, create(owner, bytes)),
-      mapped(static_cast<std::byte*>(handles->memory.mapMemory(0, VK_WHOLE_SIZE)), bytes) {}
 
 Buffer::Buffer(const Device& device, std::size_t bytes)
-    : impl_(base::make_hidden<Impl>(device.impl(), bytes)) {}
+    : handles_(owned(make_buffer(device.impl(), bytes))) {}
 
 std::size_t Buffer::size() const {
-    return impl_->mapped.size();
+    return handles_->mapped.size();
 }
 std::span<std::byte> Buffer::bytes() {
-    return impl_->mapped;
+    return handles_->mapped;
 }
 std::span<const std::byte> Buffer::bytes() const {
-    return impl_->mapped;
+    return handles_->mapped;
 }
 
 const FormatTraits& traits(Format format) {
@@ -133,13 +126,6 @@ void check_size(const Context& context, Extent extent, Format format) {
     }
 }
 
-ImageHandles create(Context& context, Extent extent, Format format, std::uint32_t levels) {
-    context.require_idle();  // a driver may wait for the work before it makes an image
-    check_size(context, extent, format);
-    return make_image(context, create_info(extent, format, levels), vk::ImageViewType::e2D,
-                      vk::ImageAspectFlagBits::eColor, describe(extent, format));
-}
-
 std::vector<vk::raii::ImageView> views_of_levels(const Context& context, vk::Image image, Format format,
                                                  std::uint32_t levels) {
     std::vector<vk::raii::ImageView> views;
@@ -153,9 +139,18 @@ std::vector<vk::raii::ImageView> views_of_levels(const Context& context, vk::Ima
     return views;
 }
 
+Image::Handles create(Context& context, Extent extent, Format format, std::uint32_t levels) {
+    context.require_idle();  // a driver may wait for the work before it makes an image
+    check_size(context, extent, format);
+    ImageHandles all = make_image(context, create_info(extent, format, levels), vk::ImageViewType::e2D,
+                                  vk::ImageAspectFlagBits::eColor, describe(extent, format));
+    auto views = views_of_levels(context, *all.image, format, levels);
+    return {std::move(all), extent, format, std::move(views)};
+}
+
 }  // namespace
 
-ImageHandles make_image(const Context& context, const vk::ImageCreateInfo& info, vk::ImageViewType type,
+ImageHandles make_image(Context& context, const vk::ImageCreateInfo& info, vk::ImageViewType type,
                         vk::ImageAspectFlags aspect, const std::string& purpose) {
     vk::raii::Image image(context.device, info);
     auto memory = allocate(context, image.getMemoryRequirements(),
@@ -168,10 +163,10 @@ ImageHandles make_image(const Context& context, const vk::ImageCreateInfo& info,
                                                      .subresourceRange = {.aspectMask = aspect,
                                                                           .levelCount = info.mipLevels,
                                                                           .layerCount = info.arrayLayers}});
-    return {std::move(image), std::move(memory), std::move(view)};
+    return {context, std::move(image), std::move(memory), std::move(view)};
 }
 
-void begin_general_layout(const vk::raii::CommandBuffer& commands, vk::Image image,
+void begin_general_layout(const vk::raii::CommandBuffer& commands, const ImageHandles& image,
                           const vk::ImageSubresourceRange& all_of_it) {
     constexpr auto all = vk::PipelineStageFlagBits::eAllCommands;
     using Access = vk::AccessFlagBits;
@@ -180,35 +175,28 @@ void begin_general_layout(const vk::raii::CommandBuffer& commands, vk::Image ima
                                          .newLayout = vk::ImageLayout::eGeneral,
                                          .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
                                          .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                                         .image = image,
+                                         .image = *image.image,
                                          .subresourceRange = all_of_it};
     commands.pipelineBarrier(all, all, {}, nullptr, nullptr, barrier);
 }
 
-Image::Impl::Impl(Context& owner, Extent size, Format kind, std::uint32_t level_count)
-    : context(owner),
-      extent(size),
-      format(kind),
-      handles(owner, create(owner, size, kind, level_count)),
-      levels(owner, views_of_levels(owner, *handles->image, kind, level_count)) {
-    context.run_once([&](const vk::raii::CommandBuffer& commands) {
+Image::Image(const Device& device, Extent extent, Format format, std::uint32_t levels)
+    : handles_(owned(create(device.impl(), extent, format, levels))) {
+    handles_->context.run_once([&](const vk::raii::CommandBuffer& commands) {
         begin_general_layout(
-            commands, *handles->image,
-            {.aspectMask = vk::ImageAspectFlagBits::eColor, .levelCount = level_count, .layerCount = 1});
+            commands, *handles_,
+            {.aspectMask = vk::ImageAspectFlagBits::eColor, .levelCount = levels, .layerCount = 1});
     });
 }
 
-Image::Image(const Device& device, Extent extent, Format format, std::uint32_t levels)
-    : impl_(base::make_hidden<Impl>(device.impl(), extent, format, levels)) {}
-
 Extent Image::extent() const {
-    return impl_->extent;
+    return handles_->extent;
 }
 Format Image::format() const {
-    return impl_->format;
+    return handles_->format;
 }
 std::uint32_t Image::levels() const {
-    return static_cast<std::uint32_t>(impl_->levels->size());
+    return static_cast<std::uint32_t>(handles_->levels.size());
 }
 
 namespace {
@@ -222,20 +210,20 @@ struct Band {
     std::uint32_t rows;
 };
 
-std::size_t row_floats(const Image::Impl& image) {
+std::size_t row_floats(const Image::Handles& image) {
     return std::size_t{image.extent.width} * static_cast<std::size_t>(traits(image.format).channels);
 }
 
-std::size_t row_bytes(const Image::Impl& image) {
+std::size_t row_bytes(const Image::Handles& image) {
     return image.extent.width * traits(image.format).texel_bytes;
 }
 
-std::uint32_t band_rows(const Image::Impl& image) {
+std::uint32_t band_rows(const Image::Handles& image) {
     const auto rows = std::clamp<std::size_t>(band_bytes / row_bytes(image), 1, image.extent.height);
     return static_cast<std::uint32_t>(rows);
 }
 
-vk::BufferImageCopy copy_region(const Image::Impl& image, Band band) {
+vk::BufferImageCopy copy_region(const Image::Handles& image, Band band) {
     return {.imageSubresource = {.aspectMask = vk::ImageAspectFlagBits::eColor, .layerCount = 1},
             .imageOffset = {0, static_cast<std::int32_t>(band.first_row), 0},
             .imageExtent = {image.extent.width, band.rows, 1}};
@@ -283,41 +271,41 @@ void decode(TexelKind kind, const std::byte* staging, std::span<float> texels) {
 
 // Calls move(staging, band, floats before the band, floats in it) for each band of the image.
 template <class Move>
-void for_each_band(const Image::Impl& image, Move move) {
+void for_each_band(const Image::Handles& image, Move move) {
     const auto most = band_rows(image);
-    Buffer::Impl staging(image.context, most * row_bytes(image));
+    const auto staging = owned(make_buffer(image.context, most * row_bytes(image)));
     for (std::uint32_t row = 0; row < image.extent.height; row += most) {
         const Band band{row, std::min(most, image.extent.height - row)};
-        move(staging, band, row * row_floats(image), band.rows * row_floats(image));
+        move(*staging, band, row * row_floats(image), band.rows * row_floats(image));
     }
 }
 
 }  // namespace
 
 void Image::upload(std::span<const float> texels) {
-    const auto& image = *impl_;
+    const auto& image = *handles_;
     const auto expected = row_floats(image) * image.extent.height;
     if (texels.size() != expected) {
         throw std::invalid_argument(fmt::format("upload of {} floats to an image of {}x{} {}: expected {}",
                                                 texels.size(), image.extent.width, image.extent.height,
                                                 traits(image.format).name, expected));
     }
-    for_each_band(image, [&](Buffer::Impl& staging, Band band, std::size_t first, std::size_t count) {
+    for_each_band(image, [&](Buffer::Handles& staging, Band band, std::size_t first, std::size_t count) {
         encode(traits(image.format).kind, texels.subspan(first, count), staging.mapped.data());
         image.context.run_once([&](const vk::raii::CommandBuffer& commands) {
-            commands.copyBufferToImage(*staging.handles->buffer, *image.handles->image,
-                                       vk::ImageLayout::eGeneral, copy_region(image, band));
+            commands.copyBufferToImage(*staging.buffer, *image.image, vk::ImageLayout::eGeneral,
+                                       copy_region(image, band));
         });
     });
 }
 
 std::vector<float> Image::download() const {
-    const auto& image = *impl_;
+    const auto& image = *handles_;
     std::vector<float> texels(row_floats(image) * image.extent.height);
-    for_each_band(image, [&](Buffer::Impl& staging, Band band, std::size_t first, std::size_t count) {
+    for_each_band(image, [&](Buffer::Handles& staging, Band band, std::size_t first, std::size_t count) {
         image.context.run_once([&](const vk::raii::CommandBuffer& commands) {
-            commands.copyImageToBuffer(*image.handles->image, vk::ImageLayout::eGeneral,
-                                       *staging.handles->buffer, copy_region(image, band));
+            commands.copyImageToBuffer(*image.image, vk::ImageLayout::eGeneral, *staging.buffer,
+                                       copy_region(image, band));
         });
         decode(traits(image.format).kind, staging.mapped.data(), std::span(texels).subspan(first, count));
     });

@@ -36,11 +36,11 @@ class Buffer {
         return {reinterpret_cast<const T*>(bytes().data()), size() / sizeof(T)};
     }
 
-    struct Impl;
-    [[nodiscard]] Impl& impl() const { return *impl_; }
+    struct Handles;
+    [[nodiscard]] Handles& handles() const { return *handles_; }
 
   private:
-    base::Hidden<Impl> impl_;
+    base::Hidden<Handles> handles_;
 };
 
 // Formats of storage images. Those of one and two channels, but for r32f and r32ui, need
@@ -95,11 +95,11 @@ class Image {
     void upload(std::span<const float> texels);
     [[nodiscard]] std::vector<float> download() const;
 
-    struct Impl;
-    [[nodiscard]] Impl& impl() const { return *impl_; }
+    struct Handles;
+    [[nodiscard]] Handles& handles() const { return *handles_; }
 
   private:
-    base::Hidden<Impl> impl_;
+    base::Hidden<Handles> handles_;
 };
 
 // A level of an image, for a binding that writes it.
@@ -119,11 +119,11 @@ class SampledImage {
   public:
     SampledImage(const Device& device, std::span<const backend::Word> words);
 
-    struct Impl;
-    [[nodiscard]] Impl& impl() const { return *impl_; }
+    struct Handles;
+    [[nodiscard]] Handles& handles() const { return *handles_; }
 
   private:
-    base::Hidden<Impl> impl_;
+    base::Hidden<Handles> handles_;
 };
 
 // A storage image of layers, image2DArray in GLSL. Its contents are undefined at first. Throws
@@ -139,11 +139,11 @@ class LayeredImage {
     };
     LayeredImage(const Device& device, const Layers& layers);
 
-    struct Impl;
-    [[nodiscard]] Impl& impl() const { return *impl_; }
+    struct Handles;
+    [[nodiscard]] Handles& handles() const { return *handles_; }
 
   private:
-    base::Hidden<Impl> impl_;
+    base::Hidden<Handles> handles_;
 };
 
 }  // namespace gloam::gpu

@@ -12,9 +12,9 @@
 #include "check/internal/audit_search.hpp"
 #include "check/internal/session.hpp"
 #include "interpreter/program.hpp"
+#include "module/spirv.hpp"
 #include "numeric/numbers.hpp"
 #include "numeric/paths.hpp"
-#include "shader/spirv.hpp"
 
 namespace gloam::check::internal {
 namespace {
@@ -23,15 +23,6 @@ using shader::Scalar;
 
 ImageScenario first_scenario(const Question& question) {
     return question.scenarios.empty() ? ImageScenario{} : question.scenarios.front();
-}
-
-// Floats are rounded to float16, so that their rounding is no error of the function.
-std::vector<Word> halved(std::span<const Word> input, const std::vector<Scalar>& scalars) {
-    std::vector<Word> words(input.begin(), input.end());
-    for (std::size_t i = 0; i < words.size(); ++i)
-        if (scalars[i] == Scalar::float_)
-            words[i] = float_word(Scalar::float16_, from_word<double>(words[i]));
-    return words;
 }
 
 }  // namespace
@@ -69,8 +60,18 @@ AuditRuns::AuditRuns(KernelModule module, const Question& question, ImageSet ima
     doubles_.machine().set_limit(most_audited_instructions);
 }
 
-Reading AuditRuns::read(InterpretedKernel<interpreter::Explained>& kernel, std::span<const Word> input,
-                        Gaps gaps) {
+// Floats are rounded to float16, so that their rounding is no error of the function.
+std::vector<Word> AuditRuns::given(std::span<const Word> input, Precision precision) const {
+    const std::vector<Scalar> scalars = question_.signature.input_scalars();
+    std::vector<Word> words(input.begin(), input.end());
+    for (std::size_t i = 0; precision == Precision::half && i < words.size(); ++i)
+        if (scalars[i] == Scalar::float_)
+            words[i] = float_word(Scalar::float16_, from_word<double>(words[i]));
+    return words;
+}
+
+Reading AuditRuns::read(std::span<const Word> input, Gaps gaps, Precision precision) {
+    InterpretedKernel<interpreter::Explained>& kernel = precision == Precision::half ? half_ : kernel_;
     Reading reading;
     const auto take = [&](std::size_t w, const interpreter::Value<interpreter::Explained>& value) {
         if (auto why = kernel.machine().why_undefined(value)) {
@@ -83,20 +84,12 @@ Reading AuditRuns::read(InterpretedKernel<interpreter::Explained>& kernel, std::
             reading.outputs.push_back({exact, exact, numeric::Bounds::point(exact)});
         }
     };
-    (void)run(kernel, input, gaps, take, [&](const interpreter::Error& error) {
+    (void)run(kernel, given(input, precision), gaps, take, [&](const interpreter::Error& error) {
         reading = {.outputs = {},
                    .fault = error.what(),
                    .too_long = error.kind() == interpreter::Error::Kind::too_many_steps};
     });
     return reading;
-}
-
-Reading AuditRuns::read(std::span<const Word> input, Gaps gaps) {
-    return read(kernel_, input, gaps);
-}
-
-Reading AuditRuns::read_half(std::span<const Word> input) {
-    return read(half_, halved(input, question_.signature.input_scalars()), Gaps::closed);
 }
 
 bool AuditRuns::is_undefined(std::span<const Word> input, const Reading& reading, Gaps gaps) {
@@ -149,17 +142,9 @@ std::vector<double> AuditRuns::in_float(std::span<const Word> input) {
     return outputs;
 }
 
-Explanation AuditRuns::steps(std::span<const Word> input, Gaps gaps) {
+Explanation AuditRuns::steps(std::span<const Word> input, Gaps gaps, Precision precision) {
     try {
-        return explain(kernel_, input, gaps);
-    } catch (const interpreter::Error&) {
-        return {};
-    }
-}
-
-Explanation AuditRuns::steps_half(std::span<const Word> input) {
-    try {
-        return explain(half_, halved(input, question_.signature.input_scalars()), Gaps::closed);
+        return explain(precision == Precision::half ? half_ : kernel_, given(input, precision), gaps);
     } catch (const interpreter::Error&) {
         return {};
     }

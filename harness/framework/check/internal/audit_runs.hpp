@@ -57,10 +57,12 @@ class AuditRuns {
     AuditRuns(const Lab& lab, const Question& question, const KernelSource& changed,
               const AuditRuns& original);
 
+    // How every operation is rounded.
+    enum class Precision { single, half };
+
     // `gaps`: of Vulkan's rules.
-    [[nodiscard]] Reading read(std::span<const Word> input, Gaps gaps = Gaps::closed);
-    // The same with every operation rounded to float16.
-    [[nodiscard]] Reading read_half(std::span<const Word> input);
+    [[nodiscard]] Reading read(std::span<const Word> input, Gaps gaps = Gaps::closed,
+                               Precision precision = Precision::single);
 
     // Whether some driver that keeps the rules has an undefined result: a guard that holds in float32 may
     // keep it from every driver, which intervals along one path do not see. `reading`: of the input.
@@ -79,9 +81,9 @@ class AuditRuns {
     [[nodiscard]] std::vector<double> in_double(std::span<const Word> input);
     // The outputs of correctly rounded float32, likewise.
     [[nodiscard]] std::vector<double> in_float(std::span<const Word> input);
-    // The operations of one input, with float32 or with float16. Empty if there is a fault.
-    [[nodiscard]] Explanation steps(std::span<const Word> input, Gaps gaps = Gaps::closed);
-    [[nodiscard]] Explanation steps_half(std::span<const Word> input);
+    // The operations of one input. Empty if there is a fault.
+    [[nodiscard]] Explanation steps(std::span<const Word> input, Gaps gaps = Gaps::closed,
+                                    Precision precision = Precision::single);
 
     // Learns the usual size of the results: the median magnitude over these inputs.
     void set_usual(const Domain::Inputs& inputs);
@@ -101,8 +103,8 @@ class AuditRuns {
 
   private:
     AuditRuns(KernelModule module, const Question& question, ImageSet images);
-    [[nodiscard]] Reading read(InterpretedKernel<interpreter::Explained>& kernel, std::span<const Word> input,
-                               Gaps gaps);
+    // The words that a kernel of this precision is given: floats of float16 for half.
+    [[nodiscard]] std::vector<Word> given(std::span<const Word> input, Precision precision) const;
     [[nodiscard]] std::optional<Parting> parting_of_driver(std::span<const Word> input,
                                                            const Reading& reading, int driver);
     // The result that counts as large, for a word of the outputs.

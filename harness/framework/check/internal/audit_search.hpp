@@ -26,6 +26,12 @@ struct Examples {
     std::vector<std::vector<Word>> random;
     std::vector<std::vector<Word>> others;  // special values, and what the search met
     std::size_t shown = 0;                  // random ones, those that are not kept included
+
+    // A random one, if there is one; null: there is none.
+    [[nodiscard]] const std::vector<Word>* first() const {
+        if (!random.empty()) return &random.front();
+        return others.empty() ? nullptr : &others.front();
+    }
 };
 
 // What the search of an audit found.

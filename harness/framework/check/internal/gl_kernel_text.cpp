@@ -8,8 +8,8 @@
 #include "backend/gl/kernel.hpp"
 #include "backend/gl/resources.hpp"
 #include "base/text.hpp"
-#include "shader/pack.hpp"
-#include "shader/spirv.hpp"
+#include "module/spirv.hpp"
+#include "module/texts.hpp"
 
 namespace gloam::check::internal {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "interpreter/program.hpp"
+#include "module/spirv.hpp"
 #include "numeric/numbers.hpp"
 #include "numeric/paths.hpp"
-#include "shader/spirv.hpp"
 
 namespace gloam::check::internal {
 namespace {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "check/kernel_code.hpp"
+#include "check/lab.hpp"
 #include "numeric/interval.hpp"
 
 // The parts of generated compute shaders.
@@ -74,6 +75,12 @@ struct Evaluation {
 
 // The whole main() of a kernel that reads its inputs from a storage buffer.
 [[nodiscard]] std::string main_of(const KernelSource& source);
+
+// A kernel whose inputs are constants of the shader: literals or specialization constants, as the lab's
+// variant requires. It shows whether the compiler or the driver folds constants to the values that the device
+// calculates. It has no inputs; invocation i evaluates input i. Throws like Lab::kernel().
+[[nodiscard]] KernelCore constant_kernel(const Lab& lab, const KernelSource& source,
+                                         std::span<const Word> inputs, std::size_t count);
 
 // Throws backend::Unsupported for a team: `what` runs single invocations only.
 void require_alone(const KernelSource& source, const char* what);

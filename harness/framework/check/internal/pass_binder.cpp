@@ -30,18 +30,17 @@ shader::Type in_memory(shader::Type type) {
 class Binder {
   public:
     Binder(const PassInterface& pass, const PassInputs& inputs, const PassOptions& options)
-        : pass_(pass), inputs_(inputs), options_(options) {}
+        : pass_(pass), inputs_(inputs), options_(options), given_(pass.slots.size()) {}
 
     PassWork run() {
-        for (const auto& [name, value] : inputs_) require_fit(name, value);
+        for (const auto& [name, value] : inputs_) take(name, value);
         make_bindings();
         const auto& constants = pass_.declared.push_constants;
         work_.push_constants.resize(constants ? constants->size : 0);
-        for (const PassSlot& slot : pass_.slots) bind(slot);
+        for (std::size_t i = 0; i < given_.size(); ++i) bind(pass_.slots[i], given_[i]);
         set_groups();
-        for (const Bound& binding : work_.bindings)
-            if (const auto* buffer = std::get_if<BoundBuffer>(&binding);
-                buffer != nullptr && buffer->words.empty())
+        for (const Bound& bound : work_.bindings)
+            if (is_buffer(bound) && bound.words.empty())
                 throw std::invalid_argument(pass_.name +
                                             ": a buffer without elements, expected one at least");
         return std::move(work_);
@@ -60,20 +59,18 @@ class Binder {
     }
 
     // Whatever is given is known and of the slot's type.
-    void require_fit(const std::string& name, const PassValue& value) const {
-        const PassSlot* slot = pass_.find(name);
-        if (slot == nullptr) refuse(name, "is no input, expected among: " + known());
-        if (given(*slot) != &value) refuse(name, "is given twice, by either of its names");
+    void take(const std::string& name, const PassValue& value) {
+        const auto slot = std::ranges::find_if(pass_.slots, [&name](const PassSlot& one) {
+            return one.name == name || (one.other_name == name && !name.empty());
+        });
+        if (slot == pass_.slots.end()) refuse(name, "is no input, expected among: " + known());
+        const PassValue*& given = given_[static_cast<std::size_t>(slot - pass_.slots.begin())];
+        if (given != nullptr) refuse(name, "is given twice, by either of its names");
+        given = &value;
         if (slot->kind == Kind::image)
             require_image(*slot, value);
         else
             require_type(*slot, value);
-    }
-
-    [[nodiscard]] const PassValue* given(const PassSlot& slot) const {
-        const auto found = std::ranges::find_if(
-            inputs_, [&](const auto& input) { return pass_.find(input.first) == &slot; });
-        return found == inputs_.end() ? nullptr : &found->second;
     }
 
     [[noreturn]] void refuse_missing(const PassSlot& slot, const std::string& why = "") const {
@@ -105,8 +102,7 @@ class Binder {
     void require_type(const PassSlot& slot, const PassValue& value) const {
         if (value.image()) refuse(slot.name, fmt::format("is an image, expected {}", slot.says));
         shader::Type expected = slot.type;
-        const std::size_t unbounded = expected.sizes.empty() ? 1 : expected.sizes.front();
-        if (unbounded == 0 && !value.type().sizes.empty())
+        if (slot.is_unbounded() && !value.type().sizes.empty())
             expected.sizes.front() = value.type().sizes.front();
         if (in_memory(value.type()) != in_memory(expected))
             refuse(slot.name, fmt::format("is {}, expected {}", shader::name_of(value.type()), slot.says));
@@ -130,33 +126,39 @@ class Binder {
         return size;
     }
 
+    static bool is_buffer(const Bound& bound) {
+        return bound.kind == Bound::Kind::storage || bound.kind == Bound::Kind::uniform;
+    }
+
     void make_bindings() {
         for (const shader::Binding& binding : pass_.declared.bindings) {
             if (work_.bindings.size() <= binding.number) work_.bindings.resize(binding.number + 1);
             if (!binding.block) continue;
             std::size_t bytes = binding.block->size;
-            for (const PassSlot& slot : pass_.slots)
-                if (slot.kind == Kind::buffer_member && &pass_.declared.bindings[slot.index] == &binding)
-                    bytes = std::max(bytes, end_of(slot));
-            BoundBuffer buffer{.words = std::vector<Word>((bytes + 3) / sizeof(Word)),
-                               .uniform = binding.type == BindingType::uniform_buffer};
+            for (std::size_t i = 0; i < given_.size(); ++i)
+                if (const PassSlot& slot = pass_.slots[i];
+                    slot.kind == Kind::buffer_member && &pass_.declared.bindings[slot.index] == &binding)
+                    bytes = std::max(bytes, end_of(slot, given_[i]));
+            Bound& buffer = work_.bindings[binding.number];
+            buffer.kind =
+                binding.type == BindingType::uniform_buffer ? Bound::Kind::uniform : Bound::Kind::storage;
+            buffer.words.resize((bytes + 3) / sizeof(Word));
             buffer.fresh.resize(buffer.words.size());
-            work_.bindings[binding.number] = std::move(buffer);
         }
     }
 
-    [[nodiscard]] static std::size_t elements_in(const PassValue* value) {
-        return value == nullptr || value->type().sizes.empty() ? 0 : value->type().sizes.front();
+    // Of an unbounded array.
+    [[nodiscard]] static std::size_t elements_of(const PassSlot& slot, const PassValue* value) {
+        const bool given = slot.is_unbounded() && value != nullptr && !value->type().sizes.empty();
+        return given ? value->type().sizes.front() : 0;
     }
 
-    [[nodiscard]] std::size_t end_of(const PassSlot& slot) const {
-        const bool unbounded = !slot.member.sizes.empty() && slot.member.sizes.front() == 0;
+    [[nodiscard]] static std::size_t end_of(const PassSlot& slot, const PassValue* value) {
         return slot.member.offset +
-               (unbounded ? elements_in(given(slot)) * slot.member.stride : slot.member.size);
+               (slot.is_unbounded() ? elements_of(slot, value) * slot.member.stride : slot.member.size);
     }
 
-    void bind(const PassSlot& slot) {
-        const PassValue* value = given(slot);
+    void bind(const PassSlot& slot, const PassValue* value) {
         switch (slot.kind) {
             case Kind::image:
                 return bind_image(slot, value);
@@ -164,32 +166,38 @@ class Binder {
                 return bind_member(slot, value);
             case Kind::push_constant:
                 if (value == nullptr) refuse_missing(slot);
-                return store(slot, value->words(), work_.push_constants);
+                return store(slot, *value, work_.push_constants);
             case Kind::constant:
                 if (value == nullptr) return;  // it has a default
                 work_.constants.push_back({pass_.declared.constants[slot.index].id, value->words().front()});
         }
     }
 
-    static void store(const PassSlot& slot, const std::vector<Word>& words, std::span<std::byte> bytes) {
-        const std::size_t elements =
-            slot.type.sizes.empty() || slot.type.sizes.front() != 0
-                ? 0
-                : words.size() / std::max<std::size_t>(1, scalars_of(shader::element_of(slot.type)).size());
-        const std::vector<std::size_t> places = places_of(slot.member, elements);
+    static void store(const PassSlot& slot, const PassValue& value, std::span<std::byte> bytes) {
+        const std::vector<std::size_t> places = places_of(slot.member, elements_of(slot, &value));
         for (std::size_t i = 0; i < places.size(); ++i)
-            std::memcpy(bytes.subspan(places[i], sizeof(Word)).data(), &words[i], sizeof(Word));
+            std::memcpy(bytes.subspan(places[i], sizeof(Word)).data(), &value.words()[i], sizeof(Word));
     }
 
     void bind_member(const PassSlot& slot, const PassValue* value) {
         const shader::Binding& binding = pass_.declared.bindings[slot.index];
-        auto& buffer = std::get<BoundBuffer>(work_.bindings[binding.number]);
-        if (value != nullptr)
-            return store(slot, value->words(), std::as_writable_bytes(std::span(buffer.words)));
-        const bool unbounded = !slot.type.sizes.empty() && slot.type.sizes.front() == 0;
-        if (unbounded) refuse_missing(slot, ", and nothing else says how many elements it has");
+        Bound& buffer = work_.bindings[binding.number];
+        if (value != nullptr) return store(slot, *value, std::as_writable_bytes(std::span(buffer.words)));
+        if (slot.is_unbounded()) refuse_missing(slot, ", and nothing else says how many elements it has");
         if (binding.reads) refuse_missing(slot, binding.writes ? ", and its block is not `writeonly`" : "");
         for (const std::size_t place : places_of(slot.member, 0)) buffer.fresh[place / sizeof(Word)] = true;
+    }
+
+    // Four words for each texel: what the image lacks is 0, its last component 1.
+    static std::vector<Word> widened(const std::vector<Word>& words, std::size_t components, bool integers) {
+        std::vector<Word> all;
+        for (std::size_t first = 0; first + components <= words.size(); first += components)
+            for (std::size_t c = 0; c < texel_words; ++c)
+                all.push_back(c < components ? words[first + c]
+                              : c < 3        ? 0U
+                              : integers     ? 1U
+                                             : std::bit_cast<Word>(1.0F));
+        return all;
     }
 
     void bind_image(const PassSlot& slot, const PassValue* value) {
@@ -198,40 +206,33 @@ class Binder {
         const bool sampled = binding.type == BindingType::sampled_image;
         if (value == nullptr && (sampled || binding.reads))
             refuse_missing(slot, sampled || !binding.writes ? "" : ", and it is not `writeonly`");
-        if (sampled) {
-            bound = sampler_of(slot, *value->image());
-            return;
-        }
-        BoundImage image{.format = *gpu::format_from(binding.format),
-                         .size = value == nullptr ? size_for(slot.name) : value->image()->size,
-                         .integers = binding.texel != "float",
-                         .written = binding.writes,
-                         .fresh = value == nullptr};
-        if (value != nullptr) image.texels = value->image()->words;
-        image.texels.resize(static_cast<std::size_t>(image.size.x) * static_cast<std::size_t>(image.size.y) *
-                            static_cast<std::size_t>(gpu::channels(image.format)));
-        bound = std::move(image);
+        bound.size = value == nullptr ? size_for(slot.name) : value->image()->size;
+        bound.integers = binding.texel != "float";
+        if (sampled) return bind_sampler(slot, *value->image(), bound);
+        bound.kind = Bound::Kind::image;
+        bound.format = *gpu::format_from(binding.format);
+        bound.written = binding.writes;
+        const std::size_t texels =
+            static_cast<std::size_t>(bound.size.x) * static_cast<std::size_t>(bound.size.y);
+        bound.words =
+            widened(value == nullptr ? std::vector<Word>(texels * bound.channels()) : value->image()->words,
+                    bound.channels(), bound.integers);
+        for (std::size_t w = 0; value == nullptr && w < bound.words.size(); ++w)
+            bound.fresh.push_back(w % texel_words < bound.channels());
     }
 
-    [[nodiscard]] BoundSampler sampler_of(const PassSlot& slot, const Image& image) const {
-        const shader::Type& element = image.element;
+    void bind_sampler(const PassSlot& slot, const Image& image, Bound& bound) const {
+        bound.kind = Bound::Kind::sampler;
+        bound.stateless = !bound.integers && !image.sampling && slot.says == "sampler2D";
         Image whole = image;
-        whole.words.clear();
-        const auto rows = static_cast<std::size_t>(element.rows);
-        const bool real = element.scalar == shader::Scalar::float_;
-        for (std::size_t first = 0; first + rows <= image.words.size(); first += rows)
-            for (std::size_t c = 0; c < 4; ++c)
-                whole.words.push_back(c < rows ? image.words[first + c]
-                                               : (c < 3 ? 0U : (real ? std::bit_cast<Word>(1.0F) : 1U)));
-        BoundSampler sampler{.stateless = real && !image.sampling && slot.says == "sampler2D"};
-        const bool compares = slot.says.ends_with("Shadow");
-        if (real && !sampler.stateless && !compares) require_halves(slot, whole.words);
+        whole.words = widened(image.words, static_cast<std::size_t>(image.element.rows), bound.integers);
+        if (!bound.integers && !bound.stateless && !slot.says.ends_with("Shadow"))
+            require_halves(slot, whole.words);
         try {
-            sampler.words = sampled_words(whole, slot.says);
+            bound.words = sampled_words(whole, slot.says);
         } catch (const std::invalid_argument& error) {
             refuse(slot.name, fmt::format("is {}", error.what()));
         }
-        return sampler;
     }
 
     // Devices filter floats of 16 bits.
@@ -247,8 +248,7 @@ class Binder {
     // The size of the first image that the pass writes.
     [[nodiscard]] glm::ivec2 written_size() const {
         for (const Bound& bound : work_.bindings)
-            if (const auto* image = std::get_if<BoundImage>(&bound); image != nullptr && image->written)
-                return options_.size.x > 0 ? options_.size : image->size;
+            if (bound.written) return options_.size.x > 0 ? options_.size : bound.size;
         return options_.size;
     }
 
@@ -280,6 +280,7 @@ class Binder {
     const PassInterface& pass_;
     const PassInputs& inputs_;
     const PassOptions& options_;
+    std::vector<const PassValue*> given_;  // for each slot; null: nothing is
     PassWork work_;
 };
 

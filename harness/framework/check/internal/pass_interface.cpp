@@ -77,83 +77,58 @@ shader::Type type_of_member(const LaidOut& member) {
     return type;
 }
 
-class Collector {
-  public:
-    Collector(std::string name, shader::Spirv module) {
-        all_.name = std::move(name);
-        all_.module = std::move(module);
-        try {
-            all_.declared = shader::reflect(all_.module);
-        } catch (const std::runtime_error& error) {
-            throw std::invalid_argument(all_.name + ": " + error.what());
-        }
-    }
+void require_binding(const PassInterface& all, std::size_t index) {
+    const Binding& binding = all.declared.bindings[index];
+    require_supported(all.name, binding);
+    if (index > 0 && all.declared.bindings[index - 1].number == binding.number)
+        refuse(all.name, binding.name,
+               fmt::format("has binding {}, which \"{}\" has", binding.number,
+                           all.declared.bindings[index - 1].name));
+}
 
-    PassInterface run() {
-        for (std::size_t i = 0; i < all_.declared.bindings.size(); ++i) add_binding(i);
-        if (all_.declared.push_constants)
-            add_members(*all_.declared.push_constants, PassSlot::Kind::push_constant, 0);
-        for (std::size_t i = 0; i < all_.declared.constants.size(); ++i) add_constant(i);
-        std::vector<std::size_t> ambiguous;
-        for (std::size_t i = 0; i < all_.slots.size(); ++i)
-            if (!all_.slots[i].member.name.empty() &&
-                std::ranges::count(all_.slots, all_.slots[i].name, &PassSlot::name) > 1)
-                ambiguous.push_back(i);
-        for (const std::size_t i : ambiguous) all_.slots[i].name = all_.slots[i].other_name;
-        return std::move(all_);
+void add_members(const shader::BlockLayout& block, PassSlot::Kind kind, std::size_t index,
+                 std::vector<PassSlot>& slots) {
+    for (const LaidOut& member : block.members) {
+        const shader::Type type = type_of_member(member);
+        slots.push_back(
+            {kind, member.name, block.name + "." + member.name, shader::name_of(type), type, index, member});
     }
+}
 
-  private:
-    void add_binding(std::size_t index) {
-        const Binding& binding = all_.declared.bindings[index];
-        require_supported(all_.name, binding);
-        if (index > 0 && all_.declared.bindings[index - 1].number == binding.number)
-            refuse(all_.name, binding.name,
-                   fmt::format("has binding {}, which \"{}\" has", binding.number,
-                               all_.declared.bindings[index - 1].name));
-        if (binding.block) return add_members(*binding.block, PassSlot::Kind::buffer_member, index);
-        const bool sampled = binding.type == BindingType::sampled_image;
-        const auto channels =
-            sampled ? 4U : static_cast<unsigned>(gpu::channels(*gpu::format_from(binding.format)));
-        const shader::Type pixel = vector_type(binding.texel, channels);
-        all_.slots.push_back({.kind = PassSlot::Kind::image,
-                              .name = binding.name,
-                              .other_name = {},
-                              .says = sampled ? sampler_name(binding) : "image of " + shader::name_of(pixel),
-                              .type = pixel,
-                              .index = index,
-                              .member = {}});
-    }
+PassSlot image_slot(const Binding& binding, std::size_t index) {
+    const bool sampled = binding.type == BindingType::sampled_image;
+    const shader::Type pixel =
+        vector_type(binding.texel,
+                    sampled ? 4U : static_cast<unsigned>(gpu::channels(*gpu::format_from(binding.format))));
+    return {PassSlot::Kind::image,
+            binding.name,
+            {},
+            sampled ? sampler_name(binding) : "image of " + shader::name_of(pixel),
+            pixel,
+            index,
+            {}};
+}
 
-    void add_constant(std::size_t index) {
-        const shader::SpecializationConstant& constant = all_.declared.constants[index];
-        shader::Type type{.scalar =
-                              constant.type == "bool" ? shader::Scalar::bool_ : scalar_of(constant.type)};
-        const std::string number = std::to_string(constant.id);
-        all_.slots.push_back({.kind = PassSlot::Kind::constant,
-                              .name = constant.name.empty() ? number : constant.name,
-                              .other_name = number,
-                              .says = constant.type,
-                              .type = std::move(type),
-                              .index = index,
-                              .member = {}});
-    }
+PassSlot constant_slot(const shader::SpecializationConstant& constant, std::size_t index) {
+    const std::string number = std::to_string(constant.id);
+    const shader::Scalar scalar = constant.type == "bool" ? shader::Scalar::bool_ : scalar_of(constant.type);
+    return {PassSlot::Kind::constant,
+            constant.name.empty() ? number : constant.name,
+            number,
+            constant.type,
+            {.scalar = scalar},
+            index,
+            {}};
+}
 
-    void add_members(const shader::BlockLayout& block, PassSlot::Kind kind, std::size_t index) {
-        for (const LaidOut& member : block.members) {
-            const shader::Type type = type_of_member(member);
-            all_.slots.push_back({.kind = kind,
-                                  .name = member.name,
-                                  .other_name = block.name + "." + member.name,
-                                  .says = shader::name_of(type),
-                                  .type = type,
-                                  .index = index,
-                                  .member = member});
-        }
-    }
-
-    PassInterface all_;
-};
+// Members that have their name alone in the pass go by it, others by that of their block as well.
+void tell_apart(std::vector<PassSlot>& slots) {
+    std::vector<PassSlot*> ambiguous;
+    for (PassSlot& slot : slots)
+        if (!slot.member.name.empty() && std::ranges::count(slots, slot.name, &PassSlot::name) > 1)
+            ambiguous.push_back(&slot);
+    for (PassSlot* slot : ambiguous) slot->name = slot->other_name;
+}
 
 // Appends the places of the scalars of a member whose first byte is at `at`. `depth`: of the array.
 void append_places(const LaidOut& member, std::size_t at, std::size_t depth, std::size_t stride,
@@ -178,12 +153,6 @@ void append_places(const LaidOut& member, std::size_t at, std::size_t depth, std
 
 }  // namespace
 
-const PassSlot* PassInterface::find(const std::string& given) const {
-    for (const PassSlot& slot : slots)
-        if (slot.name == given || (slot.other_name == given && !given.empty())) return &slot;
-    return nullptr;
-}
-
 std::vector<std::size_t> places_of(const LaidOut& member, std::size_t elements) {
     std::vector<std::size_t> places;
     append_places(member, member.offset, 0, member.stride, elements, places);
@@ -191,7 +160,26 @@ std::vector<std::size_t> places_of(const LaidOut& member, std::size_t elements) 
 }
 
 PassInterface interface_of(std::string name, shader::Spirv module) {
-    return Collector(std::move(name), std::move(module)).run();
+    PassInterface all{.name = std::move(name), .module = std::move(module), .declared = {}, .slots = {}};
+    try {
+        all.declared = shader::reflect(all.module);
+    } catch (const std::runtime_error& error) {
+        throw std::invalid_argument(all.name + ": " + error.what());
+    }
+    for (std::size_t i = 0; i < all.declared.bindings.size(); ++i) {
+        const Binding& binding = all.declared.bindings[i];
+        require_binding(all, i);
+        if (binding.block)
+            add_members(*binding.block, PassSlot::Kind::buffer_member, i, all.slots);
+        else
+            all.slots.push_back(image_slot(binding, i));
+    }
+    if (all.declared.push_constants)
+        add_members(*all.declared.push_constants, PassSlot::Kind::push_constant, 0, all.slots);
+    for (std::size_t i = 0; i < all.declared.constants.size(); ++i)
+        all.slots.push_back(constant_slot(all.declared.constants[i], i));
+    tell_apart(all.slots);
+    return all;
 }
 
 }  // namespace gloam::check::internal

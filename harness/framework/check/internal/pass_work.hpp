@@ -6,14 +6,13 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "backend/backend.hpp"
 #include "backend/vulkan/device.hpp"
 #include "backend/vulkan/resources.hpp"
 #include "check/pass.hpp"
-#include "shader/reflection.hpp"
+#include "module/reflection.hpp"
 
 namespace gloam::check::internal {
 
@@ -28,6 +27,9 @@ struct PassSlot {
     shader::Type type;       // of a value, or of a pixel
     std::size_t index = 0;   // of the binding or constant in its list
     shader::LaidOut member;  // of a block
+
+    // Of an array of which the buffer holds as many elements as are given.
+    [[nodiscard]] bool is_unbounded() const { return !type.sizes.empty() && type.sizes.front() == 0; }
 };
 
 struct PassInterface {
@@ -35,9 +37,6 @@ struct PassInterface {
     shader::Spirv module;
     shader::ModuleInterface declared;
     std::vector<PassSlot> slots;
-
-    // The slot that users call so; null: there is none.
-    [[nodiscard]] const PassSlot* find(const std::string& given) const;
 };
 
 // Throws std::invalid_argument, with the pass and the name, for what a pass cannot have.
@@ -47,30 +46,25 @@ struct PassInterface {
 // unbounded array.
 [[nodiscard]] std::vector<std::size_t> places_of(const shader::LaidOut& member, std::size_t elements);
 
-// One run of a pass: what is bound, in the host's memory. A run changes it as the pass does.
+// What stands at a binding during a run, in the host's memory. A run changes it as the pass does.
+struct Bound {
+    enum class Kind { nothing, image, sampler, storage, uniform };
 
-// A storage image.
-struct BoundImage {
-    gpu::Format format = gpu::Format::rgba32f;
-    glm::ivec2 size{1};
-    std::vector<Word> texels;  // bits of the floats or integers that the shader sees, channel by channel
-    bool integers = false;
-    bool written = false;  // the shader may write to it
-    bool fresh = false;    // not given
-};
-
-struct BoundSampler {
-    std::vector<Word> words;  // backend/sampled.hpp
-    bool stateless = false;   // no state is given: the nearest texel, of 32 bits
-};
-
-struct BoundBuffer {
+    Kind kind = Kind::nothing;
+    // Of an image four for each texel, bits of the floats or integers that the shader sees; of a sampler
+    // those of backend/sampled.hpp.
     std::vector<Word> words;
     std::vector<bool> fresh;  // by word: not given
-    bool uniform = false;
-};
+    // Of an image; of a sampler without a state, which reads the nearest texel, of 32 bits.
+    gpu::Format format = gpu::Format::rgba32f;
+    glm::ivec2 size{1};
+    bool integers = false;
+    bool written = false;    // the shader may write to it
+    bool stateless = false;  // a sampler
 
-using Bound = std::variant<std::monostate, BoundImage, BoundSampler, BoundBuffer>;
+    [[nodiscard]] std::size_t channels() const { return static_cast<std::size_t>(gpu::channels(format)); }
+};
+inline constexpr std::size_t texel_words = 4;
 
 struct PassWork {
     std::vector<Bound> bindings;  // by number

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "check/internal/audit_search.hpp"
-#include "shader/tokens.hpp"
+#include "source/tokens.hpp"
 
 namespace gloam::check::internal {
 namespace {

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "check/internal/audit_search.hpp"
+#include "module/compile.hpp"
 #include "numeric/numbers.hpp"
-#include "shader/compile.hpp"
 
 namespace gloam::check::internal {
 namespace {

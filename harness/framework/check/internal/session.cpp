@@ -14,9 +14,10 @@
 #include "check/explain.hpp"
 #include "check/internal/budget_judge.hpp"
 #include "check/internal/interpretation.hpp"
+#include "check/internal/kernel_text.hpp"
 #include "check/kernel_code.hpp"
 #include "check/scalars.hpp"
-#include "shader/spirv.hpp"
+#include "module/spirv.hpp"
 
 namespace gloam::check::internal {
 
@@ -31,9 +32,12 @@ Session::Session(const Lab& lab, const Question& question, KernelCore kernel, Im
       options_{.edges = !question.only_rules && !lab.options().variant.relaxed,
                .nan = lab.keeps_nan(),
                .verdict = verdict} {
-    if (lab.options().variant.constants == shader::Variant::Constants::none) return;
-    constants_.emplace(lab, question.file, question.function, question.signature);
-    options_.nan = options_.nan && constants_->preserves_nan();
+    const auto constants = lab.options().variant.constants;
+    if (constants == shader::Variant::Constants::none) return;
+    constants_ = lab.source(question.file, question.function, question.signature);
+    // SPIRV-Tools folds nothing where the shader declares that NaN keeps its meaning.
+    if (constants == shader::Variant::Constants::literals) constants_->preserve_nan = false;
+    options_.nan = options_.nan && constants_->preserve_nan;
 }
 
 Session::Evaluated Session::run(Domain::Inputs inputs, Answer& answer) const {
@@ -54,7 +58,7 @@ Session::Evaluated Session::run(Domain::Inputs inputs, Answer& answer) const {
         answer.reason = Reason::fault;
     }
     if (!constants_) return {std::move(inputs), std::move(outputs)};
-    KernelCore::Result folded = constants_->run(inputs.words, inputs.count(), images_);
+    KernelCore::Result folded = run_constants(inputs);
     lab_.require_silent_validation();
     const std::size_t width = kernel_.output_words();
     const std::vector<shader::Scalar> scalars = question_.signature.output_scalars();
@@ -145,6 +149,25 @@ KernelCore::Result Session::run_each(const Domain::Inputs& inputs) const {
     return all;
 }
 
+KernelCore::Result Session::run_constants(const Domain::Inputs& inputs) const {
+    constexpr std::size_t of_a_module = 4;
+    KernelCore::Result all;
+    ImageSet images = images_;
+    for (std::size_t first = 0; first < inputs.count(); first += of_a_module) {
+        const std::size_t count = std::min(of_a_module, inputs.count() - first);
+        const auto words = std::span(inputs.words).subspan(first * inputs.width, count * inputs.width);
+        KernelCore::Result part = constant_kernel(lab_, *constants_, words, count).run({}, count, images);
+        all.outputs.insert(all.outputs.end(), part.outputs.begin(), part.outputs.end());
+        all.modules.insert(all.modules.end(), part.modules.begin(), part.modules.end());
+        for (auto& [name, image] : part.stored) images.insert_or_assign(name, std::move(image));
+        if (!part.fault) continue;
+        part.fault->input += first;
+        part.fault->count += all.fault ? all.fault->count : 0;
+        all.fault = part.fault;
+    }
+    return all;
+}
+
 void Session::judge(const Evaluated& evaluated, Answer& answer, std::span<double> fractions) const {
     const KernelCore::Result& result = evaluated.result;
     JudgeOptions options = options_;
@@ -156,14 +179,13 @@ void Session::judge(const Evaluated& evaluated, Answer& answer, std::span<double
 }
 
 std::optional<Sample> Session::first_failing(std::span<const std::vector<Word>> inputs) const {
-    const std::size_t at_once = constants_ ? ConstantKernel::most_inputs : std::size_t{1} << 20U;
+    const std::size_t at_once = constants_ ? most_constants : std::size_t{1} << 20U;
     for (; !inputs.empty(); inputs = inputs.subspan(std::min(at_once, inputs.size()))) {
         Evaluated some{.inputs = {.width = kernel_.input_words()}, .result = {}};
         for (const std::vector<Word>& words : inputs.first(std::min(at_once, inputs.size())))
             some.inputs.add(words);
-        const std::size_t count = some.inputs.count();
-        some.result = constants_ ? constants_->run(some.inputs.words, count, images_)
-                                 : kernel_.run(some.inputs.words, count, images_);
+        some.result = constants_ ? run_constants(some.inputs)
+                                 : kernel_.run(some.inputs.words, some.inputs.count(), images_);
         Answer answer;
         judge(some, answer);
         std::optional<Sample> first;

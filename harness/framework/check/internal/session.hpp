@@ -50,16 +50,22 @@ class Session {
   private:
     [[nodiscard]] std::vector<char> long_runs(const Domain::Inputs& inputs, std::uint64_t limit) const;
     [[nodiscard]] KernelCore::Result run_each(const Domain::Inputs& inputs) const;
+    // Every few inputs form a module of their own and cost one compilation. Later modules read what earlier
+    // ones stored to images.
+    [[nodiscard]] KernelCore::Result run_constants(const Domain::Inputs& inputs) const;
 
     const Lab& lab_;
     const Question& question_;
     KernelCore kernel_;
-    std::optional<ConstantKernel> constants_;
+    std::optional<KernelSource> constants_;  // of kernels whose inputs are constants
     ImageScenario scenario_;
     std::uint64_t input_seed_;
     ImageSet images_;
     JudgeOptions options_;
 };
+
+// The most inputs as constants in one run.
+inline constexpr std::size_t most_constants = 64;
 
 // The domain of a question, and the numbers of its function's module (Domain::and_numbers): what it compares
 // with is an input. Throws like Lab::kernel().

@@ -190,25 +190,35 @@ struct Code {
 
 // Properties of the operations on numbers, by the opcode of an Instruction.
 
-// Number of operands; nullopt for an operation that the interpreter does not know.
-[[nodiscard]] std::optional<std::uint8_t> arity_of(std::uint16_t opcode);
+// What is the same for all operations of a form.
+enum class Form {
+    plain,
+    arithmetic,  // on floats: NoContraction applies
+    at_once,     // it reads all its operands before its first result
+    to_one,      // of as many components as the first operand has, one result: any, length, ...
+    pair         // of as many, two results each, after all operands are read: a sum and its carry, ...
+};
+
+struct Known {
+    std::uint8_t arity = 0;
+    const char* name = "";
+    Form form = Form::plain;
+
+    // Whether the number of components is that of the first operand, not of the result.
+    [[nodiscard]] bool has_count_of_operand() const { return form == Form::to_one || form == Form::pair; }
+    [[nodiscard]] bool reads_all_first() const { return form == Form::at_once || form == Form::pair; }
+};
+
+// Null for an operation that the interpreter does not know.
+[[nodiscard]] const Known* known_operation(std::uint16_t opcode);
 
 // "OpFAdd", "GLSL.std.450 Sqrt"; the number if the name is unknown.
 [[nodiscard]] std::string name_of(std::uint16_t opcode);
-
-// Whether an operation reads all its operands before its first result.
-[[nodiscard]] bool reads_all_first(std::uint16_t opcode);
-
-// Whether the number of components is that of the first operand, not of the result: any, length, modf, ...
-[[nodiscard]] bool takes_count_of_operand(std::uint16_t opcode);
 
 // How many slots from its result an operation on scalars, vectors or matrices sets.
 [[nodiscard]] std::uint32_t results_of(const Instruction& instruction);
 
 // modf() and frexp() of GLSL store a second result through a pointer.
 [[nodiscard]] bool writes_through_pointer(std::uint16_t opcode);
-
-// Arithmetic to which NoContraction applies.
-[[nodiscard]] bool is_float_arithmetic(std::uint16_t opcode);
 
 }  // namespace gloam::interpreter::internal

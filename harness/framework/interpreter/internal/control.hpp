@@ -27,16 +27,6 @@ void copy_slots(State<N>& s, const Instruction& i, Slot from) {
 }
 
 template <class N>
-void do_copy(State<N>& s, const Instruction& i) {
-    copy_slots(s, i, i.a);
-}
-
-template <class N>
-void do_copy_one(State<N>& s, const Instruction& i) {
-    s.slots[i.result] = s.slots[i.a];
-}
-
-template <class N>
 void do_to_float(State<N>& s, const Instruction& i) {
     for (std::uint32_t k = 0; k < i.count; ++k) {
         const Value<N>& from = s.slots[i.a + k];
@@ -110,32 +100,12 @@ void follow(State<N>& s, std::uint32_t number) {
 }
 
 template <class N>
-void do_jump(State<N>& s, const Instruction& i) {
-    follow(s, i.extra);
-}
-
-template <class N>
-void do_branch(State<N>& s, const Instruction& i) {
-    follow(s, s.known_bits(i.a) != 0 ? i.extra : i.b);
-}
-
-template <class N>
 void do_switch(State<N>& s, const Instruction& i) {
     const Switch& all = s.code.switches[i.extra];
     const Word value = s.known_bits(i.a);
     for (const auto& [literal, edge] : all.cases)
         if (literal == value) return follow(s, edge);
     follow(s, all.otherwise);
-}
-
-template <class N>
-void do_finish(State<N>& s, const Instruction&) {
-    s.running = false;
-}
-
-template <class N>
-void do_unreachable(State<N>&, const Instruction&) {
-    throw Fault{Error::Kind::malformed, "an unreachable block was reached"};
 }
 
 template <class N>
@@ -157,16 +127,6 @@ void do_chain(State<N>& s, const Instruction& i) {
         at.offset = static_cast<std::uint32_t>(offset);
     }
     s.pointers[i.result] = at;
-}
-
-template <class N>
-void do_load_slots(State<N>& s, const Instruction& i) {
-    copy_slots(s, i, s.pointers[i.a].offset);
-}
-
-template <class N>
-void do_store_slots(State<N>& s, const Instruction& i) {
-    std::copy_n(s.slots.begin() + i.b, i.count, s.slots.begin() + s.pointers[i.a].offset);
 }
 
 // A scalar behind a pointer. An odd offset means a 16-bit float.
@@ -238,26 +198,9 @@ void do_atomic(State<N>& s, const Instruction& i) {
 }
 
 template <class N>
-void do_fence(State<N>& s, const Instruction& i) {
-    s.fenced |= i.c;
-}
-
-// The group goes on where all that it waits for have come (internal/group.hpp).
-template <class N>
-void do_wait(State<N>& s, const Instruction&) {
-    s.running = false;
-    s.waits = true;
-}
-
-template <class N>
 void do_either(State<N>& s, const Instruction& i) {
     for (std::uint32_t k = 0; k < i.count; ++k)
         s.set(i, i.result + k, either_of(s.number(i, i.a + k), s.number(i, i.b + k)));
-}
-
-template <class N>
-void do_load_resource(State<N>& s, const Instruction& i) {
-    s.set(i, i.result, s.pointers[i.a].resource);
 }
 
 // Index of the first word of the texel at the coordinates.
@@ -315,75 +258,6 @@ void do_image_size(State<N>& s, const Instruction& i) {
     const Backing<N>& backing = s.backings.at(s.bits(i.a));
     if (!backing.image) throw Fault{Error::Kind::missing, "no image is bound"};
     for (std::uint32_t k = 0; k < i.count; ++k) s.set(i, i.result + k, Word{backing.image->size.at(k)});
-}
-
-template <class N>
-[[nodiscard]] Handler<N> control_handler(const Instruction& i) {
-    if (i.op == copy) return i.count == 1 && (i.flags & flags::relaxed) == 0 ? do_copy_one<N> : do_copy<N>;
-    switch (i.op) {
-        case to_float:
-            return do_to_float<N>;
-        case gather:
-            return do_gather<N>;
-        case undefine:
-            return do_undefine<N>;
-        case select:
-            return do_select<N>;
-        case extract_dynamic:
-            return do_extract<N>;
-        case insert_dynamic:
-            return do_insert<N>;
-        case jump:
-            return do_jump<N>;
-        case branch:
-            return do_branch<N>;
-        case switch_on:
-            return do_switch<N>;
-        case finish:
-            return do_finish<N>;
-        case unreachable:
-            return do_unreachable<N>;
-        case chain:
-            return do_chain<N>;
-        case load_slots:
-            return do_load_slots<N>;
-        case store_slots:
-            return do_store_slots<N>;
-        case load_memory:
-            return do_load_memory<N>;
-        case store_memory:
-            return do_store_memory<N>;
-        case array_length:
-            return do_array_length<N>;
-        case load_resource:
-            return do_load_resource<N>;
-        case image_load:
-            return do_image_load<N>;
-        case image_store:
-            return do_image_store<N>;
-        case image_size:
-            return do_image_size<N>;
-        case image_sample:
-            return do_image_sample<N>;
-        case image_levels:
-            return do_image_levels<N>;
-        case image_texel:
-            return do_image_texel<N>;
-        case atomic:
-            return do_atomic<N>;
-        case fence:
-            return do_fence<N>;
-        case construct:
-            return do_construct<N>;
-        case barrier:
-        case neighbour:
-        case collective:
-            return do_wait<N>;
-        case either:
-            return do_either<N>;
-        default:
-            return nullptr;
-    }
 }
 
 }  // namespace gloam::interpreter::internal

@@ -94,25 +94,14 @@ void load_exponent(State<N>& s, const Instruction& i) {
 }
 
 // The fraction of an infinite number is 0 or NaN: no text says which.
-[[nodiscard]] inline numeric::Interval with_zero_of_infinity(const numeric::Interval& x,
-                                                             const numeric::Interval& fraction) {
-    const numeric::Bounds& b = x.bounds();
-    const bool may_be_infinite = !b.empty() && (std::isinf(b.low) || std::isinf(b.high));
-    return may_be_infinite
-               ? numeric::Interval::within(numeric::hull(fraction.bounds(), numeric::Bounds::point(0.0)))
-               : fraction;
-}
 template <class N>
 [[nodiscard]] N with_zero_of_infinity(const N& x, const N& fraction) {
-    if constexpr (std::is_same_v<N, numeric::Rearranged>) {
-        return N(with_zero_of_infinity(x.interval(), fraction.interval()));
-    } else if constexpr (std::is_same_v<N, Explained>) {
-        N result = fraction;
-        result.permitted = with_zero_of_infinity(x.permitted, fraction.permitted);
-        return result;
-    } else {
-        return fraction;
-    }
+    const auto either = [](const numeric::Interval& part, const numeric::Interval& of) {
+        const numeric::Bounds& b = of.bounds();
+        if (b.empty() || !(std::isinf(b.low) || std::isinf(b.high))) return part;
+        return numeric::Interval::within(numeric::hull(part.bounds(), numeric::Bounds::point(0.0)));
+    };
+    return with_permitted(either, fraction, x);
 }
 
 // modf(): fractions, then integral parts; both have the sign of the argument.
@@ -229,80 +218,13 @@ void unpack_half(State<N>& s, const Instruction& i) {
     }
 }
 
-template <class N>
-[[nodiscard]] Handler<N> conversion_handler(std::uint16_t opcode) {
-    switch (opcode) {
-        case SpvOpConvertFToS:
-            return convert_to_integer<N, std::int32_t>;
-        case SpvOpConvertFToU:
-            return convert_to_integer<N, Word>;
-        case SpvOpConvertSToF:
-            return convert_integer<N, std::int32_t>;
-        case SpvOpConvertUToF:
-            return convert_integer<N, Word>;
-        case extended + GLSLstd450Ldexp:
-            return load_exponent<N>;
-        case extended + GLSLstd450Modf:
-        case extended + GLSLstd450ModfStruct:
-            return modf<N>;
-        case extended + GLSLstd450Frexp:
-        case extended + GLSLstd450FrexpStruct:
-            return frexp<N>;
-        case extended + GLSLstd450PackSnorm4x8:
-            return pack<N, 4, true>;
-        case extended + GLSLstd450PackUnorm4x8:
-            return pack<N, 4, false>;
-        case extended + GLSLstd450PackSnorm2x16:
-            return pack<N, 2, true>;
-        case extended + GLSLstd450PackUnorm2x16:
-            return pack<N, 2, false>;
-        case extended + GLSLstd450PackHalf2x16:
-            return pack_half<N>;
-        case extended + GLSLstd450UnpackSnorm4x8:
-            return unpack<N, 4, true>;
-        case extended + GLSLstd450UnpackUnorm4x8:
-            return unpack<N, 4, false>;
-        case extended + GLSLstd450UnpackSnorm2x16:
-            return unpack<N, 2, true>;
-        case extended + GLSLstd450UnpackUnorm2x16:
-            return unpack<N, 2, false>;
-        case extended + GLSLstd450UnpackHalf2x16:
-            return unpack_half<N>;
-        default:
-            return nullptr;
-    }
-}
-
-// Conversions that read and write the machine's own values.
-template <class N>
-[[nodiscard]] Handler<N> value_handler(std::uint16_t opcode) {
-    switch (opcode) {
-        case SpvOpFConvert:
-            return convert_float<N>;
-        case pack_halves:
-            return do_pack_halves<N>;
-        case unpack_halves:
-            return do_unpack_halves<N>;
-        default:
-            return nullptr;
-    }
-}
-
 // One of two numbers, whichever a driver takes.
-[[nodiscard]] inline numeric::Interval either_of(const numeric::Interval& x, const numeric::Interval& y) {
-    return numeric::Interval::within(numeric::hull(x.bounds(), y.bounds()));
-}
 template <class N>
 [[nodiscard]] N either_of(const N& x, const N& y) {
-    if constexpr (std::is_same_v<N, numeric::Rearranged>) {
-        return numeric::Rearranged(either_of(x.interval(), y.interval()));
-    } else if constexpr (std::is_same_v<N, Explained>) {
-        N result = x;
-        result.permitted = either_of(x.permitted, y.permitted);
-        return result;
-    } else {
-        return x;
-    }
+    const auto hull = [](const numeric::Interval& a, const numeric::Interval& b) {
+        return numeric::Interval::within(numeric::hull(a.bounds(), b.bounds()));
+    };
+    return with_permitted(hull, x, y);
 }
 
 }  // namespace gloam::interpreter::internal

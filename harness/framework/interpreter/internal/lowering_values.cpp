@@ -174,28 +174,27 @@ bool Lowering::lower_matrix(const shader::Instruction& i, Scope& scope) {
 
 void Lowering::lower_componentwise(const shader::Instruction& i, Scope& scope) {
     const auto opcode = static_cast<std::uint16_t>(i.opcode);
-    const auto arity = arity_of(opcode);
-    if (!arity || i.words.size() < *arity + 3U)
+    const Known* known = known_operation(opcode);
+    if (known == nullptr || i.words.size() < known->arity + 3U)
         fail(Error::Kind::unknown_instruction,
              fmt::format("{} is not known to the interpreter", name_of(opcode)));
     const Id operand_type = type_of(i.word(3), scope);
-    const bool of_operands = takes_count_of_operand(opcode);
-    const std::uint32_t count = module_.types.slots(of_operands ? operand_type : i.word(1));
+    const std::uint32_t count = module_.types.slots(known->has_count_of_operand() ? operand_type : i.word(1));
     const Type& scalar = module_.types.scalar_of(operand_type);
     const Type& to = module_.types.scalar_of(i.word(1));
     std::array<Slot, 4> operands{};
-    for (std::size_t k = 0; k < *arity; ++k) operands.at(k) = slot_of(i.word(k + 3), scope);
+    for (std::size_t k = 0; k < known->arity; ++k) operands.at(k) = slot_of(i.word(k + 3), scope);
     Instruction& instruction =
         emit(opcode, count, slot_of(i.word(2), scope), operands[0], operands[1], operands[2]);
     instruction.extra = operands[3];
     instruction.flags = flags_of(i.word(2), i.word(1));
-    if (reads_all_first(opcode)) instruction.flags |= flags::reads_first;
+    if (known->reads_all_first()) instruction.flags |= flags::reads_first;
     if (opcode == SpvOpVectorTimesScalar || opcode == SpvOpMatrixTimesScalar) instruction.stride = 0;
     if (to.kind == Type::Kind::boolean && scalar.kind == Type::Kind::real) {
-        for (std::size_t k = 0; k < *arity; ++k)
+        for (std::size_t k = 0; k < known->arity; ++k)
             if (is_relaxed(i.word(k + 3))) instruction.flags |= flags::relaxed;
     }
-    if (is_float_arithmetic(opcode) && (instruction.flags & flags::no_contraction) == 0)
+    if (known->form == Form::arithmetic && (instruction.flags & flags::no_contraction) == 0)
         code_.may_be_rearranged = true;
 }
 
@@ -203,22 +202,22 @@ void Lowering::lower_extended(const shader::Instruction& i, Scope& scope) {
     if (!module_.declared.extended_sets.contains(i.word(3)) || i.word(4) >= GLSLstd450Count)
         fail(Error::Kind::unknown_instruction, "an extended instruction that is not of GLSL.std.450");
     const auto opcode = static_cast<std::uint16_t>(extended + i.word(4));
-    const auto arity = arity_of(opcode);
-    if (!arity || i.words.size() < *arity + 5U)
+    const Known* known = known_operation(opcode);
+    if (known == nullptr || i.words.size() < known->arity + 5U)
         fail(Error::Kind::unknown_instruction,
              fmt::format("{} is not known to the interpreter", name_of(opcode)));
     std::array<Slot, 3> operands{};
     const bool by_pointer = writes_through_pointer(opcode);
-    for (std::size_t k = 0; k < (by_pointer ? 1U : *arity); ++k)
+    for (std::size_t k = 0; k < (by_pointer ? 1U : known->arity); ++k)
         operands.at(k) = slot_of(i.word(k + 5), scope);
     const std::uint32_t count =
-        module_.types.slots(takes_count_of_operand(opcode) ? type_of(i.word(5), scope) : i.word(1));
+        module_.types.slots(known->has_count_of_operand() ? type_of(i.word(5), scope) : i.word(1));
     const Slot result = by_pointer ? new_slots(2 * count) : slot_of(i.word(2), scope);
     Instruction& instruction = emit(opcode, count, result, operands[0], operands[1], operands[2]);
     instruction.flags = flags_of(i.word(2), i.word(1));
     if (module_.types.at(i.word(1)).kind == Type::Kind::structure || by_pointer)
         instruction.flags = flags_of(i.word(2), type_of(i.word(5), scope));
-    if (reads_all_first(opcode)) instruction.flags |= flags::reads_first;
+    if (known->reads_all_first()) instruction.flags |= flags::reads_first;
     if (!by_pointer) return;
     emit(copy, count, slot_of(i.word(2), scope), result);
     store(pointer_of(i.word(6), scope), result + count);

@@ -3,32 +3,12 @@
 
 #include <utility>
 
-#include "interpreter/internal/code.hpp"
-#include "interpreter/internal/control.hpp"
-#include "interpreter/internal/conversions.hpp"
 #include "interpreter/internal/group.hpp"
-#include "interpreter/internal/vectors.hpp"
+#include "interpreter/internal/operations.hpp"
 
 // The implementation of the machine; each number type is instantiated in a source of its own.
 namespace gloam::interpreter {
 namespace internal {
-
-// Of an operation on floats.
-template <class N>
-Handler<N> float_handler(std::uint16_t op) {
-    for (const auto find : {arithmetic_handler<N>, comparison_handler<N>, vector_handler<N>,
-                            conversion_handler<N>, matrix_handler<N>})
-        if (const Handler<N> found = find(op)) return found;
-    return op < extended ? nullptr : elementary_handler<N>(static_cast<std::uint16_t>(op - extended));
-}
-
-template <class N>
-Handler<N> handler_of(const Instruction& i) {
-    if (const Handler<N> found = value_handler<N>(i.op)) return found;
-    if (i.op >= copy) return control_handler<N>(i);
-    if (const Handler<N> found = float_handler<N>(i.op)) return found;
-    return word_handler<N>(i.op);
-}
 
 template <class N>
 inline constexpr bool has_intervals = !std::is_floating_point_v<N>;
@@ -124,18 +104,26 @@ Machine<N>::Machine(Machine&&) noexcept = default;
 template <class N>
 Machine<N>& Machine<N>::operator=(Machine&&) noexcept = default;
 
+namespace internal {
+
+// Calls act(resource, its contents) for each resource at a binding.
+template <class N, class Act>
+void for_each_at(State<N>& s, std::uint32_t set, std::uint32_t binding, const Act& act) {
+    for (std::size_t r = 0; r < s.backings.size(); ++r)
+        if (s.code.resources[r].is_at(set, binding)) act(s.code.resources[r], s.backings[r]);
+}
+
+}  // namespace internal
+
 template <class N>
 void Machine<N>::bind(std::uint32_t set, std::uint32_t binding, std::span<const Word> words) {
-    for (std::size_t r = 0; r < state_->backings.size(); ++r) {
-        const internal::Resource& resource = state_->code.resources[r];
-        if (!resource.is_at(set, binding)) continue;
-        internal::Backing<N>& backing = state_->backings[r];
+    internal::for_each_at(*state_, set, binding, [&](const auto& resource, auto& backing) {
         backing.words = words;
         backing.values.clear();
         backing.dirty.clear();
         for (std::size_t w = 0; resource.written && w < words.size(); ++w)
             backing.values.push_back(Value<N>::of_bits(words[w]));
-    }
+    });
 }
 
 template <class N>
@@ -144,19 +132,14 @@ void Machine<N>::bind(std::uint32_t set, std::uint32_t binding, const ImageView&
     if (texels * 4 != image.texels.size())
         throw Error(Error::Kind::malformed, "an image whose size and texels disagree");
     bind(set, binding, image.texels);
-    for (std::size_t r = 0; r < state_->backings.size(); ++r) {
-        const internal::Resource& resource = state_->code.resources[r];
-        if (resource.is_at(set, binding)) state_->backings[r].image = image;
-    }
+    internal::for_each_at(*state_, set, binding, [&](const auto&, auto& backing) { backing.image = image; });
 }
 
 template <class N>
 void Machine<N>::bind(std::uint32_t set, std::uint32_t binding, const SampledView& image) {
-    for (std::size_t r = 0; r < state_->backings.size(); ++r) {
-        const internal::Resource& resource = state_->code.resources[r];
-        if (resource.kind == internal::Resource::Kind::image && resource.is_at(set, binding))
-            state_->backings[r].sampled = image;
-    }
+    internal::for_each_at(*state_, set, binding, [&](const auto& resource, auto& backing) {
+        if (resource.kind == internal::Resource::Kind::image) backing.sampled = image;
+    });
 }
 
 template <class N>
@@ -343,36 +326,33 @@ std::optional<Undefined> Machine<N>::why_undefined(const Value<N>& value) const 
 
 template <class N>
 bool Machine<N>::wrote(std::uint32_t set, std::uint32_t binding) const {
-    for (std::size_t r = 0; r < state_->backings.size(); ++r) {
-        const internal::Resource& resource = state_->code.resources[r];
-        if (resource.is_at(set, binding)) return !state_->backings[r].dirty.empty();
-    }
-    return false;
+    std::optional<bool> first;
+    internal::for_each_at(*state_, set, binding, [&](const auto&, const auto& backing) {
+        if (!first) first = !backing.dirty.empty();
+    });
+    return first.value_or(false);
 }
 
 template <class N>
 void Machine<N>::keep_writes(std::uint32_t set, std::uint32_t binding,
                              const std::function<Word(std::size_t, Word)>& keep) {
-    for (std::size_t r = 0; r < state_->backings.size(); ++r) {
-        const internal::Resource& resource = state_->code.resources[r];
-        if (!resource.is_at(set, binding)) continue;
-        internal::Backing<N>& backing = state_->backings[r];
+    internal::for_each_at(*state_, set, binding, [&](const auto&, auto& backing) {
         for (const std::uint32_t word : backing.dirty)
             backing.values[word] = Value<N>::of_bits(keep(word, backing.values[word].bits()));
         backing.dirty.clear();
-    }
+    });
 }
 
 template <class N>
 Value<N> Machine<N>::read(std::uint32_t set, std::uint32_t binding, std::size_t word) const {
-    for (std::size_t r = 0; r < state_->backings.size(); ++r) {
-        const internal::Resource& resource = state_->code.resources[r];
-        if (!resource.is_at(set, binding)) continue;
-        const internal::Backing<N>& backing = state_->backings[r];
+    std::optional<Value<N>> found;
+    internal::for_each_at(*state_, set, binding, [&](const auto&, const auto& backing) {
+        if (found) return;
         if (word >= backing.words.size())
             throw Error(Error::Kind::out_of_bounds, fmt::format("word {} of {}", word, backing.words.size()));
-        return backing.values.empty() ? Value<N>::of_bits(backing.words[word]) : backing.values[word];
-    }
+        found = backing.values.empty() ? Value<N>::of_bits(backing.words[word]) : backing.values[word];
+    });
+    if (found) return *found;
     throw Error(Error::Kind::missing,
                 fmt::format("the program has no buffer at set {}, binding {}", set, binding));
 }

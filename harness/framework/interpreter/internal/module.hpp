@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "interpreter/program.hpp"
-#include "shader/module.hpp"
-#include "shader/spirv.hpp"
+#include "module/module.hpp"
+#include "module/spirv.hpp"
 
 namespace gloam::interpreter::internal {
 

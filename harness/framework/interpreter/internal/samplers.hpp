@@ -12,27 +12,23 @@ namespace gloam::interpreter::internal {
     return x != x ? numeric::Bounds::only_nan() : numeric::Bounds::point(x);
 }
 
-// The results of samplers for a number type: from its bounds, and to a number of them.
+// What a sampler takes of a number and gives, on float, double and bounds.
 template <class N>
-struct Sampled {  // float, double
-    static constexpr Precision precision = Precision::exact;
-    static numeric::Bounds bounds(const N& x) { return point_bounds(static_cast<double>(x)); }
-    static N number(const numeric::Bounds& x) { return static_cast<N>(x.low); }
-};
-template <>
-struct Sampled<numeric::Interval> {
-    static constexpr Precision precision = Precision::permitted;
-    static numeric::Bounds bounds(const numeric::Interval& x) { return x.bounds(); }
-    static numeric::Interval number(const numeric::Bounds& x) { return numeric::Interval::within(x); }
-};
-template <>
-struct Sampled<numeric::Rearranged> {
-    static constexpr Precision precision = Precision::permitted;
-    static numeric::Bounds bounds(const numeric::Rearranged& x) { return x.interval().bounds(); }
-    static numeric::Rearranged number(const numeric::Bounds& x) {
-        return numeric::Rearranged(numeric::Interval::within(x));
+[[nodiscard]] numeric::Bounds sampled_bounds(const N& x) {
+    if constexpr (has_bounds<N>) {
+        return permitted_of(x).bounds();
+    } else {
+        return point_bounds(static_cast<double>(x));
     }
-};
+}
+template <class N>
+[[nodiscard]] N sampled_number(const numeric::Bounds& x) {
+    if constexpr (has_bounds<N>) {
+        return N(numeric::Interval::within(x));
+    } else {
+        return static_cast<N>(x.low);
+    }
+}
 
 template <class N>
 [[nodiscard]] const SampledView& sampled_view(const State<N>& s, Slot image) {
@@ -117,11 +113,11 @@ void do_image_sample(State<N>& s, const Instruction& i) {
             s.set(i, i.result + k, result);
         }
     } else {
-        using Results = Sampled<N>;
-        const SamplePoint point = sample_point(s, i, view, Results::precision, Results::bounds);
-        if (integers) return sample_integers(s, i, view, point, Results::precision);
-        const auto results = sampled(view, point, Results::precision);
-        for (std::uint32_t k = 0; k < i.count; ++k) s.set(i, i.result + k, Results::number(results.at(k)));
+        constexpr Precision precision = has_bounds<N> ? Precision::permitted : Precision::exact;
+        const SamplePoint point = sample_point(s, i, view, precision, sampled_bounds<N>);
+        if (integers) return sample_integers(s, i, view, point, precision);
+        const auto results = sampled(view, point, precision);
+        for (std::uint32_t k = 0; k < i.count; ++k) s.set(i, i.result + k, sampled_number<N>(results.at(k)));
     }
 }
 

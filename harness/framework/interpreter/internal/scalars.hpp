@@ -51,74 +51,34 @@ GLOAM_BY_DOUBLE(radians, x*(std::numbers::pi / 180.0))
 GLOAM_BY_DOUBLE(degrees, x * (180.0 / std::numbers::pi))
 #undef GLOAM_BY_DOUBLE
 
-template <Real T>
-T atan(T y, T x) {
-    return static_cast<T>(std::atan2(static_cast<double>(y), static_cast<double>(x)));
-}
-template <Real T>
-T pow(T x, T y) {
-    return static_cast<T>(std::pow(static_cast<double>(x), static_cast<double>(y)));
-}
-template <Real T>
-T abs(T x) {
-    return std::abs(x);
-}
-template <Real T>
-T sign(T x) {
-    return x > T(0) ? T(1) : (x < T(0) ? T(-1) : x);
-}
-template <Real T>
-T min(T a, T b) {
-    return b < a || std::isnan(a) ? b : a;
-}
-template <Real T>
-T max(T a, T b) {
-    return a < b || std::isnan(a) ? b : a;
-}
-template <Real T>
-T clamp(T x, T low, T high) {
-    return scalars::min(scalars::max(x, low), high);
-}
-template <Real T>
-T step(T edge, T x) {
-    return x < edge ? T(0) : T(1);
-}
-template <Real T>
-T fract(T x) {
-    return x - std::floor(x);
-}
-template <Real T>
-T mod(T x, T y) {
-    return x - y * std::floor(x / y);
-}
-template <Real T>
-T remainder(T x, T y) {
-    return x - y * std::trunc(x / y);
-}
-template <Real T>
-T mix(T a, T b, T t) {
-    return a * (T(1) - t) + b * t;
-}
+#define GLOAM_OF_REALS(Result, name, operands, expression) \
+    template <Real T>                                      \
+    Result name operands {                                 \
+        return expression;                                 \
+    }
+GLOAM_OF_REALS(T, atan, (T y, T x),
+               static_cast<T>(std::atan2(static_cast<double>(y), static_cast<double>(x))))
+GLOAM_OF_REALS(T, pow, (T x, T y), static_cast<T>(std::pow(static_cast<double>(x), static_cast<double>(y))))
+GLOAM_OF_REALS(T, abs, (T x), std::abs(x))
+GLOAM_OF_REALS(T, sign, (T x), x > T(0) ? T(1) : (x < T(0) ? T(-1) : x))
+GLOAM_OF_REALS(T, min, (T a, T b), b < a || std::isnan(a) ? b : a)
+GLOAM_OF_REALS(T, max, (T a, T b), a < b || std::isnan(a) ? b : a)
+GLOAM_OF_REALS(T, clamp, (T x, T low, T high), scalars::min(scalars::max(x, low), high))
+GLOAM_OF_REALS(T, step, (T edge, T x), x < edge ? T(0) : T(1))
+GLOAM_OF_REALS(T, fract, (T x), x - std::floor(x))
+GLOAM_OF_REALS(T, mod, (T x, T y), x - y * std::floor(x / y))
+GLOAM_OF_REALS(T, remainder, (T x, T y), x - y * std::trunc(x / y))
+GLOAM_OF_REALS(T, mix, (T a, T b, T t), a*(T(1) - t) + b * t)
+GLOAM_OF_REALS(T, ldexp, (T x, int exponent), std::ldexp(x, exponent))
+GLOAM_OF_REALS(T, fma, (T a, T b, T c), std::fma(a, b, c))
+GLOAM_OF_REALS(bool, is_nan, (T x), std::isnan(x))
+GLOAM_OF_REALS(bool, is_infinite, (T x), std::isinf(x))
+#undef GLOAM_OF_REALS
+
 template <Real T>
 T smoothstep(T edge0, T edge1, T x) {
     const T t = scalars::clamp((x - edge0) / (edge1 - edge0), T(0), T(1));
     return t * t * (T(3) - T(2) * t);
-}
-template <Real T>
-T ldexp(T x, int exponent) {
-    return std::ldexp(x, exponent);
-}
-template <Real T>
-T fma(T a, T b, T c) {
-    return std::fma(a, b, c);
-}
-template <Real T>
-bool is_nan(T x) {
-    return std::isnan(x);
-}
-template <Real T>
-bool is_infinite(T x) {
-    return std::isinf(x);
 }
 // Rounds towards zero. A value out of range is undefined in SPIR-V; it becomes the nearest representable one,
 // and NaN becomes zero.
@@ -151,77 +111,74 @@ T quantize_to_half(T x) {
 // numeric::Interval.
 namespace gloam::interpreter::internal {
 
-#define GLOAM_UNARY(Name, function)         \
-    struct Name {                           \
-        template <class N>                  \
-        auto operator()(const N& x) const { \
-            using namespace scalars;        \
-            return function(x);             \
-        }                                   \
+#define GLOAM_FUNCTION(Name, function)         \
+    struct Name {                              \
+        template <class... N>                  \
+        auto operator()(const N&... x) const { \
+            using namespace scalars;           \
+            return function(x...);             \
+        }                                      \
     };
-#define GLOAM_BINARY(Name, function)                    \
+#define GLOAM_OPERATOR(Name, symbol)                    \
     struct Name {                                       \
         template <class N>                              \
         auto operator()(const N& x, const N& y) const { \
-            using namespace scalars;                    \
-            return function(x, y);                      \
+            return x symbol y;                          \
         }                                               \
     };
-#define GLOAM_TERNARY(Name, function)                               \
-    struct Name {                                                   \
-        template <class N>                                          \
-        auto operator()(const N& x, const N& y, const N& z) const { \
-            using namespace scalars;                                \
-            return function(x, y, z);                               \
-        }                                                           \
-    };
 
-GLOAM_UNARY(Sqrt, sqrt)
-GLOAM_UNARY(InverseSqrt, inversesqrt)
-GLOAM_UNARY(Sin, sin)
-GLOAM_UNARY(Cos, cos)
-GLOAM_UNARY(Tan, tan)
-GLOAM_UNARY(Asin, asin)
-GLOAM_UNARY(Acos, acos)
-GLOAM_UNARY(Atan, atan)
-GLOAM_UNARY(Sinh, sinh)
-GLOAM_UNARY(Cosh, cosh)
-GLOAM_UNARY(Tanh, tanh)
-GLOAM_UNARY(Asinh, asinh)
-GLOAM_UNARY(Acosh, acosh)
-GLOAM_UNARY(Atanh, atanh)
-GLOAM_UNARY(Exp, exp)
-GLOAM_UNARY(Exp2, exp2)
-GLOAM_UNARY(Log, log)
-GLOAM_UNARY(Log2, log2)
-GLOAM_UNARY(Floor, floor)
-GLOAM_UNARY(Ceil, ceil)
-GLOAM_UNARY(Trunc, trunc)
-GLOAM_UNARY(Round, round)
-GLOAM_UNARY(RoundEven, round_even)
-GLOAM_UNARY(Fract, fract)
-GLOAM_UNARY(Radians, radians)
-GLOAM_UNARY(Degrees, degrees)
-GLOAM_UNARY(Abs, abs)
-GLOAM_UNARY(Sign, sign)
-GLOAM_UNARY(QuantizeToHalf, quantize_to_half)
-GLOAM_UNARY(IsNan, is_nan)
-GLOAM_UNARY(IsInfinite, is_infinite)
-GLOAM_BINARY(Atan2, atan)
-GLOAM_BINARY(Pow, pow)
-GLOAM_BINARY(Min, min)
-GLOAM_BINARY(Max, max)
-GLOAM_BINARY(StepAt, step)
-GLOAM_BINARY(Mod, mod)
-GLOAM_BINARY(Remainder, remainder)
-GLOAM_TERNARY(Clamp, clamp)
-GLOAM_TERNARY(SmoothStep, smoothstep)
-GLOAM_TERNARY(Mix, mix)
-GLOAM_TERNARY(Fma, fma)
+GLOAM_FUNCTION(Sqrt, sqrt)
+GLOAM_FUNCTION(InverseSqrt, inversesqrt)
+GLOAM_FUNCTION(Sin, sin)
+GLOAM_FUNCTION(Cos, cos)
+GLOAM_FUNCTION(Tan, tan)
+GLOAM_FUNCTION(Asin, asin)
+GLOAM_FUNCTION(Acos, acos)
+GLOAM_FUNCTION(Atan, atan)
+GLOAM_FUNCTION(Sinh, sinh)
+GLOAM_FUNCTION(Cosh, cosh)
+GLOAM_FUNCTION(Tanh, tanh)
+GLOAM_FUNCTION(Asinh, asinh)
+GLOAM_FUNCTION(Acosh, acosh)
+GLOAM_FUNCTION(Atanh, atanh)
+GLOAM_FUNCTION(Exp, exp)
+GLOAM_FUNCTION(Exp2, exp2)
+GLOAM_FUNCTION(Log, log)
+GLOAM_FUNCTION(Log2, log2)
+GLOAM_FUNCTION(Floor, floor)
+GLOAM_FUNCTION(Ceil, ceil)
+GLOAM_FUNCTION(Trunc, trunc)
+GLOAM_FUNCTION(Round, round)
+GLOAM_FUNCTION(RoundEven, round_even)
+GLOAM_FUNCTION(Fract, fract)
+GLOAM_FUNCTION(Radians, radians)
+GLOAM_FUNCTION(Degrees, degrees)
+GLOAM_FUNCTION(Abs, abs)
+GLOAM_FUNCTION(Sign, sign)
+GLOAM_FUNCTION(QuantizeToHalf, quantize_to_half)
+GLOAM_FUNCTION(IsNan, is_nan)
+GLOAM_FUNCTION(IsInfinite, is_infinite)
+GLOAM_FUNCTION(Atan2, atan)
+GLOAM_FUNCTION(Pow, pow)
+GLOAM_FUNCTION(Min, min)
+GLOAM_FUNCTION(Max, max)
+GLOAM_FUNCTION(StepAt, step)
+GLOAM_FUNCTION(Mod, mod)
+GLOAM_FUNCTION(Remainder, remainder)
+GLOAM_FUNCTION(Clamp, clamp)
+GLOAM_FUNCTION(SmoothStep, smoothstep)
+GLOAM_FUNCTION(Mix, mix)
+GLOAM_FUNCTION(Fma, fma)
 
-#undef GLOAM_UNARY
-#undef GLOAM_BINARY
-#undef GLOAM_TERNARY
+GLOAM_OPERATOR(Add, +)
+GLOAM_OPERATOR(Subtract, -)
+GLOAM_OPERATOR(Multiply, *)
+GLOAM_OPERATOR(Divide, /)
+GLOAM_OPERATOR(Less, <)
+GLOAM_OPERATOR(LessEqual, <=)
+GLOAM_OPERATOR(Equal, ==)
+#undef GLOAM_FUNCTION
+#undef GLOAM_OPERATOR
 
 template <std::integral I>
 struct ToInteger {
@@ -238,48 +195,6 @@ struct Negate {
     template <class N>
     N operator()(const N& x) const {
         return -x;
-    }
-};
-struct Add {
-    template <class N>
-    N operator()(const N& x, const N& y) const {
-        return x + y;
-    }
-};
-struct Subtract {
-    template <class N>
-    N operator()(const N& x, const N& y) const {
-        return x - y;
-    }
-};
-struct Multiply {
-    template <class N>
-    N operator()(const N& x, const N& y) const {
-        return x * y;
-    }
-};
-struct Divide {
-    template <class N>
-    N operator()(const N& x, const N& y) const {
-        return x / y;
-    }
-};
-struct Less {
-    template <class N>
-    bool operator()(const N& x, const N& y) const {
-        return x < y;
-    }
-};
-struct LessEqual {
-    template <class N>
-    bool operator()(const N& x, const N& y) const {
-        return x <= y;
-    }
-};
-struct Equal {
-    template <class N>
-    bool operator()(const N& x, const N& y) const {
-        return x == y;
     }
 };
 // A comparison with its operands exchanged (a > b from a < b), or with its result negated, which is true for

@@ -84,18 +84,7 @@ template <>
 // The result of a half-precision operation: on intervals it may have the precision of float16.
 template <class N>
 [[nodiscard]] N relaxed(const N& x) {
-    return x;
-}
-[[nodiscard]] inline numeric::Interval relaxed(const numeric::Interval& x) {
-    return numeric::enclose(x.bounds());
-}
-[[nodiscard]] inline numeric::Rearranged relaxed(const numeric::Rearranged& x) {
-    return numeric::Rearranged(numeric::enclose(x.interval().bounds()));
-}
-[[nodiscard]] inline Explained relaxed(const Explained& x) {
-    Explained result = x;
-    result.permitted = numeric::enclose(x.permitted.bounds());
-    return result;
+    return with_permitted([](const numeric::Interval& any) { return numeric::enclose(any.bounds()); }, x);
 }
 
 // An end of the bounds, or a float32 between them; the same where there is none, or NaN may be.
@@ -107,11 +96,6 @@ template <class N>
     const double chosen = lot == 0 ? b.low : lot == 1 ? b.high : std::clamp(between, b.low, b.high);
     return numeric::Interval::within(chosen, chosen);
 }
-
-// Whether the numbers stand for all that is permitted.
-template <class N>
-inline constexpr bool has_bounds =
-    std::is_same_v<N, numeric::Interval> || std::is_same_v<N, numeric::Rearranged>;
 
 // Whether a machine knows which of its values are undefined.
 template <class N>
@@ -385,9 +369,5 @@ N State<N>::halved(const N& x) {
         return x;
     }
 }
-
-// The handler of an instruction; null for an unknown one.
-template <class N>
-[[nodiscard]] Handler<N> handler_of(const Instruction& instruction);
 
 }  // namespace gloam::interpreter::internal

@@ -188,37 +188,6 @@ void face_forward(State<N>& s, const Instruction& i) {
     }
 }
 
-template <class N>
-[[nodiscard]] Handler<N> vector_handler(std::uint16_t opcode) {
-    switch (opcode) {
-        case SpvOpDot:
-            return dot_product<N>;
-        case SpvOpMatrixTimesVector:
-        case SpvOpMatrixTimesMatrix:
-            return matrix_times_matrix<N>;
-        case SpvOpVectorTimesMatrix:
-            return vector_times_matrix<N>;
-        case SpvOpOuterProduct:
-            return outer_product<N>;
-        case extended + GLSLstd450Length:
-            return length<N>;
-        case extended + GLSLstd450Distance:
-            return distance<N>;
-        case extended + GLSLstd450Normalize:
-            return normalize<N>;
-        case extended + GLSLstd450Cross:
-            return cross<N>;
-        case extended + GLSLstd450Reflect:
-            return reflect<N>;
-        case extended + GLSLstd450Refract:
-            return refract<N>;
-        case extended + GLSLstd450FaceForward:
-            return face_forward<N>;
-        default:
-            return nullptr;
-    }
-}
-
 // Determinants and inverses. Vulkan leaves their precision to the implementation, so every result is
 // permitted. On Explained the value is that of cofactors in float32, as drivers do it: where the condition of
 // the matrix is bad, it is far from the exact one. float is rounded from double.
@@ -259,20 +228,17 @@ template <class F>
     return count == 4 ? F::template of<2>(all) : count == 9 ? F::template of<3>(all) : F::template of<4>(all);
 }
 
-[[nodiscard]] inline double exact_of(float x) {
-    return x;
-}
-[[nodiscard]] inline double exact_of(double x) {
-    return x;
-}
-[[nodiscard]] inline double exact_of(const Explained& x) {
-    return x.exact;
-}
-[[nodiscard]] inline double exact_of(const numeric::Interval& x) {
-    return x.bounds().empty() ? std::numeric_limits<double>::quiet_NaN() : (x.low() + x.high()) / 2.0;
-}
-[[nodiscard]] inline double exact_of(const numeric::Rearranged& x) {
-    return exact_of(x.interval());
+template <class N>
+[[nodiscard]] double exact_of(const N& x) {
+    if constexpr (std::is_same_v<N, Explained>) {
+        return x.exact;
+    } else if constexpr (has_bounds<N>) {
+        const numeric::Interval any = permitted_of(x);
+        return any.bounds().empty() ? std::numeric_limits<double>::quiet_NaN()
+                                    : (any.low() + any.high()) / 2.0;
+    } else {
+        return x;
+    }
 }
 
 // Any number; where gaps are closed, those between two results.
@@ -308,28 +274,6 @@ void of_matrix(State<N>& s, const Instruction& i, std::uint32_t results) {
             else
                 s.set(i, i.result + k, N(by_implementation(exact.at(k), exact.at(k))));
         }
-    }
-}
-
-template <class N>
-void determinant(State<N>& s, const Instruction& i) {
-    of_matrix<Determinant>(s, i, 1);
-}
-
-template <class N>
-void inverse(State<N>& s, const Instruction& i) {
-    of_matrix<Inverse>(s, i, i.count);
-}
-
-template <class N>
-[[nodiscard]] Handler<N> matrix_handler(std::uint16_t opcode) {
-    switch (opcode) {
-        case extended + GLSLstd450Determinant:
-            return determinant<N>;
-        case extended + GLSLstd450MatrixInverse:
-            return inverse<N>;
-        default:
-            return nullptr;
     }
 }
 

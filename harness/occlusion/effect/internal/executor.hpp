@@ -14,9 +14,9 @@
 #include "effect/internal/values.hpp"
 #include "effect/plan.hpp"
 #include "effect/settings.hpp"
+#include "module/reflection.hpp"
 #include "scene/gbuffer.hpp"
 #include "scene/pass_library.hpp"
-#include "shader/reflection.hpp"
 
 namespace gloam::effect {
 

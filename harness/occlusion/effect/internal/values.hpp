@@ -9,7 +9,7 @@
 
 #include "backend/vulkan/commands.hpp"
 #include "effect/internal/passes.hpp"
-#include "shader/reflection.hpp"
+#include "module/reflection.hpp"
 
 // What the push constants and the specialization constants of passes are set to, by their names.
 namespace gloam::effect {

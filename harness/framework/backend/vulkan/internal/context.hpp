@@ -15,6 +15,7 @@
 #include "backend/vulkan/internal/instance.hpp"
 #include "backend/vulkan/internal/pipeline_cache.hpp"
 #include "backend/vulkan/internal/vulkan.hpp"
+#include "base/hidden.hpp"
 
 namespace gloam::gpu {
 
@@ -89,26 +90,16 @@ auto with_typed_errors(const Work& work) {
     }
 }
 
-// Owns Vulkan handles that a submission may use. Vulkan forbids destroying them while it runs, and after a
-// timeout its end is unknown. Only in that case they are leaked on purpose.
+// Handles, with their device in `context`, that are destroyed with their owner; while a submission that timed
+// out still runs, the device keeps them.
 template <class Handles>
-class Guarded {
-  public:
-    Guarded(Context& context, Handles handles)
-        : context_(context), handles_(std::make_unique<Handles>(std::move(handles))) {}
-    ~Guarded() {
-        if (!context_.idle()) context_.keep(std::move(handles_));
-    }
-    Guarded(const Guarded&) = delete;
-    Guarded& operator=(const Guarded&) = delete;
-
-    [[nodiscard]] Handles& operator*() const { return *handles_; }
-    [[nodiscard]] Handles* operator->() const { return handles_.get(); }
-
-  private:
-    Context& context_;
-    std::unique_ptr<Handles> handles_;
-};
+[[nodiscard]] base::Hidden<Handles> owned(Handles handles) {
+    return {new Handles(std::move(handles)), [](Handles* object) {
+                std::unique_ptr<Handles> own(object);
+                Context& context = own->context;
+                if (!context.idle()) context.keep(std::move(own));
+            }};
+}
 
 // Memory with the first properties in `wishes` for which the device has a suitable type. Throws
 // std::runtime_error with the purpose if there is no such type, backend::OutOfMemory.
@@ -147,6 +138,9 @@ inline void host_barrier(const vk::raii::CommandBuffer& commands) {
                                                .dstAccessMask = vk::AccessFlagBits::eHostRead},
                              nullptr, nullptr);
 }
+
+// A command buffer that is begun, for one submission. Its commands see the writes of all earlier ones.
+[[nodiscard]] vk::raii::CommandBuffers begun(const Context& context);
 
 // Readings of the device's clock in one recording.
 class Timestamps {

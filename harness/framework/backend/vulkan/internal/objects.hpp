@@ -28,85 +28,53 @@ struct FormatTraits {
 
 [[nodiscard]] const FormatTraits& traits(Format format);
 
-struct BufferHandles {
+struct Buffer::Handles {
+    Context& context;
     vk::raii::Buffer buffer;
     vk::raii::DeviceMemory memory;
-};
-
-struct Buffer::Impl {
-    Impl(Context& owner, std::size_t bytes);
-
-    Context& context;
-    Guarded<BufferHandles> handles;
     std::span<std::byte> mapped;
 };
+[[nodiscard]] Buffer::Handles make_buffer(Context& context, std::size_t bytes);
 
+// In VK_IMAGE_LAYOUT_GENERAL, as soon as they are made.
 struct ImageHandles {
+    Context& context;
     vk::raii::Image image;
     vk::raii::DeviceMemory memory;
     vk::raii::ImageView view;
 };
 
 // An image in the device's memory, and a view of all of it. The purpose is for messages.
-[[nodiscard]] ImageHandles make_image(const Context& context, const vk::ImageCreateInfo& info,
+[[nodiscard]] ImageHandles make_image(Context& context, const vk::ImageCreateInfo& info,
                                       vk::ImageViewType type, vk::ImageAspectFlags aspect,
                                       const std::string& purpose);
 
-// The image is in VK_IMAGE_LAYOUT_GENERAL whenever no render pass uses it.
-struct Image::Impl {
-    Impl(Context& owner, Extent size, Format kind, std::uint32_t level_count);
-
-    Context& context;
-    Extent extent;
-    Format format;
-    Guarded<ImageHandles> handles;
-    Guarded<std::vector<vk::raii::ImageView>> levels;  // a view of each
-};
-
 // Records that a new image has VK_IMAGE_LAYOUT_GENERAL from here on. `all_of_it`: all of its levels and
 // layers.
-void begin_general_layout(const vk::raii::CommandBuffer& commands, vk::Image image,
+void begin_general_layout(const vk::raii::CommandBuffer& commands, const ImageHandles& image,
                           const vk::ImageSubresourceRange& all_of_it);
 
-struct SampledHandles : ImageHandles {
+struct Image::Handles : ImageHandles {
+    Extent extent;
+    Format format;
+    std::vector<vk::raii::ImageView> levels;  // a view of each
+};
+
+struct SampledImage::Handles : ImageHandles {
     vk::raii::Sampler sampler;
 };
 
-// In VK_IMAGE_LAYOUT_GENERAL.
-struct SampledImage::Impl {
-    Impl(Context& owner, std::span<const backend::Word> words);
+struct LayeredImage::Handles : ImageHandles {};
 
+struct ComputePipeline::Handles {
     Context& context;
-    Guarded<SampledHandles> handles;
-};
-
-// In VK_IMAGE_LAYOUT_GENERAL.
-struct LayeredImage::Impl {
-    Impl(Context& owner, const Layers& layers);
-
-    Context& context;
-    Guarded<ImageHandles> handles;
-};
-
-struct ComputeHandles {
+    PipelineProgram program;
     vk::raii::DescriptorSetLayout set_layout;
     vk::raii::PipelineLayout layout;
     vk::raii::Pipeline pipeline;
 };
 
-struct ComputePipeline::Impl {
-    Impl(Context& owner, const ComputeProgram& program);
-
-    Context& context;
-    std::vector<BindingKind> bindings;
-    PipelineProgram program;
-    Guarded<ComputeHandles> handles;
-};
-
 constexpr std::size_t binding_kinds = 4;
-
-[[nodiscard]] vk::DescriptorType descriptor_type(BindingKind kind);
-[[nodiscard]] const char* name_of(BindingKind kind);
 
 // The constants of a stage, which must outlive it.
 struct Specialization {
@@ -127,7 +95,6 @@ class DescriptorAllocator {
     [[nodiscard]] const vk::raii::DescriptorSet& allocate(const Context& context,
                                                           const vk::raii::DescriptorSetLayout& layout,
                                                           std::span<const BindingKind> bindings);
-    [[nodiscard]] const vk::raii::DescriptorSet& allocate(const ComputePipeline::Impl& pipeline);
 
   private:
     using Counts = std::array<std::uint32_t, binding_kinds>;  // of descriptors, by kind
@@ -144,42 +111,26 @@ class DescriptorAllocator {
 void write_descriptors(const Context& context, const vk::raii::DescriptorSet& set,
                        std::span<const BindingKind> bindings, std::span<const Resource> resources);
 
-struct RasterHandles {
+struct RasterPipeline::Handles {
+    Context& context;
+    std::vector<BindingKind> bindings;
     vk::raii::RenderPass render_pass;
     vk::raii::DescriptorSetLayout set_layout;
     vk::raii::PipelineLayout layout;
     vk::raii::Pipeline pipeline;
 };
 
-struct RasterPipeline::Impl {
-    Impl(Context& owner, const RasterProgram& program);
-
-    Context& context;
-    std::vector<BindingKind> bindings;
-    Guarded<RasterHandles> handles;
-};
-
-// The objects that must outlive the execution of a recording.
-struct Recording {
-    vk::raii::CommandBuffers buffers;
-    DescriptorAllocator descriptors;
-    Timestamps timestamps;
-    std::vector<vk::raii::Framebuffer> framebuffers;
-};
-
-struct Commands::Impl {
-    explicit Impl(Context& owner);
-
-    // The command buffer. Throws std::runtime_error after submit().
+// What must outlive the execution of a recording.
+struct Commands::Handles {
+    // Throws std::runtime_error after submit().
     [[nodiscard]] const vk::raii::CommandBuffer& recording() const;
-
-    // Records the pipeline, its resources and its push constants.
-    void bind(const ComputePipeline& pipeline, std::span<const Resource> resources,
-              std::span<const std::byte> push_constants);
 
     enum class State { recording, submitted, finished };
     Context& context;
-    Guarded<Recording> handles;
+    vk::raii::CommandBuffers buffers;
+    DescriptorAllocator descriptors{};
+    Timestamps timestamps{};
+    std::vector<vk::raii::Framebuffer> framebuffers{};
     State state = State::recording;
 };
 

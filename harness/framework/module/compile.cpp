@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+#include "module/compile.hpp"
+
+#include <glslang/SPIRV/GlslangToSpv.h>
+#include <spirv-tools/libspirv.h>
+#include <algorithm>
+#include <array>
+
+#include "module/internal/compiler_process.hpp"
+#include "module/internal/cross.hpp"
+#include "module/internal/front_end.hpp"
+#include "module/spirv.hpp"
+#include "module/steps.hpp"
+#include "source/lines.hpp"
+
+namespace gloam::shader {
+namespace {
+
+// Of a number; others have none.
+std::string scalar_name(Scalar scalar) {
+    static constexpr std::array names{"void", "bool", "int", "uint", "float", "float16_t"};
+    const auto at = static_cast<std::size_t>(scalar);
+    return at < names.size() ? names.at(at) : "";
+}
+
+std::string vector_prefix(Scalar scalar) {
+    if (scalar == Scalar::float_) return {};
+    return scalar == Scalar::float16_ ? "f16" : scalar_name(scalar).substr(0, 1);
+}
+
+std::string sizes_of(const Type& type) {
+    std::string text;
+    for (const std::uint32_t size : type.sizes) text += "[" + (size > 0 ? std::to_string(size) : "") + "]";
+    return text;
+}
+
+bool has_text(const Type& type) {
+    return type.scalar == Scalar::sampler || type.scalar == Scalar::unsupported ||
+           type.scalar == Scalar::oversized;
+}
+
+// One element of an array.
+std::string element_text(const Type& type) {
+    if (has_text(type)) return type.name;
+    if (type.scalar == Scalar::structure) {
+        std::string text = type.name + " {";
+        for (const Member& member : type.members)
+            text.append(" ").append(name_of(member.type)).append(" ").append(member.name).append(";");
+        return text + " }";
+    }
+    const std::string rows = std::to_string(type.rows);
+    if (type.columns > 1) {
+        std::string text = vector_prefix(type.scalar) + "mat" + std::to_string(type.columns);
+        return type.columns == type.rows ? text : text.append("x").append(rows);
+    }
+    return type.rows > 1 ? vector_prefix(type.scalar) + "vec" + rows : scalar_name(type.scalar);
+}
+
+std::string text_of(const Parameter& parameter) {
+    std::string text;
+    if (parameter.direction == Direction::out) text = "out ";
+    if (parameter.direction == Direction::inout) text = "inout ";
+    text += name_of(parameter.type);
+    if (!parameter.name.empty()) text += " " + parameter.name;
+    return text;
+}
+
+}  // namespace
+
+bool operator==(const Type& a, const Type& b) {
+    if (a.scalar != b.scalar || a.columns != b.columns || a.rows != b.rows || a.sizes != b.sizes)
+        return false;
+    if (has_text(a)) return a.name == b.name;
+    return std::equal(a.members.begin(), a.members.end(), b.members.begin(), b.members.end(),
+                      [](const Member& x, const Member& y) { return x.type == y.type; });
+}
+
+bool is_supported(const Type& type) {
+    return type.scalar != Scalar::unsupported && type.scalar != Scalar::oversized &&
+           std::all_of(type.members.begin(), type.members.end(),
+                       [](const Member& member) { return is_supported(member.type); });
+}
+
+Type element_of(const Type& array) {
+    Type element = array;
+    element.sizes.erase(element.sizes.begin());
+    return element;
+}
+
+std::size_t scalar_count(const Type& type) {
+    std::size_t count = static_cast<std::size_t>(type.columns) * static_cast<std::size_t>(type.rows);
+    if (type.scalar == Scalar::void_ || type.scalar == Scalar::sampler) count = 0;
+    if (type.scalar == Scalar::structure) {
+        count = 0;
+        for (const Member& member : type.members)
+            count = std::min(count + scalar_count(member.type), most_scalars + 1);
+    }
+    for (const std::uint32_t size : type.sizes) count = std::min(count * size, most_scalars + 1);
+    return count;
+}
+
+std::string to_glsl(const Type& type) {
+    return element_text(type) + sizes_of(type);
+}
+
+std::string name_of(const Type& type) {
+    return (type.scalar == Scalar::structure ? type.name : element_text(type)) + sizes_of(type);
+}
+
+std::string to_glsl(const Function& function) {
+    std::string text = name_of(function.result) + " " + function.name + "(";
+    for (std::size_t i = 0; i < function.parameters.size() && !function.parameters[i].global; ++i)
+        text += (i == 0 ? "" : ", ") + text_of(function.parameters[i]);
+    return text + ")";
+}
+
+std::vector<Variant> variants() {
+    using Constants = Variant::Constants;
+    return {
+        {.name = "shipped", .description = "the SPIR-V that glslang makes"},
+        {.name = "strict",
+         .description = "every float operation NoContraction: no contraction, no reordering",
+         .strict = true},
+        {.name = "optimized",
+         .description = "optimised for speed by SPIRV-Tools (-O)",
+         .optimization = Optimization::performance},
+        {.name = "small",
+         .description = "optimised for size by SPIRV-Tools (-Os)",
+         .optimization = Optimization::size},
+        {.name = "relaxed",
+         .description = "every float result RelaxedPrecision (mediump), and NoContraction",
+         .strict = true,
+         .relaxed = true},
+        {.name = "literals",
+         .description = "a few inputs as literals, folded by the compiler (-O)",
+         .optimization = Optimization::performance,
+         .constants = Constants::literals},
+        {.name = "specialization",
+         .description = "a few inputs as specialization constants, folded by the driver",
+         .constants = Constants::specialization},
+    };
+}
+
+Variant variant(const std::string& name) {
+    const std::size_t bar = name.rfind(step_separator);
+    if (bar != std::string::npos) {
+        Variant made = variant(name.substr(0, bar));
+        made.name = name;
+        const std::vector<std::string> steps = steps_from(name.substr(bar + step_separator.size()), 0, 1);
+        if (steps.size() != 1) throw std::invalid_argument(name + ": expected one step behind each bar");
+        made.steps.push_back(steps.front());
+        if (is_metamorphic(made.steps.back()) && !std::ranges::all_of(made.steps, is_metamorphic))
+            throw std::invalid_argument(name + ": expected metamorphic steps before those of a compiler");
+        return made;
+    }
+    std::string names;
+    for (Variant& known : variants()) {
+        if (known.name == name) return std::move(known);
+        names += (names.empty() ? "" : ", ") + known.name;
+    }
+    throw std::invalid_argument("unknown variant \"" + name + "\": expected " + names);
+}
+
+namespace {
+
+// Applies the variant to the front end's module; each step produces a valid module.
+Spirv varied(Spirv module, const Variant& variant) {
+    validate(module);
+    const auto decorated = [&variant](Spirv words) {
+        if (variant.strict) words = with_no_contraction(words);
+        if (variant.relaxed) words = with_relaxed_precision(words);
+        return words;
+    };
+    // Decorates before the optimizer, so that it cannot contract, and after it, for instructions that it has
+    // created.
+    module = decorated(std::move(module));
+    if (variant.optimization != Optimization::none)
+        module = decorated(optimize(module, variant.optimization));
+    if (variant.strict || variant.relaxed || variant.optimization != Optimization::none) validate(module);
+    return module;
+}
+
+}  // namespace
+
+Spirv internal::compile_here(const Source& source, const CompileOptions& options) {
+    internal::require_vulkan_version(source);
+    Spirv module = internal::to_spirv(source, options.stage, options.include_roots, {.lines = options.lines});
+    try {
+        return varied(std::move(module), options.variant);
+    } catch (const CompileError&) {
+        throw;
+    } catch (const std::runtime_error& error) {
+        throw CompileError(source.name + ": " + error.what());
+    }
+}
+
+std::string compiler_version() {
+    const glslang::Version version = glslang::GetVersion();
+    return "glslang " + std::to_string(version.major) + "." + std::to_string(version.minor) + "." +
+           std::to_string(version.patch) + version.flavor + " (generator " +
+           std::to_string(glslang::GetSpirvGeneratorVersion()) + "), " + spvSoftwareVersionDetailsString() +
+           ", " + internal::cross_version();
+}
+
+namespace {
+
+// The pieces keep their own line numbers; the last may end without a newline, in a comment.
+void check_pieces(Language language, Stage stage, std::vector<Source> pieces, bool add_main,
+                  const std::vector<std::filesystem::path>& include_roots) {
+    const std::string name = pieces.back().name;
+    const std::string local_size = stage == Stage::compute ? "layout(local_size_x = 1) in;\n" : "";
+    if (add_main) pieces.push_back({"main", "\n" + local_size + "void main() {}\n"});
+    internal::Parse parse(stage, internal::client_of(language), name, std::move(pieces), include_roots);
+    static_cast<void>(parse.link(internal::Unreached::dropped));
+}
+
+}  // namespace
+
+internal::Client internal::client_of(Language language) {
+    return language == Language::vulkan450 ? Client::vulkan : Client::none;
+}
+
+void check_program(const Source& text, bool add_main, Language language, Stage stage) {
+    check_pieces(language, stage, {text}, add_main, {});
+}
+
+void check_compiles(const Source& body, Language language,
+                    const std::vector<std::filesystem::path>& include_roots) {
+    // The compiler looks for includes beside the first piece.
+    check_pieces(language, usual_stage(language), {{body.name, preamble(language)}, body}, true,
+                 include_roots);
+}
+
+}  // namespace gloam::shader

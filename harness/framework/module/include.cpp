@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+#include "module/include.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "base/files.hpp"
+#include "module/internal/include_folders.hpp"
+#include "source/lines.hpp"
+
+namespace gloam::shader::internal {
+namespace {
+
+constexpr const char* list_variable = "GLOAM_DEPENDENCIES_OUTPUT";
+
+bool lists(const char* list, const std::string& wanted) {
+    std::ifstream stream(list);
+    for (std::string line; std::getline(stream, line);)
+        if (line == wanted) return true;
+    return false;
+}
+
+}  // namespace
+
+std::string dependency_list() {
+    const char* list = std::getenv(list_variable);
+    return list == nullptr ? "" : list;
+}
+
+void use_dependency_list(const std::string& list) {
+    if (list.empty()) {
+        ::unsetenv(list_variable);
+    } else {
+        ::setenv(list_variable, list.c_str(), 1);
+    }
+}
+
+void note_dependency(const std::filesystem::path& file) {
+    const char* list = std::getenv(list_variable);
+    if (list == nullptr) return;
+    std::error_code error;
+    const std::filesystem::path absolute = std::filesystem::canonical(file, error);
+    if (error || lists(list, absolute.string())) return;
+    std::ofstream(list, std::ios::app) << absolute.string() + '\n';
+}
+
+}  // namespace gloam::shader::internal
+
+namespace gloam::shader {
+namespace {
+
+using Path = std::filesystem::path;
+
+// The files to which an include name can refer, in the order in which they are tried.
+std::vector<Path> candidates(std::string_view name, const Path& from, const std::vector<Path>& roots) {
+    std::vector<Path> files;
+    if (!from.empty()) files.push_back((from / name).lexically_normal());
+    for (const Path& root : roots) files.push_back((root / name).lexically_normal());
+    return files;
+}
+
+bool is_file(const Path& file) {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(file, ignored);
+}
+
+// Whether an existing file lies below a root. Links are followed on both sides.
+bool is_below(const Path& file, const std::vector<Path>& roots) {
+    std::error_code error;
+    const Path real = std::filesystem::canonical(file, error);
+    if (error) return false;
+    return std::ranges::any_of(roots, [&](const Path& root) {
+        const Path folder = std::filesystem::canonical(root, error);
+        return !error && std::ranges::mismatch(folder, real).in1 == folder.end();
+    });
+}
+
+std::optional<Path> first_file(const std::vector<Path>& files, const std::vector<Path>& permitted) {
+    for (const Path& file : files)
+        if (is_file(file) && is_below(file, permitted)) return file;
+    return std::nullopt;
+}
+
+std::string listed(const std::vector<Path>& files) {
+    std::string list;
+    for (const Path& file : files) list += " " + file.string();
+    return list;
+}
+
+// Visits includes in the order of first mention. A chain of includes can be as long as their author wants, so
+// that the open files are a list and not calls within calls.
+class Closure {
+  public:
+    explicit Closure(internal::IncludeFolders folders) : folders_(std::move(folders)) {}
+
+    std::vector<IncludedFile> run(std::string_view text, const Path& from) {
+        open(text, from);
+        while (!open_.empty()) {
+            std::vector<Name>& names = open_.back();
+            if (names.empty()) {
+                open_.pop_back();
+                continue;
+            }
+            Name next = std::move(names.back());
+            names.pop_back();
+            if (mentioned_.insert(next).second) mention(next);  // a repeated name is the same file
+        }
+        return std::move(files_);
+    }
+
+  private:
+    struct Name {
+        std::string name;
+        Path from;
+        auto operator<=>(const Name&) const = default;
+    };
+
+    // The includes of a text, the last one first.
+    void open(std::string_view text, const Path& from) {
+        std::vector<Name> names;
+        for (const internal::Line& line : internal::split_lines(text))
+            if (const auto include = internal::include_of(line))
+                names.push_back({include->name, include->system ? Path() : from});
+        std::ranges::reverse(names);
+        open_.push_back(std::move(names));
+    }
+
+    void mention(const Name& name) {
+        const std::optional<Path> file =
+            first_file(candidates(name.name, name.from, folders_.roots), folders_.permitted);
+        if (!file || !seen_.insert(*file).second) return;
+        std::string text;
+        try {
+            text = read_text(*file);
+        } catch (const std::runtime_error&) {
+            return;
+        }
+        bytes_ += text.size();
+        if (bytes_ > base::largest_text)
+            throw std::runtime_error(file->string() + ": the includes together are longer than " +
+                                     std::to_string(base::largest_text) + " bytes");
+        files_.push_back({*file, text});
+        open(text, file->parent_path());
+    }
+
+    internal::IncludeFolders folders_;
+    std::set<Name> mentioned_;
+    std::set<Path> seen_;
+    std::vector<std::vector<Name>> open_;
+    std::size_t bytes_ = 0;
+    std::vector<IncludedFile> files_;
+};
+
+}  // namespace
+
+Path overlaid(const Path& file) {
+    const char* const copy = std::getenv("GLOAM_SHADERS");
+    const char* const original = std::getenv("GLOAM_SHADERS_OF");
+    if (copy == nullptr || original == nullptr) return file;
+    std::error_code error;
+    const Path folder = std::filesystem::canonical(original, error);
+    const Path real = error ? Path() : std::filesystem::canonical(file, error);
+    if (error || !is_below(real, {folder})) return file;
+    Path found = copy / real.lexically_relative(folder);
+    return is_file(found) ? found : file;
+}
+
+std::string read_text(const Path& file) {
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(file, error);
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+        throw std::runtime_error(
+            file.string() +
+            (std::filesystem::is_directory(status) ? ": is a folder" : ": is no regular file") +
+            ", expected a text file");
+    std::string text = base::read_file(overlaid(file));
+    if (text.find('\0') != std::string::npos)
+        throw std::runtime_error(file.string() + ": contains a NUL byte, expected a text in UTF-8");
+    internal::note_dependency(file);
+    constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+    return text.starts_with(byte_order_mark) ? text.substr(byte_order_mark.size()) : text;
+}
+
+namespace internal {
+
+IncludeFolders include_folders(const std::vector<Path>& roots, const std::vector<Source>& texts) {
+    IncludeFolders folders{.roots = roots, .permitted = roots};
+    for (const Source& text : texts)
+        if (const Path own = Path(text.name).parent_path(); !own.empty()) folders.permitted.push_back(own);
+    return folders;
+}
+
+Path resolved(std::string_view name, const Path& from, const IncludeFolders& folders) {
+    const std::vector<Path> files = candidates(name, from, folders.roots);
+    if (const std::optional<Path> file = first_file(files, folders.permitted)) return *file;
+    const std::string quoted = "include \"" + std::string(name) + "\"";
+    const auto outside = std::ranges::find_if(files, is_file);
+    if (outside != files.end())
+        throw std::runtime_error(
+            quoted + " is outside the include roots, expected a file below" +
+            (folders.permitted.empty() ? " one of them, found none" : listed(folders.permitted)));
+    if (files.empty()) throw std::runtime_error("cannot find " + quoted + ": no folder to look in");
+    throw std::runtime_error("cannot find " + quoted + "; looked for" + listed(files));
+}
+
+}  // namespace internal
+
+Path resolve_include(std::string_view name, const Path& from, const std::vector<Path>& roots) {
+    return internal::resolved(name, from, {.roots = roots, .permitted = roots});
+}
+
+std::vector<IncludedFile> include_closure(std::string_view text, const std::vector<Path>& roots,
+                                          const Path& from) {
+    std::vector<Path> permitted = roots;
+    if (!from.empty()) permitted.push_back(from);
+    return Closure({.roots = roots, .permitted = std::move(permitted)}).run(text, from);
+}
+
+}  // namespace gloam::shader

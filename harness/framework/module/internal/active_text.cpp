@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#include "module/internal/front_end.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <exception>
+#include <string_view>
+#include <utility>
+
+#include "module/include.hpp"
+
+namespace gloam::shader::internal {
+namespace {
+
+// Stands for a line of code while the compiler's preprocessor runs: gloam_active_text_at_FILE_LINE_. Its
+// output also holds the names of the texts, which are no such marks.
+constexpr std::string_view mark = "gloam_active_text_at_";
+
+std::string mark_of(std::size_t file, std::size_t line) {
+    return std::string(mark) + std::to_string(file) + "_" + std::to_string(line) + "_";
+}
+
+template <std::size_t N>
+bool is_one_of(const std::string& word, const std::array<std::string_view, N>& words) {
+    return std::ranges::find(words, word) != words.end();
+}
+
+constexpr std::array<std::string_view, 7> conditions{"if",   "ifdef", "ifndef", "elif",
+                                                     "else", "endif", "error"};
+constexpr std::array<std::string_view, 2> macros{"define", "undef"};
+
+// "450", "330 core", "300 es" and their like.
+bool is_version(std::string_view text) {
+    const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
+    text.remove_prefix(digits);
+    text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+    text = text.substr(0, text.find_last_not_of(" \t\r\n") + 1);
+    return digits == 3 && (text.empty() || text == "core" || text == "compatibility" || text == "es");
+}
+
+void require_version(const TextFile& file, const Line& line, const Directive& directive) {
+    if (is_version(directive.argument)) return;
+    throw CompileError(file.name + ":" + std::to_string(line.number) + ": #version " + directive.argument +
+                       ": expected a version of GLSL, such as 450 or 300 es");
+}
+
+// The code of a directive, in one line.
+std::string joined(const Line& line) {
+    std::string code = line.code;
+    std::erase(code, '\0');
+    std::replace(code.begin(), code.end(), '\n', ' ');
+    return code;
+}
+
+// The compiler looks beside the first of several texts only.
+std::string include_line(const TextFile& file, const Line& line, const IncludeFolders& folders) {
+    const auto include = include_of(line);
+    if (!include || include->system) return joined(line);
+    try {
+        const auto folder = std::filesystem::path(file.name).parent_path();
+        // Absolute: the compiler's reader looks for it once more, from the folder of the file.
+        const auto found = std::filesystem::absolute(resolved(include->name, folder, folders));
+        return "#include \"" + found.string() + "\"";
+    } catch (const std::runtime_error&) {
+        return joined(line);  // only the compiler knows whether a condition hides it
+    }
+}
+
+// What the preprocessor is given of a line.
+std::string marked_line(const TextFile& file, std::size_t number, std::size_t index,
+                        const IncludeFolders& folders) {
+    const Line& line = file.lines[index];
+    const auto directive = directive_of(line);
+    if (!directive) return mark_of(number, index);
+    if (directive->keyword == "version") {
+        require_version(file, line, *directive);
+        return "";
+    }
+    if (directive->keyword == "include") return include_line(file, line, folders);
+    if (is_one_of(directive->keyword, conditions)) return joined(line);
+    if (is_one_of(directive->keyword, macros)) return joined(line) + "\n" + mark_of(number, index);
+    return mark_of(number, index);
+}
+
+// The file with marks for its code. Lines keep their numbers, for messages.
+std::string marked(const TextFile& file, std::size_t number, const IncludeFolders& folders) {
+    std::string text;
+    int next = 1;  // number that the compiler gives the next line
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+        if (next != file.lines[i].number) text += "#line " + std::to_string(file.lines[i].number) + "\n";
+        const std::string line = marked_line(file, number, i, folders);
+        text += line + "\n";
+        next = file.lines[i].number + 1 + static_cast<int>(std::ranges::count(line, '\n'));
+    }
+    return text;
+}
+
+// Lines in which a directive shares its line with a comment of several lines become two or three: the
+// directive by itself.
+std::vector<Line> with_directives_apart(const std::vector<Line>& lines) {
+    std::vector<Line> apart;
+    for (const Line& line : lines) {
+        const std::size_t begin = line.code.find('#');
+        if (!line.crosses || !directive_of(line) || begin == std::string::npos) {
+            apart.push_back(line);
+            continue;
+        }
+        const std::size_t end = line.code.find_last_not_of(" \t\r\n") + 1;
+        const auto add = [&](std::size_t from, std::size_t to, bool crosses) {
+            if (line.text.substr(from, to - from).find_first_not_of(" \t\r\n") == std::string_view::npos)
+                return;
+            apart.push_back(
+                {line.text.substr(from, to - from), line.code.substr(from, to - from), line.number, crosses});
+        };
+        add(0, begin, true);
+        add(begin, end, false);
+        add(end, line.text.size(), true);
+    }
+    return apart;
+}
+
+// Adds a file; returns what the preprocessor is to read instead of it.
+std::string added(ActiveText& all, Source source, const IncludeFolders& folders) {
+    TextFile& file = all.files.emplace_back(TextFile{std::move(source.name), std::move(source.text), {}});
+    file.lines = with_directives_apart(split_lines(file.text));
+    return marked(file, all.files.size() - 1, folders);
+}
+
+// The number of this file among those given; all.given: it is none of them.
+std::size_t given_as(const ActiveText& all, const std::filesystem::path& path) {
+    const std::string name = std::filesystem::absolute(path).lexically_normal().string();
+    std::size_t file = 0;
+    while (file < all.given && all.files[file].name != name) ++file;
+    return file;
+}
+
+// The number at the front, which goes, and the '_' behind it.
+std::size_t take_number(std::string_view& text) {
+    std::size_t number = 0;
+    const auto end = std::from_chars(text.data(), text.data() + text.size(), number).ptr;
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()) + 1);
+    return number;
+}
+
+std::vector<ActiveText::Place> places_in(std::string_view preprocessed, const ActiveText& all) {
+    std::vector<ActiveText::Place> places;
+    for (std::size_t at = preprocessed.find(mark); at != std::string_view::npos;
+         at = preprocessed.find(mark)) {
+        preprocessed.remove_prefix(at + mark.size());
+        const std::size_t file = take_number(preprocessed);
+        const std::size_t line = take_number(preprocessed);
+        if (file < all.files.size() && line < all.files[file].lines.size()) places.push_back({file, line});
+    }
+    return places;
+}
+
+}  // namespace
+
+ActiveText active_text(std::vector<Source> given, Language language, Stage stage,
+                       const std::vector<std::filesystem::path>& roots) {
+    const IncludeFolders folders = include_folders(roots, given);
+    ActiveText all;
+    all.given = given.size();
+    // Errors of the version itself are the first text's.
+    std::vector<Source> pieces{{given.empty() ? "nothing" : given.back().name, preamble(language)}};
+    for (Source& source : given) {
+        const std::string name = source.name;
+        pieces.push_back({name, added(all, std::move(source), folders)});
+    }
+    Includer includer(folders, [&](const std::filesystem::path& path, std::string text) {
+        // A file that another one includes first is still one of those given.
+        const std::size_t same = given_as(all, path);
+        if (same < all.given) return marked(all.files[same], same, folders);
+        return added(all, {path.string(), std::move(text)}, folders);
+    });
+    const std::string text = preprocessed(pieces, stage, client_of(language), includer);
+    all.lines = places_in(text, all);
+    return all;
+}
+
+constexpr std::size_t most_nested = 256;
+constexpr std::size_t most_included = 65536;  // files that include the next one twice double their number
+
+using Path = std::filesystem::path;
+using Result = glslang::TShader::Includer::IncludeResult;
+
+Result* Includer::includeLocal(const char* name, const char* includer, std::size_t) {
+    Result* result = open(name, Path(includer).parent_path());
+    if (!result->headerName.empty()) return result;
+    // glslang calls includeSystem next and prints its message.
+    local_failure_ = std::string(result->headerData, result->headerLength);
+    return result;
+}
+
+Result* Includer::includeSystem(const char* name, const char*, std::size_t) {
+    if (!local_failure_) return open(name, {});
+    std::string message = std::move(*local_failure_);
+    local_failure_.reset();
+    return fail(std::move(message));
+}
+
+void Includer::releaseInclude(Result* result) {
+    std::erase_if(open_, [result](const auto& open) { return open->result.get() == result; });
+}
+
+Result* Includer::open(const char* name, const Path& from) {
+    try {
+        Path path = resolved(name, from, folders_);
+        const bool again =
+            std::any_of(open_.begin(), open_.end(), [&](const auto& o) { return o->path == path; });
+        if (again) return fail("include cycle: " + chain_to(path));
+        if (open_.size() >= most_nested)
+            return fail("includes are nested more than " + std::to_string(most_nested) + " deep at " +
+                        path.string());
+        if (++included_ > most_included)
+            return fail("more than " + std::to_string(most_included) + " includes at " + path.string());
+        std::string text = read_text(path);
+        if (reading_) text = reading_(path, std::move(text));
+        return hold(std::move(path), std::move(text));
+    } catch (const std::exception& error) {
+        return fail(error.what());
+    }
+}
+
+// An empty name marks the failure; the text is then the message.
+Result* Includer::fail(std::string message) {
+    return hold({}, std::move(message));
+}
+
+Result* Includer::hold(Path path, std::string text) {
+    auto open = std::make_unique<Open>(Open{std::move(path), std::move(text), nullptr});
+    open->result =
+        std::make_unique<Result>(open->path.string(), open->text.c_str(), open->text.size(), nullptr);
+    open_.push_back(std::move(open));
+    return open_.back()->result.get();
+}
+
+std::string Includer::chain_to(const Path& path) const {
+    std::string chain;
+    bool inside = false;
+    for (const auto& open : open_) {
+        inside = inside || open->path == path;
+        if (inside) chain += open->path.string() + " -> ";
+    }
+    return chain + path.string();
+}
+
+}  // namespace gloam::shader::internal

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "module/compile.hpp"
+
+namespace gloam::shader::internal {
+
+// The folders in which includes are searched, and those below which they must lie.
+struct IncludeFolders {
+    std::vector<std::filesystem::path> roots;
+    std::vector<std::filesystem::path> permitted;
+};
+
+// The roots; includes may also lie below the folder of each text whose name is a path with a folder.
+[[nodiscard]] IncludeFolders include_folders(const std::vector<std::filesystem::path>& roots,
+                                             const std::vector<Source>& texts);
+
+// resolve_include() of these folders. Nothing about `from` is assumed, because #line can name any.
+[[nodiscard]] std::filesystem::path resolved(std::string_view name, const std::filesystem::path& from,
+                                             const IncludeFolders& folders);
+
+// Appends the absolute path of a read file to the list in the file that the environment variable
+// GLOAM_DEPENDENCIES_OUTPUT names, one path a line, unless it is listed already. Does nothing if the variable
+// is not set or the list cannot be written: a list of dependencies must not stop a compilation.
+void note_dependency(const std::filesystem::path& file);
+
+// The value of that variable, empty if it is not set, and its counterpart for another process: a compiler
+// process serves several tests of a suite, each with its own list.
+[[nodiscard]] std::string dependency_list();
+void use_dependency_list(const std::string& list);
+
+}  // namespace gloam::shader::internal

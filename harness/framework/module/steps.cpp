@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+#include "module/steps.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <sstream>
+#include <system_error>
+
+#include "base/files.hpp"
+#include "base/number.hpp"
+#include "base/process.hpp"
+#include "base/text.hpp"
+#include "module/internal/compiler_process.hpp"
+#include "module/metamorphic.hpp"
+#include "module/spirv.hpp"
+
+namespace gloam::shader {
+namespace {
+
+constexpr std::string_view optimizer = "spirv-opt";
+constexpr std::string_view changer = "metamorphic";
+
+using Words = std::vector<std::string>;
+
+Words words_of(const std::string& text) {
+    std::istringstream in(text);
+    Words words;
+    for (std::string word; in >> word;) words.push_back(word);
+    return words;
+}
+
+std::string joined(const Words& words) {
+    return fmt::format("{}", fmt::join(words, " "));
+}
+
+[[noreturn]] void refuse(const std::string& step, const std::string& expected) {
+    throw std::invalid_argument(fmt::format("\"{}\" is no step: expected {}", step, expected));
+}
+
+struct Seeded {
+    std::uint64_t seed = 0;
+    std::vector<std::size_t> positions;
+};
+
+std::vector<std::size_t> all_positions() {
+    std::vector<std::size_t> all(metamorphic_changes);
+    for (std::size_t position = 0; position < all.size(); ++position) all[position] = position;
+    return all;
+}
+
+// "metamorphic SEED" or "metamorphic SEED only POSITION...".
+Seeded seeded_from(const std::string& step) {
+    const Words words = words_of(step);
+    const auto seed = words.size() > 1 ? base::number_from<std::uint64_t>(words[1]) : std::nullopt;
+    const bool some = words.size() > 3 && words[2] == "only";
+    if (!seed || (words.size() > 2 && !some)) refuse(step, "metamorphic SEED, or metamorphic SEED only 3 5");
+    Seeded seeded{*seed, some ? std::vector<std::size_t>{} : all_positions()};
+    for (std::size_t w = 3; w < words.size(); ++w) {
+        const auto position = base::number_from<std::uint64_t>(words[w]);
+        if (!position || *position >= metamorphic_changes)
+            refuse(step, fmt::format("positions below {}", metamorphic_changes));
+        seeded.positions.push_back(*position);
+    }
+    return seeded;
+}
+
+bool is_program(const std::string& step) {
+    return step.find("{out}") != std::string::npos;
+}
+
+// The step's first word decides. Throws std::invalid_argument unless it is a step.
+void require_step(const std::string& step) {
+    const Words words = words_of(step);
+    if (words.empty()) refuse(step, "a step");
+    if (is_program(step)) {
+        if (step.find("{in}") == std::string::npos && step.find("{glsl}") == std::string::npos)
+            refuse(step, "a program that is given {in} or {glsl}");
+    } else if (words[0] == changer) {
+        static_cast<void>(seeded_from(step));
+    } else if (words[0] == optimizer) {
+        const auto unknown = std::find_if_not(words.begin() + 1, words.end(), is_pass);
+        if (words.size() == 1) refuse(step, "passes, as in spirv-opt --ccp");
+        if (unknown != words.end())
+            refuse(step, fmt::format("passes of SPIRV-Tools, and {} is none", *unknown));
+    } else {
+        refuse(step, "spirv-opt, metamorphic, or a program with {in} and {out}");
+    }
+}
+
+std::string bytes_of(const Spirv& module) {
+    return {reinterpret_cast<const char*>(module.data()), module.size() * sizeof(module[0])};
+}
+
+Spirv module_of(const std::string& bytes, const std::string& from) {
+    if (auto module = internal::module_of(bytes)) return std::move(*module);
+    throw StepError(fmt::format("{}: {} bytes are no SPIR-V module", from, bytes.size()));
+}
+
+constexpr std::uint64_t most_memory = std::uint64_t{4} << 30;
+constexpr std::chrono::seconds most_time{60};
+
+// A library that crashes or never ends costs this step alone.
+Spirv made_apart(const std::function<Spirv()>& make) {
+    const base::ProcessLimits limits{
+        .memory_bytes = most_memory, .cpu = most_time, .patience = 2 * most_time};
+    return module_of(base::run_apart([&] { return bytes_of(make()); }, limits), "the step");
+}
+
+Spirv run_program(const std::string& step, const StepInput& input) {
+    const base::TemporaryFolder folder("step");
+    const auto out = folder.path() / "out.spv";
+    Words command = words_of(step);
+    for (std::string& word : command) {
+        const auto put = [&word](std::string_view name, const std::filesystem::path& path) {
+            const std::size_t at = word.find(name);
+            if (at != std::string::npos) word.replace(at, name.size(), path.string());
+            return at != std::string::npos;
+        };
+        put("{out}", out);
+        if (put("{in}", folder.path() / "in.spv"))
+            base::write_file(folder.path() / "in.spv", bytes_of(input.module));
+        if (put("{glsl}", folder.path() / "in.comp"))
+            base::write_file(folder.path() / "in.comp", input.glsl());
+    }
+    base::ProcessResult result;
+    try {
+        result = base::run_process(
+            command, {}, {.memory_bytes = most_memory, .cpu = most_time, .patience = 2 * most_time});
+    } catch (const std::system_error& error) {
+        throw StepUnavailable(fmt::format("{} cannot be started: {}", command.front(), error.what()));
+    }
+    constexpr int not_executable = 126;  // of a shell, and of env
+    constexpr int not_found = 127;
+    const bool ended = result.end == base::ProcessResult::End::status;
+    if (ended && (result.number == not_executable || result.number == not_found))
+        throw StepUnavailable(fmt::format("{} {}", command.front(), result.how()));
+    if (!result.succeeded())
+        throw StepError(base::one_line(fmt::format("{} {}", command.front(), result.how())));
+    return module_of(base::read_file(out), out.string());
+}
+
+Spirv taken_unchecked(const std::string& step, const StepInput& input) {
+    if (is_program(step)) return run_program(step, input);
+    Words words = words_of(step);
+    if (words[0] == changer) {
+        const Seeded seeded = seeded_from(step);
+        return metamorphic(input.module, seeded.seed, seeded.positions).module;
+    }
+    words.erase(words.begin());
+    return made_apart([&] { return with_passes(input.module, words); });
+}
+
+}  // namespace
+
+Spirv taken(const std::string& step, const StepInput& input) {
+    require_step(step);
+    try {
+        Spirv module = taken_unchecked(step, input);
+        validate(module);
+        return module;
+    } catch (const StepUnavailable& error) {
+        throw StepUnavailable(base::one_line(fmt::format("{}: {}", step, error.what())));
+    } catch (const std::runtime_error& error) {
+        throw StepError(base::one_line(fmt::format("{}: {}", step, error.what())));
+    }
+}
+
+Stepped all_taken(const std::vector<std::string>& steps, const StepInput& input) {
+    Stepped stepped{input.module, input.module};
+    for (const std::string& step : steps) {
+        stepped.after = taken(step, {.module = stepped.after, .glsl = input.glsl});
+        if (is_metamorphic(step)) stepped.before = stepped.after;
+    }
+    if (without_names(stepped.after) == without_names(input.module)) throw Unchanged();
+    return stepped;
+}
+
+bool is_metamorphic(const std::string& step) {
+    return step.starts_with(changer) && !is_program(step);
+}
+
+std::vector<std::string> parts_of(const std::string& step) {
+    Words parts;
+    if (is_metamorphic(step)) {
+        for (const std::size_t position : seeded_from(step).positions)
+            parts.push_back(std::to_string(position));
+    } else {
+        parts = words_of(step);
+        std::erase_if(parts, [](const std::string& word) { return !is_pass(word); });
+    }
+    return parts;
+}
+
+std::string with_parts(const std::string& step, const std::vector<std::string>& parts) {
+    const Words words = words_of(step);
+    if (is_metamorphic(step)) return fmt::format("{} {} only {}", words[0], words[1], joined(parts));
+    Words changed;
+    bool put = false;
+    for (const std::string& word : words) {
+        if (!is_pass(word)) {
+            changed.push_back(word);
+        } else if (!put) {
+            changed.push_back(joined(parts));
+            put = true;
+        }
+    }
+    return joined(changed);
+}
+
+namespace {
+
+// The passes that the installed program names in its help. Those that need a number get a small one.
+Words known_passes() {
+    base::ProcessResult help;
+    try {
+        help = base::run_process({std::string(optimizer), "--help"}, {}, {});
+    } catch (const std::system_error& error) {
+        throw std::invalid_argument(
+            fmt::format("spirv-opt, whose help names its passes, cannot be started: {}", error.what()));
+    }
+    Words passes{"-O", "-Os"};
+    for (std::string word : words_of(help.output)) {
+        word = word.substr(0, word.find_first_of("[=,."));
+        if (!word.starts_with("--") || std::ranges::find(passes, word) != passes.end()) continue;
+        if (is_pass(word)) {
+            passes.push_back(word);
+        } else if (is_pass(word + "=4")) {
+            passes.push_back(word + "=4");
+        }
+    }
+    return passes;
+}
+
+}  // namespace
+
+std::vector<std::string> steps_from(const std::string& text, std::uint64_t first, std::size_t seeds) {
+    constexpr std::string_view each = "{each}";
+    Words steps;
+    if (text == changer) {
+        for (std::size_t s = 0; s < seeds; ++s) steps.push_back(fmt::format("{} {}", changer, first + s));
+    } else if (const std::size_t at = text.find(each); at != std::string::npos) {
+        for (const std::string& pass : known_passes())
+            steps.push_back(std::string(text).replace(at, each.size(), pass));
+    } else {
+        steps.push_back(joined(words_of(text)));
+    }
+    for (const std::string& step : steps) require_step(step);
+    return steps;
+}
+
+}  // namespace gloam::shader

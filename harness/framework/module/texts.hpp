@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "source/excerpts.hpp"
+#include "source/mutations.hpp"
+#include "source/pack.hpp"
+
+// Texts made of texts, with the compiler's help.
+namespace gloam::shader {
+
+// The texts with their includes as one: packed(). The result has been compiled. Throws CompileError (for the
+// original texts, if the error is there), std::invalid_argument for a function that the texts do not have,
+// std::runtime_error for a file that cannot be read.
+[[nodiscard]] std::string pack(const std::vector<std::filesystem::path>& files, const PackRequest& request,
+                               const std::vector<std::filesystem::path>& roots);
+[[nodiscard]] std::string pack(const std::vector<Source>& sources, const PackRequest& request,
+                               const std::vector<std::filesystem::path>& roots);
+
+// The functions of a text. The text may have any #version and any stage; it is read as GLSL 4.50 for Vulkan,
+// and need not be valid. Throws CompileError for what the preprocessor rejects, for example a missing
+// include.
+[[nodiscard]] Excerpts excerpts(const Source& source, const std::vector<std::filesystem::path>& roots);
+
+// The faults of a text, in its order, without those of its includes: other operators, comparisons, constants
+// and functions, conditions that always or never hold, and statements left out. Comments, directives,
+// structures and the interface are left alone, and so is what a condition of the preprocessor leaves out. A
+// fault may not compile. Throws CompileError for a text that the compiler rejects.
+[[nodiscard]] std::vector<Mutation> mutations(const Source& source,
+                                              const std::vector<std::filesystem::path>& roots);
+
+// Shading languages other than GLSL.
+enum class Target { hlsl, msl };
+
+// "hlsl", "msl"; nullopt for other text.
+[[nodiscard]] std::optional<Target> target_from(std::string_view name);
+
+// The suffix of a file: ".hlsl", ".metal".
+[[nodiscard]] std::string suffix(Target target);
+
+// A text that pack() wrote for Vulkan, as SPIRV-Cross translates it, with the licences of the text above it:
+// HLSL of shader model 6.0, or Metal Shading Language 2.1. The numbers of registers and indices are those of
+// the bindings; push constants have the number after the last one. The entry point is main in HLSL, main0 in
+// MSL. A text without a main gets one that calls every function, and functions that its user defines get a
+// body that returns an undefined `gloam_result`. Throws CompileError if the text does not compile;
+// std::invalid_argument for what cannot be translated.
+[[nodiscard]] std::string translated(const Source& packed, Target target, Stage stage = Stage::compute);
+
+}  // namespace gloam::shader

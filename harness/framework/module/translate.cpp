@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "module/internal/compiler_process.hpp"
+#include "module/internal/cross.hpp"
+#include "module/internal/front_end.hpp"
+#include "module/texts.hpp"
+#include "source/declarations.hpp"
+#include "source/plain_global.hpp"
+
+namespace gloam::shader {
+namespace {
+
+using internal::Declaration;
+using internal::DeclaredParameter;
+
+void require_values(const std::string& name, const Declaration& function) {
+    for (const DeclaredParameter& parameter : function.parameters)
+        if (internal::is_opaque(parameter.type))
+            throw std::invalid_argument(name + ": " + function.name + " has a parameter of type " +
+                                        parameter.type +
+                                        ": functions with images as parameters are not translated");
+}
+
+// A main() that calls every function once: SPIRV-Cross writes what main() reaches.
+std::string caller_of(const std::vector<Declaration>& functions) {
+    std::string variables;
+    std::string calls;
+    std::size_t count = 0;
+    for (const Declaration& function : functions) {
+        std::string arguments;
+        for (const DeclaredParameter& parameter : function.parameters) {
+            const std::string name = "argument" + std::to_string(count++);
+            variables += parameter.type + " " + name + ";\n";
+            arguments += (arguments.empty() ? "" : ", ") + name;
+        }
+        calls += function.name + "(" + arguments + ");\n";
+    }
+    return "\nvoid main() {\n" + variables + calls + "}\n";
+}
+
+// The text with a main(), and with bodies of the functions that its user defines.
+std::string whole(const Source& packed, Stage stage) {
+    std::vector<Declaration> functions = internal::declarations(internal::preprocessed(packed, stage, {}));
+    if (std::ranges::find(functions, "main", &Declaration::name) != functions.end()) return packed.text;
+    for (const Declaration& function : functions) require_values(packed.name, function);
+    const std::string text = packed.text + caller_of(functions);
+    functions.push_back({.name = "main", .result = "void", .head = "", .parameters = {}, .defined = true});
+    return internal::completed(text, functions);
+}
+
+std::string licences_of(const std::string& text) {
+    std::istringstream lines(text);
+    std::string licences;
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with("//") && line.find("SPDX-License-Identifier") != std::string::npos)
+            licences += line + "\n";
+    return licences;
+}
+
+}  // namespace
+
+std::optional<Target> target_from(std::string_view name) {
+    if (name == "hlsl") return Target::hlsl;
+    if (name == "msl") return Target::msl;
+    return std::nullopt;
+}
+
+std::string suffix(Target target) {
+    return target == Target::hlsl ? ".hlsl" : ".metal";
+}
+
+std::string internal::translated_here(const Source& packed, Target target, Stage stage) {
+    const bool hlsl = target == Target::hlsl;
+    const char* head =
+        hlsl ? "// HLSL of shader model 6.0 by SPIRV-Cross. Compile it by IEEE's rules (dxc -Gis).\n"
+             : "// Metal Shading Language 2.1 by SPIRV-Cross. Compile it without fast math.\n";
+    try {
+        const Spirv module = to_spirv({packed.name, whole(packed, stage)}, stage, {});
+        return licences_of(packed.text) + head + (hlsl ? to_direct3d_hlsl(module) : to_msl(module));
+    } catch (const CompileError&) {
+        throw;
+    } catch (const std::runtime_error& error) {
+        throw std::invalid_argument(packed.name + ": " + error.what());
+    }
+}
+
+}  // namespace gloam::shader

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: MIT
+#include "source/excerpts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "base/text.hpp"
+#include "source/internal/selection.hpp"
+#include "source/lines.hpp"
+#include "source/outline.hpp"
+#include "source/plain_global.hpp"
+
+namespace gloam::shader {
+namespace {
+
+using internal::ActiveText;
+using internal::Declaration;
+using internal::Outline;
+using internal::Piece;
+using Kind = Piece::Kind;
+
+constexpr std::size_t given = 1;  // files
+
+std::string version_of(const ActiveText& text) {
+    for (const internal::Line& line : text.files.front().lines) {
+        const auto directive = internal::directive_of(line);
+        if (directive && directive->keyword == "version") return directive->argument;
+    }
+    return {};
+}
+
+// "f(vec2, float)"
+std::string definition_of(const Declaration& function) {
+    std::string parameters;
+    for (const internal::DeclaredParameter& parameter : function.parameters)
+        parameters += (parameters.empty() ? "" : ", ") + parameter.type;
+    return function.name + "(" + parameters + ")";
+}
+
+// The comments above a function and inside its list of parameters: "float x /* in [0, 1] */" counts whole.
+std::string comment_of(const Piece& piece, const std::string& file) {
+    const std::size_t begin = piece.tokens[piece.function->list - 1].begin;
+    const std::size_t end = std::max(piece.tokens[piece.function->body - 1].begin, begin);
+    const std::string list = file.substr(begin, end - begin);
+    const bool comments = list.find("/*") != std::string::npos || list.find("//") != std::string::npos;
+    return comments ? piece.comment + list : piece.comment;
+}
+
+bool defines(const Piece& piece, const std::string& function) {
+    return piece.kind == Kind::function && piece.names.front() == function;
+}
+
+// What the macros stand for.
+using Macros = std::map<std::string, std::set<std::string>>;
+
+Macros macros_of(const Outline& outline) {
+    Macros macros;
+    for (const Piece& piece : outline.pieces)
+        if (piece.kind == Kind::macro)
+            macros[piece.names.front()].insert(piece.mentions.begin(), piece.mentions.end());
+    return macros;
+}
+
+// The types without values that macros stand for, by the macros' names: SAMPLER_TYPE.
+std::map<std::string, std::string> opaque_macros(const Macros& macros) {
+    std::map<std::string, std::string> types;
+    for (const auto& [name, meant] : macros) {
+        const auto type = std::ranges::find_if(meant, internal::is_opaque);
+        if (type != meant.end()) types[name] = *type;
+    }
+    return types;
+}
+
+// Declarations of samplers and images, added to those of the excerpt.
+std::string bound_text(const std::vector<BoundVariable>& variables, Excerpt& excerpt) {
+    std::string text;
+    for (const BoundVariable& variable : variables) {
+        text += "layout(binding = " + binding_macro(excerpt.bound.size());
+        text += variable.format.empty()
+                    ? ") uniform highp " + variable.type
+                    : ", " + variable.format + ") uniform highp " + variable.type + "Array";
+        text += " " + variable.name + "; ";
+        excerpt.bound.push_back(variable);
+    }
+    return text;
+}
+
+// The text of a piece in an excerpt, and its names; a macro may give a variable another one.
+std::string interface_text(const Piece& piece, const Macros& macros, Excerpt& excerpt) {
+    const bool of_group = contains(piece.tokens, "shared") || contains(piece.tokens, "local_size_x");
+    if (of_group && excerpt.needs == Needs::group) return piece.text;
+    const std::map<std::string, std::string> opaque = opaque_macros(macros);
+    if (const auto bound = internal::bound_variables(piece, opaque)) return bound_text(*bound, excerpt);
+    const auto plain = internal::plain_globals(piece, opaque);
+    if (!plain) {
+        excerpt.interface.insert(piece.names.begin(), piece.names.end());
+        return {};
+    }
+    for (const auto& [name, access] : plain->access) {
+        excerpt.globals[name] = access;
+        const auto renamed = macros.find(name);
+        if (renamed == macros.end()) continue;
+        for (const std::string& other : renamed->second) excerpt.globals[other] = access;
+    }
+    return plain->text;
+}
+
+// Variables that a function alone in a compute stage has not, or has another value of.
+struct BuiltIn {
+    const char* name;  // behind "gl_"
+    const char* type;
+    Access access = Access::reads;
+    bool in_group = false;  // it is a plain variable of a group's functions, too
+};
+constexpr std::array built_ins{BuiltIn{"FragCoord", "vec4"},
+                               BuiltIn{"PointCoord", "vec2"},
+                               BuiltIn{"FrontFacing", "bool"},
+                               BuiltIn{"VertexID", "int"},
+                               BuiltIn{"InstanceID", "int"},
+                               BuiltIn{"VertexIndex", "int"},
+                               BuiltIn{"InstanceIndex", "int"},
+                               BuiltIn{"Position", "vec4", Access::any},
+                               BuiltIn{"PointSize", "float", Access::any},
+                               BuiltIn{"FragColor", "vec4", Access::any},
+                               BuiltIn{"FragDepth", "float", Access::any},
+                               BuiltIn{"WorkGroupID", "uvec3", Access::uniform, true},
+                               BuiltIn{"NumWorkGroups", "uvec3", Access::uniform, true},
+                               BuiltIn{"GlobalInvocationID", "uvec3"}};
+
+// Stages without derivatives, where samplers read level 0.
+bool has_no_quads(const std::string& file) {
+    const std::optional<Stage> stage = stage_of_file(file);
+    return stage && *stage != Stage::fragment;
+}
+
+// What a function calls or mentions that needs other invocations.
+Needs needs_of(const std::set<std::string>& mentioned, bool shares, const std::string& file) {
+    const auto mentions = [&](auto matches) { return std::ranges::any_of(mentioned, matches); };
+    const bool group = shares || mentions([](const std::string& name) {
+                           return name == "barrier" || name == "memoryBarrierShared" ||
+                                  name == "groupMemoryBarrier" || name.starts_with("subgroup") ||
+                                  name.starts_with("gl_LocalInvocation") || name == "gl_WorkGroupSize" ||
+                                  name.starts_with("gl_Subgroup") || name == "gl_NumSubgroups";
+                       });
+    if (group) return Needs::group;
+    const bool quad = mentions([&file](std::string_view name) {
+        for (const std::string_view kind : {"Fine", "Coarse"})
+            if (name.ends_with(kind)) name.remove_suffix(kind.size());
+        const bool derives = name == "dFdx" || name == "dFdy" || name == "fwidth" || name == "discard";
+        return derives || (!has_no_quads(file) && (name == "texture" || name == "textureProj" ||
+                                                   name == "textureOffset" || name == "textureProjOffset"));
+    });
+    return quad ? Needs::quad : Needs::nobody;
+}
+
+// The plain variables for the built-in ones that are mentioned.
+std::string built_in_text(const std::set<std::string>& mentioned, Excerpt& excerpt) {
+    const std::string global = "gl_GlobalInvocationID";
+    std::string text;
+    for (const BuiltIn& one : built_ins) {
+        const std::string plain = std::string("gloam_") + one.name;
+        const std::string name = std::string("gl_") + one.name;
+        const bool in_group = excerpt.needs == Needs::group;
+        const bool follows = in_group && plain == "gloam_WorkGroupID" && mentioned.contains(global);
+        if ((!mentioned.contains(name) && !follows) || (in_group && !one.in_group)) continue;
+        text += std::string(one.type) + " " + plain + ";\n#define " + name + " " + plain + "\n";
+        excerpt.globals[plain] = one.access;
+    }
+    if (excerpt.needs == Needs::quad && mentioned.contains("discard")) {
+        text += std::string("bool ") + discarded + ";\n";
+        excerpt.globals[discarded] = Access::any;
+    }
+    if (excerpt.needs == Needs::group && mentioned.contains(global))
+        text += "#define " + global + " (gloam_WorkGroupID * gl_WorkGroupSize + gl_LocalInvocationID)\n";
+    return text;
+}
+
+// Whether a text has "NAME other": NAME is a type there.
+bool is_type_in(const Piece& piece, std::string_view name) {
+    if (piece.kind == Kind::macro || !piece.mentions.contains(std::string(name))) return false;
+    const auto names_type = [&](const Token& token, const Token& next) {
+        return token == name && next != "(";
+    };
+    return std::ranges::adjacent_find(piece.tokens, names_type) != piece.tokens.end();
+}
+
+// What samplers' functions are called in GLSL 1.20 and 1.00, and now.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 14> legacy_calls{
+    {{"texture2D", "texture"},
+     {"texture2DProj", "textureProj"},
+     {"texture2DLod", "textureLod"},
+     {"texture2DLodEXT", "textureLod"},
+     {"texture2DProjLod", "textureProjLod"},
+     {"texture2DProjLodEXT", "textureProjLod"},
+     {"texture2DGradEXT", "textureGrad"},
+     {"texture3D", "texture"},
+     {"texture3DLod", "textureLod"},
+     {"textureCube", "texture"},
+     {"textureCubeLod", "textureLod"},
+     {"textureCubeLodEXT", "textureLod"},
+     {"textureCubeGradEXT", "textureGrad"},
+     {"texture3DProj", "textureProj"}}};
+
+// Macros that give these functions the names of today, and those names. GLSL for Vulkan has types with some
+// of the old names; where a text declares one, it is not that old.
+std::string legacy_text(const Outline& outline, std::set<std::string>& mentioned) {
+    std::string text;
+    for (const auto& [old_name, name] : legacy_calls) {
+        if (!mentioned.contains(std::string(old_name))) continue;
+        const bool has_another_meaning = std::ranges::any_of(outline.pieces, [&](const Piece& piece) {
+            return is_type_in(piece, old_name) ||
+                   std::ranges::find(piece.names, old_name) != piece.names.end();
+        });
+        if (has_another_meaning) continue;
+        text += fmt::format("#define {} {}\n", old_name, name);
+        mentioned.insert(std::string(name));
+    }
+    return text;
+}
+
+// Built-in functions of one, two and three parameters, which have one type or are floats; between blanks.
+constexpr std::array<std::string_view, 3> built_in_functions{
+    " sinh cosh tanh asinh acosh atanh round trunc roundEven fract sign floor ceil radians degrees exp exp2 "
+    "log "
+    "log2 sqrt inversesqrt abs sin cos tan asin acos isnan isinf length normalize inverse transpose "
+    "determinant ",
+    " mod min max step pow distance dot cross reflect outerProduct matrixCompMult ",
+    " mix clamp fma smoothstep refract faceforward "};
+
+// Whether a function takes the place of a built-in one.
+bool is_own_built_in(const Piece& piece) {
+    if (piece.kind != Kind::function) return false;
+    const std::size_t count = piece.function->parameters.size();
+    if (count == 0 || count > built_in_functions.size()) return false;
+    const std::string name = fmt::format(" {} ", piece.names.front());
+    if (built_in_functions.at(count - 1).find(name) == std::string_view::npos) return false;
+    return std::ranges::all_of(piece.function->parameters, [](const internal::DeclaredParameter& parameter) {
+        return parameter.type == "float" || parameter.type.starts_with("vec") ||
+               parameter.type.starts_with("mat");
+    });
+}
+
+// A function and what it uses.
+std::vector<const Piece*> kept_for(const std::string& function, const Outline& outline) {
+    internal::Selection selection(outline, given);
+    selection.want({function});
+    std::vector<const Piece*> kept;
+    for (std::size_t i = 0; i < outline.pieces.size(); ++i) {
+        const Piece& piece = outline.pieces[i];
+        if (selection.keeps(i) && piece.kind != Kind::comment && !defines(piece, "main"))
+            kept.push_back(&piece);
+    }
+    return kept;
+}
+
+Excerpt excerpt_of(const std::string& function, const ActiveText& active, const Outline& outline) {
+    const std::vector<const Piece*> kept = kept_for(function, outline);
+    const Macros macros = macros_of(outline);
+    Excerpt excerpt{
+        .function = function, .text = {}, .interface = {}, .bound = {}, .globals = {}, .definitions = {}};
+    for (const std::string& extension : outline.extensions) excerpt.text += extension + "\n";
+    const std::size_t head = excerpt.text.size();
+    std::set<std::string> mentioned;
+    for (const Piece* piece : kept) mentioned.insert(piece->mentions.begin(), piece->mentions.end());
+    const bool shares = std::ranges::any_of(kept, [](const Piece* piece) {
+        return (piece->kind == Kind::interface || piece->kind == Kind::variable) &&
+               contains(piece->tokens, "shared");
+    });
+    const std::string legacy = legacy_text(outline, mentioned);
+    excerpt.needs = needs_of(mentioned, shares, active.files.front().name);
+    excerpt.text += legacy + built_in_text(mentioned, excerpt);
+    std::set<std::string> own;
+    for (const Piece* piece : kept)
+        if (is_own_built_in(*piece)) own.insert(piece->names.front());
+    for (const std::string& name : own)
+        excerpt.text += fmt::format("#define {} {}{}\n", name, own_prefix, name);
+    for (const Piece* piece : kept) {
+        const std::string text =
+            piece->kind == Kind::interface ? interface_text(*piece, macros, excerpt) : piece->text;
+        if (text.empty()) continue;
+        const internal::TextFile& file = active.files[piece->file];
+        excerpt.text += internal::line_directive(piece->line, file.name) + text + "\n";
+        if (!defines(*piece, function)) continue;
+        excerpt.definitions.push_back(piece->file < given ? definition_of(*piece->function) : "");
+        excerpt.comments.push_back(comment_of(*piece, file.text));
+    }
+    const bool stores = std::ranges::any_of(mentioned, [](const std::string& name) {
+        return name == "imageStore" || name.starts_with("imageAtomic");
+    });
+    for (BoundVariable& variable : excerpt.bound) variable.written = variable.written && stores;
+    if (std::ranges::any_of(excerpt.bound, [](const auto& one) { return !one.format.empty(); }))
+        excerpt.text.insert(head, internal::image_macros());
+    return excerpt;
+}
+
+}  // namespace
+
+std::string binding_macro(std::size_t variable) {
+    return "GLOAM_BINDING_" + std::to_string(variable);
+}
+
+Excerpts excerpts(const ActiveText& active) {
+    const Outline outline = internal::outline(active, internal::Keep::line_numbers);
+    Excerpts all{.version = version_of(active), .functions = {}, .by_macro = {}};
+    for (const Piece& piece : outline.pieces) {
+        if (piece.by_macro && piece.file < given)
+            all.by_macro.push_back(fmt::format("line {}: {}", piece.line, base::one_line(piece.text)));
+        if (piece.kind != Kind::function || piece.file >= given || defines(piece, "main")) continue;
+        const std::string& name = piece.names.front();
+        if (std::ranges::find(all.functions, name, &Excerpt::function) == all.functions.end())
+            all.functions.push_back(excerpt_of(name, active, outline));
+    }
+    return all;
+}
+
+}  // namespace gloam::shader

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+#include "source/mutations.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <span>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+#include "source/outline.hpp"
+
+namespace gloam::shader {
+namespace {
+
+using internal::Piece;
+
+// A token and what can stand in its place; "_": nothing.
+using Row = const char*;
+constexpr std::array comparisons{"< <= >", "<= < >=", "> >= <", ">= > <=", "== !=", "!= =="};
+constexpr std::array operators{"+ -",   "- +",   "* /",     "/ *",    "% /",   "<< >>", ">> <<",
+                               "& |",   "| &",   "^ |",     "&& ||",  "|| &&", "+= -=", "-= +=",
+                               "*= /=", "/= *=", "|= &=",   "&= |=",  "^= |=", "++ --", "-- ++",
+                               "! _",   "~ _",   "<<= >>=", ">>= <<="};
+constexpr std::array functions{"min max",
+                               "max min",
+                               "sin cos",
+                               "cos sin",
+                               "floor ceil",
+                               "ceil floor",
+                               "abs _",
+                               "sqrt _",
+                               "sign _",
+                               "any all",
+                               "all any",
+                               "round floor",
+                               "isnan isinf",
+                               "isinf isnan",
+                               "normalize _",
+                               "roundEven floor",
+                               "lessThan lessThanEqual",
+                               "greaterThan greaterThanEqual"};
+
+// Other numbers in the place of one.
+std::vector<std::string> other_numbers(const std::string& text) {
+    const bool is_unsigned = text.ends_with('u') || text.ends_with('U');
+    const std::string suffix = is_unsigned ? "u" : "";
+    const bool hex = text.starts_with("0x") || text.starts_with("0X");
+    if (hex || text.find_first_of(".eE") == std::string::npos) {
+        unsigned long value = 0;
+        const std::size_t prefix = hex ? 2 : 0;
+        std::from_chars(text.data() + prefix, text.data() + text.size(), value, hex ? 16 : 10);
+        if (hex) return {fmt::format("{:#x}{}", value ^ 1UL, suffix)};
+        std::vector<std::string> found{fmt::format("{}{}", value + 1, suffix)};
+        if (value > 0) found.push_back(fmt::format("{}{}", value - 1, suffix));
+        return found;
+    }
+    double value = 0.0;
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    if (value == 0.0) return {"1.0"};
+    if (value == 1.0) return {"0.0", "2.0"};
+    std::vector<std::string> found;
+    for (const double other : {2.0 * value, 0.5 * value}) {
+        const std::string shown = fmt::format("{}", other);
+        if (std::isfinite(other))
+            found.push_back(shown.find_first_of(".e") == std::string::npos ? shown + ".0" : shown);
+    }
+    return found;
+}
+
+// The faults of what declarations do: of the body of a function, or the value of a constant.
+class Faults {
+  public:
+    explicit Faults(const std::string& text) : text_(text) {}
+
+    void add(const Piece& piece) {
+        tokens_ = piece.tokens;
+        if (!find_region()) return;
+        function_ = in_body_ ? (piece.names.empty() ? tokens_[0].text : piece.names.front()) : "";
+        loop_end_ = 0;
+        brackets_ = 0;
+        for (at_ = first_; at_ < last_; ++at_) {
+            if (here() == "for" || here() == "while") loop_end_ = behind_bracket(tokens_, at_ + 1);
+            if (here() == "(" || here() == "[") ++brackets_;
+            if (here() == ")" || here() == "]") --brackets_;
+            add_token();
+        }
+    }
+
+    [[nodiscard]] std::vector<Mutation> take() { return std::move(found_); }
+
+  private:
+    [[nodiscard]] bool find_region() {
+        for (std::size_t i = 0; i < tokens_.size();) {
+            in_body_ = tokens_[i] == "{" && before(i) == ")";
+            if (in_body_ || tokens_[i] == "=") {
+                first_ = in_body_ ? i : i + 1;
+                last_ = in_body_ ? behind_bracket(tokens_, i) - 1 : tokens_.size() - 1;
+                return in_body_ || (tokens_[0] != "layout" && tokens_[0] != "uniform");
+            }
+            const bool opens = tokens_[i] == "(" || tokens_[i] == "[" || tokens_[i] == "{";
+            i = opens ? behind_bracket(tokens_, i) : i + 1;
+        }
+        return false;
+    }
+
+    [[nodiscard]] const Token& near(std::size_t i) const {
+        static const Token end{";"};
+        return i < tokens_.size() ? tokens_[i] : end;
+    }
+    [[nodiscard]] const Token& here() const { return tokens_[at_]; }
+    [[nodiscard]] const Token& before(std::size_t i) const {
+        return i > 0 ? near(i - 1) : near(tokens_.size());
+    }
+    [[nodiscard]] std::string between(std::size_t first, std::size_t last) const {
+        return text_.substr(tokens_[first].begin, tokens_[last].end() - tokens_[first].begin);
+    }
+
+    // From the token `first` to `last`.
+    void found(const std::string& kind, std::size_t first, std::size_t last, std::string after) {
+        found_.push_back({.begin = tokens_[first].begin,
+                          .end = tokens_[last].end(),
+                          .line = tokens_[first].line,
+                          .before = between(first, last),
+                          .after = std::move(after),
+                          .kind = kind,
+                          .function = function_});
+    }
+
+    void found_others(const std::string& kind, std::span<const Row> table) {
+        for (const Row row : table) {
+            std::istringstream words(row);
+            std::string other;
+            words >> other;
+            if (here() != other) continue;
+            while (words >> other) found(kind, at_, at_, other == "_" ? "" : other);
+        }
+    }
+
+    void add_token() {
+        const bool called = near(at_ + 1) == "(";
+        if (here() == "-" && is_sign()) {
+            found("operator", at_, at_, "");
+        } else if (here() == "true" || here() == "false") {
+            found("constant", at_, at_, here() == "true" ? "false" : "true");
+        } else if (here().is_number()) {
+            for (const std::string& other : other_numbers(here().text)) found("constant", at_, at_, other);
+        } else if (here() == "if" && called) {
+            const std::size_t last = behind_bracket(tokens_, at_ + 1) - 2;
+            for (const char* value : {"true", "false"}) found("condition", at_ + 2, last, value);
+        } else if (here() == "?") {
+            for (const char* value : {"true", "false"}) found("condition", condition_begin(), at_ - 1, value);
+        } else if (called) {
+            found_others("function", functions);
+        }
+        found_others(at_ < loop_end_ ? "loop bound" : "comparison", comparisons);
+        if (here() != "-" || !is_sign()) found_others("operator", operators);
+        if (const auto end = statement_end()) found("statement", at_, *end, ";");
+    }
+
+    // A '-' or '+' in front of its only operand.
+    [[nodiscard]] bool is_sign() const {
+        const Token& one = before(at_);
+        return one == "return" ||
+               (!one.is_word() && !one.is_number() && one != ")" && one != "]" && one != "++" && one != "--");
+    }
+
+    // The first token of the condition of the '?' here.
+    [[nodiscard]] std::size_t condition_begin() const {
+        static const std::set<std::string_view> stops{"=", "return", ",",  ";",  "{",  "}",
+                                                      "?", ":",      "+=", "-=", "*=", "/="};
+        int depth = 0;
+        for (std::size_t i = at_; i-- > first_;) {
+            const std::string& text = near(i).text;
+            if (text == ")" || text == "]") ++depth;
+            if (text == "(" || text == "[") --depth;
+            if (depth < 0 || (depth == 0 && stops.contains(text))) return i + 1;
+        }
+        return first_;
+    }
+
+    // The end of an assignment, a call, a continue or a break that begins here.
+    [[nodiscard]] std::optional<std::size_t> statement_end() const {
+        static const std::set<std::string_view> starts{"{", "}", ";", ")", "else"};
+        static const std::set<std::string_view> others{"return", "if",      "for",    "while", "else",   "do",
+                                                       "const",  "precise", "switch", "case",  "default"};
+        const bool steps = here() == "++" || here() == "--";
+        if (!in_body_ || brackets_ > 0 || !starts.contains(before(at_).text) || (!here().is_word() && !steps))
+            return std::nullopt;
+        if (!steps && (others.contains(here().text) || near(at_ + 1).is_word()))
+            return std::nullopt;  // a declaration
+        std::size_t end = at_;
+        while (end < last_ && near(end) != ";") {
+            const bool opens = near(end) == "(" || near(end) == "[";
+            end = opens ? behind_bracket(tokens_, end) : end + 1;
+        }
+        return end < last_ ? std::optional(end) : std::nullopt;
+    }
+
+    const std::string& text_;
+    std::vector<Mutation> found_;
+    Tokens tokens_;  // of the declaration
+    std::size_t first_ = 0;
+    std::size_t last_ = 0;  // excluded
+    bool in_body_ = false;
+    std::string function_;
+    std::size_t at_ = 0;
+    std::size_t loop_end_ = 0;
+    int brackets_ = 0;
+};
+
+}  // namespace
+
+std::vector<Mutation> mutations(const internal::ActiveText& active) {
+    Faults faults(active.files.front().text);
+    for (const Piece& piece : internal::outline(active).pieces)
+        if (piece.file == 0) faults.add(piece);
+    std::vector<Mutation> all = faults.take();
+    std::ranges::stable_sort(all, {}, &Mutation::begin);
+    return all;
+}
+
+std::string mutated(std::string text, const Mutation& mutation) {
+    return text.replace(mutation.begin, mutation.end - mutation.begin, mutation.after);
+}
+
+}  // namespace gloam::shader

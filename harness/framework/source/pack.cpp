@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "source/pack.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <regex>
+#include <set>
+#include <utility>
+
+#include "source/internal/selection.hpp"
+#include "source/lines.hpp"
+#include "source/outline.hpp"
+
+namespace gloam::shader {
+namespace {
+
+using internal::Outline;
+using internal::Piece;
+
+void add_block(std::string& text, const std::string& block, bool apart = true) {
+    if (!text.empty()) text += apart ? "\n\n" : "\n";
+    text += block;
+}
+
+std::string listed(const std::vector<std::string>& lines) {
+    std::string text;
+    for (const std::string& line : lines) add_block(text, line, false);
+    return text;
+}
+
+// A value as GLSL writes it.
+std::string literal(const std::string& type, std::uint32_t bits) {
+    if (type == "bool") return bits != 0 ? "true" : "false";
+    if (type == "uint") return std::to_string(bits) + "u";
+    if (type == "int") return std::to_string(std::bit_cast<std::int32_t>(bits));
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), std::bit_cast<float>(bits)).ptr;
+    const std::string digits(text.data(), end);
+    return digits.find_first_of(".en") == std::string::npos ? digits + ".0" : digits;
+}
+
+// The declaration of a specialization constant with the value asked for.
+std::string with_value(const std::string& text, const std::map<std::uint32_t, std::uint32_t>& constants) {
+    static const std::regex declaration(
+        R"((constant_id\s*=\s*(\d+)\s*\)\s*const\s+(bool|int|uint|float)\s+\w+\s*=\s*)[^;]+)");
+    std::smatch found;
+    if (constants.empty() || !std::regex_search(text, found, declaration)) return text;
+    const auto value = constants.find(static_cast<std::uint32_t>(std::stoul(found[2])));
+    if (value == constants.end()) return text;
+    return found.prefix().str() + found[1].str() + literal(found[3], value->second) + found.suffix().str();
+}
+
+// Interfaces as OpenGL has them: constants of their values, and a uniform block in the place of push
+// constants. The members that push constants may have here have the same offsets in std140.
+std::string for_opengl(const std::string& text) {
+    static const std::regex constant(R"(layout\s*\(\s*constant_id\s*=\s*\d+\s*\)\s*const\b)");
+    static const std::regex pushed(R"(layout\s*\(\s*push_constant\s*\)\s*uniform\b)");
+    return std::regex_replace(std::regex_replace(text, constant, "const"), pushed,
+                              "layout(binding = 0, std140) uniform");
+}
+
+std::string written(const Outline& outline, const std::vector<const Piece*>& pieces,
+                    const PackRequest& request, const std::string& head) {
+    const std::string preamble = shader::preamble(request.language);
+    const std::size_t version = preamble.find('\n');
+    std::string text = preamble.substr(0, version);
+    for (const auto& lines : {outline.licences, outline.extensions})
+        if (!lines.empty()) add_block(text, listed(lines), false);
+    if (version + 1 < preamble.size())
+        add_block(text, preamble.substr(version + 1, preamble.size() - version - 2), false);
+    if (!head.empty() && std::ranges::count(outline.heads, head) == 0) add_block(text, head);
+    for (const std::string& own : outline.heads) add_block(text, own);
+    const Piece* before = nullptr;
+    for (const Piece* piece : pieces) {
+        const bool same = before && before->paragraph == piece->paragraph && before->file == piece->file;
+        const bool adjustable = piece->kind == Piece::Kind::interface;
+        const std::string set = adjustable ? with_value(piece->text, request.constants) : piece->text;
+        const bool vulkan = request.language == Language::vulkan450;
+        add_block(text, adjustable && !vulkan ? for_opengl(set) : set, !same);
+        before = piece;
+    }
+    return text + "\n";
+}
+
+}  // namespace
+
+Packed packed(const internal::ActiveText& texts, const PackRequest& request) {
+    const Outline outline = internal::outline(texts);
+    internal::Selection selection(outline, texts.given);
+    const std::vector<std::string> wanted = request.functions.empty() ? selection.usual() : request.functions;
+    selection.want(wanted);
+    if (wanted.empty()) selection.want_all_given();
+    const std::vector<const Piece*> pieces = selection.ordered();
+    const bool has_main = std::ranges::find(wanted, "main") != wanted.end();
+    const std::string head = has_main ? "" : internal::calling_comment(pieces, wanted);
+    return {written(outline, pieces, request, head), has_main};
+}
+
+std::string code_of(std::string_view text) {
+    std::string all;
+    for (const internal::Line& line : internal::split_lines(text))
+        if (!internal::is_blank(line)) all += line.code + "\n";
+    std::erase(all, '\0');
+    return std::regex_replace(all, std::regex(R"(\s*\n\s*)"), "\n");
+}
+
+std::size_t code_lines(std::string_view text) {
+    return static_cast<std::size_t>(std::ranges::count(code_of(text), '\n'));
+}
+
+std::size_t code_lines(const std::vector<std::string>& packed) {
+    std::set<std::string> counted;
+    std::size_t all = 0;
+    for (const std::string& text : packed) {
+        const Outline outline = internal::outline(internal::whole_text(text));
+        all += outline.extensions.size();
+        for (const Piece& piece : outline.pieces) {
+            const bool directive = piece.tokens.empty();
+            const bool own = directive ? piece.text.starts_with("#version")
+                                       : piece.tokens.front() == "layout" ||
+                                             (piece.function && piece.function->name == "main");
+            if (own || counted.insert(directive ? piece.text : joined(piece.tokens, " ")).second)
+                all += code_lines(piece.text);
+        }
+    }
+    return all;
+}
+
+}  // namespace gloam::shader

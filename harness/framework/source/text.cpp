@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "source/text.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "base/text.hpp"
+
+namespace gloam::shader {
+namespace {
+
+// The default of sampler2D is lowp: depths would lose most of their bits.
+constexpr const char* es_precisions =
+    "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n";
+
+struct Entry {
+    Language language;
+    const char* name;
+    const char* version;
+    bool es;
+    Stage stage;
+};
+
+constexpr std::array entries{
+    Entry{Language::vulkan450, "450", "450", false, Stage::compute},
+    Entry{Language::gl430, "430", "430 core", false, Stage::compute},
+    Entry{Language::gl330, "330", "330 core", false, Stage::fragment},
+    Entry{Language::es300, "300es", "300 es", true, Stage::fragment},
+    Entry{Language::es310, "310es", "310 es", true, Stage::compute},
+    Entry{Language::es320, "320es", "320 es", true, Stage::compute},
+};
+
+const Entry& entry_of(Language language) {
+    for (const Entry& entry : entries)
+        if (entry.language == language) return entry;
+    throw std::invalid_argument("language " + std::to_string(static_cast<int>(language)) +
+                                ": not one of 450, 430, 330, 300es, 310es, 320es");
+}
+
+}  // namespace
+
+std::optional<Language> language_from(std::string_view name) {
+    for (const Entry& entry : entries)
+        if (name == entry.name) return entry.language;
+    return std::nullopt;
+}
+
+std::string to_string(Language language) {
+    return entry_of(language).name;
+}
+
+std::string preamble(Language language) {
+    const Entry& entry = entry_of(language);
+    return "#version " + std::string(entry.version) + "\n" + (entry.es ? es_precisions : "");
+}
+
+Stage usual_stage(Language language) {
+    return entry_of(language).stage;
+}
+
+bool is_sampler_type(std::string_view name) {
+    if (name == "sampler2DShadow") return true;
+    if (name.starts_with('i') || name.starts_with('u')) name.remove_prefix(1);
+    constexpr std::array<std::string_view, 5> known{"sampler2D", "sampler2DArray", "sampler3D", "samplerCube",
+                                                    "samplerCubeArray"};
+    return std::ranges::find(known, name) != known.end();
+}
+
+std::optional<Stage> stage_of_file(const std::filesystem::path& file) {
+    const std::string ending = base::lower(file.extension().string());
+    if (ending == ".comp" || ending == ".cs") return Stage::compute;
+    if (ending == ".vert" || ending == ".vs" || ending == ".vsh") return Stage::vertex;
+    if (ending == ".frag" || ending == ".fs" || ending == ".fsh") return Stage::fragment;
+    return std::nullopt;
+}
+
+}  // namespace gloam::shader

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "module/include.hpp"
+#include "module/support.hpp"
+
+namespace gloam::shader::cache_test {
+
+const Source source = kernel("#include \"math/hypot.glsl\"", "fx_hypot(3.0, 4.0)");
+
+std::size_t files_in(const std::filesystem::path& directory) {
+    return static_cast<std::size_t>(
+        std::distance(std::filesystem::directory_iterator(directory), std::filesystem::directory_iterator()));
+}
+
+std::vector<std::string> prototypes(const std::vector<Function>& functions) {
+    std::vector<std::string> texts;
+    for (const Function& function : functions)
+        texts.push_back((function.defined ? "" : "? ") + to_glsl(function) + " " + to_glsl(function.result));
+    return texts;
+}
+
+using SpirvCacheTest = InFolder;
+
+TEST_F(SpirvCacheTest, GivesWhatTheCompilerGives) {
+    const SpirvCache cache(folder.path() / "new" / "folder");
+    const Spirv expected = compile(source, with_fixtures());
+    EXPECT_EQ(cache.compile(source, with_fixtures()), expected);
+    EXPECT_EQ(cache.compile(source, with_fixtures()), expected);
+    EXPECT_EQ(files_in(folder.path() / "new" / "folder"), 1u);
+}
+
+// An entry that is exchanged for another valid one is what comes back: so it is really read.
+TEST_F(SpirvCacheTest, ReadsTheEntryInsteadOfCompiling) {
+    const auto lib = folder.write("lib.glsl", "float f() { return 1.0; }\n");
+    const Source user = kernel("#include \"lib.glsl\"", "f()");
+    const CompileOptions options{.include_roots = {folder.path()}};
+    const SpirvCache cache(folder.path() / "cache");
+    const Spirv stored = cache.compile(user, options);
+    const auto entry = std::filesystem::directory_iterator(folder.path() / "cache")->path();
+    const auto written = std::filesystem::last_write_time(entry);
+    std::filesystem::last_write_time(entry, written - std::chrono::hours(1));
+    EXPECT_EQ(cache.compile(user, options), stored);
+    EXPECT_EQ(std::filesystem::last_write_time(entry), written - std::chrono::hours(1))
+        << "the entry was written again";
+}
+
+TEST_F(SpirvCacheTest, FunctionsSurviveTheRoundTrip) {
+    const SpirvCache cache(folder.path());
+    for (const char* name : {"types.glsl", "fetch.glsl"}) {
+        const Source text{"text", "#version 450\n#include \"" + std::string(name) +
+                                      "\"\nfloat f(float a[2], out double d) { d = 1.0LF; return a[0]; }\n"};
+        const auto expected = prototypes(functions(text, with_fixtures()));
+        EXPECT_EQ(prototypes(cache.functions(text, with_fixtures())), expected);
+        EXPECT_EQ(prototypes(cache.functions(text, with_fixtures())), expected);
+    }
+    EXPECT_EQ(files_in(folder.path()), 2u);
+}
+
+TEST_F(SpirvCacheTest, KeepsApartWhateverDiffers) {
+    const SpirvCache cache(folder.path());
+    Source renamed = source;
+    renamed.name = "other";
+    Source changed = source;
+    changed.text += " ";
+    EXPECT_EQ(cache.compile(source, with_fixtures()), compile(source, with_fixtures()));
+    EXPECT_EQ(cache.compile(source, with_fixtures(Optimization::performance)),
+              compile(source, with_fixtures(Optimization::performance)));
+    EXPECT_EQ(cache.compile(source, with_fixtures(Optimization::size)),
+              compile(source, with_fixtures(Optimization::size)));
+    for (const char* name : {"strict", "relaxed"}) {
+        CompileOptions options = with_fixtures();
+        options.variant = variant(name);
+        EXPECT_EQ(cache.compile(source, options), compile(source, options)) << name;
+    }
+    static_cast<void>(cache.compile(renamed, with_fixtures()));
+    static_cast<void>(cache.compile(changed, with_fixtures()));
+    static_cast<void>(cache.functions(source, with_fixtures()));
+    EXPECT_EQ(files_in(folder.path()), 8u);
+    CompileOptions strict = with_fixtures();
+    strict.variant = variant("strict");
+    static_cast<void>(cache.functions(source, strict));
+    EXPECT_EQ(files_in(folder.path()), 8u) << "functions are those of every variant";
+
+    const Source any_stage{"any", "#version 450\nvoid main() {}\n"};
+    for (const Stage stage : {Stage::compute, Stage::vertex, Stage::fragment})
+        EXPECT_EQ(cache.compile(any_stage, {.stage = stage}), compile(any_stage, {.stage = stage}));
+}
+
+TEST_F(SpirvCacheTest, ChangedIncludeIsCompiledAgain) {
+    const SpirvCache cache(folder.path() / "cache");
+    const CompileOptions options{.include_roots = {folder.path()}};
+    const Source user = kernel("#include \"outer.glsl\"", "f()");
+    folder.write("outer.glsl", "#include \"inner.glsl\"\n");
+    folder.write("inner.glsl", "float f() { return 1.0; }\n");
+    const Spirv one = cache.compile(user, options);
+    folder.write("inner.glsl", "float f() { return 2.0; }\n");
+    const Spirv two = cache.compile(user, options);
+    EXPECT_NE(one, two);
+    EXPECT_EQ(two, compile(user, options));
+    folder.write("inner.glsl", "float f() { return 1.0; }\n");
+    EXPECT_EQ(cache.compile(user, options), one);
+    folder.write("inner.glsl", "float f() { return x; }\n");
+    EXPECT_THROW(static_cast<void>(cache.compile(user, options)), CompileError);
+}
+
+TEST_F(SpirvCacheTest, AFileThatHidesAnotherIsNoticed) {
+    const SpirvCache cache(folder.path() / "cache");
+    const CompileOptions options{.include_roots = {folder.path() / "first", folder.path() / "second"}};
+    const Source user = kernel("#include \"f.glsl\"", "f()");
+    folder.write("second/f.glsl", "float f() { return 1.0; }\n");
+    static_cast<void>(cache.compile(user, options));
+    folder.write("first/f.glsl", "float f() { return 2.0; }\n");
+    EXPECT_EQ(cache.compile(user, options), compile(user, options));
+}
+
+TEST_F(SpirvCacheTest, IncludeBesideTheSourceCounts) {
+    const SpirvCache cache(folder.path() / "cache");
+    Source user = kernel("#include \"f.glsl\"", "f()");
+    user.name = (folder.path() / "user.comp").string();
+    folder.write("f.glsl", "float f() { return 1.0; }\n");
+    const Spirv one = cache.compile(user, {});
+    folder.write("f.glsl", "float f() { return 2.0; }\n");
+    EXPECT_NE(cache.compile(user, {}), one);
+}
+
+TEST_F(SpirvCacheTest, ErrorsAreThrownEveryTimeAndNotStored) {
+    const SpirvCache cache(folder.path());
+    const Source bad = kernel("#include \"broken/outer.glsl\"", "1.0");
+    for (int i = 0; i < 2; ++i) {
+        EXPECT_THROW(static_cast<void>(cache.compile(bad, with_fixtures())), CompileError);
+        EXPECT_THROW(static_cast<void>(cache.functions(bad, with_fixtures())), CompileError);
+    }
+    EXPECT_EQ(files_in(folder.path()), 0u);
+}
+
+TEST_F(SpirvCacheTest, WithoutAFolderNothingIsKept) {
+    const SpirvCache cache;
+    EXPECT_EQ(cache.compile(source, with_fixtures()), compile(source, with_fixtures()));
+    EXPECT_FALSE(cache.functions(source, with_fixtures()).empty());
+}
+
+TEST_F(SpirvCacheTest, ThreadsMayShareIt) {
+    const SpirvCache cache(folder.path());
+    const Spirv expected = compile(source, with_fixtures());
+    std::array<Spirv, 4> results;
+    {
+        std::vector<std::jthread> threads;
+        for (Spirv& result : results)
+            threads.emplace_back([&] { result = cache.compile(source, with_fixtures()); });
+    }
+    for (const Spirv& result : results) EXPECT_EQ(result, expected);
+    EXPECT_EQ(files_in(folder.path()), 1u);
+}
+
+// The children start together on an empty folder and remove the entry now and then, so that reads meet
+// writes.
+TEST_F(SpirvCacheTest, ProcessesMayShareIt) {
+    const Spirv expected = compile(source, with_fixtures());
+    std::vector<pid_t> children;
+    for (int child = 0; child < 2; ++child) {
+        const pid_t pid = fork();
+        ASSERT_NE(pid, -1);
+        if (pid == 0) {
+            bool right = true;
+            for (int i = 0; i < 40; ++i) {
+                right = right && SpirvCache(folder.path()).compile(source, with_fixtures()) == expected;
+                std::error_code ignored;
+                if (i % 3 == child)
+                    for (const auto& entry : std::filesystem::directory_iterator(folder.path(), ignored))
+                        if (entry.path().extension() == ".spv")
+                            std::filesystem::remove(entry.path(), ignored);
+            }
+            _exit(right ? 0 : 1);
+        }
+        children.push_back(pid);
+    }
+    for (const pid_t pid : children) {
+        int status = -1;
+        ASSERT_EQ(waitpid(pid, &status, 0), pid);
+        EXPECT_TRUE(WIFEXITED(status));
+        EXPECT_EQ(WEXITSTATUS(status), 0);
+    }
+    EXPECT_LE(files_in(folder.path()), 1u) << "temporary files stay behind";
+}
+
+// tests/backend/vulkan/cache_test.cpp damages files in every way: here an entry that is none is made again.
+class DamagedEntry : public InFolder {
+  protected:
+    std::filesystem::path entry(const std::string& extension) const {
+        for (const auto& file : std::filesystem::directory_iterator(folder.path()))
+            if (file.path().extension() == extension) return file.path();
+        throw std::runtime_error("no entry " + extension);
+    }
+
+    SpirvCache cache{folder.path()};
+    Spirv module = cache.compile(source, with_fixtures());
+    std::vector<std::string> texts = prototypes(cache.functions(source, with_fixtures()));
+    std::array<std::filesystem::path, 2> entries{entry(".spv"), entry(".functions")};
+};
+
+TEST_F(DamagedEntry, IsMadeAgain) {
+    const std::array whole{base::read_file(entries[0]), base::read_file(entries[1])};
+    const auto write = [&](const std::function<std::string(std::size_t)>& text) {
+        for (std::size_t i = 0; i < 2; ++i)
+            std::ofstream(entries.at(i), std::ios::binary | std::ios::trunc) << text(i);
+        EXPECT_EQ(cache.compile(source, with_fixtures()), module);
+        EXPECT_EQ(prototypes(cache.functions(source, with_fixtures())), texts);
+        for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(base::read_file(entries.at(i)), whole.at(i));
+    };
+    write([&](std::size_t i) { return whole.at(i).substr(0, whole.at(i).size() / 2); });
+    write([&](std::size_t i) { return whole.at(1 - i); });
+}
+
+TEST_F(DamagedEntry, AndAFolderThatCannotBeWrittenCostOnlySpeed) {
+    std::filesystem::remove(entries[0]);
+    std::filesystem::create_directory(entries[0]);
+    std::ofstream(entries[0] / "precious") << "kept";
+    const auto file = folder.write("file", "in the way");
+    for (const auto& cache_folder :
+         {folder.path(), file, file / "below", std::filesystem::path("/proc/gloam-cache")})
+        for (int i = 0; i < 2; ++i)
+            EXPECT_EQ(SpirvCache(cache_folder).compile(source, with_fixtures()), module) << cache_folder;
+    EXPECT_EQ(base::read_file(entries[0] / "precious"), "kept");
+    EXPECT_EQ(base::read_file(file), "in the way");
+}
+
+}  // namespace gloam::shader::cache_test

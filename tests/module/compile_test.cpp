@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: MIT
+#include "module/compile.hpp"
+#include "module/include.hpp"
+#include "module/internal/compiler_process.hpp"
+#include "module/support.hpp"
+#include "support/environment.hpp"
+
+namespace gloam::shader::compile_test {
+
+TEST(Compile, MakesAModuleForVulkan12) {
+    const Spirv module = compile(kernel("", "1.0"), {});
+    ASSERT_GT(module.size(), 5u);
+    EXPECT_EQ(module[0], 0x07230203u);
+    EXPECT_EQ(module[1], 0x00010500u);  // SPIR-V 1.5
+    EXPECT_NO_THROW(validate(module));
+    EXPECT_THAT(disassemble(module),
+                AllOf(HasSubstr("OpEntryPoint GLCompute %main \"main\""), HasSubstr("OpStore")));
+}
+
+TEST(Compile, ServesEveryStage) {
+    const Source vertex{"v", "#version 450\nvoid main() { gl_Position = vec4(0.0); }\n"};
+    const Source fragment{
+        "f", "#version 450\nlayout(location = 0) out vec4 c;\nvoid main() { c = gl_FragCoord; }\n"};
+    EXPECT_THAT(disassemble(compile(vertex, {.stage = Stage::vertex})), HasSubstr("OpEntryPoint Vertex"));
+    EXPECT_THAT(disassemble(compile(fragment, {.stage = Stage::fragment})),
+                HasSubstr("OpEntryPoint Fragment"));
+    EXPECT_THROW(static_cast<void>(compile(vertex, {.stage = Stage::fragment})), CompileError);
+}
+
+TEST(Compile, IncludesMayHaveAnExtensionLine) {
+    for (const char* line : {"", "#extension GL_GOOGLE_include_directive : require\n"})
+        EXPECT_NO_THROW(static_cast<void>(
+            compile(kernel(line + std::string("#include \"math/hypot.glsl\""), "fx_hypot(3.0, 4.0)"),
+                    with_fixtures())));
+}
+
+TEST(Compile, IncludesLookInTheFolderOfTheSource) {
+    Source source = kernel("#include \"neighbour.glsl\"", "fx_cube(2.0)");
+    EXPECT_THROW(static_cast<void>(compile(source, with_fixtures())), CompileError);
+    source.name = fixture("math/kernel.comp").string();
+    EXPECT_NO_THROW(static_cast<void>(compile(source, {})));
+}
+
+TEST(Compile, UnreachedFunctionsMayCallPrototypes) {
+    EXPECT_NO_THROW(static_cast<void>(compile(kernel("#include \"fetch.glsl\"", "1.0"), with_fixtures())));
+}
+
+TEST(Compile, OptimisesWhenAsked) {
+    const Source source = kernel(
+        "#include \"math/square.glsl\"\n"
+        "layout(std430, binding = 1) buffer In { float value[]; };",
+        "fx_square(value[0]) + 0.0 * value[1] * float(1 + 2)");
+    const Spirv plain = compile(source, with_fixtures());
+    const Spirv fast = compile(source, with_fixtures(Optimization::performance));
+    const Spirv small = compile(source, with_fixtures(Optimization::size));
+    EXPECT_THAT(disassemble(plain), HasSubstr("OpFunctionCall"));
+    EXPECT_THAT(disassemble(fast), Not(HasSubstr("OpFunctionCall")));
+    EXPECT_LT(fast.size(), plain.size());
+    EXPECT_LT(small.size(), plain.size());
+    EXPECT_NO_THROW(validate(fast));
+    EXPECT_NO_THROW(validate(small));
+}
+
+TEST(Compile, NamesItsTools) {
+    EXPECT_THAT(compiler_version(),
+                AllOf(HasSubstr("glslang "), HasSubstr("SPIRV-Tools "), HasSubstr("SPIRV-Cross ")));
+}
+
+std::string error_of(const Source& source) {
+    return message_of<CompileError>([&] { static_cast<void>(compile(source, with_fixtures())); });
+}
+
+struct ErrorRow {
+    Source source;
+    testing::Matcher<std::string> message;
+};
+
+TEST(CompileErrorMessage, NamesFileLineAndCause) {
+    const std::string broken =
+        fixture("broken/inner.glsl").string() + ":9: 'not_declared' : undeclared identifier";
+    const std::string a = fixture("cycle/a.glsl").string();
+    const std::string b = fixture("cycle/b.glsl").string();
+    const std::string self = fixture("cycle/self.glsl").string();
+    const auto text = [](const std::string& lines) { return Source{"t.comp", "#version 450\n" + lines}; };
+    const std::string oops = "void main() { oops = 1; }\n";
+    const std::string hypot = "#include \"math/hypot.glsl\"\n";
+    const ErrorRow rows[] = {
+        {text("void main() {\n    foo();\n}\n"), "t.comp:3: 'foo' : no matching overloaded function found"},
+        {kernel("#include \"broken/inner.glsl\"", "1.0"), broken},
+        {kernel("\n\n#include \"broken/outer.glsl\"", "1.0"), broken},
+        {text(hypot + oops), StartsWith("t.comp:3: 'oops'")},
+        {text("#extension GL_GOOGLE_include_directive : require\n" + hypot + oops),
+         StartsWith("t.comp:4: 'oops'")},
+        {text("#extension GL_NO_such : enable\n" + oops),  // a warning
+         AllOf(StartsWith("t.comp:3: 'oops'"), Not(HasSubstr("GL_NO_such")))},
+        {text("float f() { return a; }\nfloat g() { return b; }\n"),
+         AllOf(StartsWith("t.comp:2: 'a'"), HasSubstr("\nt.comp:3: 'b'"), Not(HasSubstr("ERROR")),
+               Not(HasSubstr("No code generated")), Not(EndsWith("\n")))},
+        {text("\n#include \"no/such.glsl\"\nvoid main() {}\n"),
+         "t.comp:3: cannot find include \"no/such.glsl\"; looked for " + fixture("no/such.glsl").string()},
+        {kernel("#include \"broken/missing.glsl\"", "1.0"),
+         AllOf(StartsWith(fixture("broken/missing.glsl").string() + ":4: "),
+               HasSubstr("\"broken/nowhere.glsl\""))},
+        {kernel("#include \"cycle/a.glsl\"", "1.0"), b + ":5: include cycle: " + a + " -> " + b + " -> " + a},
+        {kernel("#include \"cycle/self.glsl\"", "1.0"), self + ":2: include cycle: " + self + " -> " + self},
+        {kernel("#include \"fetch.glsl\"", "fx_twice(ivec2(0))"),
+         AllOf(StartsWith("kernel: "), HasSubstr(" fx_fetch_depth()"), Not(HasSubstr("\n")))},
+        {kernel("float nothing();", "nothing()"), EndsWith(" nothing()")},
+        {kernel("float f(float x) { return f(x - 1.0); }", "f(3.0)"),
+         AllOf(StartsWith("kernel: "), HasSubstr("Recursion"), HasSubstr(" f()"), Not(HasSubstr("f1;")))},
+        {text("float f() { return 1.0; }\n"), StartsWith("t.comp: ")}};  // no main
+    for (const auto& [source, message] : rows) EXPECT_THAT(error_of(source), message) << source.text;
+}
+
+TEST(CompileErrorMessage, VersionLineMustComeFirstAndSuitVulkan) {
+    EXPECT_THAT(error_of({"a.comp", ""}),
+                AllOf(StartsWith("a.comp:1: "), HasSubstr("#version"), HasSubstr("found none")));
+    EXPECT_THAT(error_of({"a.comp", "// licence\n\nvoid main() {}\n#version 450\n"}),
+                StartsWith("a.comp:3: "));
+    for (const char* version : {"110", "330", "999", "310", "300 es", "450 es", "450 compatibility", "x"}) {
+        const std::string message =
+            error_of({"a.comp", "// c\n#version " + std::string(version) + "\nvoid main() {}\n"});
+        EXPECT_THAT(message, AllOf(StartsWith("a.comp:2: "), HasSubstr("found " + std::string(version))));
+    }
+    for (const char* version : {"430", "450", " 460   core // c"})
+        EXPECT_EQ(error_of({"a.comp", "/* c */ # version " + std::string(version) + "\nvoid main() {}\n"}),
+                  "")
+            << version;
+    for (const char* version : {"310 es", "320  es // c"})  // ES wants it before comments, too
+        EXPECT_EQ(error_of({"a.comp", "#version " + std::string(version) + "\nvoid main() {}\n"}), "")
+            << version;
+}
+
+// The compiler never prints, tested in this process; glslang would, for a version that its tables do not
+// know.
+TEST(CompileErrorMessage, NothingIsPrinted) {
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    for (const Source& source :
+         {Source{"a.comp", "#version 110\nvoid main() {}\n"}, Source{"a.comp", "void main() {}\n"},
+          kernel("#include \"broken/outer.glsl\"", "1.0")})
+        EXPECT_THROW((void)internal::compile_here(source, with_fixtures()), CompileError);
+    EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+std::vector<std::filesystem::path> paths(const std::vector<IncludedFile>& files) {
+    std::vector<std::filesystem::path> result;
+    for (const IncludedFile& file : files) result.push_back(file.path);
+    return result;
+}
+
+using Include = InFolder;
+
+TEST_F(Include, ReadsATextWhole) {
+    EXPECT_EQ(read_text(folder.write("a.glsl", "one\r\ntwo")), "one\r\ntwo");
+    EXPECT_EQ(read_text(folder.write("empty.glsl", "")), "");
+    EXPECT_EQ(read_text(folder.write("marked.glsl", "\xef\xbb\xbfone")), "one");
+}
+
+TEST_F(Include, UnreadableTextIsNamed) {
+    const auto read = [](const std::filesystem::path& file) {
+        return message_of<std::runtime_error>([&] { static_cast<void>(read_text(file)); });
+    };
+    EXPECT_THAT(read(folder.path() / "none.glsl"), HasSubstr((folder.path() / "none.glsl").string()));
+    EXPECT_THAT(read(folder.path()), AllOf(HasSubstr(folder.path().string()), HasSubstr("folder")));
+}
+
+TEST_F(Include, FilesThatWereReadAreListedOnceEach) {
+    const auto file = folder.write("a.glsl", "");
+    const char* before = std::getenv("GLOAM_DEPENDENCIES_OUTPUT");
+    const std::optional<std::string> kept = before ? std::optional<std::string>(before) : std::nullopt;
+    const auto list = folder.path() / "list";
+    ::setenv("GLOAM_DEPENDENCIES_OUTPUT", list.c_str(), 1);
+    static_cast<void>(read_text(file));
+    static_cast<void>(read_text(folder.path() / "." / "a.glsl"));
+    ::setenv("GLOAM_DEPENDENCIES_OUTPUT", (folder.path() / "none" / "list").c_str(), 1);
+    EXPECT_EQ(read_text(file), "") << "a list that cannot be written stops nothing";
+    if (kept) ::setenv("GLOAM_DEPENDENCIES_OUTPUT", kept->c_str(), 1);
+    if (!kept) ::unsetenv("GLOAM_DEPENDENCIES_OUTPUT");
+    EXPECT_EQ(read_text(list), std::filesystem::canonical(file).string() + "\n");
+}
+
+TEST_F(Include, AFileOfAnOverlaidFolderIsReadFromTheCopy) {
+    const auto changed = folder.write("original/a/changed.glsl", "one");
+    const auto missing = folder.write("original/missing.glsl", "one");
+    const auto outside = folder.write("changed.glsl", "one");
+    const auto copy = folder.write("copy/a/changed.glsl", "two");
+    (void)folder.write("copy/changed.glsl", "two");
+    const gloam::test::ScopedVariable shaders("GLOAM_SHADERS", (folder.path() / "copy").c_str());
+    EXPECT_EQ(read_text(changed), "one") << "a copy of which folder?";
+    const gloam::test::ScopedVariable of("GLOAM_SHADERS_OF", (folder.path() / "original").c_str());
+    EXPECT_EQ(read_text(changed), "two");
+    EXPECT_EQ(read_text(folder.path() / "copy" / ".." / "original" / "a" / "changed.glsl"), "two");
+    EXPECT_EQ(read_text(missing), "one");
+    EXPECT_EQ(read_text(outside), "one");
+    const auto closure = include_closure("#include \"a/changed.glsl\"\n", {folder.path() / "original"});
+    ASSERT_EQ(closure.size(), 1U);
+    EXPECT_EQ(closure[0].path, changed);
+    EXPECT_EQ(closure[0].text, "two");
+    EXPECT_EQ(overlaid(changed), copy);
+}
+
+TEST_F(Include, OwnFolderComesBeforeTheRootsAndTheyInOrder) {
+    const auto own = folder.write("own/a.glsl", "");
+    const auto first = folder.write("first/a.glsl", "");
+    const auto second = folder.write("second/a.glsl", "");
+    const auto last = folder.write("second/b.glsl", "");
+    const std::vector roots{first.parent_path(), second.parent_path(), folder.path()};
+    EXPECT_EQ(resolve_include("a.glsl", own.parent_path(), roots), own);
+    EXPECT_EQ(resolve_include("a.glsl", {}, roots), first);
+    EXPECT_EQ(resolve_include("b.glsl", own.parent_path(), roots), last);
+    EXPECT_EQ(resolve_include("../own/a.glsl", {}, roots), own);
+    EXPECT_THAT(
+        message_of<std::runtime_error>(
+            [&] { (void)resolve_include("../own/a.glsl", {}, {first.parent_path()}); }),
+        HasSubstr("outside the include roots, expected a file below " + first.parent_path().string()));
+}
+
+TEST_F(Include, MissingIncludeListsWhereItLooked) {
+    const auto message = message_of<std::runtime_error>(
+        [] { static_cast<void>(resolve_include("x/y.glsl", "/from", {"/one", "/two"})); });
+    EXPECT_THAT(message, AllOf(HasSubstr("\"x/y.glsl\""), HasSubstr("/from/x/y.glsl"),
+                               HasSubstr("/one/x/y.glsl"), HasSubstr("/two/x/y.glsl")));
+    EXPECT_THROW(static_cast<void>(resolve_include("x", {}, {})), std::runtime_error);
+}
+
+TEST_F(Include, AFolderIsNoInclude) {
+    EXPECT_THROW(static_cast<void>(resolve_include("math", {}, {FIXTURES})), std::runtime_error);
+}
+
+TEST(IncludeClosure, HoldsEachFileOnceInOrderOfMention) {
+    const auto files = include_closure(
+        "#include \"broken/outer.glsl\"\n#include \"math/square.glsl\"\n#include \"math/hypot.glsl\"\n",
+        {FIXTURES});
+    EXPECT_THAT(paths(files), ElementsAre(fixture("broken/outer.glsl"), fixture("math/square.glsl"),
+                                          fixture("broken/inner.glsl"), fixture("math/hypot.glsl")));
+    for (const IncludedFile& file : files) EXPECT_EQ(file.text, read_text(file.path));
+}
+
+TEST(IncludeClosure, LooksInTheFolderOfTheIncluder) {
+    EXPECT_THAT(paths(include_closure("#include \"neighbour.glsl\"\n", {}, fixture("math"))),
+                ElementsAre(fixture("math/neighbour.glsl"), fixture("math/square.glsl")));
+    EXPECT_TRUE(include_closure("#include \"neighbour.glsl\"\n", {FIXTURES}).empty());
+    EXPECT_TRUE(include_closure("#include <neighbour.glsl>\n", {}, fixture("math")).empty());
+}
+
+TEST(IncludeClosure, EndsOnCycles) {
+    EXPECT_THAT(
+        paths(include_closure("#include \"cycle/a.glsl\"\n#include \"cycle/self.glsl\"\n", {FIXTURES})),
+        ElementsAre(fixture("cycle/a.glsl"), fixture("cycle/b.glsl"), fixture("cycle/self.glsl")));
+}
+
+TEST(IncludeClosure, SeesPastConditionsButNotIntoComments) {
+    EXPECT_THAT(paths(include_closure("#if 0\n#include \"math/square.glsl\"\n#endif\n"
+                                      "// #include \"math/hypot.glsl\"\n/*\n#include \"fetch.glsl\"\n*/\n",
+                                      {FIXTURES})),
+                ElementsAre(fixture("math/square.glsl")));
+}
+
+TEST(IncludeClosure, LeavesMissingFilesOut) {
+    EXPECT_THAT(paths(include_closure("#include \"broken/missing.glsl\"\n", {FIXTURES})),
+                ElementsAre(fixture("broken/missing.glsl"), fixture("math/square.glsl")));
+}
+
+}  // namespace gloam::shader::compile_test

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+#include <sys/stat.h>
+
+#include "module/include.hpp"
+#include "module/metamorphic.hpp"
+#include "module/steps.hpp"
+#include "module/support.hpp"
+#include "module/texts.hpp"
+
+namespace gloam::shader::steps_test {
+
+const Spirv& module() {
+    static const Spirv made = compile(
+        kernel("float f(float x) { float y = 2.0; if (x > 1.0) y = x; return y * y + x; }", "f(result[1])"),
+        {});
+    return made;
+}
+
+Spirv after(const std::string& step, const Spirv& before = module()) {
+    return taken(step, {.module = before, .glsl = [] { return kernel("", "1.0").text; }});
+}
+
+TEST(Steps, PassesAreThoseOfTheOptimizer) {
+    EXPECT_EQ(after("spirv-opt -O"), optimize(module(), Optimization::performance));
+    EXPECT_NE(after("spirv-opt --ssa-rewrite"), module());
+}
+
+TEST(Steps, AProgramReadsTheModuleAndWritesAnother) {
+    EXPECT_EQ(after("spirv-opt --ssa-rewrite {in} -o {out}"), after("spirv-opt --ssa-rewrite"));
+    EXPECT_NO_THROW(validate(after("glslangValidator --quiet -V --target-env vulkan1.2 {glsl} -o {out}")));
+}
+
+TEST(Steps, OneThatFailsSaysWhichAndWhy) {
+    const auto message = [](const std::string& step) {
+        return message_of<StepError>([&] { (void)after(step); });
+    };
+    EXPECT_THAT(message("/bin/false {in} {out}"), HasSubstr("/bin/false ended with status 1"));
+    EXPECT_THAT(message("/no/such/program {in} {out}"), HasSubstr("/no/such/program cannot be started"));
+    EXPECT_THAT(message("/bin/true {in} {out}"), HasSubstr("out.spv"));  // which it did not write
+}
+
+// docs/drivers.md has both: passes that crash, or give an invalid module, in some versions of SPIRV-Tools.
+TEST(Steps, OfALibraryThatCrashesOrErrsCostThemselvesAlone) {
+    for (const auto& [file, step] :
+         {std::pair{"loop_peeling.comp", "spirv-opt --relax-float-ops --loop-peeling"},
+          std::pair{"dead_constant.comp",
+                    "spirv-opt --eliminate-local-single-store --amd-ext-to-khr --eliminate-dead-const"}}) {
+        const Spirv before = compile({file, read_text(fixture(file))}, {});
+        try {
+            validate(after(step, before));
+        } catch (const StepError& error) {
+            EXPECT_THAT(error.what(), StartsWith(step));
+        }
+    }
+}
+
+TEST(Steps, WhatIsNoneIsNamed) {
+    const auto message = [](const std::string& text) {
+        return message_of<std::invalid_argument>([&] { (void)steps_from(text, 1, 1); });
+    };
+    EXPECT_THAT(message("spirv-opt --no-such-pass"), HasSubstr("--no-such-pass"));
+    EXPECT_THAT(message("spirv-opt"), HasSubstr("expected passes"));
+    EXPECT_THAT(message("spirv-cross glsl"), HasSubstr("a program with {in} and {out}"));
+    EXPECT_THAT(message("metamorphic x"), HasSubstr("metamorphic SEED"));
+    EXPECT_THAT(message("metamorphic 1 only 99"), HasSubstr("positions below 24"));
+    EXPECT_THAT(message("cc {out}"), HasSubstr("{in} or {glsl}"));
+    EXPECT_THAT(message(""), HasSubstr("is no step"));
+    EXPECT_THAT(
+        message_of<std::invalid_argument>([] { (void)variant("shipped | spirv-opt -O | metamorphic 1"); }),
+        HasSubstr("metamorphic steps before those of a compiler"));
+}
+
+TEST(Steps, OfAVariantAreOneEach) {
+    for (const char* name : {"shipped | spirv-opt {each}", "strict | metamorphic 1 | spirv-opt {each}"})
+        EXPECT_THAT(message_of<std::invalid_argument>([name] { (void)variant(name); }),
+                    HasSubstr("expected one step behind each bar"));
+    EXPECT_EQ(variant("strict | metamorphic 1 | spirv-opt -O").steps.size(), 2U);
+}
+
+TEST(Steps, ATextStandsForEachPassOrSeed) {
+    const std::vector<std::string> each = steps_from("spirv-opt {each}", 1, 1);
+    EXPECT_GT(each.size(), 40U);
+    EXPECT_THAT(each, Contains("spirv-opt --ccp"));
+    EXPECT_THAT(each, Contains("spirv-opt -O"));
+    EXPECT_THAT(each, Not(Contains("spirv-opt --version")));
+    EXPECT_THAT(steps_from("/opt/spirv-opt {each} {in} -o {out}", 1, 1),
+                Contains("/opt/spirv-opt --ccp {in} -o {out}"));
+    EXPECT_THAT(steps_from("metamorphic", 5, 2), ElementsAre("metamorphic 5", "metamorphic 6"));
+}
+
+TEST(Steps, HavePartsThatCanBeLeftOut) {
+    const std::string program = "/opt/spirv-opt --ccp --merge-blocks {in} -o {out}";
+    EXPECT_THAT(parts_of(program), ElementsAre("--ccp", "--merge-blocks"));
+    EXPECT_EQ(with_parts(program, {"--merge-blocks"}), "/opt/spirv-opt --merge-blocks {in} -o {out}");
+    EXPECT_EQ(parts_of("metamorphic 3").size(), metamorphic_changes);
+    EXPECT_EQ(with_parts("metamorphic 3", {"4", "9"}), "metamorphic 3 only 4 9");
+    EXPECT_THAT(parts_of("metamorphic 3 only 4 9"), ElementsAre("4", "9"));
+    EXPECT_TRUE(parts_of("cat {in} {out}").empty());
+}
+
+// Every kind of change is made somewhere in 60 seeds of one shader, and each leaves a valid module.
+TEST(Metamorphic, MakesEveryKindOfChange) {
+    std::set<std::string> made;
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        for (std::size_t position = 0; position < metamorphic_changes; ++position) {
+            const Metamorphism changed = metamorphic(module(), seed, {position});
+            ASSERT_NO_THROW(validate(changed.module)) << seed << " " << position;
+            EXPECT_EQ(changed.module, metamorphic(module(), seed, {position}).module);
+            if (changed.changes.empty()) continue;
+            EXPECT_NE(without_names(changed.module), without_names(module())) << changed.changes[0];
+            made.insert(changed.changes[0]);
+        }
+    }
+    // The shader has neither a vector operation nor a select.
+    EXPECT_THAT(made,
+                testing::IsSupersetOf({"commuted operands", "comparison turned round", "operation outlined",
+                                       "negated twice", "inverted twice", "reinterpreted twice", "selected",
+                                       "constant hidden", "stored again", "store before a store",
+                                       "block divided", "branch never taken", "loop of one round",
+                                       "condition negated", "branch as a switch", "flattened"}));
+}
+
+TEST(Metamorphic, RefusesWhatIsNoModule) {
+    EXPECT_THAT(message_of<std::runtime_error>([] { (void)metamorphic({1, 2, 3}, 1, {0}); }),
+                HasSubstr("no SPIR-V module"));
+}
+
+// Texts that exhaust or mislead the compiler: each is a CompileError that names the text, and the next text
+// compiles.
+
+std::string repeated(const std::string& text, std::size_t count) {
+    std::string all;
+    for (std::size_t i = 0; i < count; ++i) all += text;
+    return all;
+}
+
+using Hostile = InFolder;
+
+TEST_F(Hostile, AnExpressionThatIsTooDeep) {
+    const Source source{"bad.comp", "#version 450\nfloat f(float x) { return " + repeated("x-", 200'000) +
+                                        "x; }\nvoid main() { f(1.0); }\n"};
+    const std::string why = "bad.comp: the compiler ended by signal 11";
+    EXPECT_THAT(message_of<CompileError>([&] { (void)compile(source, {}); }), StartsWith(why));
+    EXPECT_THAT(message_of<CompileError>([&] { (void)functions(source, {}); }), StartsWith(why));
+    EXPECT_NO_THROW((void)compile(kernel("", "1.0"), {})) << "the next text is another process's";
+}
+
+TEST_F(Hostile, MacrosThatDouble) {
+    std::string macros = "#define M0 x\n";
+    for (int i = 1; i <= 40; ++i) {
+        const std::string inner = "M" + std::to_string(i - 1);
+        macros += "#define M" + std::to_string(i) + " " + inner + " + " + inner + "\n";
+    }
+    const Source source{"bad.comp", "#version 450\n" + macros + "float f(float x) { return M40; }\n"};
+    const std::string why = "bad.comp: the compiler takes more than ";
+    EXPECT_THAT(message_of<CompileError>([&] { (void)functions(source, {}); }), StartsWith(why));
+    EXPECT_THAT(message_of<CompileError>([&] { (void)pack({source}, {}, {}); }), StartsWith(why));
+}
+
+TEST_F(Hostile, IncludesFromOutsideTheRoots) {
+    const auto secret = folder.write("secret.glsl", "float secret;\n");
+    const std::filesystem::path home = folder.write("home/deep/top.comp", "").parent_path();
+    std::filesystem::create_symlink(secret, home / "link.glsl");
+    std::filesystem::create_symlink(folder.path(), home / "folder");
+    for (const std::string& directive :
+         {"#include \"" + secret.string() + "\"", std::string("#include \"../../secret.glsl\""),
+          "#include <" + secret.string() + ">", std::string("#include <../../secret.glsl>"),
+          std::string("#include \"link.glsl\""), std::string("#include \"folder/secret.glsl\"")}) {
+        const Source source{(home / "top.comp").string(),
+                            "#version 450\n" + directive + "\nvoid main() {}\n"};
+        const CompileOptions options{.include_roots = {home}};
+        for (const auto& message :
+             {message_of<CompileError>([&] { (void)compile(source, options); }),
+              message_of<CompileError>([&] { (void)pack({source}, {}, options.include_roots); })})
+            EXPECT_THAT(message, AllOf(HasSubstr(":2: include \""), HasSubstr(home.string()),
+                                       HasSubstr("outside the include roots, expected a file below")))
+                << directive;
+        EXPECT_TRUE(include_closure(source.text, options.include_roots, home).empty()) << directive;
+        const CompileOptions wide{.include_roots = {home, folder.path()}};
+        if (directive.find("<..") != std::string::npos) continue;  // found in no root
+        EXPECT_NO_THROW((void)compile(source, wide)) << directive;
+    }
+}
+
+// #line can name any file; an include is not searched beside it.
+TEST_F(Hostile, ALineDirectiveOpensNoFolder) {
+    (void)folder.write("secret.glsl", "float secret;\n");
+    const Source source{(folder.path() / "home" / "top.comp").string(),
+                        "#version 450\n#line 2 \"" + (folder.path() / "x.glsl").string() +
+                            "\"\n#include \"secret.glsl\"\nvoid main() {}\n"};
+    EXPECT_THROW((void)compile(source, {}), CompileError);
+    EXPECT_THROW((void)pack({source}, {}, {}), CompileError);
+}
+
+TEST_F(Hostile, IncludesThatAreNestedWithoutEnd) {
+    constexpr int length = 3000;
+    for (int i = 0; i < length; ++i)
+        folder.write("i" + std::to_string(i), "#include \"i" + std::to_string(i + 1) + "\"\n");
+    folder.write("i" + std::to_string(length), "\n");
+    const CompileOptions options{.include_roots = {folder.path()}};
+    EXPECT_EQ(include_closure("#include \"i0\"\n", options.include_roots).size(), length + 1U);
+    EXPECT_THAT(message_of<CompileError>([&] { (void)compile(kernel("#include \"i0\"", "1.0"), options); }),
+                HasSubstr("includes are nested more than 256 deep"));
+}
+
+TEST_F(Hostile, IncludesThatAreLongTogether) {
+    std::string all;
+    for (int i = 0; i < 5; ++i) {
+        folder.write("i" + std::to_string(i), std::string(15U << 20U, ' '));
+        all += "#include \"i" + std::to_string(i) + "\"\n";
+    }
+    EXPECT_THAT(message_of<std::runtime_error>([&] { (void)include_closure(all, {folder.path()}); }),
+                AllOf(HasSubstr("i4"), HasSubstr("longer than")));
+}
+
+TEST_F(Hostile, FilesThatAreNoText) {
+    const auto why = [](const std::filesystem::path& file) {
+        const std::string message = message_of<std::runtime_error>([&] { (void)read_text(file); });
+        EXPECT_THAT(message, HasSubstr(file.string()));
+        return message;
+    };
+    EXPECT_THAT(why(folder.write("utf16.glsl", std::string("\xff\xfe"
+                                                           "f\0",
+                                                           4))),
+                HasSubstr("NUL"));
+    EXPECT_THAT(why(folder.write("long.glsl", std::string((64U << 20U) + 1, ' '))), HasSubstr("longer than"));
+    const auto fifo = folder.path() / "fifo.glsl";
+    ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+    EXPECT_THAT(why(fifo), HasSubstr("no regular file"));
+    EXPECT_THAT(why("/dev/zero"), HasSubstr("no regular file"));
+}
+
+}  // namespace gloam::shader::steps_test

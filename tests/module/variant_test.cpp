@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "module/include.hpp"
+#include "module/support.hpp"
+#include "support/library_files.hpp"
+
+namespace gloam::shader::variant_test {
+
+TEST(Variants, HaveTheirNamesInOrder) {
+    std::vector<std::string> names;
+    for (const Variant& known : variants()) {
+        names.push_back(known.name);
+        EXPECT_FALSE(known.description.empty()) << known.name;
+        EXPECT_EQ(variant(known.name).description, known.description);
+    }
+    EXPECT_THAT(names, ElementsAre("shipped", "strict", "optimized", "small", "relaxed", "literals",
+                                   "specialization"));
+}
+
+TEST(Variants, AnUnknownNameListsThoseThereAre) {
+    EXPECT_THAT(message_of<std::invalid_argument>([] { (void)variant("fast"); }),
+                AllOf(HasSubstr("\"fast\""), HasSubstr("shipped, strict, "), HasSubstr("specialization")));
+}
+
+Spirv module_of(const std::string& name) {
+    const Source source = kernel("float f(float x) { return x * x + x; }",
+                                 "f(result[1]) - uintBitsToFloat(1u + uint(result[2]))");
+    return compile(source, {.variant = variant(name)});
+}
+
+std::size_t decorated(const std::string& name, const std::string& decoration) {
+    return Disassembly(module_of(name)).decorated(decoration).size();
+}
+
+TEST(Variants, EachMakesAModuleOfItsOwn) {
+    EXPECT_EQ(decorated("shipped", "NoContraction"), 0u);
+    EXPECT_EQ(decorated("strict", "NoContraction"), 3u);
+    EXPECT_EQ(decorated("strict", "RelaxedPrecision"), 0u);
+    EXPECT_EQ(decorated("relaxed", "NoContraction"), 3u);
+    EXPECT_GT(decorated("relaxed", "RelaxedPrecision"), 5u);
+    EXPECT_LT(module_of("optimized").size(), module_of("shipped").size());
+    EXPECT_LT(module_of("small").size(), module_of("shipped").size());
+    EXPECT_EQ(module_of("specialization"), module_of("shipped"));
+    EXPECT_EQ(module_of("literals"), module_of("optimized"));
+}
+
+TEST(Variants, StepsCombine) {
+    const Source source = kernel("float f(float x) { return x * x + x; }", "f(result[1])");
+    Variant all = variant("relaxed");
+    all.optimization = Optimization::performance;
+    const Disassembly module(compile(source, {.variant = all}));
+    EXPECT_TRUE(module.results("OpFunctionCall").empty());
+    EXPECT_EQ(module.decorated("NoContraction").size(), 2u);
+    EXPECT_GE(module.decorated("RelaxedPrecision").size(), 3u);
+}
+
+std::string type_name(const Type& type) {
+    return type.scalar == Scalar::structure ? type.name : to_glsl(type);
+}
+
+// "T f(A, B) { T r; return r; }", for a prototype.
+std::string body_of(const Function& prototype) {
+    const std::string head = to_glsl(prototype);
+    if (prototype.result.scalar == Scalar::void_) return head + " {}\n";
+    return head + " { " + type_name(prototype.result) + " r; return r; }\n";
+}
+
+// A shader that calls every function of a file once; its prototypes get a body.
+Source caller_of(const std::string& file) {
+    const std::string include = "#include \"" + file + "\"\n";
+    const Source probe{"probe of " + file, "#version 450\n" + include};
+    std::string bodies;
+    std::string calls;
+    std::size_t count = 0;
+    for (const Function& function : functions(probe, {.include_roots = {GLOAM_GLSL_DIR}})) {
+        if (!function.defined) {
+            bodies += body_of(function);
+            continue;
+        }
+        std::string arguments;
+        for (const Parameter& parameter : function.parameters) {
+            const std::string variable = "v" + std::to_string(count++);
+            calls += "    " + type_name(parameter.type) + " " + variable + ";\n";
+            arguments += (arguments.empty() ? "" : ", ") + variable;
+        }
+        calls += "    " + function.name + "(" + arguments + ");\n";
+    }
+    return {"caller of " + file, "#version 450\nlayout(local_size_x = 1) in;\n" + include + bodies +
+                                     "void main() {\n" + calls + "}\n"};
+}
+
+class EveryFile : public testing::TestWithParam<std::string> {};
+
+// compile() validates: a failure is an exception.
+TEST_P(EveryFile, OfTheLibraryCanBeMade) {
+    const Source source = caller_of(GetParam());
+    for (const char* name : {"strict", "relaxed"}) {
+        EXPECT_NO_THROW((void)compile(source, {.include_roots = {GLOAM_GLSL_DIR}, .variant = variant(name)}))
+            << name << '\n'
+            << source.text;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Library, EveryFile, testing::ValuesIn(gloam::test::library_files()),
+                         gloam::test::library_file_name);
+
+constexpr Language all[] = {Language::vulkan450, Language::gl430, Language::gl330,
+                            Language::es300,     Language::es310, Language::es320};
+
+std::string error_of(const std::string& body, Language language) {
+    return message_of<CompileError>([&] { check_compiles({"body", body}, language, {FIXTURES}); });
+}
+
+// The languages that accept the body.
+std::string accepted_by(const std::string& body) {
+    std::string names;
+    for (const Language language : all)
+        if (error_of(body, language).empty()) names += to_string(language) + " ";
+    return names;
+}
+
+TEST(Language, HasANameAndIsFoundByIt) {
+    for (const Language language : all) EXPECT_EQ(language_from(to_string(language)), language);
+    EXPECT_EQ(to_string(Language::es310), "310es");
+    for (const char* other : {"", "300", "310 es", "460", "gl330"})
+        EXPECT_EQ(language_from(other), std::nullopt) << other;
+}
+
+TEST(Language, PreambleStartsWithTheVersion) {
+    EXPECT_EQ(preamble(Language::vulkan450), "#version 450\n");
+    EXPECT_THAT(preamble(Language::gl330), StartsWith("#version 330"));
+    EXPECT_EQ(preamble(Language::es300),
+              "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n");
+    EXPECT_THAT(preamble(Language::es310), StartsWith("#version 310 es\nprecision highp"));
+}
+
+TEST(Language, IncludesAndUndefinedPrototypesCompileEverywhere) {
+    for (const char* name : {"math/hypot.glsl", "math/neighbour.glsl", "fetch.glsl"})
+        EXPECT_EQ(accepted_by("#include \"" + std::string(name) + "\"\n"), "450 430 330 300es 310es 320es ")
+            << name;
+}
+
+TEST(Language, AcceptsABodyThatIsWrittenForIt) {
+    const std::vector<std::array<const char*, 3>> bodies{
+        {"an empty body compiles", "", "450 430 330 300es 310es 320es "},
+        {"a body may end in a comment", "float f(float x) { return x; } // no newline",
+         "450 430 330 300es 310es 320es "},
+        {"implicit conversion is not for es", "float f(float x) { return x * 2; }", "450 430 330 "},
+        {"bitfield functions are newer", "uint f(uint x) { return bitfieldReverse(x); }",
+         "450 430 310es 320es "},
+        {"doubles are for desktop", "double f(double x) { return x; }", "450 430 "},
+        {"vulkan alone refuses free uniforms", "uniform float x;\nfloat f() { return x; }",
+         "430 330 300es 310es 320es "},
+        {"recursion compiles nowhere", "float f(float x) { return f(x); }", ""}};
+    for (const auto& [about, text, languages] : bodies) EXPECT_EQ(accepted_by(text), languages) << about;
+}
+
+TEST(Language, BodyLinesAreItsOwn) {
+    for (const Language language : all)
+        EXPECT_THAT(error_of("\nfloat f() {\n    return oops;\n}\n", language), StartsWith("body:3: 'oops'"))
+            << to_string(language);
+}
+
+TEST(Language, ErrorsInIncludesNameTheInclude) {
+    for (const Language language : all)
+        EXPECT_THAT(error_of("#include \"broken/outer.glsl\"\n", language),
+                    StartsWith(fixture("broken/inner.glsl").string() + ":9: "))
+            << to_string(language);
+    EXPECT_THAT(error_of("#include \"none.glsl\"\n", Language::es300),
+                StartsWith("body:1: cannot find include"));
+}
+
+TEST(Language, UnknownLanguageIsRefused) {
+    EXPECT_THROW(static_cast<void>(preamble(static_cast<Language>(99))), std::invalid_argument);
+}
+
+TEST(OpenglText, WhatCannotBeWrittenIsSaid) {
+    EXPECT_THAT(message_of<std::runtime_error>([] { (void)opengl_text({1, 2, 3}, Language::es310, 0); }),
+                HasSubstr("SPIRV-Cross cannot write the module as GLSL for OpenGL"));
+}
+
+}  // namespace gloam::shader::variant_test

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: MIT
+#include "module/include.hpp"
+#include "module/support.hpp"
+#include "module/texts.hpp"
+
+namespace gloam::shader::excerpts_test {
+
+// Functions of a text from elsewhere, each as a text that a compute shader can contain.
+
+Excerpts excerpts_of(const std::string& text) {
+    return excerpts({"own.frag", text}, {});
+}
+
+// The compiled function, in the order of definitions.
+std::vector<std::string> compiled(const Excerpt& excerpt) {
+    std::vector<std::string> texts;
+    for (const Function& function : functions({"own.frag", "#version 450\n" + excerpt.text}, {}))
+        texts.push_back(to_glsl(function));
+    return texts;
+}
+
+constexpr const char* fragment_shader =
+    "// A shader for another API.\n"
+    "#version 330 core\n"
+    "in vec2 uv;\n"
+    "out vec4 color;\n"
+    "uniform sampler2D image;\n"
+    "layout(local_size_x = 8) in;\n"
+    "struct Light { vec3 to; };\n"
+    "float gray(vec3 c) { return dot(c, vec3(0.3, 0.6, 0.1)); }\n"
+    "float lit(Light light, vec3 n) { return gray(light.to * n); }\n"
+    "vec3 seen() { return texture(image, uv).rgb; }\n"
+    "void main() { color = vec4(gray(seen())); }\n";
+
+TEST(Excerpts, LackVersionMainAndInterfaceOfTheText) {
+    const Excerpts all = excerpts_of(fragment_shader);
+    EXPECT_EQ(all.version, "330 core");
+    ASSERT_EQ(all.functions.size(), 3U);
+    EXPECT_THAT(compiled(all.functions[0]), ElementsAre("float gray(vec3 c)"));
+    EXPECT_THAT(compiled(all.functions[1]),
+                ElementsAre("float gray(vec3 c)", "float lit(Light light, vec3 n)"));
+    EXPECT_THAT(all.functions[1].interface, IsEmpty());
+    EXPECT_THAT(all.functions[2].interface, IsEmpty());
+    EXPECT_THAT(all.functions[2].globals, ElementsAre(std::pair(std::string("uv"), Access::reads)));
+    ASSERT_EQ(all.functions[2].bound.size(), 1U);
+    EXPECT_EQ(all.functions[2].bound[0].name, "image");
+    EXPECT_EQ(all.functions[2].bound[0].type, "sampler2D");
+    EXPECT_THAT(all.functions[2].text, HasSubstr("layout(binding = " + binding_macro(0) + ") uniform"));
+}
+
+TEST(Excerpts, NameTheDefinitionsOfTheFileItself) {
+    const TemporaryDirectory folder;
+    (void)folder.write("other.glsl", "float f(float x) { return x; }\nfloat g(float x) { return x; }\n");
+    const Excerpts all = excerpts({"own.glsl",
+                                   "#include \"other.glsl\"\n"
+                                   "float f(const in vec2 x, out float y) { y = 1.0; return x.x; }\n"
+                                   "float f(float x[2], sampler2D) { return f(x[0]); }\n"},
+                                  {folder.path()});
+    EXPECT_EQ(all.version, "");
+    ASSERT_EQ(all.functions.size(), 1U);
+    EXPECT_THAT(all.functions[0].definitions, ElementsAre("", "f(vec2, float)", "f(float[2], sampler2D)"));
+    EXPECT_THAT(compiled(all.functions[0]), ElementsAre("float f(float x)", "float f(vec2 x, out float y)",
+                                                        "float f(float[2] x, sampler2D)"));
+}
+
+TEST(Excerpts, ErrorsNameTheLinesOfTheFile) {
+    const Excerpts all = excerpts_of(
+        "/* a comment\n"
+        "   of two lines */ float f(float x) {\n"
+        "#if 0\n"
+        "    x = 1.0;\n"
+        "#endif\n"
+        "    float y = \\\n"
+        "        2.0;  /* one\n"
+        "    more */ float z = 3.0;\n"
+        "    return x + missing;\n"
+        "}\n");
+    ASSERT_EQ(all.functions.size(), 1U);
+    EXPECT_EQ(message_of<CompileError>([&] { static_cast<void>(compiled(all.functions[0])); }),
+              "own.frag:9: 'missing' : undeclared identifier");
+}
+
+TEST(Excerpts, KeepExtensionsConstantsAndMacros) {
+    const Excerpts all = excerpts_of(
+        "#extension GL_EXT_shader_explicit_arithmetic_types : enable\n"
+        "layout(constant_id = 3) const int count = int(4e-1 * 10.0) >> 1;\n"
+        "#line 700\n"
+        "#define SCALE float(count)\n"
+        "const float half_of = 0.5;\n"
+        "float unused(float x) { return x * undefined_name; }\n"
+        "float f(float x) { return float(float32_t(x)) * SCALE * half_of; }\n");
+    ASSERT_EQ(all.functions.size(), 2U);
+    EXPECT_THAT(compiled(all.functions[1]), ElementsAre("float f(float x)"));
+    EXPECT_THAT(all.functions[1].text, Not(HasSubstr("unused")));
+    EXPECT_THAT(message_of<CompileError>([&] { static_cast<void>(compiled(all.functions[0])); }),
+                HasSubstr("own.frag:6: 'undefined_name'"));
+}
+
+// Its interface as plain variables.
+TEST(Excerpts, UniformsBuffersInputsAndOutputsArePlainVariables) {
+    const Excerpts all = excerpts_of(
+        "layout(std140, binding = 0) uniform Block { layout(offset = 16) vec3 a; float b[2]; };\n"
+        "layout(push_constant) uniform Pushed {\n#define COUNT 3\n    float c[COUNT]; } pushed;\n"
+        "layout(std430) readonly buffer Values { float values[]; } all;\n"
+        "layout(std430) buffer Sums { int sums[]; };\n"
+        "uniform highp float e = float(1), f = max(1.0, 2.0);\n"
+        "flat in int g; out vec4 h; uniform struct S { float x; } i;\n"
+        "uniform sampler2DMS j;\nuniform writeonly image2D k;\n"
+        "float use() { imageStore(k, ivec2(0), vec4(0)); h.x = texelFetch(j, ivec2(0), 0).x;\n"
+        "    sums[0] = g; return a.x + b[0] + pushed.c[2] + all.values[1] + e + f + i.x; }\n");
+    ASSERT_EQ(all.functions.size(), 1U);
+    const Excerpt& excerpt = all.functions[0];
+    EXPECT_THAT(excerpt.interface, ElementsAre("j"));
+    ASSERT_EQ(excerpt.bound.size(), 1U);
+    EXPECT_EQ(excerpt.bound[0].name + " " + excerpt.bound[0].format, "k rgba32f");
+    EXPECT_TRUE(excerpt.bound[0].written);
+    EXPECT_THAT(excerpt.text,
+                HasSubstr("layout(binding = GLOAM_BINDING_0, rgba32f) uniform highp image2DArray k;"));
+    std::string written;
+    std::string read;
+    for (const auto& [name, access] : excerpt.globals)
+        (access == Access::any || access == Access::buffer ? written : read).append(" ").append(name);
+    EXPECT_EQ(written, " h sums");
+    EXPECT_EQ(read, " a all b e f g i pushed");
+    EXPECT_EQ(excerpt.globals.at("sums"), Access::buffer) << "all invocations share it";
+    EXPECT_EQ(excerpt.globals.at("all"), Access::uniform);
+    EXPECT_EQ(excerpt.globals.at("g"), Access::reads);
+    for (const char* line :
+         {"vec3 a ; float b [ 2 ] ;", "struct Pushed { float c [ COUNT ] ; } pushed ;", "#define COUNT 3\n",
+          "struct Values { float values [ 16 ] ; } all ;", "int sums [ 16 ] ;", "highp float e , f ;",
+          "int g ;", "vec4 h ;", "struct S { float x ; } i ;"})
+        EXPECT_THAT(excerpt.text, HasSubstr(line));
+}
+
+TEST(Excerpts, FunctionsSayWhichVariablesTheyUse) {
+    const Excerpts all = excerpts_of(
+        "uniform float a, b, c;\nbuffer B { float d[]; };\n"
+        "float inner(float x) { d[0] = a; return x; }\n"
+        "float outer(float x) { float b = x; return inner(x) + b + c; }\n");
+    const std::vector<Function> found = functions({"own.frag", "#version 450\n" + all.functions[1].text}, {});
+    ASSERT_EQ(found.size(), 2U);
+    std::string used;
+    for (const Parameter& global : found[1].globals)
+        used += (global.direction == Direction::inout ? " inout " : " ") + name_of(global.type) + " " +
+                global.name;
+    EXPECT_THAT(used, AllOf(HasSubstr(" float a"), HasSubstr(" float c"), HasSubstr(" inout float[16] d"),
+                            Not(HasSubstr(" float b"))));
+}
+
+// Whom a function needs besides itself.
+TEST(Excerpts, FunctionsSayWhatTheyNeedOthersFor) {
+    const char* const text =
+        "shared float s[4];\nuniform sampler2D image;\n"
+        "float alone(float x) { return x; }\n"
+        "float slope(float x) { return dFdxFine(x); }\n"
+        "float cut(float x) { if (x < 0.0) discard; return x; }\n"
+        "vec4 look(vec2 uv) { return texture(image, uv); }\n"
+        "vec4 level(vec2 uv) { return textureLod(image, uv, 0.0); }\n"
+        "float share(float x) { s[0] = x; return x; }\n"
+        "float meet(float x) { barrier(); return x; }\n"
+        "uint place(float x) { return gl_GlobalInvocationID.x + gl_LocalInvocationIndex; }\n";
+    const auto needs = [&](const std::string& file) {
+        std::map<std::string, Needs> all;
+        for (const Excerpt& one : excerpts({file, text}, {}).functions) all[one.function] = one.needs;
+        return all;
+    };
+    std::map<std::string, Needs> expected{
+        {"alone", Needs::nobody}, {"slope", Needs::quad},  {"cut", Needs::quad},   {"look", Needs::quad},
+        {"level", Needs::nobody}, {"share", Needs::group}, {"meet", Needs::group}, {"place", Needs::group}};
+    EXPECT_EQ(needs("own.glsl"), expected);
+    expected["look"] = Needs::nobody;
+    EXPECT_EQ(needs("own.comp"), expected) << "a compute shader has no derivatives to select a level by";
+}
+
+TEST(Excerpts, ATextWithoutFunctionsHasNone) {
+    EXPECT_THAT(excerpts_of("#version 450\nconst float x = 1.0;\nvoid main() { }\n").functions, IsEmpty());
+    EXPECT_THAT(message_of<CompileError>([] { (void)excerpts_of("\n#include \"none.glsl\"\n"); }),
+                HasSubstr("own.frag:2: cannot find include \"none.glsl\""));
+}
+
+// "12 comparison: '<' -> '<='", of each fault of a text.
+std::vector<std::string> faults_of(const std::string& text, const std::string& kind = {}) {
+    std::vector<std::string> found;
+    for (const Mutation& one : mutations({"own.glsl", text}, {}))
+        if (kind.empty() || one.kind == kind)
+            found.push_back(std::to_string(one.line) + " " + one.kind + ": '" + one.before + "' -> '" +
+                            one.after + "'");
+    return found;
+}
+
+// The faults of an expression of floats a, b, vectors u, v of three and a structure s { float p, q; int n; }.
+std::vector<std::string> changed(const std::string& expression, const std::string& kind) {
+    const std::string head =
+        "struct S { float p; float q; int n; };\nfloat g(float x, float y);\n"
+        "float f(float a, float b, vec3 u, vec3 v, S s) { return ";
+    const std::string text = head + expression + "; }\n";
+    std::vector<std::string> results;
+    for (const Mutation& one : mutations({"own.glsl", text}, {}))
+        if (one.kind == kind) {
+            const std::string whole = mutated(text, one);
+            results.push_back(whole.substr(head.size(), whole.size() - head.size() - 4));
+            EXPECT_EQ(one.line, 3);
+            EXPECT_EQ(one.function, "f");
+        }
+    return results;
+}
+
+TEST(Mutations, ChangeOperatorsAndComparisons) {
+    EXPECT_THAT(changed("a + b", "operator"), ElementsAre("a - b"));
+    EXPECT_THAT(changed("-a * b", "operator"), ElementsAre("a * b", "-a / b"));
+    EXPECT_THAT(changed("a < b && !(a == b) ? a : b", "operator"),
+                ElementsAre("a < b || !(a == b) ? a : b", "a < b && (a == b) ? a : b"));
+    EXPECT_THAT(changed("a < b ? a : b", "comparison"), ElementsAre("a <= b ? a : b", "a > b ? a : b"));
+    EXPECT_THAT(changed("a < b ? a : b", "condition"), ElementsAre("true ? a : b", "false ? a : b"));
+    EXPECT_THAT(changed("float(s.n << 2)", "operator"), ElementsAre("float(s.n >> 2)"));
+}
+
+TEST(Mutations, ChangeConstantsAndFunctions) {
+    EXPECT_THAT(changed("a * 0.3", "constant"), ElementsAre("a * 0.6", "a * 0.15"));
+    EXPECT_THAT(changed("a * 1.0 + 0.0", "constant"),
+                ElementsAre("a * 0.0 + 0.0", "a * 2.0 + 0.0", "a * 1.0 + 1.0"));
+    EXPECT_THAT(changed("float(s.n & 0x7)", "constant"), ElementsAre("float(s.n & 0x6)"));
+    EXPECT_THAT(changed("float(uint(s.n) + 4u)", "constant"),
+                ElementsAre("float(uint(s.n) + 5u)", "float(uint(s.n) + 3u)"));
+    EXPECT_THAT(changed("false ? a : b", "constant"), ElementsAre("true ? a : b"));
+    EXPECT_THAT(changed("max(a, abs(b))", "function"), ElementsAre("min(a, abs(b))", "max(a, (b))"));
+}
+
+TEST(Mutations, LeaveOutStatementsAndMoveTheBoundsOfLoops) {
+    const std::string text =
+        "float f(float x) {\n"
+        "    float sum = 0.0;\n"
+        "    for (int i = 0; i < 4; ++i) {\n"
+        "        if (x > sum) continue;\n"
+        "        sum += x;\n"
+        "    }\n"
+        "    return sum;\n"
+        "}\n";
+    EXPECT_THAT(faults_of(text, "loop bound"),
+                ElementsAre("3 loop bound: '<' -> '<='", "3 loop bound: '<' -> '>'"));
+    EXPECT_THAT(faults_of(text, "statement"),
+                ElementsAre("4 statement: 'continue;' -> ';'", "5 statement: 'sum += x;' -> ';'"));
+    EXPECT_THAT(faults_of(text, "condition"),
+                ElementsAre("4 condition: 'x > sum' -> 'true'", "4 condition: 'x > sum' -> 'false'"));
+}
+
+TEST(Mutations, LeaveCommentsDirectivesInterfaceAndIncludesAlone) {
+    const TemporaryDirectory folder;
+    (void)folder.write("other.glsl", "float g(float x) { return x * 3.0; }\n");
+    const std::string text =
+        "#version 330 core\n"
+        "#include \"other.glsl\"\n"
+        "#define TWICE(x) (2.0 * (x))\n"
+        "#if 0\nfloat dead(float x) { return x + 1.0; }\n#endif\n"
+        "struct S { float a[4]; };\n"
+        "layout(location = 1) in vec2 uv;\n"
+        "uniform sampler2D image;\n"
+        "const float third = 1.0 / 3.0;  // 1.0 + 2.0\n"
+        "/* 4.0\n*/ float f(float x) { return TWICE(g(x)) + third + texture(image, uv).x; }\n";
+    const std::string file = folder.write("own.frag", text).string();
+    std::vector<std::string> found;
+    for (const Mutation& one : mutations({file, text}, {folder.path()})) {
+        found.push_back(std::to_string(one.line) + " " + one.before + " " + one.after);
+        EXPECT_EQ(text.substr(one.begin, one.end - one.begin), one.before);
+    }
+    EXPECT_THAT(found, ElementsAre("10 1.0 0.0", "10 1.0 2.0", "10 / *", "10 3.0 6.0", "10 3.0 1.5", "12 + -",
+                                   "12 + -"));
+}
+
+// Nearly all of them.
+TEST(Mutations, OfTheLibraryCompile) {
+    const std::filesystem::path root = GLOAM_GLSL_DIR;
+    std::size_t tried = 0;
+    std::size_t refused = 0;
+    for (const char* name : {"gloam/occlusion/bias.glsl", "gloam/sampling/halton.glsl"}) {
+        const Source source{(root / name).string(), read_text(root / name)};
+        for (const Mutation& one : mutations(source, {root})) {
+            ++tried;
+            try {
+                (void)functions({source.name, "#version 450\n" + mutated(source.text, one)},
+                                {.include_roots = {root}, .variant = {}});
+            } catch (const CompileError&) {
+                ++refused;
+            }
+        }
+    }
+    EXPECT_GE(tried, 30U);
+    EXPECT_LT(refused, tried / 10);
+}
+
+TEST(Mutations, AreNotOfATextThatDoesNotCompile) {
+    const auto message = [](const std::string& text) {
+        return message_of<CompileError>([&] { (void)mutations({"own.glsl", text}, {}); });
+    };
+    EXPECT_EQ(message("float f(float x) {\n    return x +\n  y; }\n"),
+              "own.glsl:3: 'y' : undeclared identifier");
+    EXPECT_THAT(message("#include \"none.glsl\"\n"), HasSubstr("none.glsl"));
+    EXPECT_THAT(message("float f( { ((((\n"), HasSubstr("own.glsl:1: "));
+    EXPECT_EQ(message(""), "");
+}
+
+}  // namespace gloam::shader::excerpts_test

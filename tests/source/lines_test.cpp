@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "source/lines.hpp"
+#include "module/support.hpp"
+
+namespace gloam::shader::lines_test {
+
+using namespace internal;  // lines of a text
+
+std::vector<std::string> includes(std::string_view text) {
+    std::vector<std::string> names;
+    for (const Line& line : split_lines(text))
+        if (const auto include = include_of(line))
+            names.push_back((include->system ? "<" : "") + include->name);
+    return names;
+}
+
+using Names = std::vector<std::string>;
+
+TEST(Lines, FindsIncludesHoweverTheyAreWritten) {
+    EXPECT_EQ(includes("#include \"a\"\n  #\tinclude\"b\" // why\n/* x */ # include <c>\n#include \"d//e\""),
+              (Names{"a", "b", "<c", "d//e"}));
+}
+
+TEST(Lines, LooksPastContinuations) {
+    EXPECT_EQ(includes("#include \\\n \"a\"\n#inc\\\nlude \"b\"\n#include \\\r\n \"c\"\r\n"),
+              (Names{"a", "b", "c"}));
+}
+
+TEST(Lines, IgnoresComments) {
+    EXPECT_EQ(
+        includes("// #include \"a\"\n/* #include \"b\"\n#include \"c\"\n*/\n// goes on \\\n#include \"d\"\n"),
+        Names{});
+    EXPECT_EQ(includes("/* // */ #include \"a\"\n// /*\n#include \"b\"\n"), (Names{"a", "b"}));
+}
+
+TEST(Lines, IgnoresWhatIsNoInclude) {
+    EXPECT_EQ(includes("#include\n#include a\n#include \"a\n#includes \"b\"\nfloat x; #include "
+                       "\"c\"\n#define include \"d\"\n"),
+              Names{});
+}
+
+TEST(Lines, CountsPhysicalLines) {
+    const auto lines = split_lines("a \\\n b\n/* c\n d */\ne");
+    ASSERT_EQ(lines.size(), 4u);
+    EXPECT_EQ(lines[0].number, 1);
+    EXPECT_EQ(lines[1].number, 3);
+    EXPECT_EQ(lines[2].number, 4);
+    EXPECT_EQ(lines[3].number, 5);
+    EXPECT_EQ(lines[3].text, "e");
+    EXPECT_FALSE(lines[0].crosses);
+    EXPECT_TRUE(lines[1].crosses);
+    EXPECT_TRUE(lines[2].crosses);
+    EXPECT_FALSE(lines[3].crosses);
+}
+
+TEST(Lines, SeparatesCodeFromComments) {
+    const auto lines = split_lines("int x; /* why */ int y; // z\n");
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_EQ(lines[0].code, "int x;           int y;     \n");
+    EXPECT_EQ(comments_of(lines[0]), "       /* why */        // z\n");
+    EXPECT_FALSE(is_blank(lines[0]));
+    EXPECT_TRUE(is_blank(split_lines(" /* only */ // comments\n")[0]));
+    EXPECT_TRUE(split_lines("").empty());
+}
+
+TEST(Tokens, HaveTheirPlaceInTheText) {
+    const std::string text = "a.b += .5e-3f; // no\n#define c 1\n/* d */ x <<= 0x1Fu \\\n>= y2[i]";
+    const std::vector<Token> tokens = tokens_of(text);
+    EXPECT_EQ(joined(tokens, " "), "a . b += .5e-3f ; x <<= 0x1Fu >= y2 [ i ]");
+    for (const Token& token : tokens) EXPECT_EQ(text.substr(token.begin, token.text.size()), token.text);
+    EXPECT_EQ(tokens[5].line, 1);
+    EXPECT_EQ(tokens[6].line, 3);
+    EXPECT_EQ(tokens[9].line, 4);
+}
+
+}  // namespace gloam::shader::lines_test
