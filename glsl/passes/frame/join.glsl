@@ -17,7 +17,7 @@ vec4 joined(ivec2 odd, float depth) {
     vec2 inner = vec2(0.0);
     vec2 outer = vec2(0.0, 1e-4);
 #ifdef GLOAM_BENT_NORMALS
-    bends.xyz = 1e-4 * bend_at(ivec2(0));
+    bends.xyz = vec3(1e-4 * 128.0 / 255.0);
 #endif
     for (int y = 0; y <= 2; ++y) {
         for (int x = -1; x <= 2; ++x) {

@@ -159,7 +159,7 @@ uint texel_of(ivec2 pixel) {
     }
     if (!(sum.x >= 0.0 && sum.y > 0.0)) sum = vec2(0.0, 1e-3);  // background, or no normal
 #ifdef GLOAM_BENT_NORMALS
-    blocked = dot(blocked, blocked) < 100.0 ? blocked * (0.5 / sum.y) : vec3(0.0);
+    blocked = dot(blocked, blocked) < 16.0 * sum.y * sum.y ? blocked * (0.5 / sum.y) : vec3(0.0);
 #endif
     uint code = gloam_frame_code(depth, min(sum.x / sum.y, 1.0), min(sum.y * (1.0 / float(slices)), 1.6));
     return history && least < 0.0 ? code + GLOAM_FRAME_MOVED : code;
