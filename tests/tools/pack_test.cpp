@@ -226,7 +226,7 @@ TEST_F(PackEffect, OptionsAreConstants) {
                                  "unorm_normals = true", "steps = 3", "history = true", "stride = 2"})
         EXPECT_THAT(sweep, HasSubstr(constant));
     EXPECT_THAT(read_file(path("fast") / "join.comp"),
-                AllOf(HasSubstr("OUTPUT r8\n"), HasSubstr("bounce(alone("), HasSubstr("bent_of(bends")));
+                AllOf(HasSubstr("OUTPUT r8\n"), HasSubstr("bounce(alone("), HasSubstr("bends.xyz += ")));
     pack("quality", words("--normals none --set history=off --set history_range=0.25 --set output=r16f"));
     EXPECT_THAT(read_file(path("quality") / "sweep.comp"),
                 AllOf(HasSubstr("position_at("), Not(HasSubstr("octahedral")), HasSubstr("history = false")));

@@ -20,8 +20,7 @@ vec4 filtered(ivec2 middle) {
     vec2 sum = mine + vec2(0.0, 1e-4);
     vec2 scale = inverse_tolerance / own.depth;
 #ifdef GLOAM_BENT_NORMALS
-    float inner = own.weight + 1e-4;  // weights of 3 x 3 texels: more of them cost more than they gain
-    vec3 bends = inner * bend_at(middle);
+    bends = (own.weight + 1e-4) * vec4(bend_at(middle), 1.0);  // of 3 x 3 texels: more cost more than they gain
 #endif
     for (int y = 0; y <= half_width; ++y) {
         for (int x = -half_width; x <= half_width; ++x) {
@@ -35,14 +34,11 @@ vec4 filtered(ivec2 middle) {
 #ifdef GLOAM_BENT_NORMALS
             if (max(abs(x), y) == 2) continue;
             near *= spatial * vec2(fore.weight, back.weight);
-            inner += near.x + near.y;
-            bends += near.x * bend_at(middle + ivec2(x, y)) + near.y * bend_at(middle - ivec2(x, y));
+            bends.xyz += near.x * bend_at(middle + ivec2(x, y)) + near.y * bend_at(middle - ivec2(x, y));
+            bends.w += near.x + near.y;
 #endif
         }
     }
-#ifdef GLOAM_BENT_NORMALS
-    bent = bent_of(bends, inner);
-#endif
     return vec4(mine, sum) * vec2(1.0 / 255.0, 1.0).xyxy;
 }
 

@@ -45,15 +45,11 @@ vec2 sums_of(GloamFrameTexel texel) {
 
 #ifdef GLOAM_BENT_NORMALS
 vec3 bent;        // what the pixel's normal is bent by: with it, normalised, it is the mean of the open directions
+vec4 bends;       // weighted sum of ((128 + 127 bent) / 255, 1), of the texels that the filter reads
 vec2 first_bend;  // middle of the texel at place 0, in the image from 0 to 1
 
 vec3 bend_at(ivec2 place) {
     return textureLod(bend_image, vec2(place) * parameters.inverse_texels + first_bend, 0.0).xyz;
-}
-
-// Of a sum of such texels, (128 + 127 b) / 255 each, and of their weights.
-vec3 bent_of(vec3 bends, float weights) {
-    return (bends / weights - 128.0 / 255.0) * (255.0 / 127.0);
 }
 
 #endif
@@ -73,15 +69,20 @@ float alone(ivec2 pixel, float depth, vec4 sums, float moved, out vec4 kept) {
 float accumulated(ivec2 pixel, float depth, vec4 sums, float moved, out vec4 kept) {
 #endif
     kept = vec4(0.0);
+#ifdef GLOAM_BENT_NORMALS
+    bent = (bends.xyz / bends.w - 128.0 / 255.0) * (255.0 / 127.0);
+#endif
     if (!history) return sums.z / sums.w;
     vec3 was = gloam_frame_before(vec2(pixel), depth, parameters.before, orthographic);
     vec3 texel = textureLod(before_image, was.xy, 0.0).xyz;
 #ifdef GLOAM_BENT_NORMALS
-    vec3 now = bent;
-    bent = 2.0 * textureLod(bent_before_image, was.xy, 0.0).xyz - 1.0;
+    vec3 bent_before = 2.0 * textureLod(bent_before_image, was.xy, 0.0).xyz - 1.0;
 #endif
 #ifdef GLOAM_TILES
     kept = vec4(texel, 0.0);
+#ifdef GLOAM_BENT_NORMALS
+    if (groups.y == 0u) bent = bent_before;
+#endif
     if (groups.y == 0u) return texel.x;  // settled: there are no taps
 #endif
     float apart = abs(abs(textureLod(depth_before_image, was.xy, 0.0).x) - was.z);
@@ -95,7 +96,7 @@ float accumulated(ivec2 pixel, float depth, vec4 sums, float moved, out vec4 kep
     float dither = fract(float(pixel.x) * 0.7548777 + (float(pixel.y) * 0.5698403 + parameters.dither)) - 0.5;
     kept = vec4(means.x + dither * frames_unit, means.y, frames + frames_unit, 0.0);
 #ifdef GLOAM_BENT_NORMALS
-    bent = mix(bent, now, weight);  // how far the camera has turned does not matter
+    bent = mix(bent_before, bent, weight);  // how far the camera has turned does not matter
 #endif
     return means.x;
 }

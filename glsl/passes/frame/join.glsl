@@ -17,7 +17,7 @@ vec4 joined(ivec2 odd, float depth) {
     vec2 inner = vec2(0.0);
     vec2 outer = vec2(0.0, 1e-4);
 #ifdef GLOAM_BENT_NORMALS
-    vec3 bends = 1e-4 * bend_at(ivec2(0));
+    bends.xyz = vec3(1e-4 * 128.0 / 255.0);
 #endif
     for (int y = 0; y <= 2; ++y) {
         for (int x = -1; x <= 2; ++x) {
@@ -34,12 +34,12 @@ vec4 joined(ivec2 odd, float depth) {
             else outer = sum;
 #ifdef GLOAM_BENT_NORMALS
             near *= vec2(fore.weight, back.weight);
-            bends += near.x * bend_at(ivec2(x, y)) + near.y * bend_at(other);
+            bends.xyz += near.x * bend_at(ivec2(x, y)) + near.y * bend_at(other);
 #endif
         }
     }
 #ifdef GLOAM_BENT_NORMALS
-    bent = bent_of(bends, inner.y + outer.y);
+    bends.w = inner.y + outer.y;
 #endif
     return vec4(inner, inner + outer) * vec2(1.0 / 255.0, 1.0).xyxy;
 }

@@ -29,6 +29,6 @@ void main() {
 #endif
     imageStore(texel_image, pixel, uvec4(texel_of(pixel)));
 #ifdef GLOAM_BENT_NORMALS
-    imageStore(bend_image, pixel, bend);
+    imageStore(bend_image, pixel, vec4((128.0 - 127.0 * blocked) / 255.0, 1.0));
 #endif
 }

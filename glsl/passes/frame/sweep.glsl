@@ -96,8 +96,9 @@ vec3 rays_along(vec3 axis, Point point, float own) {
 }
 
 #ifdef GLOAM_BENT_NORMALS
-vec3 blocked;  // sum of the slices' blocked directions (gloam_bent_slice), each with the slice's weight
-vec4 bend;     // written by texel_of: what the normal is bent by, as history.glsl reads it
+// Sum of the slices' blocked directions (gloam_bent_slice), each with the slice's weight; after texel_of what the
+// normal is bent by, turned round.
+vec3 blocked = vec3(0.0);
 #endif
 
 // What one slice sees, and what an empty one would, both with the slice's weight, and the least depth that taps
@@ -147,9 +148,6 @@ uint texel_of(ivec2 pixel) {
     float depth = abs(least);
     vec2 reach = orthographic ? parameters.reach : parameters.reach / depth;
     vec2 sum = vec2(0.0);
-#ifdef GLOAM_BENT_NORMALS
-    blocked = vec3(0.0);
-#endif
     // A radius below a pixel sees nothing but that pixel.
     if (depth < GLOAM_FARTHEST_LEVEL_DEPTH && max(abs(reach.x), abs(reach.y)) >= 1.0) {
         Point point = point_at(pixel, depth, reach);
@@ -161,8 +159,7 @@ uint texel_of(ivec2 pixel) {
     }
     if (!(sum.x >= 0.0 && sum.y > 0.0)) sum = vec2(0.0, 1e-3);  // background, or no normal
 #ifdef GLOAM_BENT_NORMALS
-    blocked *= 0.5 / sum.y;
-    bend = vec4(dot(blocked, blocked) < 4.0 ? (128.0 - 127.0 * blocked) / 255.0 : vec3(128.0 / 255.0), 1.0);
+    blocked = dot(blocked, blocked) < 16.0 * sum.y * sum.y ? blocked * (0.5 / sum.y) : vec3(0.0);
 #endif
     uint code = gloam_frame_code(depth, min(sum.x / sum.y, 1.0), min(sum.y * (1.0 / float(slices)), 1.6));
     return history && least < 0.0 ? code + GLOAM_FRAME_MOVED : code;
