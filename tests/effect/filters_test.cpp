@@ -8,10 +8,10 @@
 #include "effect/settings.hpp"
 #include "numeric/random.hpp"
 #include "on_device.hpp"
-#include "scene/analytic_scene.hpp"
 #include "reference/filter.hpp"
 #include "reference/geometry_camera.hpp"
 #include "reference/temporal.hpp"
+#include "scene/analytic_scene.hpp"
 
 namespace gloam::effect::filters_test {
 
