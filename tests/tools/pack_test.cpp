@@ -231,7 +231,8 @@ TEST_F(PackEffect, OptionsAreConstants) {
     EXPECT_THAT(read_file(path("quality") / "sweep.comp"),
                 AllOf(HasSubstr("position_at("), Not(HasSubstr("octahedral")), HasSubstr("history = false")));
     EXPECT_THAT(read_file(path("quality") / "filter.comp"), HasSubstr("#define GLOAM_OUTPUT r16f\n"));
-    EXPECT_THAT(read_file(path("quality") / "gloam_frame.h"), HasSubstr("gloam_quality = {0, 0.25f, 0.5f};"));
+    EXPECT_THAT(read_file(path("quality") / "gloam_frame.h"),
+                AllOf(HasSubstr("gloam_quality = {0, 0.25f, 0.5f};"), HasSubstr(" shown        R16F  ")));
 }
 
 }  // namespace gloam::test::pack_test

@@ -89,6 +89,8 @@ std::optional<glm::dmat4> matrix(const json& object, const char* key) {
 }
 
 glm::mat4 projection_from_planes(const json& camera) {
+    if (given(camera, "fovy_rad") == nullptr)
+        refuse("proj_vk", " is missing, expected a matrix, \"proj_gl\", or \"fovy_rad\" with its planes");
     const double fovy = number(camera, "fovy_rad");
     const double near = number(camera, "near");
     const double far = given(camera, "far") ? number(camera, "far") : std::numeric_limits<double>::infinity();

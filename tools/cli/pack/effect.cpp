@@ -46,15 +46,20 @@ effect::PlanOptions plan_options(const EffectPackOptions& options) {
             .encoding = scene::encoding_named("buffer", none ? "view" : options.normals)};
 }
 
-// The header of the library, and the preset.
+// The header of the library with the format of what is shown, and the preset.
 std::string header_of(const std::string& preset, const effect::Settings& settings) {
+    std::string header = shader::read_text(glsl_directory() / "passes/frame/gloam_frame.h");
+    if (settings.output != effect::OutputFormat::r8) {
+        constexpr std::string_view shown = " * shown        R8  ";
+        const std::string format = settings.output == effect::OutputFormat::r16f ? "R16F" : "R32F";
+        header.replace(header.find(shown) + shown.size() - 4, 4, format);
+    }
     std::string name = preset;
     std::ranges::replace_if(name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
     return fmt::format(
         "#pragma once\n{}\nstatic const gloam_preset gloam_{} = {{{:d}, {:#}f, {:#}f}}; /* of gloam {} */\n",
-        shader::read_text(glsl_directory() / "passes/frame/gloam_frame.h"), name,
-        settings.resolution == effect::Resolution::half, settings.history_range, settings.history_sharpness,
-        base::version());
+        header, name, settings.resolution == effect::Resolution::half, settings.history_range,
+        settings.history_sharpness, base::version());
 }
 
 }  // namespace
