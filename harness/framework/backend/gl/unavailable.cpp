@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The room of a build without the headers of EGL and OpenGL ES: it has no devices, and nothing that needs one.
+// The room of a build without the headers of EGL and OpenGL ES: it has no devices, and nothing that needs
+// one.
 #include "backend/gl/device.hpp"
 
 namespace gloam::gl {
