@@ -111,7 +111,6 @@ vec3 slice_of(Point point, int slice) {
     vec3 along = rays_along(axes.along, point, slope.y);
     vec3 height = rays_along(axes.height, point, -slope.x);
     float reach = max(abs(point.reach.x), abs(point.reach.y));
-    vec2 to_reach = point.reach * direction;
     vec3 places = gloam_slice_places(fract(point.noise.y), float(steps), reach);
     vec2 edge = min(point.at, 1.0 - point.at) / parameters.inverse_span;
     float reach_level = gloam_depth_level(min(reach, max(min(edge.x, edge.y), 1.0)));
@@ -119,7 +118,7 @@ vec3 slice_of(Point point, int slice) {
     float least = 0.0;
     for (int k = 0; k < steps; ++k) {
         float place = places.x + float(k) * (places.y + float(k) * places.z);
-        vec2 offset = round(place * to_reach);
+        vec2 offset = round(place * (point.reach * direction));
         // Beyond the edge, the pixel at the edge.
         vec4 at = clamp(vec4(offset, -offset) * parameters.inverse_span.xyxy + point.at.xyxy, 0.0, 1.0);
         // By the middle of the step, so that the logarithm is a constant.
