@@ -50,6 +50,14 @@ TEST_P(Frames, APlaneIsOpen) {
         }
 }
 
+// At the sides of an image, too, where most taps of a large radius would stand outside.
+TEST_P(Frames, APlaneIsOpenAtTheSides) {
+    for (const glm::dvec3 normal : {glm::dvec3(0, 1, 0.4), {0, -1, 0.4}, {1, 0, 0.4}, {-1, 0, 0.4}}) {
+        const scene::GBuffer view = plane({321, 179}, false, normal);
+        EXPECT_LE(mean_of(frame(view, 1.0).filtered), 1e-4) << normal.x << ' ' << normal.y;
+    }
+}
+
 // What is stored differs in rounding alone from what is eye-linear, and background is background. Normals
 // from depth are those of the surface but at its silhouettes.
 TEST_P(Frames, TakeWhatEnginesStore) {
