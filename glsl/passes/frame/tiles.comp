@@ -3,13 +3,17 @@
 // The frame on drivers that run both sides of every branch, behind prepare.comp: lists the tiles that the sweep makes
 // (tile_list.glsl), and finds out whether the view is settled. One invocation a tile.
 //
-// Dispatch ceil(tiles / (8, 1)) groups. Descriptor set 0, but for the list:
+// Dispatch ceil(tiles / (8, 1)) groups. Descriptor set 0:
 //   0  depth of prepare.comp; nearest texel, clamped to the edge
 //   1  level 0 of the depth of the frame before, in sequences; likewise
+//   2  the list
 layout(local_size_x = 8) in;
 
 layout(binding = 0) uniform highp sampler2D depth_image;
 layout(binding = 1) uniform highp sampler2D depth_before_image;
+#ifndef GLOAM_TILES
+#define GLOAM_TILES 2
+#endif
 
 #include "gloam/sampling/depth_levels.glsl"
 #include "passes/frame/parameters.glsl"

@@ -86,9 +86,9 @@ struct PlanOptions {
     bool moving_objects = false;  // the engine gives the previous positions of surface points
     bool motion_vectors = false;  // it gives motion vectors, from which these follow
     bool orthographic = false;
-    bool first = false;         // the first frame of AmbientOcclusion
-    bool normals = true;        // the engine has normals; otherwise they are reconstructed from depth
-    scene::Encoding encoding;   // of the engine's depth and normals
+    bool first = false;        // the first frame of AmbientOcclusion
+    bool normals = true;       // the engine has normals; otherwise they are reconstructed from depth
+    scene::Encoding encoding;  // of the engine's depth and normals
 };
 
 // The plan of a frame with these settings. Throws std::invalid_argument like validate(), std::logic_error for
