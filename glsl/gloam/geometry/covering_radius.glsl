@@ -25,8 +25,8 @@ float gloam_covering_radius_parallel(vec3 position, float radius, float largest)
 
 // circle that covers the image of a disc across the view ray (ISSAO-P): `R / (cos t (d - R sin t))` [ISSAO, section on
 // the projected disc; derived].
-// The farthest point of its elliptic image from that of the centre; t is the angle off the axis. The reading under which
-// the paper's ellipse and covering circle make sense; never below the other.
+// The farthest point of its elliptic image from that of the centre; t is the angle off the axis. The reading under
+// which the paper's ellipse and covering circle make sense; never below the other.
 // position: centre of the disc, view space, world units, |position| within [1e-12, 1e12]. radius: R, world units, >= 0.
 // largest: upper bound of the result, >= 0: the screen's diagonal.
 // Returns a radius in [0, largest]; largest where the disc reaches the plane of the eye; 0 for a position behind the

@@ -44,7 +44,7 @@ vec2 sums_of(GloamFrameTexel texel) {
 }
 
 #ifdef GLOAM_BENT_NORMALS
-vec3 bent;        // what the pixel's normal is bent by: with it, normalised, it is the mean of the open directions
+vec3 bent;        // added to the pixel's normal, before it is normalised
 vec4 bends;       // weighted sum of ((128 + 127 bent) / 255, 1), of the texels that the filter reads
 vec2 first_bend;  // middle of the texel at place 0, in the image from 0 to 1
 

@@ -2,9 +2,9 @@
 #ifndef GLOAM_PASSES_FRAME_TILE_LIST_GLSL
 #define GLOAM_PASSES_FRAME_TILE_LIST_GLSL
 
-// The tiles of 16 x 8 texels that the sweep makes. Drivers on a CPU run both sides of every branch, so that only what is
-// not dispatched is skipped: tiles of background that the frame before has written, and all of a settled view, whose
-// history stays. Passes define GLOAM_TILES as the list's binding: prepare.comp empties it, tiles.comp fills it.
+// The tiles of 16 x 8 texels that the sweep makes. Drivers on a CPU run both sides of every branch: only what is not
+// dispatched is skipped. That is tiles of background that the frame before has written, and all of a settled view,
+// whose history stays. Passes define GLOAM_TILES as the list's binding: prepare.comp empties it, tiles.comp fills it.
 struct Tile {
     uint place;  // of the n-th tile that the sweep makes: column, and from bit 16 on row
     uint blank;  // of the n-th tile by rows: 1 where its texels are those of background

@@ -19,7 +19,6 @@ namespace {
 using enum gpu::Format;
 
 constexpr std::uint32_t depth_levels = 5;
-constexpr float farthest_depth = 65504.0F;  // of the levels, radii
 constexpr gpu::Extent tile{16, 8};          // texels that a group of the sweep makes
 constexpr const char* tile_list = "tiles";  // glsl/passes/frame/tile_list.glsl
 

@@ -21,7 +21,8 @@ double median(std::vector<double> values) {
 // Bytes of each channel.
 std::uint64_t channel_bytes(gpu::Format format) {
     const bool is_short = format == gpu::Format::rgba16ui || format == gpu::Format::r16f;
-    return format == gpu::Format::r8 ? 1U : (is_short ? 2U : 4U);
+    const bool is_byte = format == gpu::Format::r8 || format == gpu::Format::rgba8;
+    return is_byte ? 1U : (is_short ? 2U : 4U);
 }
 
 std::uint64_t bytes_of(const gpu::Image& image) {
