@@ -179,6 +179,16 @@ TEST_P(Frames, ASettledViewStaysUntilSomethingMoves) {
     EXPECT_LT(errors_of(frames.back().filtered, anew).rmse, 0.01);
 }
 
+// To the bit, whatever the device's memory holds from frames before.
+TEST_P(Frames, AFirstFrameIsAlwaysTheSame) {
+    const scene::GBuffer& view = drawn("columns", odd);
+    Settings settings = GetParam().settings;
+    settings.output = OutputFormat::r32f;
+    const std::vector<float> first = run(view, settings).filtered;
+    run(std::vector<scene::GBuffer>(3, drawn("room", odd)), settings);
+    EXPECT_TRUE(same_bits(first, run(view, settings).filtered, odd.width));
+}
+
 INSTANTIATE_TEST_SUITE_P(Names, Frames, testing::ValuesIn(own_presets()), preset_name);
 
 }  // namespace gloam::effect::frame_test

@@ -37,11 +37,11 @@ uint gloam_frame_code(float depth, float occlusion, float weight) {
 // Bit 24 adds at most 1/255 to the weight. Error: none.
 GloamFrameTexel gloam_frame_texel(uint code) {
 #ifdef GLOAM_PACKS_HALF
-    float depth = unpackHalf2x16(code).x;
+    return GloamFrameTexel(unpackHalf2x16(code).x, float(code >> 16u & 0xFFu), float(code >> 24u), code >> 24u & 1u);
 #else
     float depth = uintBitsToFloat(((code & 0xFFFFu) << 13u) + GLOAM_HALF_SHIFT);
-#endif
     return GloamFrameTexel(depth, float(code >> 16u & 0xFFu), float(code >> 24u), code >> 24u & 1u);
+#endif
 }
 
 // weights of two neighbours on opposite sides by their depths (FRAME-near): `max(clamp(1.25 - |d1 + d2 - 2 d0| /

@@ -27,37 +27,21 @@ layout(binding = 6, rgb10_a2) uniform writeonly highp image2D bent_image;  // wr
 layout(binding = 7) uniform highp sampler2D bent_before_image;  // of the frame before; bilinear, clamped
 #endif
 
-#include "passes/frame/history.glsl"
+layout(constant_id = 0) const int half_width = 1;  // 1: 3 x 3 pixels; 2: 5 x 5
 
-GloamFrameTexel texels[6][6];
-
-GloamFrameTexel texel_at(ivec2 place) {
-    return texels[place.y][place.x];
-}
-
+#include "passes/frame/texels.glsl"
 #include "passes/frame/filter.glsl"
 
 void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) * ivec2(2, 1);
-    vec2 corner = vec2(pixel + 1 - half_width) * parameters.inverse_texels;
+    ivec2 first = ivec2(gl_GlobalInvocationID.xy) * ivec2(2, 1);
+    read_texels(first);
+    for (int x = 0; x < 2; ++x) {
+        ivec2 place = ivec2(x, 0);
+        float occlusion = accumulated(first + place, texel_at(place).depth, filtered(place), moved_around(ivec2(0)));
+        imageStore(result_image, first + place, vec4(occlusion));
 #ifdef GLOAM_BENT_NORMALS
-    first_bend = corner - 0.5 * parameters.inverse_texels;
+        imageStore(bent_image, first + place, vec4(0.5 * bent + 0.5, 1.0));
 #endif
-    for (int y = 0; y < 2 * half_width + 1; y += 2) {
-        for (int x = 0; x < 2 * half_width + 2; x += 2) {
-            uvec4 four = textureGather(texel_image, corner + vec2(x, y) * parameters.inverse_texels).wzxy;  // by rows
-            for (int i = 0; i < 4; ++i) texels[y + i / 2][x + i % 2] = gloam_frame_texel(four[i]);
-        }
-    }
-    for (int odd = 0; odd < 2; ++odd) {
-        ivec2 own = pixel + ivec2(odd, 0);
-        ivec2 place = ivec2(half_width + odd, half_width);
-        float moved = moved_around(ivec2(half_width));
-        vec4 kept;
-        imageStore(result_image, own, vec4(accumulated(own, texel_at(place).depth, filtered(place), moved, kept)));
-#ifdef GLOAM_BENT_NORMALS
-        imageStore(bent_image, own, vec4(0.5 * bent + 0.5, 1.0));
-#endif
-        if (history) imageStore(history_image, own, kept);
+        if (history) imageStore(history_image, first + place, kept);
     }
 }

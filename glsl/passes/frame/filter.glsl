@@ -3,11 +3,10 @@
 #define GLOAM_PASSES_FRAME_FILTER_GLSL
 
 // The filter of the frame at full size, for compute and fragment shaders. They declare before it:
-//   GloamFrameTexel texel_at(ivec2 place)   the texel at a place among those that an invocation reads
+//   GloamFrameTexel texel_at(ivec2 place)   the texel at a place, counted from the first that an invocation is for
+//   const int half_width                    1: 3 x 3 pixels; 2: 5 x 5
 
 #include "passes/frame/history.glsl"
-
-layout(constant_id = 0) const int half_width = 1;  // 1: 3 x 3 pixels; 2: 5 x 5
 
 // 1 over the relative bend of depth that counts as an edge, and over the difference that counts as another surface.
 const vec2 inverse_tolerance = 1.0 / vec2(0.0025, 0.15);

@@ -53,50 +53,43 @@ vec3 bend_at(ivec2 place) {
 }
 
 #endif
-// Occlusion of a pixel with its history, if there is one, in [0, 1], and the texel for the next frame. sums: of the
-// occlusion and the weight of the pixel itself, and of all that the filter reads. moved: the share of these that met
-// what moved.
-#ifdef GLOAM_MULTI_BOUNCE
-float alone(ivec2 pixel, float depth, vec4 sums, float moved, out vec4 kept);
+vec4 kept;  // the texel of a pixel for the next frame, in sequences
 
-// The same with light that bounces among what blocks, which the history does not have.
-float accumulated(ivec2 pixel, float depth, vec4 sums, float moved, out vec4 kept) {
-    return 1.0 - gloam_multi_bounce(alone(pixel, depth, sums, moved, kept), vec3(parameters.albedo)).x;
-}
-
-float alone(ivec2 pixel, float depth, vec4 sums, float moved, out vec4 kept) {
-#else
-float accumulated(ivec2 pixel, float depth, vec4 sums, float moved, out vec4 kept) {
-#endif
-    kept = vec4(0.0);
+// Occlusion of a pixel with its history, if there is one, in [0, 1]. sums: of the occlusion and the weight of the pixel
+// itself, and of all that the filter reads. moved: the share of these that met what moved.
+float accumulated(ivec2 pixel, float depth, vec4 sums, float moved) {
+    vec2 means = vec2(sums.z / sums.w);  // at first what the filter gives
 #ifdef GLOAM_BENT_NORMALS
     bent = (bends.xyz / bends.w - 128.0 / 255.0) * (255.0 / 127.0);
 #endif
-    if (!history) return sums.z / sums.w;
-    vec3 was = gloam_frame_before(vec2(pixel), depth, parameters.before, orthographic);
-    vec3 texel = textureLod(before_image, was.xy, 0.0).xyz;
-#ifdef GLOAM_BENT_NORMALS
-    vec3 bent_before = 2.0 * textureLod(bent_before_image, was.xy, 0.0).xyz - 1.0;
-#endif
+    if (history) {
+        vec3 was = gloam_frame_before(vec2(pixel), depth, parameters.before, orthographic);
+        vec3 texel = textureLod(before_image, was.xy, 0.0).xyz;
+        float apart = abs(abs(textureLod(depth_before_image, was.xy, 0.0).x) - was.z);
+        bool known = all(lessThan(abs(was.xy - 0.5), vec2(0.5))) && apart < depth_tolerance * was.z;
+        float frames = known ? min(texel.z, moved > 0.0 ? min(parameters.most, most_moved) : parameters.most) : 0.0;
+        float weight = 1.0 / (frames * (1.0 / frames_unit) + 1.0);
+        float part = parameters.sharpness - parameters.sharpness * moved;
+        float fresh = gloam_frame_sharp(sums.xy, sums.zw, part - part * weight);
+        means = gloam_frame_blend(texel.x, texel.y, weight, fresh, means.x,
+                                  parameters.range - parameters.narrowing * moved);
+        float dither = fract(float(pixel.x) * 0.7548777 + (float(pixel.y) * 0.5698403 + parameters.dither)) - 0.5;
+        kept = vec4(means.x + dither * frames_unit, means.y, frames + frames_unit, 0.0);
 #ifdef GLOAM_TILES
-    kept = vec4(texel, 0.0);
-#ifdef GLOAM_BENT_NORMALS
-    if (groups.y == 0u) bent = bent_before;
+        bool settled = groups.y == 0u;  // there are no taps
+        if (settled) kept = vec4(texel, 0.0);
+        if (settled) means.x = texel.x;
 #endif
-    if (groups.y == 0u) return texel.x;  // settled: there are no taps
-#endif
-    float apart = abs(abs(textureLod(depth_before_image, was.xy, 0.0).x) - was.z);
-    bool known = all(lessThan(abs(was.xy - 0.5), vec2(0.5))) && apart < depth_tolerance * was.z;
-    float frames = known ? min(texel.z, moved > 0.0 ? min(parameters.most, most_moved) : parameters.most) : 0.0;
-    float weight = 1.0 / (frames * (1.0 / frames_unit) + 1.0);
-    float part = parameters.sharpness - parameters.sharpness * moved;
-    float fresh = gloam_frame_sharp(sums.xy, sums.zw, part - part * weight);
-    vec2 means = gloam_frame_blend(texel.x, texel.y, weight, fresh, sums.z / sums.w,
-                                   parameters.range - parameters.narrowing * moved);
-    float dither = fract(float(pixel.x) * 0.7548777 + (float(pixel.y) * 0.5698403 + parameters.dither)) - 0.5;
-    kept = vec4(means.x + dither * frames_unit, means.y, frames + frames_unit, 0.0);
 #ifdef GLOAM_BENT_NORMALS
-    bent = mix(bent_before, bent, weight);  // how far the camera has turned does not matter
+        vec3 bent_before = 2.0 * textureLod(bent_before_image, was.xy, 0.0).xyz - 1.0;
+        bent = mix(bent_before, bent, weight);  // how far the camera has turned does not matter
+#ifdef GLOAM_TILES
+        if (settled) bent = bent_before;
+#endif
+#endif
+    }
+#ifdef GLOAM_MULTI_BOUNCE
+    means.x = 1.0 - gloam_multi_bounce(means.x, vec3(parameters.albedo)).x;  // the history has none
 #endif
     return means.x;
 }

@@ -29,34 +29,19 @@ layout(binding = 7, rgb10_a2) uniform writeonly highp image2D bent_image;  // wr
 layout(binding = 8) uniform highp sampler2D bent_before_image;  // of the frame before; bilinear, clamped
 #endif
 
-#include "passes/frame/history.glsl"
+const int half_width = 1;  // 4 x 4 texels serve a block of pixels
 
-GloamFrameTexel texels[4][4];
-
-GloamFrameTexel texel_at(ivec2 place) {
-    return texels[place.y + 1][place.x + 1];
-}
-
+#include "passes/frame/texels.glsl"
 #include "passes/frame/join.glsl"
 
 void main() {
     ivec2 block = ivec2(gl_GlobalInvocationID.xy);
-    vec2 corner = vec2(block) * parameters.inverse_texels;
-#ifdef GLOAM_BENT_NORMALS
-    first_bend = corner + 0.5 * parameters.inverse_texels;
-#endif
-    for (int y = 0; y < 4; y += 2) {
-        for (int x = 0; x < 4; x += 2) {
-            uvec4 four = textureGather(texel_image, corner + vec2(x, y) * parameters.inverse_texels).wzxy;  // by rows
-            for (int i = 0; i < 4; ++i) texels[y + i / 2][x + i % 2] = gloam_frame_texel(four[i]);
-        }
-    }
+    read_texels(block);
     vec4 own = abs(textureGather(depth_image, vec2(2 * block + 1) * parameters.inverse_size)).wzxy;  // by rows
     for (int i = 0; i < 4; ++i) {
         ivec2 odd = ivec2(i % 2, i / 2);
         ivec2 pixel = 2 * block + odd;
-        vec4 kept;
-        imageStore(result_image, pixel, vec4(accumulated(pixel, own[i], joined(odd, own[i]), moved_around(), kept)));
+        imageStore(result_image, pixel, vec4(accumulated(pixel, own[i], joined(odd, own[i]), moved_around())));
 #ifdef GLOAM_BENT_NORMALS
         imageStore(bent_image, pixel, vec4(0.5 * bent + 0.5, 1.0));
 #endif

@@ -6,7 +6,7 @@ uniform highp sampler2D before_image;
 uniform highp sampler2D depth_before_image;
 uniform highp sampler2D depth_image;   // of prepare; likewise
 layout(location = 0) out highp float occlusion;
-layout(location = 1) out highp vec4 kept;  // in sequences: the history
+layout(location = 1) out highp vec4 history_texel;  // in sequences
 
 #include "passes/frame/history.glsl"
 
@@ -20,6 +20,6 @@ GloamFrameTexel texel_at(ivec2 place) {
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float depth = abs(texelFetch(depth_image, pixel, 0).x);
-    occlusion = accumulated(pixel, depth, joined(pixel & 1, depth), moved_around(), kept);
-    kept = (floor(kept / frames_unit + 0.5) + 0.25) * frames_unit;  // OpenGL may cut what it stores, not round
+    occlusion = accumulated(pixel, depth, joined(pixel & 1, depth), moved_around());
+    history_texel = (floor(kept / frames_unit + 0.5) + 0.25) * frames_unit;  // OpenGL may cut what it stores, not round
 }

@@ -18,14 +18,14 @@ layout(binding = 4, r16f) uniform writeonly highp image2D level_3;
 layout(binding = 5, r16f) uniform writeonly highp image2D level_4;
 layout(binding = 6) uniform highp sampler2D depth_before_image;
 
+vec4 levels_before(vec2 at) {
+    return textureGather(depth_before_image, at);
+}
+
 #include "passes/frame/prepare.glsl"
 #ifdef GLOAM_TILES
 #include "passes/frame/tile_list.glsl"
 #endif
-
-vec4 levels_before(vec2 at) {
-    return textureGather(depth_before_image, at);
-}
 
 void main() {
     ivec2 block = ivec2(gl_GlobalInvocationID.xy);

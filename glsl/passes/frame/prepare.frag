@@ -6,6 +6,8 @@ uniform highp sampler2D depth_before_image;
 uniform int level;  // that is drawn
 layout(location = 0) out highp float depth;
 
+vec4 levels_before(vec2 at);
+
 #include "passes/frame/prepare.glsl"
 
 vec4 levels_before(vec2 at) {

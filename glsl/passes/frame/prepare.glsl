@@ -2,7 +2,8 @@
 #ifndef GLOAM_PASSES_FRAME_PREPARE_GLSL
 #define GLOAM_PASSES_FRAME_PREPARE_GLSL
 
-// Depth of the frame, for compute and fragment shaders.
+// Depth of the frame, for compute and fragment shaders. They declare before it:
+//   vec4 levels_before(vec2 at)   level 0 of the frame before, of the four pixels around a place of the image
 
 #include "gloam/sampling/depth_levels.glsl"
 #include "gloam/temporal/frame_history.glsl"
@@ -19,9 +20,6 @@ struct PrepareParameters {
     float far;
 };
 FRAME_PARAMETERS(PrepareParameters)
-
-// Level 0 of the frame before, of the four pixels around a place of the image.
-vec4 levels_before(vec2 at);
 
 float depth_of(float stored) {
     return gloam_level_depth(stored, parameters.numerator, parameters.divisor, parameters.far);

@@ -69,11 +69,6 @@ vec3 normal_at(ivec2 pixel) {
     vec3 across = gloam_neighbor_direction(middle, position_at(pixel - ivec2(0, 1)), position_at(pixel + ivec2(0, 1)));
     return gloam_facing_normal(along, across, orthographic ? vec3(0.0, 0.0, 1.0) : -middle);
 }
-#else
-// Not normalised.
-vec3 normal_at(ivec2 pixel) {
-    return view_direction(texelFetch(normal_image, pixel, 0).xyz, parameters.view_from_world);
-}
 #endif
 
 Point point_at(ivec2 pixel, float depth, vec2 reach) {
@@ -82,7 +77,11 @@ Point point_at(ivec2 pixel, float depth, vec2 reach) {
     float squared = orthographic ? 1.0 : dot(ray, ray) + 1.0;
     float inverse = inversesqrt(squared);
     vec3 view = orthographic ? vec3(0.0, 0.0, 1.0) : vec3(-inverse * ray, inverse);
+#ifdef GLOAM_NORMALS_FROM_DEPTH
     vec3 normal = normal_at(stride * pixel);
+#else
+    vec3 normal = view_direction(texelFetch(normal_image, stride * pixel, 0).xyz, parameters.view_from_world);
+#endif
     normal *= inversesqrt(max(dot(normal, normal), GLOAM_LEAST_SQUARE));
     float turns = gloam_lattice_rotation(pixel) * (0.5 / GLOAM_PI);
     vec2 noise = vec2(turns, 14.0 * turns) + (history ? parameters.noise : vec2(0.0));

@@ -135,7 +135,8 @@ void Resources::provide(const Plan& plan) {
 void Resources::restart(const Plan& plan) {
     for (const PlannedImage& planned : plan.images)
         if (planned.origin == PlannedImage::Origin::history)
-            image(planned.name).upload(std::vector<float>(4 * pixels_of(planned.extent), 0.0F));
+            image(planned.name)
+                .upload(std::vector<float>(gpu::channels(planned.format) * pixels_of(planned.extent), 0.0F));
     for (const PlannedBuffer& planned : plan.buffers) fill(buffer(planned.name), planned.contents);
 }
 

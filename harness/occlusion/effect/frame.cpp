@@ -229,9 +229,11 @@ class ThreePasses : public FramePasses {
         if (!follows) gloam_cut(&frame_);
         settings_ = settings;
         taken_ = taken_of(view, settings.radius);
-        resources_.provide(plan_for(settings, taken_, frame_));
+        const Plan plan = plan_for(settings, taken_, frame_);
+        resources_.provide(plan);
         provide_tiles();
         upload(view, true, resources_);
+        if (!follows) resources_.restart(plan);  // what is read without weight still tells in the last bit
     }
 
     [[nodiscard]] Frame next(int repeat, const PassWatcher& watcher) override {
