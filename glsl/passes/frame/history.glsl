@@ -12,9 +12,7 @@
 #include "gloam/shading/multi_bounce.glsl"
 #include "gloam/temporal/frame_history.glsl"
 #include "passes/frame/parameters.glsl"
-#ifdef GLOAM_TILES
 #include "passes/frame/tile_list.glsl"
-#endif
 
 layout(constant_id = 1) const bool orthographic = false;  // both cameras; else perspective
 layout(constant_id = 8) const bool history = false;       // there is one

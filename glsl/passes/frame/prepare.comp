@@ -23,9 +23,7 @@ vec4 levels_before(vec2 at) {
 }
 
 #include "passes/frame/prepare.glsl"
-#ifdef GLOAM_TILES
 #include "passes/frame/tile_list.glsl"
-#endif
 
 void main() {
     ivec2 block = ivec2(gl_GlobalInvocationID.xy);

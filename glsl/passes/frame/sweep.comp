@@ -18,9 +18,7 @@ layout(binding = 3, rgba8) uniform writeonly highp image2D bend_image;  // writt
 #endif
 
 #include "passes/frame/sweep.glsl"
-#ifdef GLOAM_TILES
 #include "passes/frame/tile_list.glsl"
-#endif
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
