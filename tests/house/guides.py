@@ -24,11 +24,10 @@ import sys
 import tempfile
 from pathlib import Path
 
-GUIDES = ("testing.md", "audit.md", "judge-a-driver.md", "judge-a-compiler.md", "copy-a-shader.md")
+GUIDES = ("testing.md", "judge-a-driver.md", "copy-a-shader.md")
 WHY_NOT_RUN = {
     "package": "tests/house/package does the same",
     "long": "takes minutes",
-    "ci": "installs packages",
     "engine": "needs a cluster or a build: tests/laboratory, tests/tools/check_steps_test.cpp",
     "piglit": "needs a package and a failure",
 }

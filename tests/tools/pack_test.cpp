@@ -35,7 +35,7 @@ TEST_F(Pack, TakesOnesOwnFile) {
     EXPECT_THAT(output_of(gloam("pack {}", own)), HasSubstr("float own()"));
 }
 
-// As docs/integration.md shows it: the engine defines what the library asks for.
+// The engine defines what the library asks for.
 TEST_F(Pack, AnEnginesOwnImagesServeThePrototypes) {
     const std::string folder = GLOAM_TOOLS_FIXTURES;
     const auto packed = [&](const char* file, const char* version) {

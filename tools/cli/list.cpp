@@ -287,7 +287,7 @@ void add_list(CLI::App& app) {
         "a method what it measures; an equation by ID, number in a paper, function, file or glob");
     command->add_flag("--json", options->json, "names, descriptions and all other properties as JSON");
     command->add_flag("--markdown", options->markdown,
-                      "numbers only: the page docs/equations.md, a table for each paper");
+                      "numbers only: a page of them, a table for each paper");
     command->add_option("--html", options->html,
                         "equations only: write a page of them all that is searched and sorted");
     command->callback([options] { run_list(*options); });

@@ -4,7 +4,7 @@
 
 // Images that a pass only reads. They are sampled images, which may have any format that holds such numbers; no fetch
 // filters. Define GLOAM_STORAGE_INPUTS for storage images of the format that is declared: drivers that run on a CPU
-// read these in less time (docs/passes.md).
+// read these in less time (docs/cpu-drivers.md).
 //   layout(binding = B GLOAM_FORMAT(r32f)) uniform GLOAM_INPUT image;
 //   GLOAM_FETCH(image, pixel)    the texel, a vec4. pixel: an ivec2 inside the image
 //   GLOAM_INPUT_SIZE(image)      an ivec2, pixels

@@ -25,7 +25,7 @@ struct PrintedEquation {
 // only put in lower case.
 [[nodiscard]] std::string number_from(std::string_view text);
 
-// docs/equations.md: a table for each paper of its numbers and our functions.
+// A page of Markdown: a table for each paper of its numbers and our functions.
 [[nodiscard]] std::string printed_page(const Entries& entries);
 
 }  // namespace gloam::catalogue

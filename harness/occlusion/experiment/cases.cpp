@@ -47,11 +47,12 @@ std::vector<std::string> presets_of(const CandidateQuery& query) {
     return names;
 }
 
-// The method as it is, and its presets whose names end with "quality".
+// The method as it is, and its presets of a source whose names end with "quality".
 void add_as_they_are(std::vector<Candidate>& candidates, const std::string& method) {
     candidates.push_back({.name = method, .group = "methods", .layer = {.method = method}});
     for (const effect::Preset& preset : effect::presets())
-        if (preset.settings.method == method && preset.name.ends_with("quality"))
+        if (preset.settings.method == method && preset.settings.passes == effect::Passes::study &&
+            preset.name.ends_with("quality"))
             candidates.push_back({.name = preset.name, .group = "methods", .layer = {.preset = preset.name}});
 }
 

@@ -108,7 +108,7 @@ struct GlReplay {
                                          const std::vector<std::filesystem::path>& include_roots);
 
 // How far the precision rules of OpenGL agree with those of Vulkan, by which the interpreter judges
-// (docs/opengl-and-browsers.md).
+// (docs/verdicts.md).
 
 // Whether the rules of this version of GLSL can be asked: GLSL 4.50 and GLSL ES 3.20, whose section 4.7.1 has
 // the same table as Vulkan, and which know `precise`.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Runs kernels in WebGL2: a fragment evaluates one input. Inputs and images are integer textures, outputs are integer
-// targets, so bits arrive unchanged (docs/opengl-and-browsers.md).
+// targets, so bits arrive unchanged (docs/verdicts.md).
 "use strict";
 
 gloam.kernel = (() => {
