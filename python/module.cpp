@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "base/version.hpp"
-#include "check/audit.hpp"
+#include "audit/audit.hpp"
 #include "check/explain.hpp"
-#include "check/own_domain.hpp"
+#include "audit/own_domain.hpp"
 #include "check/own_function.hpp"
 #include "check/run.hpp"
 #include "module/include.hpp"

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "backend/gl/device.hpp"
-#include "check/internal/session.hpp"
 #include "check/run.hpp"
+#include "check/session.hpp"
 #include "support/entries.hpp"
 #include "support/lab.hpp"
 #include "support/test_name.hpp"
@@ -84,8 +84,8 @@ void expect_noticed(const Entry& entry, Evaluate evaluate) {
 Verdicts verdicts_on(const Lab& lab, const KernelCore& kernel, const Question& question, std::size_t inputs) {
     const Verdict verdict = verdict_of(lab.options().variant, question);
     Verdicts verdicts(empty_answer(question, verdict));
-    internal::for_each_scenario(question, inputs, [&](const ImageScenario& scenario, std::size_t share) {
-        const internal::Session session(lab, question, kernel, scenario, 1, verdict);
+    for_each_scenario(question, inputs, [&](const ImageScenario& scenario, std::size_t share) {
+        const Session session(lab, question, kernel, scenario, 1, verdict);
         auto evaluated =
             session.run(question.domain.draw(share, session.input_seed(), scenario.size), verdicts.right);
         verdicts.add(evaluated.result.outputs, [&](const std::vector<Word>& outputs, Answer& answer) {

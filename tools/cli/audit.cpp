@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/text.hpp"
-#include "check/audit.hpp"
+#include "audit/audit.hpp"
 #include "cli/check/checker.hpp"
 #include "cli/commands.hpp"
 #include "cli/environment.hpp"

@@ -8,7 +8,7 @@
 
 #include "base/version.hpp"
 #include "catalogue/catalogue.hpp"
-#include "check/run.hpp"
+#include "audit/worst.hpp"
 #include "stress/long_run.hpp"
 
 namespace gloam::stress {

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "base/files.hpp"
-#include "check/mutant.hpp"
+#include "audit/mutant.hpp"
 #include "report/mutation_report.hpp"
 
 namespace gloam::cli {
