@@ -14,6 +14,6 @@
 //   const Pass blur(lab, "blur.comp");
 //   const PassResult out = blur.run({{"source", picture}, {"radius", 2}});
 //   out.image("result").compare(reference, 1e-6)
-#include "gloam/audit/audit.hpp"  // IWYU pragma: export
+#include "gloam/audit/audit.hpp"     // IWYU pragma: export
 #include "gloam/check/function.hpp"  // IWYU pragma: export
-#include "gloam/pass/pass.hpp"  // IWYU pragma: export
+#include "gloam/pass/pass.hpp"       // IWYU pragma: export

@@ -7,6 +7,14 @@ namespace gloam::check::audit_decisions_test {
 using audited::Audited;
 using audited::find;
 
+TEST(AuditDecisions, ADerivativeOfSomeInvocationsIsUndefined) {
+    const Ranges ranges{{"x", {0.4, 0.6}}};
+    const Audited some("float f(float x) { if (x > 0.5) return dFdx(x); return 0.0; }");
+    EXPECT_NE(find(some.audit("f", ranges, 512), Concern::undefined), nullptr);
+    const Audited all("float f(float x) { return fwidth(x); }");
+    EXPECT_EQ(find(all.audit("f", ranges, 512), Concern::undefined), nullptr);
+}
+
 // (x + 0.1) - 0.1 is x in double, and less for some floats.
 TEST(AuditDecisions, FollowsADecisionOnAnInexactNumberBothWays) {
     const auto parting = [](const std::string& text, const Ranges& ranges = {}) {

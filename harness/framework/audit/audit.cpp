@@ -186,33 +186,35 @@ class Findings {
         finding.place = runs_.place_of(*parting, finding.words);
     }
 
-    void add_loss() {
-        const internal::WorstInput& worst = search_.digits;
-        if (digits_of(worst.score, unit_error) < least_lost) return;
-        AuditFinding& finding = add(Concern::digits, worst.words, [&](const std::vector<Word>& words) {
+    // The worst input of a search, with simpler numbers that keep most of it; null: it is not worth a line.
+    AuditFinding* add_worst(Concern concern, const internal::WorstInput& worst) {
+        if (digits_of(worst.score, unit_error) < least_lost) return nullptr;
+        AuditFinding& finding = add(concern, worst.words, [&](const std::vector<Word>& words) {
             const Reading reading = runs_.read(words);
-            return reading.fault.empty() && runs_.loss_of(reading).relative >= same_share * worst.score;
+            return reading.fault.empty() &&
+                   runs_.largest(concern, reading).relative >= same_share * worst.score;
         });
-        const Explanation steps = runs_.steps(finding.words);
-        finding.lost = digits_of(runs_.loss_of(runs_.read(finding.words)).relative, unit_error);
+        finding.lost = digits_of(runs_.largest(concern, runs_.read(finding.words)).relative, unit_error);
+        return &finding;
+    }
+
+    void add_loss() {
+        AuditFinding* const finding = add_worst(Concern::digits, search_.digits);
+        if (finding == nullptr) return;
+        const Explanation steps = runs_.steps(finding->words);
         if (steps.worst == steps.steps.size()) return;
         const ExplainedStep& step = steps.steps[steps.worst];
-        finding.place = place_of(step);
-        finding.cancels = std::abs(step.inherited()) > std::abs(step.local);
+        finding->place = place_of(step);
+        finding->cancels = std::abs(step.inherited()) > std::abs(step.local);
     }
 
     // All paths and all orders of sums; where these are too many to tell, those of one path.
     void add_width() {
-        const internal::WorstInput& worst = search_.drivers;
-        if (digits_of(worst.score, unit_error) < least_lost) return;
-        AuditFinding& finding = add(Concern::drivers, worst.words, [&](const std::vector<Word>& words) {
-            const Reading reading = runs_.read(words);
-            return reading.fault.empty() && runs_.width_of(reading).relative >= same_share * worst.score;
-        });
-        finding.place = widest_place(runs_.steps(finding.words));
-        finding.lost = digits_of(runs_.width_of(runs_.read(finding.words)).relative, unit_error);
-        const numeric::Bounds bounds = runs_.permitted(finding.words).at(finding.output);
-        if (!bounds.is_anything() && !bounds.nan) finding.permitted = bounds;
+        AuditFinding* const finding = add_worst(Concern::drivers, search_.drivers);
+        if (finding == nullptr) return;
+        finding->place = widest_place(runs_.steps(finding->words));
+        const numeric::Bounds bounds = runs_.permitted(finding->words).at(finding->output);
+        if (!bounds.is_anything() && !bounds.nan) finding->permitted = bounds;
     }
 
     [[nodiscard]] double share_of(std::size_t shown) const {
@@ -225,9 +227,8 @@ class Findings {
         finding.values = runs_.named(finding.words);
         const Reading reading = runs_.read(finding.words, gaps_of(concern));
         if (!reading.fault.empty()) return finding;
-        finding.output = concern == Concern::digits    ? runs_.loss_of(reading).output
-                         : concern == Concern::drivers ? runs_.width_of(reading).output
-                                                       : output_of(concern, reading);
+        finding.output =
+            concern < Concern::digits ? output_of(concern, reading) : runs_.largest(concern, reading).output;
         const internal::OutputReading& output = reading.outputs.at(finding.output);
         finding.value = static_cast<double>(output.value);
         finding.exact = output.exact;
@@ -285,7 +286,7 @@ std::optional<AuditFinding> worst_half(AuditRuns& runs, const internal::AuditSea
         const Reading reading = runs.read(words, AuditRuns::Gaps::closed, AuditRuns::Precision::half);
         if (!reading.fault.empty() || internal::shows(Concern::not_finite, runs.read(words))) continue;
         const bool overflows = internal::shows(Concern::not_finite, reading);
-        const internal::Loss loss = runs.loss_of(reading);
+        const internal::Loss loss = runs.largest(Concern::digits, reading);
         const double relative = overflows ? numeric::infinity : loss.relative;
         if (relative <= most) continue;
         most = relative;

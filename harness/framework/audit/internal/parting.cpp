@@ -72,7 +72,7 @@ std::optional<Parting> AuditRuns::parting_of(std::span<const Word> input, const 
             const bool same = own[w] == output.exact || !std::isfinite(own[w]);
             output = {.value = same ? own[w] : output.value, .exact = own[w], .permitted = output.permitted};
         }
-        const Loss loss = loss_of(other);
+        const Loss loss = largest(Concern::digits, other);
         if (loss.relative > least_part) return Parting{loss.output, own[loss.output], 0};
     }
     for (int driver = 1; driver <= tried_drivers; ++driver)

@@ -58,10 +58,10 @@ void add(Score& score, AuditRuns& runs, const Case& one) {
         meaning.outputs[w].value = static_cast<float>(reading.outputs[w].exact);
         meaning.outputs[w].exact = reading.outputs[w].exact = one.original.outputs[w].exact;
     }
-    score.loss = std::max(score.loss, runs.loss_of(reading).relative);
+    score.loss = std::max(score.loss, runs.largest(Concern::digits, reading).relative);
     if (!one.sound) return;
-    score.width = std::max(score.width, runs.width_of(reading).relative);
-    score.change = std::max(score.change, runs.loss_of(meaning).relative);
+    score.width = std::max(score.width, runs.largest(Concern::drivers, reading).relative);
+    score.change = std::max(score.change, runs.largest(Concern::digits, meaning).relative);
 }
 
 Score score_on(AuditRuns& runs, const std::vector<Case>& cases) {

@@ -207,9 +207,9 @@ std::string AuditRuns::named(std::span<const Word> input) const {
     return fmt::format("{}", fmt::join(all, ", "));
 }
 
-// A component is compared with the largest of its vector: the direction of a vector is what counts.
-template <class Measure>
-Loss AuditRuns::largest(const Reading& reading, const Measure& measure) const {
+// A component is compared with the largest of its vector: the direction of a vector is what counts. What is
+// not finite is a concern of its own.
+Loss AuditRuns::largest(Concern concern, const Reading& reading) const {
     Loss worst;
     std::size_t first = 0;
     for (std::size_t v = 0; v < sizes_.size(); first += sizes_[v++]) {
@@ -218,25 +218,13 @@ Loss AuditRuns::largest(const Reading& reading, const Measure& measure) const {
             if (std::isfinite(reading.outputs[w].exact))
                 length = std::max(length, std::abs(reading.outputs[w].exact));
         for (std::size_t w = first; w < first + sizes_[v]; ++w) {
-            const double absolute = measure(reading.outputs[w]);
-            if (absolute / length > worst.relative) worst = {w, absolute / length};
+            const OutputReading& output = reading.outputs[w];
+            const double absolute = concern == Concern::digits ? std::abs(output.value - output.exact)
+                                                               : output.permitted.high - output.permitted.low;
+            if (std::isfinite(absolute) && absolute / length > worst.relative) worst = {w, absolute / length};
         }
     }
     return worst;
-}
-
-Loss AuditRuns::loss_of(const Reading& reading) const {
-    return largest(reading, [](const OutputReading& output) {
-        const double error = std::abs(output.value - output.exact);
-        return std::isfinite(error) ? error : 0.0;  // not finite: a concern of its own
-    });
-}
-
-Loss AuditRuns::width_of(const Reading& reading) const {
-    return largest(reading, [](const OutputReading& output) {
-        const double width = output.permitted.high - output.permitted.low;
-        return std::isfinite(width) ? std::max(width, 0.0) : 0.0;
-    });
 }
 
 }  // namespace gloam::check::internal

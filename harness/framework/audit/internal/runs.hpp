@@ -88,9 +88,8 @@ class AuditRuns {
     // Learns the usual size of the results: the median magnitude over these inputs.
     void set_usual(const Domain::Inputs& inputs);
 
-    // The largest of the losses of the outputs, and the same for the width of what is permitted.
-    [[nodiscard]] Loss loss_of(const Reading& reading) const;
-    [[nodiscard]] Loss width_of(const Reading& reading) const;
+    // The largest of the outputs' losses of digits, or of the widths of what drivers are permitted.
+    [[nodiscard]] Loss largest(Concern concern, const Reading& reading) const;
 
     // "x = 0.5, n = (0, 1, 0)": an input by the names of the parameters, each float with enough digits.
     [[nodiscard]] std::string named(std::span<const Word> input) const;
@@ -127,8 +126,6 @@ class AuditRuns {
         instructions_ += kernel.machine().steps() - before;
         return outcome;
     }
-    template <class Measure>
-    [[nodiscard]] Loss largest(const Reading& reading, const Measure& measure) const;
 
     const Question& question_;
     std::vector<shader::Scalar> scalars_;

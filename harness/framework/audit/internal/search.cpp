@@ -39,8 +39,9 @@ class Search {
         (void)draw(moves.drawn(), false, 0.5);
         try_remainders(moves.drawn());
         try_decimals(moves.drawn());
-        for (const bool digits : {true, false})
-            if (moves.possible()) climb(moves, digits, (options_.inputs - draws) / 2, digits ? 0.75 : 1.0);
+        const std::size_t rest = (options_.inputs - draws) / 2;
+        if (moves.possible())
+            climb(moves, Concern::digits, rest, 0.75), climb(moves, Concern::drivers, rest, 1.0);
         return std::move(found_);
     }
 
@@ -106,22 +107,21 @@ class Search {
             const Candidate candidate{{drawn.row(i).begin(), drawn.row(i).end()}};
             const Reading reading = run(candidate.words, true, random);
             if (!reading.fault.empty()) continue;
-            digits_.push_back({candidate.words, runs_.loss_of(reading).relative});
-            drivers_.push_back({candidate.words, runs_.width_of(reading).relative});
+            digits_.push_back({candidate.words, runs_.largest(Concern::digits, reading).relative});
+            drivers_.push_back({candidate.words, runs_.largest(Concern::drivers, reading).relative});
         }
         for (auto* pool : {&digits_, &drivers_}) Moves::keep_the_worst(*pool);
         return i;
     }
 
-    void climb(Moves& moves, bool digits, std::size_t inputs, double share) {
+    void climb(Moves& moves, Concern concern, std::size_t inputs, double share) {
         const auto run_all = [&](std::vector<Candidate>& candidates) {
             for (Candidate& candidate : candidates) {
                 const Reading reading = run(candidate.words, false, false);
-                if (reading.fault.empty())
-                    candidate.score = (digits ? runs_.loss_of(reading) : runs_.width_of(reading)).relative;
+                if (reading.fault.empty()) candidate.score = runs_.largest(concern, reading).relative;
             }
         };
-        moves.climb(digits ? digits_ : drivers_, inputs, generation, run_all,
+        moves.climb(concern == Concern::digits ? digits_ : drivers_, inputs, generation, run_all,
                     [&] { return has_steps(share); });
     }
 
@@ -140,8 +140,8 @@ class Search {
         if (draws && !undefined && is_unspecified(words)) keep(found_.unspecified, words, random);
         if (!reading.fault.empty()) return reading;
         if (draws && !undefined && runs_.parting_of(words, reading)) keep(found_.parted, words, random);
-        note(found_.digits, words, runs_.loss_of(reading).relative);
-        note(found_.drivers, words, runs_.width_of(reading).relative);
+        note(found_.digits, words, runs_.largest(Concern::digits, reading).relative);
+        note(found_.drivers, words, runs_.largest(Concern::drivers, reading).relative);
         return reading;
     }
 
