@@ -12,8 +12,4 @@ foreach(room ${rooms})
     file(WRITE "${stage}/gloam/${header}" "${text}")
   endforeach()
 endforeach()
-file(WRITE "${stage}/gloam/shader_test.hpp" "// SPDX-License-Identifier: MIT
-#pragma once
-
-#include \"gloam/check/shader_test.hpp\"  // IWYU pragma: export
-")
+file(COPY "${CMAKE_CURRENT_LIST_DIR}/shader_test.hpp" DESTINATION "${stage}/gloam")

@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
+#include "audit/audit.hpp"
+#include "audit/own_domain.hpp"
 #include "base/version.hpp"
-#include "check/audit.hpp"
 #include "check/explain.hpp"
-#include "check/own_domain.hpp"
 #include "check/own_function.hpp"
 #include "check/run.hpp"
 #include "module/include.hpp"

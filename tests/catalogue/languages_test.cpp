@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every include compiles alone, unchanged and packed, in every GLSL version that the library supports.
+#include "audit/coverage.hpp"
 #include "backend/gl/program.hpp"
-#include "check/run.hpp"
 #include "module/compile.hpp"
 #include "support/entries.hpp"
 #include "support/lab.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The snippets of docs/testing.md, which snippets.py makes tests of.
 #include "check/matchers.hpp"
+#include "pass/pass.hpp"
 #include "support/lab.hpp"
 
 namespace gloam::check::guide_test {

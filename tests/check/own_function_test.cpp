@@ -86,6 +86,9 @@ TEST_F(OwnFunctionTest, UndefinedResultsAreNotJudged) {
     const Answer inside = answer_of("undefined.glsl", "undefined_table", {{"i", {0, 23}}});
     EXPECT_EQ(inside.undefined, 0U);
     EXPECT_TRUE(inside.passed()) << inside;
+    for (const char* name :
+         {"undefined_quotient", "undefined_remainder", "undefined_shift", "undefined_field"})
+        EXPECT_EQ(answer_of("undefined.glsl", name).outside(), 0U) << name;
 }
 
 // The interpreter as the device stops, and the other inputs are still judged.
@@ -99,12 +102,6 @@ TEST_F(OwnFunctionTest, InputsForWhichALoopHasNoEndAreNotJudged) {
     EXPECT_EQ(answer.undefined, answer.recorded());
     EXPECT_TRUE(answer.passed()) << answer;
     EXPECT_THAT(answer.first_undefined, HasSubstr("more than 131070 instructions"));
-}
-
-TEST_F(OwnFunctionTest, UndefinedIntegersDoNotFail) {
-    for (const char* name :
-         {"undefined_quotient", "undefined_remainder", "undefined_shift", "undefined_field"})
-        EXPECT_EQ(answer_of("undefined.glsl", name).outside(), 0U) << name;
 }
 
 struct Judged {
@@ -364,13 +361,7 @@ TEST_F(ForeignCode, BindingsOfTheirOwnAreNamed) {
     expect_refused<float(int, float)>("writes_buffer", "Values");
     expect_refused<float(glm::ivec2)>("reads_image", "picture");
     expect_refused<float(float)>("calls", "Settings");
-}
-
-TEST_F(ForeignCode, BindingsThatTheFunctionDoesNotUseDoNotMatter) {
-    EXPECT_EQ((kernel<float(float)>("uses_none", "bindings.glsl")(3.0F)), 6.0F);
-}
-
-TEST_F(ForeignCode, PushConstantsOfTheirOwnAreAnError) {
+    EXPECT_EQ((kernel<float(float)>("uses_none", "bindings.glsl")(3.0F)), 6.0F) << "it uses none of them";
     EXPECT_THROW((void)kernel<float(float)>("reads_pushed", "push.glsl"), std::exception);
 }
 
@@ -385,9 +376,7 @@ TEST_F(ForeignCode, NoNameCollidesWithOurs) {
         float x;
     };
     EXPECT_EQ(kernel<Size(Size)>("value")(Size{1.0F}).x, 7.0F);
-}
-
-TEST_F(ForeignCode, AMacroBehindAFunctionDoesNotReplaceIt) {
+    // Nor does a macro behind a function replace it.
     EXPECT_EQ(kernel<float(float)>("replaced")(1.0F), 8.0F);
     EXPECT_EQ(kernel<float(float)>("twice")(4.0F), 8.0F);
 }

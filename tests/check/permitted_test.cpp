@@ -2,7 +2,7 @@
 // What the comments of glsl/gloam promise of every device that keeps Vulkan's rules, looked for in everything
 // that the rules permit: no device of any kind is needed, and none could show it.
 #include "check/explain.hpp"
-#include "check/internal/interpretation.hpp"
+#include "check/interpretation.hpp"
 #include "check/interpreted_kernel.hpp"
 #include "check/run.hpp"
 #include "check/signature.hpp"
@@ -40,9 +40,9 @@ class Rules {
     check::KernelCore kernel_;
     check::KernelModules modules_;
     check::ImageSet images_;
-    check::internal::Decoded decoded_;
+    check::Decoded decoded_;
     std::vector<shader::Scalar> outputs_;
-    check::internal::Interpretation interpretation_;
+    check::Interpretation interpretation_;
 };
 
 void expect_within(const Bounds& bounds, double low, double high) {
@@ -195,60 +195,6 @@ TEST(Explain, KeepsTheThreeValuesApart) {
 TEST(Explain, SaysWhatItExpected) {
     expect_error<std::invalid_argument>([] { (void)explained("rules.glsl", "quotient", {1.0F}); },
                                         {"takes 2 values, got 1"});
-}
-
-// Which lines and branches inputs reach.
-
-class CoverageTest : public testing::Test {
-  protected:
-    static Question question(const Domain& domain) {
-        return {.file = "branches.glsl",
-                .function = "branches",
-                .signature = SignatureOf<float(float, int)>::describe(),
-                .domain = domain};
-    }
-    static Coverage of(const Domain& domain, const shader::Variant& variant = {}) {
-        return measure_coverage(test::make_lab(FIXTURES, variant), question(domain), {.inputs = 4096});
-    }
-    const Domain few_{uniform(0.5, 90), integers(1, 2)};
-
-    // "line", or "line way".
-    static std::vector<std::string> missed(const Coverage& coverage) {
-        std::vector<std::string> all;
-        for (const Coverage::Point& point : coverage.points)
-            if (!point.reached)
-                all.push_back(std::to_string(point.line) + (point.way.empty() ? "" : " ") + point.way);
-        return all;
-    }
-};
-
-TEST_F(CoverageTest, EveryWayThatInputsGoIsReached) {
-    const Coverage all = of({uniform(-300, 300), integers(0, 40)});
-    EXPECT_THAT(missed(all), IsEmpty());
-    EXPECT_TRUE(all.is_complete());
-    EXPECT_LT(all.inputs, 4096U) << "nothing is left to be reached";
-}
-
-TEST_F(CoverageTest, WhatNoInputReachesIsToldWithItsLine) {
-    const Coverage some = of(few_);
-    // glslang 15 gives a switch its own line; earlier versions give it that of the branch before it.
-    EXPECT_THAT(missed(some), AnyOf(ElementsAre("14", "20", "6 true", "11 true", "13 true", "18 case 40"),
-                                    ElementsAre("14", "20", "6 true", "11 true", "13 true",
-                                                "12 case 40, branch 2 of the line")));
-    EXPECT_EQ(some.inputs, 4096U);
-    EXPECT_THAT(to_text(some), HasSubstr("never true: float sum = x < 0.0 ? 1.0 : 0.0;"));
-    EXPECT_THAT(to_text(some), HasSubstr("not reached: sum += 10.0;"));
-}
-
-// An optimizer removes some branches and copies others; the report must be about the source.
-TEST_F(CoverageTest, IsTheSameInEveryVariant) {
-    EXPECT_EQ(missed(of(few_, shader::variant("optimized"))), missed(of(few_)));
-}
-
-TEST_F(CoverageTest, IsPartOfAnAnswerWhereItIsAskedFor) {
-    const Lab lab = test::make_lab(FIXTURES);
-    EXPECT_FALSE(run(lab, question(few_), {.inputs = 64}).coverage);
-    ASSERT_TRUE(run(lab, question(few_), {.inputs = 64, .coverage = true}).coverage);
 }
 
 struct Mixed {

@@ -4,15 +4,15 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
 #include <utility>
 
 #include "backend/gl/device.hpp"
-#include "check/internal/session.hpp"
 #include "check/run.hpp"
+#include "check/session.hpp"
 #include "support/entries.hpp"
 #include "support/lab.hpp"
 #include "support/test_name.hpp"
@@ -84,8 +84,8 @@ void expect_noticed(const Entry& entry, Evaluate evaluate) {
 Verdicts verdicts_on(const Lab& lab, const KernelCore& kernel, const Question& question, std::size_t inputs) {
     const Verdict verdict = verdict_of(lab.options().variant, question);
     Verdicts verdicts(empty_answer(question, verdict));
-    internal::for_each_scenario(question, inputs, [&](const ImageScenario& scenario, std::size_t share) {
-        const internal::Session session(lab, question, kernel, scenario, 1, verdict);
+    for_each_scenario(question, inputs, [&](const ImageScenario& scenario, std::size_t share) {
+        const Session session(lab, question, kernel, scenario, 1, verdict);
         auto evaluated =
             session.run(question.domain.draw(share, session.input_seed(), scenario.size), verdicts.right);
         verdicts.add(evaluated.result.outputs, [&](const std::vector<Word>& outputs, Answer& answer) {
@@ -108,54 +108,37 @@ void expect_noticed_on(const Lab& lab, const Entry& entry) {
     }
 }
 
-// One of so many parts of the catalogue, with a device.
+// One of so many parts of the catalogue, in a variant on Vulkan or on an OpenGL device.
 class Planted : public testing::TestWithParam<std::tuple<const char*, std::size_t>> {
   protected:
-    template <class Each>
-    static void for_each_entry(Each each) {
-        for (std::size_t i = std::get<1>(GetParam()); i < test::entries().size(); i += shards)
-            each(test::entries()[i]);
+    static Lab lab_on(const std::string& where) {
+        if (!gl::device_name_from(where)) return test::make_lab({}, shader::variant(where));
+        return Lab(
+            {.device = where, .include_roots = {GLOAM_GLSL_DIR}, .cache_directory = test::cache_directory()});
     }
 };
 
-std::string name_of_shard(const testing::TestParamInfo<Planted::ParamType>& info) {
-    return test::test_name(std::get<0>(info.param)) + "_" + std::to_string(std::get<1>(info.param));
-}
-
-class PlantedOnVulkan : public Planted {};
-
-TEST_P(PlantedOnVulkan, FailsForEveryEquation) {
-    const Lab lab = test::make_lab({}, shader::variant(std::get<0>(GetParam())));
-    for_each_entry([&](const Entry& entry) { expect_noticed_on(lab, entry); });
-}
-
-INSTANTIATE_TEST_SUITE_P(Catalogue, PlantedOnVulkan,
-                         testing::Combine(testing::Values("shipped", "strict"),
-                                          testing::Range(std::size_t{0}, shards)),
-                         name_of_shard);
-
-class PlantedOnOpenGl : public Planted {};
-
-TEST_P(PlantedOnOpenGl, FailsForEveryEquationThatIsJudged) {
-    std::unique_ptr<Lab> lab;
+TEST_P(Planted, FailsForEveryEquationThatIsJudged) {
+    std::optional<Lab> lab;
     try {
-        lab = std::make_unique<Lab>(LabOptions{.device = std::get<0>(GetParam()),
-                                               .include_roots = {GLOAM_GLSL_DIR},
-                                               .cache_directory = test::cache_directory()});
+        lab.emplace(lab_on(std::get<0>(GetParam())));
     } catch (const gl::Unavailable& error) {
         GTEST_SKIP() << error.what();
     } catch (const gl::VersionRefused& error) {
         GTEST_SKIP() << error.what();
     }
-    for_each_entry([&](const Entry& entry) { expect_noticed_on(*lab, entry); });
+    for (std::size_t i = std::get<1>(GetParam()); i < test::entries().size(); i += shards)
+        expect_noticed_on(*lab, test::entries()[i]);
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, PlantedOnOpenGl,
-                         testing::Combine(testing::Values("gl:llvmpipe-4.5", "gl:llvmpipe-3.3",
-                                                          "es:llvmpipe-3.2", "es:llvmpipe-3.1",
-                                                          "es:llvmpipe-3.0", "gl:softpipe-3.3",
-                                                          "es:softpipe-3.1", "es:softpipe-3.0"),
-                                          testing::Range(std::size_t{0}, shards)),
-                         name_of_shard);
+INSTANTIATE_TEST_SUITE_P(
+    Catalogue, Planted,
+    testing::Combine(testing::Values("shipped", "strict", "gl:llvmpipe-4.5", "gl:llvmpipe-3.3",
+                                     "es:llvmpipe-3.2", "es:llvmpipe-3.1", "es:llvmpipe-3.0",
+                                     "gl:softpipe-3.3", "es:softpipe-3.1", "es:softpipe-3.0"),
+                     testing::Range(std::size_t{0}, shards)),
+    [](const auto& info) {
+        return test::test_name(std::get<0>(info.param)) + "_" + std::to_string(std::get<1>(info.param));
+    });
 
 }  // namespace gloam::check::planted_test

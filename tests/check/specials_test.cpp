@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is permitted where a NaN or an infinity meets an operation.
-#include "check/internal/interpretation.hpp"
+#include "check/interpretation.hpp"
 #include "check/question.hpp"
 #include "support/lab.hpp"
 
@@ -14,10 +14,10 @@ TEST(Specials, AreJudgedByInstruction) {
         const KernelCore kernel = lab.kernel("rules.glsl", function, signature);
         const std::vector<Word> words{to_word(x), to_word(0.0F)};
         const KernelCore::Result result = kernel.run(words, 1);
-        const internal::Decoded decoded(result.modules, {});
+        const Decoded decoded(result.modules, {});
         const std::vector<shader::Scalar> outputs = signature.output_scalars();
-        internal::Interpretation rules(decoded, outputs, outputs.size());
-        const internal::InputRow row{.index = 0, .words = words};
+        Interpretation rules(decoded, outputs, outputs.size());
+        const InputRow row{.index = 0, .words = words};
         const std::vector<Word> given{to_word(got)};
         return !rules.is_exact(row, given) && !rules.is_permitted(row, given);
     };

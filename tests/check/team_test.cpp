@@ -67,18 +67,6 @@ TEST(Quads, AnInvocationThatIsDiscardedSaysSo) {
               (std::vector<Word>{0, to_word(1.5F), to_word(2.0F), 0, 1, 0, 0, 1}));
 }
 
-TEST(Quads, ADerivativeOfSomeInvocationsIsUndefined) {
-    const Lab lab = lab_for("quads.frag");
-    const auto undefined = [&](const char* name) {
-        const OwnFunction own = own_functions(lab.options(), "quads.frag", {name}).found.at(0);
-        const Question question = question_of(lab, "quads.frag", own, {{"x", {0.4, 0.6}}});
-        const Audit all = audit(lab, question, {}, {.inputs = 512});
-        return std::ranges::count(all.findings, Concern::undefined, &AuditFinding::concern);
-    };
-    EXPECT_EQ(undefined("in_one_branch"), 1);
-    EXPECT_EQ(undefined("edge_width"), 0);
-}
-
 TEST(Quads, NeighboursDifferByStepsInsideTheDomain) {
     const Domain domain{neighbours(type_of<float>(), uniform(0, 1)),
                         neighbours(type_of<int>(), integers(0, 9))};

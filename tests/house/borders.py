@@ -21,8 +21,10 @@ WINGS = {
         "numeric": {"base"},
         "interpreter": {"base", "backend", "source", "module", "numeric"},
         "check": {"base", "backend", "source", "module", "numeric", "interpreter"},
+        "audit": {"base", "check", "source", "module", "numeric", "interpreter"},
+        "pass": {"base", "backend", "check", "module", "numeric", "interpreter"},
         "cost": {"base", "backend", "source", "module"},
-        "report": {"base", "check", "numeric"},
+        "report": {"base", "audit", "check", "numeric"},
     },
     "occlusion": {
         "reference": {"numeric"},
@@ -34,8 +36,8 @@ WINGS = {
     },
 }
 MAY_INCLUDE = {**WINGS["framework"], **WINGS["occlusion"],
-               "tools": {"base", "backend", "report", "pictures", "experiment", "effect", "scene", "catalogue", "check", "cost",
-                         "interpreter", "source", "module", "numeric"}}
+               "tools": {"base", "backend", "report", "pictures", "experiment", "effect", "scene", "catalogue", "check", "audit",
+                         "cost", "interpreter", "source", "module", "numeric"}}
 
 # Libraries that belong to one room, or one folder of it, by what their headers are called.
 LIBRARY_HOME = {

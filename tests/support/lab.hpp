@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "check/shader_test.hpp"
+#include "check/function.hpp"
 #include "module/include.hpp"
 #include "module/texts.hpp"
 #include "support/shared_device.hpp"

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "audit/audit.hpp"
 #include "base/text.hpp"
-#include "check/audit.hpp"
 #include "cli/check/checker.hpp"
 #include "cli/commands.hpp"
 #include "cli/environment.hpp"

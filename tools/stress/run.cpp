@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "audit/worst.hpp"
 #include "base/version.hpp"
 #include "catalogue/catalogue.hpp"
-#include "check/run.hpp"
 #include "stress/long_run.hpp"
 
 namespace gloam::stress {

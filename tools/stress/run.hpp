@@ -58,7 +58,7 @@ struct Context {
 // Those that the context names. Throws like effect::method_named().
 [[nodiscard]] std::vector<effect::MethodInfo> methods_of(const Context& context);
 
-// For every equation of the catalogue, the worst input that a guided search finds (check/run.hpp), as a
+// For every equation of the catalogue, the worst input that a guided search finds (audit/worst.hpp), as a
 // fraction of what its documentation states, beside the worst of its random inputs alone. The search is made
 // of the default variant: inputs that break a budget are rows that fail.
 [[nodiscard]] Rows worst_inputs(const Context& context);

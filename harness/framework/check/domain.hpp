@@ -6,6 +6,7 @@
 #include <functional>
 #include <glm/glm.hpp>
 #include <initializer_list>
+#include <map>
 #include <memory>
 #include <span>
 #include <vector>
@@ -267,5 +268,16 @@ class Domain {
     std::vector<std::vector<Word>> given_;
     Degenerate degenerate_;
 };
+
+// The range of values for a float or integer parameter, ends included.
+struct Range {
+    double low = 0.0;
+    double high = 0.0;
+};
+// Ranges by the parameters' names.
+using Ranges = std::map<std::string, Range>;
+
+// Parses "x=0:1" as a name and a range. Throws std::invalid_argument for any other text, or low > high.
+[[nodiscard]] std::pair<std::string, Range> range_from(const std::string& text);
 
 }  // namespace gloam::check

@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "check/audit.hpp"
 #include "check/explain.hpp"
 #include "check/lab.hpp"
 #include "check/run.hpp"
@@ -35,6 +34,18 @@ using HoldsFor = std::function<bool(std::span<const Word> input, std::span<const
 // the domain. Throws like KernelCore::run().
 [[nodiscard]] PropertyResult check_property(const KernelCore& core, const Question& question,
                                             const HoldsFor& holds, const RunOptions& options);
+
+struct AuditOptions;
+
+namespace internal {
+
+// The room audit stands above this one: its function is found where the template is used.
+template <class Options>
+auto audited(const Lab& lab, const Question& question, const Options& options) {
+    return audit(lab, question, {}, options);
+}
+
+}  // namespace internal
 
 // A GLSL function that C++ can call and check: `Function<float(glm::vec2, Out<float>)> f(lab, "f.glsl",
 // "f")`.
@@ -95,9 +106,10 @@ class Function {
         return check_property(core_, question(domain), holds_for, options);
     }
 
-    // Where the function itself goes wrong on a domain (check/audit.hpp).
-    [[nodiscard]] Audit audit(const Domain& domain, const AuditOptions& options = {}) const {
-        return check::audit(*lab_, question(domain), {}, options);
+    // Where the function itself goes wrong on a domain, for those who include audit/audit.hpp.
+    template <class Options = AuditOptions>
+    [[nodiscard]] auto audit(const Domain& domain, const Options& options = {}) const {
+        return internal::audited(*lab_, question(domain), options);
     }
 
     // One input, operation by operation (check/explain.hpp).

@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "check/internal/sampled_words.hpp"
+#include "check/sampled_words.hpp"
 
 namespace gloam::check {
 
@@ -66,7 +66,7 @@ const Image& find_image(const ImageSet& images, const ImagePrototype& prototype,
 }
 
 std::vector<Word> words_of(const Image& image, const ImagePrototype& prototype) {
-    if (prototype.sampled) return internal::sampled_words(image, prototype.sampler);
+    if (prototype.sampled) return sampled_words(image, prototype.sampler);
     std::vector<Word> words{static_cast<Word>(image.size.x), static_cast<Word>(image.size.y),
                             image.border == Border::clamp ? 1U : 0U};
     words.insert(words.end(), image.words.begin(), image.words.end());

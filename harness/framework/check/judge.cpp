@@ -12,14 +12,13 @@
 #include "base/threads.hpp"
 #include "check/answer.hpp"
 #include "check/internal/budget_judge.hpp"
-#include "check/internal/interpretation.hpp"
+#include "check/internal/rules_judge.hpp"
 #include "interpreter/program.hpp"
 #include "numeric/numbers.hpp"
 
 namespace gloam::check {
 namespace {
 
-using internal::InputRow;
 using numeric::infinity;
 
 // Decides which inputs of a run are judged by the rules, and for which of these all permitted results are
@@ -58,7 +57,7 @@ class Plan {
 class Judge {
   public:
     Judge(const Question& question, const JudgeOptions& options, const ImageSet& images,
-          const internal::Decoded* decoded, const Plan& plan)
+          const Decoded* decoded, const Plan& plan)
         : question_(question),
           options_(options),
           images_(images),
@@ -112,7 +111,7 @@ class Judge {
     // Number of instructions for the bounds of an input.
     [[nodiscard]] double cost_of(const InputRow& input) {
         Permitted permitted;
-        internal::Interpretation& interpretation = permitted_->interpretation();
+        Interpretation& interpretation = permitted_->interpretation();
         const std::uint64_t before = interpretation.steps();
         interpretation.all_permitted(input, permitted);
         return static_cast<double>(interpretation.steps() - before);
@@ -169,11 +168,10 @@ class Judge {
 
 // The decoded modules. Empty if there are none. Also empty if they are not needed and the interpreter does
 // not know an instruction of them; then no input is judged by the rules.
-std::optional<internal::Decoded> decoded_modules(const KernelModules& modules, const ImageSet& images,
-                                                 bool needed) {
+std::optional<Decoded> decoded_modules(const KernelModules& modules, const ImageSet& images, bool needed) {
     if (modules.empty()) return std::nullopt;
     try {
-        return std::optional<internal::Decoded>(std::in_place, modules, images);
+        return std::optional<Decoded>(std::in_place, modules, images);
     } catch (const interpreter::Error& error) {
         if (needed || error.kind() != interpreter::Error::Kind::unknown_instruction) throw;
         return std::nullopt;
@@ -208,8 +206,8 @@ Answer judge(const Question& question, const JudgeOptions& options, const Domain
     if (needs_modules && options.modules.empty())
         throw std::invalid_argument(
             "cannot be judged by Vulkan's rules without the modules that gave the outputs");
-    const std::optional<internal::Decoded> decoded = decoded_modules(options.modules, images, needs_modules);
-    const internal::Decoded* const modules = decoded ? &*decoded : nullptr;
+    const std::optional<Decoded> decoded = decoded_modules(options.modules, images, needs_modules);
+    const Decoded* const modules = decoded ? &*decoded : nullptr;
     Plan plan(options.verdict, inputs.count(), !fractions.empty());
     if (plan.needs_cost() && !options.recorded_only) {
         Judge probe(question, options, images, modules, plan);

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "check/domain.hpp"
 #include "check/lab.hpp"
-#include "check/own_domain.hpp"
 #include "check/question.hpp"
 
 namespace gloam::check {

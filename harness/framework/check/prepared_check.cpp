@@ -8,7 +8,7 @@
 #include "backend/gl/kernel.hpp"
 #include "check/internal/budget_judge.hpp"
 #include "check/internal/kernel_text.hpp"
-#include "check/internal/session.hpp"
+#include "check/session.hpp"
 #include "numeric/numbers.hpp"
 
 namespace gloam::check {
@@ -86,13 +86,13 @@ class Preparation {
 
 PreparedScenario prepare_scenario(const Question& question, const Domain& domain, const KernelSource& source,
                                   const ImageScenario& scenario, std::size_t count, std::uint64_t seed) {
-    const ImageSet images = internal::images_of(scenario, seed);
+    const ImageSet images = images_of(scenario, seed);
     const Preparation preparation(question, images);
     PreparedScenario prepared{
         .name = scenario.name,
         .images = images,
         .image_words = image_words(source.images, images, question.function),
-        .inputs = domain.draw(count, internal::input_seed_of(question, scenario, seed), scenario.size),
+        .inputs = domain.draw(count, input_seed_of(question, scenario, seed), scenario.size),
         .expectations = {}};
     internal::set_positive_zeros(prepared.inputs.words, question.signature.input_scalars());
     for (std::size_t i = 0; i < prepared.inputs.count(); ++i)
@@ -118,12 +118,11 @@ PreparedCheck prepare(const Lab& lab, const Question& question, const RunOptions
     }
     prepared.row_words = gl::kernel_row(question.signature.output_words(), source.images.size());
     prepared.targets = gl::kernel_targets(prepared.row_words);
-    const Domain domain = internal::domain_of(lab, question);
-    internal::for_each_scenario(
-        question, options.inputs, [&](const ImageScenario& scenario, std::size_t share) {
-            prepared.scenarios.push_back(
-                prepare_scenario(question, domain, source, scenario, share, options.seed));
-        });
+    const Domain domain = domain_of(lab, question);
+    for_each_scenario(question, options.inputs, [&](const ImageScenario& scenario, std::size_t share) {
+        prepared.scenarios.push_back(
+            prepare_scenario(question, domain, source, scenario, share, options.seed));
+    });
     return prepared;
 }
 

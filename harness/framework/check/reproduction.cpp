@@ -8,11 +8,11 @@
 
 #include "check/explain.hpp"
 #include "check/internal/budget_judge.hpp"
-#include "check/internal/interpretation.hpp"
 #include "check/internal/kernel_text.hpp"
-#include "check/internal/session.hpp"
+#include "check/interpretation.hpp"
 #include "check/interpreted_kernel.hpp"
 #include "check/kernel_code.hpp"
+#include "check/session.hpp"
 #include "module/spirv.hpp"
 #include "module/steps.hpp"
 #include "module/texts.hpp"
@@ -34,8 +34,8 @@ ImageScenario scenario_of(const Question& question, const std::string& name) {
     return *found;
 }
 
-internal::Session session_of(const Lab& lab, const Question& question, const RunOptions& options,
-                             const std::string& scenario) {
+Session session_of(const Lab& lab, const Question& question, const RunOptions& options,
+                   const std::string& scenario) {
     return {lab,
             question,
             lab.kernel(question.file, question.function, question.signature),
@@ -45,14 +45,13 @@ internal::Session session_of(const Lab& lab, const Question& question, const Run
 }
 
 // The inputs of a check and what they give, in memory in every variant.
-internal::Session::Evaluated evaluated(const Lab& lab, const Question& question, const RunOptions& options,
-                                       const ImageScenario& scenario) {
+Session::Evaluated evaluated(const Lab& lab, const Question& question, const RunOptions& options,
+                             const ImageScenario& scenario) {
     const KernelCore kernel = lab.kernel(question.file, question.function, question.signature);
     Domain::Inputs inputs =
-        internal::domain_of(lab, question)
-            .draw(options.inputs, internal::input_seed_of(question, scenario, options.seed), scenario.size);
-    KernelCore::Result result =
-        kernel.run(inputs.words, inputs.count(), internal::images_of(scenario, options.seed));
+        domain_of(lab, question)
+            .draw(options.inputs, input_seed_of(question, scenario, options.seed), scenario.size);
+    KernelCore::Result result = kernel.run(inputs.words, inputs.count(), images_of(scenario, options.seed));
     return {std::move(inputs), std::move(result)};
 }
 
@@ -175,7 +174,7 @@ bool fails_after(const Lab& lab, const Question& question, const RunOptions& opt
                  const Steps& steps) {
     try {
         const Lab other = with_steps(lab, steps);
-        const internal::Session session = session_of(other, question, options, failing.scenario);
+        const Session session = session_of(other, question, options, failing.scenario);
         return session.first_failing(std::span(&failing.inputs, 1)).has_value();
     } catch (const shader::StepError&) {
     } catch (const shader::Unchanged&) {
@@ -186,7 +185,7 @@ bool fails_after(const Lab& lab, const Question& question, const RunOptions& opt
 
 Reproduction reproduce_with(const Lab& lab, const Question& question, const RunOptions& options,
                             const Sample& failing) {
-    const internal::Session session = session_of(lab, question, options, failing.scenario);
+    const Session session = session_of(lab, question, options, failing.scenario);
     Sample smallest =
         shrink(question, failing, [&](const auto& inputs) { return session.first_failing(inputs); });
     Reproduction all = without_verdict(lab, question, failing.scenario, session.images(), smallest.inputs);
@@ -213,7 +212,7 @@ Reproduction reproduce(const Lab& lab, const Question& question, const RunOption
     };
     const bool reducible = !steps.empty() && fails(steps);
     const Lab of_fewest = with_steps(lab, reducible ? shortest_steps(steps, fails) : steps);
-    return without_verdict(of_fewest, question, scenario.name, internal::images_of(scenario, options.seed),
+    return without_verdict(of_fewest, question, scenario.name, images_of(scenario, options.seed),
                            question.domain.draw(1, options.seed, scenario.size).words);
 }
 
@@ -232,7 +231,7 @@ Reproduction reproduce_fault(const Lab& lab, const Question& question, const Run
         const auto [inputs, result] = evaluated(lab, question, options, scenario);
         if (!result.fault) continue;
         const std::span<const Word> row = inputs.row(result.fault->input);
-        return without_verdict(lab, question, scenario.name, internal::images_of(scenario, options.seed),
+        return without_verdict(lab, question, scenario.name, images_of(scenario, options.seed),
                                {row.begin(), row.end()});
     }
     throw std::invalid_argument(fmt::format("{}: no access falls outside an image", question.function));

@@ -51,7 +51,6 @@ struct JudgeOptions {
 struct RunOptions {
     std::size_t inputs = 65'536;  // fewer are run if those and their outputs have more than 2^26 words
     std::uint64_t seed = 1;
-    bool coverage = false;  // also measure what the inputs reach
 };
 
 // The criterion for results in a variant: in strict and relaxed ones and after steps the rules alone, in all
@@ -63,29 +62,5 @@ struct RunOptions {
 // KernelCore::run; interpreter::Error (race, divergent_barrier) for invocations that disturb each other, with
 // the lines of the source.
 [[nodiscard]] Answer run(const Lab& lab, const Question& question, const RunOptions& options = {});
-
-// Measures what the inputs of a run reach, in the function and in all that it calls, with the interpreter in
-// float32. Throws like run(), and interpreter::Error.
-[[nodiscard]] Coverage measure_coverage(const Lab& lab, const Question& question, const RunOptions& options);
-
-struct SearchOptions {
-    std::size_t inputs = 65'536;  // evaluated in total
-    std::uint64_t seed = 1;
-    // The search maximises the error as a fraction of what this verdict allows. Empty: the verdict of the
-    // lab's variant.
-    std::optional<Verdict> verdict{};
-};
-
-// The result of a search for one function.
-struct SearchResult {
-    Answer answer;                // over all evaluated inputs
-    double drawn_fraction = 0.0;  // the largest of the inputs drawn at random, before the climb
-};
-
-// Searches for the inputs with the largest error. A quarter of the inputs is drawn at random. The others
-// start from the worst inputs so far and move to neighbouring floats, by powers of two up to whole exponents,
-// or exchange parameters. All stay inside the domain. Throws like run().
-[[nodiscard]] SearchResult search(const Lab& lab, const Question& question,
-                                  const SearchOptions& options = {});
 
 }  // namespace gloam::check

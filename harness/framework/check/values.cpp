@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "check/domain.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 
+#include "base/number.hpp"
 #include "numeric/numbers.hpp"
 
 namespace gloam::check {
@@ -323,6 +327,21 @@ Values image_size() {
     values.draw = [](DrawContext& context, Words& words) { append_words(context.image_size, words); };
     values.image_sizes = {0};
     return values;
+}
+
+std::pair<std::string, Range> range_from(const std::string& text) {
+    const std::size_t equals = text.find('=');
+    const std::size_t colon = text.find(':', std::min(equals, text.size()));
+    const auto ends = [&]() -> std::optional<Range> {
+        if (equals == 0 || equals == std::string::npos || colon == std::string::npos) return std::nullopt;
+        const auto low = base::number_from<double>(text.substr(equals + 1, colon - equals - 1));
+        const auto high = base::number_from<double>(text.substr(colon + 1));
+        return low && high ? std::optional(Range{*low, *high}) : std::nullopt;
+    }();
+    if (!ends) throw std::invalid_argument(fmt::format("--range {}: expected NAME=LOW:HIGH", text));
+    if (!(ends->low <= ends->high))
+        throw std::invalid_argument(fmt::format("--range {}: expected LOW <= HIGH", text));
+    return {text.substr(0, equals), *ends};
 }
 
 }  // namespace gloam::check

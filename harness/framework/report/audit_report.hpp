@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "check/audit.hpp"
+#include "audit/audit.hpp"
 
 namespace gloam::report {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "check/mutant.hpp"
+#include "audit/mutant.hpp"
 
 namespace gloam::report {
 

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "audit/coverage.hpp"
 #include "backend/backend.hpp"
 #include "base/text.hpp"
 #include "check/reproduction.hpp"
@@ -157,7 +158,7 @@ std::unique_ptr<check::Lab> make_lab(const CheckerOptions& options, const shader
 }
 
 check::RunOptions options_of(const CheckTask& task) {
-    return {.inputs = task.inputs, .seed = task.seed, .coverage = task.coverage};
+    return {.inputs = task.inputs, .seed = task.seed};
 }
 
 }  // namespace
@@ -211,7 +212,9 @@ check::Answer Checker::run(const CheckTask& task) {
     const auto begin = std::chrono::steady_clock::now();
     check::Answer answer;
     try {
-        answer = check::run(lab(task), question_of(task), options_of(task));
+        const check::Question question = question_of(task);
+        answer = check::run(lab(task), question, options_of(task));
+        if (task.coverage) answer.coverage = measure_coverage(lab(task), question, options_of(task));
     } catch (const std::exception& error) {
         answer = answer_without_result(task, entries_, reason_of(error), error.what());
     }

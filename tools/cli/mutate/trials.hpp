@@ -14,8 +14,8 @@
 #include <string_view>
 #include <vector>
 
+#include "audit/mutant.hpp"
 #include "base/files.hpp"
-#include "check/mutant.hpp"
 #include "report/mutation_report.hpp"
 
 namespace gloam::cli {

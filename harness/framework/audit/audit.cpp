@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: MIT
+#include "audit/audit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <utility>
+
+#include "audit/coverage.hpp"
+#include "audit/internal/search.hpp"
+#include "check/explain.hpp"
+#include "check/run.hpp"
+#include "check/session.hpp"
+#include "numeric/numbers.hpp"
+
+namespace gloam::check {
+
+std::string name_of(Concern concern) {
+    static constexpr std::array names{"fault",    "not finite",   "undefined",     "unspecified",
+                                      "two ways", "loses digits", "drivers differ"};
+    return names.at(static_cast<std::size_t>(concern));
+}
+
+bool Audit::is_broken() const {
+    return std::ranges::any_of(
+        findings, [](const AuditFinding& finding) { return finding.concern < Concern::unspecified; });
+}
+
+namespace {
+
+using internal::AuditRuns;
+using internal::Reading;
+
+constexpr double unit_error = 0x1p-24;  // of a correctly rounded float32, relative
+constexpr double least_lost = 2.0;      // decimal digits that are worth a line
+constexpr double same_share = 0.9;      // of a loss, that a simpler input must keep
+constexpr std::size_t most_places = 4;  // findings of one concern
+constexpr double half_unit_error = 0x1p-11;
+
+double digits_of(double relative, double unit) {
+    return relative > unit ? std::log10(relative / unit) : 0.0;
+}
+
+AuditPlace place_of(const ExplainedStep& step) {
+    return {step.file, step.line, step.function, step.undefined.empty() ? step.operation : step.undefined};
+}
+
+// Where an undefined value comes from, with the cause in place of an operation.
+AuditPlace place_of(const interpreter::Undefined& why) {
+    return {why.place.file, why.place.line, why.place.function, why.cause};
+}
+
+// The width of what is permitted, beside the exact value.
+double relative_width(const ExplainedStep& step) {
+    const double width = step.permitted.high - step.permitted.low;
+    return std::isfinite(width) && step.exact != 0.0 ? width / std::abs(step.exact) : 0.0;
+}
+
+// The first operation with a result that is not finite, or of which every value is permitted; null: none.
+const ExplainedStep* first_with(Concern concern, const Explanation& all) {
+    const auto first = std::ranges::find_if(all.steps, [concern](const ExplainedStep& step) {
+        return concern == Concern::not_finite ? !std::isfinite(step.value)
+                                              : step.permitted.is_anything() || step.permitted.nan;
+    });
+    return first == all.steps.end() ? nullptr : &*first;
+}
+
+// The operation at which the width of what is permitted grows most.
+AuditPlace widest_place(const Explanation& all) {
+    double widest = 0.0;
+    double most = 0.0;
+    AuditPlace place;
+    for (const ExplainedStep& step : all.steps) {
+        const double width = relative_width(step);
+        if (width - widest > most) {
+            most = width - widest;
+            place = place_of(step);
+        }
+        widest = std::max(widest, width);
+    }
+    return place;
+}
+
+AuditRuns::Gaps gaps_of(Concern concern) {
+    return concern == Concern::unspecified ? AuditRuns::Gaps::open : AuditRuns::Gaps::closed;
+}
+
+// The output that shows a concern.
+std::size_t output_of(Concern concern, const Reading& reading) {
+    for (std::size_t w = 0; w < reading.outputs.size(); ++w)
+        if (internal::shows(concern, {.outputs = {reading.outputs[w]}, .fault = {}})) return w;
+    return 0;
+}
+
+// The findings of one function.
+class Findings {
+  public:
+    Findings(AuditRuns& runs, const internal::AuditSearch& search) : runs_(runs), search_(search) {}
+
+    [[nodiscard]] std::vector<AuditFinding> all() {
+        add_fault();
+        add_places(Concern::not_finite, search_.not_finite);
+        add_places(Concern::undefined, search_.undefined);
+        add_places(Concern::unspecified, search_.unspecified);
+        add_parting();
+        add_loss();
+        add_width();
+        std::ranges::stable_sort(all_, {}, &AuditFinding::concern);
+        return std::move(all_);
+    }
+
+  private:
+    using Still = std::function<bool(const std::vector<Word>&)>;
+
+    void add_fault() {
+        const std::vector<Word>* const first = search_.faults.first();
+        if (first == nullptr) return;
+        AuditFinding& finding = add(Concern::fault, *first, [&](const std::vector<Word>& words) {
+            return !runs_.read(words).fault.empty();
+        });
+        finding.share = share_of(search_.faults.shown);
+        finding.message = runs_.read(finding.words).fault;
+    }
+
+    // The operation at which an input goes wrong.
+    AuditPlace origin(Concern concern, const std::vector<Word>& words) {
+        if (concern == Concern::undefined) {
+            const Reading reading = runs_.read(words);
+            for (const internal::OutputReading& output : reading.outputs)
+                if (output.undefined) return place_of(*output.undefined);
+        }
+        const Explanation steps = runs_.steps(words, gaps_of(concern));
+        const ExplainedStep* const step = first_with(concern, steps);
+        return step == nullptr ? AuditPlace{} : place_of(*step);
+    }
+
+    [[nodiscard]] bool is_so(Concern concern, const std::vector<Word>& words) {
+        const Reading reading = runs_.read(words, gaps_of(concern));
+        if (concern == Concern::not_finite) return internal::shows(concern, reading);
+        if (concern == Concern::unspecified && runs_.is_undefined(words, runs_.read(words))) return false;
+        return runs_.is_undefined(words, reading, gaps_of(concern));
+    }
+
+    // One finding for each operation at which the examples go wrong.
+    void add_places(Concern concern, const internal::Examples& examples) {
+        std::map<AuditPlace, std::size_t> random;
+        std::map<AuditPlace, std::vector<Word>> first;
+        for (const std::vector<Word>& words : examples.random) {
+            const AuditPlace from = origin(concern, words);
+            ++random[from];
+            first.try_emplace(from, words);
+        }
+        for (const std::vector<Word>& words : examples.others)
+            first.try_emplace(origin(concern, words), words);
+        std::size_t places = 0;
+        for (const auto& [from, words] : first) {
+            if (places++ == most_places) break;
+            AuditFinding& finding = add(concern, words, [&, from = from](const std::vector<Word>& tried) {
+                return is_so(concern, tried) && origin(concern, tried) == from;
+            });
+            finding.place = from;
+            if (!examples.random.empty())
+                finding.share = share_of(examples.shown) * static_cast<double>(random[from]) /
+                                static_cast<double>(examples.random.size());
+        }
+    }
+
+    void add_parting() {
+        const std::vector<Word>* const first = search_.parted.first();
+        if (first == nullptr) return;
+        const auto parting_of = [this](const std::vector<Word>& words) {
+            return runs_.parting_of(words, runs_.read(words));
+        };
+        AuditFinding& finding = add(Concern::parting, *first, [&](const std::vector<Word>& words) {
+            return parting_of(words).has_value();
+        });
+        finding.share = share_of(search_.parted.shown);
+        const auto parting = parting_of(finding.words);
+        if (!parting) return;
+        finding.output = parting->output;
+        finding.value = runs_.read(finding.words).outputs.at(parting->output).value;
+        finding.exact = parting->other;
+        finding.message = parting->driver == 0 ? "exactly" : "on another driver";
+        finding.place = runs_.place_of(*parting, finding.words);
+    }
+
+    // The worst input of a search, with simpler numbers that keep most of it; null: it is not worth a line.
+    AuditFinding* add_worst(Concern concern, const internal::WorstInput& worst) {
+        if (digits_of(worst.score, unit_error) < least_lost) return nullptr;
+        AuditFinding& finding = add(concern, worst.words, [&](const std::vector<Word>& words) {
+            const Reading reading = runs_.read(words);
+            return reading.fault.empty() &&
+                   runs_.largest(concern, reading).relative >= same_share * worst.score;
+        });
+        finding.lost = digits_of(runs_.largest(concern, runs_.read(finding.words)).relative, unit_error);
+        return &finding;
+    }
+
+    void add_loss() {
+        AuditFinding* const finding = add_worst(Concern::digits, search_.digits);
+        if (finding == nullptr) return;
+        const Explanation steps = runs_.steps(finding->words);
+        if (steps.worst == steps.steps.size()) return;
+        const ExplainedStep& step = steps.steps[steps.worst];
+        finding->place = place_of(step);
+        finding->cancels = std::abs(step.inherited()) > std::abs(step.local);
+    }
+
+    // All paths and all orders of sums; where these are too many to tell, those of one path.
+    void add_width() {
+        AuditFinding* const finding = add_worst(Concern::drivers, search_.drivers);
+        if (finding == nullptr) return;
+        finding->place = widest_place(runs_.steps(finding->words));
+        const numeric::Bounds bounds = runs_.permitted(finding->words).at(finding->output);
+        if (!bounds.is_anything() && !bounds.nan) finding->permitted = bounds;
+    }
+
+    [[nodiscard]] double share_of(std::size_t shown) const {
+        return search_.random == 0 ? 0.0 : static_cast<double>(shown) / static_cast<double>(search_.random);
+    }
+
+    AuditFinding& add(Concern concern, const std::vector<Word>& words, const Still& still) {
+        AuditFinding& finding = all_.emplace_back(AuditFinding{.concern = concern});
+        finding.words = simplified(runs_, words, still);
+        finding.values = runs_.named(finding.words);
+        const Reading reading = runs_.read(finding.words, gaps_of(concern));
+        if (!reading.fault.empty()) return finding;
+        finding.output =
+            concern < Concern::digits ? output_of(concern, reading) : runs_.largest(concern, reading).output;
+        const internal::OutputReading& output = reading.outputs.at(finding.output);
+        finding.value = static_cast<double>(output.value);
+        finding.exact = output.exact;
+        finding.permitted = output.permitted;
+        return finding;
+    }
+
+    AuditRuns& runs_;
+    const internal::AuditSearch& search_;
+    std::vector<AuditFinding> all_;
+};
+
+// What each line of the source loses over some inputs.
+class Lines {
+  public:
+    void add(const Explanation& steps, bool half) {
+        double highest = 0.0;
+        for (const ExplainedStep& step : steps.steps) {
+            AuditLine& line = lines_[{step.file, step.line}];
+            line.reached = true;
+            if (std::isfinite(step.ulps) && step.ulps > highest) {
+                const double before = std::max(highest, half ? half_unit_error / unit_error : 1.0);
+                const double lost = std::min(digits_of(step.ulps, before), float_digits);
+                double& most = half ? line.lost_half : line.lost;
+                most = std::max(most, lost);
+                highest = step.ulps;
+            }
+        }
+    }
+
+    // With the lines that nothing reached.
+    [[nodiscard]] std::vector<AuditLine> take(const Coverage& coverage) {
+        for (const Coverage::Point& point : coverage.points) {
+            AuditLine& line = lines_[{point.file, point.line}];
+            line.reached = line.reached || (point.way.empty() && point.reached);
+        }
+        std::vector<AuditLine> all;
+        for (auto& [place, line] : lines_) {
+            line.file = place.first;
+            line.line = place.second;
+            all.push_back(line);
+        }
+        return all;
+    }
+
+  private:
+    std::map<std::pair<std::string, unsigned>, AuditLine> lines_;
+};
+
+// The worst result of the traced inputs in half precision.
+std::optional<AuditFinding> worst_half(AuditRuns& runs, const internal::AuditSearch& search) {
+    AuditFinding worst{.concern = Concern::digits};
+    double most = 0.0;
+    for (const std::vector<Word>& words : search.traced) {
+        const Reading reading = runs.read(words, AuditRuns::Gaps::closed, AuditRuns::Precision::half);
+        if (!reading.fault.empty() || internal::shows(Concern::not_finite, runs.read(words))) continue;
+        const bool overflows = internal::shows(Concern::not_finite, reading);
+        const internal::Loss loss = runs.largest(Concern::digits, reading);
+        const double relative = overflows ? numeric::infinity : loss.relative;
+        if (relative <= most) continue;
+        most = relative;
+        worst.words = words;
+        worst.output = overflows ? output_of(Concern::not_finite, reading) : loss.output;
+        const internal::OutputReading& output = reading.outputs.at(worst.output);
+        worst.value = static_cast<double>(output.value);
+        worst.exact = output.exact;
+        worst.lost = overflows ? numeric::infinity : digits_of(relative, half_unit_error);
+    }
+    if (worst.words.empty()) return std::nullopt;
+    worst.values = runs.named(worst.words);
+    const Explanation steps = runs.steps(worst.words, AuditRuns::Gaps::closed, AuditRuns::Precision::half);
+    const ExplainedStep* const overflow = first_with(Concern::not_finite, steps);
+    if (std::isinf(worst.lost) && overflow != nullptr) worst.place = place_of(*overflow);
+    if (std::isfinite(worst.lost) && steps.worst < steps.steps.size())
+        worst.place = place_of(steps.steps[steps.worst]);
+    return worst;
+}
+
+}  // namespace
+
+Audit audit(const Lab& lab, const Question& asked, const std::vector<OrdinaryValues>& domain,
+            const AuditOptions& options) {
+    Question question = asked;
+    question.domain = domain_of(lab, asked);
+    AuditRuns runs(lab, question, options.seed);
+    const internal::AuditSearch search = internal::search(runs, options);
+    Audit all{.function = question.name.empty() ? question.function : question.name,
+              .declaration = shader::to_glsl({.name = question.function,
+                                              .result = question.signature.result,
+                                              .parameters = question.signature.parameters,
+                                              .defined = true}),
+              .file = question.file,
+              .domain = domain,
+              .random = search.random,
+              .inputs = search.inputs,
+              .too_long = search.too_long};
+    if (!all.was_run()) return all;
+    all.findings = Findings(runs, search).all();
+    // A function that mostly faults has no shape, and each run of an endless loop takes long.
+    if (2 * search.faults.shown > search.random) return all;
+    all.motions = internal::motions(runs, search, 3 * options.steps);
+    all.coverage = measure_coverage(lab, question, {.inputs = options.inputs, .seed = options.seed});
+    all.half = worst_half(runs, search);
+    all.rewrites = internal::rewrites(lab, runs, search, all.findings);
+    Lines lines;
+    for (const std::vector<Word>& words : search.traced) {
+        lines.add(runs.steps(words), false);
+        lines.add(runs.steps(words, AuditRuns::Gaps::closed, AuditRuns::Precision::half), true);
+    }
+    for (const AuditFinding& finding : all.findings) lines.add(runs.steps(finding.words), false);
+    all.lines = lines.take(all.coverage);
+    return all;
+}
+
+Audit audit(const Lab& lab, const std::string& file, const OwnFunction& own, const Ranges& ranges,
+            const AuditOptions& options) {
+    Question question = question_of(lab, file, own, ranges);
+    const std::vector<OrdinaryValues> domain = ordinary_values(own, ranges);
+    question.domain = ordinary_domain(own.function, domain);
+    return audit(lab, question, domain, options);
+}
+
+void add_witness(Audit& audit, const Lab& lab, const Question& question, const AuditOptions& options) {
+    const KernelCore kernel = lab.kernel(question.file, question.function, question.signature);
+    const std::vector<shader::Scalar> scalars = question.signature.output_scalars();
+    const ImageSet images =
+        question.scenarios.empty() ? ImageSet{} : images_of(question.scenarios.front(), options.seed);
+    for (AuditFinding& finding : audit.findings) {
+        const bool may_fault = finding.concern == Concern::parting && std::isnan(finding.exact);
+        if (finding.concern == Concern::fault || may_fault) continue;
+        const KernelCore::Result result = kernel.run(finding.words, 1, images);
+        const double seen = number_at(scalars[finding.output], result.outputs[finding.output]);
+        finding.witnesses.push_back({lab.info().name, seen});
+    }
+}
+
+}  // namespace gloam::check

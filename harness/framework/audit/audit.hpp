@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "audit/own_domain.hpp"
+#include "check/lab.hpp"
+#include "check/own_function.hpp"
+#include "check/question.hpp"
+#include "numeric/interval.hpp"
+
+// Where a shader function itself goes wrong, whatever the driver. The interpreter runs it correctly rounded,
+// in double and on intervals, and searches for the worst inputs of its domain. It needs no reference.
+namespace gloam::check {
+
+// Decimal digits of a float32 (24 bits) and of a float16 (11 bits).
+inline constexpr double float_digits = 7.2;
+inline constexpr double half_digits = 3.3;
+
+// Of one input; more count as a loop without end.
+inline constexpr std::uint64_t most_audited_instructions = 500'000;
+
+enum class Concern {
+    fault,        // an access outside an array, or a loop that does not end
+    not_finite,   // a result is NaN or infinite
+    undefined,    // the result of an operation is undefined: every result is permitted, or NaN
+    unspecified,  // the same, where only the precision is not stated: sin beyond pi, sqrt(0), pow(0, y)
+    parting,      // a decision on an inexact number, which double or another driver takes the other way
+    digits,       // float32 loses digits that double keeps
+    drivers       // two conforming drivers may differ
+};
+[[nodiscard]] std::string name_of(Concern concern);  // "not finite"
+
+// An operation of the source.
+struct AuditPlace {
+    std::string file;
+    unsigned line = 0;  // 0: unknown
+    std::string function;
+    std::string operation;  // "OpFSub"
+
+    friend auto operator<=>(const AuditPlace&, const AuditPlace&) = default;
+};
+
+// The result of a finding's input on a device.
+struct AuditWitness {
+    std::string device;
+    double value = 0.0;
+};
+
+// The worst input for one concern, or for one operation where it arises.
+struct AuditFinding {
+    Concern concern = Concern::fault;
+    double share = 0.0;       // of random inputs that show it, but for digits and drivers; 0: found by search
+    std::vector<Word> words;  // the worst input, with the simplest numbers that show the same
+    std::string values;       // "x = 0.5, n = (0, 1, 0)"
+    std::size_t output = 0;   // word of the result that shows it most
+    double value = 0.0;       // float32, correctly rounded
+    double exact = 0.0;       // in double; of a parting the other result, NaN where a driver faults
+    numeric::Bounds permitted = numeric::Bounds::point(0.0);  // by Vulkan's rules
+    double lost = 0.0;                                        // decimal digits, of the 7.2 that a float32 has
+    bool cancels = false;  // digits: the result keeps the errors of its operands, and is small beside them
+    std::string message;   // of a fault; of a parting, whose result is the other one
+    std::vector<AuditWitness> witnesses;
+    AuditPlace place;  // where it arises
+};
+
+// What a result does while one float parameter moves and the others rest.
+struct AuditMotion {
+    enum class Kind { constant, rising, falling, turning, jumping };
+    std::string parameter;  // "x", "uv.y"
+    std::size_t output = 0;
+    Kind kind = Kind::constant;
+    std::vector<Word> words;  // the input below a jump, or at a turn
+    std::string values;       // described
+    double at = 0.0;          // of the parameter, where it jumps or turns
+    double before = 0.0;      // the result there, and beside a jump
+    double behind = 0.0;
+    double backward = 0.0;  // rising or falling: the largest step of float32 in the wrong direction, in ULP
+    unsigned line = 0;      // of the branch that differs at a jump; 0: none does
+    std::string file;
+};
+
+// A line of the source, over all traced inputs.
+struct AuditLine {
+    std::string file;
+    unsigned line = 0;
+    double lost = 0.0;       // most digits that its operations lose in float32
+    double lost_half = 0.0;  // in float16, of its 3.3
+    bool reached = false;
+};
+
+// A change of the source that was tried and helps.
+struct AuditRewrite {
+    std::string file;
+    unsigned line = 0;
+    std::string before;  // "1.0 - cos(x)"
+    std::string after;
+    std::string
+        helper;  // a function that `after` calls, and a variable, declared before its loop; may be empty
+    std::string reason;  // "the difference cancels near x = 0"
+    std::string gain;    // "lost digits 6.9 -> 0.4", measured on the same inputs
+};
+
+struct Audit {
+    std::string function;
+    std::string declaration;  // "float f(float x)"
+    std::string file;
+    std::vector<OrdinaryValues> domain;  // for whom the inputs were drawn
+    std::size_t random = 0;              // inputs drawn at random, without special values
+    std::size_t inputs = 0;              // all that were run
+    std::size_t too_long = 0;            // of these, ended after most_audited_instructions
+    std::vector<AuditFinding> findings;  // the gravest first
+    std::vector<AuditMotion> motions;
+    std::vector<AuditLine> lines;
+    Coverage coverage;
+    std::optional<AuditFinding> half;  // the worst result if every operation is rounded to float16
+    std::vector<AuditRewrite> rewrites;
+
+    // Whether an input came to its end. Otherwise nothing is known of the function.
+    [[nodiscard]] bool was_run() const { return inputs > too_long; }
+    // Whether an input of the domain faults, or gives NaN, infinity or an undefined result.
+    [[nodiscard]] bool is_broken() const;
+};
+
+struct AuditOptions {
+    std::size_t inputs = 8'192;  // half of them drawn, the others by a search for worse ones
+    std::uint64_t seed = 1;
+    std::uint64_t steps = 60'000'000;  // instructions of the search; fewer inputs are run if they need more
+};
+
+// Audits the function of a question; its domain decides the inputs. `domain`: its description. Images have
+// the content of the question's first scenario. Throws like Lab::kernel(), and interpreter::Error for an
+// instruction that the interpreter does not know.
+[[nodiscard]] Audit audit(const Lab& lab, const Question& question, const std::vector<OrdinaryValues>& domain,
+                          const AuditOptions& options = {});
+
+// The same for a function of a file from elsewhere, in its ordinary domain.
+[[nodiscard]] Audit audit(const Lab& lab, const std::string& file, const OwnFunction& own,
+                          const Ranges& ranges, const AuditOptions& options = {});
+
+// Runs the worst inputs of an audit on the lab's device and adds what it gives. Inputs that fault are not
+// run. `question`: of the same function. Throws like Lab::kernel() and KernelCore::run().
+void add_witness(Audit& audit, const Lab& lab, const Question& question, const AuditOptions& options = {});
+
+// What a finding shows: "NaN", "0.25, exactly 0.5", "up to 3.9 of 7.2 digits".
+[[nodiscard]] std::string result_text(const AuditFinding& finding);
+[[nodiscard]] std::string extent_text(const AuditFinding& finding);
+// "tone.glsl:12 (acos)", empty if the place is unknown.
+[[nodiscard]] std::string to_text(const AuditPlace& place);
+// "0.25 on llvmpipe"
+[[nodiscard]] std::string to_text(const AuditWitness& witness);
+// "rises", "jumps at 0.5 from 0.2 to 0.8, at tone.glsl:12".
+[[nodiscard]] std::string to_text(const AuditMotion& motion);
+// The worst result in half precision.
+[[nodiscard]] std::string half_text(const AuditFinding& half);
+// The ways and lines that nothing reached, one each: "tone.glsl:12: never true: if (x > 2.0)".
+[[nodiscard]] std::vector<std::string> missed(const Coverage& coverage);
+
+// The audit in a few lines, for people.
+[[nodiscard]] std::string to_text(const Audit& audit);
+
+}  // namespace gloam::check

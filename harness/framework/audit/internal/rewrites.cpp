@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "audit/internal/search.hpp"
+#include "module/compile.hpp"
+#include "numeric/numbers.hpp"
+
+namespace gloam::check::internal {
+namespace {
+
+constexpr std::size_t most_tried = 24;
+constexpr double no_worse = 1.5;                 // of a loss, that it may reach
+constexpr double little_loss = 100.0 * 0x1p-24;  // less than two digits, which an audit does not report
+constexpr double same_meaning = 1e-5;            // of a result
+
+// How a text does on some inputs, measured against the exact results of the original.
+struct Score {
+    std::size_t broken = 0;       // NaN, infinite or undefined
+    std::size_t unspecified = 0;  // without a stated precision
+    double loss = 0.0;
+    double width = 0.0;
+    double change = 0.0;  // of the results in double
+};
+
+// An input with the original's results.
+struct Case {
+    std::vector<Word> words;
+    Reading original;
+    bool sound = false;  // they are proper ones
+};
+
+bool is_broken(AuditRuns& runs, const std::vector<Word>& words, const Reading& reading) {
+    return shows(Concern::fault, reading) || shows(Concern::not_finite, reading) ||
+           runs.is_undefined(words, reading);
+}
+
+// A sound result must neither be lost nor mean anything else. One that is finite is compared with the
+// original's exact one; one that is not has no truth to compare with.
+void add(Score& score, AuditRuns& runs, const Case& one) {
+    Reading reading = runs.read(one.words);
+    if (is_broken(runs, one.words, reading)) {
+        ++score.broken;
+        if (one.sound) score.loss = numeric::infinity;
+    } else if (runs.is_undefined(one.words, runs.read(one.words, AuditRuns::Gaps::open),
+                                 AuditRuns::Gaps::open)) {
+        ++score.unspecified;
+    }
+    if (!reading.fault.empty() || shows(Concern::fault, one.original) ||
+        shows(Concern::not_finite, one.original))
+        return;
+    Reading meaning = reading;
+    for (std::size_t w = 0; w < reading.outputs.size(); ++w) {
+        meaning.outputs[w].value = static_cast<float>(reading.outputs[w].exact);
+        meaning.outputs[w].exact = reading.outputs[w].exact = one.original.outputs[w].exact;
+    }
+    score.loss = std::max(score.loss, runs.largest(Concern::digits, reading).relative);
+    if (!one.sound) return;
+    score.width = std::max(score.width, runs.largest(Concern::drivers, reading).relative);
+    score.change = std::max(score.change, runs.largest(Concern::digits, meaning).relative);
+}
+
+Score score_on(AuditRuns& runs, const std::vector<Case>& cases) {
+    Score score;
+    for (const Case& one : cases) add(score, runs, one);
+    return score;
+}
+
+double digits(double relative) {
+    return relative > 0x1p-24 ? std::min(std::log10(relative * 0x1p24), 7.2) : 0.0;
+}
+
+// Whether a change of a loss shows in the digits that a float has.
+bool saves(double before, double after) {
+    constexpr double least = 0.6;  // a quarter of the error
+    return digits(before) - digits(after) >= least;
+}
+
+bool helps(const Score& before, const Score& after) {
+    if (after.change > same_meaning || after.broken > before.broken ||
+        after.loss > std::max(no_worse * before.loss, little_loss) ||
+        after.width > std::max(no_worse * before.width, little_loss))
+        return false;
+    return after.broken < before.broken || after.unspecified < before.unspecified ||
+           saves(before.loss, after.loss) || saves(before.width, after.width);
+}
+
+std::string gain_text(const Score& before, const Score& after, std::size_t inputs) {
+    std::vector<std::string> gains;
+    if (after.broken < before.broken)
+        gains.push_back(
+            fmt::format("no proper result for {} -> {} of {} inputs", before.broken, after.broken, inputs));
+    if (after.unspecified < before.unspecified)
+        gains.push_back(fmt::format("no stated precision for {} -> {} of {} inputs", before.unspecified,
+                                    after.unspecified, inputs));
+    if (saves(before.loss, after.loss))
+        gains.push_back(
+            fmt::format("loses {:.1f} -> {:.1f} digits", digits(before.loss), digits(after.loss)));
+    if (saves(before.width, after.width))
+        gains.push_back(fmt::format("drivers differ by {:.1f} -> {:.1f} digits", digits(before.width),
+                                    digits(after.width)));
+    return fmt::format("{}", fmt::join(gains, ", "));
+}
+
+// The file and line of a position: those of the last #line directive, counted on.
+std::pair<std::string, unsigned> place_at(std::string_view text, std::size_t at, const std::string& file) {
+    unsigned line = 1;
+    std::string name = file;
+    for (std::size_t begin = 0; begin <= at;) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        const std::string_view row = text.substr(begin, end - begin);
+        if (end >= at) break;
+        ++line;
+        if (row.starts_with("#line ")) {
+            const char* const first = row.data() + 6;
+            std::from_chars(first, row.data() + row.size(), line);
+            const std::size_t quote = row.find('"');
+            if (quote != std::string_view::npos) name = row.substr(quote + 1, row.rfind('"') - quote - 1);
+        }
+        begin = end + 1;
+    }
+    return {name, line};
+}
+
+std::string shown_declaration(const Candidate& candidate) {
+    return candidate.declaration.empty() ? "" : candidate.declaration + "// where the sum is declared\n";
+}
+
+std::vector<Case> cases_of(AuditRuns& runs, const AuditSearch& search,
+                           const std::vector<AuditFinding>& findings) {
+    std::vector<std::vector<Word>> all = search.traced;
+    for (const AuditFinding& finding : findings) all.push_back(finding.words);
+    for (const Examples* examples : {&search.not_finite, &search.undefined, &search.unspecified})
+        for (const auto* some : {&examples->random, &examples->others})
+            all.insert(all.end(), some->begin(),
+                       some->begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(some->size(), 32)));
+    std::vector<Case> cases;
+    for (const std::vector<Word>& words : all) {
+        Reading reading = runs.read(words);
+        const bool sound = !is_broken(runs, words, reading);
+        cases.push_back({words, std::move(reading), sound});
+    }
+    return cases;
+}
+
+}  // namespace
+
+std::vector<AuditRewrite> rewrites(const Lab& lab, AuditRuns& runs, const AuditSearch& search,
+                                   const std::vector<AuditFinding>& findings) {
+    std::vector<AuditRewrite> all;
+    const Question& question = runs.question();
+    const KernelSource source = lab.source(question.file, question.function, question.signature);
+    if (findings.empty() || source.text.empty()) return all;
+    const std::vector<Case> cases = cases_of(runs, search, findings);
+    const Score before = score_on(runs, cases);
+    std::size_t tried = 0;
+    for (const Candidate& candidate : candidates_of(source.text)) {
+        if (tried++ == most_tried) break;
+        KernelSource changed = source;
+        changed.text = source.text;
+        changed.text.replace(candidate.begin, candidate.end - candidate.begin, candidate.after);
+        changed.text.insert(candidate.declared_at, candidate.declaration);
+        changed.text.insert(0, candidate.helper);
+        try {
+            AuditRuns rewritten(lab, question, changed, runs);
+            Score after = score_on(rewritten, cases);
+            if (candidate.wide) after.width = before.width;
+            if (!helps(before, after)) continue;
+            const auto [file, line] = place_at(source.text, candidate.begin, question.file);
+            all.push_back({.file = file,
+                           .line = line,
+                           .before = source.text.substr(candidate.begin, candidate.end - candidate.begin),
+                           .after = candidate.after,
+                           .helper = candidate.helper + shown_declaration(candidate),
+                           .reason = candidate.reason,
+                           .gain = gain_text(before, after, cases.size())});
+        } catch (const shader::CompileError&) {
+            continue;  // a type for which the change is not meant
+        }
+    }
+    return all;
+}
+
+}  // namespace gloam::check::internal

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "audit/audit.hpp"
+#include "audit/internal/moves.hpp"
+#include "check/explain.hpp"
+#include "check/interpretation.hpp"
+#include "check/interpreted_kernel.hpp"
+#include "check/lab.hpp"
+#include "check/question.hpp"
+
+namespace gloam::check::internal {
+
+// One scalar of the result, on every number type at once. An integer or bool is exact.
+struct OutputReading {
+    double value = 0.0;
+    double exact = 0.0;
+    numeric::Bounds permitted = numeric::Bounds::point(0.0);
+    std::optional<interpreter::Undefined> undefined = {};  // every value is permitted
+};
+
+// The results of one input.
+struct Reading {
+    std::vector<OutputReading> outputs;  // empty if there is a fault
+    std::string fault;
+    bool too_long = false;  // the fault is that it does not end
+};
+
+// How a result of one input is off.
+struct Loss {
+    std::size_t output = 0;  // word where it is largest
+    double relative = 0.0;   // beside the largest component of the same vector, or 2^-10 of its usual size
+};
+
+// An input at which a decision on an inexact number goes two ways: a comparison, an integer, an index.
+struct Parting {
+    std::size_t output = 0;
+    double other = 0.0;  // what double gives on its own path, or a driver; NaN where the driver faults
+    int driver = 0;      // that parts; 0: double
+};
+
+// A function that is ready to be run by the interpreter in every way that an audit needs. The objects that it
+// is made from must outlive it.
+class AuditRuns {
+  public:
+    using Gaps = numeric::Paths::Gaps;
+
+    AuditRuns(const Lab& lab, const Question& question, std::uint64_t seed);
+    // The same function with another text, measured like `original`, on the same images.
+    AuditRuns(const Lab& lab, const Question& question, const KernelSource& changed,
+              const AuditRuns& original);
+
+    // How every operation is rounded.
+    enum class Precision { single, half };
+
+    // `gaps`: of Vulkan's rules.
+    [[nodiscard]] Reading read(std::span<const Word> input, Gaps gaps = Gaps::closed,
+                               Precision precision = Precision::single);
+
+    // Whether some driver that keeps the rules has an undefined result: a guard that holds in float32 may
+    // keep it from every driver, which intervals along one path do not see. `reading`: of the input.
+    [[nodiscard]] bool is_undefined(std::span<const Word> input, const Reading& reading,
+                                    Gaps gaps = Gaps::closed);
+
+    // Whether double, or one of a few drivers that keep the rules, takes another path than float32 and gives
+    // another result; the first that does. `reading`: of the input.
+    [[nodiscard]] std::optional<Parting> parting_of(std::span<const Word> input, const Reading& reading);
+    // The decision that parts them; unknown if it has no line.
+    [[nodiscard]] AuditPlace place_of(const Parting& parting, std::span<const Word> input);
+
+    // Bounds of each output on all paths, in any order of sums.
+    [[nodiscard]] std::vector<numeric::Bounds> permitted(std::span<const Word> input);
+    // The outputs in double, on double's own path. Empty if there is a fault.
+    [[nodiscard]] std::vector<double> in_double(std::span<const Word> input);
+    // The outputs of correctly rounded float32, likewise.
+    [[nodiscard]] std::vector<double> in_float(std::span<const Word> input);
+    // The operations of one input. Empty if there is a fault.
+    [[nodiscard]] Explanation steps(std::span<const Word> input, Gaps gaps = Gaps::closed,
+                                    Precision precision = Precision::single);
+
+    // Learns the usual size of the results: the median magnitude over these inputs.
+    void set_usual(const Domain::Inputs& inputs);
+
+    // The largest of the outputs' losses of digits, or of the widths of what drivers are permitted.
+    [[nodiscard]] Loss largest(Concern concern, const Reading& reading) const;
+
+    // "x = 0.5, n = (0, 1, 0)": an input by the names of the parameters, each float with enough digits.
+    [[nodiscard]] std::string named(std::span<const Word> input) const;
+
+    [[nodiscard]] const Question& question() const { return question_; }
+    [[nodiscard]] glm::ivec2 image_size() const { return image_size_; }
+    // The float constants of the function, at which a decision may be made.
+    [[nodiscard]] const std::vector<float>& constants() const { return constants_; }
+    [[nodiscard]] std::uint64_t instructions() const { return instructions_; }
+
+  private:
+    AuditRuns(KernelModule module, const Question& question, ImageSet images);
+    // The words that a kernel of this precision is given: floats of float16 for half.
+    [[nodiscard]] std::vector<Word> given(std::span<const Word> input, Precision precision) const;
+    [[nodiscard]] std::optional<Parting> parting_of_driver(std::span<const Word> input,
+                                                           const Reading& reading, int driver);
+    // The result that counts as large, for a word of the outputs.
+    [[nodiscard]] double usual_of(std::size_t output) const;
+    // Runs a kernel along one path of the rules, and takes its outputs by their numbers, or why it has none.
+    template <class N, class Take, class Fail>
+    numeric::Paths::Outcome run(InterpretedKernel<N>& kernel, std::span<const Word> input, Gaps gaps,
+                                const Take& take, const Fail& fail) {
+        const std::uint64_t before = kernel.machine().steps();
+        const auto once = [&] {
+            try {
+                kernel.run(input);
+                for (std::size_t w = 0; w < scalars_.size(); ++w) take(w, kernel.output(w));
+            } catch (const interpreter::Error& error) {
+                fail(error);
+            }
+            throw numeric::Paths::Enough{};
+        };
+        const auto outcome = numeric::Paths::explore(numeric::float32, 1, once, gaps);
+        instructions_ += kernel.machine().steps() - before;
+        return outcome;
+    }
+
+    const Question& question_;
+    std::vector<shader::Scalar> scalars_;
+    std::vector<std::size_t> sizes_;  // of the result's vectors
+    std::vector<double> least_;       // results of these vectors below count as large as this
+    glm::ivec2 image_size_{1};
+    ImageSet images_;
+    KernelModules modules_;
+    std::vector<float> constants_;
+    Decoded decoded_;
+    Interpretation interpretation_;
+    InterpretedKernel<interpreter::Explained> kernel_;
+    InterpretedKernel<interpreter::Explained> half_;
+    InterpretedKernel<float> floats_;
+    InterpretedKernel<double> doubles_;
+    InterpretedKernel<numeric::Interval> drivers_;  // one driver after another
+    std::uint64_t instructions_ = 0;
+};
+
+}  // namespace gloam::check::internal

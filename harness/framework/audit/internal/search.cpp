@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+#include "audit/internal/search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace gloam::check::internal {
+namespace {
+
+constexpr std::size_t drawn_part = 2;   // one of this many inputs is drawn
+constexpr std::size_t random_part = 4;  // one of this many drawn ones has no special value
+constexpr std::size_t most_examples = 128;
+constexpr std::size_t most_traced = 64;
+constexpr std::size_t generation = 64;  // inputs of one round of a climb
+
+using Candidate = Moves::Candidate;
+
+// The same domain without fixed values.
+Domain without_special(const Domain& domain) {
+    std::vector<Values> parameters = domain.parameters();
+    for (Values& values : parameters) values.fixed.clear();
+    return Domain(std::move(parameters));
+}
+
+// Runs inputs and keeps the worst of each concern.
+class Search {
+  public:
+    Search(AuditRuns& runs, const AuditOptions& options) : runs_(runs), options_(options) {}
+
+    AuditSearch run() {
+        const std::size_t draws = std::max<std::size_t>(options_.inputs / drawn_part, random_part);
+        const std::size_t random = draws / random_part;
+        const Domain::Inputs usual =
+            without_special(runs_.question().domain).draw(random, options_.seed, runs_.image_size());
+        runs_.set_usual(usual);
+        found_.random = draw(usual, true, 0.25);
+        Moves moves(runs_.question(), draws - random, runs_.image_size(), options_.seed, options_.seed);
+        (void)draw(moves.drawn(), false, 0.5);
+        try_remainders(moves.drawn());
+        try_decimals(moves.drawn());
+        const std::size_t rest = (options_.inputs - draws) / 2;
+        if (moves.possible())
+            climb(moves, Concern::digits, rest, 0.75), climb(moves, Concern::drivers, rest, 1.0);
+        return std::move(found_);
+    }
+
+  private:
+    [[nodiscard]] bool has_steps(double share) const {
+        return static_cast<double>(runs_.instructions()) < share * static_cast<double>(options_.steps);
+    }
+
+    // What rounding leaves of zero, where a number may have both signs: fract() of a small negative one is 1.
+    // It shows an index beyond a table; nobody means such numbers, so it shows nothing else.
+    void try_remainders(const Domain::Inputs& drawn) {
+        constexpr std::size_t most_rows = 16;
+        const auto slots = slots_of(runs_.question());
+        for (std::size_t i = 0; i < std::min(drawn.count(), most_rows) && has_steps(0.5); ++i)
+            for (const Slot& slot : slots)
+                for (std::size_t k = 0; k < slot.count; ++k)
+                    for (const float sign : {-1.0F, 1.0F}) try_remainder(drawn.row(i), slot, k, sign);
+    }
+
+    // A row with another number in a slot; nullopt if that is no float, or the domain has no such number.
+    static std::optional<std::vector<Word>> with(std::span<const Word> row, const Slot& slot, std::size_t k,
+                                                 float number) {
+        if (scalars_of(slot.parameter->type).at(k) != shader::Scalar::float_) return std::nullopt;
+        std::vector<Word> words(row.begin(), row.end());
+        words[slot.first + k] = to_word(number);
+        if (!slot.values->admits(std::span(words).subspan(slot.first, slot.count))) return std::nullopt;
+        return words;
+    }
+
+    void try_remainder(std::span<const Word> row, const Slot& slot, std::size_t k, float sign) {
+        if (!with(row, slot, k, -0x1p-6F) || !with(row, slot, k, 0x1p-6F)) return;
+        std::vector<Word> words(row.begin(), row.end());
+        words[slot.first + k] = to_word(sign * 0x1p-30F);
+        runs_.question().domain.adjust(words);
+        if (shows(Concern::fault, runs_.read(words))) keep(found_.faults, words, false);
+    }
+
+    // Numbers as people write them: int(x * 10.0) decides otherwise in double for 0.7, and for few floats
+    // that are drawn.
+    void try_decimals(const Domain::Inputs& drawn) {
+        constexpr int most_steps = 100;
+        for (const Slot& slot : slots_of(runs_.question()))
+            for (std::size_t k = 0; k < slot.count && drawn.count() > 0; ++k)
+                for (const double unit : {0.1, 1.0})
+                    for (int i = -most_steps; i <= most_steps && has_steps(0.5); ++i)
+                        try_number(drawn.row(0), slot, k, static_cast<float>(i * unit));
+    }
+
+    void try_number(std::span<const Word> row, const Slot& slot, std::size_t k, float number) {
+        std::optional<std::vector<Word>> words = with(row, slot, k, number);
+        if (!words) return;
+        runs_.question().domain.adjust(*words);
+        const Reading reading = runs_.read(*words);
+        if (reading.fault.empty() && !runs_.is_undefined(*words, reading) &&
+            runs_.parting_of(*words, reading))
+            keep(found_.parted, *words, false);
+    }
+
+    // Returns how many were run.
+    std::size_t draw(const Domain::Inputs& drawn, bool random, double share) {
+        std::size_t i = 0;
+        for (; i < drawn.count() && has_steps(share); ++i) {
+            const Candidate candidate{{drawn.row(i).begin(), drawn.row(i).end()}};
+            const Reading reading = run(candidate.words, true, random);
+            if (!reading.fault.empty()) continue;
+            digits_.push_back({candidate.words, runs_.largest(Concern::digits, reading).relative});
+            drivers_.push_back({candidate.words, runs_.largest(Concern::drivers, reading).relative});
+        }
+        for (auto* pool : {&digits_, &drivers_}) Moves::keep_the_worst(*pool);
+        return i;
+    }
+
+    void climb(Moves& moves, Concern concern, std::size_t inputs, double share) {
+        const auto run_all = [&](std::vector<Candidate>& candidates) {
+            for (Candidate& candidate : candidates) {
+                const Reading reading = run(candidate.words, false, false);
+                if (reading.fault.empty()) candidate.score = runs_.largest(concern, reading).relative;
+            }
+        };
+        moves.climb(concern == Concern::digits ? digits_ : drivers_, inputs, generation, run_all,
+                    [&] { return has_steps(share); });
+    }
+
+    // `drawn`: before adjustment. `draws`: it does not come from a climb.
+    Reading run(const std::vector<Word>& drawn, bool draws, bool random) {
+        std::vector<Word> words = drawn;
+        runs_.question().domain.adjust(words);
+        Reading reading = runs_.read(words);
+        ++found_.inputs;
+        if (reading.too_long) ++found_.too_long;
+        if (found_.traced.size() < most_traced) found_.traced.push_back(words);
+        if (shows(Concern::fault, reading)) keep(found_.faults, words, random);
+        if (shows(Concern::not_finite, reading)) keep(found_.not_finite, words, random);
+        const bool undefined = runs_.is_undefined(words, reading);
+        if (undefined) keep(found_.undefined, words, random);
+        if (draws && !undefined && is_unspecified(words)) keep(found_.unspecified, words, random);
+        if (!reading.fault.empty()) return reading;
+        if (draws && !undefined && runs_.parting_of(words, reading)) keep(found_.parted, words, random);
+        note(found_.digits, words, runs_.largest(Concern::digits, reading).relative);
+        note(found_.drivers, words, runs_.largest(Concern::drivers, reading).relative);
+        return reading;
+    }
+
+    [[nodiscard]] bool is_unspecified(const std::vector<Word>& words) {
+        constexpr auto open = AuditRuns::Gaps::open;
+        return runs_.is_undefined(words, runs_.read(words, open), open);
+    }
+
+    static void keep(Examples& examples, const std::vector<Word>& words, bool random) {
+        if (random) ++examples.shown;
+        auto& kept = random ? examples.random : examples.others;
+        if (kept.size() < most_examples) kept.push_back(words);
+    }
+
+    static void note(WorstInput& worst, const std::vector<Word>& words, double score) {
+        if (score > worst.score) worst = {score, words};
+    }
+
+    AuditRuns& runs_;
+    const AuditOptions& options_;
+    AuditSearch found_;
+    std::vector<Candidate> digits_;
+    std::vector<Candidate> drivers_;
+};
+
+// The values that a person would try first, then the same number with fewer digits.
+std::vector<Word> simpler(Word word, shader::Scalar scalar) {
+    std::vector<Word> words;
+    if (!shader::is_float(scalar)) {
+        for (const Word simple : {0U, 1U, 2U})
+            if (simple < word) words.push_back(simple);
+        return words;
+    }
+    const float x = from_word<float>(word);
+    for (const float simple : {0.0F, 1.0F, 0.5F, 2.0F, -1.0F}) {
+        if (to_word(simple) == word) return words;  // already simple
+        words.push_back(to_word(simple));
+    }
+    if (!std::isfinite(x) || x == 0.0F) return words;
+    for (int digits = 1; digits <= 6; ++digits) {
+        const auto magnitude = static_cast<double>(std::abs(x));
+        const double unit = std::pow(10.0, std::floor(std::log10(magnitude)) - (digits - 1));
+        const auto rounded = static_cast<float>(std::round(x / unit) * unit);
+        if (rounded == x) return words;
+        words.push_back(to_word(rounded));
+    }
+    return words;
+}
+
+}  // namespace
+
+AuditSearch search(AuditRuns& runs, const AuditOptions& options) {
+    return Search(runs, options).run();
+}
+
+bool shows(Concern concern, const Reading& reading) {
+    switch (concern) {
+        case Concern::fault:
+            return !reading.fault.empty();
+        case Concern::not_finite:
+            return std::ranges::any_of(
+                reading.outputs, [](const OutputReading& output) { return !std::isfinite(output.value); });
+        default:
+            return std::ranges::any_of(reading.outputs, [](const OutputReading& output) {
+                return std::isfinite(output.value) &&
+                       (output.permitted.is_anything() || output.permitted.nan);
+            });
+    }
+}
+
+std::vector<Word> simplified(const AuditRuns& runs, std::vector<Word> words,
+                             const std::function<bool(const std::vector<Word>&)>& still) {
+    for (const Slot& slot : slots_of(runs.question())) {
+        const std::vector<shader::Scalar> scalars = scalars_of(slot.parameter->type);
+        for (std::size_t k = 0; k < slot.count; ++k) {
+            for (const Word simple : simpler(words[slot.first + k], scalars[k])) {
+                std::vector<Word> tried = words;
+                tried[slot.first + k] = simple;
+                if (!slot.values->admits(std::span(tried).subspan(slot.first, slot.count)) || !still(tried))
+                    continue;
+                words = std::move(tried);
+                break;
+            }
+        }
+    }
+    return words;
+}
+
+}  // namespace gloam::check::internal

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "audit/audit.hpp"
+#include "audit/internal/runs.hpp"
+
+namespace gloam::check::internal {
+
+// The worst input of a search so far.
+struct WorstInput {
+    double score = 0.0;  // 0: none
+    std::vector<Word> words;
+};
+
+// Inputs that show a concern, and how many of the random ones do.
+struct Examples {
+    std::vector<std::vector<Word>> random;
+    std::vector<std::vector<Word>> others;  // special values, and what the search met
+    std::size_t shown = 0;                  // random ones, those that are not kept included
+
+    // A random one, if there is one; null: there is none.
+    [[nodiscard]] const std::vector<Word>* first() const {
+        if (!random.empty()) return &random.front();
+        return others.empty() ? nullptr : &others.front();
+    }
+};
+
+// What the search of an audit found.
+struct AuditSearch {
+    Examples faults;
+    Examples not_finite;
+    Examples undefined;
+    Examples unspecified;  // of drawn inputs only
+    Examples parted;       // likewise; see Parting
+    WorstInput digits;
+    WorstInput drivers;
+    std::vector<std::vector<Word>> traced;  // some drawn inputs, for the lines of the source
+    std::size_t random = 0;                 // drawn without special values
+    std::size_t inputs = 0;
+    std::size_t too_long = 0;  // that did not come to their end
+};
+
+// Draws half of the inputs, some of them without special values, and climbs with the others: to where float32
+// loses most digits, and to where drivers may differ most. No input that it runs leaves the domain.
+[[nodiscard]] AuditSearch search(AuditRuns& runs, const AuditOptions& options);
+
+// Whether a reading shows a concern; an unspecified result is an undefined one of a reading with open gaps.
+[[nodiscard]] bool shows(Concern concern, const Reading& reading);
+
+// The same input with simpler numbers (0, 1, few digits) wherever `still` holds for them.
+[[nodiscard]] std::vector<Word> simplified(const AuditRuns& runs, std::vector<Word> words,
+                                           const std::function<bool(const std::vector<Word>&)>& still);
+
+// How each of the first results moves with each scalar float parameter, along lines through a few drawn
+// inputs: in double whether it rises, falls, turns or jumps; in float32 whether it goes backward. The rest is
+// left out once the runs have taken so many instructions.
+[[nodiscard]] std::vector<AuditMotion> motions(AuditRuns& runs, const AuditSearch& search,
+                                               std::uint64_t most_instructions);
+
+// A change of a text that may make a function more exact.
+struct Candidate {
+    std::size_t begin = 0;  // in the text
+    std::size_t end = 0;
+    std::string after;
+    std::string helper;  // a function that stands before; may be empty
+    std::string reason;
+    std::size_t declared_at = 0;  // in the text, at or before `begin`: where this comes to stand
+    std::string declaration;      // "float rest = 0.0; "; may be empty
+    bool wide = false;            // its intervals grow without need: two of its numbers cancel
+};
+
+// The well-known changes that a GLSL text without comments allows: 1 - cos, acos of a dot product, the
+// direction of a zero vector, a sum with what its roundings lost, and so on. None is tried.
+[[nodiscard]] std::vector<Candidate> candidates_of(std::string_view text);
+
+// Those of the function's own excerpt that help on the inputs of a search, and harm on none of them. Empty if
+// the lab has no excerpt of the function.
+[[nodiscard]] std::vector<AuditRewrite> rewrites(const Lab& lab, AuditRuns& runs, const AuditSearch& search,
+                                                 const std::vector<AuditFinding>& findings);
+
+}  // namespace gloam::check::internal

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+#include "audit/mutant.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <regex>
+
+#include "audit/internal/runs.hpp"
+#include "audit/internal/search.hpp"
+#include "check/kernel_code.hpp"
+#include "module/spirv.hpp"
+#include "module/texts.hpp"
+#include "numeric/numbers.hpp"
+
+namespace gloam::check {
+
+std::string name_of(Difference difference) {
+    static constexpr std::array names{"same on every input tried", "differs only where nothing is promised",
+                                      "differs within the budget", "differs", "not compared"};
+    return names.at(static_cast<std::size_t>(difference));
+}
+
+namespace {
+
+constexpr double small_error = 4.0;  // ULP
+
+// Whether a text has conditions besides the guard of an include.
+bool has_conditions(const std::string& text) {
+    static const std::regex condition(R"((?:^|\n)[ \t]*#[ \t]*(if\w*))");
+    std::smatch first;
+    if (!std::regex_search(text, first, condition)) return false;
+    return !first[1].str().starts_with("ifndef") || std::regex_search(first.suffix().str(), condition);
+}
+
+bool is_same(double a, double b) {
+    return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+std::string number_text(double number) {
+    constexpr double exact = 0x1p53;
+    if (std::isnan(number)) return "NaN";
+    const bool whole = std::abs(number) < exact && number == std::floor(number);
+    return whole ? fmt::format("{:.0f}", number) : fmt::format("{:.9g}", number);
+}
+
+std::string numbers_text(const std::vector<double>& numbers) {
+    std::vector<std::string> texts;
+    for (const double number : numbers) texts.push_back(number_text(number));
+    return numbers.empty() ? "no result" : fmt::format("{}", fmt::join(texts, ", "));
+}
+
+// The ordinary domain of a function, but a parameter of which nothing is known has all values of its type.
+Domain wide_domain(const OwnFunction& own, const Domain& any) {
+    std::vector<OrdinaryValues> ordinary = ordinary_values(own, {});
+    std::size_t k = 0;
+    for (const shader::Parameter& parameter : own.function.parameters) {
+        if (parameter.direction == shader::Direction::out) continue;
+        const Values& all = any.parameters().at(k++);
+        const auto known = std::ranges::find(ordinary, parameter.name, &OrdinaryValues::parameter);
+        if (known != ordinary.end() && known->reason == "type") known->values = all;
+    }
+    return ordinary_domain(own.function, ordinary);
+}
+
+// The original and a changed function, side by side.
+class Pair {
+  public:
+    Pair(internal::AuditRuns& original, internal::AuditRuns& changed)
+        : original_(original), changed_(changed), scalars_(original.question().signature.output_scalars()) {}
+
+    [[nodiscard]] Difference at(const std::vector<Word>& words) {
+        using Gaps = internal::AuditRuns::Gaps;
+        const std::vector<double> before = original_.in_float(words);
+        const std::vector<double> after = changed_.in_float(words);
+        if (before.size() == after.size() && std::ranges::equal(before, after, is_same))
+            return Difference::none;
+        if (before.empty()) return Difference::unpromised;
+        for (const Gaps gaps : {Gaps::closed, Gaps::open})
+            if (original_.is_undefined(words, original_.read(words, gaps), gaps))
+                return Difference::unpromised;
+        if (after.empty()) return Difference::real;
+        const std::vector<numeric::Bounds> permitted = original_.permitted(words);
+        Difference worst = Difference::none;
+        for (std::size_t w = 0; w < before.size(); ++w)
+            worst = std::max(worst, of_word(w, before[w], after[w], permitted[w]));
+        return worst;
+    }
+
+    // The results without and with the fault.
+    [[nodiscard]] std::pair<std::string, std::string> results(const std::vector<Word>& words) {
+        return {numbers_text(original_.in_float(words)), numbers_text(changed_.in_float(words))};
+    }
+
+  private:
+    // Vulkan promises no NaN: a driver may give any number in its place.
+    [[nodiscard]] Difference of_word(std::size_t w, double before, double after,
+                                     const numeric::Bounds& permitted) const {
+        if (is_same(before, after)) return Difference::none;
+        if (std::isnan(before) || permitted.is_anything()) return Difference::unpromised;
+        if (std::isnan(after)) return permitted.nan ? Difference::budget : Difference::real;
+        const bool finite = shader::is_float(scalars_[w]) && std::isfinite(before);
+        const bool near =
+            finite && std::abs(before - after) <= small_error * format_of(scalars_[w]).ulp(before);
+        return near || permitted.contains(after) ? Difference::budget : Difference::real;
+    }
+
+    internal::AuditRuns& original_;
+    internal::AuditRuns& changed_;
+    std::vector<shader::Scalar> scalars_;
+};
+
+}  // namespace
+
+MutantFile::MutantFile(std::filesystem::path path, std::string text, std::vector<std::filesystem::path> roots)
+    : path_(std::move(path)),
+      text_(std::move(text)),
+      roots_(std::move(roots)),
+      mutations_(shader::mutations({path_.string(), text_}, roots_)),
+      conditional_(has_conditions(text_)),
+      whole_(whole(text_)) {
+    const LabOptions options{.device = std::string(interpreter_name),
+                             .include_roots = roots_,
+                             .excerpts = shader::excerpts({path_.string(), text_}, roots_).functions};
+    lab_.emplace(options);
+    for (OwnFunction& function : own_functions(options, path_.filename().string()).found) {
+        try {
+            shader::Spirv module = shader::without_names(module_of(function, function.excerpt));
+            own_.push_back({std::move(function), std::move(module)});
+        } catch (const shader::CompileError&) {
+            continue;  // a kernel of it is no valid module: what a fault does to it is not known
+        }
+    }
+}
+
+shader::Spirv MutantFile::module_of(const OwnFunction& own, const std::string& text) const {
+    KernelSource source = lab_->source(path_.filename().string(), own.function.name, own.signature());
+    source.text = text;
+    source.preserve_nan = false;  // under that mode SPIRV-Tools folds nothing
+    const shader::CompileOptions options{.stage = stage_of(source.team),
+                                         .include_roots = roots_,
+                                         .variant = {.optimization = shader::Optimization::performance}};
+    return shader::compile({.name = "mutant", .text = kernel_code(source)}, options);
+}
+
+std::optional<shader::Spirv> MutantFile::whole(const std::string& text) const {
+    const auto stage = shader::stage_of_file(path_);
+    if (!stage) return std::nullopt;
+    try {
+        return shader::without_names(shader::compile(
+            {path_.string(), text}, {.stage = *stage,
+                                     .include_roots = roots_,
+                                     .variant = {.optimization = shader::Optimization::performance}}));
+    } catch (const shader::CompileError&) {
+        return std::nullopt;  // of another version, for example
+    }
+}
+
+std::vector<std::pair<const MutantFile::Own*, std::string>> MutantFile::changed_in(
+    const std::string& text) const {
+    std::vector<std::pair<const Own*, std::string>> changed;
+    const std::vector<shader::Excerpt> excerpts = shader::excerpts({path_.string(), text}, roots_).functions;
+    for (const Own& own : own_) {
+        const auto found =
+            std::ranges::find(excerpts, own.function.function.name, &shader::Excerpt::function);
+        if (found != excerpts.end() && found->text != own.function.excerpt)
+            changed.emplace_back(&own, found->text);
+    }
+    return changed;
+}
+
+Change MutantFile::change_of(const shader::Mutation& mutation) const {
+    const std::string text = shader::mutated(text_, mutation);
+    try {
+        (void)shader::mutations({path_.string(), text}, roots_);  // also of what no kernel holds
+        bool all_same = !conditional_ && !mutation.function.empty();
+        bool known = false;
+        for (const auto& [own, changed] : changed_in(text)) {
+            known = true;
+            all_same = shader::without_names(module_of(own->function, changed)) == own->module && all_same;
+        }
+        if (whole_) {
+            const auto module = whole(text);
+            if (!module) return Change::invalid;
+            all_same = *module == *whole_ && all_same;
+            known = known || mutation.function == "main";
+        }
+        return known && all_same ? Change::same : Change::other;
+    } catch (const shader::CompileError&) {
+        return Change::invalid;
+    }
+}
+
+MutantComparison MutantFile::compare(const shader::Mutation& mutation, std::size_t inputs,
+                                     std::uint64_t seed) const {
+    const auto changed = changed_in(shader::mutated(text_, mutation));
+    MutantComparison worst{.function = mutation.function};
+    for (const bool own_only : {true, false}) {
+        for (const auto& [own, text] : changed) {
+            if ((own->function.function.name == mutation.function) != own_only) continue;
+            MutantComparison one = compare(*own, text, inputs, seed);
+            const bool replaces =
+                worst.difference == Difference::unknown ||
+                (one.difference != Difference::unknown && one.difference > worst.difference);
+            if (replaces && one.difference != Difference::unknown) worst = std::move(one);
+        }
+        if (worst.difference != Difference::unknown) break;  // what calls it can show no more
+    }
+    return worst;
+}
+
+MutantComparison MutantFile::compare(const Own& own, const std::string& changed, std::size_t inputs,
+                                     std::uint64_t seed) const {
+    const std::string file = path_.filename().string();
+    MutantComparison result{.function = own.function.name};
+    try {
+        Question question = question_of(*lab_, file, own.function, {});
+        question.domain = wide_domain(own.function, question.domain);
+        for (const std::string& text : {own.function.excerpt, changed})
+            question.domain = question.domain.and_numbers(
+                question.signature, shader::float_constants(module_of(own.function, text)));
+        KernelSource source = lab_->source(file, question.function, question.signature);
+        source.text = changed;
+        internal::AuditRuns original(*lab_, question, seed);
+        internal::AuditRuns mutant(*lab_, question, source, original);
+        Pair pair(original, mutant);
+        const Domain::Inputs drawn = question.domain.draw(inputs, seed, original.image_size());
+        result.difference = Difference::none;
+        for (std::size_t i = 0; i < drawn.count() && result.difference != Difference::real; ++i) {
+            const std::vector<Word> words(drawn.row(i).begin(), drawn.row(i).end());
+            const Difference found = pair.at(words);
+            ++result.inputs;
+            if (found <= result.difference) continue;
+            result.difference = found;
+            result.words = words;
+        }
+        if (result.difference == Difference::none) return result;
+        result.words = internal::simplified(original, result.words, [&](const std::vector<Word>& tried) {
+            return pair.at(tried) == result.difference;
+        });
+        result.values = original.named(result.words);
+        std::tie(result.before, result.after) = pair.results(result.words);
+    } catch (const interpreter::Error&) {
+        result.difference = Difference::unknown;
+    } catch (const shader::CompileError&) {
+        result.difference = Difference::unknown;
+    }
+    return result;
+}
+
+}  // namespace gloam::check

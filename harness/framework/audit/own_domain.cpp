@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+#include "audit/own_domain.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <set>
+#include <span>
+#include <stdexcept>
+
+#include "audit/internal/parameter_meaning.hpp"
+#include "base/number.hpp"
+#include "source/tokens.hpp"
+
+namespace gloam::check {
+namespace {
+
+using shader::Scalar;
+using shader::Type;
+
+using internal::Kind;
+using internal::Meaning;
+using internal::usual_high;
+using internal::usual_low;
+
+constexpr long usual_index = 7;  // most integer parameters are indices, counts or modes
+
+std::string number_text(double x) {
+    return fmt::format("{:.7g}", x);
+}
+
+struct Described {
+    std::string text;
+    Values values;
+};
+
+// No one means subnormal numbers, or the smallest normal ones, though they lie in the range.
+Values without_tiny(Values values, Scalar scalar) {
+    const auto is_tiny = [scalar](std::span<const Word> words) {
+        const double magnitude = std::abs(from_word<double>(words.front()));
+        return magnitude > 0.0 && magnitude <= format_of(scalar).smallest_normal();
+    };
+    std::erase_if(values.fixed, [&](const Values::Fixed& fixed) { return is_tiny(fixed.words); });
+    values.contains = [contains = values.contains, is_tiny](std::span<const Word> words) {
+        return contains(words) && !is_tiny(words);
+    };
+    return values;
+}
+
+Values in_every_component(int components, const Values& values) {
+    return components == 1 ? values : vector(components, values);
+}
+
+// The largest usual number of a type.
+double usual_high_of(Scalar scalar) {
+    return std::min(usual_high, format_of(scalar).largest());
+}
+
+Described floats_with(const Meaning& meaning, Scalar scalar, int components) {
+    const double high = usual_high_of(scalar);
+    switch (meaning.kind) {
+        case Kind::unit:
+            return {components == 4 ? "unit quaternions" : "unit vectors", unit_vector(components)};
+        case Kind::positive:
+            return {fmt::format("{} to {}", number_text(usual_low), number_text(high)),
+                    in_every_component(components,
+                                       either(log_uniform(usual_low, high, scalar), uniform(1, 1, scalar)))};
+        default:
+            return {fmt::format("{} to {}", number_text(meaning.low), number_text(meaning.high)),
+                    in_every_component(components,
+                                       without_tiny(uniform(meaning.low, meaning.high, scalar), scalar))};
+    }
+}
+
+Described without_meaning(const Type& type, int components) {
+    const Scalar scalar = type.scalar;
+    if (scalar == Scalar::bool_) return {"false, true", in_every_component(components, booleans())};
+    if (!shader::is_float(scalar))
+        return {fmt::format("0 to {}", usual_index),
+                in_every_component(components, integers(0, usual_index))};
+    const double high = usual_high_of(scalar);
+    return {fmt::format("-{0} to {0}, half of them 0 to 1", number_text(high)),
+            in_every_component(components, either(without_tiny(uniform(0, 1, scalar), scalar),
+                                                  signed_log_uniform(usual_low, high, scalar)))};
+}
+
+// The length of the shortest array that a text indexes with this name alone: "weights[i]" where there is
+// "float weights[4]". nullopt if there is none.
+std::optional<long> indexed_length(shader::Tokens tokens, const std::string& name) {
+    std::optional<long> shortest;
+    for (std::size_t i = 2; i + 1 < tokens.size(); ++i) {
+        if (tokens[i] != name || tokens[i - 1] != "[" || tokens[i + 1] != "]") continue;
+        for (std::size_t d = 1; d + 3 < tokens.size(); ++d) {
+            if (tokens[d] != tokens[i - 2].text || !tokens[d - 1].is_word() || tokens[d + 1] != "[") continue;
+            const long length = base::number_from<long>(tokens[d + 2].text).value_or(0);
+            if (tokens[d + 3] == "]" && length > 0) shortest = std::min(shortest.value_or(length), length);
+        }
+    }
+    return shortest;
+}
+
+// The values of a parameter, or of a member of one.
+class Ordinary {
+  public:
+    Ordinary(const OwnFunction& own, const Ranges& ranges)
+        : tokens_(shader::tokens_of(own.excerpt)), comment_(own.comment), ranges_(ranges) {
+        for (const shader::Parameter& parameter : own.function.parameters) names_.insert(parameter.name);
+    }
+
+    // `range`: the parameter that may have a range.
+    void add(const Type& type, const std::string& name, const std::string& parameter,
+             std::vector<OrdinaryValues>& all) const {
+        if (!type.sizes.empty()) return add_array(type, name, parameter, all);
+        if (type.scalar == Scalar::sampler) {
+            all.push_back({name, "random images", "type", vector(std::vector<Values>{})});
+            return;
+        }
+        if (type.scalar == Scalar::structure) {
+            for (const shader::Member& member : type.members)
+                add(member.type, name + "." + member.name, parameter, all);
+            return;
+        }
+        const auto [described, reason] = values_of(type, name, parameter);
+        all.push_back({name, described.text, reason, described.values});
+    }
+
+  private:
+    // Every element has the values of one.
+    void add_array(const Type& type, const std::string& name, const std::string& parameter,
+                   std::vector<OrdinaryValues>& all) const {
+        Type element = type;
+        element.sizes.clear();
+        std::vector<OrdinaryValues> parts;
+        add(element, name, parameter, parts);
+        std::size_t count = 1;
+        for (const std::uint32_t size : type.sizes) count *= size;
+        std::vector<Values> elements;
+        std::vector<std::string> texts;
+        for (std::size_t i = 0; i < count; ++i)
+            for (const OrdinaryValues& part : parts) elements.push_back(part.values);
+        for (const OrdinaryValues& part : parts) texts.push_back(part.text);
+        Values values = vector(elements);
+        for (std::size_t k = 0; parts.size() == 1 && k < parts[0].values.fixed.size(); ++k) {
+            Values::Fixed& equal = values.fixed.emplace_back();  // all elements alike, for example all zero
+            for (std::size_t i = 0; i < count; ++i)
+                std::ranges::copy(parts[0].values.fixed[k].words, std::back_inserter(equal.words));
+        }
+        all.push_back({name, fmt::format("{} of {}", count, fmt::join(texts, "; ")),
+                       parts.empty() ? "type" : parts.front().reason, std::move(values)});
+    }
+
+    [[nodiscard]] std::pair<Described, std::string> values_of(const Type& type, const std::string& name,
+                                                              const std::string& parameter) const {
+        const int components = type.columns * type.rows;
+        const bool is_float = shader::is_float(type.scalar);
+        if (const auto range = ranges_.find(parameter); range != ranges_.end())
+            return {in_range(type.scalar, range->second, components), "--range"};
+        const bool is_vector = type.scalar == Scalar::float_ && type.columns == 1 && components > 1;
+        const std::string last = name.substr(name.rfind('.') + 1);
+        if (type.scalar != Scalar::bool_)
+            if (const auto meaning = internal::meaning_of_comment(comment_, last, names_, is_vector))
+                return {with(*meaning, type.scalar, components), "comment"};
+        if (!is_float && type.scalar != Scalar::bool_)
+            if (const auto length = indexed_length(tokens_, last))
+                return {in_range(type.scalar, {0.0, static_cast<double>(*length - 1)}, components), "array"};
+        if (is_float && type.columns > 1)
+            return {floats_with({Kind::range, -2.0, 2.0}, type.scalar, components), "type"};
+        if (is_float)
+            if (const auto meaning = internal::meaning_of_name(last, components);
+                meaning && (meaning->kind != Kind::unit || is_vector))
+                return {floats_with(*meaning, type.scalar, components), "name"};
+        return {without_meaning(type, components), "type"};
+    }
+
+    static Described in_range(Scalar scalar, const Range& range, int components) {
+        return with({Kind::range, range.low, range.high}, scalar, components);
+    }
+
+    static Described with(const Meaning& meaning, Scalar scalar, int components) {
+        if (shader::is_float(scalar)) return floats_with(meaning, scalar, components);
+        if (scalar == Scalar::bool_)
+            return without_meaning({.scalar = scalar, .members = {}, .name = {}}, components);
+        const bool any_size = meaning.kind != Kind::range;
+        const long low = any_size ? 1 : std::lround(std::clamp(meaning.low, -0x1p31, 0x1p32 - 1.0));
+        const long high = any_size ? static_cast<long>(usual_high)
+                                   : std::lround(std::clamp(meaning.high, -0x1p31, 0x1p32 - 1.0));
+        return {fmt::format("{} to {}", low, high), in_every_component(components, integers(low, high))};
+    }
+
+    std::vector<shader::Token> tokens_;
+    const std::string& comment_;
+    const Ranges& ranges_;
+    std::set<std::string> names_;
+};
+
+// The same values in each invocation of a quad, as one entry.
+OrdinaryValues in_quad(const shader::Parameter& parameter, const Type& type,
+                       const std::vector<OrdinaryValues>& parts) {
+    std::vector<Values> values;
+    std::vector<std::string> texts;
+    for (const OrdinaryValues& part : parts) {
+        values.push_back(part.values);
+        texts.push_back(part.text);
+    }
+    const bool pixels = parameter.name == fragment_coordinate;
+    return {parameter.name,
+            pixels ? "the pixels of a quad" : fmt::format("neighbours, each {}", fmt::join(texts, "; ")),
+            parts.empty() || pixels ? "type" : parts.front().reason,
+            neighbours(type, values.size() == 1 ? values.front() : vector(values), pixels)};
+}
+
+}  // namespace
+
+std::vector<OrdinaryValues> ordinary_values(const OwnFunction& own, const Ranges& ranges) {
+    const Ordinary ordinary(own, ranges);
+    std::vector<OrdinaryValues> all;
+    for (const shader::Parameter& parameter : own.function.parameters) {
+        if (parameter.direction == shader::Direction::out) continue;
+        if (own.team.kind != backend::Team::Kind::quad || !is_of_each(parameter)) {
+            ordinary.add(parameter.type, parameter.name, parameter.name, all);
+            continue;
+        }
+        const Type type = shader::element_of(parameter.type);
+        std::vector<OrdinaryValues> parts;
+        ordinary.add(type, parameter.name, parameter.name, parts);
+        all.push_back(in_quad(parameter, type, parts));
+    }
+    return all;
+}
+
+Domain ordinary_domain(const shader::Function& function, const std::vector<OrdinaryValues>& ordinary) {
+    std::vector<Values> parameters;
+    std::size_t next = 0;
+    const std::function<std::size_t(const Type&)> entries_of = [&](const Type& type) -> std::size_t {
+        if (type.scalar != Scalar::structure || !type.sizes.empty()) return 1;
+        std::size_t count = 0;
+        for (const shader::Member& member : type.members) count += entries_of(member.type);
+        return count;
+    };
+    for (const shader::Parameter& parameter : function.parameters) {
+        if (parameter.direction == shader::Direction::out) continue;
+        const std::size_t count = entries_of(parameter.type);
+        std::vector<Values> members;
+        for (std::size_t i = 0; i < count; ++i) members.push_back(ordinary.at(next++).values);
+        parameters.push_back(count == 1 ? members.front() : vector(members));
+    }
+    return Domain(std::move(parameters))
+        .and_related({.result = function.result, .parameters = function.parameters});
+}
+
+}  // namespace gloam::check

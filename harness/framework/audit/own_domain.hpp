@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "check/own_function.hpp"
+
+namespace gloam::check {
+
+// The values that a parameter usually has.
+struct OrdinaryValues {
+    std::string parameter;  // "x"; a structure's member: "light.color"
+    std::string text;       // "0 to 1", "unit vectors"
+    std::string reason;     // "--range", "comment", "name", "array", "type"
+    Values values;
+};
+
+// The values of each in and inout parameter of a function of a file from elsewhere, in order; a structure has
+// an entry for each member. The first of these that says something decides:
+//   the range with the name of the parameter;
+//   its comment, where it names the parameter: "x in [0, 1]", "x: 0 to 1", "x >= 0", "n: unit vector";
+//   the name: uv and colours in [0, 1], normals and directions unit vectors, angles in radians, and so on;
+//   the array that an integer indexes in its excerpt;
+//   the type: floats -1000 to 1000, half of them 0 to 1; integers 0 to 7.
+// Of a quad, neighbours differ as neighbours() says.
+[[nodiscard]] std::vector<OrdinaryValues> ordinary_values(const OwnFunction& own, const Ranges& ranges);
+
+// The same values as the domain of the function, in which vectors are also equal, opposite and parallel.
+[[nodiscard]] Domain ordinary_domain(const shader::Function& function,
+                                     const std::vector<OrdinaryValues>& ordinary);
+
+}  // namespace gloam::check

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <string_view>
+
+#include "audit/audit.hpp"
+#include "base/text.hpp"
+#include "numeric/numbers.hpp"
+
+namespace gloam::check {
+namespace {
+
+constexpr double half_noise = 0.5;  // digits that any chain of operations loses
+
+std::string at(const std::string& file, unsigned line) {
+    if (line == 0) return "in the kernel";
+    return fmt::format("{}:{}", base::one_line(std::filesystem::path(file).filename().string()), line);
+}
+
+std::string number(double x) {
+    return std::isnan(x) ? "NaN" : fmt::format("{:.9g}", x);
+}
+
+// "acos", "-": as the source has it, or the name in SPIR-V.
+std::string operation_text(const std::string& operation) {
+    static const std::map<std::string, std::string> operators{{"OpFAdd", "+"},
+                                                              {"OpFSub", "-"},
+                                                              {"OpFMul", "*"},
+                                                              {"OpVectorTimesScalar", "*"},
+                                                              {"OpFDiv", "/"},
+                                                              {"OpFMod", "mod"},
+                                                              {"OpDot", "dot"},
+                                                              {"OpFOrdLessThan", "<"},
+                                                              {"OpFOrdGreaterThan", ">"},
+                                                              {"OpFOrdLessThanEqual", "<="},
+                                                              {"OpFOrdGreaterThanEqual", ">="},
+                                                              {"OpFOrdEqual", "=="},
+                                                              {"OpFOrdNotEqual", "!="},
+                                                              {"OpFUnordNotEqual", "!="},
+                                                              {"OpConvertFToS", "int"},
+                                                              {"OpConvertFToU", "uint"},
+                                                              {"GLSL.std.450 Atan2", "atan"},
+                                                              {"GLSL.std.450 MatrixInverse", "inverse"}};
+    constexpr std::string_view set = "GLSL.std.450 ";
+    const auto found = operators.find(operation);
+    if (found != operators.end()) return found->second;
+    if (!operation.starts_with(set)) return operation;
+    const auto is_upper = [](char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; };
+    std::string name = operation.substr(set.size());
+    if (name.size() > 1 && name[0] == 'F' && is_upper(name[1])) name.erase(0, 1);  // FMix
+    return base::lower(name);
+}
+
+std::string share_text(double share) {
+    if (share == 0.0) return "for special values, or found by search";
+    return fmt::format("{:.3g} % of random inputs", 100.0 * share);
+}
+
+std::string bounds_text(const numeric::Bounds& bounds) {
+    if (bounds.is_anything()) return "anything";
+    if (bounds.empty()) return "NaN";
+    return fmt::format("{} to {}{}", number(bounds.low), number(bounds.high), bounds.nan ? ", or NaN" : "");
+}
+
+// Then their positions are printed.
+bool has_several_results(const Audit& audit) {
+    return std::ranges::any_of(audit.motions, [](const AuditMotion& motion) { return motion.output > 0; });
+}
+
+// Why a result has fewer digits than its operands.
+std::string loss_text(const AuditFinding& finding) {
+    if (!finding.cancels) return {};
+    const std::string& operation = finding.place.operation;
+    return operation == "OpFSub" || operation == "OpFAdd" ? ", cancellation"
+                                                          : ", which magnifies the error of its operands";
+}
+
+// " for x = 0.5"; nothing for a function without parameters.
+std::string inputs_text(const AuditFinding& finding) {
+    return finding.values.empty() ? "" : " for " + finding.values;
+}
+
+std::string finding_text(const AuditFinding& finding) {
+    const std::string place = to_text(finding.place);
+    std::string witnesses;
+    for (const AuditWitness& witness : finding.witnesses) witnesses += "\n      " + to_text(witness);
+    return fmt::format("  {:<15} {}\n     {} {}{}{}\n", name_of(finding.concern), extent_text(finding),
+                       finding.values.empty() ? "" : inputs_text(finding) + ":", result_text(finding),
+                       place.empty() ? "" : "\n      arises at " + place + loss_text(finding), witnesses);
+}
+
+std::string rewrite_text(const AuditRewrite& rewrite) {
+    return fmt::format("  {:<15} {}: {} -> {}\n      {}: {}\n", "rewrite", at(rewrite.file, rewrite.line),
+                       rewrite.before, rewrite.after, rewrite.reason, rewrite.gain);
+}
+
+}  // namespace
+
+std::string to_text(const AuditPlace& place) {
+    if (place.file.empty()) return {};
+    return fmt::format("{} ({})", at(place.file, place.line), operation_text(place.operation));
+}
+
+std::string to_text(const AuditWitness& witness) {
+    return fmt::format("{} on {}", number(witness.value), base::one_line(witness.device));
+}
+
+std::string result_text(const AuditFinding& finding) {
+    switch (finding.concern) {
+        case Concern::fault:
+            return base::one_line(finding.message);
+        case Concern::not_finite:
+            return fmt::format("{}{}", number(finding.value),
+                               std::isfinite(finding.exact) ? ", exactly " + number(finding.exact) : "");
+        case Concern::undefined:
+            if (finding.permitted.is_anything()) return "Vulkan permits any value";
+            [[fallthrough]];
+        case Concern::unspecified:
+            return fmt::format("{} here, Vulkan permits {}", number(finding.value),
+                               bounds_text(finding.permitted));
+        case Concern::parting:
+            return fmt::format("{}, {} {}", number(finding.value), finding.message,
+                               std::isnan(finding.exact) ? "a fault" : number(finding.exact));
+        case Concern::digits:
+            return fmt::format("{}, exactly {}", number(finding.value), number(finding.exact));
+        default:
+            return bounds_text(finding.permitted);
+    }
+}
+
+std::string extent_text(const AuditFinding& finding) {
+    if (finding.concern < Concern::digits) return share_text(finding.share);
+    return fmt::format("{} {:.1f} of {} digits", finding.concern == Concern::digits ? "up to" : "by",
+                       std::min(finding.lost, float_digits), float_digits);
+}
+
+std::string to_text(const AuditMotion& motion) {
+    // What was not tried may be otherwise.
+    constexpr std::string_view tried = " on the lines tried";
+    std::string text = motion.kind == AuditMotion::Kind::rising ? "rises" : "falls";
+    text += tried;
+    switch (motion.kind) {
+        case AuditMotion::Kind::constant:
+            return fmt::format("has no effect{}", tried);
+        case AuditMotion::Kind::rising:
+        case AuditMotion::Kind::falling:
+            if (motion.backward > 1.0)
+                text += fmt::format(", but goes back by up to {:.3g} ULP from one float to the next",
+                                    motion.backward);
+            return text;
+        case AuditMotion::Kind::turning:
+            if (motion.words.empty())
+                return fmt::format("rises or falls{}, as the other parameters are", tried);
+            return fmt::format("turns at {:.6g}, where the result is {:.6g}", motion.at, motion.before);
+        default:
+            return fmt::format("jumps at {:.9g} from {:.6g} to {:.6g}{}", motion.at, motion.before,
+                               motion.behind, motion.line == 0 ? "" : ", at " + at(motion.file, motion.line));
+    }
+}
+
+std::string half_text(const AuditFinding& half) {
+    const std::string place = to_text(half.place);
+    if (std::isinf(half.lost)) return fmt::format("overflows{} at {}", inputs_text(half), place);
+    if (half.lost < half_noise) return "loses little beyond its rounding";
+    return fmt::format("{:.4g} instead of {:.4g}{} ({:.1f} of {} digits lost, most at {})", half.value,
+                       half.exact, inputs_text(half), std::min(half.lost, half_digits), half_digits, place);
+}
+
+std::vector<std::string> missed(const Coverage& coverage) {
+    std::vector<std::string> all;
+    for (const Coverage::Point& point : coverage.points)
+        if (!point.reached)
+            all.push_back(fmt::format("{}: {}{}", at(point.file, point.line),
+                                      point.way.empty() ? "" : "never " + point.way + ": ", point.text));
+    return all;
+}
+
+std::string to_text(const Audit& audit) {
+    std::string text = fmt::format("{}: {}\n", audit.file, audit.declaration);
+    const auto line = [&text](const std::string& title, const std::string& rest) {
+        text += fmt::format("  {:<15} {}\n", title, rest);
+    };
+    for (const OrdinaryValues& values : audit.domain)
+        line(values.parameter, fmt::format("{} ({})", values.text, values.reason));
+    line("inputs", fmt::format("{}, of these {} random", audit.inputs, audit.random));
+    for (const AuditFinding& finding : audit.findings) text += finding_text(finding);
+    if (!audit.was_run())
+        line("not audited",
+             audit.inputs == 0
+                 ? "no input could be run; --inputs N draws more"
+                 : fmt::format("each of the {} inputs takes more than {} instructions; --range NAME=LOW:HIGH "
+                               "limits them to those that the function is made for",
+                               audit.inputs, most_audited_instructions));
+    else if (audit.findings.empty())
+        line("well", "no input gives NaN, infinity or an undefined result, and none loses digits");
+    for (const AuditMotion& motion : audit.motions)
+        line("motion",
+             fmt::format("{}{}: {}", motion.parameter,
+                         has_several_results(audit) ? fmt::format(" (result {})", motion.output) : "",
+                         to_text(motion)));
+    for (const std::string& way : missed(audit.coverage)) line("not reached", way);
+    if (audit.half) line("half precision", half_text(*audit.half));
+    for (const AuditRewrite& rewrite : audit.rewrites) text += rewrite_text(rewrite);
+    return text;
+}
+
+}  // namespace gloam::check

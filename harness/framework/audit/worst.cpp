@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "audit/worst.hpp"
+
+#include <algorithm>
+
+#include "audit/internal/moves.hpp"
+#include "check/session.hpp"
+
+namespace gloam::check {
+namespace {
+
+constexpr std::size_t drawn_part = 4;     // one of this many inputs is drawn at random
+constexpr std::size_t generation = 1024;  // inputs of one dispatch
+
+// Runs a generation, and sets its scores.
+void evaluate(const Session& session, const Domain& domain, Answer& answer,
+              std::vector<internal::Moves::Candidate>& candidates) {
+    Domain::Inputs inputs;
+    for (const auto& candidate : candidates) {
+        inputs.add(candidate.words);
+        domain.adjust(std::span(inputs.words).last(inputs.width));
+    }
+    std::vector<double> fractions(candidates.size());
+    session.judge(session.run(std::move(inputs), answer), answer, fractions);
+    for (std::size_t i = 0; i < candidates.size(); ++i) candidates[i].score = fractions[i];
+}
+
+}  // namespace
+
+SearchResult search(const Lab& lab, const Question& question, const SearchOptions& options) {
+    using internal::Moves;
+    SearchResult found;
+    const auto climb = [&](const Session& session, const ImageScenario& scenario, std::size_t share,
+                           Answer& answer) {
+        if (question.domain.parameters().empty() || share == 0) return;
+        const std::size_t drawn = std::max<std::size_t>(share / drawn_part, 1);
+        Moves moves(question, drawn, scenario.size, session.input_seed(), options.seed);
+        std::vector<Moves::Candidate> pool;
+        const auto run = [&](std::vector<Moves::Candidate>& some) {
+            evaluate(session, question.domain, answer, some);
+        };
+        std::vector<Moves::Candidate> first = moves.drawn_candidates();
+        run(first);
+        Moves::add(std::move(first), pool);
+        if (!pool.empty()) found.drawn_fraction = std::max(found.drawn_fraction, pool.front().score);
+        moves.climb(pool, share - drawn, generation, run, [] { return true; });
+    };
+    found.answer = answered(lab, question, options.inputs, options.seed,
+                            options.verdict.value_or(verdict_of(lab.options().variant, question)), climb);
+    return found;
+}
+
+}  // namespace gloam::check

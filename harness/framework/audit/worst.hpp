@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "check/run.hpp"
+
+namespace gloam::check {
+
+struct SearchOptions {
+    std::size_t inputs = 65'536;  // evaluated in total
+    std::uint64_t seed = 1;
+    // The search maximises the error as a fraction of what this verdict allows. Empty: the verdict of the
+    // lab's variant.
+    std::optional<Verdict> verdict{};
+};
+
+// The result of a search for one function.
+struct SearchResult {
+    Answer answer;                // over all evaluated inputs
+    double drawn_fraction = 0.0;  // the largest of the inputs drawn at random, before the climb
+};
+
+// Searches for the inputs with the largest error. A quarter of the inputs is drawn at random. The others
+// start from the worst inputs so far and move to neighbouring floats, by powers of two up to whole exponents,
+// or exchange parameters. All stay inside the domain. Throws like run().
+[[nodiscard]] SearchResult search(const Lab& lab, const Question& question,
+                                  const SearchOptions& options = {});
+
+}  // namespace gloam::check

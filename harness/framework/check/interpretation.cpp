@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "check/interpretation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "interpreter/program.hpp"
+#include "module/spirv.hpp"
+#include "numeric/numbers.hpp"
+#include "numeric/paths.hpp"
+
+namespace gloam::check {
+namespace {
+
+// Limit for one input, all paths together. Beyond it every result counts as permitted.
+constexpr std::uint64_t most_path_steps = 4'000'000;
+
+numeric::Bounds bounds_of(const numeric::Interval& x) {
+    return x.bounds();
+}
+numeric::Bounds bounds_of(const numeric::Rearranged& x) {
+    return x.interval().bounds();
+}
+
+// What a module asks a driver to keep. What the interpreter runs keeps everything.
+numeric::Paths::Specials specials_of(const KernelModule& module, const shader::Spirv& words) {
+    using enum numeric::Paths::Specials;
+    if (module.rounds_to_even) return kept;
+    return shader::preserves_specials(words) ? listed : dropped;
+}
+
+}  // namespace
+
+Decoded::Decoded(const KernelModules& modules, const ImageSet& images) {
+    for (const auto& module : modules) {
+        const shader::Spirv& words = module->before.empty() ? module->spirv : module->before;
+        parts_.push_back({.module = *module,
+                          .program = interpreter::Program(words, module->constants),
+                          .images = image_words(module->prototypes, images, "the kernel"),
+                          .specials = specials_of(*module, words)});
+    }
+}
+
+Interpretation::Place Interpretation::place_of(std::size_t index) const {
+    const std::vector<Decoded::Part>& parts = decoded_.parts();
+    if (parts.size() == 1) return {0, parts.front().module.fixed_inputs == 0 ? 0 : index};
+    std::size_t part = 0;
+    while (index >= parts.at(part).module.fixed_inputs) index -= parts[part++].module.fixed_inputs;
+    return {part, index};
+}
+
+template <class N>
+InterpretedKernel<N>& Interpretation::kernel(std::size_t part) {
+    const Decoded::Part& from = decoded_.parts()[part];
+    auto& made = std::get<Made<N>>(parts_[part]);
+    if (!made) made = std::make_unique<InterpretedKernel<N>>(from.program, from.module, from.images);
+    return *made;
+}
+
+bool Interpretation::is_exact(const InputRow& input, std::span<const Word> got) {
+    const Place at = place_of(input.index);
+    InterpretedKernel<float>& floats = kernel<float>(at.part);
+    try {
+        floats.run(input.words, at.index);
+    } catch (const interpreter::Error& error) {
+        if (error.is_of_group()) throw;
+        return false;  // undefined: a device may return any value
+    }
+    exact_.clear();
+    for (std::size_t w = 0; w < got.size(); ++w) exact_.push_back(floats.output(w).bits());
+    return same_bits(outputs_, got, exact_);
+}
+
+std::uint64_t Interpretation::calculate(const InputRow& input, std::vector<double>& outputs) {
+    const Place at = place_of(input.index);
+    InterpretedKernel<double>& doubles = kernel<double>(at.part);
+    outputs.clear();
+    const std::uint64_t before = doubles.machine().steps();
+    doubles.machine().set_limit(most_instructions);
+    // A race may show in one order only.
+    if (decoded_.parts()[at.part].module.team.kind == backend::Team::Kind::group) {
+        doubles.set_order(interpreter::Order::backward);
+        doubles.run(input.words, at.index);
+        doubles.set_order(interpreter::Order::forward);
+    }
+    doubles.run(input.words, at.index);
+    for (std::size_t w = 0; w < outputs_.size(); ++w) {
+        const auto value = doubles.output(w);
+        const auto why = doubles.machine().why_undefined(value);
+        if (why && (why->is_used || w < results_)) {
+            constexpr auto kind = interpreter::Error::Kind::undefined;
+            if (why->place.function.empty()) throw interpreter::Error(kind, why->cause);
+            throw interpreter::Error(kind, why->cause, why->place);
+        }
+        outputs.push_back(shader::is_float(outputs_[w]) ? value.number()
+                                                        : whole_number(outputs_[w], value.bits()));
+    }
+    return doubles.machine().steps() - before;
+}
+
+bool Interpretation::holds(std::span<const numeric::Bounds> outcome, std::span<const Word> got) const {
+    for (std::size_t w = 0; w < got.size(); ++w)
+        if (!outcome[w].contains(number_at(outputs_[w], got[w]))) return false;
+    return true;
+}
+
+// Explores all paths, or the paths up to the first one that yields `until`.
+template <class N>
+void Interpretation::explore(InterpretedKernel<N>& kernel, const InputRow& input, std::size_t index,
+                             std::span<const Word> until, Permitted& permitted) {
+    permitted.width = outputs_.size();
+    permitted.outcomes.clear();
+    const std::uint64_t before = kernel.machine().steps();
+    const auto run = [&] {
+        try {
+            kernel.machine().set_limit(most_path_steps -
+                                       std::min(most_path_steps, kernel.machine().steps() - before));
+            kernel.run(input.words, index);
+            for (std::size_t w = 0; w < outputs_.size(); ++w) {
+                const auto value = kernel.output(w);
+                permitted.outcomes.push_back(
+                    shader::is_float(outputs_[w])
+                        ? bounds_of(value.number())
+                        : numeric::Bounds::point(whole_number(outputs_[w], value.bits())));
+            }
+        } catch (const interpreter::Error&) {
+            throw numeric::Paths::Undetermined{};
+        }
+        if (!until.empty() && holds(permitted.outcome(permitted.count() - 1), until))
+            throw numeric::Paths::Enough{};
+    };
+    const bool to_even = decoded_.parts().front().module.rounds_to_even;
+    const auto rounding = to_even ? numeric::Paths::Rounding::to_even : numeric::Paths::Rounding::either;
+    const auto specials =
+        of_driver_ ? decoded_.parts()[place_of(input.index).part].specials : numeric::Paths::Specials::kept;
+    const auto outcome = numeric::Paths::explore(numeric::float32, most_paths, run,
+                                                 numeric::Paths::Gaps::open, rounding, specials);
+    permitted.anything =
+        outcome == numeric::Paths::Outcome::undetermined || outcome == numeric::Paths::Outcome::too_many;
+    steps_ += kernel.machine().steps() - before;
+}
+
+bool Interpretation::is_permitted(const InputRow& input, std::span<const Word> got) {
+    if (got.empty()) return true;
+    const Place at = place_of(input.index);
+    const auto permits = [&](auto& kernel_of_type) {
+        explore(kernel_of_type, input, at.index, got, found_);
+        return found_.anything || holds(found_.outcome(found_.count() - 1), got);
+    };
+    if (permits(kernel<numeric::Interval>(at.part))) return true;
+    return decoded_.parts()[at.part].program.may_be_rearranged() &&
+           permits(kernel<numeric::Rearranged>(at.part));
+}
+
+void Interpretation::all_permitted(const InputRow& input, Permitted& permitted) {
+    const Place at = place_of(input.index);
+    if (decoded_.parts()[at.part].program.may_be_rearranged()) {
+        explore(kernel<numeric::Rearranged>(at.part), input, at.index, {}, permitted);
+    } else {
+        explore(kernel<numeric::Interval>(at.part), input, at.index, {}, permitted);
+    }
+}
+
+}  // namespace gloam::check

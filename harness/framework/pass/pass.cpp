@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT
+#include "pass/pass.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <ostream>
+
+#include "module/include.hpp"
+#include "module/module.hpp"
+#include "numeric/numbers.hpp"
+#include "pass/internal/work.hpp"
+
+namespace gloam::check {
+
+using internal::Bound;
+using internal::PassSlot;
+using internal::PassWork;
+
+struct Pass::Impl {
+    const Lab* lab;
+    internal::PassInterface interface;
+};
+
+namespace {
+
+shader::Spirv compiled(const Lab& lab, const std::string& file) {
+    std::filesystem::path path;
+    try {
+        path = shader::resolve_include(file, {}, lab.options().include_roots);
+    } catch (const std::runtime_error& error) {
+        throw std::invalid_argument(file + ": " + error.what());
+    }
+    shader::CompileOptions options = lab.compile_options();
+    options.lines = lab.info().type == interpreter_name;  // its errors have a place
+    shader::Spirv module = lab.compile({.name = path.string(), .text = shader::read_text(path)}, options);
+    if (const std::string other = shader::spirv::other_number(module); !other.empty())
+        throw std::invalid_argument(file + ": " + shader::spirv::not_judged(other));
+    return module;
+}
+
+// Two contents of what is not given, of images exact in every format. What holds both, each in its run, was
+// not written.
+Word canary_of(const Bound& bound, std::size_t run) {
+    if (run == 0) return 0U;
+    if (bound.kind != Bound::Kind::image) return 0xFFFFFFFFU;
+    return bound.integers ? 1U : std::bit_cast<Word>(1.0F);
+}
+
+// Whether something is fresh.
+bool fill(PassWork& work, std::size_t run) {
+    bool any = false;
+    for (Bound& bound : work.bindings)
+        for (std::size_t w = 0; w < bound.fresh.size(); ++w)
+            if (bound.fresh[w]) bound.words[w] = canary_of(bound, run), any = true;
+    return any;
+}
+
+// What a binding holds after both runs.
+struct Written {
+    const Bound& first;
+    const Bound& second;
+
+    [[nodiscard]] bool lacks(std::size_t w) const {
+        return w < first.fresh.size() && first.fresh[w] && first.words[w] == canary_of(first, 0) &&
+               second.words[w] == canary_of(first, 1);
+    }
+};
+
+// An image of the first of two runs; poison where nothing was written.
+PassImage image_of(const std::string& name, const Written& after, const shader::Type& pixel) {
+    PassImage image{{.element = pixel, .size = after.first.size, .words = {}}, name, {}};
+    const auto channels = static_cast<std::size_t>(pixel.rows);
+    const Word poison =
+        after.first.integers ? 0xFFFFFFFFU : std::bit_cast<Word>(std::numeric_limits<float>::quiet_NaN());
+    for (std::size_t at = 0; at < after.first.words.size(); at += internal::texel_words) {
+        bool untouched = true;
+        for (std::size_t c = at; c < at + channels; ++c) untouched = untouched && after.lacks(c);
+        image.unwritten.push_back(untouched);
+        for (std::size_t c = at; c < at + channels; ++c)
+            image.words.push_back(untouched ? poison : after.first.words[c]);
+    }
+    if (std::ranges::count(image.unwritten, true) == 0) image.unwritten.clear();
+    return image;
+}
+
+PassResult::Values values_of(const PassSlot& slot, const Written& after) {
+    const std::size_t bytes = after.first.words.size() * sizeof(Word);
+    const std::size_t elements =
+        slot.member.stride == 0 ? 0 : (bytes - slot.member.offset) / slot.member.stride;
+    PassResult::Values values{.type = slot.type, .words = {}};
+    values.type.sizes.assign(slot.type.sizes.empty() ? 0 : 1, 0U);
+    for (const std::size_t place : internal::places_of(slot.member, elements)) {
+        values.words.push_back(after.first.words[place / sizeof(Word)]);
+        values.unwritten += after.lacks(place / sizeof(Word)) ? 1 : 0;
+    }
+    return values;
+}
+
+PassResult result_of(const internal::PassInterface& pass, const PassWork& first, const PassWork& second) {
+    std::map<std::string, PassImage> images;
+    std::map<std::string, PassResult::Values> values;
+    for (const PassSlot& slot : pass.slots) {
+        if (slot.kind != PassSlot::Kind::image && slot.kind != PassSlot::Kind::buffer_member) continue;
+        const shader::Binding& binding = pass.declared.bindings[slot.index];
+        if (!binding.writes) continue;
+        const Written after{first.bindings[binding.number], second.bindings[binding.number]};
+        if (slot.kind == PassSlot::Kind::image)
+            images.emplace(slot.name, image_of(pass.name + ": " + slot.name, after, slot.type));
+        else
+            values.emplace(slot.name, values_of(slot, after));
+    }
+    return {std::move(images), std::move(values), pass.name};
+}
+
+template <class Map>
+const typename Map::mapped_type& found_in(const Map& all, const std::string& name, const std::string& pass,
+                                          const char* what) {
+    const auto found = all.find(name);
+    if (found != all.end()) return found->second;
+    std::vector<std::string> names;
+    for (const auto& [known, value] : all) names.push_back(known);
+    throw std::invalid_argument(
+        fmt::format("{}: writes no {} \"{}\", expected one of: {}", pass, what, name,
+                    names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+}
+
+}  // namespace
+
+Pass::Pass(const Lab& lab, const std::string& file)
+    : impl_(std::make_shared<const Impl>(&lab, internal::interface_of(file, compiled(lab, file)))) {}
+
+PassResult Pass::run(const PassInputs& inputs, const PassOptions& options) const {
+    const Lab& lab = *impl_->lab;
+    PassWork first = internal::bound(impl_->interface, inputs, options);
+    const auto run = [&](PassWork& work) {
+        if (lab.info().type == interpreter_name)
+            internal::run_interpreted(impl_->interface, work);
+        else
+            internal::run_on_device(lab.device(), impl_->interface, work);
+    };
+    PassWork second = first;
+    const bool twice = fill(first, 0);
+    run(first);
+    if (twice) {
+        (void)fill(second, 1);
+        run(second);
+    }
+    lab.require_silent_validation();
+    return result_of(impl_->interface, first, twice ? second : first);
+}
+
+const PassImage& PassResult::image(const std::string& name) const {
+    return found_in(images_, name, pass_, "image");
+}
+
+const PassResult::Values& PassResult::values_of(const std::string& name, const shader::Type& element) const {
+    const Values& found = found_in(values_, name, pass_, "buffer member");
+    shader::Type expected = found.type;
+    expected.sizes.clear();
+    if (!(expected == element))
+        throw std::invalid_argument(fmt::format("{}: \"{}\" holds {}, asked for {}", pass_, name,
+                                                shader::name_of(expected), shader::name_of(element)));
+    return found;
+}
+
+std::string PassResult::unwritten() const {
+    std::string text;
+    for (const auto& [name, image] : images_) {
+        const auto first = std::ranges::find(image.unwritten, true);
+        if (first == image.unwritten.end()) continue;
+        const auto at = static_cast<int>(first - image.unwritten.begin());
+        text += fmt::format("{}: {} of {} pixels were not written, the first ({}, {})\n", image.name,
+                            std::ranges::count(image.unwritten, true), image.unwritten.size(),
+                            at % image.size.x, at / image.size.x);
+    }
+    for (const auto& [name, value] : values_)
+        if (value.unwritten > 0)
+            text += fmt::format("{}: {}: {} of {} words were not written\n", pass_, name, value.unwritten,
+                                value.words.size());
+    return text;
+}
+
+namespace {
+
+bool is_float(const Image& image) {
+    return image.element.scalar == shader::Scalar::float_;
+}
+
+double difference_of(const Image& image, Word got, Word want) {
+    if (is_float(image))
+        return numeric::absolute_error(std::bit_cast<float>(got), std::bit_cast<float>(want));
+    if (image.element.scalar == shader::Scalar::int_)
+        return std::abs(1.0 * std::bit_cast<std::int32_t>(got) - std::bit_cast<std::int32_t>(want));
+    return std::abs(1.0 * got - want);
+}
+
+std::string text_of(const Image& image, Word word) {
+    if (is_float(image)) return numeric::to_text(std::bit_cast<float>(word));
+    const bool is_signed = image.element.scalar == shader::Scalar::int_;
+    return fmt::format("{} (0x{:08x})",
+                       is_signed ? std::int64_t{std::bit_cast<std::int32_t>(word)} : std::int64_t{word},
+                       word);
+}
+
+void require_alike(const PassImage& image, const Image& reference) {
+    if (!(reference.element == image.element))
+        throw std::invalid_argument(fmt::format("{}: is compared with {}, expected {}", image.name,
+                                                shader::name_of(reference.element),
+                                                shader::name_of(image.element)));
+    if (reference.size != image.size)
+        throw std::invalid_argument(fmt::format("{}: is {} x {}, the reference {} x {}", image.name,
+                                                image.size.x, image.size.y, reference.size.x,
+                                                reference.size.y));
+}
+
+}  // namespace
+
+ImageComparison PassImage::compare(const Image& reference, double tolerance) const {
+    require_alike(*this, reference);
+    ImageComparison compared;
+    const std::size_t components = scalars_of(element).size();
+    const std::size_t pixels = words.size() / components;
+    std::size_t worst = words.size();
+    for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+        bool outside = !unwritten.empty() && unwritten[pixel];
+        for (std::size_t w = pixel * components; w < (pixel + 1) * components; ++w) {
+            const double difference = difference_of(*this, words[w], reference.words[w]);
+            outside = outside || difference > tolerance;
+            if (difference > compared.largest) compared.largest = difference, worst = w;
+        }
+        compared.outside += outside ? 1 : 0;
+    }
+    const auto width = static_cast<std::size_t>(size.x);
+    if (worst < words.size())
+        compared.worst = {static_cast<int>(worst / components % width),
+                          static_cast<int>(worst / components / width)};
+    if (compared.outside == 0) return compared;
+    const auto missing = std::ranges::count(unwritten, true);
+    compared.story =
+        fmt::format("{}: {} of {} pixels differ by more than {:g}{}\n", name, compared.outside, pixels,
+                    tolerance, missing == 0 ? "" : fmt::format(", {} of them not written", missing));
+    if (worst < words.size())
+        compared.story +=
+            fmt::format("  pixel ({}, {}) component {}: got {}, expected {}, difference {:.6g}\n",
+                        compared.worst.x, compared.worst.y, worst % components, text_of(*this, words[worst]),
+                        text_of(*this, reference.words[worst]), compared.largest);
+    return compared;
+}
+
+std::ostream& operator<<(std::ostream& stream, const ImageComparison& comparison) {
+    if (comparison) return stream << fmt::format("largest difference {:g}\n", comparison.largest);
+    return stream << comparison.story;
+}
+
+}  // namespace gloam::check

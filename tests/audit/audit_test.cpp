@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: MIT
+// Where a function itself goes wrong.
+#include "audit/audited.hpp"
+#include "audit/internal/search.hpp"
+#include "audit/own_domain.hpp"
+#include "support/lab.hpp"
+
+namespace gloam::check::audit_test {
+
+using audited::Audited;
+using audited::find;
+
+using testing::Field;
+
+const Audited& fixture() {
+    static const Audited audited(shader::read_text(std::filesystem::path(FIXTURES) / "audit.glsl"));
+    return audited;
+}
+
+TEST(Audit, FindsNothingInASoundFunction) {
+    const Audit audit = fixture().audit("sound");
+    EXPECT_THAT(audit.findings, IsEmpty()) << to_text(audit);
+    EXPECT_THAT(audit.rewrites, IsEmpty());
+    EXPECT_FALSE(audit.is_broken());
+    EXPECT_TRUE(audit.coverage.is_complete());
+    ASSERT_EQ(audit.motions.size(), 1U);
+    EXPECT_EQ(audit.motions[0].kind, AuditMotion::Kind::rising);
+}
+
+// The dot product of a unit vector with itself is sometimes more than 1.
+TEST(Audit, FindsNaNWhereRoundingLeavesTheDomain) {
+    const Audit audit = fixture().audit("angle_between");
+    const AuditFinding* const finding = find(audit, Concern::not_finite);
+    ASSERT_NE(finding, nullptr) << to_text(audit);
+    EXPECT_TRUE(std::isnan(finding->value));
+    EXPECT_EQ(finding->place.line, 10U);
+    EXPECT_EQ(finding->place.operation, "GLSL.std.450 Acos");
+    EXPECT_TRUE(audit.is_broken());
+    // A driver confirms it: acos of the same dot product is NaN, or the product is rounded otherwise.
+    const Lab lab = test::make_lab(FIXTURES);
+    const KernelCore kernel =
+        lab.kernel("audit.glsl", "angle_between", SignatureOf<float(glm::vec3, glm::vec3)>::describe());
+    const float seen = from_word<float>(kernel.run(finding->words, 1).outputs.at(0));
+    EXPECT_TRUE(std::isnan(seen) || seen < 1e-3F) << seen;
+}
+
+TEST(Audit, NamesTheOperationAndTheShareOfInputs) {
+    const AuditFinding* const finding = [] {
+        static const Audit audit = fixture().audit("undefined_root");
+        return find(audit, Concern::not_finite);
+    }();
+    ASSERT_NE(finding, nullptr);
+    EXPECT_EQ(finding->values, "x = 0") << "the simplest input that shows it";
+    EXPECT_NEAR(finding->share, 0.5, 0.08);
+    EXPECT_EQ(finding->place.line, 16U);
+}
+
+// Zero to a power is zero on every driver, though Vulkan states no precision.
+TEST(Audit, TellsUnspecifiedFromUndefined) {
+    const Audit audit = fixture().audit("gamma_curve");
+    EXPECT_EQ(find(audit, Concern::undefined), nullptr) << to_text(audit);
+    const AuditFinding* const finding = find(audit, Concern::unspecified);
+    ASSERT_NE(finding, nullptr);
+    EXPECT_EQ(finding->values, "x = 0");
+    EXPECT_FALSE(audit.is_broken());
+    EXPECT_NE(find(fixture().audit("gamma_curve", {{"x", {-1.0, 1.0}}}), Concern::not_finite), nullptr)
+        << "a negative number has no power";
+}
+
+// The bounds of the two factors of a square include both signs; the square has one.
+TEST(Audit, KnowsThatASquareIsNotNegative) {
+    const std::string noise = "vec2 noise(vec2 uv) { return fract(sin(uv * 12.9898) * 43758.5453) - 0.5; }\n";
+    for (const char* root : {"length(n)", "distance(n, vec2(0.1))", "sqrt(n.x * n.x)", "sqrt(dot(n, n))"}) {
+        const Audit audit =
+            Audited(noise + "float f(vec2 uv) { vec2 n = noise(uv); return " + root + "; }").audit("f");
+        EXPECT_EQ(find(audit, Concern::undefined), nullptr) << to_text(audit);
+    }
+    EXPECT_NE(find(Audited(noise + "float f(vec2 uv) { return sqrt(noise(uv).x * noise(uv).y); }").audit("f"),
+                   Concern::not_finite),
+              nullptr);
+}
+
+// Near 0.5 some drivers have y at or below 0, but none of them takes the logarithm there.
+TEST(Audit, BelievesAGuard) {
+    const std::string y = "float f(float x) { float y = x / 3.0 * 3.0 - 0.5; ";
+    const Ranges range{{"x", {0.5, 0.500001}}};
+    const Audit guarded = Audited(y + "if (y > 0.0) return log2(y); return 0.0; }").audit("f", range);
+    EXPECT_EQ(find(guarded, Concern::undefined), nullptr) << to_text(guarded);
+    EXPECT_EQ(find(guarded, Concern::not_finite), nullptr) << to_text(guarded);
+    const Audit inexact = Audited(y + "if (x > 0.5) return log2(y); return 0.0; }").audit("f", range);
+    EXPECT_NE(find(inexact, Concern::undefined), nullptr)
+        << "a quotient may be off by 2.5 ULP, and y then at or below 0";
+}
+
+TEST(Audit, FindsWhereDigitsAreLostAndWhatHelps) {
+    const Audit lost = fixture().audit("cancelling", {{"x", {1.0, 1e4}}});
+    const AuditFinding* const finding = find(lost, Concern::digits);
+    ASSERT_NE(finding, nullptr) << to_text(lost);
+    EXPECT_GT(finding->lost, 6.0);
+    EXPECT_TRUE(finding->cancels);
+    EXPECT_EQ(finding->place.line, 27U);
+    EXPECT_EQ(finding->place.operation, "OpFSub");
+    const auto line = std::ranges::find(lost.lines, 27U, &AuditLine::line);
+    ASSERT_NE(line, lost.lines.end());
+    EXPECT_GT(line->lost, 6.0);
+
+    const Audit arc = fixture().audit("arc");
+    EXPECT_THAT(arc.rewrites, Contains(AllOf(Field(&AuditRewrite::line, 32U),
+                                             Field(&AuditRewrite::before, "sqrt(1.0 - x * x)"),
+                                             Field(&AuditRewrite::after, "sqrt((1.0 - x) * (1.0 + x))"))))
+        << to_text(arc);
+}
+
+TEST(Audit, FindsHowFarDriversMayBeApart) {
+    const Audit audit = fixture().audit("arc");
+    const AuditFinding* const finding = find(audit, Concern::drivers);
+    ASSERT_NE(finding, nullptr);
+    EXPECT_LE(finding->permitted.low, finding->exact);
+    EXPECT_GE(finding->permitted.high, finding->exact);
+    EXPECT_GT(finding->permitted.high - finding->permitted.low, 1e-5);
+    EXPECT_LT(find(fixture().audit("sound"), Concern::drivers), finding) << "none";
+}
+
+TEST(Audit, FindsJumpsAndDirections) {
+    const Audit audit = fixture().audit("jumping");
+    ASSERT_EQ(audit.motions.size(), 1U);
+    const AuditMotion& motion = audit.motions[0];
+    EXPECT_EQ(motion.kind, AuditMotion::Kind::jumping);
+    EXPECT_EQ(motion.at, 0.25);
+    EXPECT_NEAR(motion.before, 0.25, 1e-6);
+    EXPECT_NEAR(motion.behind, 1.25, 1e-6);
+    EXPECT_EQ(fixture().audit("arc").motions[0].kind, AuditMotion::Kind::turning) << "no jump, however steep";
+    EXPECT_EQ(Audited("float down(float x) { return -x; }").audit("down").motions[0].kind,
+              AuditMotion::Kind::falling);
+    EXPECT_EQ(Audited("float same(float x) { return 2.0; }").audit("same").motions[0].kind,
+              AuditMotion::Kind::constant);
+    // Exactly it rises; the rounding of the large sum makes it go back.
+    const Audited rough(
+        "float rough(float x) { precise float y = (x + 4096.0) - 4096.0; "
+        "precise float z = y * 3.0 - x * 2.0; return z; }");
+    const AuditMotion back = rough.audit("rough", {{"x", {0.0, 1.0}}}).motions[0];
+    EXPECT_EQ(back.kind, AuditMotion::Kind::rising);
+    EXPECT_GT(back.backward, 1.0);
+}
+
+TEST(Audit, FindsFaultsAndWhatNothingReaches) {
+    const Audit fault = fixture().audit("table");
+    ASSERT_NE(find(fault, Concern::fault), nullptr) << to_text(fault);
+    EXPECT_EQ(find(fault, Concern::fault)->values, "index = 3, second = true");
+    EXPECT_THAT(find(fault, Concern::fault)->message, HasSubstr("element 4 of 4"));
+    EXPECT_TRUE(fault.is_broken());
+    EXPECT_THAT(
+        missed(fixture().audit("unreached").coverage),
+        testing::UnorderedElementsAre(HasSubstr("audit.glsl:49: never true"), HasSubstr("audit.glsl:50")));
+    EXPECT_THAT(
+        find(Audited("float spin(float x) { while (x < 2.0) x *= 1.0; return x; }").audit("spin", {}, 64),
+             Concern::fault)
+            ->message,
+        HasSubstr("instructions"));
+}
+
+TEST(Audit, TellsTheCostOfHalfPrecision) {
+    const Audit large = fixture().audit("large");
+    ASSERT_TRUE(large.half);
+    EXPECT_TRUE(std::isinf(large.half->lost)) << "65504 is the largest half";
+    EXPECT_EQ(large.half->place.line, 56U);
+    const Audit sound = fixture().audit("sound");
+    ASSERT_TRUE(sound.half);
+    EXPECT_LT(sound.half->lost, 1.0);
+}
+
+TEST(Audit, IsThatOfAFunctionInCpp) {
+    const Lab lab = test::make_lab(FIXTURES);
+    const Function<float(float)> root(lab, "audit.glsl", "undefined_root");
+    EXPECT_FALSE(root.audit({uniform(51, 52)}, {.inputs = 512}).is_broken());
+    EXPECT_TRUE(root.audit({uniform(0, 100)}, {.inputs = 512}).is_broken());
+}
+
+TEST(Audit, SaysEverythingInAFewLines) {
+    const std::string text = to_text(fixture().audit("angle_between"));
+    EXPECT_THAT(text, StartsWith("audit.glsl: float angle_between(vec3 n, vec3 l)\n"
+                                 "  n               unit vectors (name)\n"));
+    EXPECT_THAT(text, HasSubstr("not finite"));
+    EXPECT_THAT(text, HasSubstr("acos(dot(n, l)) -> acos(clamp(dot(n, l), -1.0, 1.0))"));
+}
+
+// The domain.
+
+std::vector<std::string> described(const std::vector<OrdinaryValues>& all) {
+    std::vector<std::string> texts;
+    for (const OrdinaryValues& values : all)
+        texts.push_back(values.parameter + ": " + values.text + " (" + values.reason + ")");
+    return texts;
+}
+
+TEST(OrdinaryValues, FollowRangeCommentNameArrayAndType) {
+    EXPECT_THAT(
+        described(fixture().values("meanings", {{"count", {2.0, 9.0}}})),
+        ElementsAre("lamp.color: 0 to 1 (name)", "lamp.radius: 0.001 to 1000 (name)", "uv: 0 to 1 (name)",
+                    "view_dir: unit vectors (name)", "rotation: unit quaternions (name)",
+                    "NdotL: 0 to 1 (name)", "other: -1000 to 1000, half of them 0 to 1 (type)",
+                    "count: 2 to 9 (--range)", "t: 2 to 3 (comment)"));
+    EXPECT_THAT(described(fixture().values("table")),
+                ElementsAre("index: 0 to 3 (array)", "second: false, true (type)"));
+}
+
+TEST(OrdinaryValues, DescribeArraysSamplersAndWhatStandsAtFileScope) {
+    const Audited file(
+        "uniform sampler2D image;\nuniform float exposure;\nstruct Lamp { vec3 color; };\n"
+        "float f(float weights[3], Lamp lamps[2], vec2 uv) {\n"
+        "    return textureLod(image, uv, 0.0).x * exposure * lamps[0].color.x / (weights[0] + weights[1] + "
+        "weights[2]);\n"
+        "}\n");
+    EXPECT_THAT(described(file.values("f", {{"weights", {0.0, 1.0}}})),
+                ElementsAre("weights: 3 of 0 to 1 (--range)", "lamps: 2 of 0 to 1 (name)",
+                            "uv: 0 to 1 (name)", "exposure: 0.001 to 1000 (name)"));
+    const Audit audit = file.audit("f", {{"weights", {0.0, 1.0}}});
+    const AuditFinding* const finding = find(audit, Concern::not_finite);
+    ASSERT_NE(finding, nullptr) << to_text(audit);
+    EXPECT_THAT(finding->values, StartsWith("weights = (0, 0, 0), lamps[0].color = ("));
+    EXPECT_THAT(finding->values, HasSubstr("exposure = 1"));
+}
+
+TEST(OrdinaryValues, ReadComments) {
+    const auto of = [](const std::string& comment) {
+        return described(Audited(comment + "float f(float x, vec3 q) { return x + q.x; }").values("f"));
+    };
+    EXPECT_THAT(of("// x in (0, 2pi], q a unit vector\n"),
+                ElementsAre("x: 1.401298e-45 to 6.283185 (comment)", "q: unit vectors (comment)"));
+    EXPECT_THAT(of("/* q: -2 .. 2;\n   x >= 5. */\n"),
+                ElementsAre("x: 5 to 1000 (comment)", "q: -2 to 2 (comment)"));
+    EXPECT_THAT(of("// x is positive\n"), Contains("x: 0.001 to 1000 (comment)"));
+    EXPECT_THAT(of("// x in [3, 1]\n"), Contains("x: -1000 to 1000, half of them 0 to 1 (type)"))
+        << "no range";
+    EXPECT_THAT(of("// x in [0, 1]\n\nfloat g() { return 1.0; }\n"), Contains(HasSubstr("x: -1000")))
+        << "not above f";
+    for (const char* text : {"float f(float x /* 0 to 4 */) { return x; }",
+                             "uniform float k;\n// x in [0, 4]\nfloat\nf(float x) { return x * k; }"})
+        EXPECT_THAT(described(Audited(text).values("f")), Contains("x: 0 to 4 (comment)"));
+}
+
+TEST(OrdinaryValues, DrawNoSubnormalNumbers) {
+    const auto own = fixture().function("gamma_curve");
+    const Domain domain = ordinary_domain(own.function, fixture().values("gamma_curve"));
+    const Domain::Inputs inputs = domain.draw(512, 1);
+    for (std::size_t i = 0; i < inputs.count(); ++i)
+        EXPECT_NE(std::fpclassify(from_word<float>(inputs.row(i)[0])), FP_SUBNORMAL);
+}
+
+// What is tried.
+
+std::vector<std::string> afters(const std::string& text) {
+    std::vector<std::string> all;
+    for (const internal::Candidate& candidate : internal::candidates_of(text)) all.push_back(candidate.after);
+    return all;
+}
+
+// What helps is found by RewritesHelp.
+TEST(Rewrites, AreNotFoundWhereTheTextMeansAnotherThing) {
+    EXPECT_THAT(afters("return y * 1.0 - cos(x);"), Not(Contains(HasSubstr("sin("))))
+        << "the one belongs to a product";
+    EXPECT_THAT(afters("y = a.x * a.x - b.x * b.x;"), ElementsAre("((a.x - b.x) * (a.x + b.x))"));
+    EXPECT_THAT(afters("y = pow(f(a, b), 2.0);"), Contains("((f(a, b)) * (f(a, b)))"));
+    EXPECT_THAT(afters("float s = x; for (;;) { s += x; s += y; } s += z;"),
+                ElementsAre("s = add_with_rest(s, x, s_rest)"));
+    for (const char* text :
+         {"y = c - a * a - b * b;",
+          "float s = x; s += x; { float t = x; } for (;;) { t += x; } int i = 0; do i += 1; while (f());",
+          "float acos(float x) { return x; }", "acos("})
+        EXPECT_THAT(afters(text), IsEmpty()) << text;
+}
+
+struct Helped {
+    const char* text;  // a function f
+    const char* after;
+    Ranges ranges;
+};
+
+class RewritesHelp : public testing::TestWithParam<Helped> {};
+
+TEST_P(RewritesHelp, WhereItWasTried) {
+    const Audit audit = Audited(GetParam().text).audit("f", GetParam().ranges);
+    EXPECT_THAT(audit.rewrites, Contains(Field(&AuditRewrite::after, GetParam().after))) << to_text(audit);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, RewritesHelp,
+    testing::Values(
+        Helped{"float f(float x) { return 1.0 - cos(x); }",
+               "(2.0 * sin(0.5 * (x)) * sin(0.5 * (x)))",
+               {{"x", {0, 3}}}},
+        Helped{"vec3 f(vec3 d) { return normalize(d); }",
+               "((d) * inversesqrt(max(dot(d, d), 1.17549435e-38)))",
+               {{"d", {-1, 1}}}},
+        Helped{"float f(float x) { return log(1.0 + x); }", "log_of_1_plus(x)", {{"x", {0, 0.01}}}},
+        Helped{"float f(float x) { return exp(x) - 1.0; }", "exp_minus_1(x)", {{"x", {0, 0.01}}}},
+        Helped{"float f(float a, float b) { return a * a - b * b; }",
+               "((a - b) * (a + b))",
+               {{"a", {1, 2}}, {"b", {1, 2}}}},
+        Helped{"float f(float x) { return pow(x, 2.0); }", "((x) * (x))", {{"x", {-2, 2}}}},
+        Helped{"float f(float x) { return pow(1.0 - x, 5.0); }",
+               "((1.0 - x) * (1.0 - x) * (1.0 - x) * (1.0 - x) * (1.0 - x))",
+               {{"x", {0, 1}}}},
+        Helped{"float f(float x) { return pow(x, 3.); }", "((x) * (x) * (x))", {{"x", {0, 4}}}},
+        Helped{"float f(vec3 d) { return length(d); }", "scaled_length(d)", {{"d", {1e18, 1e22}}}},
+        Helped{"float f(float x) { return sin(x); }", "sin(within_pi(x))", {{"x", {-6, 6}}}},
+        Helped{
+            "vec2 f(vec2 x) { vec2 sum = vec2(0.0); for (int i = 0; i < 1024; ++i) sum += x; return sum; }",
+            "sum = add_with_rest(sum, x, sum_rest)",
+            {{"x", {0.1, 0.2}}}},
+        Helped{"float f(float x) { return smoothstep(1.0, 0.0, x); }",
+               "smoothstep(-(1.0), -(0.0), -(x))",
+               {{"x", {0, 1}}}}));
+
+// A rewrite that changes what the function means is none, even if it loses fewer digits.
+TEST(Rewrites, KeepTheMeaning) {
+    const Audit hash =
+        Audited("float f(vec2 uv) { return fract(sin(dot(uv, vec2(12.9898, 78.233))) * 43758.5453); }")
+            .audit("f");
+    EXPECT_NE(find(hash, Concern::digits), nullptr);
+    EXPECT_THAT(hash.rewrites, IsEmpty()) << to_text(hash);
+}
+
+}  // namespace gloam::check::audit_test

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "audit/audit.hpp"
+#include "audit/own_domain.hpp"
+#include "support/lab.hpp"
+
+namespace gloam::check::audited {
+
+// The functions of a text, for the interpreter.
+class Audited {
+  public:
+    explicit Audited(const std::string& text, const std::string& name = "audit.glsl") : name_(name) {
+        const std::filesystem::path folder(FIXTURES);
+        options_ = {.device = std::string(interpreter_name),
+                    .include_roots = {folder},
+                    .excerpts = shader::excerpts({(folder / name).string(), text}, {folder}).functions};
+        lab_ = std::make_unique<const Lab>(options_);
+    }
+
+    [[nodiscard]] OwnFunction function(const std::string& function) const {
+        return own_functions(options_, name_, {function}).found.at(0);
+    }
+
+    [[nodiscard]] Audit audit(const std::string& name, const Ranges& ranges = {},
+                              std::size_t inputs = 2048) const {
+        return check::audit(*lab_, name_, function(name), ranges, {.inputs = inputs});
+    }
+
+    [[nodiscard]] std::vector<OrdinaryValues> values(const std::string& name,
+                                                     const Ranges& ranges = {}) const {
+        return ordinary_values(function(name), ranges);
+    }
+
+  private:
+    std::string name_;
+    LabOptions options_;
+    std::unique_ptr<const Lab> lab_;
+};
+
+inline const AuditFinding* find(const Audit& audit, Concern concern) {
+    const auto found = std::ranges::find(audit.findings, concern, &AuditFinding::concern);
+    return found == audit.findings.end() ? nullptr : &*found;
+}
+
+}  // namespace gloam::check::audited

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// Decisions on inexact numbers, and what an audit says of motion.
+#include "audit/audited.hpp"
+
+namespace gloam::check::audit_decisions_test {
+
+using audited::Audited;
+using audited::find;
+
+TEST(AuditDecisions, ADerivativeOfSomeInvocationsIsUndefined) {
+    const Ranges ranges{{"x", {0.4, 0.6}}};
+    const Audited some("float f(float x) { if (x > 0.5) return dFdx(x); return 0.0; }");
+    EXPECT_NE(find(some.audit("f", ranges, 512), Concern::undefined), nullptr);
+    const Audited all("float f(float x) { return fwidth(x); }");
+    EXPECT_EQ(find(all.audit("f", ranges, 512), Concern::undefined), nullptr);
+}
+
+// (x + 0.1) - 0.1 is x in double, and less for some floats.
+TEST(AuditDecisions, FollowsADecisionOnAnInexactNumberBothWays) {
+    const auto parting = [](const std::string& text, const Ranges& ranges = {}) {
+        const Audit audit = Audited(text).audit("f", ranges);
+        const AuditFinding* const finding = find(audit, Concern::parting);
+        EXPECT_FALSE(audit.is_broken()) << to_text(audit);
+        return finding == nullptr ? AuditFinding{} : *finding;
+    };
+    const AuditFinding compared =
+        parting("float f(float x) { return (x + 0.1) - 0.1 < x ? 1.0 : 2.0; }", {{"x", {0.0, 1.0}}});
+    EXPECT_GT(compared.share, 0.05);
+    EXPECT_EQ(compared.place.line, 1U);
+    EXPECT_EQ(std::abs(compared.value - compared.exact), 1.0);
+    const AuditFinding counted = parting(
+        "float f(float a) { float n = 0.0; for (float i = a; i < a + 10.0; i += 1.0) n += 1.0; return n; }",
+        {{"a", {0.0, 1.0}}});
+    EXPECT_GT(counted.share, 0.02);
+    const AuditFinding equal =
+        parting("float f(float x) { return x / 3.0 * 3.0 == x ? 1.0 : 0.0; }", {{"x", {1.0, 2.0}}});
+    EXPECT_GT(equal.share, 0.2);
+    const AuditFinding whole =
+        parting("int f(float x) { return int(x / 10.0 * 10.0); }", {{"x", {1.0, 100.0}}});
+    EXPECT_EQ(std::abs(whole.value - whole.exact), 1.0);
+    EXPECT_GT(whole.place.line, 0U);
+    for (const char* decimal :
+         {"int f(float x) { return int(x * 10.0); }", "int f(float x) { return int(x / 0.1); }",
+          "bool f(float x) { return fract(x * 10.0) < 0.5; }",
+          "float f(float x) { return x * 10.0 >= 7.0 ? 1.0 : 0.0; }"})
+        EXPECT_EQ(parting(decimal, {{"x", {0.0, 1.0}}}).place.line, 1U) << decimal;
+    const AuditFinding index = parting(
+        "const float TABLE[4] = float[4](0.0, 1.0, 2.0, 3.0);\n"
+        "float f(int i) { return TABLE[int(mod(float(i), 4.0))]; }",
+        {{"i", {0.0, 64.0}}});
+    EXPECT_TRUE(std::isnan(index.exact)) << "mod(4.0, 4.0) may be 4.0";
+    for (const char* exact : {"float f(float x) { return x < 0.5 ? 1.0 : 2.0; }",
+                              "float f(float x) { return x * 2.0 < 0.5 ? 1.0 : 2.0; }",
+                              "float f(float x) { return abs(x / 3.0); }"})
+        EXPECT_EQ(parting(exact, {{"x", {0.0, 1.0}}}).share, 0.0) << exact;
+}
+
+// Of each sentence, an input for which a hasty one would be false.
+TEST(AuditDecisions, SaysOfMotionWhatIsSo) {
+    const auto motion = [](const std::string& text, const std::string& parameter, const Ranges& ranges) {
+        for (const AuditMotion& one : Audited(text).audit("f", ranges).motions)
+            if (one.parameter == parameter) return one;
+        return AuditMotion{};
+    };
+    using enum AuditMotion::Kind;
+    const Ranges unit{{"x", {0.0, 1.0}}, {"y", {0.0, 1.0}}, {"k", {0.0, 10.0}}};
+    EXPECT_EQ(motion("float f(float x, float y) { return y > 0.97 ? x : 0.0; }", "x", unit).kind, rising);
+    EXPECT_EQ(motion("float f(float x, float k) { return k > 9.9 ? 1.0 - x : x; }", "x", unit).kind, turning);
+    const AuditMotion step = motion("float f(float x) { return x < 0.5 ? x : x - 0.001; }", "x", unit);
+    EXPECT_EQ(step.kind, jumping);
+    EXPECT_EQ(step.at, 0.5);
+    EXPECT_EQ(
+        motion("float f(float depth, float bias, float light) { return depth - bias > light ? 0.0 : 1.0; }",
+               "bias", {{"depth", {1.0, 100.0}}, {"bias", {0.0, 0.01}}, {"light", {1.0, 100.0}}})
+            .kind,
+        jumping);
+    const std::string srgb =
+        "float f(float x) { return x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1.0 / 2.4) - 0.055; }";
+    const AuditMotion curve = motion(srgb, "x", unit);
+    EXPECT_TRUE(curve.kind != rising || curve.backward > 1.0) << to_text(curve);
+    EXPECT_THAT(to_text(AuditMotion{.kind = constant}), HasSubstr("on the lines tried"));
+}
+
+}  // namespace gloam::check::audit_decisions_test

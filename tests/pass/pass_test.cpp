@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+#include "pass/pass.hpp"
+#include "support/lab.hpp"
+
+namespace gloam::check::pass_test {
+
+Lab pass_lab() {
+    return test::make_lab(FIXTURES);
+}
+
+Lab interpreted_lab() {
+    return Lab({.device = std::string(interpreter_name), .include_roots = {GLOAM_GLSL_DIR, FIXTURES}});
+}
+
+Image picture(glm::ivec2 size = {13, 9}) {
+    return make_image<glm::vec4>(size, [](glm::ivec2 p) {
+        return glm::vec4(p.x, p.y, p.x * p.y, 1.0F + static_cast<float>((7 * p.x + 3 * p.y) % 5));
+    });
+}
+
+// The mean of the square of each pixel, in double.
+Image mean_of(const Image& image, int radius) {
+    return make_image<glm::vec4>(image.size, [&image, radius](glm::ivec2 pixel) {
+        glm::dvec4 sum(0.0);
+        for (int y = -radius; y <= radius; ++y)
+            for (int x = -radius; x <= radius; ++x)
+                sum += glm::dvec4(image.at<glm::vec4>(pixel + glm::ivec2(x, y)));
+        return sum / ((2.0 * radius + 1.0) * (2.0 * radius + 1.0));
+    });
+}
+
+constexpr double rounding = 2e-5;  // of values below 128
+
+class OnEachDevice : public testing::TestWithParam<Lab (*)()> {
+  protected:
+    Lab lab = GetParam()();
+};
+INSTANTIATE_TEST_SUITE_P(Pass, OnEachDevice, testing::Values(pass_lab, interpreted_lab));
+
+PassInputs box_inputs(const Image& image, int radius, unsigned fault = 0) {
+    return {{"source", image}, {"radius", radius}, {"fault", fault}};
+}
+
+std::string text_of(const ImageComparison& comparison) {
+    std::ostringstream text;
+    text << comparison;
+    return text.str();
+}
+
+TEST(Pass, IsAsTheReference) {
+    const Lab lab = pass_lab();
+    const Image source = picture();
+    const PassResult out = Pass(lab, "box.comp").run(box_inputs(source, 2));
+    EXPECT_EQ(out.unwritten(), "");
+    EXPECT_EQ(out.image("result").size, glm::ivec2(13, 9));
+    const ImageComparison comparison = out.image("result").compare(mean_of(source, 2), rounding);
+    EXPECT_TRUE(comparison) << comparison;
+    EXPECT_EQ(text_of(Pass(lab, "box.comp").run(box_inputs(source, 0)).image("result").compare(source)),
+              "largest difference 0\n");
+}
+
+TEST(Pass, FindsABorderPixelThatIsSkipped) {
+    const Lab lab = pass_lab();
+    const Image source = picture();
+    const PassResult out = Pass(lab, "box.comp").run(box_inputs(source, 1, 1));
+    EXPECT_EQ(out.unwritten(), "box.comp: result: 1 of 117 pixels were not written, the first (12, 8)\n");
+    const ImageComparison comparison = out.image("result").compare(mean_of(source, 1), rounding);
+    EXPECT_FALSE(comparison);
+    EXPECT_EQ(comparison.outside, 1U);
+    EXPECT_EQ(comparison.worst, glm::ivec2(12, 8));
+    EXPECT_THAT(
+        comparison.story,
+        StartsWith("box.comp: result: 1 of 117 pixels differ by more than 2e-05, 1 of them not written\n"
+                   "  pixel (12, 8) component 0: got nan"));
+    EXPECT_TRUE(std::isnan(out.image("result").at<glm::vec4>({12, 8}).x));
+}
+
+TEST(Pass, FindsSwappedChannelsAndNamesTheWorstPixel) {
+    const Lab lab = pass_lab();
+    const Image source = picture({4, 3});
+    const PassResult out = Pass(lab, "box.comp").run(box_inputs(source, 0, 2));
+    const ImageComparison comparison = out.image("result").compare(source, 1.5);
+    EXPECT_EQ(comparison.outside, 4U);
+    EXPECT_EQ(comparison.largest, 3.0);
+    EXPECT_EQ(comparison.story,
+              "box.comp: result: 4 of 12 pixels differ by more than 1.5\n"
+              "  pixel (3, 0) component 0: got 0 (0x00000000), expected 3 (0x40400000), difference 3\n");
+}
+
+TEST(Pass, NanAndInfinityEqualThemselvesAlone) {
+    const Lab lab = pass_lab();
+    Image source = picture({4, 3});
+    source.words[0] = 0x7FC00000U;
+    source.words[9] = 0x7F800000U;
+    const PassResult out = Pass(lab, "box.comp").run(box_inputs(source, 0));
+    EXPECT_TRUE(out.image("result").compare(source));
+    const ImageComparison comparison = out.image("result").compare(picture({4, 3}), 1e30);
+    EXPECT_EQ(comparison.outside, 2U);
+    EXPECT_TRUE(std::isinf(comparison.largest));
+}
+
+struct Light {
+    glm::vec3 color;
+    float power;
+};
+
+PassInputs block_inputs() {
+    return {{"turn", glm::mat2x3(1, 2, 3, 4, 5, 6)},
+            {"doubled", true},
+            {"weights", std::array{glm::vec2(0), glm::vec2(0), glm::vec2(1, 10)}},
+            {"count", 2U},
+            {"lights", std::vector<Light>{{{1, 2, 4}, 0.5F}, {{8, 16, 32}, 0.25F}}},
+            {"bins", std::vector<unsigned>{5, 6, 7, 8}},
+            {"7", 2U},
+            {"scale", 4.0}};
+}
+
+TEST_P(OnEachDevice, HasBlocksOfEveryKind) {
+    const PassResult out = Pass(lab, "blocks.comp").run(block_inputs(), {.groups = {2, 1, 1}});
+    const glm::vec3 sum = 8.0F * (0.5F * glm::vec3(1, 2, 4) + 0.25F * glm::vec3(8, 16, 32));
+    EXPECT_EQ(out.values<glm::vec3>("total"), std::vector{glm::vec3(41, 52, 63) + sum});
+    EXPECT_EQ(out.values<float>("powers"), (std::vector{0.5F, 0.25F}));
+    EXPECT_EQ(out.values<unsigned>("bins"), (std::vector<unsigned>{7, 8, 9, 10}));
+    EXPECT_EQ(out.unwritten(), "blocks.comp: untouched: 1 of 1 words were not written\n");
+    expect_error<std::invalid_argument>([&] { (void)out.values<int>("bins"); },
+                                        {"\"bins\" holds uint, asked for int"});
+    expect_error<std::invalid_argument>(
+        [&] { (void)out.values<int>("bin"); },
+        {"writes no buffer member \"bin\"", "bins, powers, total, untouched"});
+}
+
+Image checkers(bool linear) {
+    Image image = make_image<glm::vec4>(
+        {4, 4}, [](glm::ivec2 p) { return glm::vec4(static_cast<float>((p.x + p.y) % 2)); });
+    if (linear) image.sampling = Image::Sampling{.linear = true, .wrap = backend::Wrap::edge};
+    return image;
+}
+
+TEST_P(OnEachDevice, HasSamplersAndSmallFormats) {
+    const Pass magnify(lab, "magnify.comp");
+    const PassOptions twice{.size = {8, 8}};
+    const PassResult nearest = magnify.run({{"picture", checkers(false)}}, twice);
+    const auto near = [](glm::ivec2 p) { return glm::vec4(static_cast<float>((p.x / 2 + p.y / 2) % 2)); };
+    EXPECT_TRUE(nearest.image("large").compare(make_image<glm::vec4>({8, 8}, near)));
+    const PassResult linear = magnify.run({{"picture", checkers(true)}}, twice);
+    EXPECT_NEAR(linear.image("large").at<glm::vec4>({1, 0}).x, 0.25F, 1.0 / 255.0);
+    const auto number = [](glm::ivec2 p) { return static_cast<unsigned>(8 * p.y + p.x); };
+    EXPECT_TRUE(linear.image("number").compare(make_image<unsigned>({8, 8}, number)));
+    const auto first = [](glm::ivec2 p) { return static_cast<unsigned>(8 * p.y); };
+    const ImageComparison wrong = linear.image("number").compare(make_image<unsigned>({8, 8}, first));
+    EXPECT_THAT(wrong.story,
+                HasSubstr("56 of 64 pixels differ by more than 0\n"
+                          "  pixel (7, 0) component 0: got 7 (0x00000007), expected 0 (0x00000000), "));
+}
+
+TEST_P(OnEachDevice, HasLayersAndTellsBlocksApart) {
+    Image layers = make_image<glm::vec4>({2, 2}, [](glm::ivec2) { return glm::vec4(7.0F); });
+    const Image second = make_image<glm::vec4>(
+        {2, 2}, [](glm::ivec2 p) { return glm::vec4(static_cast<float>(p.x + 2 * p.y)); });
+    layers.words.insert(layers.words.end(), second.words.begin(), second.words.end());
+    layers.sampling = Image::Sampling{.depth = 2};
+    const PassResult out =
+        Pass(lab, "layers.comp").run({{"layers", layers}, {"First.scale", 0.5F}, {"Second.scale", 0.1F}});
+    const auto halves = [](glm::ivec2 p) { return glm::dvec2(0.5 * (p.x + 2 * p.y), 0x1.998p-4); };
+    const ImageComparison same = out.image("result").compare(make_image<glm::vec2>({2, 2}, halves));
+    EXPECT_TRUE(same) << same;
+}
+
+TEST_P(OnEachDevice, ReadsCubesAndCompares) {
+    Image sky = make_image<float>({1, 1}, [](glm::ivec2) { return 1.0F; });
+    for (int face = 1; face < 6; ++face) sky.words.push_back(to_word(static_cast<float>(face + 1)));
+    sky.sampling = Image::Sampling{.depth = 6};
+    Image depths = make_image<float>({1, 1}, [](glm::ivec2) { return 0.5F; });
+    depths.sampling = Image::Sampling{.compare = backend::Compare::greater};
+    const PassResult out = Pass(lab, "cube.comp").run({{"sky", sky}, {"depths", depths}}, {.size = {6, 1}});
+    const auto faces = [](glm::ivec2 p) { return glm::dvec2(p.x + 1, p.x > 2 ? 1 : 0); };
+    const ImageComparison same = out.image("result").compare(make_image<glm::vec2>({6, 1}, faces));
+    EXPECT_TRUE(same) << same;
+}
+
+TEST(Pass, OfTheInterpreterIsThatOfTheDevice) {
+    const Lab lab = interpreted_lab();
+    const Image source = picture();
+    const PassResult out = Pass(lab, "box.comp").run(box_inputs(source, 2));
+    EXPECT_TRUE(out.image("result").compare(mean_of(source, 2), rounding));
+    const Lab device = pass_lab();
+    EXPECT_TRUE(out.image("result").compare(
+        Pass(device, "box.comp").run(box_inputs(source, 2)).image("result"), rounding));
+    EXPECT_THAT(Pass(lab, "box.comp").run(box_inputs(source, 1, 1)).unwritten(),
+                HasSubstr("1 of 117 pixels"));
+    expect_error<backend::Fault>(
+        [&] {
+            (void)Pass(lab, "racy.comp").run({{"numbers", std::array<float, 4>{}}}, {.groups = {1, 1, 1}});
+        },
+        {"racy.comp: a race: invocation 1", "word 1 of \"Numbers\"", "racy.comp:9"});
+    expect_error<backend::Fault>(
+        [&] {
+            (void)Pass(lab, "outside.comp").run({{"result", make_image<float>({3, 3}, [](auto) {
+                                                      return 0;
+                                                  })}});
+        },
+        {"outside.comp: texel 3 of the 3 of \"result\"", "outside.comp:3"});
+}
+
+TEST_P(OnEachDevice, SharesMemoryInAGroup) {
+    const PassResult out = Pass(lab, "shared.comp")
+                               .run({{"numbers", std::array{4.0F, 3.0F, 2.0F, 1.0F}}}, {.groups = {1, 1, 1}});
+    EXPECT_EQ(out.values<float>("numbers"), std::vector<float>(4, 4.0F));
+}
+
+TEST_P(OnEachDevice, OfTheLibraryIsRunAsItIs) {
+    const Image wall = make_image<float>({8, 6}, [](glm::ivec2) { return 2.0F; });
+    const PassResult out = Pass(lab, "passes/study/normals_from_depth.comp")
+                               .run({{"depth_image", wall},
+                                     {"p00_p11", glm::vec2(1.5F, -2.0F)},
+                                     {"size", glm::ivec2(8, 6)},
+                                     {"orthographic", 0U}});
+    const auto to_the_eye = [](glm::ivec2) { return glm::vec4(0, 0, 1, 0); };
+    EXPECT_TRUE(out.image("normal_image").compare(make_image<glm::vec4>({8, 6}, to_the_eye)));
+}
+
+}  // namespace gloam::check::pass_test
