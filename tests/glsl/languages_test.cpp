@@ -137,7 +137,7 @@ TEST(Materials, CallThePackedFunctions) {
                       "gloam_linear_depth_perspective_vk", "gloam_lattice_rotation"}};
     const std::string packed = shader::pack(
         {library / "gloam/methods/sweep.glsl", library / "gloam/geometry/camera_normal.glsl",
-         library / "gloam/geometry/linear_depth.glsl", library / "gloam/sampling/lattice_rotation.glsl"},
+         library / "gloam/geometry/linear_depth.glsl", library / "gloam/sampling/rotation.glsl"},
         functions, {library});
     const std::string parameters =
         "uniform sampler2D materialParams_depth;\n"

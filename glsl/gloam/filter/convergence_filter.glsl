@@ -2,10 +2,7 @@
 #ifndef GLOAM_FILTER_CONVERGENCE_FILTER_GLSL
 #define GLOAM_FILTER_CONVERGENCE_FILTER_GLSL
 
-#include "gloam/filter/convergence_weight.glsl"
-#include "gloam/filter/gaussian.glsl"
-#include "gloam/filter/shrink.glsl"
-#include "gloam/filter/weighted_mean.glsl"
+#include "gloam/filter/weights.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
 // Smoothing of occlusion that trusts each neighbour as far as it has converged (TSSAO-10), along one axis of the

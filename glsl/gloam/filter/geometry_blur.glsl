@@ -2,8 +2,7 @@
 #ifndef GLOAM_FILTER_GEOMETRY_BLUR_GLSL
 #define GLOAM_FILTER_GEOMETRY_BLUR_GLSL
 
-#include "gloam/filter/geometry_weight.glsl"
-#include "gloam/filter/weighted_mean.glsl"
+#include "gloam/filter/weights.glsl"
 #include "gloam/gather/fetch.glsl"
 #include "gloam/geometry/background.glsl"
 

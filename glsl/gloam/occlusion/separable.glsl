@@ -2,7 +2,7 @@
 #ifndef GLOAM_OCCLUSION_SEPARABLE_GLSL
 #define GLOAM_OCCLUSION_SEPARABLE_GLSL
 
-#include "gloam/filter/gaussian.glsl"
+#include "gloam/filter/weights.glsl"
 #include "gloam/sampling/unit_interval.glsl"
 
 // Separable ambient occlusion (Huang et al. 2011): along one direction of a pair first, then along the other; the

@@ -32,7 +32,7 @@ void adapt_issao(Settings& s) {
     s.own.epsilon = 0.0126491F / 1.75F;
 }
 
-// GLOAM_LAST_TAP_LEVEL of gloam/sampling/tap_pixel.glsl.
+// GLOAM_LAST_TAP_LEVEL of gloam/sampling/depth_mip.glsl.
 constexpr std::uint32_t last_tap_level = 5;
 
 // The image with the layout of gloam/methods/sao_chain.glsl.
