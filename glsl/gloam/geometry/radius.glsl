@@ -11,7 +11,6 @@
 // do not matter.
 
 // number read as a length (LENGTH): `x inside [0, FLT_MAX], else the nearer end; 0 for NaN` [convention].
-// A length that is not positive counts as 0, and so does NaN; one too large for a float is the largest float.
 // x: any float. Returns a number in [0, FLT_MAX]. Error: none.
 float gloam_positive_length(float x) {
     return x > 0.0 ? (x <= GLOAM_LARGEST ? x : GLOAM_LARGEST) : 0.0;

@@ -26,7 +26,7 @@ float gloam_length_ratio(float smaller, float larger) {
 }
 
 // number of bits set (BIT-count): `sum of the digits in base 2` [definition].
-// Number of bits set, in languages with and without bitCount() (GLSL before 4.00 and ESSL before 3.10 lack it).
+// In languages with and without bitCount() (GLSL before 4.00 and ESSL before 3.10 lack it).
 // bits: any 32 bits.
 // Returns a number in [0, 32]. Error: none.
 uint gloam_bit_count(uint bits) {

@@ -66,7 +66,7 @@ float gloam_contribution_unreal(vec3 offset, vec3 normal, float bias, float scal
 }
 
 // what a side leaves open in the engine's later shader (CS-P-unreal-side): `(1 - occ)^2` [Unreal Engine 4, as ported].
-// What a side leaves open there: (1 - occ)^2, to be averaged over the sides.
+// To be averaged over the sides.
 // occlusion: of the side, taken into [0, 1], NaN to 0.
 // Returns visibility in [0, 1]. Error: 2 ULP.
 float gloam_unreal_side(float occlusion) {

@@ -26,7 +26,7 @@ vec2 gloam_disc_sample(vec2 zeta) {
 }
 
 // point of a sample: disc (POINTS-disc): `TSSAO-13 of the Halton point` [TSSAO, eqs 13 and 14].
-// Point of the unit disc before it is rotated (TSSAO-13): what all pixels share of a tap (halton.glsl).
+// Before it is rotated: what all pixels share of a tap.
 // index: number of the Halton point, 1 for the first. Returns the point in xy; z is 0. Error: 5e-7.
 vec3 gloam_disc_point(uint index) {
     return vec3(gloam_disc_sample(gloam_halton_2d(index)), 0.0);
@@ -54,7 +54,7 @@ vec2 gloam_spiral_point(int index, int count, int turns) {
 // centre. The paper draws e_1 and e_2 "in a fixed relation" that it does not print; here they are independent.
 
 // sampling offset inside the disc (ISSAO-1): `r_max e_1 (sin 2 pi e_2, cos 2 pi e_2)` [ISSAO, eq 1].
-// The reading that fits the prose: r_max e_1 (sin 2 pi e_2, cos 2 pi e_2), inside the disc, its radius uniform.
+// The reading that fits the prose; its radius is uniform.
 // e: two numbers in [0, 1], taken to the nearer end outside, NaN to 0. radius: r_max, pixels or any unit, >= 0.
 // Returns an offset in that unit, no longer than the radius but for rounding; (0, 0) for e_1 = 0. Error: 4e-7 of the
 // radius.
@@ -65,8 +65,7 @@ vec2 gloam_issao_offset_polar(vec2 e, float radius) {
 
 // sampling offset as printed, kept in the disc (ISSAO-1-printed): `r_max (e_1 sin 2 pi e_2, e_2 cos 2 pi e_1)` [ISSAO,
 // eq 1].
-// As printed: r_max (e_1 sin 2 pi e_2, e_2 cos 2 pi e_1). 3.1 % of these leave the disc, up to 1.26 r_max: they are
-// moved to its border.
+// 3.1 % of these leave the disc, up to 1.26 r_max: they are moved to its border.
 // e: two numbers in [0, 1], taken to the nearer end outside, NaN to 0. radius: r_max, pixels or any unit, >= 0.
 // Returns an offset in that unit, no longer than the radius but for rounding. Error: 6e-7 of the radius.
 // No method or pass here calls it: it is ISSAO, eq 1, as printed; the methods take the other reading.

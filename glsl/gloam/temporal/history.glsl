@@ -104,9 +104,8 @@ vec4 gloam_bilinear_weights(vec2 fraction) {
     return vec4(g.x * g.y, f.x * g.y, g.x * f.y, f.x * f.y);
 }
 
-// bilinear weights of the valid texels only (BILINEAR-valid): `w_i / (sum of valid w)` [TSSAO,
-// interpolation across depth edges].
-// Weights of the texels that may be used, made to sum to 1 again.
+// bilinear weights of the valid texels only (BILINEAR-valid): `w_i / (sum of valid w)` [TSSAO, interpolation across
+// depth edges].
 // bilinear: weights as above; each read inside [0, 1], NaN as 0. valid: which texels passed their test
 // (gloam_depth_consistent).
 // Returns weights in [0, 1] of sum 1, 0 for invalid texels; all 0 where no valid texel has a weight that is not zero

@@ -95,7 +95,7 @@ float gloam_confidence(float change, float factor) {
 }
 
 // smooth invalidation by a confidence (TSSAO-SI-b-weight): `w := conf w` [TSSAO, smooth invalidation factor].
-// Form (b), weight after a change: conf w.
+// Form (b).
 // weight: w, accumulated samples. confidence: conf; read inside [0, 1], NaN as 0.
 // Returns the weight, >= 0; 0 for a negative, infinite or NaN weight. Error: 0.5 ULP.
 float gloam_invalidate_confidence(float weight, float confidence) {
